@@ -1,0 +1,132 @@
+//! The one public error: what was wrong, where, and what would be right.
+
+use std::path::PathBuf;
+
+/// Everything that can go wrong, sorted by whose turn it is to act.
+#[non_exhaustive]
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The text of a form or a number is malformed; the message shows the line with a caret.
+    #[error("{}", caret(.message, .source_name, .text, *.at))]
+    Syntax {
+        /// What is wrong and what would be right.
+        message: String,
+        /// Where the text came from: a file name, or `<form>` for the command line.
+        source_name: String,
+        /// The whole text.
+        text: String,
+        /// Byte offset of the first offending character.
+        at: usize,
+    },
+    /// A data file or value is malformed: a row of a CSV file, a field of a document, an image.
+    #[error("{place}: {message}")]
+    Data {
+        /// Where: `outline.csv, row 17`.
+        place: String,
+        /// What is wrong and what would be right.
+        message: String,
+    },
+    /// An argument has a value that cannot be right.
+    #[error("{0}")]
+    Usage(String),
+    /// The input is well formed but a theorem's hypothesis fails for it.
+    #[error("{statement} does not apply: {witness}")]
+    Hypothesis {
+        /// Which theorem or lemma.
+        statement: &'static str,
+        /// Why not, with the evidence.
+        witness: String,
+    },
+    /// A stated limit was reached.
+    #[error("limit reached: {limit}{}", finished_clause(.finished))]
+    Limit {
+        /// Which limit and its value.
+        limit: String,
+        /// What was finished before, empty if nothing.
+        finished: String,
+    },
+    /// The user interrupted the work.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
+    /// Reading or writing failed.
+    #[error("{}: {source}", .path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+/// The result of every fallible function of this crate.
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl Error {
+    /// A [`Error::Data`] from its two parts.
+    pub(crate) fn data(place: impl Into<String>, message: impl Into<String>) -> Self {
+        Error::Data {
+            place: place.into(),
+            message: message.into(),
+        }
+    }
+
+    /// A [`Error::Limit`] with nothing finished.
+    pub(crate) fn limit(limit: impl Into<String>) -> Self {
+        Error::Limit {
+            limit: limit.into(),
+            finished: String::new(),
+        }
+    }
+}
+
+fn finished_clause(finished: &str) -> String {
+    if finished.is_empty() {
+        String::new()
+    } else {
+        format!(" ({finished})")
+    }
+}
+
+/// The longest stretch of a source line that an error message repeats.
+const LINE_SHOWN: usize = 100;
+
+/// `message`, then the offending line and a caret under the offending character.
+fn caret(message: &str, source_name: &str, text: &str, at: usize) -> String {
+    let at = (0..=at.min(text.len()))
+        .rev()
+        .find(|&i| text.is_char_boundary(i))
+        .unwrap_or(0);
+    let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
+    let end = text[at..].find('\n').map_or(text.len(), |i| at + i);
+    let number = text[..start].matches('\n').count() + 1;
+    let before: Vec<char> = text[start..at].chars().collect();
+    let after: Vec<char> = text[at..end].chars().collect();
+    let skipped = before.len().saturating_sub(LINE_SHOWN / 2);
+    let shown: String = before[skipped..]
+        .iter()
+        .chain(after.iter().take(LINE_SHOWN / 2))
+        .collect();
+    let dots = if skipped > 0 { "…" } else { "" };
+    let pad = " ".repeat(before.len() - skipped + dots.chars().count());
+    let column = before.len() + 1;
+    format!("{source_name}:{number}:{column}: {message}\n  | {dots}{shown}\n  | {pad}^")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_syntax_error_points_at_the_character() {
+        let error = Error::Syntax {
+            message: "unknown name `q`".into(),
+            source_name: "<form>".into(),
+            text: "x = 1\ny = −2q".into(),
+            at: "x = 1\ny = −2".len(),
+        };
+        assert_eq!(
+            error.to_string(),
+            "<form>:2:7: unknown name `q`\n  | y = −2q\n  |       ^"
+        );
+    }
+}

@@ -1,0 +1,153 @@
+//! Numbers as people and programs write them.
+
+use std::str::FromStr;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::conversion::traits::FromStringBase;
+
+use super::Rational;
+use crate::error::{Error, Result};
+
+/// Decimal exponents beyond this are refused: `1e999999999` would not fit in memory.
+const MAX_EXPONENT: i64 = 100_000;
+
+/// The exact value of `text`: an integer `-12`, a decimal `0.1` (one tenth) or `1e-5`, a fraction
+/// `p/q` of any of these, or a hexadecimal float `0x1.8p+1`.
+///
+/// ```
+/// use stellate::exact::exact_literal;
+/// assert_eq!(exact_literal("1e-5").unwrap().to_string(), "1/100000");
+/// assert_eq!(exact_literal("-2.50/5").unwrap().to_string(), "-1/2");
+/// assert_eq!(exact_literal("0x1.8p+1").unwrap().to_string(), "3");
+/// ```
+///
+/// # Errors
+/// [`Error::Syntax`] if the text is none of these, if a denominator is 0, or if an exponent is
+/// beyond ±100 000.
+pub fn exact_literal(text: &str) -> Result<Rational> {
+    let trimmed = text.trim();
+    match trimmed.split_once('/') {
+        None => simple(trimmed, text),
+        Some((p, q)) => {
+            let (p, q) = (simple(p.trim(), text)?, simple(q.trim(), text)?);
+            if q.is_zero() {
+                return Err(wrong(text, "the denominator is 0"));
+            }
+            Ok(p / q)
+        }
+    }
+}
+
+/// The exact value of the double nearest to `text` (decimal), or of the hexadecimal float.
+///
+/// ```
+/// use stellate::exact::double_literal;
+/// assert_eq!(double_literal("0.1").unwrap().to_string(), "3602879701896397/36028797018963968");
+/// ```
+///
+/// # Errors
+/// [`Error::Syntax`] if the text is not a finite number.
+pub fn double_literal(text: &str) -> Result<Rational> {
+    Ok(exact_literal(text)?.to_f64()).and_then(|double| {
+        Rational::try_from(double).map_err(|_| wrong(text, "too large for a double"))
+    })
+}
+
+fn simple(text: &str, whole: &str) -> Result<Rational> {
+    let (negative, digits) = match text.strip_prefix(['-', '−']) {
+        Some(rest) => (true, rest),
+        None => (false, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let value = match digits
+        .strip_prefix("0x")
+        .or_else(|| digits.strip_prefix("0X"))
+    {
+        Some(hex) => radix(hex, 16, &['p', 'P'], whole)?,
+        None => radix(digits, 10, &['e', 'E'], whole)?,
+    };
+    Ok(if negative { -value } else { value })
+}
+
+/// `digits[.digits][mark exponent]` in base 10 or 16; the exponent is of 10, or of 2.
+fn radix(text: &str, base: u8, marks: &[char], whole: &str) -> Result<Rational> {
+    let (mantissa, exponent) = match text.split_once(marks) {
+        None => (text, 0),
+        Some((m, e)) => {
+            let e = i64::from_str(e.strip_prefix('+').unwrap_or(e))
+                .map_err(|_| wrong(whole, "the exponent is not an integer"))?;
+            (m, e)
+        }
+    };
+    if exponent.abs() > MAX_EXPONENT {
+        return Err(wrong(whole, "the exponent is beyond ±100000"));
+    }
+    let (integer, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = format!("{integer}{fraction}");
+    let all_digits = digits.chars().all(|c| c.is_digit(u32::from(base)));
+    if digits.is_empty() || !all_digits {
+        return Err(wrong(
+            whole,
+            "expected a number such as 3, 0.1, 1e-5, 1/3 or 0x1.8p+1",
+        ));
+    }
+    let value = Integer::from_string_base(base, &digits)
+        .ok_or_else(|| wrong(whole, "expected a number"))?;
+    let places = u64::try_from(fraction.len()).unwrap_or(u64::MAX);
+    let below = Rational::from(Integer::from(base).pow(places));
+    let two_or_ten = Rational::from(if base == 10 { 10 } else { 2 });
+    let scale = two_or_ten.pow(exponent).unwrap_or_default();
+    Ok(Rational::from(value) * scale / below)
+}
+
+fn wrong(text: &str, message: &str) -> Error {
+    Error::Syntax {
+        message: message.into(),
+        source_name: "number".into(),
+        text: text.into(),
+        at: 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_what_is_written() {
+        for (text, value) in [
+            ("0.1", "1/10"),
+            ("-0.50", "-1/2"),
+            (".5", "1/2"),
+            ("2.", "2"),
+            ("−3", "-3"),
+            ("1E+3", "1000"),
+            ("1/3", "1/3"),
+            ("0.1/0.3", "1/3"),
+            ("0x1p-2", "1/4"),
+            ("-0xA.8P1", "-21"),
+        ] {
+            assert_eq!(exact_literal(text).unwrap().to_string(), value, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_refused() {
+        for text in [
+            "",
+            "x",
+            "1/0",
+            "1e",
+            "1e99999999999",
+            "0x",
+            "1.2.3",
+            "--1",
+            "nan",
+            "1_000",
+            ".",
+        ] {
+            assert!(exact_literal(text).is_err(), "{text}");
+        }
+        assert!(double_literal("1e400").is_err());
+    }
+}

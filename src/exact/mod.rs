@@ -1,0 +1,12 @@
+//! Exact numbers: integers and rationals, how they are read, rounded and printed.
+//!
+//! [`Integer`] is malachite's; [`Rational`] wraps malachite's so that the types of `num-bigint` and
+//! `num-rational` convert to and from it.
+
+mod literal;
+mod rational;
+mod rounding;
+
+pub use literal::{double_literal, exact_literal};
+pub use malachite::Integer;
+pub use rational::{NotANumber, NotAnInteger, Rational};

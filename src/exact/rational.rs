@@ -1,0 +1,314 @@
+//! [`Rational`]: malachite's rational number with conversions to and from the `num` crates.
+
+use std::fmt;
+use std::iter::Sum;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::str::FromStr;
+
+use malachite::base::num::arithmetic::traits::{Abs, CheckedSqrt, Pow, Reciprocal, Sign};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::{FromStringBase, ToStringBase};
+use malachite::{Integer, Natural};
+
+use crate::error::Error;
+
+/// An exact rational number p/q in lowest terms, q > 0.
+///
+/// Arithmetic is malachite's. Users pass in and get out the `num` crates' types:
+///
+/// ```
+/// use num_rational::BigRational;
+/// use stellate::exact::Rational;
+///
+/// let third: BigRational = BigRational::new(1.into(), 3.into());
+/// let sixth = Rational::from(third.clone()) / Rational::from(2);
+/// assert_eq!(sixth.to_string(), "1/6");
+/// assert_eq!(BigRational::from(&(&sixth + &sixth)), third);
+/// // A double is taken bit for bit, a decimal as it is written:
+/// assert_eq!(Rational::try_from(0.1).unwrap().to_string(), "3602879701896397/36028797018963968");
+/// assert_eq!("0.1".parse::<Rational>().unwrap().to_string(), "1/10");
+/// ```
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Rational(malachite::Rational);
+
+/// A double that is infinite or not a number has no exact value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("infinity and NaN are not numbers here")]
+pub struct NotANumber;
+
+/// The rational number is not an integer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the number is not an integer")]
+pub struct NotAnInteger;
+
+impl Rational {
+    /// 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self(malachite::Rational::ZERO)
+    }
+
+    /// 1.
+    #[must_use]
+    pub fn one() -> Self {
+        Self(malachite::Rational::ONE)
+    }
+
+    /// `numerator / denominator`, `None` if the denominator is 0.
+    #[must_use]
+    pub fn new(numerator: Integer, denominator: Integer) -> Option<Self> {
+        (denominator != 0).then(|| Self(malachite::Rational::from_integers(numerator, denominator)))
+    }
+
+    /// The numerator p, with the sign.
+    #[must_use]
+    pub fn numerator(&self) -> Integer {
+        Integer::from_sign_and_abs_ref(self.0 >= 0, self.0.numerator_ref())
+    }
+
+    /// The denominator q > 0.
+    #[must_use]
+    pub fn denominator(&self) -> Integer {
+        Integer::from(self.0.denominator_ref())
+    }
+
+    /// Whether this is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether q = 1.
+    #[must_use]
+    pub fn is_integer(&self) -> bool {
+        *self.0.denominator_ref() == Natural::ONE
+    }
+
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn signum(&self) -> i8 {
+        match self.0.sign() {
+            std::cmp::Ordering::Less => -1,
+            std::cmp::Ordering::Equal => 0,
+            std::cmp::Ordering::Greater => 1,
+        }
+    }
+
+    /// |self|.
+    #[must_use]
+    pub fn abs(&self) -> Self {
+        Self((&self.0).abs())
+    }
+
+    /// 1/self, `None` for 0.
+    #[must_use]
+    pub fn recip(&self) -> Option<Self> {
+        (!self.is_zero()).then(|| Self((&self.0).reciprocal()))
+    }
+
+    /// self^exponent; a power of 0 with a negative exponent is `None`.
+    #[must_use]
+    pub fn pow(&self, exponent: i64) -> Option<Self> {
+        if exponent < 0 && self.is_zero() {
+            return None;
+        }
+        Some(Self((&self.0).pow(exponent)))
+    }
+
+    /// The non-negative rational square root, if there is one.
+    #[must_use]
+    pub fn sqrt(&self) -> Option<Self> {
+        (self.0 >= 0)
+            .then(|| (&self.0).checked_sqrt().map(Self))
+            .flatten()
+    }
+
+    /// The larger of the bit lengths of numerator and denominator.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        use malachite::base::num::logic::traits::SignificantBits;
+        self.0
+            .numerator_ref()
+            .significant_bits()
+            .max(self.0.denominator_ref().significant_bits())
+    }
+
+    pub(super) fn inner(&self) -> &malachite::Rational {
+        &self.0
+    }
+
+    pub(super) fn from_inner(value: malachite::Rational) -> Self {
+        Self(value)
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+impl FromStr for Rational {
+    type Err = Error;
+
+    /// See [`super::exact_literal`].
+    fn from_str(text: &str) -> Result<Self, Error> {
+        super::exact_literal(text)
+    }
+}
+
+impl From<Integer> for Rational {
+    fn from(value: Integer) -> Self {
+        Self(malachite::Rational::from(value))
+    }
+}
+
+impl From<&Integer> for Rational {
+    fn from(value: &Integer) -> Self {
+        Self(malachite::Rational::from(value))
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(value: i64) -> Self {
+        Self(malachite::Rational::from(value))
+    }
+}
+
+impl From<i32> for Rational {
+    fn from(value: i32) -> Self {
+        Self(malachite::Rational::from(value))
+    }
+}
+
+impl TryFrom<f64> for Rational {
+    type Error = NotANumber;
+
+    /// The exact value of the double, bit for bit.
+    fn try_from(value: f64) -> Result<Self, NotANumber> {
+        malachite::Rational::try_from(value)
+            .map(Self)
+            .map_err(|_| NotANumber)
+    }
+}
+
+/// Bases that are powers of two convert in time linear in the number of digits.
+const EXCHANGE_BASE: u8 = 32;
+
+fn integer_from_num(value: &num_bigint::BigInt) -> Integer {
+    let digits = value.to_str_radix(u32::from(EXCHANGE_BASE));
+    Integer::from_string_base(EXCHANGE_BASE, &digits).unwrap_or_default()
+}
+
+fn integer_to_num(value: &Integer) -> num_bigint::BigInt {
+    let digits = value.to_string_base(EXCHANGE_BASE);
+    num_bigint::BigInt::parse_bytes(digits.as_bytes(), u32::from(EXCHANGE_BASE)).unwrap_or_default()
+}
+
+impl From<&num_bigint::BigInt> for Rational {
+    fn from(value: &num_bigint::BigInt) -> Self {
+        Self::from(integer_from_num(value))
+    }
+}
+
+impl From<num_bigint::BigInt> for Rational {
+    fn from(value: num_bigint::BigInt) -> Self {
+        Self::from(&value)
+    }
+}
+
+impl TryFrom<&Rational> for num_bigint::BigInt {
+    type Error = NotAnInteger;
+
+    fn try_from(value: &Rational) -> Result<Self, NotAnInteger> {
+        if value.is_integer() {
+            Ok(integer_to_num(&value.numerator()))
+        } else {
+            Err(NotAnInteger)
+        }
+    }
+}
+
+impl From<num_rational::BigRational> for Rational {
+    fn from(value: num_rational::BigRational) -> Self {
+        Self(malachite::Rational::from_integers(
+            integer_from_num(value.numer()),
+            integer_from_num(value.denom()),
+        ))
+    }
+}
+
+impl From<&Rational> for num_rational::BigRational {
+    fn from(value: &Rational) -> Self {
+        // Already in lowest terms.
+        Self::new_raw(
+            integer_to_num(&value.numerator()),
+            integer_to_num(&value.denominator()),
+        )
+    }
+}
+
+impl Neg for Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        Rational(-self.0)
+    }
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        Rational(-&self.0)
+    }
+}
+
+impl Sum for Rational {
+    fn sum<I: Iterator<Item = Rational>>(iter: I) -> Rational {
+        iter.fold(Rational::zero(), |a, b| a + b)
+    }
+}
+
+/// One operator, for values and references alike.
+macro_rules! operator {
+    ($trait:ident, $method:ident, $doc:literal) => {
+        impl $trait for Rational {
+            type Output = Rational;
+            #[doc = $doc]
+            fn $method(self, other: Rational) -> Rational {
+                Rational(self.0.$method(other.0))
+            }
+        }
+        impl $trait<&Rational> for Rational {
+            type Output = Rational;
+            #[doc = $doc]
+            fn $method(self, other: &Rational) -> Rational {
+                Rational(self.0.$method(&other.0))
+            }
+        }
+        impl $trait<Rational> for &Rational {
+            type Output = Rational;
+            #[doc = $doc]
+            fn $method(self, other: Rational) -> Rational {
+                Rational((&self.0).$method(other.0))
+            }
+        }
+        impl $trait<&Rational> for &Rational {
+            type Output = Rational;
+            #[doc = $doc]
+            fn $method(self, other: &Rational) -> Rational {
+                Rational((&self.0).$method(&other.0))
+            }
+        }
+    };
+}
+
+operator!(Add, add, "Exact sum.");
+operator!(Sub, sub, "Exact difference.");
+operator!(Mul, mul, "Exact product.");
+operator!(Div, div, "Exact quotient; panics if the divisor is 0.");

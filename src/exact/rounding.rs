@@ -1,0 +1,136 @@
+//! From an exact number to digits: the nearest double, the nearest decimal.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Abs, DivRound, Pow};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+
+use super::Rational;
+
+impl Rational {
+    /// The double nearest to this number, ties to even; beyond the largest double, ±∞.
+    ///
+    /// ```
+    /// use stellate::exact::Rational;
+    /// let third: Rational = "1/3".parse().unwrap();
+    /// assert_eq!(third.to_f64(), 1.0 / 3.0);
+    /// assert_eq!(Rational::try_from(0.1).unwrap().to_f64(), 0.1);
+    /// ```
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        let rounded = f64::rounding_from(self.inner(), RoundingMode::Nearest).0;
+        if rounded.abs() >= f64::MAX {
+            // malachite stops at the largest finite double; IEEE 754 goes on to infinity from
+            // half an ulp above it.
+            let half_ulp_above = Rational::from(2)
+                .pow(1024)
+                .map(|p| p - Rational::from(2).pow(970).unwrap_or_default());
+            if half_ulp_above.is_some_and(|bound| self.abs() >= bound) {
+                return f64::INFINITY.copysign(rounded);
+            }
+        }
+        rounded
+    }
+
+    /// The nearest multiple of 10^−`decimals` (ties to even).
+    #[must_use]
+    pub fn round_decimals(&self, decimals: u32) -> Rational {
+        let scale = Rational::from(Integer::from(10).pow(u64::from(decimals)));
+        let rounded = Integer::rounding_from((self * &scale).inner(), RoundingMode::Nearest).0;
+        Rational::from(rounded) / scale
+    }
+
+    /// Decimal text with exactly `decimals` digits after the point, correctly rounded (ties to even).
+    ///
+    /// ```
+    /// use stellate::exact::Rational;
+    /// let q: Rational = "-2/3".parse().unwrap();
+    /// assert_eq!(q.to_decimal(5), "-0.66667");
+    /// assert_eq!("0.125".parse::<Rational>().unwrap().to_decimal(2), "0.12");
+    /// ```
+    #[must_use]
+    pub fn to_decimal(&self, decimals: u32) -> String {
+        let scale = Integer::from(10).pow(u64::from(decimals));
+        let scaled = self * &Rational::from(&scale);
+        let rounded = Integer::rounding_from(scaled.inner(), RoundingMode::Nearest).0;
+        let sign = if rounded < 0 { "-" } else { "" };
+        let digits = (&rounded).abs().to_string();
+        let width = decimals as usize + 1;
+        let padded = format!("{digits:0>width$}");
+        let (whole, fraction) = padded.split_at(padded.len() - decimals as usize);
+        if fraction.is_empty() {
+            format!("{sign}{whole}")
+        } else {
+            format!("{sign}{whole}.{fraction}")
+        }
+    }
+
+    /// ⌊self⌋.
+    #[must_use]
+    pub fn floor(&self) -> Integer {
+        self.numerator()
+            .div_round(self.denominator(), RoundingMode::Floor)
+            .0
+    }
+
+    /// Built from malachite's own type by the modules next door.
+    #[must_use]
+    pub fn from_parts(numerator: Integer, power_of_two: i64) -> Rational {
+        Rational::from_inner(malachite::Rational::from(numerator) << power_of_two)
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::float_cmp, reason = "correct rounding is about exact equality")]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_largest_doubles_and_beyond() {
+        let max = Rational::try_from(f64::MAX).unwrap();
+        assert_eq!(max.to_f64(), f64::MAX);
+        let half_ulp = Rational::from(2).pow(970).unwrap();
+        let below = &max + &half_ulp - Rational::one();
+        assert_eq!(below.to_f64(), f64::MAX);
+        assert_eq!((&max + &half_ulp).to_f64(), f64::INFINITY);
+        assert_eq!((-(&max + &half_ulp)).to_f64(), f64::NEG_INFINITY);
+    }
+
+    #[test]
+    fn the_smallest_doubles() {
+        let tiny = Rational::try_from(f64::from_bits(1)).unwrap();
+        assert_eq!(tiny.to_f64(), f64::from_bits(1));
+        let half = &tiny / Rational::from(2);
+        assert_eq!(half.to_f64(), 0.0);
+        let more = &half + &tiny / Rational::from(100);
+        assert_eq!(more.to_f64(), f64::from_bits(1));
+    }
+
+    proptest! {
+        #[test]
+        fn a_double_survives_the_trip(bits in any::<u64>()) {
+            let value = f64::from_bits(bits);
+            match Rational::try_from(value) {
+                Ok(q) => prop_assert_eq!(q.to_f64(), value),
+                Err(_) => prop_assert!(!value.is_finite()),
+            }
+        }
+
+        #[test]
+        fn rounding_agrees_with_the_standard_library(p in any::<i64>(), places in 0u32..25) {
+            let q = Rational::from(p) / Rational::from(10).pow(i64::from(places)).unwrap();
+            let text = q.to_decimal(places);
+            prop_assert_eq!(q.to_f64(), text.parse::<f64>().unwrap());
+        }
+
+        #[test]
+        fn rounding_to_decimals_is_within_half_a_unit(p in any::<i64>(), q in 1..i64::MAX, d in 0u32..12) {
+            let value = Rational::from(p) / Rational::from(q);
+            let rounded = value.round_decimals(d);
+            prop_assert_eq!(&value.to_decimal(d).parse::<Rational>().unwrap(), &rounded);
+            let unit = Rational::from(10).pow(-i64::from(d)).unwrap();
+            prop_assert!((value - rounded).abs() * Rational::from(2) <= unit);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! [`FourierRadius`]: a star-shaped curve given by a finite Fourier series of its radius.
+
+use crate::exact::Rational;
+
+/// The radius `r(θ) = a0 + Σ_{n=1..N} (a_n cos nθ + b_n sin nθ)` with exact rational coefficients
+/// (Lemma 1), and the point it is measured from.
+///
+/// `N` is the *true* number of harmonics: trailing pairs that are zero are dropped on construction.
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::shape::FourierRadius;
+///
+/// let zero = || Rational::from(0);
+/// let r = FourierRadius::new(vec![1.into(), zero(), zero()], vec![zero(), 2.into(), zero()]);
+/// assert_eq!(r.harmonics(), 1);
+/// assert_eq!(r.sin(1), &Rational::from(2));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FourierRadius {
+    cos: Vec<Rational>,
+    sin: Vec<Rational>,
+    center: [Rational; 2],
+}
+
+impl FourierRadius {
+    /// From `cos = [a0, a1, …]` and `sin = [ignored, b1, …]`; the shorter one is padded with zeros.
+    #[must_use]
+    pub fn new(mut cos: Vec<Rational>, mut sin: Vec<Rational>) -> Self {
+        let len = cos.len().max(sin.len()).max(1);
+        cos.resize(len, Rational::zero());
+        sin.resize(len, Rational::zero());
+        sin[0] = Rational::zero();
+        while cos.len() > 1
+            && cos.last().is_some_and(Rational::is_zero)
+            && sin.last().is_some_and(Rational::is_zero)
+        {
+            cos.pop();
+            sin.pop();
+        }
+        Self {
+            cos,
+            sin,
+            center: [Rational::zero(), Rational::zero()],
+        }
+    }
+
+    /// The same radius measured from `center`.
+    #[must_use]
+    pub fn with_center(mut self, center: [Rational; 2]) -> Self {
+        self.center = center;
+        self
+    }
+
+    /// The point that the radius is measured from, in the contour's coordinates.
+    #[must_use]
+    pub fn center(&self) -> &[Rational; 2] {
+        &self.center
+    }
+
+    /// N: the largest n with `a_n ≠ 0` or `b_n ≠ 0` (0 for a constant).
+    #[must_use]
+    pub fn harmonics(&self) -> usize {
+        self.cos.len() - 1
+    }
+
+    /// `a_n`, for n ≤ N.
+    #[must_use]
+    pub fn cos(&self, n: usize) -> &Rational {
+        &self.cos[n]
+    }
+
+    /// `b_n`, for n ≤ N; `b_0` is 0.
+    #[must_use]
+    pub fn sin(&self, n: usize) -> &Rational {
+        &self.sin[n]
+    }
+
+    /// `[a_0, …, a_N]`.
+    #[must_use]
+    pub fn cosines(&self) -> &[Rational] {
+        &self.cos
+    }
+
+    /// `[0, b_1, …, b_N]`.
+    #[must_use]
+    pub fn sines(&self) -> &[Rational] {
+        &self.sin
+    }
+
+    /// Whether r is identically 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.cos.len() == 1 && self.cos[0].is_zero()
+    }
+}

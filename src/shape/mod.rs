@@ -1,0 +1,5 @@
+//! What a user holds: Fourier radii, implicit curves, contours.
+
+mod fourier;
+
+pub use fourier::FourierRadius;
