@@ -2,5 +2,6 @@
 
 pub mod error;
 pub mod exact;
+pub mod implicitize;
 pub mod poly;
 pub mod shape;
