@@ -3,5 +3,7 @@
 pub mod error;
 pub mod exact;
 pub mod implicitize;
+pub mod parametrize;
 pub mod poly;
+pub mod sample;
 pub mod shape;

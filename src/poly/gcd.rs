@@ -267,7 +267,7 @@ mod tests {
             for (m, part) in &parts {
                 prop_assert_eq!(polynomial_gcd(part, &part.derivative()), IntegerPolynomial::one());
                 for _ in 0..*m {
-                    back = back * part;
+                    back *= part;
                 }
             }
             prop_assert_eq!(back, primitive_part(&product));

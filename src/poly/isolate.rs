@@ -341,10 +341,6 @@ mod tests {
         IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
     }
 
-    #[expect(
-        clippy::float_cmp,
-        reason = "correctly rounded roots are exact doubles"
-    )]
     fn check(roots: &[RealRoot], expected: &[f64]) {
         let got: Vec<f64> = roots.iter().map(RealRoot::to_f64).collect();
         assert_eq!(got, expected);
@@ -399,13 +395,13 @@ mod tests {
                 let r = crate::exact::Rational::from(p) / crate::exact::Rational::from(q);
                 let factor = IntegerPolynomial::from_coefficients_asc(vec![-r.numerator(), r.denominator()]);
                 for _ in 0..m {
-                    f = f * &factor;
+                    f *= &factor;
                 }
                 *distinct.entry(r).or_insert(0) += m;
             }
             for (a, b) in positive {
                 // (x − b)² + a
-                f = f * poly(&[b * b + a, -2 * b, 1]);
+                f *= poly(&[b * b + a, -2 * b, 1]);
             }
             let found: Vec<(f64, usize)> = real_roots(&f).iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
             let expected: Vec<(f64, usize)> = distinct.iter().map(|(r, m)| (r.to_f64(), *m)).collect();

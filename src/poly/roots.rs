@@ -412,7 +412,6 @@ fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64)) -> (Integer, Integer) {
 /// A float guess of q^(1/k) for q > 0, without overflow.
 #[expect(
     clippy::cast_precision_loss,
-    clippy::cast_possible_truncation,
     reason = "a guess: exact comparisons decide"
 )]
 fn root_f64(q: &Rational, k: u32) -> f64 {
