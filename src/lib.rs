@@ -3,7 +3,9 @@
 pub mod error;
 pub mod exact;
 pub mod implicitize;
+pub mod limits;
 pub mod parametrize;
+pub mod picture;
 pub mod poly;
 pub mod sample;
 pub mod shape;

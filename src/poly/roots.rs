@@ -254,6 +254,21 @@ impl RealRoot {
         }
     }
 
+    /// Shrinks the enclosure until it is at most `2^exponent` wide.
+    pub fn refine_to_width(&mut self, exponent: i64) {
+        let mut step = 2u32;
+        while let Place::Between { low, high, .. } = &self.place {
+            if high.minus(low).log2().is_none_or(|width| width < exponent) {
+                return;
+            }
+            step = if self.secant(step) {
+                (step * 2).min(64)
+            } else {
+                (step / 2).max(1)
+            };
+        }
+    }
+
     /// The enclosure touches 0 and the root is not 0: cuts it at ever smaller powers of two.
     fn approach_zero(&mut self) {
         let mut drop = 4;
