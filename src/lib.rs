@@ -1,5 +1,6 @@
 //! Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 
+pub mod describe;
 pub mod error;
 pub mod exact;
 pub mod implicitize;
