@@ -9,6 +9,7 @@ mod plane;
 mod ring;
 mod shift;
 mod sparse;
+mod trig;
 
 pub use form::BinaryForm;
 pub use malachite::integer_polynomial::IntegerPolynomial;
@@ -16,3 +17,4 @@ pub use plane::PlanePolynomial;
 pub use ring::Ring;
 pub use shift::{shift_by_minus_one, shift_by_one};
 pub use sparse::{SparsePolynomial, term_order};
+pub use trig::TrigPolynomial;
