@@ -16,6 +16,7 @@ mod roots;
 mod shift;
 mod sparse;
 mod sqrt;
+mod trig;
 
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
@@ -28,3 +29,4 @@ pub use roots::{RealRoot, real_roots};
 pub use shift::{shift_by_minus_one, shift_by_one};
 pub use sparse::{SparsePolynomial, term_order};
 pub use sqrt::polynomial_sqrt;
+pub use trig::TrigPolynomial;

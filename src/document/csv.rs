@@ -1,0 +1,213 @@
+//! Tables of coefficients.
+
+use std::collections::BTreeMap;
+
+use super::json::check_exponents;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::language::{
+    MAX_HARMONIC, Numbers, check_size, constant_message, implicit, number_at, written_point,
+};
+use crate::poly::SparsePolynomial;
+use crate::shape::{Form, FourierRadius};
+
+/// Reads the coefficients of a curve, `i,j,coefficient` in rows, or of a surface,
+/// `i,j,k,coefficient`. The header is optional, and `value` may stand for `coefficient`; the comment
+/// `# center: p/q, p/q` gives the center of a curve.
+///
+/// ```
+/// use stellate::document::read_coefficients_csv;
+/// use stellate::language::{Numbers, parse_form};
+/// let circle = read_coefficients_csv("2,0,1\n0,2,1\n0,0,-1\n", "circle.csv", Numbers::Exact)?;
+/// assert_eq!(circle, parse_form("x^2 + y^2 = 1", "<form>", Numbers::Exact)?);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Data`] with the line if a row has another number of columns, a field is not a number or
+/// not a non-negative integer, or a term comes twice; [`Error::Limit`] beyond the limits of
+/// [`crate::language`].
+pub fn read_coefficients_csv(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
+    let table = Table::read(text, source_name, numbers)?;
+    let columns = match table.width() {
+        Some(width @ (3 | 4)) => width,
+        _ => {
+            let message = "expected the columns i,j,coefficient or i,j,k,coefficient";
+            return Err(Error::data(source_name, message));
+        }
+    };
+    table.check_header(&[&["i", "j", "coefficient"], &["i", "j", "k", "coefficient"]])?;
+    let mut polynomial = SparsePolynomial::zero();
+    for (place, row) in &table.rows {
+        let mut exponents = [0; 3];
+        let (powers, coefficient) = row.split_at(columns - 1);
+        for (exponent, field) in exponents.iter_mut().zip(powers) {
+            *exponent = natural(place, field)?;
+        }
+        check_exponents(place, &exponents)?;
+        let value = number_at(place, coefficient.first().map_or("", |c| c), numbers)?;
+        let (is_zero, terms) = (value.is_zero(), polynomial.len());
+        polynomial.add_term(exponents, value);
+        if !is_zero && polynomial.len() <= terms {
+            return Err(Error::data(place, "this term was given before"));
+        }
+    }
+    if let Some(value) = polynomial.as_constant() {
+        return Err(Error::data(source_name, constant_message(&value)));
+    }
+    if columns == 4 && table.center.is_some() {
+        let message = "a center belongs to a plane curve, this is a surface";
+        return Err(Error::data(source_name, message));
+    }
+    implicit(polynomial, columns == 4, table.center, source_name)
+}
+
+/// Reads the coefficients of a Fourier radius, `n,cos,sin` in rows. The header is optional; harmonics
+/// that are not given are 0; the comment `# center: p/q, p/q` gives the center.
+///
+/// ```
+/// use stellate::document::read_fourier_csv;
+/// use stellate::language::Numbers;
+/// let r = read_fourier_csv("n,cos,sin\n0,1,0\n3,1/5,0\n", "r.csv", Numbers::Exact)?;
+/// assert_eq!(r.cos(3).to_string(), "1/5");
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Data`] with the line if a row has another number of columns, a field is not a number, or
+/// a harmonic comes twice; [`Error::Limit`] beyond [`MAX_HARMONIC`].
+pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Result<FourierRadius> {
+    let table = Table::read(text, source_name, numbers)?;
+    if table.width() != Some(3) {
+        return Err(Error::data(source_name, "expected the columns n,cos,sin"));
+    }
+    table.check_header(&[&["n", "cos", "sin"]])?;
+    let mut harmonics: BTreeMap<usize, [Rational; 2]> = BTreeMap::new();
+    for (place, row) in &table.rows {
+        let field = |i: usize| row.get(i).map_or("", String::as_str);
+        let n = natural(place, field(0))?;
+        if n > MAX_HARMONIC {
+            return Err(Error::limit(format!(
+                "{place}: a harmonic beyond {MAX_HARMONIC}"
+            )));
+        }
+        let pair = [
+            number_at(place, field(1), numbers)?,
+            number_at(place, field(2), numbers)?,
+        ];
+        if n == 0 && !pair[1].is_zero() {
+            return Err(Error::data(place, "the sine of harmonic 0 is 0"));
+        }
+        if harmonics.insert(n as usize, pair).is_some() {
+            return Err(Error::data(place, "this harmonic was given before"));
+        }
+    }
+    let len = harmonics.keys().next_back().map_or(0, |&n| n + 1);
+    let (mut cos, mut sin) = (vec![Rational::zero(); len], vec![Rational::zero(); len]);
+    for (n, [a, b]) in harmonics {
+        (cos[n], sin[n]) = (a, b);
+    }
+    let radius = FourierRadius::new(cos, sin);
+    Ok(match table.center {
+        Some(center) => radius.with_center(center),
+        None => radius,
+    })
+}
+
+/// The rows of a CSV file, all equally long, each with its place.
+struct Table {
+    header: Option<(String, Vec<String>)>,
+    rows: Vec<(String, Vec<String>)>,
+    center: Option<[Rational; 2]>,
+}
+
+impl Table {
+    fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
+        check_size(text, source_name)?;
+        let text = text.trim_start_matches('\u{feff}');
+        let mut reader = ::csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .comment(Some(b'#'))
+            .trim(::csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut table = Table {
+            header: None,
+            rows: Vec::new(),
+            center: read_center(text, source_name, numbers)?,
+        };
+        for (n, record) in reader.records().enumerate() {
+            let record = record.map_err(|error| Error::data(source_name, error.to_string()))?;
+            let line = record.position().map_or(0, ::csv::Position::line);
+            let place = format!("{source_name}, line {line}");
+            let row: Vec<String> = record.iter().map(str::to_owned).collect();
+            if let Some(width) = table.width()
+                && width != row.len()
+            {
+                let message = format!("expected {width} columns, found {}", row.len());
+                return Err(Error::data(place, message));
+            }
+            let is_header = n == 0
+                && row
+                    .iter()
+                    .any(|field| field.starts_with(char::is_alphabetic));
+            if is_header {
+                table.header = Some((place, row));
+            } else {
+                table.rows.push((place, row));
+            }
+        }
+        if table.rows.is_empty() {
+            return Err(Error::data(source_name, "there are no rows"));
+        }
+        Ok(table)
+    }
+
+    fn width(&self) -> Option<usize> {
+        let header = self.header.as_ref().map(|(_, row)| row.len());
+        header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
+    }
+
+    /// Checks the names of the columns, if there are any.
+    fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
+        let Some((place, names)) = &self.header else {
+            return Ok(());
+        };
+        let fits = |wanted: &[&str]| {
+            wanted.len() == names.len()
+                && wanted.iter().zip(names).all(|(w, name)| {
+                    name.eq_ignore_ascii_case(w)
+                        || (*w == "coefficient" && name.eq_ignore_ascii_case("value"))
+                })
+        };
+        if expected.iter().any(|wanted| fits(wanted)) {
+            return Ok(());
+        }
+        let wanted: Vec<String> = expected.iter().map(|names| names.join(",")).collect();
+        let message = format!("expected the columns {}", wanted.join(" or "));
+        Err(Error::data(place, message))
+    }
+}
+
+fn read_center(text: &str, source_name: &str, numbers: Numbers) -> Result<Option<[Rational; 2]>> {
+    let mut center = None;
+    for (n, line) in text.lines().enumerate() {
+        let comment = line.strip_prefix('#').map(str::trim_start);
+        if let Some(point) = comment.and_then(|c| c.strip_prefix("center:")) {
+            let place = || format!("{source_name}, line {}", n + 1);
+            let point = written_point(point, numbers);
+            let point = point.map_err(|message| Error::data(place(), message))?;
+            if center.replace(point).is_some() {
+                return Err(Error::data(place(), "a second center"));
+            }
+        }
+    }
+    Ok(center)
+}
+
+fn natural(place: &str, field: &str) -> Result<u32> {
+    let digits = !field.is_empty() && field.bytes().all(|b| b.is_ascii_digit());
+    let value = digits.then(|| field.parse().unwrap_or(u32::MAX));
+    let message = || format!("expected a non-negative integer, found `{field}`");
+    value.ok_or_else(|| Error::data(place, message()))
+}

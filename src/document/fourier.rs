@@ -1,0 +1,176 @@
+//! Fourier radii in every format that can say one.
+
+use std::io::{self, Write};
+
+use super::terms::Notation;
+use super::{Format, SCHEMA, center_comment};
+use crate::exact::Rational;
+use crate::shape::FourierRadius;
+
+/// How well a Fourier radius fits the contour it was computed from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitReport {
+    /// The largest difference in radius between the fit and a sample.
+    pub max_radial_error: f64,
+    /// The root of the mean square of these differences.
+    pub rms_radial_error: f64,
+    /// Whether every ray from the center meets the contour once.
+    pub star_shaped: bool,
+    /// The number of samples.
+    pub samples: usize,
+    /// The share of the directions in which a part of the contour hides behind another.
+    pub hidden_share: f64,
+}
+
+impl FitReport {
+    fn fields(&self) -> [(&'static str, String); 5] {
+        let number = |value: f64| {
+            // JSON has no infinity.
+            if value.is_finite() {
+                format!("{value:?}")
+            } else {
+                "null".into()
+            }
+        };
+        [
+            ("max_radial_error", number(self.max_radial_error)),
+            ("rms_radial_error", number(self.rms_radial_error)),
+            ("star_shaped", self.star_shaped.to_string()),
+            ("samples", self.samples.to_string()),
+            ("hidden_share", number(self.hidden_share)),
+        ]
+    }
+}
+
+/// Writes `r = a0 + Σ (a_n cos nθ + b_n sin nθ)`, with the center if it is not the origin and with
+/// the quality of the fit if it is one.
+///
+/// ```
+/// use stellate::document::{Format, write_fourier};
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::shape::Form;
+///
+/// let form = parse_form("r = 1 + 0.2cos(3t) - sin(5t)/10", "<form>", Numbers::Exact)?;
+/// let Form::Fourier(radius) = form else { panic!("a radius") };
+/// let mut out = Vec::new();
+/// write_fourier(&radius, None, Format::Text, &mut out).unwrap();
+/// assert_eq!(out, b"r = 1 + 1/5*cos(3*t) - 1/10*sin(5*t)\n");
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for a format that [`Format::check_fourier`] refuses.
+pub fn write_fourier(
+    radius: &FourierRadius,
+    fit: Option<&FitReport>,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    format
+        .check_fourier()
+        .map_err(|error| io::Error::new(io::ErrorKind::Unsupported, error))?;
+    if format == Format::Json {
+        return write_json(radius, fit, out);
+    }
+    let fit = fit.map(FitReport::fields).into_iter().flatten();
+    let fit = fit.map(|(name, value)| format!("{name}: {value}"));
+    let comments: Vec<String> = center_comment(radius.center())
+        .into_iter()
+        .chain(fit)
+        .map(|comment| format!("{} {comment}", format.comment()))
+        .collect();
+    if format == Format::Sympy {
+        // SymPy joins all lines, so there comments come last.
+        Notation::Python.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), out)?;
+        for (i, comment) in comments.iter().enumerate() {
+            let separator = if i == 0 { "  " } else { "\n" };
+            write!(out, "{separator}{comment}")?;
+        }
+        return writeln!(out);
+    }
+    for comment in &comments {
+        writeln!(out, "{comment}")?;
+    }
+    match format {
+        Format::Csv => {
+            writeln!(out, "n,cos,sin")?;
+            for (n, (a, b)) in radius.cosines().iter().zip(radius.sines()).enumerate() {
+                writeln!(out, "{n},{a},{b}")?;
+            }
+            Ok(())
+        }
+        Format::Latex => {
+            write!(out, "r = ")?;
+            Notation::LatexInline.write_sum(harmonics(radius, latex_call), out)?;
+            writeln!(out)
+        }
+        Format::Maple => {
+            write!(out, "r = ")?;
+            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), out)?;
+            writeln!(out, ";")
+        }
+        _ => {
+            write!(out, "r = ")?;
+            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "t")), out)?;
+            writeln!(out)
+        }
+    }
+}
+
+/// The non-zero terms, each with its function written by `call(name, n)`.
+fn harmonics<'a>(
+    radius: &'a FourierRadius,
+    call: impl Fn(&str, usize) -> String + 'a,
+) -> impl Iterator<Item = (Rational, String)> + 'a {
+    let pairs = radius.cosines().iter().zip(radius.sines()).enumerate();
+    pairs
+        .flat_map(move |(n, (a, b))| {
+            let cos = if n == 0 {
+                String::new()
+            } else {
+                call("cos", n)
+            };
+            [(a.clone(), cos), (b.clone(), call("sin", n))]
+        })
+        .filter(|(c, _)| !c.is_zero())
+}
+
+fn call(function: &str, n: usize, angle: &str) -> String {
+    if n == 1 {
+        format!("{function}({angle})")
+    } else {
+        format!("{function}({n}*{angle})")
+    }
+}
+
+fn latex_call(function: &str, n: usize) -> String {
+    if n == 1 {
+        format!("\\{function} \\theta")
+    } else {
+        format!("\\{function} {n}\\theta")
+    }
+}
+
+fn write_json(
+    radius: &FourierRadius,
+    fit: Option<&FitReport>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write!(out, "{{\"schema\":\"{SCHEMA}\",\"kind\":\"fourier\"")?;
+    for (name, values) in [("cos", radius.cosines()), ("sin", radius.sines())] {
+        write!(out, ",\"{name}\":[")?;
+        for (n, value) in values.iter().enumerate() {
+            let separator = if n > 0 { "," } else { "" };
+            write!(out, "{separator}\"{value}\"")?;
+        }
+        write!(out, "]")?;
+    }
+    let [x, y] = radius.center();
+    if fit.is_some() || center_comment(radius.center()).is_some() {
+        write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
+    }
+    for (name, value) in fit.map(FitReport::fields).into_iter().flatten() {
+        write!(out, ",\"{name}\":{value}")?;
+    }
+    writeln!(out, "}}")
+}

@@ -1,0 +1,226 @@
+//! Implicit curves and surfaces in every format.
+
+use std::io::{self, Write};
+
+use super::terms::Notation;
+use super::{Format, SCHEMA, center_comment};
+use crate::exact::Rational;
+use crate::shape::{ImplicitCurve, ImplicitSurface};
+
+/// What a document says besides the polynomial.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Annotations {
+    /// Remarks for the reader: comments, or the field `notes` of a JSON document.
+    pub notes: Vec<String>,
+}
+
+/// Writes `f(x, y) = 0`, terms in canonical order, and the center if it is not the origin.
+///
+/// Cost: linear in the size of the output, up to the conversion of the coefficients to decimal.
+///
+/// ```
+/// use stellate::document::{Annotations, Format, write_implicit};
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::shape::Form;
+///
+/// let form = parse_form("y^2 = x^2/3 - x^4", "<form>", Numbers::Exact)?;
+/// let Form::Curve(curve) = form else { panic!("a polynomial in x and y") };
+/// let write = |format| {
+///     let mut out = Vec::new();
+///     write_implicit(&curve, &Annotations::default(), format, &mut out).unwrap();
+///     String::from_utf8(out).unwrap()
+/// };
+/// assert_eq!(write(Format::Text), "x^4 - 1/3x^2 + y^2 = 0\n");
+/// assert_eq!(write(Format::Sympy), "x**4 - Rational(1, 3)*x**2 + y**2\n");
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_implicit(
+    curve: &ImplicitCurve,
+    annotations: &Annotations,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let f = curve.polynomial();
+    let exponent = |e: usize| u32::try_from(e).unwrap_or(u32::MAX);
+    let terms = f
+        .terms()
+        .map(|((i, j), c)| ([exponent(i), exponent(j), 0], c));
+    let degrees: Vec<u64> = f.homogeneous_degrees().iter().map(|&d| d as u64).collect();
+    Implicit {
+        variables: &["x", "y"],
+        terms,
+        center: center_comment(curve.center()),
+        center_json: curve.center(),
+        z_is_missing: false,
+        notes: &annotations.notes,
+    }
+    .write(&degrees, format, out)
+}
+
+/// Writes `f(x, y, z) = 0`, terms in canonical order.
+///
+/// If z does not occur in f, formulas end with the term 0z: it says that this is a surface.
+///
+/// ```
+/// use stellate::document::{Annotations, Format, write_surface};
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::shape::Form;
+///
+/// let form = parse_form("x^2 + y^2 - 1 + 0z", "<form>", Numbers::Exact)?;
+/// let Form::Surface(cylinder) = form else { panic!("z occurs") };
+/// let mut out = Vec::new();
+/// write_surface(&cylinder, &Annotations::default(), Format::Text, &mut out).unwrap();
+/// assert_eq!(out, b"x^2 + y^2 - 1 + 0z = 0\n");
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_surface(
+    surface: &ImplicitSurface,
+    annotations: &Annotations,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let f = surface.polynomial();
+    let degree = |e: &[u32; 3]| e.iter().map(|&k| u64::from(k)).sum::<u64>();
+    let mut degrees: Vec<u64> = f.terms().map(|(e, _)| degree(e)).collect();
+    degrees.dedup();
+    Implicit {
+        variables: &["x", "y", "z"],
+        terms: f.terms().map(|(e, c)| (*e, c.clone())),
+        center: None,
+        center_json: &[Rational::zero(), Rational::zero()],
+        z_is_missing: f.terms().all(|(e, _)| e[2] == 0),
+        notes: &annotations.notes,
+    }
+    .write(&degrees, format, out)
+}
+
+/// What curves and surfaces have in common.
+struct Implicit<'a, T> {
+    variables: &'a [&'a str],
+    terms: T,
+    center: Option<String>,
+    center_json: &'a [Rational; 2],
+    z_is_missing: bool,
+    notes: &'a [String],
+}
+
+impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
+    fn write(self, degrees: &[u64], format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Json => return self.write_json(degrees, out),
+            // SymPy joins all lines, so there comments come last.
+            Format::Sympy => {}
+            _ => self.write_comments("\n", format, out)?,
+        }
+        match format {
+            Format::Csv => self.write_csv(out),
+            Format::Text => self.write_formula(Notation::Text, ["", " = 0\n"], out),
+            Format::Latex => self.write_formula(Notation::Latex, ["", " = 0\n"], out),
+            Format::Maple => self.write_formula(Notation::Explicit, ["", " = 0;\n"], out),
+            Format::Singular => {
+                let ring = format!(
+                    "ring R = 0, ({}), dp;\npoly F = ",
+                    self.variables.join(", ")
+                );
+                self.write_formula(Notation::Explicit, [&ring, ";\n"], out)
+            }
+            Format::Sympy | Format::Json => {
+                let mut comments = Vec::new();
+                self.write_comments("", format, &mut comments)?;
+                self.write_formula(Notation::Python, ["", ""], out)?;
+                if !comments.is_empty() {
+                    out.write_all(b"  ")?;
+                    out.write_all(&comments)?;
+                }
+                out.write_all(b"\n")
+            }
+        }
+    }
+
+    /// The center and the notes; every line starts as a comment.
+    fn write_comments(&self, end: &str, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        let notes = self.notes.iter().flat_map(|note| note.lines());
+        let notes = notes.map(|line| format!("note: {line}"));
+        for (i, comment) in self.center.iter().cloned().chain(notes).enumerate() {
+            if i > 0 && end.is_empty() {
+                out.write_all(b"\n")?;
+            }
+            write!(out, "{} {comment}{end}", format.comment())?;
+        }
+        Ok(())
+    }
+
+    fn write_formula(
+        self,
+        notation: Notation,
+        [before, after]: [&str; 2],
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        out.write_all(before.as_bytes())?;
+        let terms = self.terms.map(|(e, c)| (c, notation.monomial(&e)));
+        notation.write_sum(terms, out)?;
+        if self.z_is_missing {
+            out.write_all(match notation {
+                Notation::Text => b" + 0z",
+                Notation::Explicit | Notation::Python => b" + 0*z",
+                Notation::Latex | Notation::LatexInline => b" + 0 z",
+            })?;
+        }
+        out.write_all(after.as_bytes())
+    }
+
+    fn write_csv(self, out: &mut dyn Write) -> io::Result<()> {
+        let in_space = self.variables.len() == 3;
+        let header = if in_space {
+            "i,j,k,coefficient"
+        } else {
+            "i,j,coefficient"
+        };
+        writeln!(out, "{header}")?;
+        for ([i, j, k], c) in self.terms {
+            if in_space {
+                writeln!(out, "{i},{j},{k},{c}")?;
+            } else {
+                writeln!(out, "{i},{j},{c}")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_json(self, degrees: &[u64], out: &mut dyn Write) -> io::Result<()> {
+        write!(
+            out,
+            "{{\"schema\":\"{SCHEMA}\",\"kind\":\"implicit\",\"variables\":"
+        )?;
+        serde_json::to_writer(&mut *out, self.variables)?;
+        write!(out, ",\"degree\":")?;
+        serde_json::to_writer(&mut *out, &degrees.first())?;
+        write!(out, ",\"homogeneous_degrees\":")?;
+        serde_json::to_writer(&mut *out, degrees)?;
+        if self.center.is_some() {
+            let [x, y] = self.center_json;
+            write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
+        }
+        if !self.notes.is_empty() {
+            write!(out, ",\"notes\":")?;
+            serde_json::to_writer(&mut *out, self.notes)?;
+        }
+        write!(out, ",\"terms\":[")?;
+        let in_space = self.variables.len() == 3;
+        for (n, ([i, j, k], c)) in self.terms.enumerate() {
+            let separator = if n > 0 { "," } else { "" };
+            write!(out, "{separator}\n{{\"exponents\":[{i},{j}")?;
+            if in_space {
+                write!(out, ",{k}")?;
+            }
+            write!(out, "],\"coefficient\":\"{c}\"}}")?;
+        }
+        writeln!(out, "\n]}}")
+    }
+}

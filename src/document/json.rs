@@ -1,0 +1,296 @@
+//! JSON documents: reading, with the place of whatever is wrong.
+
+use std::fmt;
+
+use serde_json::{Map, Value};
+
+use super::SCHEMA;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::language::{
+    MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, number_at,
+};
+use crate::poly::SparsePolynomial;
+use crate::shape::{Form, FourierRadius};
+
+/// Reads a document of kind `implicit` or `fourier`, or the exact Fourier radius of the first branch
+/// of a `parametric` one. Fields that are not known are ignored.
+///
+/// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; either way
+/// they are taken from their text.
+///
+/// ```
+/// use stellate::document::read_document;
+/// use stellate::language::Numbers;
+/// let text = r#"{"schema":"stellate/1","kind":"implicit","variables":["x","y"],
+///     "terms":[{"exponents":[2,0],"coefficient":"1"},{"exponents":[0,1],"coefficient":0.1}]}"#;
+/// assert!(read_document(text, "parabola.json", Numbers::Exact).is_ok());
+///
+/// let error = read_document(&text.replace("0.1", "true"), "parabola.json", Numbers::Exact);
+/// let message = "parabola.json: terms[1].coefficient: expected a number or a string such as \"1/3\"";
+/// assert_eq!(error.unwrap_err().to_string(), message);
+/// ```
+///
+/// # Errors
+/// [`Error::Syntax`] if the text is not JSON; [`Error::Data`] with the place if a field is missing or
+/// wrong, or if the kind is another one; [`Error::Limit`] beyond the limits of
+/// [`crate::language`].
+pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
+    check_size(text, source_name)?;
+    let body = text.trim_start_matches('\u{feff}');
+    let value: Value = serde_json::from_str(body)
+        .map_err(|error| not_json(&error, text, source_name, text.len() - body.len()))?;
+    let root = Node {
+        value: &value,
+        place: Place::Root(source_name),
+        numbers,
+    };
+    let object = root.object()?;
+    let schema = root.field(object, "schema")?;
+    if schema.string()? != SCHEMA {
+        return Err(schema.wrong(format!("expected \"{SCHEMA}\"")));
+    }
+    let kind = root.field(object, "kind")?;
+    match kind.string()? {
+        "implicit" => read_implicit(&root, object, source_name),
+        "fourier" => read_fourier(&root).map(Form::Fourier),
+        "parametric" => {
+            let branches = root.field(object, "branches")?;
+            let first = branches.item(branches.array()?, 0)?;
+            read_fourier(&first.field(first.object()?, "fourier")?).map(Form::Fourier)
+        }
+        other => {
+            let shown: String = other.chars().take(30).collect();
+            Err(kind.wrong(format!(
+                "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
+                 \"fourier\" and \"parametric\" with an exact Fourier radius are"
+            )))
+        }
+    }
+}
+
+fn not_json(error: &serde_json::Error, text: &str, source_name: &str, skipped: usize) -> Error {
+    let before: usize = text[skipped..]
+        .split_inclusive('\n')
+        .take(error.line().saturating_sub(1))
+        .map(str::len)
+        .sum();
+    let message = error.to_string();
+    let reason = message.split(" at line ").next().unwrap_or(&message);
+    Error::Syntax {
+        message: format!("not a JSON document: {reason}"),
+        source_name: source_name.into(),
+        text: text.into(),
+        at: skipped + before + error.column().saturating_sub(1),
+    }
+}
+
+fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str) -> Result<Form> {
+    let variables = root.field(object, "variables")?;
+    let names: Vec<Option<&str>> = variables.array()?.iter().map(Value::as_str).collect();
+    let in_space = match names.as_slice() {
+        [Some("x"), Some("y")] => false,
+        [Some("x"), Some("y"), Some("z")] => true,
+        _ => return Err(variables.wrong("expected [\"x\",\"y\"] or [\"x\",\"y\",\"z\"]")),
+    };
+    let terms = root.field(object, "terms")?;
+    let list = terms.array()?;
+    let mut polynomial = SparsePolynomial::zero();
+    for n in 0..list.len() {
+        let term = terms.item(list, n)?;
+        let fields = term.object()?;
+        let exponents_node = term.field(fields, "exponents")?;
+        let powers = exponents_node.array()?;
+        if powers.len() != names.len() {
+            return Err(exponents_node.wrong(format!("expected {} exponents", names.len())));
+        }
+        let mut exponents = [0; 3];
+        for (i, exponent) in exponents.iter_mut().enumerate().take(powers.len()) {
+            *exponent = exponents_node.item(powers, i)?.natural()?;
+        }
+        if exponents.iter().any(|&e| e > MAX_DEGREE / 3) {
+            check_exponents(&exponents_node.place.to_string(), &exponents)?;
+        }
+        let coefficient = term.field(fields, "coefficient")?.number()?;
+        let (is_zero, len) = (coefficient.is_zero(), polynomial.len());
+        polynomial.add_term(exponents, coefficient);
+        if !is_zero && polynomial.len() <= len {
+            return Err(exponents_node.wrong("this term was given before"));
+        }
+    }
+    if let Some(value) = polynomial.as_constant() {
+        return Err(terms.wrong(constant_message(&value)));
+    }
+    let center = root.center(object)?;
+    if in_space && let Some((node, _)) = &center {
+        return Err(node.wrong("a center belongs to a plane curve, this is a surface"));
+    }
+    implicit(
+        polynomial,
+        in_space,
+        center.map(|(_, center)| center),
+        source_name,
+    )
+}
+
+fn read_fourier(node: &Node<'_>) -> Result<FourierRadius> {
+    let object = node.object()?;
+    let read = |name| -> Result<(Node<'_>, Vec<Rational>)> {
+        let list = node.field(object, name)?;
+        let values = list.array()?;
+        if values.len() > MAX_HARMONIC as usize + 1 {
+            let limit = format!("{}: a harmonic beyond {MAX_HARMONIC}", list.place);
+            return Err(Error::limit(limit));
+        }
+        let numbers: Result<Vec<Rational>> = (0..values.len())
+            .map(|n| list.item(values, n)?.number())
+            .collect();
+        Ok((list, numbers?))
+    };
+    let ((cos_node, cos), (sin_node, sin)) = (read("cos")?, read("sin")?);
+    if cos.is_empty() {
+        return Err(
+            cos_node.wrong("expected the coefficients of cos 0, cos t, …; the list is empty")
+        );
+    }
+    if cos.len() != sin.len() {
+        return Err(sin_node.wrong(format!(
+            "expected as many entries as in cos, {}; found {}",
+            cos.len(),
+            sin.len()
+        )));
+    }
+    if sin.first().is_some_and(|b| !b.is_zero()) {
+        return Err(sin_node.wrong("the first entry, of sin 0, is 0"));
+    }
+    let radius = FourierRadius::new(cos, sin);
+    Ok(match node.center(object)? {
+        Some((_, center)) => radius.with_center(center),
+        None => radius,
+    })
+}
+
+/// Refuses exponents beyond [`MAX_DEGREE`].
+pub(super) fn check_exponents(place: &str, exponents: &[u32; 3]) -> Result<()> {
+    let degree: u64 = exponents.iter().map(|&e| u64::from(e)).sum();
+    if degree > u64::from(MAX_DEGREE) {
+        return Err(Error::limit(format!(
+            "{place}: a degree beyond {MAX_DEGREE}"
+        )));
+    }
+    Ok(())
+}
+
+/// The way from the root of a document to a value; it is spelled out only for a message.
+#[derive(Clone, Copy)]
+enum Place<'a> {
+    Root(&'a str),
+    Field(&'a Place<'a>, &'a str),
+    Item(&'a Place<'a>, usize),
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Root(name) => f.write_str(name),
+            Place::Field(parent @ Place::Root(_), name) => write!(f, "{parent}: {name}"),
+            Place::Field(parent, name) => write!(f, "{parent}.{name}"),
+            Place::Item(parent, n) => write!(f, "{parent}[{n}]"),
+        }
+    }
+}
+
+/// A value of a document and where it is.
+struct Node<'a> {
+    value: &'a Value,
+    place: Place<'a>,
+    numbers: Numbers,
+}
+
+impl Node<'_> {
+    fn wrong(&self, message: impl Into<String>) -> Error {
+        Error::data(self.place.to_string(), message)
+    }
+
+    fn object(&self) -> Result<&Map<String, Value>> {
+        let object = self.value.as_object();
+        object.ok_or_else(|| self.wrong("expected an object { … }"))
+    }
+
+    fn array(&self) -> Result<&Vec<Value>> {
+        let array = self.value.as_array();
+        array.ok_or_else(|| self.wrong("expected a list [ … ]"))
+    }
+
+    fn string(&self) -> Result<&str> {
+        let string = self.value.as_str();
+        string.ok_or_else(|| self.wrong("expected a string"))
+    }
+
+    fn field<'b>(&'b self, object: &'b Map<String, Value>, name: &'b str) -> Result<Node<'b>> {
+        match object.get(name) {
+            Some(value) => Ok(Node {
+                value,
+                place: Place::Field(&self.place, name),
+                numbers: self.numbers,
+            }),
+            None => Err(self.wrong(format!("the field \"{name}\" is missing"))),
+        }
+    }
+
+    fn item<'b>(&'b self, array: &'b [Value], n: usize) -> Result<Node<'b>> {
+        match array.get(n) {
+            Some(value) => Ok(Node {
+                value,
+                place: Place::Item(&self.place, n),
+                numbers: self.numbers,
+            }),
+            None => Err(self.wrong(format!("entry {n} is missing"))),
+        }
+    }
+
+    /// A JSON number or a string, from its text.
+    fn number(&self) -> Result<Rational> {
+        let owned;
+        let text = match self.value {
+            Value::String(text) => text.as_str(),
+            Value::Number(number) => {
+                owned = number.to_string();
+                &owned
+            }
+            _ => return Err(self.wrong("expected a number or a string such as \"1/3\"")),
+        };
+        match number_at("", text, self.numbers) {
+            Err(Error::Data { message, .. }) => Err(self.wrong(message)),
+            result => result,
+        }
+    }
+
+    fn natural(&self) -> Result<u32> {
+        let value = match self.value {
+            Value::Number(number) => number.as_u64(),
+            _ => None,
+        };
+        match value {
+            Some(value) => Ok(u32::try_from(value).unwrap_or(u32::MAX)),
+            None => Err(self.wrong("expected a non-negative integer")),
+        }
+    }
+
+    /// The field `center`, if there is one.
+    fn center<'b>(
+        &'b self,
+        object: &'b Map<String, Value>,
+    ) -> Result<Option<(Node<'b>, [Rational; 2])>> {
+        if object.get("center").is_none_or(Value::is_null) {
+            return Ok(None);
+        }
+        let node = self.field(object, "center")?;
+        let list = node.array()?;
+        if list.len() != 2 {
+            return Err(node.wrong("expected two numbers [x, y]"));
+        }
+        let point = [node.item(list, 0)?.number()?, node.item(list, 1)?.number()?];
+        Ok(Some((node, point)))
+    }
+}

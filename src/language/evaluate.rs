@@ -1,0 +1,261 @@
+//! Walks an expression in whatever ring it is to be evaluated in.
+
+use super::limits::{Budget, MAX_DEGREE};
+use super::name::Name;
+use super::number::{Numbers, literal};
+use super::source::{Source, Span};
+use super::syntax::{Expr, ExprKind};
+use crate::error::Result;
+use crate::exact::Rational;
+
+/// What an evaluation needs besides the ring.
+#[derive(Debug)]
+pub(super) struct Context<'a> {
+    pub(super) source: Source<'a>,
+    pub(super) numbers: Numbers,
+    pub(super) budget: Budget,
+}
+
+/// A ring with constants, and what names and functions mean in it.
+pub(super) trait Algebra {
+    type Value;
+
+    /// Why this ring refuses a divisor that is not a constant.
+    const DIVISOR: &'static str;
+
+    fn constant(value: Rational) -> Self::Value;
+
+    fn to_constant(value: &Self::Value) -> Option<Rational>;
+
+    fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<Self::Value>;
+
+    /// cos or sin of one argument.
+    fn call(
+        &self,
+        cx: &mut Context<'_>,
+        name: Name,
+        argument: &Expr,
+        at: Span,
+    ) -> Result<Self::Value>;
+
+    /// sum ± term. A long sum is one accumulator, so this costs the length of the term.
+    fn add(&self, sum: &mut Self::Value, negative: bool, term: Self::Value);
+
+    fn multiply(
+        &self,
+        cx: &mut Context<'_>,
+        a: Self::Value,
+        b: Self::Value,
+        at: Span,
+    ) -> Result<Self::Value>;
+
+    /// base^exponent for a base that is not a constant.
+    fn power(
+        &self,
+        cx: &mut Context<'_>,
+        base: Self::Value,
+        exponent: u32,
+        at: Span,
+    ) -> Result<Self::Value>;
+}
+
+/// The value of `expr`.
+pub(super) fn evaluate<A: Algebra>(
+    cx: &mut Context<'_>,
+    algebra: &A,
+    expr: &Expr,
+) -> Result<A::Value> {
+    match &expr.kind {
+        ExprKind::Number => number(cx, expr.span).map(A::constant),
+        ExprKind::Integer(value) => Ok(A::constant(Rational::from(i64::from(*value)))),
+        ExprKind::Name(name) => algebra.name(cx, *name, expr.span),
+        ExprKind::Negative(inner) => {
+            let value = evaluate(cx, algebra, inner)?;
+            let mut zero = A::constant(Rational::zero());
+            algebra.add(&mut zero, true, value);
+            Ok(zero)
+        }
+        ExprKind::Sum(parts) => {
+            let mut sum = A::constant(Rational::zero());
+            for (negative, part) in parts {
+                let term = evaluate(cx, algebra, part)?;
+                algebra.add(&mut sum, *negative, term);
+            }
+            Ok(sum)
+        }
+        ExprKind::Product(parts) => product(cx, algebra, parts),
+        ExprKind::Power(base, exponent) => power(cx, algebra, base, exponent),
+        ExprKind::Call(Name::Rational, arguments) => {
+            rational(cx, arguments, expr.span).map(A::constant)
+        }
+        ExprKind::Call(name, arguments) => match arguments.as_slice() {
+            [argument] => algebra.call(cx, *name, argument, expr.span),
+            _ => {
+                let at = arguments.get(1).map_or(expr.span, |a| a.span);
+                Err(cx.source.error(at, "cos and sin have one argument"))
+            }
+        },
+    }
+}
+
+/// The value of an expression that must be a constant.
+pub(super) fn constant(cx: &mut Context<'_>, expr: &Expr) -> Result<Rational> {
+    evaluate(cx, &Constants, expr)
+}
+
+fn number(cx: &mut Context<'_>, span: Span) -> Result<Rational> {
+    let text = cx.source.slice(span);
+    let value = literal(text, cx.numbers).map_err(|message| cx.source.error(span, message))?;
+    // `1e99999` is much longer than it looks.
+    let (bits, written) = (value.bits(), 8 * text.len() as u64);
+    if bits > written {
+        cx.budget.spend_bits(bits, cx.source, span)?;
+    }
+    Ok(value)
+}
+
+fn product<A: Algebra>(
+    cx: &mut Context<'_>,
+    algebra: &A,
+    parts: &[(bool, Expr)],
+) -> Result<A::Value> {
+    let mut result = A::constant(Rational::one());
+    for (divides, part) in parts {
+        let value = evaluate(cx, algebra, part)?;
+        let factor = if *divides {
+            let divisor = A::to_constant(&value)
+                .ok_or_else(|| cx.source.error(part.span, A::DIVISOR))?
+                .recip();
+            A::constant(divisor.ok_or_else(|| cx.source.error(part.span, "division by zero"))?)
+        } else {
+            value
+        };
+        result = algebra.multiply(cx, result, factor, part.span)?;
+    }
+    Ok(result)
+}
+
+fn power<A: Algebra>(
+    cx: &mut Context<'_>,
+    algebra: &A,
+    base: &Expr,
+    exponent: &Expr,
+) -> Result<A::Value> {
+    let value = evaluate(cx, algebra, base)?;
+    let n = constant(cx, exponent)?;
+    if !n.is_integer() {
+        return Err(cx.source.error(exponent.span, "an exponent is an integer"));
+    }
+    if n.abs() > Rational::from(i64::from(MAX_DEGREE)) {
+        let limit = format!("an exponent beyond {MAX_DEGREE}");
+        return Err(cx.source.limit(exponent.span, limit));
+    }
+    let magnitude = u32::try_from(&n.abs().numerator()).unwrap_or(MAX_DEGREE);
+    let negative = n.signum() < 0;
+    if let Some(base_value) = A::to_constant(&value) {
+        let bits = base_value.bits().saturating_mul(u64::from(magnitude));
+        cx.budget.spend_bits(bits, cx.source, exponent.span)?;
+        let signed = if negative {
+            -i64::from(magnitude)
+        } else {
+            i64::from(magnitude)
+        };
+        let result = base_value.pow(signed);
+        return result.map(A::constant).ok_or_else(|| {
+            cx.source
+                .error(base.span, "division by zero: a negative power of 0")
+        });
+    }
+    if negative {
+        let message = "a negative exponent; only constants have negative powers here";
+        return Err(cx.source.error(exponent.span, message));
+    }
+    match magnitude {
+        0 => Ok(A::constant(Rational::one())),
+        1 => Ok(value),
+        _ => algebra.power(cx, value, magnitude, base.span.to(exponent.span)),
+    }
+}
+
+/// `Rational(p, q)`, or `Rational(p)`.
+fn rational(cx: &mut Context<'_>, arguments: &[Expr], at: Span) -> Result<Rational> {
+    match arguments {
+        [p] => constant(cx, p),
+        [p, q] => {
+            let (numerator, denominator) = (constant(cx, p)?, constant(cx, q)?);
+            let inverse = denominator.recip();
+            let inverse = inverse.ok_or_else(|| cx.source.error(q.span, "division by zero"))?;
+            times(cx, numerator, inverse, at)
+        }
+        _ => Err(cx
+            .source
+            .error(at, "Rational has two arguments, as in Rational(1, 3)")),
+    }
+}
+
+/// a·b, accounted for.
+pub(super) fn times(cx: &mut Context<'_>, a: Rational, b: Rational, at: Span) -> Result<Rational> {
+    if is_one(&a) {
+        return Ok(b);
+    }
+    if is_one(&b) {
+        return Ok(a);
+    }
+    cx.budget.spend_bits(a.bits() + b.bits(), cx.source, at)?;
+    Ok(a * b)
+}
+
+fn is_one(value: &Rational) -> bool {
+    value.bits() == 1 && value.signum() > 0
+}
+
+/// The rational numbers themselves: exponents, and the arguments of `Rational`.
+struct Constants;
+
+const CONSTANT: &str = "expected a constant here";
+
+impl Algebra for Constants {
+    type Value = Rational;
+
+    const DIVISOR: &'static str = CONSTANT;
+
+    fn constant(value: Rational) -> Rational {
+        value
+    }
+
+    fn to_constant(value: &Rational) -> Option<Rational> {
+        Some(value.clone())
+    }
+
+    fn name(&self, cx: &mut Context<'_>, _: Name, at: Span) -> Result<Rational> {
+        Err(cx.source.error(at, CONSTANT))
+    }
+
+    fn call(&self, cx: &mut Context<'_>, _: Name, _: &Expr, at: Span) -> Result<Rational> {
+        Err(cx.source.error(at, CONSTANT))
+    }
+
+    fn add(&self, sum: &mut Rational, negative: bool, term: Rational) {
+        let before = std::mem::take(sum);
+        *sum = if negative {
+            before - term
+        } else {
+            before + term
+        };
+    }
+
+    fn multiply(
+        &self,
+        cx: &mut Context<'_>,
+        a: Rational,
+        b: Rational,
+        at: Span,
+    ) -> Result<Rational> {
+        times(cx, a, b, at)
+    }
+
+    fn power(&self, cx: &mut Context<'_>, _: Rational, _: u32, at: Span) -> Result<Rational> {
+        // Every value is a constant, which the caller raises itself.
+        Err(cx.source.error(at, CONSTANT))
+    }
+}

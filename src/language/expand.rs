@@ -1,0 +1,281 @@
+//! Products and powers of sums of terms, refused before they explode.
+//!
+//! Two ways lead to a product: term by term, or packed. Packed, each polynomial becomes a
+//! univariate one by Kronecker's substitution (x, y, z become powers of one variable with strides
+//! that keep the answer's exponents apart), which a fast univariate product then multiplies.
+
+use malachite::base::num::arithmetic::traits::{Lcm, Pow};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::base::polynomial::Polynomial as _;
+
+use super::evaluate::Context;
+use super::limits::{MAX_DEGREE, MAX_TERMS};
+use super::polynomial::total;
+use super::source::Span;
+use crate::error::{Error, Result};
+use crate::exact::{Integer, Rational};
+use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial};
+
+type Polynomial = SparsePolynomial<3>;
+
+/// The error for a degree beyond [`MAX_DEGREE`].
+pub(super) fn degree_limit(cx: &Context<'_>, at: Span) -> Error {
+    let limit = format!("a degree beyond {MAX_DEGREE} after expansion");
+    cx.source.limit(at, limit)
+}
+
+/// `c x^e f`.
+pub(super) fn times_term(
+    cx: &mut Context<'_>,
+    f: Polynomial,
+    e: [u32; 3],
+    c: &Rational,
+    at: Span,
+) -> Result<Polynomial> {
+    if e == [0; 3] && *c == Rational::one() {
+        return Ok(f);
+    }
+    if total(&e) + f.degree().unwrap_or(0) > u64::from(MAX_DEGREE) {
+        return Err(degree_limit(cx, at));
+    }
+    let count = f.len() as u64;
+    cx.budget.spend_products(count, cx.source, at)?;
+    let bits = count.saturating_mul(coefficient_bits(&f) + c.bits());
+    cx.budget.spend_bits(bits, cx.source, at)?;
+    Ok(Polynomial::from_terms(f.terms().map(|(g, d)| {
+        ([e[0] + g[0], e[1] + g[1], e[2] + g[2]], c * d)
+    })))
+}
+
+/// f·g.
+pub(super) fn product(
+    cx: &mut Context<'_>,
+    f: &Polynomial,
+    g: &Polynomial,
+    at: Span,
+) -> Result<Polynomial> {
+    let (Some(df), Some(dg)) = (f.degree(), g.degree()) else {
+        return Ok(Polynomial::zero());
+    };
+    if df + dg > u64::from(MAX_DEGREE) {
+        return Err(degree_limit(cx, at));
+    }
+    let homogeneous = is_homogeneous(f) && is_homogeneous(g);
+    let (mf, mg) = (largest_exponents(f), largest_exponents(g));
+    let largest = std::array::from_fn(|i| mf[i] + mg[i]);
+    let packing = Packing::new(largest, homogeneous.then_some(df + dg));
+    let pairs = (f.len() as u64).saturating_mul(g.len() as u64);
+    let terms = packing.terms(df + dg).min(pairs);
+    let bits = coefficient_bits(f) + coefficient_bits(g) + 16;
+    account(cx, terms, bits, at)?;
+    if packing.is_better_than(pairs) {
+        let (pf, pg) = (packing.pack(cx, f, at)?, packing.pack(cx, g, at)?);
+        account(cx, packing.length, pf.bits() + pg.bits() + 64, at)?;
+        let denominator = pf.denominator * pg.denominator;
+        return Ok(packing.unpack(&(&pf.polynomial * &pg.polynomial), &denominator));
+    }
+    cx.budget.spend_products(pairs, cx.source, at)?;
+    Ok(f.times(g))
+}
+
+/// f^n for n ≥ 2.
+pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> Result<Polynomial> {
+    let Some(degree) = f.degree().map(|d| d * u64::from(n)) else {
+        return Ok(Polynomial::zero());
+    };
+    if degree > u64::from(MAX_DEGREE) {
+        return Err(degree_limit(cx, at));
+    }
+    let largest = largest_exponents(f).map(|e| e * n);
+    let packing = Packing::new(largest, is_homogeneous(f).then_some(degree));
+    let terms = packing.terms(degree).min(multisets(f.len(), n));
+    let per_factor = coefficient_bits(f) + u64::from(f.len().ilog2()) + 1;
+    account(cx, terms, per_factor * u64::from(n), at)?;
+    // The last squaring dominates the term-by-term way.
+    let half = multisets(f.len(), n / 2).min(packing.terms(degree));
+    if packing.is_better_than(half.saturating_mul(half)) {
+        let packed = packing.pack(cx, f, at)?;
+        let per_factor = packed.bits() + u64::from(f.len().ilog2()) + 1;
+        account(
+            cx,
+            packing.length,
+            per_factor.saturating_mul(u64::from(n)),
+            at,
+        )?;
+        let powered = (&packed.polynomial).pow(u64::from(n));
+        return Ok(packing.unpack(&powered, &packed.denominator.pow(u64::from(n))));
+    }
+    let mut result = f.clone();
+    // From the highest bit of n down: square, and multiply by f where the bit is set.
+    for bit in (0..n.ilog2()).rev() {
+        let pairs = (result.len() as u64).saturating_mul(result.len() as u64);
+        cx.budget.spend_products(pairs, cx.source, at)?;
+        result = result.squared();
+        if n >> bit & 1 == 1 {
+            let pairs = (result.len() as u64).saturating_mul(f.len() as u64);
+            cx.budget.spend_products(pairs, cx.source, at)?;
+            result = result.times(f);
+        }
+    }
+    Ok(result)
+}
+
+/// Checks a result of at most `terms` terms of about `bits` bits each.
+fn account(cx: &mut Context<'_>, terms: u64, bits: u64, at: Span) -> Result<()> {
+    if terms > MAX_TERMS as u64 {
+        let limit = format!("more than {MAX_TERMS} terms after expansion");
+        return Err(cx.source.limit(at, limit));
+    }
+    cx.budget
+        .spend_bits(terms.saturating_mul(bits), cx.source, at)
+}
+
+fn is_homogeneous(f: &Polynomial) -> bool {
+    let degree = f.degree().unwrap_or(0);
+    f.terms().all(|(e, _)| total(e) == degree)
+}
+
+fn largest_exponents(f: &Polynomial) -> [u32; 3] {
+    f.terms().fold([0; 3], |largest, (e, _)| {
+        std::array::from_fn(|i| largest[i].max(e[i]))
+    })
+}
+
+fn coefficient_bits(f: &Polynomial) -> u64 {
+    f.terms().map(|(_, c)| c.bits()).max().unwrap_or(0)
+}
+
+/// C(n + k − 1, n), the number of ways to choose n of k with repetition, up to saturation.
+fn multisets(k: usize, n: u32) -> u64 {
+    let (k, n) = (k as u64, u64::from(n));
+    let (small, large) = (n.min(k - 1), n.max(k - 1));
+    let mut count: u64 = 1;
+    for i in 1..=small {
+        // C(large + i, i) = C(large + i − 1, i − 1) (large + i)/i, exactly.
+        let Some(next) = count.checked_mul(large + i) else {
+            return u64::MAX;
+        };
+        count = next / i;
+        if count > 1 << 40 {
+            return u64::MAX;
+        }
+    }
+    count
+}
+
+/// Kronecker's substitution for an answer whose largest exponents are known.
+struct Packing {
+    /// The total degree of the answer, if everything is homogeneous: then one variable is left
+    /// out, because its exponent follows.
+    homogeneous: Option<u64>,
+    omitted: Option<usize>,
+    strides: [u64; 3],
+    length: u64,
+    variables: u64,
+}
+
+/// A polynomial over its common denominator, packed.
+struct Packed {
+    polynomial: IntegerPolynomial,
+    denominator: Integer,
+}
+
+impl Packed {
+    fn bits(&self) -> u64 {
+        let coefficients = self.polynomial.coefficients_asc().iter();
+        coefficients
+            .map(SignificantBits::significant_bits)
+            .max()
+            .unwrap_or(0)
+    }
+}
+
+impl Packing {
+    fn new(largest: [u32; 3], homogeneous: Option<u64>) -> Self {
+        let omitted = homogeneous.and_then(|_| (0..3).max_by_key(|&i| largest[i]));
+        let mut strides = [0; 3];
+        let mut length: u64 = 1;
+        let mut variables = 0;
+        for i in 0..3 {
+            if Some(i) != omitted && largest[i] > 0 {
+                strides[i] = length;
+                length = length.saturating_mul(u64::from(largest[i]) + 1);
+                variables += 1;
+            }
+        }
+        Self {
+            homogeneous,
+            omitted,
+            strides,
+            length,
+            variables,
+        }
+    }
+
+    /// The most terms that the answer, of the given degree, can have.
+    fn terms(&self, degree: u64) -> u64 {
+        // C(degree + v, v) in v free variables.
+        let free = usize::try_from(self.variables).unwrap_or(3);
+        let dense = multisets(free + 1, u32::try_from(degree).unwrap_or(u32::MAX));
+        dense.min(self.length)
+    }
+
+    /// Whether the packed product beats so many term-by-term products.
+    fn is_better_than(&self, pairs: u64) -> bool {
+        self.length <= MAX_TERMS as u64 && self.length <= pairs
+    }
+
+    fn pack(&self, cx: &mut Context<'_>, f: &Polynomial, at: Span) -> Result<Packed> {
+        let mut common = Integer::ONE;
+        for (_, c) in f.terms() {
+            if !c.is_integer() {
+                let d = c.denominator();
+                common = Integer::from(common.unsigned_abs_ref().lcm(d.unsigned_abs_ref()));
+                let bits = common.significant_bits().saturating_mul(f.len() as u64);
+                cx.budget.spend_bits(bits / f.len() as u64, cx.source, at)?;
+            }
+        }
+        let scale = Rational::from(&common);
+        let mut coefficients = Vec::new();
+        for (e, c) in f.terms() {
+            let index = (0..3)
+                .map(|i| u64::from(e[i]) * self.strides[i])
+                .sum::<u64>();
+            let index = usize::try_from(index).unwrap_or(usize::MAX);
+            if coefficients.len() <= index {
+                coefficients.resize(index + 1, Integer::ZERO);
+            }
+            coefficients[index] = (c * &scale).numerator();
+        }
+        Ok(Packed {
+            polynomial: IntegerPolynomial::from_coefficients_asc(coefficients),
+            denominator: common,
+        })
+    }
+
+    fn unpack(&self, packed: &IntegerPolynomial, denominator: &Integer) -> Polynomial {
+        let inverse = Rational::from(denominator).recip().unwrap_or_default();
+        let coefficients = packed.coefficients_asc().iter().enumerate();
+        Polynomial::from_terms(
+            coefficients
+                .filter(|(_, c)| **c != 0)
+                .map(|(index, c)| (self.exponents(index as u64), Rational::from(c) * &inverse)),
+        )
+    }
+
+    fn exponents(&self, index: u64) -> [u32; 3] {
+        let mut exponents = [0; 3];
+        let mut rest = index;
+        // The largest stride first.
+        for i in (0..3).rev().filter(|&i| self.strides[i] > 0) {
+            exponents[i] = u32::try_from(rest / self.strides[i]).unwrap_or(u32::MAX);
+            rest %= self.strides[i];
+        }
+        if let (Some(degree), Some(i)) = (self.homogeneous, self.omitted) {
+            let left = degree.saturating_sub(total(&exponents));
+            exponents[i] = u32::try_from(left).unwrap_or(u32::MAX);
+        }
+        exponents
+    }
+}

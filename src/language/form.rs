@@ -1,0 +1,201 @@
+//! From equations to a form: which of the understood kinds a text is.
+
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::base::polynomial::Polynomial as _;
+
+use super::UNDERSTOOD;
+use super::evaluate::{Algebra, Context, evaluate};
+use super::limits::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
+use super::name::Name;
+use super::polynomial::{Implicit, total};
+use super::radius::Radius;
+use super::source::Span;
+use super::syntax::{Equation, Expr};
+use crate::error::{Error, Result};
+use crate::exact::{Integer, Rational};
+use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial};
+use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
+
+/// The form that the equations say, about `center` if there is one.
+pub(super) fn form(
+    cx: &mut Context<'_>,
+    equations: &[Equation],
+    center: Option<(Span, [Rational; 2])>,
+) -> Result<Form> {
+    let Some(equation) = equations.first() else {
+        let end = u32::try_from(cx.source.text.len()).unwrap_or(u32::MAX);
+        let at = Span { start: end, end };
+        return Err(cx
+            .source
+            .error(at, format!("there is no equation; {UNDERSTOOD}")));
+    };
+    refuse_parametric(cx, equation)?;
+    if let Some(second) = equations.get(1) {
+        refuse_parametric(cx, second)?;
+        let message = format!("a second equation; {UNDERSTOOD}, and each is one equation");
+        return Err(cx.source.error(second.left.span, message));
+    }
+    if let Some(formula) = radius_formula(cx, equation)? {
+        let radius = fourier(cx, equation, formula)?;
+        return Ok(Form::Fourier(match center {
+            Some((_, center)) => radius.with_center(center),
+            None => radius,
+        }));
+    }
+    let mut difference = evaluate(cx, &Implicit, &equation.left)?;
+    if let Some(right) = &equation.right {
+        let value = evaluate(cx, &Implicit, right)?;
+        Implicit.add(&mut difference, true, value);
+    }
+    let polynomial = difference.into_polynomial();
+    let in_space = equation.names.first(Name::Z).is_some();
+    if let (true, Some((at, _))) = (in_space, &center) {
+        return Err(cx
+            .source
+            .error(*at, "a center belongs to a plane curve, this is a surface"));
+    }
+    if let Some(value) = polynomial.as_constant() {
+        return Err(cx
+            .source
+            .error(equation.left.span, constant_message(&value)));
+    }
+    implicit(
+        polynomial,
+        in_space,
+        center.map(|(_, center)| center),
+        cx.source.name,
+    )
+}
+
+/// Why a constant is not a curve.
+pub(crate) fn constant_message(value: &Rational) -> &'static str {
+    if value.is_zero() {
+        "the equation is 0 = 0: every point satisfies it, so it describes no curve"
+    } else {
+        "the equation is a constant = 0: no point satisfies it, so it describes no curve"
+    }
+}
+
+const PARAMETERS: &[Name] = &[Name::T, Name::Theta, Name::Parameter, Name::Cos, Name::Sin];
+
+/// `x = …` in a parameter is a form of its own.
+fn refuse_parametric(cx: &Context<'_>, equation: &Equation) -> Result<()> {
+    let is_coordinate = [Name::X, Name::Y, Name::Z]
+        .into_iter()
+        .any(|name| equation.left.is_name(name));
+    if is_coordinate && equation.right.is_some() && equation.names.any(PARAMETERS) {
+        let message =
+            format!("a coordinate as a function of a parameter is not among {UNDERSTOOD}");
+        return Err(cx.source.error(equation.left.span, message));
+    }
+    Ok(())
+}
+
+/// What the radius is, if the equation gives one: the right side of `r = …`, or an expression in
+/// the angle that stands alone.
+fn radius_formula<'e>(cx: &Context<'_>, equation: &'e Equation) -> Result<Option<&'e Expr>> {
+    let names = &equation.names;
+    if equation.left.is_name(Name::R) {
+        return match &equation.right {
+            Some(formula) => Ok(Some(formula)),
+            None => Err(cx
+                .source
+                .error(equation.left.span, "expected `= …` after r")),
+        };
+    }
+    let of_the_angle = names.any(&[Name::T, Name::Theta, Name::Cos, Name::Sin]);
+    let of_a_point = names.any(&[Name::X, Name::Y, Name::Z, Name::R]);
+    Ok((equation.right.is_none() && of_the_angle && !of_a_point).then_some(&equation.left))
+}
+
+fn fourier(cx: &mut Context<'_>, equation: &Equation, formula: &Expr) -> Result<FourierRadius> {
+    let angles = (
+        equation.names.first(Name::T),
+        equation.names.first(Name::Theta),
+    );
+    if let (Some(t), Some(theta)) = angles {
+        let later = if t.start > theta.start { t } else { theta };
+        let message = "a second name for the angle; use either t or theta";
+        return Err(cx.source.error(later, message));
+    }
+    let (cos, sin) = evaluate(cx, &Radius, formula)?.coefficients();
+    Ok(FourierRadius::new(cos, sin))
+}
+
+/// The implicit curve or surface of a polynomial that is not constant.
+///
+/// # Errors
+/// [`Error::Limit`] if the polynomial is beyond what is computed with.
+pub(crate) fn implicit(
+    polynomial: SparsePolynomial<3>,
+    in_space: bool,
+    center: Option<[Rational; 2]>,
+    source_name: &str,
+) -> Result<Form> {
+    if polynomial.len() > MAX_TERMS {
+        return Err(Error::limit(format!(
+            "{source_name}: more than {MAX_TERMS} terms"
+        )));
+    }
+    if in_space {
+        return Ok(Form::Surface(ImplicitSurface::new(polynomial)));
+    }
+    let curve = ImplicitCurve::new(plane(&polynomial, source_name)?);
+    Ok(Form::Curve(match center {
+        Some(center) => curve.with_center(center),
+        None => curve,
+    }))
+}
+
+/// The polynomial in x and y as its homogeneous parts, each only as long as its highest power of y.
+fn plane(polynomial: &SparsePolynomial<3>, source_name: &str) -> Result<PlanePolynomial> {
+    let mut denominator = Integer::ONE;
+    for (_, c) in polynomial.terms().filter(|(_, c)| !c.is_integer()) {
+        let d = c.denominator();
+        denominator = Integer::from(denominator.unsigned_abs_ref().lcm(d.unsigned_abs_ref()));
+        let bits = denominator.significant_bits();
+        if bits.saturating_mul(polynomial.len() as u64) > MAX_BITS {
+            return Err(Error::limit(format!(
+                "{source_name}: the coefficients over their common denominator have more than \
+                 {MAX_BITS} bits in all"
+            )));
+        }
+    }
+    let mut parts = Vec::new();
+    let mut part: Option<(usize, Vec<Integer>)> = None;
+    let mut length = 0;
+    // Terms come by degree, and within a degree by ascending powers of y.
+    for (e, c) in polynomial.terms() {
+        let degree = usize::try_from(total(e)).unwrap_or(usize::MAX);
+        let y = e[1] as usize;
+        let mut row = match part.take() {
+            Some((d, row)) if d == degree => row,
+            finished => {
+                parts.extend(finished.map(binary_form));
+                Vec::new()
+            }
+        };
+        length += y + 1 - row.len();
+        if length > MAX_COEFFICIENTS {
+            return Err(Error::limit(format!(
+                "{source_name}: the homogeneous parts have more than {MAX_COEFFICIENTS} \
+                 coefficients, with the zeros between them"
+            )));
+        }
+        row.resize(y, Integer::ZERO);
+        row.push(if denominator == 1 {
+            c.numerator()
+        } else {
+            c.numerator() * (&denominator).div_exact(c.denominator())
+        });
+        part = Some((degree, row));
+    }
+    parts.extend(part.map(binary_form));
+    Ok(PlanePolynomial::from_parts(parts, denominator))
+}
+
+fn binary_form((degree, row): (usize, Vec<Integer>)) -> BinaryForm {
+    BinaryForm::from_dehomogenized(degree, IntegerPolynomial::from_coefficients_asc(row))
+}

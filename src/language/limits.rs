@@ -1,0 +1,76 @@
+//! The stated limits of the input language, and the account that keeps an expansion within them.
+
+use super::source::{Source, Span};
+use crate::error::Result;
+
+/// The longest text that is read: 256 MiB.
+pub const MAX_TEXT_BYTES: usize = 256 << 20;
+
+/// The deepest nesting of parentheses and of towers of `^`.
+pub const MAX_NESTING: u32 = 256;
+
+/// The largest exponent of one power, and the largest total degree after expansion.
+pub const MAX_DEGREE: u32 = 20_002;
+
+/// The largest number of terms of a polynomial after expansion.
+pub const MAX_TERMS: usize = 5_000_000;
+
+/// The largest index n of `cos(n*t)` and `sin(n*t)`.
+pub const MAX_HARMONIC: u32 = 100_000;
+
+/// The most digits of one number.
+pub const MAX_DIGITS: usize = 10_000_000;
+
+/// The most products of coefficients that the expansion of one text may take term by term.
+pub const MAX_PRODUCTS: u64 = 1 << 25;
+
+/// The most bits that the products and powers of one text, or the coefficients of one polynomial
+/// over their common denominator, may have in all: 2 GiB.
+pub const MAX_BITS: u64 = 1 << 34;
+
+/// The most coefficients, with the zeros between them, of the homogeneous parts of a plane
+/// polynomial or of a polynomial being expanded.
+pub const MAX_COEFFICIENTS: usize = 20_000_000;
+
+/// The longest piece of the input that a message repeats.
+pub(super) const MAX_SHOWN: usize = 30;
+
+/// What the expansion of one text may still spend.
+#[derive(Debug)]
+pub(super) struct Budget {
+    products: u64,
+    bits: u64,
+}
+
+impl Budget {
+    pub(super) fn new() -> Self {
+        Self {
+            products: MAX_PRODUCTS,
+            bits: MAX_BITS,
+        }
+    }
+
+    /// Accounts for `count` products of coefficients, before they are made.
+    pub(super) fn spend_products(
+        &mut self,
+        count: u64,
+        source: Source<'_>,
+        at: Span,
+    ) -> Result<()> {
+        self.products = self.products.checked_sub(count).ok_or_else(|| {
+            let limit =
+                format!("expanding takes more than {MAX_PRODUCTS} products of coefficients");
+            source.limit(at, limit)
+        })?;
+        Ok(())
+    }
+
+    /// Accounts for `count` bits of a result, before it is computed.
+    pub(super) fn spend_bits(&mut self, count: u64, source: Source<'_>, at: Span) -> Result<()> {
+        self.bits = self.bits.checked_sub(count).ok_or_else(|| {
+            let limit = format!("the expanded coefficients have more than {MAX_BITS} bits in all");
+            source.limit(at, limit)
+        })?;
+        Ok(())
+    }
+}

@@ -1,0 +1,121 @@
+//! The input language: formulas as people write them, read exactly.
+//!
+//! | text | form |
+//! | --- | --- |
+//! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta |
+//! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
+//! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
+//!
+//! The grammar, from loose to tight:
+//!
+//! - equations are separated by `;` or a new line. A new line within parentheses, after an operator
+//!   or before one only continues the line above; one before + or − does so too, unless both
+//!   lines have an `=`;
+//! - `+`, `-`;
+//! - `*`, `/` and two factors side by side (`2x`, `3x^2y`, `x y`, `2cos(3t)`), all three alike and
+//!   from left to right: `1/2x` is (1/2)·x. A divisor is a constant, and a number never stands
+//!   right after a factor;
+//! - signs: `-x^2` is −(x²);
+//! - `^` or `**`, from right to left: `2^3^2` is 2⁹, `x^2y` is x²·y. The exponent is a
+//!   constant integer, and not negative unless the base is a constant too. `x²³` is x^23;
+//! - numbers (`12`, `0.1`, `1e-5`, `0x1.8p+1`), names, `cos(…)`, `sin(…)`, `Rational(1, 3)` and
+//!   parentheses. Letters without a space fall into the longest names there are: `xy` is x·y.
+//!
+//! Typographic signs (− · × θ ² …) stand for what they look like. `#` starts a comment, and so does
+//! `//` at the start of a line; the comment `# center: p/q, p/q` is the point that a plane form is
+//! relative to. The statements `ring R = 0, (x, y), dp; poly F = …;` of Singular are read as well.
+//!
+//! What is read is expanded exactly, in a radius as a trigonometric polynomial:
+//!
+//! ```
+//! use stellate::language::{Numbers, parse_form};
+//! use stellate::shape::Form;
+//!
+//! let Form::Fourier(r) = parse_form("r = 2 + cos(t)^2", "<form>", Numbers::Exact)? else { panic!() };
+//! assert_eq!(r.cos(0).to_string(), "5/2");
+//! assert_eq!(r.cos(2).to_string(), "1/2");
+//!
+//! let error = parse_form("x^2 + q = 0", "<form>", Numbers::Exact).unwrap_err();
+//! assert!(error.to_string().starts_with("<form>:1:7: unknown name `q`"));
+//! # Ok::<(), stellate::error::Error>(())
+//! ```
+
+mod evaluate;
+mod expand;
+mod form;
+mod limits;
+mod name;
+mod number;
+mod parser;
+mod polynomial;
+mod radius;
+mod source;
+mod syntax;
+mod token;
+
+pub use limits::{
+    MAX_BITS, MAX_COEFFICIENTS, MAX_DEGREE, MAX_DIGITS, MAX_HARMONIC, MAX_NESTING, MAX_PRODUCTS,
+    MAX_TERMS, MAX_TEXT_BYTES,
+};
+pub use number::Numbers;
+
+pub(crate) use form::{constant_message, implicit};
+pub(crate) use number::{number_at, written_point};
+
+use crate::error::{Error, Result};
+use crate::shape::Form;
+
+/// The forms that are read, for messages.
+const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
+     `r = 1 + 1/5*cos(3*t)`, a plane curve `x^2 + y^2 = 1`, a surface `x^2 + y^2 + z^2 = 1`";
+
+/// Reads a formula; the grammar is in the [module documentation](self). `source_name` is what error
+/// messages call the text.
+///
+/// Cost: linear in the text, up to the logarithm of the number of terms, plus the products that the
+/// text asks for.
+///
+/// ```
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::shape::Form;
+/// let form = parse_form("x^4 - x^2 + y^2 = 0", "<form>", Numbers::Exact)?;
+/// let Form::Curve(curve) = form else { panic!("a polynomial in x and y") };
+/// assert_eq!(curve.polynomial().homogeneous_degrees(), [4, 2]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Syntax`] with the place in the text if it is not one of the forms above, if it divides
+/// by zero or by something that is not constant, or if the polynomial is a constant;
+/// [`Error::Limit`] if one of the limits of this module is reached.
+pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
+    check_size(text, source_name)?;
+    let source = source::Source {
+        name: source_name,
+        text,
+    };
+    let tokens = token::tokenize(source)?;
+    let equations = parser::parse(source, &tokens.tokens)?;
+    let center = match tokens.center {
+        None => None,
+        Some(at) => {
+            let point = written_point(source.slice(at), numbers);
+            Some((at, point.map_err(|message| source.error(at, message))?))
+        }
+    };
+    let mut context = evaluate::Context {
+        source,
+        numbers,
+        budget: limits::Budget::new(),
+    };
+    form::form(&mut context, &equations, center)
+}
+
+/// Refuses a text beyond [`MAX_TEXT_BYTES`].
+pub(crate) fn check_size(text: &str, source_name: &str) -> Result<()> {
+    if text.len() > MAX_TEXT_BYTES {
+        let limit = format!("{source_name}: a text of more than {MAX_TEXT_BYTES} bytes");
+        return Err(Error::limit(limit));
+    }
+    Ok(())
+}

@@ -1,0 +1,121 @@
+//! The names of the language, and how a run of letters falls into them.
+
+use super::source::Span;
+
+/// A name with a meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Name {
+    /// Coordinates.
+    X,
+    Y,
+    Z,
+    /// The radius.
+    R,
+    /// The angle, or the parameter of a curve.
+    T,
+    Theta,
+    /// Other parameters, of patches.
+    Parameter,
+    Cos,
+    Sin,
+    /// `Rational(p, q)`, as SymPy writes a fraction.
+    Rational,
+    /// A function that is neither a polynomial nor a finite Fourier series.
+    Function,
+    /// A constant that is not rational, or a function whose values are not.
+    Irrational,
+    /// `superquadric`.
+    Superquadric,
+    /// `ring` and `poly`: the statements of Singular.
+    Ring,
+    Poly,
+}
+
+/// How many names there are.
+pub(super) const NAMES: usize = Name::Poly as usize + 1;
+
+/// Every spelling; the longer one of two that fit is meant.
+const SPELLINGS: &[(&str, Name)] = &[
+    ("superquadric", Name::Superquadric),
+    ("Rational", Name::Rational),
+    ("arcsin", Name::Function),
+    ("arccos", Name::Function),
+    ("arctan", Name::Function),
+    ("theta", Name::Theta),
+    ("sqrt", Name::Irrational),
+    ("asin", Name::Function),
+    ("acos", Name::Function),
+    ("atan", Name::Function),
+    ("sinh", Name::Function),
+    ("cosh", Name::Function),
+    ("tanh", Name::Function),
+    ("ring", Name::Ring),
+    ("poly", Name::Poly),
+    ("cos", Name::Cos),
+    ("sin", Name::Sin),
+    ("phi", Name::Parameter),
+    ("tan", Name::Function),
+    ("cot", Name::Function),
+    ("sec", Name::Function),
+    ("csc", Name::Function),
+    ("exp", Name::Function),
+    ("log", Name::Function),
+    ("abs", Name::Function),
+    ("ln", Name::Function),
+    ("pi", Name::Irrational),
+    ("π", Name::Irrational),
+    ("√", Name::Irrational),
+    ("θ", Name::Theta),
+    ("φ", Name::Parameter),
+    ("ϕ", Name::Parameter),
+    ("x", Name::X),
+    ("y", Name::Y),
+    ("z", Name::Z),
+    ("r", Name::R),
+    ("t", Name::T),
+    ("u", Name::Parameter),
+    ("v", Name::Parameter),
+];
+
+/// The names that `word`, which starts at byte `start`, consists of: the longest first, so `xy` is
+/// x and y, and `theta` is not t, h, …. `None` if that leaves a rest: then the word is unknown.
+pub(super) fn split_word(word: &str, start: u32) -> Option<Vec<(Name, Span)>> {
+    let mut names = Vec::new();
+    let (mut rest, mut at) = (word, start);
+    while !rest.is_empty() {
+        let (spelling, name) = SPELLINGS.iter().find(|(s, _)| rest.starts_with(s))?;
+        let end = at + u32::try_from(spelling.len()).ok()?;
+        names.push((*name, Span { start: at, end }));
+        at = end;
+        rest = &rest[spelling.len()..];
+    }
+    Some(names)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn longer_names_come_first() {
+        for (a, b) in SPELLINGS.iter().zip(&SPELLINGS[1..]) {
+            assert!(
+                a.0.chars().count() >= b.0.chars().count(),
+                "{} {}",
+                a.0,
+                b.0
+            );
+        }
+    }
+
+    #[test]
+    fn words_fall_into_names() {
+        let names = |word| {
+            split_word(word, 0).map(|names| names.into_iter().map(|(n, _)| n).collect::<Vec<_>>())
+        };
+        assert_eq!(names("xy"), Some(vec![Name::X, Name::Y]));
+        assert_eq!(names("theta"), Some(vec![Name::Theta]));
+        assert_eq!(names("cost"), Some(vec![Name::Cos, Name::T]));
+        assert_eq!(names("radius"), None);
+    }
+}

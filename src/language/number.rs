@@ -1,0 +1,87 @@
+//! The exact value of a literal.
+
+use malachite::base::num::conversion::traits::FromStringBase;
+
+use super::limits::MAX_DIGITS;
+use crate::error::{Error, Result};
+use crate::exact::{Integer, Rational, double_literal, exact_literal};
+
+/// How numbers are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Numbers {
+    /// As they are written: `0.1` is 1/10.
+    #[default]
+    Exact,
+    /// As the nearest double, and then exactly: for data that came out of a float program.
+    F64,
+}
+
+/// The value of one literal without sign, or what is wrong with it.
+pub(crate) fn literal(text: &str, numbers: Numbers) -> std::result::Result<Rational, String> {
+    if text.len() > MAX_DIGITS {
+        return Err(format!("a number of more than {MAX_DIGITS} digits"));
+    }
+    if numbers == Numbers::Exact && text.bytes().all(|b| b.is_ascii_digit()) {
+        return match Integer::from_string_base(10, text) {
+            Some(value) => Ok(Rational::from(value)),
+            None => Err("expected a number".into()),
+        };
+    }
+    // A typographic minus may stand in the exponent.
+    let ascii = text.replace('−', "-");
+    let value = match numbers {
+        Numbers::Exact => exact_literal(&ascii),
+        Numbers::F64 => double_literal(&ascii),
+    };
+    value.map_err(|error| match error {
+        Error::Syntax { message, .. } => message,
+        other => other.to_string(),
+    })
+}
+
+/// The value of a number as a document or a comment holds it: `p`, `p/q`, a decimal or a
+/// hexadecimal float, with a sign. In a fraction p and q are taken each on its own.
+pub(crate) fn written_number(
+    text: &str,
+    numbers: Numbers,
+) -> std::result::Result<Rational, String> {
+    let signed = |part: &str| {
+        let part = part.trim();
+        match part.strip_prefix(['-', '−']) {
+            Some(digits) if !digits.starts_with(['-', '−', '+']) => {
+                literal(digits, numbers).map(|value| -value)
+            }
+            Some(_) => Err("two signs".into()),
+            None => literal(part, numbers),
+        }
+    };
+    if text.trim().is_empty() {
+        return Err("expected a number such as 3, 0.1, 1e-5, 1/3 or 0x1.8p+1".into());
+    }
+    let Some((p, q)) = text.split_once('/') else {
+        return signed(text);
+    };
+    if q.contains('/') {
+        return Err("two fraction bars".into());
+    }
+    let (p, q) = (signed(p)?, signed(q)?);
+    if q.is_zero() {
+        return Err("the denominator is 0".into());
+    }
+    Ok(p / q)
+}
+
+/// `p/q, p/q`: the point that a `# center:` comment gives.
+pub(crate) fn written_point(
+    text: &str,
+    numbers: Numbers,
+) -> std::result::Result<[Rational; 2], String> {
+    let expected = || "expected a center such as `1/2, -3`".to_owned();
+    let (x, y) = text.split_once(',').ok_or_else(expected)?;
+    Ok([written_number(x, numbers)?, written_number(y, numbers)?])
+}
+
+/// The value as a result of the crate, for a place in a data file.
+pub(crate) fn number_at(place: &str, text: &str, numbers: Numbers) -> Result<Rational> {
+    written_number(text, numbers).map_err(|message| Error::data(place, message))
+}

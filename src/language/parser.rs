@@ -1,0 +1,372 @@
+//! From tokens to equations: operator precedence after Pratt.
+
+use super::limits::MAX_NESTING;
+use super::name::Name;
+use super::source::{Source, Span};
+use super::syntax::{Equation, Expr, ExprKind, Occurrences};
+use super::token::{Kind, SUPERSCRIPTS, Token};
+use crate::error::Result;
+
+// How tightly each operator binds its left and its right side.
+const SUM: (u8, u8) = (1, 2);
+const PRODUCT: (u8, u8) = (3, 4);
+/// Looser than a power: −x² is −(x²).
+const SIGN: u8 = 6;
+/// From the right: 2^3^2 is 2^9.
+const POWER: (u8, u8) = (8, 7);
+
+/// The equations of a text.
+pub(super) fn parse(source: Source<'_>, tokens: &[Token]) -> Result<Vec<Equation>> {
+    let mut parser = Parser {
+        source,
+        tokens,
+        next: 0,
+        names: Occurrences::default(),
+    };
+    let mut equations = Vec::new();
+    while let Some(equation) = parser.equation()? {
+        equations.push(equation);
+    }
+    Ok(equations)
+}
+
+struct Parser<'a> {
+    source: Source<'a>,
+    tokens: &'a [Token],
+    next: usize,
+    names: Occurrences,
+}
+
+impl Parser<'_> {
+    /// The next token; the last one, [`Kind::End`], is never passed.
+    fn peek(&self) -> Token {
+        let end = Token {
+            kind: Kind::End,
+            span: Span { start: 0, end: 0 },
+        };
+        let last = self.tokens.last().copied().unwrap_or(end);
+        self.tokens.get(self.next).copied().unwrap_or(last)
+    }
+
+    fn advance(&mut self) -> Token {
+        let token = self.peek();
+        self.next += 1;
+        token
+    }
+
+    fn take(&mut self, kind: Kind) -> Option<Token> {
+        (self.peek().kind == kind).then(|| self.advance())
+    }
+
+    /// How a message calls a token.
+    fn found(&self, token: Token) -> String {
+        match token.kind {
+            Kind::End => "the end of the text".into(),
+            Kind::Newline => "the end of the line".into(),
+            _ => self.source.quoted(token.span),
+        }
+    }
+
+    /// The next equation, `None` at the end of the text.
+    fn equation(&mut self) -> Result<Option<Equation>> {
+        loop {
+            match self.peek().kind {
+                Kind::Semicolon | Kind::Newline => {
+                    self.advance();
+                }
+                // `ring R = 0, (x, y), dp;` says nothing that the polynomial does not.
+                Kind::Name(Name::Ring) => {
+                    while !matches!(self.peek().kind, Kind::Semicolon | Kind::End) {
+                        self.advance();
+                    }
+                }
+                _ => break,
+            }
+        }
+        if self.peek().kind == Kind::End {
+            return Ok(None);
+        }
+        let polynomial_of_singular = self.take(Kind::Name(Name::Poly)).is_some();
+        if polynomial_of_singular {
+            self.advance();
+            self.expect_equals()?;
+        }
+        self.names = Occurrences::default();
+        let left = self.expression(0, 0)?;
+        let right = match self.take(Kind::Equals) {
+            Some(_) => Some(self.expression(0, 0)?),
+            None => None,
+        };
+        let after = self.peek();
+        if !matches!(after.kind, Kind::Semicolon | Kind::Newline | Kind::End) {
+            return Err(self
+                .source
+                .error(after.span, self.not_after_an_equation(after)));
+        }
+        let names = std::mem::take(&mut self.names);
+        Ok(Some(Equation { left, right, names }))
+    }
+
+    fn expect_equals(&mut self) -> Result<()> {
+        let token = self.advance();
+        if token.kind == Kind::Equals {
+            return Ok(());
+        }
+        let message = format!(
+            "expected `=` after the polynomial's name, found {}",
+            self.found(token)
+        );
+        Err(self.source.error(token.span, message))
+    }
+
+    fn not_after_an_equation(&self, token: Token) -> String {
+        match token.kind {
+            Kind::Close => "`)` without a `(` before it".into(),
+            Kind::Equals => "a second `=`; equations are separated by `;` or a new line".into(),
+            Kind::Comma => "a comma separates only the arguments of Rational(p, q); \
+                            decimals are written with a point"
+                .into(),
+            _ => format!(
+                "expected an operator, `=` or the end, found {}",
+                self.found(token)
+            ),
+        }
+    }
+
+    /// An expression whose operators bind at least as tightly as `least`.
+    fn expression(&mut self, least: u8, depth: u32) -> Result<Expr> {
+        let mut left = self.operand(depth)?;
+        loop {
+            let token = self.peek();
+            let (binds, right) = match token.kind {
+                Kind::Plus | Kind::Minus => SUM,
+                // Two factors side by side are a product, and bind like one written with `*`.
+                Kind::Star | Kind::Slash | Kind::Name(_) | Kind::Unknown | Kind::Open => PRODUCT,
+                Kind::Caret | Kind::Superscript => POWER,
+                Kind::Number => {
+                    let message = "a number after a factor; write `*` or `^` between them";
+                    return Err(self.source.error(token.span, message));
+                }
+                _ => return Ok(left),
+            };
+            if binds < least {
+                return Ok(left);
+            }
+            left = match token.kind {
+                Kind::Plus | Kind::Minus => {
+                    self.advance();
+                    let part = self.expression(right, depth)?;
+                    sum(left, token.kind == Kind::Minus, part)
+                }
+                Kind::Star | Kind::Slash => {
+                    self.advance();
+                    let part = self.expression(right, depth)?;
+                    product(left, token.kind == Kind::Slash, part)
+                }
+                Kind::Caret => {
+                    self.advance();
+                    let exponent = self.expression(right, self.deeper(depth, token)?)?;
+                    power(left, exponent)
+                }
+                Kind::Superscript => power(left, self.superscript()?),
+                _ => {
+                    let part = self.expression(right, depth)?;
+                    product(left, false, part)
+                }
+            };
+        }
+    }
+
+    /// Signs, then a number, a name, a call or an expression in parentheses.
+    fn operand(&mut self, depth: u32) -> Result<Expr> {
+        let first = self.peek();
+        let (mut signs, mut negative) = (0, false);
+        while let Kind::Plus | Kind::Minus = self.peek().kind {
+            negative ^= self.advance().kind == Kind::Minus;
+            signs += 1;
+        }
+        if signs > 0 {
+            let inner = self.expression(SIGN, depth)?;
+            if !negative {
+                return Ok(inner);
+            }
+            return Ok(Expr {
+                span: first.span.to(inner.span),
+                kind: ExprKind::Negative(Box::new(inner)),
+            });
+        }
+        let token = self.advance();
+        let kind = match token.kind {
+            Kind::Number => ExprKind::Number,
+            Kind::Open => {
+                let inner = self.expression(0, self.deeper(depth, token)?)?;
+                self.expect_close(token)?;
+                return Ok(inner);
+            }
+            Kind::Name(name) => {
+                self.names.record(name, token.span);
+                return self.named(name, token, depth);
+            }
+            Kind::Unknown => {
+                let message = format!(
+                    "unknown name {}; a Fourier radius uses the angle t or theta, \
+                     a polynomial x, y, z",
+                    self.source.quoted(token.span)
+                );
+                return Err(self.source.error(token.span, message));
+            }
+            _ => {
+                let message = format!(
+                    "expected a number, a name or `(`, found {}",
+                    self.found(token)
+                );
+                return Err(self.source.error(token.span, message));
+            }
+        };
+        Ok(Expr {
+            kind,
+            span: token.span,
+        })
+    }
+
+    fn named(&mut self, name: Name, token: Token, depth: u32) -> Result<Expr> {
+        let shown = self.source.quoted(token.span);
+        let refuse = |message: String| Err(self.source.error(token.span, message));
+        match name {
+            Name::Function => refuse(format!(
+                "unknown function {shown}: it is not a finite Fourier series and not a \
+                 polynomial; cos and sin of integer multiples of the angle are understood"
+            )),
+            Name::Irrational => refuse(format!(
+                "{shown} is not rational; numbers are exact here: write a fraction or a decimal"
+            )),
+            Name::Superquadric => refuse(format!("{shown} is not among {}", super::UNDERSTOOD)),
+            Name::Ring | Name::Poly => refuse(format!("{shown} stands only before an equation")),
+            Name::Cos | Name::Sin | Name::Rational => self.call(name, token, depth),
+            _ => Ok(Expr {
+                kind: ExprKind::Name(name),
+                span: token.span,
+            }),
+        }
+    }
+
+    fn call(&mut self, name: Name, function: Token, depth: u32) -> Result<Expr> {
+        let open = self.advance();
+        if open.kind != Kind::Open {
+            let message = format!(
+                "expected `(` after {}, found {}",
+                self.source.quoted(function.span),
+                self.found(open)
+            );
+            return Err(self.source.error(open.span, message));
+        }
+        let deeper = self.deeper(depth, open)?;
+        let mut arguments = vec![self.expression(0, deeper)?];
+        while self.take(Kind::Comma).is_some() {
+            arguments.push(self.expression(0, deeper)?);
+        }
+        let close = self.expect_close(open)?;
+        Ok(Expr {
+            kind: ExprKind::Call(name, arguments),
+            span: function.span.to(close.span),
+        })
+    }
+
+    fn expect_close(&mut self, open: Token) -> Result<Token> {
+        let token = self.peek();
+        match token.kind {
+            Kind::Close => Ok(self.advance()),
+            Kind::End => Err(self.source.error(open.span, "this `(` is never closed")),
+            Kind::Comma => Err(self
+                .source
+                .error(token.span, self.not_after_an_equation(token))),
+            _ => {
+                let message = format!("expected an operator or `)`, found {}", self.found(token));
+                Err(self.source.error(token.span, message))
+            }
+        }
+    }
+
+    fn superscript(&mut self) -> Result<Expr> {
+        let token = self.advance();
+        let digits = self.source.slice(token.span).chars();
+        let value = digits.fold(0_u32, |value, c| {
+            let digit = SUPERSCRIPTS.iter().position(|&s| s == c).unwrap_or(0);
+            let digit = u32::try_from(digit).unwrap_or(0);
+            value.saturating_mul(10).saturating_add(digit)
+        });
+        self.no_second_exponent()?;
+        Ok(Expr {
+            kind: ExprKind::Integer(value),
+            span: token.span,
+        })
+    }
+
+    /// `x²³` is x^23, but `x² ³` and `x²^3` could be either of two things.
+    fn no_second_exponent(&self) -> Result<()> {
+        let after = self.peek();
+        if matches!(after.kind, Kind::Caret | Kind::Superscript) {
+            let message = "a second exponent; parentheses say what is meant";
+            return Err(self.source.error(after.span, message));
+        }
+        Ok(())
+    }
+
+    fn deeper(&self, depth: u32, at: Token) -> Result<u32> {
+        if depth < MAX_NESTING {
+            return Ok(depth + 1);
+        }
+        let limit = format!("parentheses and powers nested more than {MAX_NESTING} deep");
+        Err(self.source.limit(at.span, limit))
+    }
+}
+
+fn sum(left: Expr, negative: bool, right: Expr) -> Expr {
+    let span = left.span.to(right.span);
+    let kind = match left.kind {
+        ExprKind::Sum(mut parts) => {
+            parts.push((negative, right));
+            ExprKind::Sum(parts)
+        }
+        kind => ExprKind::Sum(vec![
+            (
+                false,
+                Expr {
+                    kind,
+                    span: left.span,
+                },
+            ),
+            (negative, right),
+        ]),
+    };
+    Expr { kind, span }
+}
+
+fn product(left: Expr, divides: bool, right: Expr) -> Expr {
+    let span = left.span.to(right.span);
+    let kind = match left.kind {
+        ExprKind::Product(mut parts) => {
+            parts.push((divides, right));
+            ExprKind::Product(parts)
+        }
+        kind => ExprKind::Product(vec![
+            (
+                false,
+                Expr {
+                    kind,
+                    span: left.span,
+                },
+            ),
+            (divides, right),
+        ]),
+    };
+    Expr { kind, span }
+}
+
+fn power(base: Expr, exponent: Expr) -> Expr {
+    let span = base.span.to(exponent.span);
+    Expr {
+        kind: ExprKind::Power(Box::new(base), Box::new(exponent)),
+        span,
+    }
+}

@@ -1,0 +1,276 @@
+//! From text to tokens.
+
+use winnow::ascii::{digit0, digit1, hex_digit0, hex_digit1};
+use winnow::combinator::{alt, opt, preceded};
+use winnow::prelude::*;
+use winnow::stream::{LocatingSlice, Location};
+use winnow::token::{any, one_of, take_till, take_while};
+
+use super::name::{Name, split_word};
+use super::source::{Source, Span};
+use crate::error::Result;
+
+/// What a token is; its text is in its span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Number,
+    /// A run of `²³…`.
+    Superscript,
+    Name(Name),
+    /// A word that is not made of names.
+    Unknown,
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    Caret,
+    Open,
+    Close,
+    Comma,
+    Equals,
+    Semicolon,
+    Newline,
+    End,
+}
+
+/// A token and where it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token {
+    pub(super) kind: Kind,
+    pub(super) span: Span,
+}
+
+/// The tokens of a text, ending with [`Kind::End`], and what its comments say.
+#[derive(Debug)]
+pub(super) struct Tokens {
+    pub(super) tokens: Vec<Token>,
+    /// What follows `# center:`, if there is such a comment.
+    pub(super) center: Option<Span>,
+}
+
+type Input<'a> = LocatingSlice<&'a str>;
+
+/// The digits that are written as superscripts, in order.
+pub(super) const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+/// Splits the text. Newlines stay only where they end an equation (see [`join_lines`]).
+pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
+    let mut input = LocatingSlice::new(source.text);
+    let mut tokens: Vec<Token> = Vec::new();
+    let mut center = None;
+    let mut line_start = true;
+    loop {
+        let blank = |c: char| c != '\n' && (c.is_whitespace() || c == '\u{feff}');
+        let _: winnow::Result<&str> = take_while(0.., blank).parse_next(&mut input);
+        let start = position(&input);
+        let comment = input.starts_with('#') || (line_start && input.starts_with("//"));
+        if comment {
+            let mut line = take_till(0.., '\n');
+            let text: winnow::Result<&str> = line.parse_next(&mut input);
+            read_comment(source, start, text.unwrap_or(""), &mut center)?;
+            continue;
+        }
+        line_start = input.starts_with('\n');
+        let Some(first) = input.chars().next() else {
+            let span = Span { start, end: start };
+            let kind = Kind::End;
+            tokens.push(Token { kind, span });
+            break;
+        };
+        if first.is_alphabetic() || first == '√' {
+            word(&mut input, &mut tokens);
+            continue;
+        }
+        let kind = if first.is_ascii_digit() || first == '.' {
+            number(&mut input)
+        } else {
+            symbol(&mut input).ok_or("unexpected character")
+        };
+        let span = Span {
+            start,
+            end: position(&input),
+        };
+        match kind {
+            Ok(kind) => tokens.push(Token { kind, span }),
+            Err(message) => {
+                let shown = format!("{message}: {}", source.quoted(span));
+                return Err(source.error(span, shown));
+            }
+        }
+    }
+    Ok(Tokens {
+        tokens: join_lines(&tokens),
+        center,
+    })
+}
+
+/// Texts are shorter than 4 GiB: see [`super::limits::MAX_TEXT_BYTES`].
+fn position(input: &Input<'_>) -> u32 {
+    u32::try_from(input.current_token_start()).unwrap_or(u32::MAX)
+}
+
+/// `# center: p/q, p/q` is the one comment with a meaning.
+fn read_comment(
+    source: Source<'_>,
+    start: u32,
+    comment: &str,
+    center: &mut Option<Span>,
+) -> Result<()> {
+    let body = comment.trim_start_matches(['#', '/']);
+    let Some(value) = body.trim_start().strip_prefix("center:") else {
+        return Ok(());
+    };
+    let end = start + u32::try_from(comment.len()).unwrap_or(u32::MAX);
+    let length = u32::try_from(value.len()).unwrap_or(u32::MAX);
+    let span = Span {
+        start: end - length,
+        end,
+    };
+    if center.replace(span).is_some() {
+        return Err(source.error(span, "a second center"));
+    }
+    Ok(())
+}
+
+/// A run of letters: names, or one unknown word.
+fn word(input: &mut Input<'_>, tokens: &mut Vec<Token>) {
+    let start = position(input);
+    let letter = |c: char| c.is_alphabetic() || c == '√';
+    let text: winnow::Result<&str> = take_while(1.., letter).parse_next(input);
+    match split_word(text.unwrap_or(""), start) {
+        Some(names) => tokens.extend(names.into_iter().map(|(name, span)| Token {
+            kind: Kind::Name(name),
+            span,
+        })),
+        None => tokens.push(Token {
+            kind: Kind::Unknown,
+            span: Span {
+                start,
+                end: position(input),
+            },
+        }),
+    }
+}
+
+fn number(input: &mut Input<'_>) -> std::result::Result<Kind, &'static str> {
+    let hex: ModalResult<Option<&str>> = opt(hexadecimal).parse_next(input);
+    if hex.is_ok_and(|h| h.is_some()) {
+        return Ok(Kind::Number);
+    }
+    if mantissa.parse_next(input).is_err() {
+        return Err(any_char(input, "a point without digits"));
+    }
+    let exponent: winnow::Result<Option<_>> =
+        opt((one_of(['e', 'E']), opt(one_of(['+', '-', '−'])), digit1)).parse_next(input);
+    if exponent.is_ok_and(|e| e.is_none()) && input.starts_with(['e', 'E']) {
+        // `2exp(…)` is a product with a function, `2e` and `2e+` are slips.
+        let follows_a_letter = input.chars().nth(1).is_some_and(char::is_alphabetic);
+        if !follows_a_letter {
+            return Err(any_char(
+                input,
+                "the exponent after e needs digits, as in 2e5",
+            ));
+        }
+    }
+    Ok(Kind::Number)
+}
+
+fn any_char(input: &mut Input<'_>, message: &'static str) -> &'static str {
+    let _: winnow::Result<char> = any.parse_next(input);
+    message
+}
+
+/// `12`, `1.5`, `.5`, `2.`.
+fn mantissa<'a>(input: &mut Input<'a>) -> ModalResult<&'a str> {
+    alt(((digit1, opt(('.', digit0))).take(), ('.', digit1).take())).parse_next(input)
+}
+
+/// `0x1.8p+1`; `0x^2` is not one.
+fn hexadecimal<'a>(input: &mut Input<'a>) -> ModalResult<&'a str> {
+    let digits = alt((
+        (hex_digit1, opt(('.', hex_digit0))).take(),
+        ('.', hex_digit1).take(),
+    ));
+    let exponent = opt((one_of(['p', 'P']), opt(one_of(['+', '-', '−'])), digit1));
+    preceded(('0', one_of(['x', 'X'])), (digits, exponent).take()).parse_next(input)
+}
+
+fn symbol(input: &mut Input<'_>) -> Option<Kind> {
+    let superscripts: ModalResult<&str> = take_while(1.., SUPERSCRIPTS).parse_next(input);
+    if superscripts.is_ok() {
+        return Some(Kind::Superscript);
+    }
+    let power: ModalResult<&str> = "**".parse_next(input);
+    if power.is_ok() {
+        return Some(Kind::Caret);
+    }
+    let c: winnow::Result<char> = any.parse_next(input);
+    Some(match c.ok()? {
+        '+' => Kind::Plus,
+        '-' | '−' | '–' => Kind::Minus,
+        '*' | '·' | '×' | '⋅' | '∙' => Kind::Star,
+        '/' | '÷' => Kind::Slash,
+        '^' => Kind::Caret,
+        '(' => Kind::Open,
+        ')' => Kind::Close,
+        ',' => Kind::Comma,
+        '=' => Kind::Equals,
+        ';' => Kind::Semicolon,
+        '\n' => Kind::Newline,
+        _ => return None,
+    })
+}
+
+/// Drops the newlines that do not end an equation: those within parentheses, after an operator,
+/// before one, and before a line that starts with + or − and goes on with the equation: that
+/// holds unless both it and what came before have an `=` of their own.
+fn join_lines(tokens: &[Token]) -> Vec<Token> {
+    let mut kept: Vec<Token> = Vec::with_capacity(tokens.len());
+    let (mut depth, mut equals) = (0_usize, false);
+    for (i, &token) in tokens.iter().enumerate() {
+        match token.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            Kind::Equals => equals = true,
+            Kind::Semicolon => equals = false,
+            Kind::Newline => {
+                let before = kept.last().map_or(Kind::Semicolon, |t| t.kind);
+                let joins_before = matches!(
+                    before,
+                    Kind::Plus
+                        | Kind::Minus
+                        | Kind::Star
+                        | Kind::Slash
+                        | Kind::Caret
+                        | Kind::Comma
+                        | Kind::Equals
+                        | Kind::Semicolon
+                        | Kind::Newline
+                );
+                let joins_after = match tokens.get(i + 1).map(|t| t.kind) {
+                    Some(Kind::Star | Kind::Slash | Kind::Caret | Kind::Equals) => true,
+                    Some(Kind::Plus | Kind::Minus) => {
+                        !(equals && line_has_equals(&tokens[i + 1..]))
+                    }
+                    // Another newline decides.
+                    Some(Kind::Newline | Kind::End) => true,
+                    _ => false,
+                };
+                if depth > 0 || joins_before || joins_after {
+                    continue;
+                }
+                equals = false;
+            }
+            _ => {}
+        }
+        kept.push(token);
+    }
+    kept
+}
+
+fn line_has_equals(tokens: &[Token]) -> bool {
+    tokens
+        .iter()
+        .take_while(|t| !matches!(t.kind, Kind::Newline | Kind::Semicolon))
+        .any(|t| t.kind == Kind::Equals)
+}

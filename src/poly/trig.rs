@@ -1,0 +1,240 @@
+//! Trigonometric polynomials: finite Fourier series with exact coefficients.
+
+use std::collections::BTreeMap;
+
+use super::Ring;
+use crate::exact::Rational;
+
+/// `Σ_n (a_n cos nθ + b_n sin nθ)` with exact rational coefficients, as a map from n to
+/// `[a_n, b_n]`.
+///
+/// It is the ring that a formula for a Fourier radius is evaluated in: products of cosines and
+/// sines are sums of them again.
+///
+/// ```
+/// use stellate::poly::{Ring, TrigPolynomial};
+/// let (c, s) = (TrigPolynomial::cosine(1), TrigPolynomial::sine(1));
+/// // cos² + sin² = 1, and 2 sin cos = sin 2θ.
+/// assert_eq!(c.squared().plus(&s.squared()).as_constant().unwrap().to_string(), "1");
+/// assert_eq!(c.times(&s).scaled(&2.into()), TrigPolynomial::sine(2));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct TrigPolynomial {
+    /// No pair is `[0, 0]`, and `b_0` is 0.
+    harmonics: BTreeMap<u32, [Rational; 2]>,
+}
+
+impl TrigPolynomial {
+    /// 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::default()
+    }
+
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: Rational) -> Self {
+        let mut result = Self::zero();
+        result.add_harmonic(0, [value, Rational::zero()]);
+        result
+    }
+
+    /// `cos nθ`; n may be negative.
+    #[must_use]
+    pub fn cosine(n: i32) -> Self {
+        let mut result = Self::zero();
+        result.add_harmonic(n.unsigned_abs(), [Rational::one(), Rational::zero()]);
+        result
+    }
+
+    /// `sin nθ`; n may be negative.
+    #[must_use]
+    pub fn sine(n: i32) -> Self {
+        let mut result = Self::zero();
+        let sign = Rational::from(n.signum());
+        result.add_harmonic(n.unsigned_abs(), [Rational::zero(), sign]);
+        result
+    }
+
+    /// Adds `a cos nθ + b sin nθ` in place.
+    fn add_harmonic(&mut self, n: u32, [a, b]: [Rational; 2]) {
+        let pair = self.harmonics.entry(n).or_default();
+        pair[0] = &pair[0] + a;
+        if n > 0 {
+            pair[1] = &pair[1] + b;
+        }
+        if pair[0].is_zero() && pair[1].is_zero() {
+            self.harmonics.remove(&n);
+        }
+    }
+
+    /// Adds `factor · other` in place: linear in the length of `other`.
+    pub fn add_multiple(&mut self, other: &Self, factor: &Rational) {
+        for (&n, [a, b]) in &other.harmonics {
+            self.add_harmonic(n, [a * factor, b * factor]);
+        }
+    }
+
+    /// `factor · self`.
+    #[must_use]
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        let mut result = Self::zero();
+        result.add_multiple(self, factor);
+        result
+    }
+
+    /// The non-zero harmonics `(n, [a_n, b_n])`, ascending in n.
+    pub fn harmonics(&self) -> impl Iterator<Item = (u32, &[Rational; 2])> {
+        self.harmonics.iter().map(|(&n, pair)| (n, pair))
+    }
+
+    /// The number of non-zero harmonics.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.harmonics.len()
+    }
+
+    /// Whether this is 0.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.harmonics.is_empty()
+    }
+
+    /// The largest n with `a_n ≠ 0` or `b_n ≠ 0`; `None` for 0.
+    #[must_use]
+    pub fn degree(&self) -> Option<u32> {
+        self.harmonics.keys().next_back().copied()
+    }
+
+    /// The value if this is a constant.
+    #[must_use]
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.degree() {
+            None => Some(Rational::zero()),
+            Some(0) => self.harmonics.get(&0).map(|pair| pair[0].clone()),
+            Some(_) => None,
+        }
+    }
+
+    /// The dense coefficients `([a_0, …, a_N], [0, b_1, …, b_N])`.
+    #[must_use]
+    pub fn coefficients(&self) -> (Vec<Rational>, Vec<Rational>) {
+        let len = self.degree().unwrap_or(0) as usize + 1;
+        let (mut cos, mut sin) = (vec![Rational::zero(); len], vec![Rational::zero(); len]);
+        for (&n, [a, b]) in &self.harmonics {
+            cos[n as usize] = a.clone();
+            sin[n as usize] = b.clone();
+        }
+        (cos, sin)
+    }
+
+    /// The value at the angle whose cosine and sine are `cos` and `sin`.
+    ///
+    /// Cost: N steps of the rotation `(cos nθ, sin nθ)`, whose bits grow linearly with n.
+    #[must_use]
+    pub fn evaluate(&self, cos: &Rational, sin: &Rational) -> Rational {
+        let (mut c, mut s) = (Rational::one(), Rational::zero());
+        let mut value = Rational::zero();
+        for n in 0..=self.degree().unwrap_or(0) {
+            if let Some([a, b]) = self.harmonics.get(&n) {
+                value = value + a * &c + b * &s;
+            }
+            (c, s) = (&c * cos - &s * sin, &s * cos + &c * sin);
+        }
+        value
+    }
+
+    /// The invariants of the type; called by every property test.
+    #[must_use]
+    pub fn check_invariants(&self) -> bool {
+        self.harmonics
+            .iter()
+            .all(|(&n, [a, b])| !(a.is_zero() && b.is_zero()) && (n > 0 || b.is_zero()))
+    }
+}
+
+impl Ring for TrigPolynomial {
+    fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add_multiple(other, &Rational::one());
+        sum
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add_multiple(other, &Rational::from(-1));
+        sum
+    }
+
+    /// By product-to-sum: with `z_n = a_n − i b_n`, the harmonic n of f is `Re z_n e^{inθ}`, and
+    /// `Re z e^{inθ} · Re w e^{imθ} = ½ Re (z w e^{i(n+m)θ} + z w̄ e^{i(n−m)θ})`.
+    fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero();
+        let half = |value: Rational| value / Rational::from(2);
+        for (&n, [a, b]) in &self.harmonics {
+            for (&m, [c, d]) in &other.harmonics {
+                let (ac, bd, ad, bc) = (a * c, b * d, a * d, b * c);
+                let upper = [half(&ac - &bd), half(&ad + &bc)];
+                let difference = if n >= m { bc - ad } else { ad - bc };
+                let lower = [half(ac + bd), half(difference)];
+                product.add_harmonic(n + m, upper);
+                product.add_harmonic(n.abs_diff(m), lower);
+            }
+        }
+        product
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn trig() -> impl Strategy<Value = TrigPolynomial> {
+        prop::collection::vec((-6i32..7, any::<bool>(), -9i32..10, 1i32..5), 0..6).prop_map(|v| {
+            let mut f = TrigPolynomial::zero();
+            for (n, is_cos, p, q) in v {
+                let one = if is_cos {
+                    TrigPolynomial::cosine(n)
+                } else {
+                    TrigPolynomial::sine(n)
+                };
+                f.add_multiple(&one, &(Rational::from(p) / Rational::from(q)));
+            }
+            f
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn the_laws_of_a_ring(f in trig(), g in trig(), h in trig()) {
+            prop_assert!(f.times(&g).check_invariants() && f.plus(&g).check_invariants());
+            prop_assert_eq!(f.times(&g), g.times(&f));
+            prop_assert_eq!(f.times(&g).times(&h), f.times(&g.times(&h)));
+            prop_assert_eq!(f.times(&g.plus(&h)), f.times(&g).plus(&f.times(&h)));
+            prop_assert_eq!(f.plus(&g).minus(&g), f.clone());
+            prop_assert_eq!(f.times(&TrigPolynomial::cosine(0)), f);
+        }
+
+        #[test]
+        fn a_product_is_the_product_at_rational_points_of_the_circle(
+            f in trig(), g in trig(), p in -9i32..10, q in 1i32..10
+        ) {
+            let s = Rational::from(p) / Rational::from(q);
+            let ss = &s * &s;
+            let below = Rational::one() + &ss;
+            let (cos, sin) = ((Rational::one() - ss) / &below, (&s + &s) / &below);
+            let at = |f: &TrigPolynomial| f.evaluate(&cos, &sin);
+            prop_assert_eq!(at(&f.times(&g)), at(&f) * at(&g));
+            prop_assert_eq!(at(&f.plus(&g)), at(&f) + at(&g));
+        }
+    }
+
+    #[test]
+    fn negative_indices_are_folded() {
+        assert_eq!(TrigPolynomial::cosine(-3), TrigPolynomial::cosine(3));
+        let minus = TrigPolynomial::sine(3).scaled(&Rational::from(-1));
+        assert_eq!(TrigPolynomial::sine(-3), minus);
+        assert!(TrigPolynomial::sine(0).is_empty());
+    }
+}
