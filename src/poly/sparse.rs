@@ -164,6 +164,13 @@ impl<const V: usize> SparsePolynomial<V> {
         }
     }
 
+    /// The multiple whose first coefficient is 1.
+    #[must_use]
+    pub fn monic(&self) -> Self {
+        let first = self.terms.values().next().and_then(Rational::recip);
+        first.map_or_else(|| self.clone(), |factor| self.scaled(&factor))
+    }
+
     /// `self^exponent` by repeated squaring.
     #[must_use]
     pub fn pow(&self, exponent: u32) -> Self {

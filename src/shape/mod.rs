@@ -8,7 +8,6 @@ pub use implicit::{ImplicitCurve, ImplicitSurface};
 
 /// Any form that the input language or a document can say exactly.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Form {
     /// `r = …`
     Fourier(FourierRadius),
