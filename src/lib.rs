@@ -2,4 +2,5 @@
 
 pub mod error;
 pub mod exact;
+pub mod fit;
 pub mod shape;
