@@ -1,0 +1,261 @@
+//! Binary forms: homogeneous polynomials in x and y.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Content, DivExact, Pow, Square};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::{MulPowerOfX, Polynomial};
+
+use super::{IntegerPolynomial, Ring};
+
+/// A homogeneous polynomial `f(x, y) = Σ_k f_k x^(d−k) y^k` with integer coefficients.
+///
+/// It is held as the univariate polynomial `f(1, t)` and the degree d, so a product of forms is a
+/// fast product of univariate polynomials.
+///
+/// ```
+/// use stellate::poly::{BinaryForm, Ring};
+/// let rho = BinaryForm::rho_power(1); // x² + y²
+/// assert_eq!(rho.squared(), BinaryForm::rho_power(2));
+/// assert_eq!(rho.squared().evaluate(&3.into(), &4.into()), 625);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BinaryForm {
+    degree: usize,
+    in_t: IntegerPolynomial,
+}
+
+impl BinaryForm {
+    /// The form of degree `coefficients.len() − 1` whose coefficient of `x^(d−k) y^k` is the k-th.
+    ///
+    /// # Panics
+    /// If there are no coefficients: even the zero form has a degree.
+    #[must_use]
+    pub fn from_coefficients(coefficients: Vec<Integer>) -> Self {
+        assert!(!coefficients.is_empty(), "a form has a degree");
+        Self {
+            degree: coefficients.len() - 1,
+            in_t: IntegerPolynomial::from_coefficients_asc(coefficients),
+        }
+    }
+
+    /// The form of degree `degree` with `f(1, t) = in_t`.
+    ///
+    /// # Panics
+    /// If `in_t` has a larger degree than that.
+    #[must_use]
+    pub fn from_dehomogenized(degree: usize, in_t: IntegerPolynomial) -> Self {
+        assert!(
+            in_t.coefficients_asc().len() <= degree + 1,
+            "the degree is too small"
+        );
+        Self { degree, in_t }
+    }
+
+    /// The zero form of degree `degree`.
+    #[must_use]
+    pub fn zero(degree: usize) -> Self {
+        Self {
+            degree,
+            in_t: IntegerPolynomial::ZERO,
+        }
+    }
+
+    /// `(x² + y²)^power`.
+    #[must_use]
+    pub fn rho_power(power: usize) -> Self {
+        let mut row = vec![Integer::ZERO; 2 * power + 1];
+        let mut binomial = Integer::ONE;
+        for k in 0..=power {
+            row[2 * k] = binomial.clone();
+            binomial = (binomial * Integer::from(power - k)).div_exact(Integer::from(k + 1));
+        }
+        Self::from_coefficients(row)
+    }
+
+    /// d, also for the zero form.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Whether every coefficient is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.in_t.coefficients_asc().is_empty()
+    }
+
+    /// `f(1, t)`.
+    #[must_use]
+    pub fn dehomogenized(&self) -> &IntegerPolynomial {
+        &self.in_t
+    }
+
+    /// The coefficient of `x^(d−k) y^k`.
+    #[must_use]
+    pub fn coefficient(&self, k: usize) -> Integer {
+        self.in_t
+            .coefficients_asc()
+            .get(k)
+            .cloned()
+            .unwrap_or(Integer::ZERO)
+    }
+
+    /// The non-zero terms as `(k, coefficient of x^(d−k) y^k)`, ascending in k.
+    pub fn terms(&self) -> impl Iterator<Item = (usize, &Integer)> {
+        self.in_t
+            .coefficients_asc()
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| **c != 0)
+    }
+
+    /// The gcd of the coefficients, 0 for the zero form.
+    #[must_use]
+    pub fn content(&self) -> Integer {
+        Integer::from((&self.in_t).content())
+    }
+
+    /// `f / divisor` for a divisor of the content.
+    #[must_use]
+    pub fn div_exact(&self, divisor: &Integer) -> Self {
+        if *divisor == 1 {
+            return self.clone();
+        }
+        Self {
+            degree: self.degree,
+            in_t: (&self.in_t).div_exact(divisor),
+        }
+    }
+
+    /// `factor · f`.
+    #[must_use]
+    pub fn scaled(&self, factor: &Integer) -> Self {
+        let constant = IntegerPolynomial::from_coefficients_asc(vec![factor.clone()]);
+        Self {
+            degree: self.degree,
+            in_t: &self.in_t * constant,
+        }
+    }
+
+    /// `(x² + y²) f`: one addition per coefficient.
+    #[must_use]
+    pub fn times_rho(&self) -> Self {
+        Self {
+            degree: self.degree + 2,
+            in_t: &self.in_t + (&self.in_t).mul_power_of_x(2),
+        }
+    }
+
+    /// `f / (x² + y²)` if it divides f.
+    #[must_use]
+    pub fn divided_by_rho(&self) -> Option<Self> {
+        if self.is_zero() {
+            return (self.degree >= 2).then(|| Self::zero(self.degree - 2));
+        }
+        let mut rest = self.in_t.clone().into_coefficients_asc();
+        if rest.len() < 3 {
+            return None;
+        }
+        let quotient = rest.split_off(2).len();
+        // Dividing upwards from the lowest coefficient: q_k = f_k − q_(k−2).
+        let coefficients = self.in_t.coefficients_asc();
+        let mut q: Vec<Integer> = Vec::with_capacity(quotient);
+        for (k, c) in coefficients.iter().enumerate() {
+            let value = if k >= 2 { c - &q[k - 2] } else { c.clone() };
+            if k < quotient {
+                q.push(value);
+            } else if value != 0 {
+                return None;
+            }
+        }
+        Some(Self {
+            degree: self.degree - 2,
+            in_t: IntegerPolynomial::from_coefficients_asc(q),
+        })
+    }
+
+    /// The largest e such that `(x² + y²)^e` divides f, and the quotient; `None` for the zero form.
+    #[must_use]
+    pub fn strip_rho(&self) -> Option<(usize, Self)> {
+        if self.is_zero() {
+            return None;
+        }
+        let (mut power, mut rest) = (0, self.clone());
+        while let Some(quotient) = rest.divided_by_rho() {
+            rest = quotient;
+            power += 1;
+        }
+        Some((power, rest))
+    }
+
+    /// `f(u, v)`. Cost: d products of a growing number with u and v.
+    #[must_use]
+    pub fn evaluate(&self, u: &Integer, v: &Integer) -> Integer {
+        // Horner in y/x, homogenised: Σ f_k u^(d−k) v^k.
+        let mut value = Integer::ZERO;
+        let mut u_power = Integer::ONE;
+        for k in (0..=self.degree).rev() {
+            value *= v;
+            if let Some(c) = self.in_t.coefficients_asc().get(k)
+                && *c != 0
+            {
+                value += c * &u_power;
+            }
+            if k > 0 {
+                u_power *= u;
+            }
+        }
+        value
+    }
+
+    /// Where the form has its monomials: `Some(true)` if f(−x, −y) = f, i.e. the degree is even.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.degree.is_multiple_of(2)
+    }
+
+    fn assert_same_degree(&self, other: &Self) {
+        assert_eq!(self.degree, other.degree, "forms of one degree are added");
+    }
+
+    /// `f^exponent`.
+    #[must_use]
+    pub fn pow(&self, exponent: usize) -> Self {
+        Self {
+            degree: self.degree * exponent,
+            in_t: (&self.in_t).pow(exponent as u64),
+        }
+    }
+}
+
+impl Ring for BinaryForm {
+    fn plus(&self, other: &Self) -> Self {
+        self.assert_same_degree(other);
+        Self {
+            degree: self.degree,
+            in_t: &self.in_t + &other.in_t,
+        }
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self.assert_same_degree(other);
+        Self {
+            degree: self.degree,
+            in_t: &self.in_t - &other.in_t,
+        }
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        Self {
+            degree: self.degree + other.degree,
+            in_t: &self.in_t * &other.in_t,
+        }
+    }
+
+    fn squared(&self) -> Self {
+        Self {
+            degree: 2 * self.degree,
+            in_t: (&self.in_t).square(),
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Sparse polynomials in a fixed number of variables: what expressions are expanded into.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use super::{PlanePolynomial, Ring};
+use crate::exact::Rational;
+
+/// A polynomial in `V` variables with exact rational coefficients, as a map from exponents.
+///
+/// It serves where polynomials come from text or hold symbols; a curve is computed with as a
+/// [`PlanePolynomial`].
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct SparsePolynomial<const V: usize> {
+    terms: BTreeMap<Exponents<V>, Rational>,
+}
+
+/// Exponents in canonical order: [`term_order`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Exponents<const V: usize>([u32; V]);
+
+/// The one order of terms that is printed anywhere: by total degree, then by exponents, both
+/// descending. `Less` comes first.
+#[must_use]
+pub fn term_order<const V: usize>(a: &[u32; V], b: &[u32; V]) -> Ordering {
+    let degree = |e: &[u32; V]| e.iter().map(|&k| u64::from(k)).sum::<u64>();
+    degree(b).cmp(&degree(a)).then_with(|| b.cmp(a))
+}
+
+impl<const V: usize> PartialOrd for Exponents<V> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<const V: usize> Ord for Exponents<V> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        term_order(&self.0, &other.0)
+    }
+}
+
+impl<const V: usize> SparsePolynomial<V> {
+    /// The zero polynomial.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            terms: BTreeMap::new(),
+        }
+    }
+
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: Rational) -> Self {
+        Self::from_terms([([0; V], value)])
+    }
+
+    /// The variable with the given index.
+    ///
+    /// # Panics
+    /// If there is no such variable.
+    #[must_use]
+    pub fn variable(index: usize) -> Self {
+        let mut exponents = [0; V];
+        exponents[index] = 1;
+        Self::from_terms([(exponents, Rational::one())])
+    }
+
+    /// The sum of the given terms.
+    #[must_use]
+    pub fn from_terms(terms: impl IntoIterator<Item = ([u32; V], Rational)>) -> Self {
+        let mut sum = Self::zero();
+        for (exponents, coefficient) in terms {
+            sum.add_term(exponents, coefficient);
+        }
+        sum
+    }
+
+    /// Adds `coefficient · x^exponents` in place.
+    pub fn add_term(&mut self, exponents: [u32; V], coefficient: Rational) {
+        use std::collections::btree_map::Entry;
+        match self.terms.entry(Exponents(exponents)) {
+            Entry::Vacant(slot) => {
+                if !coefficient.is_zero() {
+                    slot.insert(coefficient);
+                }
+            }
+            Entry::Occupied(mut slot) => {
+                let sum = slot.get() + &coefficient;
+                if sum.is_zero() {
+                    slot.remove();
+                } else {
+                    slot.insert(sum);
+                }
+            }
+        }
+    }
+
+    /// Adds `factor · other` in place: linear in the length of `other`, so that long sums stay cheap.
+    pub fn add_multiple(&mut self, other: &Self, factor: &Rational) {
+        for (exponents, coefficient) in &other.terms {
+            self.add_term(exponents.0, coefficient * factor);
+        }
+    }
+
+    /// The non-zero terms in canonical order.
+    pub fn terms(&self) -> impl Iterator<Item = (&[u32; V], &Rational)> {
+        self.terms.iter().map(|(e, c)| (&e.0, c))
+    }
+
+    /// The number of non-zero terms.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether this is the zero polynomial.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The largest total degree, `None` for the zero polynomial.
+    #[must_use]
+    pub fn degree(&self) -> Option<u64> {
+        self.terms
+            .keys()
+            .next()
+            .map(|e| e.0.iter().map(|&k| u64::from(k)).sum())
+    }
+
+    /// The value if this is a constant.
+    #[must_use]
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.degree() {
+            None => Some(Rational::zero()),
+            Some(0) => self.terms.values().next().cloned(),
+            Some(_) => None,
+        }
+    }
+
+    /// `factor · self`.
+    #[must_use]
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        let mut result = Self::zero();
+        result.add_multiple(self, factor);
+        result
+    }
+
+    /// The primitive part with positive first term: the multiple with coprime integer coefficients.
+    #[must_use]
+    pub fn primitive(&self) -> Self {
+        use malachite::base::num::arithmetic::traits::{Gcd, Lcm};
+        use malachite::{Integer, Natural};
+        let (mut numerator, mut denominator) = (Natural::from(0u32), Natural::from(1u32));
+        for c in self.terms.values() {
+            numerator = numerator.gcd(c.numerator().unsigned_abs_ref());
+            denominator = denominator.lcm(c.denominator().unsigned_abs_ref());
+        }
+        let first_is_negative = self.terms.values().next().is_some_and(|c| c.signum() < 0);
+        let content = Integer::from_sign_and_abs(!first_is_negative, numerator);
+        match Rational::new(Integer::from(denominator), content) {
+            Some(factor) => self.scaled(&factor),
+            None => self.clone(),
+        }
+    }
+
+    /// `self^exponent` by repeated squaring.
+    #[must_use]
+    pub fn pow(&self, exponent: u32) -> Self {
+        let mut result = Self::constant(Rational::one());
+        let mut square = self.clone();
+        let mut rest = exponent;
+        while rest > 0 {
+            if rest & 1 == 1 {
+                result = result.times(&square);
+            }
+            rest >>= 1;
+            if rest > 0 {
+                square = square.squared();
+            }
+        }
+        result
+    }
+}
+
+impl<const V: usize> Ring for SparsePolynomial<V> {
+    fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add_multiple(other, &Rational::one());
+        sum
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add_multiple(other, &Rational::from(-1));
+        sum
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero();
+        for (a, p) in &self.terms {
+            for (b, q) in &other.terms {
+                product.add_term(std::array::from_fn(|i| a.0[i] + b.0[i]), p * q);
+            }
+        }
+        product
+    }
+}
+
+impl SparsePolynomial<3> {
+    /// The polynomial as one in x and y, `None` if z occurs.
+    #[must_use]
+    pub fn to_plane(&self) -> Option<PlanePolynomial> {
+        if self.terms.keys().any(|e| e.0[2] != 0) {
+            return None;
+        }
+        Some(PlanePolynomial::from_terms(self.terms.iter().map(
+            |(e, c)| ((e.0[0] as usize, e.0[1] as usize), c.clone()),
+        )))
+    }
+}
