@@ -29,6 +29,7 @@ pub use read::{ContourKind, contour_from_reader, read_contour};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
+use crate::limits::Limits;
 use crate::shape::{Contour, FourierRadius};
 use definition1::enough_samples;
 use residual::{Assessment, CheckAngles};
@@ -175,6 +176,26 @@ pub struct Fit {
 /// if the tolerance is not positive; [`Error::Limit`] beyond [`MAX_HARMONICS`], [`MAX_SAMPLES`] or
 /// [`MAX_DECIMALS`], and if no number of harmonics that the samples determine meets the tolerance.
 pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
+    fit_within(contour, options, &Limits::none())
+}
+
+/// As [`fit`], stopped when `limits` say so.
+///
+/// ```
+/// use stellate::fit::{FitOptions, FitSize, fit_within};
+/// use stellate::limits::Limits;
+/// use stellate::shape::Contour;
+///
+/// let triangle = Contour::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "triangle").unwrap();
+/// let options = FitOptions::new(FitSize::Tolerance(0.01));
+/// let over = Limits::none().with_time_limit(std::time::Duration::ZERO);
+/// assert!(fit_within(&triangle, &options, &over).is_err());
+/// assert!(fit_within(&triangle, &options, &Limits::none()).is_ok());
+/// ```
+///
+/// # Errors
+/// As [`fit`], and those of [`Limits::check`].
+pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> Result<Fit> {
     options.check()?;
     let samples = options.sample_count(contour.len());
     let most = match options.size {
@@ -183,16 +204,22 @@ pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
     };
     enough_samples(samples, most)?;
     let center = Center::choose(contour, &options.center, options.decimals)?;
+    limits.check()?;
     let outline = ContourRadius::new(contour, center.point)?;
+    limits.check()?;
     let (cos, sin) = fourier_coefficients(&outline.samples(samples), most)?;
     let exact_cos = exactly(&cos, options.decimals)?;
     let exact_sin = exactly(&sin, options.decimals)?;
     // From here on with the final coefficients.
     let (cos, sin) = (nearest(&exact_cos), nearest(&exact_sin));
+    limits.check()?;
     let check = CheckAngles::new(&outline, CHECKS_PER_SAMPLE * samples);
     let (harmonics, assessment) = match options.size {
         FitSize::Harmonics(n) => (n, check.assess(&cos, &sin)),
-        FitSize::Tolerance(tolerance) => within(tolerance, &outline, &check, &cos, &sin)?,
+        FitSize::Tolerance(tolerance) => {
+            refuse_jump(tolerance, &outline)?;
+            fewest(tolerance, &check, &cos, &sin, limits)?
+        }
     };
     let radius = FourierRadius::new(
         exact_cos[..=harmonics].to_vec(),
@@ -210,24 +237,29 @@ pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
     })
 }
 
-/// The fewest harmonics within `tolerance`, or an error that says why there are none.
-fn within(
+/// An error if r jumps so far that no series is within `tolerance` on both sides.
+fn refuse_jump(tolerance: f64, outline: &ContourRadius) -> Result<()> {
+    let (jump, theta) = outline.largest_jump();
+    if jump / 2.0 <= tolerance {
+        return Ok(());
+    }
+    Err(Error::limit(format!(
+        "no number of harmonics has a radial error of at most {tolerance}: the outline is not \
+         star-shaped about the centre, r jumps by {jump:.6} at θ = {:.4}°, and every series \
+         leaves at least half of that",
+        theta.to_degrees()
+    )))
+}
+
+/// The fewest harmonics within `tolerance`, or an error that says how near the best ones come.
+fn fewest(
     tolerance: f64,
-    outline: &ContourRadius,
     check: &CheckAngles,
     cos: &[f64],
     sin: &[f64],
+    limits: &Limits,
 ) -> Result<(usize, Assessment)> {
-    let (jump, theta) = outline.largest_jump();
-    if jump / 2.0 > tolerance {
-        return Err(Error::limit(format!(
-            "no number of harmonics has a radial error of at most {tolerance}: the outline is not \
-             star-shaped about the centre, r jumps by {jump:.6} at θ = {:.4}°, and every series \
-             leaves at least half of that",
-            theta.to_degrees()
-        )));
-    }
-    match tolerance::smallest(check, cos, sin, tolerance) {
+    match tolerance::smallest(check, cos, sin, tolerance, limits)? {
         Search::Found(n, assessment) => Ok((n, assessment)),
         Search::Missed(n, max) => Err(Error::Limit {
             limit: format!(
@@ -235,7 +267,7 @@ fn within(
                 cos.len() - 1
             ),
             finished: format!(
-                "the best is {max:.6} with {n} harmonics; more samples, --samples, allow more \
+                "the best found is {max:.3e} with {n} harmonics; more samples, --samples, allow more \
                  harmonics"
             ),
         }),

@@ -4,6 +4,8 @@ use rustfft::num_complex::Complex;
 
 use super::as_f64;
 use super::residual::{Assessment, CheckAngle, CheckAngles, error};
+use crate::error::Result;
+use crate::limits::Limits;
 
 /// The outcome of [`smallest`].
 #[derive(Debug)]
@@ -26,7 +28,13 @@ const BEST_CANDIDATES: usize = 16;
 /// refuse an N: about two thousand angles are watched, each harmonic is added to their values as it
 /// comes, and only an N that they all accept is assessed at all check angles. If it then fails, its
 /// worst angles are watched from there on. Cost: O(N) per watched angle, and few full assessments.
-pub(super) fn smallest(check: &CheckAngles, cos: &[f64], sin: &[f64], tolerance: f64) -> Search {
+pub(super) fn smallest(
+    check: &CheckAngles,
+    cos: &[f64],
+    sin: &[f64],
+    tolerance: f64,
+    limits: &Limits,
+) -> Result<Search> {
     // The watched values are rounded differently from the full assessment, which decides.
     let refuse = tolerance + 1e-11 * check.largest_radius();
     let mut watched: Vec<Watch> = check
@@ -37,6 +45,7 @@ pub(super) fn smallest(check: &CheckAngles, cos: &[f64], sin: &[f64], tolerance:
     // A lower bound of the error for each N tried.
     let mut bounds = Vec::with_capacity(cos.len());
     for n in 0..cos.len() {
+        limits.check()?;
         let is_zero = cos[n].abs().max(sin[n].abs()) <= 0.0;
         if n > 0 {
             if is_zero {
@@ -59,7 +68,7 @@ pub(super) fn smallest(check: &CheckAngles, cos: &[f64], sin: &[f64], tolerance:
         let (cos, sin) = (&cos[..=n], &sin[..=n]);
         let assessment = check.assess(cos, sin);
         if assessment.max <= tolerance {
-            return Search::Found(n, assessment);
+            return Ok(Search::Found(n, assessment));
         }
         bounds.push(assessment.max);
         watched.extend(
@@ -73,6 +82,7 @@ pub(super) fn smallest(check: &CheckAngles, cos: &[f64], sin: &[f64], tolerance:
     order.sort_by(|&i, &j| bounds[i].total_cmp(&bounds[j]));
     let mut best = (0, f64::INFINITY);
     for &n in order.iter().take(BEST_CANDIDATES) {
+        limits.check()?;
         if bounds[n] < best.1 {
             let max = check.assess(&cos[..=n], &sin[..=n]).max;
             if max < best.1 {
@@ -80,7 +90,7 @@ pub(super) fn smallest(check: &CheckAngles, cos: &[f64], sin: &[f64], tolerance:
             }
         }
     }
-    Search::Missed(best.0, best.1)
+    Ok(Search::Missed(best.0, best.1))
 }
 
 /// A check angle and the value there of the series so far.
