@@ -4,6 +4,7 @@ pub mod describe;
 pub mod document;
 pub mod error;
 pub mod exact;
+pub mod fit;
 pub mod implicitize;
 pub mod language;
 pub mod limits;
