@@ -7,8 +7,8 @@ use stellate::document::{FitReport, read_coefficients_csv, read_text};
 use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
 use stellate::fit::{
-    CenterChoice, CenterOrigin, ContourKind, Fit, FitOptions, FitSize, contour_from_reader, fit,
-    read_contour,
+    CenterChoice, CenterOrigin, ContourKind, Fit, FitOptions, FitSize, contour_from_reader,
+    fit_within, read_contour,
 };
 use stellate::language::MAX_TEXT_BYTES;
 use stellate::shape::{Contour, Form};
@@ -209,7 +209,9 @@ pub(crate) fn fit_contour(
     options.center = center(&flags.center)?;
     options.samples = flags.samples;
     options.decimals = flags.decimals;
-    let fit = session.stage("fit", |_| fit(contour, &options))?;
+    let fit = session.stage("fit", |session| {
+        fit_within(contour, &options, &session.limits)
+    })?;
     let [x, y] = fit.center.point;
     match fit.center.origin {
         CenterOrigin::Centroid | CenterOrigin::Given => {}

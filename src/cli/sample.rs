@@ -31,6 +31,12 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
     let rays = session.stage("sample", |session| {
         solve(&curve, directions, verb.positive, session)
     })?;
+    let [a, b] = curve.center();
+    if !(a.is_zero() && b.is_zero()) {
+        session.note(&format!(
+            "coordinates are relative to the centre ({a}, {b})"
+        ));
+    }
     for ray in rays.iter().filter(|r| r.ray == Ray::Line) {
         session.note(&format!(
             "the whole line at theta = {} belongs to the curve: it has no rows",

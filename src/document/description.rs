@@ -108,7 +108,7 @@ fn fourier_notes(d: &Description, f: &FourierDescription, positive: &[Range]) ->
             "r > 0 for every angle: certified, (1+s^2)^N r(2 atan s) has no real root s".into(),
         );
     } else {
-        notes.push(format!("r > 0 for t in {}", ranges_text(positive)));
+        notes.push(format!("r > 0 for {}", ranges_text(positive)));
     }
     if d.origin_multiplicity > 0 && f.star_shaped() {
         notes.push(format!(

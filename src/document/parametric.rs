@@ -84,16 +84,13 @@ impl Range {
     }
 }
 
-/// Ranges as one phrase: `[0, pi/2) and (3*pi/2, 2*pi]`, or `nowhere`.
+/// Ranges as one phrase: `t in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
 pub(super) fn ranges_text(ranges: &[Range]) -> String {
     if ranges.is_empty() {
-        return "nowhere".into();
+        return "no angle".into();
     }
-    ranges
-        .iter()
-        .map(Range::text)
-        .collect::<Vec<_>>()
-        .join(" and ")
+    let parts: Vec<String> = ranges.iter().map(Range::text).collect();
+    format!("t in {}", parts.join(" and "))
 }
 
 /// Writes the branches of a curve that is born of a Fourier radius: expressions for r, x and y, the
@@ -140,12 +137,12 @@ pub fn write_branches(
                     .collect();
                 ranges_text(&ranges)
             };
-            writeln!(out, "# branch 0, r > 0 for t in {}", positive(first))?;
+            writeln!(out, "# branch 0, r > 0 for {}", positive(first))?;
             super::write_fourier(first, None, format, out)?;
             for (index, radius) in others.iter().enumerate() {
                 writeln!(
                     out,
-                    "# branch {}, r > 0 for t in {}",
+                    "# branch {}, r > 0 for {}",
                     index + 1,
                     positive(radius)
                 )?;

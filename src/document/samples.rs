@@ -47,7 +47,7 @@ struct Document {
 }
 
 /// Writes points as CSV `branch,theta,u,v,r,x,y,multiplicity` or as a JSON document of kind
-/// `samples`. Coordinates are relative to `center`.
+/// `samples`. Coordinates are relative to `center`, which only the document carries.
 ///
 /// # Errors
 /// Those of `out`; `Unsupported` for other formats.
@@ -59,9 +59,6 @@ pub fn write_samples(
 ) -> io::Result<()> {
     match format {
         Format::Csv | Format::Text => {
-            if let Some(comment) = center_comment(center) {
-                writeln!(out, "# {comment}")?;
-            }
             writeln!(out, "branch,theta,u,v,r,x,y,multiplicity")?;
             for (ray, p) in points(rays) {
                 let d = &ray.direction;
