@@ -43,23 +43,23 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     for input in inputs {
         add(input, &verb.fit, &mut layers, &mut curves, session)?;
     }
-    let window = match window {
-        Some(window) => window,
-        None => fitting_window(&layers, &curves, session)?,
+    let mut figure = Figure {
+        title: verb.title.clone(),
+        window: match window {
+            Some(window) => window,
+            None => fitting_window(&layers, &curves, session)?,
+        },
+        layers,
     };
+    let shown = figure.shown_window()?;
     for (index, curve) in curves {
         let bar = session.progress(1, "tracing");
         session.stage("trace", |session| {
-            let layer = &mut layers[index];
-            trace(&curve, &window, verb.cells, layer, session)
+            let layer = &mut figure.layers[index];
+            trace(&curve, &shown, verb.cells, layer, session)
         })?;
         bar.finish_and_clear();
     }
-    let figure = Figure {
-        title: verb.title.clone(),
-        window,
-        layers,
-    };
     let bytes = session.stage("draw", |_| {
         let svg = figure.to_svg()?;
         match kind {

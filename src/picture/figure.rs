@@ -1,12 +1,15 @@
-//! A figure: layers of lines and points over equal axes, with a legend.
+//! A figure: layers of lines and points over equal axes, with a legend above them.
 
 use std::sync::Once;
 
-use plotters::chart::{ChartBuilder, SeriesLabelPosition};
-use plotters::drawing::IntoDrawingArea;
-use plotters::element::{Circle, PathElement, Polygon};
-use plotters::prelude::SVGBackend;
-use plotters::style::{BLACK, Color, FontStyle, RGBColor, ShapeStyle, WHITE, register_font};
+use plotters::chart::ChartBuilder;
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
+use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
+use plotters::prelude::{DrawingBackend, SVGBackend};
+use plotters::style::{
+    BLACK, Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE, register_font,
+};
 
 use super::Window;
 use crate::error::{Error, Result};
@@ -15,15 +18,25 @@ use crate::error::{Error, Result};
 const PALETTE: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(120, 120, 120),
+    RGBColor(0, 120, 90),
+    RGBColor(170, 60, 130),
+    RGBColor(120, 94, 0),
+    RGBColor(90, 90, 90),
 ];
 
-/// Width of the drawing in SVG units; its height follows from the window, within limits.
+/// Width of the picture in units of the SVG.
 const WIDTH: u32 = 900;
-const MARGINS: (u32, u32) = (90, 110);
+/// The drawing library rounds to whole units: it draws on a grid this much finer.
+const FINER: u32 = 8;
+/// Units around the plotted part: left of it, below it, and on the other two sides.
+const LEFT: u32 = 76;
+const BELOW: u32 = 56;
+const MARGIN: u32 = 16;
+const LEGEND_ROW: u32 = 22;
+const TITLE_ROW: u32 = 34;
+
+/// The height of the plotted part over its width is kept between these by showing more.
+const ASPECT: [f64; 2] = [0.3, 1.4];
 
 /// One thing drawn.
 #[derive(Clone, Debug, Default)]
@@ -32,9 +45,9 @@ pub struct Layer {
     pub label: String,
     /// Polylines; closed ones end where they begin.
     pub lines: Vec<Vec<[f64; 2]>>,
-    /// Isolated points.
+    /// Isolated points, and what the legend says of them.
     pub points: Vec<[f64; 2]>,
-    /// Drawn as a wide pale band or filled area below the others.
+    /// Drawn as a pale area.
     pub filled: bool,
 }
 
@@ -43,115 +56,214 @@ pub struct Layer {
 pub struct Figure {
     /// The heading, possibly empty.
     pub title: String,
-    /// The part of the plane that is shown.
+    /// The part of the plane that must be seen; more is shown where the shape of the picture asks.
     pub window: Window,
     /// From the lowest to the topmost.
     pub layers: Vec<Layer>,
 }
 
+type Drawn<B> = std::result::Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
+
 impl Figure {
-    /// The figure as an SVG text: the same unit of length on both axes.
+    /// The figure as an SVG text, with the same unit of length on both axes.
     ///
     /// # Errors
     /// [`Error::Data`] if the window is empty or not finite.
     pub fn to_svg(&self) -> Result<String> {
         load_font();
-        let (width, height) = self.canvas()?;
+        let frame = Frame::new(self)?;
         let mut svg = String::new();
         {
-            let area = SVGBackend::with_string(&mut svg, (width, height)).into_drawing_area();
-            self.draw(&area)
+            let size = (WIDTH * FINER, frame.height * FINER);
+            let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+            self.draw(&area, &frame)
                 .map_err(|e| Error::data("figure", e.to_string()))?;
         }
-        Ok(svg)
+        let fine = format!(
+            "width=\"{}\" height=\"{}\"",
+            WIDTH * FINER,
+            frame.height * FINER
+        );
+        let shown = format!("width=\"{WIDTH}\" height=\"{}\"", frame.height);
+        Ok(svg.replacen(&fine, &shown, 1))
     }
 
-    /// Canvas size for equal axes.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a number of pixels between 200 and 2000"
-    )]
-    fn canvas(&self) -> Result<(u32, u32)> {
-        let [w, h] = [self.window.x, self.window.y].map(|v| v[1] - v[0]);
-        if !(w.is_finite() && h.is_finite() && w > 0.0 && h > 0.0) {
-            return Err(Error::data("figure", "there is nothing finite to draw"));
-        }
-        let plot_width = f64::from(WIDTH - MARGINS.0);
-        let plot_height = (plot_width * h / w).round().clamp(100.0, 2000.0);
-        Ok((WIDTH, plot_height as u32 + MARGINS.1))
+    /// All that the picture will show: the window, widened to the shape of the picture.
+    ///
+    /// # Errors
+    /// As [`Figure::to_svg`].
+    pub fn shown_window(&self) -> Result<Window> {
+        Ok(Frame::new(self)?.window)
     }
 
-    fn draw<B: plotters::prelude::DrawingBackend>(
-        &self,
-        area: &plotters::drawing::DrawingArea<B, plotters::coord::Shift>,
-    ) -> std::result::Result<(), plotters::drawing::DrawingAreaErrorKind<B::ErrorType>> {
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, frame: &Frame) -> Drawn<B> {
         area.fill(&WHITE)?;
-        let Window { x, y } = self.window;
-        let mut builder = ChartBuilder::on(area);
-        builder
-            .margin(20)
-            .x_label_area_size(45)
-            .y_label_area_size(50);
-        if !self.title.is_empty() {
-            builder.caption(&self.title, ("sans-serif", 20));
-        }
-        let mut chart = builder.build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
+        let (heading, plot) = area.split_vertically(frame.heading * FINER);
+        self.draw_heading(&heading)?;
+        let mut chart = ChartBuilder::on(&plot)
+            .margin(0)
+            .margin_right(MARGIN * FINER)
+            .margin_bottom(0)
+            .x_label_area_size(BELOW * FINER)
+            .y_label_area_size(LEFT * FINER)
+            .build_cartesian_2d(
+                frame.window.x[0]..frame.window.x[1],
+                frame.window.y[0]..frame.window.y[1],
+            )?;
+        let label = |v: &f64| tick(*v);
         chart
             .configure_mesh()
-            .light_line_style(RGBColor(244, 244, 244))
-            .bold_line_style(RGBColor(225, 225, 225))
-            .axis_desc_style(("sans-serif", 16))
-            .label_style(("sans-serif", 14))
+            .max_light_lines(1)
+            .light_line_style(WHITE.mix(0.0))
+            .bold_line_style(ShapeStyle::from(RGBColor(225, 225, 225)).stroke_width(FINER))
+            .axis_style(ShapeStyle::from(BLACK).stroke_width(FINER))
+            .set_all_tick_mark_size(5 * FINER)
+            .axis_desc_style(font(16))
+            .label_style(font(14))
+            .x_label_formatter(&label)
+            .y_label_formatter(&label)
             .x_desc("x")
             .y_desc("y")
             .draw()?;
         for (index, layer) in self.layers.iter().enumerate() {
-            let color = PALETTE[index % PALETTE.len()];
-            // Later layers are thinner, so that what they cover stays visible on either side.
-            let stroke = match index {
-                0 => 5,
-                1 => 3,
-                _ => 1,
-            };
-            let stroke = if self.layers.len() == 1 { 2 } else { stroke };
-            let style: ShapeStyle = if layer.filled {
-                color.mix(0.25).filled()
-            } else {
-                color.stroke_width(stroke)
-            };
-            let series = if layer.filled {
+            let style = self.style(index);
+            if layer.filled {
                 let polygons = layer.lines.iter().map(|l| Polygon::new(tuples(l), style));
-                chart.draw_series(polygons)?
+                chart.draw_series(polygons)?;
             } else {
                 let paths = layer
                     .lines
                     .iter()
                     .map(|l| PathElement::new(tuples(l), style));
-                chart.draw_series(paths)?
-            };
-            series.label(layer.label.clone()).legend(move |(x, y)| {
-                PathElement::new(
-                    vec![(x, y), (x + 24, y)],
-                    style.color.stroke_width(stroke.max(2)),
-                )
-            });
-            let marks = layer
-                .points
-                .iter()
-                .map(|&[x, y]| Circle::new((x, y), 4, color.filled()));
-            chart.draw_series(marks)?;
+                chart.draw_series(paths)?;
+            }
+            let dots = layer.points.iter();
+            chart.draw_series(dots.map(|&[x, y]| dot((x, y), color(index))))?;
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .background_style(WHITE.mix(0.85))
-            .border_style(BLACK.mix(0.3))
-            .label_font(("sans-serif", 14))
-            .legend_area_size(30)
-            .margin(8)
-            .draw()?;
-        area.present()
+        plot.present()
+    }
+
+    /// The title and a row of legend for every layer: above the drawing, so that they hide nothing.
+    fn draw_heading<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
+        let at = |x: u32, y: u32| (int(x * FINER), int(y * FINER));
+        let mut y = MARGIN;
+        if !self.title.is_empty() {
+            area.draw(&Text::new(self.title.clone(), at(LEFT, y), font(20)))?;
+            y += TITLE_ROW;
+        }
+        for (index, layer) in self.layers.iter().enumerate() {
+            let style = self.style(index);
+            let middle = y + LEGEND_ROW / 2;
+            if layer.filled {
+                let corners = [at(LEFT, middle - 6), at(LEFT + 30, middle + 6)];
+                area.draw(&Rectangle::new(corners, style))?;
+            } else {
+                area.draw(&PathElement::new(
+                    vec![at(LEFT, middle), at(LEFT + 30, middle)],
+                    style,
+                ))?;
+            }
+            let mut label = layer.label.clone();
+            if !layer.points.is_empty() {
+                area.draw(&dot(at(LEFT + 15, middle), color(index)))?;
+                label.push_str(" (dot: its isolated point)");
+            }
+            area.draw(&Text::new(label, at(LEFT + 40, y + 3), font(14)))?;
+            y += LEGEND_ROW;
+        }
+        Ok(())
+    }
+
+    /// Later layers are thinner, so that what they cover stays visible on either side.
+    fn style(&self, index: usize) -> ShapeStyle {
+        if self.layers[index].filled {
+            return color(index).mix(0.25).filled();
+        }
+        let lines = self.layers.iter().filter(|l| !l.filled).count();
+        let before = self.layers[..index].iter().filter(|l| !l.filled).count();
+        let width = match (lines, before) {
+            (1, _) => 2 * FINER,
+            (_, 0) => 5 * FINER,
+            (_, 1) => 3 * FINER / 2,
+            _ => FINER,
+        };
+        ShapeStyle::from(color(index)).stroke_width(width)
+    }
+}
+
+/// Sizes that make the axes equal.
+struct Frame {
+    window: Window,
+    heading: u32,
+    height: u32,
+}
+
+impl Frame {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of pixels below 2000"
+    )]
+    fn new(figure: &Figure) -> Result<Self> {
+        let size = |v: [f64; 2]| v[1] - v[0];
+        let Window { x, y } = figure.window;
+        let (w, h) = (size(x), size(y));
+        if !(w.is_finite() && h.is_finite() && w > 0.0 && h > 0.0) {
+            return Err(Error::data("figure", "there is nothing finite to draw"));
+        }
+        let width = WIDTH - LEFT - MARGIN;
+        let aspect = (h / w).clamp(ASPECT[0], ASPECT[1]);
+        let plotted = (f64::from(width) * aspect).round();
+        // One scale for both axes; the direction with room to spare shows more.
+        let unit = (w / f64::from(width)).max(h / plotted);
+        let widened = |v: [f64; 2], pixels: f64| {
+            let more = (unit * pixels - size(v)) / 2.0;
+            [v[0] - more, v[1] + more]
+        };
+        let title = if figure.title.is_empty() {
+            0
+        } else {
+            TITLE_ROW
+        };
+        let rows = u32::try_from(figure.layers.len())
+            .unwrap_or(u32::MAX)
+            .min(1000);
+        let heading = MARGIN + title + rows * LEGEND_ROW + MARGIN / 2;
+        Ok(Self {
+            window: Window {
+                x: widened(x, f64::from(width)),
+                y: widened(y, plotted),
+            },
+            heading,
+            height: heading + plotted as u32 + BELOW,
+        })
+    }
+}
+
+fn dot<C>(at: C, color: RGBColor) -> Circle<C, u32> {
+    Circle::new(at, 4 * FINER, color.filled())
+}
+
+fn color(index: usize) -> RGBColor {
+    PALETTE[index % PALETTE.len()]
+}
+
+fn font(size: u32) -> TextStyle<'static> {
+    ("sans-serif", size * FINER).into_font().into()
+}
+
+fn int(value: u32) -> i32 {
+    i32::try_from(value).unwrap_or(i32::MAX)
+}
+
+/// The shortest text of a tick: ticks are decimals up to rounding.
+fn tick(value: f64) -> String {
+    let text = format!("{value:.10}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    match short {
+        "-0" => "0".into(),
+        "0" | "" if value != 0.0 => format!("{value:e}"),
+        _ => short.into(),
     }
 }
 
@@ -166,4 +278,35 @@ fn load_font() {
         // A font that ships with a crate parses; if it did not, labels would be missing.
         let _ = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_are_equal_whatever_the_window() {
+        for (w, h) in [(1.0, 1.0), (100.0, 1.0), (1.0, 100.0), (3.0, 2.0)] {
+            let figure = Figure {
+                title: String::new(),
+                window: Window {
+                    x: [0.0, w],
+                    y: [0.0, h],
+                },
+                layers: vec![Layer::default()],
+            };
+            let frame = Frame::new(&figure).unwrap();
+            let pixels = f64::from(frame.height - frame.heading - BELOW);
+            let [x, y] = [frame.window.x, frame.window.y].map(|v| v[1] - v[0]);
+            let unit = x / f64::from(WIDTH - LEFT - MARGIN);
+            assert!((y / pixels / unit - 1.0).abs() < 1e-9);
+            assert!(x >= w && y >= h);
+        }
+    }
+
+    #[test]
+    fn ticks_are_short() {
+        let shown = [0.0, -0.0, 200.0, 0.1 + 0.2, -1.5, 1e-12].map(tick);
+        assert_eq!(shown, ["0", "0", "200", "0.3", "-1.5", "1e-12"]);
+    }
 }
