@@ -81,7 +81,7 @@ pub fn write_fourier(
         .collect();
     if format == Format::Sympy {
         // SymPy joins all lines, so there comments come last.
-        Notation::Python.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), out)?;
+        write!(out, "{}", expression(radius, format))?;
         for (i, comment) in comments.iter().enumerate() {
             let separator = if i == 0 { "  " } else { "\n" };
             write!(out, "{separator}{comment}")?;
@@ -99,22 +99,26 @@ pub fn write_fourier(
             }
             Ok(())
         }
-        Format::Latex => {
-            write!(out, "r = ")?;
-            Notation::LatexInline.write_sum(harmonics(radius, latex_call), out)?;
-            writeln!(out)
-        }
-        Format::Maple => {
-            write!(out, "r = ")?;
-            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), out)?;
-            writeln!(out, ";")
-        }
-        _ => {
-            write!(out, "r = ")?;
-            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "t")), out)?;
-            writeln!(out)
-        }
+        Format::Maple => writeln!(out, "r = {};", expression(radius, format)),
+        _ => writeln!(out, "r = {}", expression(radius, format)),
     }
+}
+
+/// The right side of `r = …` in the given format; the angle is called t in text, theta elsewhere.
+pub(super) fn expression(radius: &FourierRadius, format: Format) -> String {
+    let mut text = Vec::new();
+    let written = match format {
+        Format::Sympy => {
+            Notation::Python.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), &mut text)
+        }
+        Format::Latex => Notation::LatexInline.write_sum(harmonics(radius, latex_call), &mut text),
+        Format::Maple => {
+            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), &mut text)
+        }
+        _ => Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "t")), &mut text),
+    };
+    debug_assert!(written.is_ok(), "writing into memory succeeds");
+    String::from_utf8_lossy(&text).into_owned()
 }
 
 /// The non-zero terms, each with its function written by `call(name, n)`.

@@ -4,17 +4,23 @@
 //! without loss, the center included.
 
 mod csv;
+mod description;
 mod fourier;
 mod implicit;
 mod json;
+mod parametric;
+mod samples;
 mod terms;
 
 use std::fmt;
 
 pub use csv::{read_coefficients_csv, read_fourier_csv};
+pub use description::write_description;
 pub use fourier::{FitReport, write_fourier};
 pub use implicit::{Annotations, write_implicit, write_surface};
 pub use json::read_document;
+pub use parametric::write_branches;
+pub use samples::{SampledRay, write_samples};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;

@@ -3,10 +3,14 @@
 //! [`Integer`] is malachite's; [`Rational`] wraps malachite's so that the types of `num-bigint` and
 //! `num-rational` convert to and from it.
 
+mod angle;
+mod dyadic;
 mod literal;
 mod rational;
 mod rounding;
 
+pub use angle::{arctangent, pi};
+pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal};
 pub use malachite::Integer;
 pub use rational::{NotANumber, NotAnInteger, Rational};

@@ -4,17 +4,29 @@
 //! polynomial *is* its homogeneous parts, and a binary form of degree d is the univariate
 //! polynomial f(1, t) together with d.
 
+mod circle;
+mod evaluate;
 mod form;
+mod gcd;
+mod isolate;
+mod modular;
 mod plane;
 mod ring;
+mod roots;
 mod shift;
 mod sparse;
+mod sqrt;
 mod trig;
 
+pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
+pub use evaluate::{numerator_at, sign_at, sign_at_rational};
 pub use form::BinaryForm;
+pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
 pub use malachite::integer_polynomial::IntegerPolynomial;
 pub use plane::PlanePolynomial;
 pub use ring::Ring;
+pub use roots::{RealRoot, real_roots};
 pub use shift::{shift_by_minus_one, shift_by_one};
 pub use sparse::{SparsePolynomial, term_order};
+pub use sqrt::polynomial_sqrt;
 pub use trig::TrigPolynomial;

@@ -146,6 +146,31 @@ impl<const V: usize> SparsePolynomial<V> {
         result
     }
 
+    /// The primitive part with positive first term: the multiple with coprime integer coefficients.
+    #[must_use]
+    pub fn primitive(&self) -> Self {
+        use malachite::base::num::arithmetic::traits::{Gcd, Lcm};
+        use malachite::{Integer, Natural};
+        let (mut numerator, mut denominator) = (Natural::from(0u32), Natural::from(1u32));
+        for c in self.terms.values() {
+            numerator = numerator.gcd(c.numerator().unsigned_abs_ref());
+            denominator = denominator.lcm(c.denominator().unsigned_abs_ref());
+        }
+        let first_is_negative = self.terms.values().next().is_some_and(|c| c.signum() < 0);
+        let content = Integer::from_sign_and_abs(!first_is_negative, numerator);
+        match Rational::new(Integer::from(denominator), content) {
+            Some(factor) => self.scaled(&factor),
+            None => self.clone(),
+        }
+    }
+
+    /// The multiple whose first coefficient is 1.
+    #[must_use]
+    pub fn monic(&self) -> Self {
+        let first = self.terms.values().next().and_then(Rational::recip);
+        first.map_or_else(|| self.clone(), |factor| self.scaled(&factor))
+    }
+
     /// `self^exponent` by repeated squaring.
     #[must_use]
     pub fn pow(&self, exponent: u32) -> Self {

@@ -1,14 +1,21 @@
 //! What a user holds: Fourier radii, implicit curves and surfaces, contours.
 
+mod contour;
+mod crossing;
 mod fourier;
 mod implicit;
+mod orientation;
+mod swept_edge;
 
+pub use contour::Contour;
+pub(crate) use contour::coordinate_fault;
 pub use fourier::FourierRadius;
 pub use implicit::{ImplicitCurve, ImplicitSurface};
+pub(crate) use orientation::orientation;
+pub(crate) use swept_edge::SweptEdge;
 
 /// Any form that the input language or a document can say exactly.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Form {
     /// `r = …`
     Fourier(FourierRadius),

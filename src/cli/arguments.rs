@@ -1,0 +1,211 @@
+//! The syntax of the command line; what the values mean is decided by the verbs.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use stellate::document::Format;
+
+/// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100, after_help = FORMS)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+const FORMS: &str = "\
+A FORM is text, a file, or - for standard input:
+  'r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)'   a Fourier radius (angle t or theta)
+  'x^4 - x^2 + y^2 = 0'                   an implicit curve in x, y, or a surface in x, y, z
+  outline.csv  outline.png|.jpg|.bmp      a contour: rows x,y in order, or a silhouette
+  document.json                           what another verb wrote
+Numbers are exact as written: 0.1 is 1/10.
+
+Example: an outline of 290 points becomes a polynomial of degree 80, a picture and certified points:
+  stellate implicitize paper-examples/e02-butterfly/butterfly.csv --harmonics 39 --format json -o f.json
+  stellate plot paper-examples/e02-butterfly/butterfly.csv f.json -o butterfly.svg
+  stellate sample f.json --directions 720";
+
+/// Options of every verb.
+#[derive(Debug, Args)]
+pub(crate) struct Common {
+    /// Write to FILE (beside it first, then renamed) instead of standard output
+    #[arg(short, long, global = true, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// How the result is written [default: text; sample: csv]
+    #[arg(long, global = true, value_enum)]
+    pub(crate) format: Option<Format>,
+    /// Decimals shown for algebraic numbers
+    #[arg(long, global = true, value_name = "D", default_value_t = 16, value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    pub(crate) digits: u32,
+    /// Read decimals as written, or as the nearest double
+    #[arg(long, global = true, value_enum, default_value_t = NumberReading::Exact)]
+    pub(crate) numbers: NumberReading,
+    /// Refuse polynomials above this degree
+    #[arg(long, global = true, value_name = "D", default_value_t = 20_002)]
+    pub(crate) max_degree: usize,
+    /// Stop long work after this many seconds (exit code 3)
+    #[arg(long, global = true, value_name = "SECONDS")]
+    pub(crate) time_limit: Option<f64>,
+    /// Threads to use [default: one per core]; the output does not depend on it
+    #[arg(long, global = true, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+    /// Print one line of JSON with times and peak memory on standard error when done
+    #[arg(long, global = true)]
+    pub(crate) stats: bool,
+    /// No notes and no progress bar on standard error
+    #[arg(long, global = true)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum NumberReading {
+    /// 0.1 is 1/10
+    Exact,
+    /// 0.1 is the double nearest to it, bit for bit
+    F64,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Tell what a form is: degree, parts, lemma, star-shapedness, what is certain about it
+    #[command(after_help = "Example:\n  stellate describe 'r = 1 + 1/5*cos(3*t)'")]
+    Describe(Describe),
+    /// Turn a Fourier radius or a contour into its exact implicit polynomial (Theorem 2)
+    #[command(after_help = "Examples:
+  stellate implicitize 'r = 1 + 1/5*cos(t) + 0.1*sin(t)'
+  stellate implicitize outline.csv --harmonics 39 --format json -o f.json
+  stellate implicitize f.json --format singular")]
+    Implicitize(Implicitize),
+    /// Turn an implicit polynomial back into the radius it came from (Lemmas 2 and 3)
+    #[command(after_help = "Example:
+  stellate parametrize '100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2'")]
+    Parametrize(Parametrize),
+    /// Fit a Fourier radius to a contour (Definition 1)
+    #[command(after_help = "Examples:
+  stellate fit outline.csv --harmonics 39 --decimals 6
+  stellate fit silhouette.png --tolerance 1.5 --format json -o radius.json")]
+    Fit(Fit),
+    /// Certified points: exact directions, all real roots, each the nearest double
+    #[command(after_help = "Examples:
+  stellate sample 'x^4 - x^2 + y^2' --directions 8
+  stellate sample f.json --theta 0.5 --theta 219.5deg --positive")]
+    Sample(Sample),
+    /// Draw forms over each other with equal axes, as SVG or PNG
+    #[command(after_help = "Example:
+  stellate plot outline.csv radius.json f.json -o figure.svg")]
+    Plot(Plot),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Describe {
+    /// What to describe
+    pub(crate) form: String,
+    #[command(flatten)]
+    pub(crate) fit: FitFlags,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Implicitize {
+    /// A Fourier radius, a contour, or an implicit form to be rewritten
+    pub(crate) form: String,
+    #[command(flatten)]
+    pub(crate) fit: FitFlags,
+    /// Coprime integers with the first term positive, or first coefficient 1
+    #[arg(long, value_enum, default_value_t = Scale::Integer)]
+    pub(crate) scale: Scale,
+    /// Coordinates relative to the centre of the fit, or the contour's own
+    #[arg(long, value_enum, default_value_t = Coordinates::Centre)]
+    pub(crate) coordinates: Coordinates,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Scale {
+    Integer,
+    Monic,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Coordinates {
+    #[value(alias = "center")]
+    Centre,
+    Original,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Parametrize {
+    /// An implicit polynomial, a Fourier radius or a contour
+    pub(crate) form: String,
+    #[command(flatten)]
+    pub(crate) fit: FitFlags,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Fit {
+    /// A contour: .csv rows x,y, or a silhouette .png, .jpg, .bmp
+    pub(crate) contour: PathBuf,
+    #[command(flatten)]
+    pub(crate) fit: FitFlags,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Sample {
+    /// A Fourier radius, a contour or an implicit plane polynomial
+    pub(crate) form: String,
+    #[command(flatten)]
+    pub(crate) fit: FitFlags,
+    /// This many directions around the circle [default: 360 if no angle is given]
+    #[arg(long, value_name = "K")]
+    pub(crate) directions: Option<usize>,
+    /// An angle in radians, or in degrees: 219.5deg; may be repeated
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub(crate) theta: Vec<String>,
+    /// Only points with r > 0
+    #[arg(long)]
+    pub(crate) positive: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Plot {
+    /// What to draw, from the lowest to the topmost
+    #[arg(required = true)]
+    pub(crate) forms: Vec<String>,
+    #[command(flatten)]
+    pub(crate) fit: FitFlags,
+    /// The part of the plane that is shown: x0,x1,y0,y1
+    #[arg(long, value_name = "X0,X1,Y0,Y1", allow_hyphen_values = true)]
+    pub(crate) window: Option<String>,
+    /// Heading of the figure
+    #[arg(long, default_value = "")]
+    pub(crate) title: String,
+    /// Cells along the larger side, for tracing implicit curves
+    #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(8..=4000))]
+    pub(crate) cells: u32,
+}
+
+/// How a contour becomes a Fourier radius.
+#[derive(Debug, Args)]
+pub(crate) struct FitFlags {
+    /// Number of harmonics N
+    #[arg(long, value_name = "N", conflicts_with = "tolerance")]
+    pub(crate) harmonics: Option<usize>,
+    /// The fewest harmonics with which the largest radial error is at most E
+    #[arg(long, value_name = "E")]
+    pub(crate) tolerance: Option<f64>,
+    /// Where radii are measured from: centroid, or a point X,Y
+    #[arg(
+        long,
+        value_name = "centroid|X,Y",
+        default_value = "centroid",
+        allow_hyphen_values = true
+    )]
+    pub(crate) center: String,
+    /// Number of samples of the radius [default: at least 8N]
+    #[arg(long, value_name = "NS")]
+    pub(crate) samples: Option<usize>,
+    /// Round the centre and the coefficients to D decimals
+    #[arg(long, value_name = "D")]
+    pub(crate) decimals: Option<u32>,
+}

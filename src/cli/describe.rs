@@ -1,0 +1,50 @@
+//! `stellate describe`: what a form is.
+
+use stellate::describe::Description;
+use stellate::document::{Format, write_description};
+use stellate::error::{Error, Result};
+use stellate::shape::Form;
+
+use super::arguments::Describe;
+use super::input::{self, Content};
+use super::output::{check_destination, write_result};
+use super::session::Session;
+
+pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
+    check_destination(session)?;
+    let format = session.format_or(Format::Text);
+    if !matches!(format, Format::Text | Format::Json) {
+        return Err(Error::Usage(format!(
+            "--format {format}: a description is written as text or json"
+        )));
+    }
+    let input = input::read(&verb.form, session)?;
+    let mut notes = Vec::new();
+    if let Content::Contour(contour) = &input.content {
+        let [x, y] = contour.centroid();
+        notes.push(format!(
+            "a contour of {} vertices, area ≈ {}, centroid ≈ ({x}, {y}); what follows is its Fourier fit",
+            contour.len(),
+            contour.area()
+        ));
+    }
+    let fitted = input::exact_form(input, &verb.fit, session)?;
+    if let Some(report) = fitted.report {
+        notes.push(format!(
+            "radial error of the fit ≈ {:.3e} at most, ≈ {:.3e} rms",
+            report.max_radial_error, report.rms_radial_error
+        ));
+    }
+    let description = session.stage("describe", |session| match &fitted.form {
+        Form::Fourier(radius) => {
+            session.check_degree(2 * radius.harmonics() + 2)?;
+            Description::of_radius(radius)
+        }
+        Form::Curve(curve) => Ok(Description::of_curve(curve)),
+        Form::Surface(surface) => Ok(Description::of_surface(surface.polynomial())),
+    })?;
+    let digits = session.common.digits;
+    write_result(session, |out| {
+        write_description(&description, &notes, digits, format, out)
+    })
+}

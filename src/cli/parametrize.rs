@@ -1,0 +1,47 @@
+//! `stellate parametrize`: back to r(θ).
+
+use stellate::document::{Format, write_branches};
+use stellate::error::{Error, Result};
+use stellate::implicitize::SquaredForm;
+use stellate::parametrize::{FourierBranches, fourier_branches};
+use stellate::shape::{Form, FourierRadius};
+
+use super::arguments::Parametrize;
+use super::input;
+use super::output::{check_destination, write_result};
+use super::session::Session;
+
+pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
+    check_destination(session)?;
+    let format = session.format_or(Format::Text);
+    format.check_fourier()?;
+    let input = input::read(&verb.form, session)?;
+    let fitted = input::exact_form(input, &verb.fit, session)?;
+    let branches = session.stage("parametrize", |session| match &fitted.form {
+        Form::Fourier(radius) => {
+            session.check_degree(2 * radius.harmonics() + 2)?;
+            of_radius(radius)
+        }
+        Form::Curve(curve) => {
+            session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
+            fourier_branches(curve)
+        }
+        Form::Surface(_) => Err(Error::Usage(
+            "this polynomial has z: parametrize takes plane curves, in x and y".into(),
+        )),
+    })?;
+    let digits = session.common.digits;
+    write_result(session, |out| {
+        write_branches(&branches, digits, format, out)
+    })
+}
+
+/// A radius is parametric already; its document lists the branches of its implicit equation.
+fn of_radius(radius: &FourierRadius) -> Result<FourierBranches> {
+    let mut branches = fourier_branches(&SquaredForm::new(radius)?.expand())?;
+    // Both describe the same points; the one that was given comes first.
+    if let Some(given) = branches.radii.iter().position(|r| r == radius) {
+        branches.radii.swap(0, given);
+    }
+    Ok(branches)
+}

@@ -1,0 +1,229 @@
+//! `stellate plot`: forms over each other.
+
+use std::ffi::OsStr;
+
+use stellate::error::{Error, Result};
+use stellate::picture::{Figure, Layer, Window, isolated_origin, png_from_svg, trace_zero_set};
+use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve};
+
+use super::arguments::{FitFlags, Plot};
+use super::input::{self, Content, Input};
+use super::output::{check_destination, write_result};
+use super::session::Session;
+
+/// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
+const POINTS_PER_HARMONIC: usize = 40;
+const MIN_POINTS: usize = 1440;
+
+/// PNG pixels per SVG unit.
+const PNG_SCALE: f32 = 2.0;
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Svg,
+    Png,
+}
+
+pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
+    let kind = kind(session)?;
+    check_destination(session)?;
+    let window = verb.window.as_deref().map(window).transpose()?;
+    let mut inputs = Vec::new();
+    for form in &verb.forms {
+        inputs.push(input::read(form, session)?);
+    }
+    let has_contour = inputs
+        .iter()
+        .any(|i| matches!(i.content, Content::Contour(_)));
+    if !has_contour {
+        input::refuse_fit_flags(&verb.fit)?;
+    }
+    let mut layers = Vec::new();
+    let mut curves = Vec::new();
+    for input in inputs {
+        add(input, &verb.fit, &mut layers, &mut curves, session)?;
+    }
+    let window = match window {
+        Some(window) => window,
+        None => fitting_window(&layers, &curves, session)?,
+    };
+    for (index, curve) in curves {
+        let bar = session.progress(1, "tracing");
+        session.stage("trace", |session| {
+            let layer = &mut layers[index];
+            trace(&curve, &window, verb.cells, layer, session)
+        })?;
+        bar.finish_and_clear();
+    }
+    let figure = Figure {
+        title: verb.title.clone(),
+        window,
+        layers,
+    };
+    let bytes = session.stage("draw", |_| {
+        let svg = figure.to_svg()?;
+        match kind {
+            Kind::Svg => Ok(svg.into_bytes()),
+            Kind::Png => png_from_svg(&svg, PNG_SCALE),
+        }
+    })?;
+    write_result(session, |out| out.write_all(&bytes))
+}
+
+fn kind(session: &Session) -> Result<Kind> {
+    let path = session.common.output.as_ref().ok_or_else(|| {
+        Error::Usage("plot writes a file: give -o FIGURE.svg or -o FIGURE.png".into())
+    })?;
+    match path
+        .extension()
+        .and_then(OsStr::to_str)
+        .map(str::to_ascii_lowercase)
+        .as_deref()
+    {
+        Some("svg") => Ok(Kind::Svg),
+        Some("png") => Ok(Kind::Png),
+        _ => Err(Error::Usage(format!(
+            "-o {}: a figure is a .svg or a .png file",
+            path.display()
+        ))),
+    }
+}
+
+fn window(text: &str) -> Result<Window> {
+    let numbers: Vec<f64> = text
+        .split(',')
+        .filter_map(|t| t.trim().parse().ok())
+        .collect();
+    match numbers[..] {
+        [x0, x1, y0, y1] if x0 < x1 && y0 < y1 && numbers.iter().all(|v| v.is_finite()) => {
+            Ok(Window {
+                x: [x0, x1],
+                y: [y0, y1],
+            })
+        }
+        _ => Err(Error::Usage(format!(
+            "--window {text}: expected X0,X1,Y0,Y1 with X0 < X1 and Y0 < Y1, such as -1,1,-1,1"
+        ))),
+    }
+}
+
+/// Adds the layers of a form; implicit curves are traced later, when the window is known.
+fn add(
+    input: Input,
+    flags: &FitFlags,
+    layers: &mut Vec<Layer>,
+    curves: &mut Vec<(usize, ImplicitCurve)>,
+    session: &mut Session,
+) -> Result<()> {
+    let name = shortened(&input.name);
+    match input.content {
+        Content::Contour(contour) => {
+            layers.push(outline(&contour, format!("outline, {name}")));
+            if flags.harmonics.is_some() || flags.tolerance.is_some() {
+                let fit = input::fit_contour(&contour, flags, session)?;
+                layers.push(series(&fit.radius, &name));
+            }
+        }
+        Content::Exact(Form::Fourier(radius)) => layers.push(series(&radius, &name)),
+        Content::Exact(Form::Curve(curve)) => {
+            let degree = curve.polynomial().degree().unwrap_or(0);
+            session.check_degree(degree)?;
+            layers.push(Layer {
+                label: format!("zero set, degree {degree}, {name}"),
+                ..Layer::default()
+            });
+            curves.push((layers.len() - 1, curve));
+        }
+        Content::Exact(Form::Surface(_)) => {
+            return Err(Error::Usage(format!(
+                "{name}: this polynomial has z: plot draws plane curves, in x and y"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn shortened(name: &str) -> String {
+    const LONGEST: usize = 40;
+    let line: String = name.split_whitespace().collect::<Vec<_>>().join(" ");
+    if line.chars().count() <= LONGEST {
+        return line;
+    }
+    line.chars().take(LONGEST).chain(['…']).collect()
+}
+
+fn outline(contour: &Contour, label: String) -> Layer {
+    let mut line = contour.points().to_vec();
+    line.extend(contour.points().first());
+    Layer {
+        label,
+        lines: vec![line],
+        filled: true,
+        ..Layer::default()
+    }
+}
+
+fn series(radius: &FourierRadius, name: &str) -> Layer {
+    let n = radius.harmonics();
+    let points = radius.polyline((n * POINTS_PER_HARMONIC).max(MIN_POINTS));
+    Layer {
+        label: format!("Fourier radius, N = {n}, {name}"),
+        lines: vec![points],
+        ..Layer::default()
+    }
+}
+
+/// Around everything that has an extent of its own; else around certified points of the curves.
+fn fitting_window(
+    layers: &[Layer],
+    curves: &[(usize, ImplicitCurve)],
+    session: &Session,
+) -> Result<Window> {
+    let drawn = layers
+        .iter()
+        .flat_map(|l| l.lines.iter().flatten().copied());
+    let window = match Window::around(drawn) {
+        Some(window) => Some(window),
+        None => {
+            let mut points = Vec::new();
+            for (_, curve) in curves {
+                points.extend(stellate::picture::extent(curve, &session.limits)?);
+            }
+            Window::around(points)
+        }
+    };
+    window
+        .filter(|w| w.size() > 0.0)
+        .map(|w| w.padded(0.06))
+        .ok_or_else(|| {
+            Error::Usage(
+                "no real points were found to fit the picture to: give --window X0,X1,Y0,Y1".into(),
+            )
+        })
+}
+
+fn trace(
+    curve: &ImplicitCurve,
+    window: &Window,
+    cells: u32,
+    layer: &mut Layer,
+    session: &Session,
+) -> Result<()> {
+    let [a, b] = curve
+        .center()
+        .each_ref()
+        .map(stellate::exact::Rational::to_f64);
+    let local = Window {
+        x: window.x.map(|v| v - a),
+        y: window.y.map(|v| v - b),
+    };
+    let lines = trace_zero_set(curve.polynomial(), &local, cells, &session.limits)?;
+    layer.lines = lines
+        .into_iter()
+        .map(|line| line.into_iter().map(|[x, y]| [x + a, y + b]).collect())
+        .collect();
+    if isolated_origin(curve.polynomial()) {
+        layer.points.push([a, b]);
+    }
+    Ok(())
+}

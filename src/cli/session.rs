@@ -1,0 +1,157 @@
+//! One run of the program: limits, notes, progress, stage times.
+
+use std::io::{IsTerminal, Write};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use stellate::document::Format;
+use stellate::error::{Error, Result};
+use stellate::language::Numbers;
+use stellate::limits::Limits;
+
+use super::arguments::{Common, NumberReading};
+
+/// A progress bar waits this long before it shows itself.
+const PROGRESS_AFTER: Duration = Duration::from_secs(1);
+
+/// What all verbs share while they run.
+pub(crate) struct Session {
+    pub(crate) common: Common,
+    pub(crate) limits: Limits,
+    stages: Vec<(&'static str, Duration)>,
+}
+
+impl Session {
+    /// Sets up threads, the time limit and Ctrl-C.
+    pub(crate) fn new(common: Common) -> Result<Self> {
+        let mut limits = Limits::none();
+        if let Some(seconds) = common.time_limit {
+            let time = Duration::try_from_secs_f64(seconds).map_err(|_| {
+                Error::Usage(format!(
+                    "--time-limit {seconds}: expected a number of seconds, such as 60"
+                ))
+            })?;
+            limits = limits.with_time_limit(time);
+        }
+        if let Some(threads) = common.threads {
+            if threads == 0 {
+                return Err(Error::Usage(
+                    "--threads 0: at least one thread is needed".into(),
+                ));
+            }
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build_global()
+                .map_err(|e| Error::Usage(format!("--threads {threads}: {e}")))?;
+        }
+        let flag = limits.cancellation();
+        // Without a handler Ctrl-C ends the process at once, which leaves no half file either.
+        let _ = ctrlc::set_handler(move || flag.store(true, std::sync::atomic::Ordering::Relaxed));
+        Ok(Self {
+            common,
+            limits,
+            stages: Vec::new(),
+        })
+    }
+
+    /// How numbers are read.
+    pub(crate) fn numbers(&self) -> Numbers {
+        match self.common.numbers {
+            NumberReading::Exact => Numbers::Exact,
+            NumberReading::F64 => Numbers::F64,
+        }
+    }
+
+    /// The chosen format, or the verb's own default.
+    pub(crate) fn format_or(&self, default: Format) -> Format {
+        self.common.format.unwrap_or(default)
+    }
+
+    /// Runs one stage under the clock.
+    pub(crate) fn stage<T>(
+        &mut self,
+        name: &'static str,
+        work: impl FnOnce(&Self) -> Result<T>,
+    ) -> Result<T> {
+        self.limits.check()?;
+        let start = Instant::now();
+        let result = work(self);
+        let spent = start.elapsed();
+        match self.stages.iter_mut().find(|(n, _)| *n == name) {
+            Some((_, total)) => *total += spent,
+            None => self.stages.push((name, spent)),
+        }
+        result
+    }
+
+    /// A remark for the person at the terminal.
+    pub(crate) fn note(&self, text: &str) {
+        if !self.common.quiet {
+            report(&format!("note: {text}"));
+        }
+    }
+
+    /// A bar that shows itself only on a terminal and only if the work takes longer than a second.
+    pub(crate) fn progress(&self, total: usize, what: &'static str) -> ProgressBar {
+        if self.common.quiet || !std::io::stderr().is_terminal() {
+            return ProgressBar::hidden();
+        }
+        let bar = ProgressBar::with_draw_target(
+            Some(total as u64),
+            ProgressDrawTarget::stderr_with_hz(10),
+        );
+        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}") {
+            bar.set_style(style);
+        }
+        bar.set_message(what);
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+        let shown = bar.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(PROGRESS_AFTER);
+            if !shown.is_finished() {
+                shown.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
+            }
+        });
+        bar
+    }
+
+    /// Refuses a degree above `--max-degree`.
+    pub(crate) fn check_degree(&self, degree: usize) -> Result<()> {
+        if degree <= self.common.max_degree {
+            return Ok(());
+        }
+        Err(Error::Limit {
+            limit: format!(
+                "the degree {degree} is above --max-degree {}",
+                self.common.max_degree
+            ),
+            finished: String::new(),
+        })
+    }
+
+    /// Prints the statistics, if asked.
+    pub(crate) fn finish(&self) -> Result<()> {
+        if self.common.stats {
+            let mut stats = serde_json::Map::new();
+            for (name, time) in &self.stages {
+                stats.insert((*name).into(), time.as_secs_f64().into());
+            }
+            stats.insert("peak_rss_bytes".into(), peak_memory().into());
+            report(&serde_json::json!({ "stats": stats }).to_string());
+        }
+        Ok(())
+    }
+}
+
+/// One line on standard error; if that is closed there is nobody to tell.
+pub(crate) fn report(text: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
+}
+
+/// The peak resident memory of this process in bytes where the system tells (Linux), else null.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kilobytes * 1024)
+}

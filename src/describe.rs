@@ -1,0 +1,194 @@
+//! What a curve is: degree, parts, terms, which lemma applies, what is certain about it.
+
+use crate::implicitize::SquaredForm;
+use crate::parametrize::{AngleRange, FourierBranches, fourier_branches, positive_ranges};
+use crate::poly::{PlanePolynomial, SparsePolynomial};
+use crate::shape::{FourierRadius, ImplicitCurve};
+
+/// What is known exactly of an implicit curve or surface, or of the polynomial of a Fourier radius.
+#[derive(Clone, Debug)]
+pub struct Description {
+    /// Total degree of the (reduced, primitive) polynomial.
+    pub degree: usize,
+    /// Degrees of its homogeneous parts, descending.
+    pub homogeneous_degrees: Vec<usize>,
+    /// Number of non-zero terms.
+    pub terms: usize,
+    /// Bit length of the largest coefficient.
+    pub coefficient_bits: u64,
+    /// Which lemma of §3 of the paper gives the radius.
+    pub method: Method,
+    /// The multiplicity of the origin: the lowest degree of a term.
+    pub origin_multiplicity: usize,
+    /// What is known if the curve is born of a Fourier radius.
+    pub fourier: Option<FourierDescription>,
+}
+
+/// What is known of a curve given by a Fourier radius.
+#[derive(Clone, Debug)]
+pub struct FourierDescription {
+    /// The radius.
+    pub radius: FourierRadius,
+    /// Where r > 0, exactly.
+    pub positive: Vec<AngleRange>,
+    /// Whether F is the square of the polynomial described (no even harmonics, a0 = 0).
+    pub perfect_square: bool,
+}
+
+impl FourierDescription {
+    /// Whether r > 0 for every angle.
+    #[must_use]
+    pub fn star_shaped(&self) -> bool {
+        self.positive.len() == 1 && self.positive[0].closed == [true, true]
+    }
+
+    fn of(radius: &FourierRadius, perfect_square: bool) -> Self {
+        Self {
+            radius: radius.clone(),
+            positive: positive_ranges(radius),
+            perfect_square,
+        }
+    }
+}
+
+/// Which part of §3 applies to a polynomial (Theorem 5): up to five homogeneous parts of equally
+/// spaced degrees n, n−k, n−2k, … make it a polynomial of degree at most four in r^k.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// A single part: straight lines through the origin.
+    Lines,
+    /// Lemma 2, 3, 4 or 5 of the plane, or 7, 8, 9 or 10 of space, in r^step.
+    Lemma {
+        /// The number of the lemma.
+        number: usize,
+        /// k.
+        step: usize,
+    },
+    /// Lemma 6: certified roots direction by direction.
+    Numeric,
+}
+
+impl Method {
+    /// From the degrees of the homogeneous parts, descending. `first` is the lemma for two parts: 2 in
+    /// the plane, 7 in space.
+    fn from_degrees(degrees: &[usize], first: usize) -> Self {
+        let gaps: Vec<usize> = degrees.windows(2).map(|w| w[0] - w[1]).collect();
+        // Parts may be missing in between: the degree in r^k is what counts.
+        let step = gaps.iter().fold(0, |g, &gap| gcd(g, gap));
+        match gaps.iter().sum::<usize>().checked_div(step) {
+            None => Self::Lines,
+            Some(degree) if degree <= 4 => Self::Lemma {
+                number: first + degree - 1,
+                step,
+            },
+            Some(_) => Self::Numeric,
+        }
+    }
+
+    /// `lemma-3` and so on, as in documents.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Lines => "lines".into(),
+            Self::Lemma { number, .. } => format!("lemma-{number}"),
+            Self::Numeric => "lemma-6".into(),
+        }
+    }
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+impl Description {
+    /// Describes an implicit curve; if it is recognised as born of a Fourier radius, that too.
+    #[must_use]
+    pub fn of_curve(curve: &ImplicitCurve) -> Self {
+        let branches = fourier_branches(curve).ok();
+        let fourier = branches.and_then(|FourierBranches { radii, .. }| {
+            let radius = radii.into_iter().next()?;
+            let form = SquaredForm::new(&radius).ok()?;
+            let reduced = form.expand();
+            // Only if the polynomial is exactly that of the radius, without further factors.
+            let same = reduced.polynomial() == &curve.polynomial().primitive();
+            same.then(|| FourierDescription::of(&radius, form.is_perfect_square()))
+        });
+        Self::of_polynomial(curve.polynomial(), fourier)
+    }
+
+    /// Describes the reduced implicit equation of a Fourier radius.
+    ///
+    /// # Errors
+    /// As [`SquaredForm::new`].
+    pub fn of_radius(radius: &FourierRadius) -> crate::error::Result<Self> {
+        let form = SquaredForm::new(radius)?;
+        let fourier = FourierDescription::of(radius, form.is_perfect_square());
+        Ok(Self::of_polynomial(
+            form.expand().polynomial(),
+            Some(fourier),
+        ))
+    }
+
+    fn of_polynomial(f: &PlanePolynomial, fourier: Option<FourierDescription>) -> Self {
+        let degrees = f.homogeneous_degrees();
+        Self {
+            degree: f.degree().unwrap_or(0),
+            method: Method::from_degrees(&degrees, 2),
+            homogeneous_degrees: degrees,
+            terms: f.term_count(),
+            coefficient_bits: f.coefficient_bits(),
+            origin_multiplicity: f.lowest_degree().unwrap_or(0),
+            fourier,
+        }
+    }
+
+    /// Describes a polynomial in x, y and z.
+    #[must_use]
+    pub fn of_surface(f: &SparsePolynomial<3>) -> Self {
+        let mut degrees: Vec<usize> = f
+            .terms()
+            .map(|(e, _)| e.iter().map(|&k| k as usize).sum())
+            .collect();
+        degrees.dedup();
+        Self {
+            degree: degrees.first().copied().unwrap_or(0),
+            method: Method::from_degrees(&degrees, 7),
+            origin_multiplicity: degrees.last().copied().unwrap_or(0),
+            homogeneous_degrees: degrees,
+            terms: f.len(),
+            coefficient_bits: f
+                .primitive()
+                .terms()
+                .map(|(_, c)| c.bits())
+                .max()
+                .unwrap_or(0),
+            fourier: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lemmas_by_the_degrees_of_the_parts() {
+        let name = |d: &[usize]| {
+            let method = Method::from_degrees(d, 2);
+            let step = if let Method::Lemma { step, .. } = method {
+                step
+            } else {
+                0
+            };
+            (method.name(), step)
+        };
+        assert_eq!(name(&[4, 2]), ("lemma-2".into(), 2));
+        assert_eq!(name(&[80, 79, 78]), ("lemma-3".into(), 1));
+        assert_eq!(name(&[32, 28, 24, 20]), ("lemma-4".into(), 4));
+        assert_eq!(name(&[4, 3, 2, 1, 0]), ("lemma-5".into(), 1));
+        // Parts of degrees 5, 1, 0 give a general quintic; 3, 2, 0 a cubic without linear term.
+        assert_eq!(name(&[5, 1, 0]), ("lemma-6".into(), 0));
+        assert_eq!(name(&[3, 2, 0]), ("lemma-4".into(), 1));
+        assert_eq!(name(&[2]), ("lines".into(), 0));
+    }
+}

@@ -1,0 +1,189 @@
+//! Dyadic numbers `m · 2^e`: the points at which polynomials are probed.
+
+use std::cmp::Ordering;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Parity, Pow};
+use malachite::base::num::logic::traits::SignificantBits;
+
+use super::Rational;
+
+/// `mantissa · 2^exponent`. Closed under sums, products and halving, and cheap: no gcds.
+#[derive(Clone, Debug)]
+pub struct Dyadic {
+    mantissa: Integer,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// `mantissa · 2^exponent`.
+    #[must_use]
+    pub fn new(mantissa: Integer, exponent: i64) -> Self {
+        let mut value = Self { mantissa, exponent };
+        value.normalize();
+        value
+    }
+
+    /// Keeps mantissas short: strips factors of two.
+    fn normalize(&mut self) {
+        if self.mantissa == 0 {
+            self.exponent = 0;
+        } else if self.mantissa.even() {
+            let zeros = self
+                .mantissa
+                .unsigned_abs_ref()
+                .trailing_zeros()
+                .unwrap_or(0);
+            self.mantissa >>= zeros;
+            self.exponent += i64::try_from(zeros).unwrap_or(0);
+        }
+    }
+
+    /// 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::new(Integer::from(0), 0)
+    }
+
+    /// The exact value of a finite double, `None` for ±∞ and NaN.
+    #[must_use]
+    pub fn from_f64(value: f64) -> Option<Self> {
+        let q = Rational::try_from(value).ok()?;
+        let exponent = i64::try_from(q.denominator().significant_bits()).ok()? - 1;
+        Some(Self::new(q.numerator(), -exponent))
+    }
+
+    /// m.
+    #[must_use]
+    pub fn mantissa(&self) -> &Integer {
+        &self.mantissa
+    }
+
+    /// e.
+    #[must_use]
+    pub fn exponent(&self) -> i64 {
+        self.exponent
+    }
+
+    /// The same number as a fraction.
+    #[must_use]
+    pub fn to_rational(&self) -> Rational {
+        Rational::from_parts(self.mantissa.clone(), self.exponent)
+    }
+
+    /// The nearest double.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.to_rational().to_f64()
+    }
+
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn signum(&self) -> i8 {
+        match self.mantissa.cmp(&Integer::from(0)) {
+            Ordering::Less => -1,
+            Ordering::Equal => 0,
+            Ordering::Greater => 1,
+        }
+    }
+
+    /// ⌊log₂ |self|⌋, `None` for 0.
+    #[must_use]
+    pub fn log2(&self) -> Option<i64> {
+        let bits = i64::try_from(self.mantissa.significant_bits()).ok()?;
+        (bits > 0).then(|| bits - 1 + self.exponent)
+    }
+
+    /// −self.
+    #[must_use]
+    pub fn negated(&self) -> Self {
+        Self {
+            mantissa: -&self.mantissa,
+            exponent: self.exponent,
+        }
+    }
+
+    /// Both mantissas at the smaller exponent.
+    fn aligned(&self, other: &Self) -> (Integer, Integer, i64) {
+        let exponent = self.exponent.min(other.exponent);
+        let raise = |d: &Self| &d.mantissa << d.exponent.abs_diff(exponent);
+        (raise(self), raise(other), exponent)
+    }
+
+    /// self + other.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let (a, b, e) = self.aligned(other);
+        Self::new(a + b, e)
+    }
+
+    /// self − other.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        let (a, b, e) = self.aligned(other);
+        Self::new(a - b, e)
+    }
+
+    /// self · 2^k.
+    #[must_use]
+    pub fn times_power_of_two(&self, k: i64) -> Self {
+        Self::new(self.mantissa.clone(), self.exponent + k)
+    }
+
+    /// self · n.
+    #[must_use]
+    pub fn times_integer(&self, n: &Integer) -> Self {
+        Self::new(&self.mantissa * n, self.exponent)
+    }
+
+    /// self^k.
+    #[must_use]
+    pub fn power(&self, k: u32) -> Self {
+        Self::new(
+            (&self.mantissa).pow(u64::from(k)),
+            self.exponent * i64::from(k),
+        )
+    }
+
+    /// (self + other) / 2.
+    #[must_use]
+    pub fn midpoint(&self, other: &Self) -> Self {
+        self.plus(other).times_power_of_two(-1)
+    }
+}
+
+impl PartialEq for Dyadic {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Dyadic {}
+
+impl PartialOrd for Dyadic {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Dyadic {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by_sign = self.signum().cmp(&other.signum());
+        if by_sign != Ordering::Equal {
+            return by_sign;
+        }
+        match (self.log2(), other.log2()) {
+            (Some(a), Some(b)) if a != b => {
+                if self.signum() > 0 {
+                    a.cmp(&b)
+                } else {
+                    b.cmp(&a)
+                }
+            }
+            _ => {
+                let (a, b, _) = self.aligned(other);
+                a.cmp(&b)
+            }
+        }
+    }
+}

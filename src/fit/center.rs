@@ -1,0 +1,279 @@
+//! The point that the radius is measured from.
+
+use std::cmp::Ordering;
+
+use super::kernel::kernel;
+use super::radius::outside;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::shape::{Contour, coordinate_fault, orientation};
+
+/// Which centre is asked for.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub enum CenterChoice {
+    /// The centroid of the area if the outline is star-shaped about it; otherwise the best
+    /// replacement (see [`CenterOrigin`]).
+    #[default]
+    Centroid,
+    /// This point, which must lie inside the outline.
+    Point([Rational; 2]),
+}
+
+/// Where a centre came from.
+#[non_exhaustive]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CenterOrigin {
+    /// It is the centroid of the area enclosed.
+    Centroid,
+    /// It was given.
+    Given,
+    /// The outline is not star-shaped about its centroid, but it is about this point: the centroid
+    /// of the kernel (the set of points that see the whole outline).
+    Kernel,
+    /// The centroid lies outside the outline and no kernel was found: this is the middle of the longest
+    /// inside piece of the horizontal line through the centroid.
+    ChordMiddle,
+}
+
+impl CenterOrigin {
+    /// A phrase for people: "the centroid", …
+    #[must_use]
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Centroid => "the centroid",
+            Self::Given => "the given point",
+            Self::Kernel => {
+                "the middle of the kernel (the centroid does not see the whole outline)"
+            }
+            Self::ChordMiddle => {
+                "the middle of the longest inside chord at the centroid's height (the centroid lies \
+                 outside the outline)"
+            }
+        }
+    }
+}
+
+/// A chosen centre, strictly inside the outline.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Center {
+    /// The centre, exactly: a double bit for bit, a multiple of 10^−D after rounding to D decimals,
+    /// or as given.
+    pub exact: [Rational; 2],
+    /// The doubles nearest to it; radii are measured from here.
+    pub point: [f64; 2],
+    /// Where it came from.
+    pub origin: CenterOrigin,
+    /// Whether the outline is star-shaped about `point`, exactly.
+    pub star_shaped: bool,
+}
+
+impl Center {
+    /// Chooses the centre of `contour`, then rounds it to `decimals` decimals if asked to.
+    ///
+    /// For [`CenterChoice::Centroid`]: the centroid if the outline is star-shaped about it; else
+    /// the centroid of the kernel if the outline is star-shaped about that (found in floating point,
+    /// verified exactly; a kernel thinner than rounding may be missed); else the centroid again if it
+    /// is inside; else the middle of the longest inside piece of the horizontal line through it.
+    /// Cost: O(n), with the kernel O(n log n).
+    ///
+    /// ```
+    /// use stellate::fit::{Center, CenterChoice, CenterOrigin};
+    /// use stellate::shape::Contour;
+    ///
+    /// let l_shape = vec![[0., 0.], [9., 0.], [9., 1.], [1., 1.], [1., 9.], [0., 9.]];
+    /// let l_shape = Contour::new(l_shape, "L").unwrap();
+    /// let center = Center::choose(&l_shape, &CenterChoice::Centroid, None).unwrap();
+    /// assert_eq!(center.origin, CenterOrigin::Kernel);
+    /// assert_eq!(center.point, [0.5, 0.5]);
+    /// assert!(center.star_shaped);
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Usage`] if a given centre, or the rounded one, is not strictly inside the outline.
+    pub fn choose(contour: &Contour, choice: &CenterChoice, decimals: Option<u32>) -> Result<Self> {
+        let (exact, origin) = match choice {
+            CenterChoice::Point(point) => {
+                let nearest = [point[0].to_f64(), point[1].to_f64()];
+                if !contour.contains(nearest) {
+                    return Err(outside(contour, nearest));
+                }
+                (point.clone(), CenterOrigin::Given)
+            }
+            CenterChoice::Centroid => {
+                let (point, origin) = automatic(contour)?;
+                (exactly(point)?, origin)
+            }
+        };
+        let exact = match decimals {
+            None => exact,
+            Some(digits) => exact.map(|c| c.round_decimals(digits)),
+        };
+        let point = [exact[0].to_f64(), exact[1].to_f64()];
+        if !contour.contains(point) {
+            let digits = decimals.unwrap_or_default();
+            return Err(Error::Usage(format!(
+                "rounded to {digits} decimals the centre is ({}, {}), which is not inside the \
+                 outline; keep more decimals",
+                point[0], point[1]
+            )));
+        }
+        Ok(Self {
+            star_shaped: star_shaped_about(contour, point),
+            exact,
+            point,
+            origin,
+        })
+    }
+}
+
+/// Whether `contour` is star-shaped about c with room to spare: every edge is seen strictly
+/// counter-clockwise from c, so that r(θ) is a continuous function. Exact. Cost: O(n).
+///
+/// An edge in line with c would make r jump; it counts as not star-shaped.
+#[must_use]
+pub fn star_shaped_about(contour: &Contour, c: [f64; 2]) -> bool {
+    c.iter().all(|&x| coordinate_fault(x).is_none())
+        && contour
+            .edges()
+            .all(|(p, q)| orientation(c, p, q) == Ordering::Greater)
+}
+
+fn automatic(contour: &Contour) -> Result<([f64; 2], CenterOrigin)> {
+    let centroid = contour.centroid();
+    if star_shaped_about(contour, centroid) {
+        return Ok((centroid, CenterOrigin::Centroid));
+    }
+    let in_kernel = kernel(contour)
+        .map(|region| region.centroid())
+        .filter(|&point| star_shaped_about(contour, point));
+    if let Some(point) = in_kernel {
+        return Ok((point, CenterOrigin::Kernel));
+    }
+    if contour.contains(centroid) {
+        return Ok((centroid, CenterOrigin::Centroid));
+    }
+    chord_middle(contour, centroid[1])
+        .filter(|&point| contour.contains(point))
+        .map(|point| (point, CenterOrigin::ChordMiddle))
+        .ok_or_else(|| {
+            Error::Usage(
+                "the centroid lies outside the outline and no interior point was found beside it; \
+                 give one with --center X,Y"
+                    .into(),
+            )
+        })
+}
+
+/// The middle of the longest piece of the line y = `height` inside the outline.
+fn chord_middle(contour: &Contour, height: f64) -> Option<[f64; 2]> {
+    let mut crossings: Vec<f64> = contour
+        .edges()
+        .filter(|(p, q)| (p[1] <= height) != (q[1] <= height))
+        .map(|(p, q)| {
+            let t = (height - p[1]) / (q[1] - p[1]);
+            p[0] + t * (q[0] - p[0])
+        })
+        .collect();
+    crossings.sort_by(f64::total_cmp);
+    crossings
+        .chunks_exact(2)
+        .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))
+        .map(|chord| [f64::midpoint(chord[0], chord[1]), height])
+}
+
+/// The doubles, bit for bit.
+fn exactly(point: [f64; 2]) -> Result<[Rational; 2]> {
+    let exact = |c: f64| {
+        Rational::try_from(c).map_err(|_| Error::Usage(format!("the centre's coordinate is {c}")))
+    };
+    Ok([exact(point[0])?, exact(point[1])?])
+}
+
+#[cfg(test)]
+#[expect(clippy::float_cmp, reason = "these centres are exact")]
+mod tests {
+    use super::*;
+
+    fn contour(points: &[[f64; 2]]) -> Contour {
+        Contour::new(points.to_vec(), "outline").unwrap()
+    }
+
+    fn given(x: &str, y: &str) -> CenterChoice {
+        CenterChoice::Point([x.parse().unwrap(), y.parse().unwrap()])
+    }
+
+    const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    /// A U, 10 wide, walls of different thickness: its centroid is in the hollow, its kernel empty.
+    const U: [[f64; 2]; 8] = [
+        [0., 0.],
+        [10., 0.],
+        [10., 9.],
+        [8., 9.],
+        [8., 1.],
+        [1., 1.],
+        [1., 9.],
+        [0., 9.],
+    ];
+
+    #[test]
+    fn star_shaped_is_strict() {
+        let square = contour(&SQUARE);
+        assert!(star_shaped_about(&square, [1.0, 1.0]));
+        for outside in [[0.0, 1.0], [2.0, 2.0], [3.0, 1.0], [f64::NAN, 1.0]] {
+            assert!(!star_shaped_about(&square, outside));
+        }
+        // An L sees itself only from its corner square; its border is in line with edges.
+        let l = contour(&[[0., 0.], [3., 0.], [3., 1.], [1., 1.], [1., 3.], [0., 3.]]);
+        assert!(star_shaped_about(&l, [0.5, 0.5]));
+        assert!(star_shaped_about(&l, [1f64.next_down(), 0.5]));
+        assert!(!star_shaped_about(&l, [1.0, 0.5]));
+    }
+
+    #[test]
+    fn a_centroid_that_sees_everything_is_taken() {
+        let center = Center::choose(&contour(&SQUARE), &CenterChoice::Centroid, None).unwrap();
+        assert_eq!(center.origin, CenterOrigin::Centroid);
+        assert_eq!(center.exact, [Rational::one(), Rational::one()]);
+        assert!(center.star_shaped);
+    }
+
+    #[test]
+    fn a_centroid_outside_gives_way_to_the_thickest_chord() {
+        let center = Center::choose(&contour(&U), &CenterChoice::Centroid, None).unwrap();
+        assert_eq!(center.origin, CenterOrigin::ChordMiddle);
+        assert_eq!(center.point[0], 9.0);
+        assert!(!center.star_shaped);
+    }
+
+    #[test]
+    fn a_given_centre_must_be_inside() {
+        let square = contour(&SQUARE);
+        let center = Center::choose(&square, &given("1/3", "0.1"), None).unwrap();
+        assert_eq!(center.exact[0].to_string(), "1/3");
+        assert!(center.star_shaped);
+        for (x, y) in [
+            ("5", "5"),
+            ("0", "1"),
+            ("2", "2"),
+            ("1e3000", "0"),
+            ("1e-200", "1"),
+        ] {
+            let error = Center::choose(&square, &given(x, y), None).unwrap_err();
+            assert!(error.to_string().contains("is not inside the outline"));
+        }
+    }
+
+    #[test]
+    fn rounding_comes_before_everything_else() {
+        let square = contour(&SQUARE);
+        let center = Center::choose(&square, &given("1/3", "2/3"), Some(2)).unwrap();
+        assert_eq!(center.exact.map(|c| c.to_string()), ["33/100", "67/100"]);
+        let error = Center::choose(&square, &given("1/3", "2/3"), Some(0)).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "rounded to 0 decimals the centre is (0, 1), which is not inside the outline; keep more \
+             decimals"
+        );
+    }
+}

@@ -1,0 +1,303 @@
+//! From an outline to the Fourier radius of Lemma 1, by Definition 1.
+//!
+//! The steps, each usable by itself: [`read_contour`] reads rows of points or traces a silhouette;
+//! [`Center::choose`] chooses the point to measure from; [`ContourRadius`] is the outline's radius about
+//! it; [`fourier_coefficients`] is Definition 1; [`fit`] does all of it and measures the error.
+//!
+//! Coefficients are the doubles that Definition 1 gives, bit for bit, or these rounded to a number of
+//! decimals; from there on everything is exact.
+
+mod center;
+mod definition1;
+mod kernel;
+mod radius;
+mod read;
+mod residual;
+mod rows;
+mod series;
+mod silhouette;
+mod sweep;
+mod tolerance;
+
+#[cfg(test)]
+mod laws;
+
+pub use center::{Center, CenterChoice, CenterOrigin, star_shaped_about};
+pub use definition1::fourier_coefficients;
+pub use radius::ContourRadius;
+pub use read::{ContourKind, contour_from_reader, read_contour};
+
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::shape::{Contour, FourierRadius};
+use definition1::enough_samples;
+use residual::{Assessment, CheckAngles};
+use tolerance::Search;
+
+/// The most harmonics that a fit may have.
+pub const MAX_HARMONICS: usize = 100_000;
+/// The most samples that a fit may take.
+pub const MAX_SAMPLES: usize = 1 << 22;
+/// The most decimals that coefficients may be rounded to (no double has more).
+pub const MAX_DECIMALS: u32 = 1100;
+
+/// The most samples that are taken unasked when a tolerance is given.
+const MAX_DEFAULT_SAMPLES: usize = 1 << 17;
+/// Check angles per sample.
+const CHECKS_PER_SAMPLE: usize = 4;
+
+/// How many harmonics a fit has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FitSize {
+    /// This many.
+    Harmonics(usize),
+    /// The fewest with which the largest radial error is at most this.
+    Tolerance(f64),
+}
+
+/// What to fit, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitOptions {
+    /// The point that the radius is measured from.
+    pub center: CenterChoice,
+    /// Ns. By default max(8N, 1024) rounded up to a power of two for N harmonics; for a tolerance
+    /// max(4096, twice the number of vertices) rounded up to a power of two, at most 131072.
+    pub samples: Option<usize>,
+    /// How many harmonics.
+    pub size: FitSize,
+    /// Round the centre (before r is sampled) and the coefficients to this many decimals.
+    pub decimals: Option<u32>,
+}
+
+impl FitOptions {
+    /// Fits of this size about the centroid, with the default number of samples and no rounding.
+    #[must_use]
+    pub fn new(size: FitSize) -> Self {
+        Self {
+            center: CenterChoice::Centroid,
+            samples: None,
+            size,
+            decimals: None,
+        }
+    }
+
+    /// Ns for an outline with this many vertices.
+    fn sample_count(&self, vertices: usize) -> usize {
+        self.samples.unwrap_or_else(|| match self.size {
+            FitSize::Harmonics(n) => n
+                .saturating_mul(8)
+                .clamp(1024, MAX_SAMPLES)
+                .next_power_of_two(),
+            FitSize::Tolerance(_) => vertices
+                .saturating_mul(2)
+                .clamp(4096, MAX_DEFAULT_SAMPLES)
+                .next_power_of_two(),
+        })
+    }
+
+    fn check(&self) -> Result<()> {
+        if let FitSize::Tolerance(e) = self.size
+            && !(e.is_finite() && e > 0.0)
+        {
+            return Err(Error::Usage(format!(
+                "the tolerance is {e}; it must be a number greater than 0"
+            )));
+        }
+        if let FitSize::Harmonics(n) = self.size
+            && n > MAX_HARMONICS
+        {
+            return Err(Error::limit(format!(
+                "a fit has at most {MAX_HARMONICS} harmonics; {n} were asked for"
+            )));
+        }
+        if let Some(samples) = self.samples
+            && samples > MAX_SAMPLES
+        {
+            return Err(Error::limit(format!(
+                "a fit takes at most {MAX_SAMPLES} samples; {samples} were asked for"
+            )));
+        }
+        if let Some(decimals) = self.decimals
+            && decimals > MAX_DECIMALS
+        {
+            return Err(Error::limit(format!(
+                "at most {MAX_DECIMALS} decimals are kept; {decimals} were asked for"
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// A Fourier radius fitted to an outline, and how good it is.
+#[non_exhaustive]
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The radius, with its centre, in exact numbers.
+    pub radius: FourierRadius,
+    /// The centre and where it came from.
+    pub center: Center,
+    /// The largest |fit − outline| along a ray from the centre, over at least four times as many
+    /// uniform angles as there are samples and the direction of every visible vertex (at a jump, from
+    /// both sides), computed in doubles with the final coefficients.
+    pub max_radial_error: f64,
+    /// The root of the mean square of the same over the uniform angles.
+    pub rms_radial_error: f64,
+    /// Ns, the number of samples taken.
+    pub samples: usize,
+    /// Whether the outline is star-shaped about the centre, exactly.
+    pub star_shaped: bool,
+    /// The share (0 to 1) of the outline's length that the fit cannot see; 0 if it is star-shaped.
+    pub hidden_share: f64,
+}
+
+/// Fits a Fourier radius to `contour`: Definition 1 applied to samples of its outermost radius.
+///
+/// With [`FitSize::Tolerance`] the number of harmonics is truly the smallest whose largest radial error
+/// (as [`Fit::max_radial_error`] measures it) is within the tolerance, for the samples taken; all
+/// smaller ones were refused.
+/// Cost: O(n log n) for the outline, O(Ns log Ns) for the coefficients; a tolerance adds O(N) for
+/// about two thousand angles.
+///
+/// ```
+/// use stellate::fit::{FitOptions, FitSize, fit};
+/// use stellate::shape::Contour;
+///
+/// let square = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// let square = Contour::new(square, "square").unwrap();
+/// let fit = fit(&square, &FitOptions::new(FitSize::Tolerance(0.05))).unwrap();
+/// assert_eq!(fit.radius.center(), &[1.into(), 1.into()]);
+/// assert!(fit.star_shaped && fit.max_radial_error <= 0.05);
+/// assert_eq!(fit.radius.harmonics() % 4, 0);
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] if the centre is not inside the outline, if there are fewer than 2N + 1 samples or
+/// if the tolerance is not positive; [`Error::Limit`] beyond [`MAX_HARMONICS`], [`MAX_SAMPLES`] or
+/// [`MAX_DECIMALS`], and if no number of harmonics that the samples determine meets the tolerance.
+pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
+    fit_within(contour, options, &Limits::none())
+}
+
+/// As [`fit`], stopped when `limits` say so.
+///
+/// ```
+/// use stellate::fit::{FitOptions, FitSize, fit_within};
+/// use stellate::limits::Limits;
+/// use stellate::shape::Contour;
+///
+/// let triangle = Contour::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "triangle").unwrap();
+/// let options = FitOptions::new(FitSize::Tolerance(0.01));
+/// let over = Limits::none().with_time_limit(std::time::Duration::ZERO);
+/// assert!(fit_within(&triangle, &options, &over).is_err());
+/// assert!(fit_within(&triangle, &options, &Limits::none()).is_ok());
+/// ```
+///
+/// # Errors
+/// As [`fit`], and those of [`Limits::check`].
+pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> Result<Fit> {
+    options.check()?;
+    let samples = options.sample_count(contour.len());
+    let most = match options.size {
+        FitSize::Harmonics(n) => n,
+        FitSize::Tolerance(_) => (samples.saturating_sub(1) / 2).min(MAX_HARMONICS),
+    };
+    enough_samples(samples, most)?;
+    let center = Center::choose(contour, &options.center, options.decimals)?;
+    limits.check()?;
+    let outline = ContourRadius::new(contour, center.point)?;
+    limits.check()?;
+    let (cos, sin) = fourier_coefficients(&outline.samples(samples), most)?;
+    let exact_cos = exactly(&cos, options.decimals)?;
+    let exact_sin = exactly(&sin, options.decimals)?;
+    // From here on with the final coefficients.
+    let (cos, sin) = (nearest(&exact_cos), nearest(&exact_sin));
+    limits.check()?;
+    let check = CheckAngles::new(&outline, CHECKS_PER_SAMPLE * samples);
+    let (harmonics, assessment) = match options.size {
+        FitSize::Harmonics(n) => (n, check.assess(&cos, &sin)),
+        FitSize::Tolerance(tolerance) => {
+            refuse_jump(tolerance, &outline)?;
+            fewest(tolerance, &check, &cos, &sin, limits)?
+        }
+    };
+    let radius = FourierRadius::new(
+        exact_cos[..=harmonics].to_vec(),
+        exact_sin[..=harmonics].to_vec(),
+    )
+    .with_center(center.exact.clone());
+    Ok(Fit {
+        radius,
+        max_radial_error: assessment.max,
+        rms_radial_error: assessment.rms,
+        samples,
+        star_shaped: center.star_shaped,
+        hidden_share: outline.hidden_share(),
+        center,
+    })
+}
+
+/// An error if r jumps so far that no series is within `tolerance` on both sides.
+fn refuse_jump(tolerance: f64, outline: &ContourRadius) -> Result<()> {
+    let (jump, theta) = outline.largest_jump();
+    if jump / 2.0 <= tolerance {
+        return Ok(());
+    }
+    Err(Error::limit(format!(
+        "no number of harmonics has a radial error of at most {tolerance}: the outline is not \
+         star-shaped about the centre, r jumps by {jump:.6} at θ = {:.4}°, and every series \
+         leaves at least half of that",
+        theta.to_degrees()
+    )))
+}
+
+/// The fewest harmonics within `tolerance`, or an error that says how near the best ones come.
+fn fewest(
+    tolerance: f64,
+    check: &CheckAngles,
+    cos: &[f64],
+    sin: &[f64],
+    limits: &Limits,
+) -> Result<(usize, Assessment)> {
+    match tolerance::smallest(check, cos, sin, tolerance, limits)? {
+        Search::Found(n, assessment) => Ok((n, assessment)),
+        Search::Missed(n, max) => Err(Error::Limit {
+            limit: format!(
+                "no number of harmonics up to {} has a radial error of at most {tolerance}",
+                cos.len() - 1
+            ),
+            finished: format!(
+                "the best found is {max:.3e} with {n} harmonics; more samples, --samples, allow more \
+                 harmonics"
+            ),
+        }),
+    }
+}
+
+/// The doubles bit for bit, or rounded to `decimals` decimals.
+fn exactly(values: &[f64], decimals: Option<u32>) -> Result<Vec<Rational>> {
+    values
+        .iter()
+        .map(|&value| {
+            let exact = Rational::try_from(value)
+                .map_err(|_| Error::Usage(format!("a Fourier coefficient is {value}")))?;
+            Ok(match decimals {
+                None => exact,
+                Some(digits) => exact.round_decimals(digits),
+            })
+        })
+        .collect()
+}
+
+fn nearest(values: &[Rational]) -> Vec<f64> {
+    values.iter().map(Rational::to_f64).collect()
+}
+
+/// A count as a double.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "counts of points, samples and harmonics are far below 2^53"
+)]
+fn as_f64(count: usize) -> f64 {
+    count as f64
+}

@@ -1,0 +1,129 @@
+//! Reading outlines from files.
+
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::Path;
+
+use super::rows::read_rows;
+use super::silhouette::trace_silhouette;
+use crate::error::{Error, Result};
+use crate::shape::Contour;
+
+/// The most bytes that are read from one file.
+const MAX_BYTES: u64 = 1 << 30;
+
+/// What a file that holds an outline is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContourKind {
+    /// Rows `x,y`.
+    Rows,
+    /// A picture of a silhouette on a plain background.
+    Image,
+}
+
+impl ContourKind {
+    /// By the extension, in any case: `csv` for rows; `png`, `jpg`, `jpeg`, `bmp` for a picture.
+    #[must_use]
+    pub fn of(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "csv" => Some(Self::Rows),
+            "png" | "jpg" | "jpeg" | "bmp" => Some(Self::Image),
+            _ => None,
+        }
+    }
+}
+
+/// Reads the outline in a file: see [`contour_from_reader`].
+///
+/// # Errors
+/// [`Error::Io`] if the file cannot be read, [`Error::Usage`] if its extension is not one of
+/// [`ContourKind::of`], and what [`contour_from_reader`] gives.
+pub fn read_contour(path: &Path) -> Result<Contour> {
+    let kind = ContourKind::of(path).ok_or_else(|| {
+        Error::Usage(format!(
+            "{}: an outline is read from .csv, .png, .jpg, .jpeg or .bmp",
+            path.display()
+        ))
+    })?;
+    let file = File::open(path).map_err(|source| Error::Io {
+        path: path.into(),
+        source,
+    })?;
+    contour_from_reader(file, kind, &path.display().to_string())
+}
+
+/// Reads an outline; `place` names its source in messages.
+///
+/// Rows are `x,y` in order along the outline: decimal numbers or hexadecimal floats, read as the
+/// nearest doubles. The first row may be a header; blank rows and rows that begin with `#` are skipped.
+/// At most 10 000 000 rows.
+///
+/// A picture is a silhouette on a plain background: transparency is put on white, Otsu's threshold
+/// separates dark from bright, the background is what most border pixels are, and the longest outline is
+/// traced by marching squares with linear interpolation. Coordinates are pixels from the lower left
+/// corner, y upwards: the centre of pixel (i, j) is (i + 1/2, height − j − 1/2). At most 20 000 pixels a
+/// side and 64 million in all.
+///
+/// ```
+/// use stellate::fit::{ContourKind, contour_from_reader};
+/// let rows = "x,y\n0,0\n# a comment\n1,0\n 0x1p-1 , 1\n";
+/// let triangle = contour_from_reader(rows.as_bytes(), ContourKind::Rows, "triangle.csv").unwrap();
+/// assert_eq!(triangle.points(), [[0.0, 0.0], [1.0, 0.0], [0.5, 1.0]]);
+/// ```
+///
+/// # Errors
+/// [`Error::Data`] naming the row, or what is wrong with the picture or the outline (see
+/// [`Contour::new`]); [`Error::Limit`] beyond the limits above or 1 GiB; [`Error::Io`] if reading fails.
+pub fn contour_from_reader(reader: impl Read, kind: ContourKind, place: &str) -> Result<Contour> {
+    let failed = |source| Error::Io {
+        path: place.into(),
+        source,
+    };
+    let mut limited = reader.take(MAX_BYTES + 1);
+    let contour = match kind {
+        ContourKind::Rows => {
+            let (points, rows) = read_rows(&mut BufReader::new(&mut limited), place)?;
+            if limited.limit() == 0 {
+                return Err(too_long(place));
+            }
+            Contour::from_rows(points, &rows, place)?
+        }
+        ContourKind::Image => {
+            let mut bytes = Vec::new();
+            limited.read_to_end(&mut bytes).map_err(failed)?;
+            if limited.limit() == 0 {
+                return Err(too_long(place));
+            }
+            trace_silhouette(&bytes, place)?
+        }
+    };
+    Ok(contour)
+}
+
+fn too_long(place: &str) -> Error {
+    Error::limit(format!("{place} is longer than {MAX_BYTES} bytes"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_extension_decides() {
+        for (name, kind) in [
+            ("a/b.CSV", Some(ContourKind::Rows)),
+            ("b.jpeg", Some(ContourKind::Image)),
+            ("b.txt", None),
+            ("csv", None),
+        ] {
+            assert_eq!(ContourKind::of(Path::new(name)), kind);
+        }
+        let error = read_contour(Path::new("outline.svg")).unwrap_err();
+        assert!(error.to_string().contains(".png"), "{error}");
+        assert!(matches!(
+            read_contour(Path::new("does/not/exist.csv")),
+            Err(Error::Io { .. })
+        ));
+    }
+}

@@ -1,0 +1,59 @@
+//! Stated limits of one piece of work: time, and the user's patience.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use crate::error::{Error, Result};
+
+/// A deadline and a cancellation flag, asked at checkpoints of long loops.
+///
+/// ```
+/// use stellate::limits::Limits;
+/// assert!(Limits::none().check().is_ok());
+/// let over = Limits::none().with_time_limit(std::time::Duration::ZERO);
+/// assert!(over.check().is_err());
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Limits {
+    deadline: Option<(Instant, Duration)>,
+    cancelled: Arc<AtomicBool>,
+}
+
+impl Limits {
+    /// No limit.
+    #[must_use]
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// Work is stopped `time` from now.
+    #[must_use]
+    pub fn with_time_limit(mut self, time: Duration) -> Self {
+        self.deadline = Instant::now().checked_add(time).map(|end| (end, time));
+        self
+    }
+
+    /// The flag that stops the work when it becomes true.
+    #[must_use]
+    pub fn cancellation(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.cancelled)
+    }
+
+    /// To be asked between pieces of work.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] after a cancellation, [`Error::Limit`] after the deadline.
+    pub fn check(&self) -> Result<()> {
+        if self.cancelled.load(Ordering::Relaxed) {
+            return Err(Error::Interrupted);
+        }
+        match self.deadline {
+            Some((end, time)) if Instant::now() >= end => Err(Error::limit(format!(
+                "--time-limit {} s",
+                time.as_secs_f64()
+            ))),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! Where a Fourier radius is positive: exact angle ranges.
+
+use std::cmp::Ordering;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::One;
+
+use crate::exact::{Rational, arctangent, pi};
+use crate::poly::{IntegerPolynomial, RealRoot, doubled_form_from_harmonics, real_roots};
+use crate::shape::FourierRadius;
+
+/// An angle in [0, 2π], known exactly.
+#[derive(Clone, Debug)]
+pub enum ExactAngle {
+    /// A rational multiple of π.
+    Pi(Rational),
+    /// 2 arctan t for a real root t of a polynomial, taken into [0, 2π).
+    TwiceArctangent(RealRoot),
+}
+
+impl ExactAngle {
+    /// Certified decimals: the angle rounded to `digits` places after the point.
+    ///
+    /// Bounds are refined until both round to the same decimals (an angle other than 0 here is
+    /// irrational or a multiple of π, so they do).
+    #[must_use]
+    pub fn to_decimal(&self, digits: u32) -> String {
+        let mut bits = digits * 4 + 16;
+        loop {
+            let (low, high) = self.bounds(bits);
+            let (a, b) = (low.to_decimal(digits), high.to_decimal(digits));
+            if a == b {
+                return a;
+            }
+            bits *= 2;
+        }
+    }
+
+    /// Certified bounds, about 2^−`bits` apart.
+    fn bounds(&self, bits: u32) -> (Rational, Rational) {
+        match self {
+            Self::Pi(q) if q.is_zero() => (Rational::zero(), Rational::zero()),
+            Self::Pi(q) => {
+                let (low, high) = pi(bits + 2);
+                (low * q, high * q)
+            }
+            Self::TwiceArctangent(root) => {
+                let mut root = root.clone();
+                root.refine(i64::from(bits) + 4);
+                let (t_low, t_high) = root.bounds();
+                let two = Rational::from(2);
+                let low = arctangent(&t_low.to_rational(), bits + 4).0 * &two;
+                let high = arctangent(&t_high.to_rational(), bits + 4).1 * &two;
+                if root.signum() < 0 {
+                    let (pi_low, pi_high) = pi(bits + 4);
+                    (low + pi_low * &two, high + pi_high * two)
+                } else {
+                    (low, high)
+                }
+            }
+        }
+    }
+
+    /// What the angle is, exactly: `3/4*pi`, or `2*atan(t)` with the bounds of t.
+    #[must_use]
+    pub fn describe(&self) -> Option<String> {
+        match self {
+            Self::Pi(q) if q.is_zero() => Some("0".into()),
+            Self::Pi(q) if *q == Rational::one() => Some("pi".into()),
+            Self::Pi(q) if q.is_integer() => Some(format!("{q}*pi")),
+            Self::Pi(q) => {
+                let p = q.numerator();
+                let over = q.denominator();
+                Some(if p == 1 {
+                    format!("pi/{over}")
+                } else {
+                    format!("{p}*pi/{over}")
+                })
+            }
+            Self::TwiceArctangent(_) => None,
+        }
+    }
+}
+
+/// An interval of angles within [0, 2π].
+#[derive(Clone, Debug)]
+pub struct AngleRange {
+    /// The lower end.
+    pub from: ExactAngle,
+    /// The upper end, greater than the lower one.
+    pub to: ExactAngle,
+    /// Whether the ends belong to it.
+    pub closed: [bool; 2],
+}
+
+impl AngleRange {
+    /// [0, 2π].
+    #[must_use]
+    pub fn full_circle() -> Self {
+        Self {
+            from: ExactAngle::Pi(Rational::zero()),
+            to: ExactAngle::Pi(Rational::from(2)),
+            closed: [true, true],
+        }
+    }
+}
+
+/// Where r(θ) > 0, ascending within [0, 2π]: open intervals, closed at 0 and 2π if r > 0 there.
+///
+/// With t = tan(θ/2), (1+t²)^N r is a polynomial of degree 2N in t; its real roots of odd
+/// multiplicity are the sign changes, and its degree drops where r(π) = 0. So r > 0 for every angle
+/// is certified by exact root counting, not by sampling: then the one range is the full circle.
+#[must_use]
+pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
+    let polynomial = half_angle_polynomial(radius);
+    let Some(lead) = polynomial.coefficients_asc().last() else {
+        return Vec::new();
+    };
+    let degree = polynomial.coefficients_asc().len() - 1;
+    let mut roots = real_roots(&polynomial);
+    // Ascending in θ over [0, 2π): t ≥ 0 first, then π (t = ∞), then t < 0.
+    let negative = roots.iter().take_while(|r| r.signum() < 0).count();
+    roots.rotate_left(negative);
+    let positive = roots.len() - negative;
+    let mut zeros: Vec<(ExactAngle, usize)> = roots
+        .into_iter()
+        .map(|root| (root.multiplicity(), root))
+        .map(|(multiplicity, root)| (angle_of(root), multiplicity))
+        .collect();
+    // Just before π the sign is the leading coefficient's; every odd zero changes it.
+    let at_zero = matches!(zeros.first(), Some((ExactAngle::Pi(q), _)) if q.is_zero());
+    let changes: usize = zeros[usize::from(at_zero)..positive]
+        .iter()
+        .map(|(_, m)| m)
+        .sum();
+    let mut is_positive = (*lead > 0) == changes.is_multiple_of(2);
+    let drop = 2 * radius.harmonics() - degree;
+    if drop > 0 {
+        zeros.insert(positive, (ExactAngle::Pi(Rational::one()), drop));
+    }
+    let mut ranges = Vec::new();
+    let mut from = (ExactAngle::Pi(Rational::zero()), !at_zero);
+    let last = (ExactAngle::Pi(Rational::from(2)), 0);
+    for (angle, multiplicity) in zeros.into_iter().skip(usize::from(at_zero)).chain([last]) {
+        let closed = multiplicity == 0 && !at_zero;
+        if is_positive {
+            ranges.push(AngleRange {
+                from: from.0,
+                to: angle.clone(),
+                closed: [from.1, closed],
+            });
+        }
+        is_positive ^= !multiplicity.is_multiple_of(2);
+        from = (angle, false);
+    }
+    ranges
+}
+
+fn angle_of(root: RealRoot) -> ExactAngle {
+    // 2 atan 0 = 0 and 2 atan ±1 are multiples of π.
+    for (t, angle) in [(0, (0, 1)), (1, (1, 2)), (-1, (3, 2))] {
+        if root.cmp_rational(&Rational::from(t)) == Ordering::Equal {
+            return ExactAngle::Pi(Rational::from(angle.0) / Rational::from(angle.1));
+        }
+    }
+    ExactAngle::TwiceArctangent(root)
+}
+
+/// `(1 + t²)^N r(2 arctan t)` times a positive constant.
+fn half_angle_polynomial(radius: &FourierRadius) -> IntegerPolynomial {
+    let n = radius.harmonics();
+    let all = radius.cosines().iter().chain(radius.sines());
+    let common = all.fold(Integer::ONE, |d, q| {
+        Integer::from(d.unsigned_abs_ref().lcm(q.denominator().unsigned_abs_ref()))
+    });
+    let integer = |q: &Rational| q.numerator() * (&common).div_exact(q.denominator());
+    let cos: Vec<Integer> = radius.cosines().iter().map(integer).collect();
+    let sin: Vec<Integer> = radius.sines().iter().map(integer).collect();
+    let doubled = (0..=n).map(|m| (2 * m, &cos[m], &sin[m]));
+    doubled_form_from_harmonics(2 * n, doubled)
+        .dehomogenized()
+        .clone()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn radius(cos: &[i64], sin: &[i64]) -> FourierRadius {
+        let exact = |v: &[i64]| v.iter().map(|&c| Rational::from(c)).collect();
+        FourierRadius::new(exact(cos), exact(sin))
+    }
+
+    fn shown(r: &FourierRadius) -> String {
+        let ranges = positive_ranges(r);
+        let text = ranges.iter().map(|r| {
+            let [a, b] = r.closed;
+            let (open, close) = (if a { '[' } else { '(' }, if b { ']' } else { ')' });
+            format!(
+                "{open}{}, {}{close}",
+                r.from.to_decimal(4),
+                r.to.to_decimal(4)
+            )
+        });
+        text.collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn ranges_of_simple_radii() {
+        assert_eq!(shown(&radius(&[2, 1], &[])), "[0.0000, 6.2832]");
+        assert_eq!(shown(&radius(&[-2, 1], &[])), "");
+        // cos θ > 0 on either side of 0; sin θ on (0, π); 1 + cos θ touches 0 at π.
+        assert_eq!(
+            shown(&radius(&[0, 1], &[])),
+            "[0.0000, 1.5708) (4.7124, 6.2832]"
+        );
+        assert_eq!(shown(&radius(&[0, 0], &[0, 1])), "(0.0000, 3.1416)");
+        assert_eq!(
+            shown(&radius(&[1, 1], &[])),
+            "[0.0000, 3.1416) (3.1416, 6.2832]"
+        );
+        assert_eq!(shown(&radius(&[1, -1], &[])), "(0.0000, 6.2832)");
+        assert_eq!(
+            shown(&radius(&[1, 2], &[])),
+            "[0.0000, 2.0944) (4.1888, 6.2832]"
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn the_ranges_agree_with_values(c in prop::collection::vec((-9i64..9, -9i64..9), 1..7), theta in 0.0f64..6.25) {
+            let (cos, sin): (Vec<i64>, Vec<i64>) = c.iter().copied().unzip();
+            let r = radius(&cos, &sin);
+            let mut angle = 0.0;
+            let mut value = 0.0;
+            for (a, b) in &c {
+                value += Rational::from(*a).to_f64() * f64::cos(angle) + if angle == 0.0 { 0.0 } else { Rational::from(*b).to_f64() * f64::sin(angle) };
+                angle += theta;
+            }
+            prop_assume!(value.abs() > 1e-6);
+            let inside = positive_ranges(&r).iter().any(|range| {
+                let at = |a: &ExactAngle| a.to_decimal(12).parse::<f64>().unwrap();
+                at(&range.from) <= theta && theta <= at(&range.to)
+            });
+            prop_assert_eq!(inside, value > 0.0);
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! How large a curve is, for choosing a window.
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::sample::{Direction, Ray, RaySolver};
+use crate::shape::ImplicitCurve;
+
+/// Directions probed.
+const DIRECTIONS: usize = 120;
+
+/// A branch that runs off to infinity is shown to this many times the median distance.
+const LARGEST_OVER_MEDIAN: f64 = 4.0;
+
+/// Certified points of the curve in many directions, in the contour's own coordinates, without those
+/// that are much farther out than most.
+///
+/// # Errors
+/// [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
+pub fn extent(curve: &ImplicitCurve, limits: &Limits) -> Result<Vec<[f64; 2]>> {
+    let solver = RaySolver::new(curve.polynomial());
+    let rays: Vec<Ray> = Direction::around(DIRECTIONS)
+        .into_par_iter()
+        .map(|direction| {
+            limits.check()?;
+            Ok(solver.solve(&direction))
+        })
+        .collect::<Result<_>>()?;
+    let mut samples: Vec<_> = rays
+        .into_iter()
+        .flat_map(|ray| match ray {
+            Ray::Points(points) => points,
+            Ray::Line => Vec::new(),
+        })
+        .collect();
+    samples.sort_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
+    let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
+        return Ok(Vec::new());
+    };
+    let [a, b] = curve.center().each_ref().map(Rational::to_f64);
+    let near = samples
+        .iter()
+        .filter(|s| s.r.abs() <= LARGEST_OVER_MEDIAN * median);
+    Ok(near.map(|s| [s.x + a, s.y + b]).collect())
+}

@@ -1,0 +1,172 @@
+//! Forms on the unit circle and their harmonics: two bases of one space.
+//!
+//! On `x = cos θ, y = sin θ` a form of degree d is a trigonometric polynomial with harmonics
+//! n ≡ d (mod 2), n ≤ d, and every such polynomial is one form. With z = x + iy, w = x − iy the
+//! harmonics are the coefficients in the basis `z^j w^(d−j)`; the change to the basis
+//! `x^(d−k) y^k` is the Möbius substitution (1+T)/(1−T) = −1 + 2/(1−T), T = i y/x: two Taylor
+//! shifts.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::polynomial::Polynomial;
+
+use super::shift::negate_odd;
+use super::{BinaryForm, IntegerPolynomial, shift_by_minus_one, shift_by_one};
+use crate::exact::Rational;
+
+/// `2 Σ_m (a_m Re (x+iy)^m + b_m Im (x+iy)^m) (x²+y²)^((d−m)/2)`, a form of degree d = `degree`.
+///
+/// `harmonics` lists `(m, a_m, b_m)` with m ≡ d (mod 2) and m ≤ d (Definition 1's K_m, doubled so
+/// that everything stays an integer). Cost: two Taylor shifts of degree d.
+///
+/// # Panics
+/// If an m is larger than d or of the other parity.
+#[must_use]
+pub fn doubled_form_from_harmonics<'a>(
+    degree: usize,
+    harmonics: impl IntoIterator<Item = (usize, &'a Integer, &'a Integer)>,
+) -> BinaryForm {
+    // 2 Σ = Σ_j g_j z^j w^(d−j) with g = a − ib at (d+m)/2 and its conjugate at (d−m)/2. Its
+    // symmetric and antisymmetric halves give only even and only odd powers of y, so the one real
+    // sequence P + Q carries both.
+    let mut g = vec![Integer::ZERO; degree + 1];
+    for (m, a, b) in harmonics {
+        assert!(
+            m <= degree && (degree - m).is_multiple_of(2),
+            "harmonic {m} in degree {degree}"
+        );
+        g[usize::midpoint(degree, m)] += a + b;
+        g[(degree - m) / 2] += a - b;
+    }
+    let mut c =
+        shift_by_minus_one(IntegerPolynomial::from_coefficients_asc(g)).into_coefficients_asc();
+    c.resize(degree + 1, Integer::ZERO);
+    for (k, value) in c.iter_mut().enumerate() {
+        *value <<= k as u64;
+    }
+    c.reverse();
+    let mut h = shift_by_one(IntegerPolynomial::from_coefficients_asc(c)).into_coefficients_asc();
+    negate_odd(&mut h);
+    twist(&mut h);
+    BinaryForm::from_dehomogenized(degree, IntegerPolynomial::from_coefficients_asc(h))
+}
+
+/// The harmonics `(n, a_n, b_n)` of a form on the unit circle, ascending in n; `b_0 = 0`.
+///
+/// The inverse of [`doubled_form_from_harmonics`], up to its factor 2, at the same cost.
+///
+/// ```
+/// use stellate::poly::{BinaryForm, harmonics_of_form};
+/// // x² = 1/2 + 1/2 cos 2θ
+/// let form = BinaryForm::from_coefficients(vec![1.into(), 0.into(), 0.into()]);
+/// let text = format!("{:?}", harmonics_of_form(&form));
+/// assert_eq!(text, "[(0, 1/2, 0), (2, 1/2, 0)]");
+/// ```
+#[must_use]
+pub fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
+    let degree = form.degree();
+    let mut h = form.dehomogenized().coefficients_asc().to_vec();
+    h.resize(degree + 1, Integer::ZERO);
+    twist(&mut h);
+    let mut c = shift_by_one(IntegerPolynomial::from_coefficients_asc(h)).into_coefficients_asc();
+    c.resize(degree + 1, Integer::ZERO);
+    negate_odd(&mut c);
+    for (k, value) in c.iter_mut().enumerate() {
+        *value <<= k as u64;
+    }
+    c.reverse();
+    let g = shift_by_one(IntegerPolynomial::from_coefficients_asc(c)).into_coefficients_asc();
+    let at = |j: usize| g.get(j).cloned().unwrap_or(Integer::ZERO);
+    // g is 2^d (a + b) at (d+m)/2 and 2^d (a − b) at (d−m)/2 of half the form.
+    let shift = -i64::try_from(degree).unwrap_or(i64::MAX);
+    (0..=degree)
+        .filter(|m| (degree - m).is_multiple_of(2))
+        .map(|m| {
+            let (high, low) = (at(usize::midpoint(degree, m)), at((degree - m) / 2));
+            if m == 0 {
+                (m, Rational::from_parts(high, shift), Rational::zero())
+            } else {
+                (
+                    m,
+                    Rational::from_parts(&high + &low, shift),
+                    Rational::from_parts(high - low, shift),
+                )
+            }
+        })
+        .collect()
+}
+
+/// Signs + + − − by k mod 4: what is left of the powers of i.
+fn twist(coefficients: &mut [Integer]) {
+    for (k, value) in coefficients.iter_mut().enumerate() {
+        if k % 4 >= 2 {
+            *value = -std::mem::take(value);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::Ring;
+    use proptest::prelude::*;
+
+    /// Re and Im of (x+iy)^n, by the recurrence of Appendix A.
+    fn re_im(n: usize) -> (BinaryForm, BinaryForm) {
+        let x = BinaryForm::from_coefficients(vec![1.into(), 0.into()]);
+        let y = BinaryForm::from_coefficients(vec![0.into(), 1.into()]);
+        let mut pair = (
+            BinaryForm::from_coefficients(vec![1.into()]),
+            BinaryForm::zero(0),
+        );
+        for _ in 0..n {
+            let (re, im) = &pair;
+            pair = (
+                re.times(&x).minus(&im.times(&y)),
+                re.times(&y).plus(&im.times(&x)),
+            );
+        }
+        pair
+    }
+
+    #[test]
+    fn appendix_a() {
+        // cos 4θ = c⁴ − 6c²s² + s⁴, sin 4θ = 4c³s − 4cs³, and so on: Re and Im of (c + is)^n.
+        for n in 0..=9 {
+            let (re, im) = re_im(n);
+            let (one, zero) = (Integer::from(1), Integer::ZERO);
+            let cos = doubled_form_from_harmonics(n, [(n, &one, &zero)]);
+            assert_eq!(cos.div_exact(&2.into()), re);
+            let sin = doubled_form_from_harmonics(n, [(n, &zero, &one)]);
+            if n > 0 {
+                assert_eq!(sin.div_exact(&2.into()), im);
+            }
+        }
+        let cos4 = re_im(4).0;
+        assert_eq!(
+            cos4,
+            BinaryForm::from_coefficients([1, 0, -6, 0, 1].map(Integer::from).to_vec())
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn harmonics_and_forms_are_inverse(c in prop::collection::vec((any::<i32>(), any::<i32>()), 1..40), odd in any::<bool>()) {
+            let degree = 2 * (c.len() - 1) + usize::from(odd);
+            let list: Vec<(usize, Integer, Integer)> = c
+                .iter()
+                .enumerate()
+                .map(|(k, (a, b))| {
+                    let m = 2 * k + usize::from(odd);
+                    (m, Integer::from(*a), Integer::from(if m == 0 { 0 } else { *b }))
+                })
+                .collect();
+            let form = doubled_form_from_harmonics(degree, list.iter().map(|(m, a, b)| (*m, a, b)));
+            for ((m, a, b), (n, p, q)) in list.iter().zip(harmonics_of_form(&form)) {
+                prop_assert_eq!(*m, n);
+                prop_assert_eq!(Rational::from(a) * Rational::from(2), p);
+                prop_assert_eq!(Rational::from(b) * Rational::from(2), q);
+            }
+        }
+    }
+}

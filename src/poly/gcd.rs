@@ -1,0 +1,276 @@
+//! Greatest common divisors, exact division and squarefree decomposition over the integers.
+
+use malachite::base::num::arithmetic::traits::{CanonicalPrimitivePart, DivRem, Gcd, Mod};
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::factorization::traits::IsPrime;
+use malachite::base::polynomial::{Derivative, Polynomial};
+use malachite::{Integer, Natural};
+
+use super::IntegerPolynomial;
+use super::modular::{gcd_mod, inverse_mod, mul_mod};
+
+/// The first prime tried; the others are found below it.
+const FIRST_PRIME: u64 = (1 << 61) - 1;
+
+/// The primitive part with positive leading coefficient (0 for 0).
+#[must_use]
+pub fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
+    f.canonical_primitive_part()
+}
+
+/// The greatest common divisor of the primitive parts: primitive, with positive leading
+/// coefficient; 1 if the two are coprime.
+///
+/// Modular: gcds modulo 61-bit primes, Chinese remainders, and a proof by exact division. Coprime
+/// inputs cost one modular gcd, O(d²).
+///
+/// ```
+/// use std::str::FromStr;
+/// use stellate::poly::{IntegerPolynomial, polynomial_gcd};
+/// let f = IntegerPolynomial::from_str("x^2-1").unwrap();
+/// let g = IntegerPolynomial::from_str("2*x^2+4*x+2").unwrap();
+/// assert_eq!(polynomial_gcd(&f, &g).to_string(), "x+1");
+/// ```
+#[must_use]
+pub fn polynomial_gcd(f: &IntegerPolynomial, g: &IntegerPolynomial) -> IntegerPolynomial {
+    let (f, g) = (primitive_part(f), primitive_part(g));
+    let (Some(a), Some(b)) = (f.coefficients_asc().last(), g.coefficients_asc().last()) else {
+        return if g.coefficients_asc().is_empty() {
+            f
+        } else {
+            g
+        };
+    };
+    let lead = Integer::from(a.unsigned_abs_ref().gcd(b.unsigned_abs_ref()));
+    let mut combined: Option<Images> = None;
+    let mut prime = FIRST_PRIME;
+    loop {
+        let (fp, gp) = (reduce(&f, prime), reduce(&g, prime));
+        // A prime that divides a leading coefficient may give too large a gcd.
+        if fp.len() == f.coefficients_asc().len() && gp.len() == g.coefficients_asc().len() {
+            let mut image = gcd_mod(fp, gp, prime);
+            if image.len() <= 1 {
+                return IntegerPolynomial::one();
+            }
+            let lead_mod = reduce_integer(&lead, prime);
+            for c in &mut image {
+                *c = mul_mod(*c, lead_mod, prime);
+            }
+            let stable = match &mut combined {
+                Some(images) if images.residues.len() < image.len() => false, // unlucky prime
+                Some(images) if images.residues.len() == image.len() => images.add(&image, prime),
+                _ => {
+                    combined = Some(Images::new(&image, prime));
+                    false
+                }
+            };
+            if stable && let Some(images) = &combined {
+                let candidate = primitive_part(&images.balanced());
+                if divide_exactly(&f, &candidate).is_some()
+                    && divide_exactly(&g, &candidate).is_some()
+                {
+                    return candidate;
+                }
+            }
+        }
+        prime = previous_prime(prime);
+    }
+}
+
+/// The quotient `f / g` if g divides f over the integers.
+///
+/// ```
+/// use std::str::FromStr;
+/// use stellate::poly::{IntegerPolynomial, divide_exactly};
+/// let f = IntegerPolynomial::from_str("x^2-1").unwrap();
+/// let g = IntegerPolynomial::from_str("x-1").unwrap();
+/// assert_eq!(divide_exactly(&f, &g).unwrap().to_string(), "x+1");
+/// assert_eq!(divide_exactly(&g, &f), None);
+/// ```
+#[must_use]
+pub fn divide_exactly(f: &IntegerPolynomial, g: &IntegerPolynomial) -> Option<IntegerPolynomial> {
+    let divisor = g.coefficients_asc();
+    let lead = divisor.last()?;
+    let mut rest = f.coefficients_asc().to_vec();
+    if rest.is_empty() {
+        return Some(IntegerPolynomial::ZERO);
+    }
+    let mut quotient = vec![Integer::ZERO; (rest.len() + 1).checked_sub(divisor.len())?];
+    for k in (0..quotient.len()).rev() {
+        let top = k + divisor.len() - 1;
+        if rest[top] == 0 {
+            continue;
+        }
+        let (q, r) = std::mem::take(&mut rest[top]).div_rem(lead);
+        if r != 0 {
+            return None;
+        }
+        for (i, d) in divisor[..divisor.len() - 1].iter().enumerate() {
+            rest[k + i] -= d * &q;
+        }
+        quotient[k] = q;
+    }
+    rest.iter()
+        .all(|c| *c == 0)
+        .then(|| IntegerPolynomial::from_coefficients_asc(quotient))
+}
+
+/// Yun's squarefree decomposition: the non-constant `g_m` (primitive, pairwise coprime,
+/// squarefree) with `f = c ∏ g_m^m`, as pairs `(m, g_m)`.
+///
+/// A squarefree f costs one modular gcd.
+///
+/// ```
+/// use std::str::FromStr;
+/// use stellate::poly::{IntegerPolynomial, squarefree_decomposition};
+/// let f = IntegerPolynomial::from_str("x^4-2*x^3+2*x-1").unwrap(); // (x−1)³(x+1)
+/// let parts = squarefree_decomposition(&f);
+/// assert_eq!(format!("{parts:?}"), "[(1, x+1), (3, x-1)]");
+/// ```
+#[must_use]
+pub fn squarefree_decomposition(f: &IntegerPolynomial) -> Vec<(usize, IntegerPolynomial)> {
+    let f = primitive_part(f);
+    if f.coefficients_asc().len() <= 1 {
+        return Vec::new();
+    }
+    let derivative = (&f).derivative();
+    let repeated = polynomial_gcd(&f, &derivative);
+    if repeated.coefficients_asc().len() <= 1 {
+        return vec![(1, f)];
+    }
+    // A gcd of primitive polynomials divides both, so the default never comes to pass.
+    let exact =
+        |a: &IntegerPolynomial, b: &IntegerPolynomial| divide_exactly(a, b).unwrap_or_default();
+    let mut parts = Vec::new();
+    let mut w = exact(&f, &repeated);
+    let mut y = exact(&derivative, &repeated);
+    let mut multiplicity = 1;
+    while w.coefficients_asc().len() > 1 {
+        let z = y - (&w).derivative();
+        let part = if z.coefficients_asc().is_empty() {
+            primitive_part(&w)
+        } else {
+            polynomial_gcd(&w, &z)
+        };
+        w = exact(&w, &part);
+        y = if z.coefficients_asc().is_empty() {
+            z
+        } else {
+            exact(&z, &part)
+        };
+        if part.coefficients_asc().len() > 1 {
+            parts.push((multiplicity, part));
+        }
+        multiplicity += 1;
+    }
+    parts
+}
+
+/// Residues of one polynomial modulo a growing product of primes.
+struct Images {
+    residues: Vec<Natural>,
+    modulus: Natural,
+}
+
+impl Images {
+    fn new(image: &[u64], prime: u64) -> Self {
+        Self {
+            residues: image.iter().map(|&c| Natural::from(c)).collect(),
+            modulus: Natural::from(prime),
+        }
+    }
+
+    /// One more prime; whether the balanced value stayed the same.
+    fn add(&mut self, image: &[u64], prime: u64) -> bool {
+        let before = self.balanced();
+        let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime))).unwrap_or(0);
+        let inverse = inverse_mod(modulus_mod, prime);
+        for (residue, &c) in self.residues.iter_mut().zip(image) {
+            let current = u64::try_from(&(&*residue % Natural::from(prime))).unwrap_or(0);
+            let difference = if c >= current {
+                c - current
+            } else {
+                c + prime - current
+            };
+            *residue += &self.modulus * Natural::from(mul_mod(difference, inverse, prime));
+        }
+        self.modulus *= Natural::from(prime);
+        self.balanced() == before
+    }
+
+    /// The representatives of least absolute value.
+    fn balanced(&self) -> IntegerPolynomial {
+        let half = &self.modulus >> 1u64;
+        let coefficients = self.residues.iter().map(|r| {
+            if *r > half {
+                Integer::from(r) - Integer::from(&self.modulus)
+            } else {
+                Integer::from(r)
+            }
+        });
+        IntegerPolynomial::from_coefficients_asc(coefficients.collect())
+    }
+}
+
+fn reduce_integer(value: &Integer, prime: u64) -> u64 {
+    u64::try_from(&value.mod_op(Integer::from(prime))).unwrap_or(0)
+}
+
+fn reduce(f: &IntegerPolynomial, prime: u64) -> Vec<u64> {
+    let mut residues: Vec<u64> = f
+        .coefficients_asc()
+        .iter()
+        .map(|c| reduce_integer(c, prime))
+        .collect();
+    while residues.last() == Some(&0) {
+        residues.pop();
+    }
+    residues
+}
+
+fn previous_prime(from: u64) -> u64 {
+    let mut candidate = from - 2;
+    while !candidate.is_prime() {
+        candidate -= 2;
+    }
+    candidate
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn polynomial() -> impl Strategy<Value = IntegerPolynomial> {
+        prop::collection::vec(-50i64..50, 1..7).prop_map(|c| {
+            IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect())
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn the_gcd_is_a_common_divisor_that_holds_every_common_factor(f in polynomial(), g in polynomial(), h in polynomial()) {
+            let (a, b) = (&f * &h, &g * &h);
+            prop_assume!(!a.coefficients_asc().is_empty() && !b.coefficients_asc().is_empty());
+            let d = polynomial_gcd(&a, &b);
+            prop_assert!(divide_exactly(&primitive_part(&a), &d).is_some());
+            prop_assert!(divide_exactly(&primitive_part(&b), &d).is_some());
+            prop_assert!(divide_exactly(&d, &primitive_part(&h)).is_some());
+        }
+
+        #[test]
+        fn the_squarefree_parts_multiply_back(f in polynomial(), g in polynomial(), h in polynomial()) {
+            let product = &f * (&g * &g) * (&h * &h * &h);
+            prop_assume!(!product.coefficients_asc().is_empty());
+            let parts = squarefree_decomposition(&product);
+            let mut back = IntegerPolynomial::one();
+            for (m, part) in &parts {
+                prop_assert_eq!(polynomial_gcd(part, &part.derivative()), IntegerPolynomial::one());
+                for _ in 0..*m {
+                    back *= part;
+                }
+            }
+            prop_assert_eq!(back, primitive_part(&product));
+        }
+    }
+}

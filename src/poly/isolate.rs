@@ -1,0 +1,468 @@
+//! Isolating the real roots of a squarefree polynomial: Descartes' rule in the Bernstein basis.
+//!
+//! The number of sign changes of the Bernstein coefficients on an interval is at least the number
+//! of roots there, and equal to it when it is 0 or 1. Intervals are halved (de Casteljau) until it
+//! is. Coefficients are carried with a bounded number of bits and a bound of their error; signs
+//! below the bound count as unknown, and when the sign at an endpoint is unknown the exact
+//! polynomial is asked: 0 there is an exact root, which is divided out; otherwise everything is
+//! repeated with twice the bits. So the answer is always exact, and rarely is the arithmetic.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::DivRound;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::base::polynomial::Polynomial;
+use malachite::base::rounding_modes::RoundingMode;
+
+use super::shift::negate_odd;
+use super::{IntegerPolynomial, divide_exactly, shift_by_one, sign_at};
+use crate::exact::Dyadic;
+
+/// Bits carried beyond the degree at the first attempt.
+const GUARD_BITS: u64 = 64;
+
+/// What [`isolate`] finds: `exact` roots, and open intervals that hold one root each of
+/// `rest`, the polynomial that is left when the exact roots are divided out.
+#[derive(Clone, Debug)]
+pub(crate) struct Isolated {
+    pub(crate) exact: Vec<Dyadic>,
+    pub(crate) rest: IntegerPolynomial,
+    pub(crate) intervals: Vec<(Dyadic, Dyadic)>,
+}
+
+/// Isolates all real roots of a squarefree polynomial of positive degree.
+///
+/// At both ends of every interval `rest` is not 0, and it has opposite signs there.
+pub(crate) fn isolate(f: &IntegerPolynomial) -> Isolated {
+    let mut exact = Vec::new();
+    let mut rest = f.clone();
+    if rest.coefficients_asc().first() == Some(&Integer::ZERO) {
+        exact.push(Dyadic::zero());
+        rest = IntegerPolynomial::from_coefficients_asc(rest.coefficients_asc()[1..].to_vec());
+    }
+    'again: loop {
+        let mut intervals = Vec::new();
+        for negative in [true, false] {
+            let mut coefficients = rest.coefficients_asc().to_vec();
+            if negative {
+                negate_odd(&mut coefficients);
+            }
+            match positive_roots(&coefficients) {
+                Ok(found) => intervals.extend(found.into_iter().map(|(low, high)| {
+                    if negative {
+                        (high.negated(), low.negated())
+                    } else {
+                        (low, high)
+                    }
+                })),
+                Err(root) => {
+                    let root = if negative { root.negated() } else { root };
+                    rest = without_root(&rest, &root);
+                    exact.push(root);
+                    continue 'again;
+                }
+            }
+        }
+        return Isolated {
+            exact,
+            rest,
+            intervals,
+        };
+    }
+}
+
+/// f / (x − root), up to a constant.
+fn without_root(f: &IntegerPolynomial, root: &Dyadic) -> IntegerPolynomial {
+    let q = root.to_rational();
+    let factor = IntegerPolynomial::from_coefficients_asc(vec![-q.numerator(), q.denominator()]);
+    divide_exactly(f, &factor).unwrap_or_default()
+}
+
+/// Intervals of the positive roots, or a root that is a dyadic number.
+fn positive_roots(f: &[Integer]) -> Result<Vec<(Dyadic, Dyadic)>, Dyadic> {
+    if f.len() < 2 || sign_changes(f.iter().map(sign)) == 0 {
+        return Ok(Vec::new());
+    }
+    let exponent = root_bound_exponent(f);
+    let top = Dyadic::new(Integer::ONE, exponent);
+    let exact = IntegerPolynomial::from_coefficients_asc(f.to_vec());
+    if sign_changes(f.iter().map(sign)) == 1 {
+        return Ok(vec![(Dyadic::zero(), top)]);
+    }
+    let bernstein = scaled_bernstein(f, exponent);
+    let mut bits = bernstein.degree as u64 + GUARD_BITS;
+    loop {
+        let mut search = Search {
+            exact: &exact,
+            exponent,
+            found: Vec::new(),
+        };
+        match search.run(&bernstein, bits) {
+            Ok(()) => return Ok(search.found),
+            Err(Stop::ExactRoot(root)) => return Err(root),
+            Err(Stop::MoreBits) => bits *= 2,
+        }
+    }
+}
+
+/// An e with all positive roots of f below 2^e (Kioustelidis: twice the largest
+/// (|c_i| / c_n)^(1/(n−i)) over the coefficients of the other sign).
+fn root_bound_exponent(f: &[Integer]) -> i64 {
+    let bits = |c: &Integer| i64::try_from(c.significant_bits()).unwrap_or(i64::MAX);
+    let n = f.len() - 1;
+    let lead = &f[n];
+    f[..n]
+        .iter()
+        .enumerate()
+        .filter(|(_, c)| sign(c) == -sign(lead))
+        .map(|(i, c)| {
+            let gap = i64::try_from(n - i).unwrap_or(i64::MAX);
+            // |c|/|lead| < 2^(bits(c) − bits(lead) + 1)
+            (bits(c) - bits(lead) + 1)
+                .div_round(gap, RoundingMode::Ceiling)
+                .0
+        })
+        .max()
+        .unwrap_or(0)
+        + 1
+}
+
+/// Exact Bernstein coefficients on (0, 2^exponent), each as `numerator_k / C(d, k)`.
+struct ScaledBernstein {
+    degree: usize,
+    numerators: Vec<Integer>,
+    binomials: Vec<Integer>,
+}
+
+fn scaled_bernstein(f: &[Integer], exponent: i64) -> ScaledBernstein {
+    let degree = f.len() - 1;
+    // f(2^e x), multiplied by a power of two if e < 0.
+    let mut c: Vec<Integer> = f
+        .iter()
+        .enumerate()
+        .map(|(i, c)| {
+            let i = if exponent >= 0 { i } else { degree - i };
+            c << (exponent.unsigned_abs() * i as u64)
+        })
+        .collect();
+    // (1+x)^d f(1/(1+x)) = Σ C(d, k) b_(d−k) x^k
+    c.reverse();
+    let mut numerators =
+        shift_by_one(IntegerPolynomial::from_coefficients_asc(c)).into_coefficients_asc();
+    numerators.resize(degree + 1, Integer::ZERO);
+    numerators.reverse();
+    let mut binomials = Vec::with_capacity(degree + 1);
+    let mut binomial = Integer::ONE;
+    for k in 0..=degree {
+        binomials.push(binomial.clone());
+        binomial = binomial * Integer::from(degree - k) / Integer::from(k + 1);
+    }
+    ScaledBernstein {
+        degree,
+        numerators,
+        binomials,
+    }
+}
+
+enum Stop {
+    ExactRoot(Dyadic),
+    MoreBits,
+}
+
+/// Bernstein coefficients on the interval `(index, index + 1) · 2^(exponent − depth)`, with an error
+/// below `error` each.
+struct Node {
+    index: Integer,
+    depth: u64,
+    coefficients: Vec<Integer>,
+    error: Integer,
+}
+
+struct Search<'a> {
+    exact: &'a IntegerPolynomial,
+    exponent: i64,
+    found: Vec<(Dyadic, Dyadic)>,
+}
+
+impl Search<'_> {
+    fn run(&mut self, bernstein: &ScaledBernstein, bits: u64) -> Result<(), Stop> {
+        let sizes = bernstein.numerators.iter().zip(&bernstein.binomials);
+        let largest = sizes
+            .map(|(n, b)| (n.significant_bits() + 1).saturating_sub(b.significant_bits()))
+            .max()
+            .unwrap_or(0);
+        // b_k · 2^(bits − largest), rounded down.
+        let coefficients: Vec<Integer> = bernstein
+            .numerators
+            .iter()
+            .zip(&bernstein.binomials)
+            .map(|(n, b)| {
+                let (n, b) = if bits >= largest {
+                    (n << (bits - largest), b.clone())
+                } else {
+                    (n.clone(), b << (largest - bits))
+                };
+                n.div_round(b, RoundingMode::Floor).0
+            })
+            .collect();
+        let mut stack = vec![Node {
+            index: Integer::ZERO,
+            depth: 0,
+            coefficients,
+            error: Integer::ONE,
+        }];
+        while let Some(node) = stack.pop() {
+            let signs = node.coefficients.iter().map(|c| known_sign(c, &node.error));
+            match Changes::count(signs) {
+                Changes::None => {}
+                Changes::One => {
+                    let low = self.dyadic(&node.index, node.depth);
+                    let high = self.dyadic(&(&node.index + Integer::ONE), node.depth);
+                    self.found.push((low, high));
+                }
+                Changes::More => {
+                    let (left, right) = halve(node);
+                    let middle = &right.coefficients[0];
+                    if known_sign(middle, &right.error).is_none() {
+                        let point = self.dyadic(&right.index, right.depth);
+                        return Err(if sign_at(self.exact, &point) == 0 {
+                            Stop::ExactRoot(point)
+                        } else {
+                            Stop::MoreBits
+                        });
+                    }
+                    stack.push(right);
+                    stack.push(left);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn dyadic(&self, index: &Integer, depth: u64) -> Dyadic {
+        let depth = i64::try_from(depth).unwrap_or(i64::MAX);
+        Dyadic::new(index.clone(), self.exponent - depth)
+    }
+}
+
+/// De Casteljau at the midpoint, rounding every mean down: the error grows by at most d.
+fn halve(node: Node) -> (Node, Node) {
+    let mut right = node.coefficients;
+    let degree = right.len() - 1;
+    let mut left = Vec::with_capacity(degree + 1);
+    for step in 0..=degree {
+        left.push(right[0].clone());
+        for k in 0..degree - step {
+            let (low, high) = right.split_at_mut(k + 1);
+            low[k] += &high[0];
+            low[k] >>= 1u64;
+        }
+    }
+    let error = node.error + Integer::from(degree);
+    let index = node.index << 1u64;
+    (
+        Node {
+            index: index.clone(),
+            depth: node.depth + 1,
+            coefficients: left,
+            error: error.clone(),
+        },
+        Node {
+            index: index + Integer::ONE,
+            depth: node.depth + 1,
+            coefficients: right,
+            error,
+        },
+    )
+}
+
+/// The sign of a value known up to an error below `error`; `None` if that leaves it open.
+fn known_sign(value: &Integer, error: &Integer) -> Option<i8> {
+    (value.unsigned_abs_ref() >= error.unsigned_abs_ref()).then(|| sign(value))
+}
+
+fn sign(value: &Integer) -> i8 {
+    i8::from(*value > 0) - i8::from(*value < 0)
+}
+
+fn sign_changes(signs: impl Iterator<Item = i8>) -> usize {
+    let mut last = 0;
+    let mut changes = 0;
+    for s in signs.filter(|&s| s != 0) {
+        changes += usize::from(last == -s);
+        last = s;
+    }
+    changes
+}
+
+enum Changes {
+    None,
+    One,
+    More,
+}
+
+impl Changes {
+    /// The number of sign changes, where an unknown sign may be anything: `None` and `One` are
+    /// certain, `More` is "two or more, or not known".
+    fn count(signs: impl Iterator<Item = Option<i8>>) -> Self {
+        let mut last: Option<i8> = None;
+        let mut unknown = 0;
+        let mut changes = 0;
+        for s in signs {
+            let Some(s) = s else {
+                unknown += 1;
+                continue;
+            };
+            match last {
+                None if unknown > 0 => return Self::More,
+                Some(l) if l == s && unknown > 0 => return Self::More,
+                Some(l) if l != s && unknown > 1 => return Self::More,
+                Some(l) => changes += usize::from(l != s),
+                None => {}
+            }
+            (last, unknown) = (Some(s), 0);
+        }
+        match (unknown, changes) {
+            (0, 0) => Self::None,
+            (0, 1) => Self::One,
+            _ => Self::More,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::{RealRoot, real_roots};
+    use malachite::base::num::arithmetic::traits::Pow;
+    use proptest::prelude::*;
+
+    fn poly(c: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+    }
+
+    fn check(roots: &[RealRoot], expected: &[f64]) {
+        let got: Vec<f64> = roots.iter().map(RealRoot::to_f64).collect();
+        assert_eq!(got, expected);
+    }
+
+    #[test]
+    fn roots_at_dyadic_points_and_beside_them() {
+        check(&real_roots(&poly(&[-1, 0, 1])), &[-1.0, 1.0]);
+        check(&real_roots(&poly(&[1, 0, 1])), &[]);
+        check(&real_roots(&poly(&[0, -1, 3])), &[0.0, 1.0 / 3.0]);
+        let five: Vec<f64> = (1..=20).map(f64::from).collect();
+        let wilkinson = (1..=20).fold(poly(&[1]), |f, k| f * poly(&[-k, 1]));
+        check(&real_roots(&wilkinson), &five);
+    }
+
+    #[test]
+    fn mignotte_pairs_are_told_apart() {
+        // x^d − 2 (a x − 1)²: two roots about a^(−(d+2)/2) apart near 1/a.
+        for (d, a) in [(12, 50), (30, 9), (80, 3)] {
+            let mut c = vec![Integer::ZERO; d + 1];
+            c[d] = Integer::ONE;
+            c[0] = Integer::from(-2);
+            c[1] = Integer::from(4 * a);
+            c[2] = Integer::from(-2 * a * a);
+            let roots = real_roots(&IntegerPolynomial::from_coefficients_asc(c));
+            let positive = roots.iter().filter(|r| r.signum() > 0).count();
+            assert_eq!(positive, 3, "degree {d}");
+        }
+    }
+
+    #[test]
+    fn tiny_and_huge_roots() {
+        // (x − 10^−30)(x − 10^30)(x + 7)
+        let ten = Integer::from(10).pow(30);
+        let f = IntegerPolynomial::from_coefficients_asc(vec![-Integer::ONE, ten.clone()])
+            * IntegerPolynomial::from_coefficients_asc(vec![-ten, Integer::ONE])
+            * poly(&[7, 1]);
+        check(&real_roots(&f), &[-7.0, 1e-30, 1e30]);
+    }
+
+    proptest! {
+        /// Inputs built backwards: known rational roots with multiplicities, times a factor
+        /// without real roots.
+        #[test]
+        fn known_roots_are_found_with_their_multiplicities(
+            roots in prop::collection::btree_map((-60i64..60, 1i64..12), 1usize..4, 0..6),
+            positive in prop::collection::vec((1i64..9, -4i64..4), 0..3),
+        ) {
+            let mut distinct = std::collections::BTreeMap::new();
+            let mut f = poly(&[1]);
+            for ((p, q), m) in roots {
+                let r = crate::exact::Rational::from(p) / crate::exact::Rational::from(q);
+                let factor = IntegerPolynomial::from_coefficients_asc(vec![-r.numerator(), r.denominator()]);
+                for _ in 0..m {
+                    f *= &factor;
+                }
+                *distinct.entry(r).or_insert(0) += m;
+            }
+            for (a, b) in positive {
+                // (x − b)² + a
+                f *= poly(&[b * b + a, -2 * b, 1]);
+            }
+            let found: Vec<(f64, usize)> = real_roots(&f).iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
+            let expected: Vec<(f64, usize)> = distinct.iter().map(|(r, m)| (r.to_f64(), *m)).collect();
+            prop_assert_eq!(found, expected);
+        }
+
+        /// Oracle: Sturm's theorem, done naively with num-rational.
+        #[test]
+        fn the_count_is_sturms(c in prop::collection::vec(-30i64..30, 2..14)) {
+            let f = poly(&c);
+            prop_assume!(f.coefficients_asc().len() > 1);
+            prop_assert_eq!(real_roots(&f).len(), sturm(&c));
+        }
+    }
+
+    fn sturm(c: &[i64]) -> usize {
+        use num_bigint::BigInt;
+        use num_rational::BigRational;
+        use num_traits::{Signed, Zero};
+        type P = Vec<BigRational>;
+        let trim = |mut p: P| {
+            while p.last().is_some_and(Zero::is_zero) {
+                p.pop();
+            }
+            p
+        };
+        let f: P = trim(
+            c.iter()
+                .map(|&c| BigRational::from(BigInt::from(c)))
+                .collect(),
+        );
+        let df: P = f
+            .iter()
+            .enumerate()
+            .skip(1)
+            .map(|(i, c)| c * BigRational::from(BigInt::from(i)))
+            .collect();
+        let mut chain = vec![f, trim(df)];
+        while !chain[chain.len() - 1].is_empty() {
+            let (a, b) = (chain[chain.len() - 2].clone(), &chain[chain.len() - 1]);
+            let mut a = a;
+            while a.len() >= b.len() {
+                let q = &a[a.len() - 1] / &b[b.len() - 1];
+                let start = a.len() - b.len();
+                for (i, v) in b.iter().enumerate() {
+                    let s = &q * v;
+                    a[start + i] -= s;
+                }
+                a.pop();
+                a = trim(a);
+            }
+            chain.push(a.into_iter().map(|v| -v).collect());
+        }
+        chain.pop();
+        let changes = |at_minus: bool| {
+            let signs: Vec<bool> = chain
+                .iter()
+                .map(|p| p[p.len() - 1].is_positive() ^ (at_minus && p.len().is_multiple_of(2)))
+                .collect();
+            signs.windows(2).filter(|w| w[0] != w[1]).count()
+        };
+        changes(true) - changes(false)
+    }
+}

@@ -1,0 +1,440 @@
+//! Real roots as exact objects: a polynomial and where its root is.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+use malachite::Integer;
+use malachite::base::num::logic::traits::SignificantBits;
+
+use super::isolate::isolate;
+use super::{IntegerPolynomial, numerator_at, sign_at, sign_at_rational, squarefree_decomposition};
+use crate::exact::{Dyadic, Rational};
+
+/// A real root of a polynomial with integer coefficients: certified, and as precise as asked.
+#[derive(Clone, Debug)]
+pub struct RealRoot {
+    polynomial: Arc<IntegerPolynomial>,
+    place: Place,
+    multiplicity: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Place {
+    Exact(Dyadic),
+    /// The one root of the (squarefree) polynomial in this open interval; `sign_low` is its sign
+    /// at `low`, and it has the opposite one at `high`.
+    Between {
+        low: Dyadic,
+        high: Dyadic,
+        sign_low: i8,
+    },
+}
+
+/// All distinct real roots of f, ascending, with their multiplicities; none for a constant.
+///
+/// Every root is certified: the count is exact (Descartes' rule on the squarefree parts).
+///
+/// ```
+/// use std::str::FromStr;
+/// use stellate::poly::{IntegerPolynomial, real_roots};
+/// let f = IntegerPolynomial::from_str("x^5-2*x^3").unwrap(); // x³ (x² − 2)
+/// let roots = real_roots(&f);
+/// let shown: Vec<_> = roots.iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
+/// assert_eq!(shown, [(-2f64.sqrt(), 1), (0.0, 3), (2f64.sqrt(), 1)]);
+/// ```
+#[must_use]
+pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
+    let mut roots = Vec::new();
+    for (multiplicity, part) in squarefree_decomposition(f) {
+        let isolated = isolate(&part);
+        let polynomial = Arc::new(isolated.rest);
+        roots.extend(isolated.exact.into_iter().map(|point| RealRoot {
+            polynomial: Arc::clone(&polynomial),
+            place: Place::Exact(point),
+            multiplicity,
+        }));
+        roots.extend(isolated.intervals.into_iter().map(|(low, high)| {
+            let sign_low = sign_at(&polynomial, &low);
+            RealRoot {
+                polynomial: Arc::clone(&polynomial),
+                place: Place::Between {
+                    low,
+                    high,
+                    sign_low,
+                },
+                multiplicity,
+            }
+        }));
+    }
+    sort(&mut roots);
+    roots
+}
+
+/// Insertion sort; overlapping enclosures are refined until they part, and they do: the roots are
+/// distinct.
+fn sort(roots: &mut [RealRoot]) {
+    for i in 1..roots.len() {
+        let mut j = i;
+        while j > 0 {
+            let (before, after) = roots.split_at_mut(j);
+            if before[j - 1].cmp_distinct(&mut after[0]) != Ordering::Greater {
+                break;
+            }
+            roots.swap(j - 1, j);
+            j -= 1;
+        }
+    }
+}
+
+impl RealRoot {
+    /// How often the polynomial vanishes here.
+    #[must_use]
+    pub fn multiplicity(&self) -> usize {
+        self.multiplicity
+    }
+
+    /// Certified bounds `low ≤ root ≤ high`; equal if the root is known exactly.
+    #[must_use]
+    pub fn bounds(&self) -> (&Dyadic, &Dyadic) {
+        match &self.place {
+            Place::Exact(point) => (point, point),
+            Place::Between { low, high, .. } => (low, high),
+        }
+    }
+
+    /// Exact comparison with a rational number.
+    #[must_use]
+    pub fn cmp_rational(&self, q: &Rational) -> Ordering {
+        match &self.place {
+            Place::Exact(point) => point.to_rational().cmp(q),
+            Place::Between {
+                low,
+                high,
+                sign_low,
+            } => {
+                if *q <= low.to_rational() {
+                    Ordering::Greater
+                } else if *q >= high.to_rational() {
+                    Ordering::Less
+                } else {
+                    match sign_at_rational(&self.polynomial, q) {
+                        0 => Ordering::Equal,
+                        s if s == *sign_low => Ordering::Greater,
+                        _ => Ordering::Less,
+                    }
+                }
+            }
+        }
+    }
+
+    /// Exact comparison with a dyadic number.
+    #[must_use]
+    pub fn cmp_dyadic(&self, point: &Dyadic) -> Ordering {
+        match &self.place {
+            Place::Exact(root) => root.cmp(point),
+            Place::Between {
+                low,
+                high,
+                sign_low,
+            } => {
+                if point <= low {
+                    Ordering::Greater
+                } else if point >= high {
+                    Ordering::Less
+                } else {
+                    match sign_at(&self.polynomial, point) {
+                        0 => Ordering::Equal,
+                        s if s == *sign_low => Ordering::Greater,
+                        _ => Ordering::Less,
+                    }
+                }
+            }
+        }
+    }
+
+    /// The sign of the root.
+    #[must_use]
+    pub fn signum(&self) -> i8 {
+        match self.cmp_dyadic(&Dyadic::zero()) {
+            Ordering::Less => -1,
+            Ordering::Equal => 0,
+            Ordering::Greater => 1,
+        }
+    }
+
+    fn cmp_distinct(&mut self, other: &mut Self) -> Ordering {
+        loop {
+            let (a, b) = (self.bounds(), other.bounds());
+            if a.1 <= b.0 {
+                return Ordering::Less;
+            }
+            if b.1 <= a.0 {
+                return Ordering::Greater;
+            }
+            self.bisect();
+            other.bisect();
+        }
+    }
+
+    /// Takes a guess: if the root is proved to lie within 2^−`bits` of it (relatively), the enclosure
+    /// shrinks to that. Two exact signs.
+    pub(crate) fn try_guess(&mut self, guess: f64, bits: i64) {
+        let Place::Between { low, high, .. } = &self.place else {
+            return;
+        };
+        let Some(point) = Dyadic::from_f64(guess) else {
+            return;
+        };
+        let Some(size) = point.log2() else {
+            return;
+        };
+        let radius = Dyadic::new(Integer::from(1), size - bits);
+        let (a, b) = (point.minus(&radius), point.plus(&radius));
+        if a > *low && b < *high {
+            self.shrink_to(&a);
+            self.shrink_to(&b);
+        }
+    }
+
+    /// Uses an exact comparison with `point` to shrink the enclosure.
+    fn shrink_to(&mut self, point: &Dyadic) {
+        let order = self.cmp_dyadic(point);
+        if let Place::Between { low, high, .. } = &mut self.place {
+            match order {
+                Ordering::Equal => self.place = Place::Exact(point.clone()),
+                Ordering::Greater if point > low => *low = point.clone(),
+                Ordering::Less if point < high => *high = point.clone(),
+                _ => {}
+            }
+        }
+    }
+
+    fn bisect(&mut self) {
+        if let Place::Between { low, high, .. } = &self.place {
+            let middle = low.midpoint(high);
+            self.shrink_to(&middle);
+        }
+    }
+
+    /// Shrinks the enclosure until it does not contain 0 and its width is at most 2^−`bits` times
+    /// the size of the root.
+    ///
+    /// Quadratic interval refinement (Abbott): a secant step proposes a subinterval of 1/N of the
+    /// width; when exact signs confirm it N is squared, else the interval is halved and N rooted.
+    pub fn refine(&mut self, bits: i64) {
+        let mut step = 2u32;
+        loop {
+            let Place::Between { low, high, .. } = &self.place else {
+                return;
+            };
+            if low.signum() * high.signum() < 0 {
+                self.shrink_to(&Dyadic::zero());
+                continue;
+            }
+            let width = high.minus(low);
+            let size = low.log2().into_iter().chain(high.log2()).min();
+            let done = match (low.signum(), high.signum()) {
+                (0, _) | (_, 0) => false,
+                _ => width.log2().zip(size).is_some_and(|(w, s)| w < s - bits),
+            };
+            if done {
+                return;
+            }
+            // Towards 0 a secant is of no use, and halving is too slow for a tiny root: take a
+            // square root of the scale.
+            if low.signum() == 0 || high.signum() == 0 {
+                self.approach_zero();
+                continue;
+            }
+            if self.secant(step) {
+                step = (step * 2).min(64);
+            } else {
+                step = (step / 2).max(1);
+            }
+        }
+    }
+
+    /// Shrinks the enclosure until it is at most `2^exponent` wide.
+    pub fn refine_to_width(&mut self, exponent: i64) {
+        let mut step = 2u32;
+        while let Place::Between { low, high, .. } = &self.place {
+            if high.minus(low).log2().is_none_or(|width| width < exponent) {
+                return;
+            }
+            step = if self.secant(step) {
+                (step * 2).min(64)
+            } else {
+                (step / 2).max(1)
+            };
+        }
+    }
+
+    /// The enclosure touches 0 and the root is not 0: cuts it at ever smaller powers of two.
+    fn approach_zero(&mut self) {
+        let mut drop = 4;
+        while let Place::Between { low, high, .. } = &self.place {
+            let (outer, sign) = if low.signum() == 0 {
+                (high, 1)
+            } else {
+                (low, -1)
+            };
+            let Some(size) = outer.log2() else { return };
+            let cut = Dyadic::new(Integer::from(sign), size - drop);
+            self.shrink_to(&cut);
+            if let Place::Between { low, high, .. } = &self.place
+                && low.signum() != 0
+                && high.signum() != 0
+            {
+                return;
+            }
+            drop *= 2;
+        }
+    }
+
+    /// One step of quadratic interval refinement with 2^`step` subintervals; whether it succeeded.
+    fn secant(&mut self, step: u32) -> bool {
+        let Place::Between { low, high, .. } = &self.place else {
+            return true;
+        };
+        let (low, high) = (low.clone(), high.clone());
+        let (at_low, at_high) = (
+            scaled_value(&self.polynomial, &low),
+            scaled_value(&self.polynomial, &high),
+        );
+        let (numerator, denominator) = ratio_to_sum(&at_low, &at_high);
+        let width = high.minus(&low);
+        let unit = width.times_power_of_two(-i64::from(step));
+        // index = round(2^step |f(low)| / (|f(low)| + |f(high)|))
+        let index = ((numerator << (step + 1)) + &denominator) / (denominator << 1u64);
+        let guess = low.plus(&unit.times_integer(&index));
+        let before = self.cmp_dyadic(&guess);
+        self.shrink_to(&guess);
+        let neighbour = match before {
+            Ordering::Equal => return true,
+            Ordering::Greater => guess.plus(&unit),
+            Ordering::Less => guess.minus(&unit),
+        };
+        let inside = self.cmp_dyadic(&neighbour) != before;
+        self.shrink_to(&neighbour);
+        if !inside {
+            self.bisect();
+        }
+        inside
+    }
+
+    /// The double nearest to the root (ties to even).
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.clone().nearest_f64(1, &Rational::one())
+    }
+
+    /// The double nearest to `scale · root^(1/k)`, where for k > 1 the root must be positive.
+    ///
+    /// A float guess says where to look; exact comparisons with the midpoints between
+    /// neighbouring doubles decide.
+    pub(crate) fn nearest_f64(&mut self, k: u32, scale: &Rational) -> f64 {
+        if scale.is_zero() {
+            return 0.0;
+        }
+        if let Place::Exact(point) = &self.place {
+            if k == 1 {
+                return (point.to_rational() * scale).to_f64();
+            }
+            if point.signum() == 0 {
+                return 0.0;
+            }
+        }
+        self.refine(56);
+        let (low, high) = self.bounds();
+        let middle = low.midpoint(high).to_rational();
+        let guess = if k == 1 {
+            (middle * scale).to_f64()
+        } else {
+            root_f64(&middle, k) * scale.to_f64()
+        };
+        self.walk_to_nearest(guess, k, scale)
+    }
+
+    fn walk_to_nearest(&self, guess: f64, k: u32, scale: &Rational) -> f64 {
+        let mut double = guess;
+        // root ? (bound/scale)^k, seen from the double's side
+        let side = |bound: &Rational| {
+            let q = bound / scale;
+            // For k > 1 both sides must be positive to be compared by powers.
+            let order = if k > 1 && q.signum() <= 0 {
+                Ordering::Greater
+            } else {
+                self.cmp_rational(&q.pow(i64::from(k)).unwrap_or_default())
+            };
+            if scale.signum() < 0 {
+                order.reverse()
+            } else {
+                order
+            }
+        };
+        loop {
+            match side(&midpoint(double, double.next_up())) {
+                Ordering::Greater => double = double.next_up(),
+                Ordering::Equal => return midpoint(double, double.next_up()).to_f64(),
+                Ordering::Less => break,
+            }
+        }
+        loop {
+            match side(&midpoint(double.next_down(), double)) {
+                Ordering::Less => double = double.next_down(),
+                Ordering::Equal => return midpoint(double.next_down(), double).to_f64(),
+                Ordering::Greater => return double,
+            }
+        }
+    }
+}
+
+/// The exact midpoint of two neighbouring doubles; beyond the largest, half an ulp above it.
+fn midpoint(a: f64, b: f64) -> Rational {
+    let half_ulp = |sign: i32| Rational::from(sign) * Rational::from_parts(Integer::from(1), 970);
+    match (Rational::try_from(a), Rational::try_from(b)) {
+        (Ok(a), Ok(b)) => (a + b) / Rational::from(2),
+        (Ok(a), Err(_)) => a + half_ulp(1),
+        (Err(_), Ok(b)) => b + half_ulp(-1),
+        (Err(_), Err(_)) => Rational::zero(),
+    }
+}
+
+/// f at a dyadic point as `value · 2^exponent`.
+fn scaled_value(f: &IntegerPolynomial, point: &Dyadic) -> (Integer, i64) {
+    let degree = i64::try_from(f.coefficients_asc().len()).unwrap_or(1) - 1;
+    (numerator_at(f, point), point.exponent().min(0) * degree)
+}
+
+/// (|a|, |a| + |b|) to about 128 bits, up to a common factor.
+fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64)) -> (Integer, Integer) {
+    let top = |v: &(Integer, i64)| i64::try_from(v.0.significant_bits()).unwrap_or(0) + v.1;
+    let unit = top(a).max(top(b)) - 128;
+    let cut = |v: &(Integer, i64)| {
+        let magnitude = Integer::from(v.0.unsigned_abs_ref().clone());
+        let shift = v.1 - unit;
+        if shift >= 0 {
+            magnitude << shift.unsigned_abs()
+        } else {
+            magnitude >> shift.unsigned_abs()
+        }
+    };
+    let (a, b) = (cut(a), cut(b));
+    let sum = &a + b;
+    (a, sum)
+}
+
+/// A float guess of q^(1/k) for q > 0, without overflow.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "a guess: exact comparisons decide"
+)]
+fn root_f64(q: &Rational, k: u32) -> f64 {
+    let bits = |n: &Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
+    let exponent = bits(&q.numerator()) - bits(&q.denominator());
+    let whole = exponent.div_euclid(i64::from(k));
+    let mantissa = (q * &Rational::from_parts(Integer::from(1), -whole * i64::from(k))).to_f64();
+    let root = mantissa.powf(1.0 / f64::from(k));
+    let value = root * (whole as f64).exp2();
+    if value.is_finite() { value } else { f64::MAX }
+}

@@ -1,0 +1,177 @@
+//! Exact rational directions near given angles.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Square;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+
+use crate::exact::Rational;
+
+/// tan(δ/2) is rounded to this many bits after the point, so a direction is within 2⁻⁵³ of its
+/// nominal angle.
+const TANGENT_BITS: u32 = 53;
+
+/// An exact unit vector `(u, v) = (U/W, V/W)` with integers `U² + V² = W²`, next to a nominal angle.
+///
+/// It is the direction with `tan(δ/2) = m/2⁵³` nearest to the nominal one, where δ is the distance
+/// from the nearest multiple of a right angle; so the multiples of a right angle are exact, and
+/// along any such direction the distance r is a rational multiple of the coordinates.
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::sample::Direction;
+/// let up = Direction::from_degrees(&Rational::from(90));
+/// assert_eq!((up.u(), up.v()), (Rational::zero(), Rational::one()));
+/// let d = Direction::from_radians(0.3);
+/// assert_eq!(&d.u() * &d.u() + &d.v() * &d.v(), Rational::one());
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Direction {
+    theta: f64,
+    u: Integer,
+    v: Integer,
+    w: Integer,
+}
+
+impl Direction {
+    /// The direction nearest to the angle `theta`, in radians from +x towards +y.
+    #[must_use]
+    pub fn from_radians(theta: f64) -> Self {
+        let quarters = (theta / FRAC_PI_2).round();
+        let delta = (theta - quarters * FRAC_PI_2).clamp(-1.0, 1.0);
+        Self::from_quarter(theta, quarters.rem_euclid(4.0), delta)
+    }
+
+    /// The direction nearest to an angle in degrees.
+    #[must_use]
+    pub fn from_degrees(degrees: &Rational) -> Self {
+        let theta = degrees.to_f64() / 180.0 * PI;
+        let quarters = Integer::rounding_from_rational(&(degrees / &Rational::from(90)));
+        let rest = degrees - &(Rational::from(90) * Rational::from(&quarters));
+        let quarter = Rational::from(quarters) / Rational::from(4);
+        let quarter = (&quarter - &Rational::from(quarter.floor())) * Rational::from(4);
+        Self::from_quarter(theta, quarter.to_f64(), rest.to_f64() / 180.0 * PI)
+    }
+
+    /// The `count` directions nearest to the angles 2πk/count.
+    #[must_use]
+    pub fn around(count: usize) -> Vec<Self> {
+        let whole = Rational::from(Integer::from(count));
+        (0..count)
+            .map(|k| {
+                let turn = Rational::from(Integer::from(k)) / &whole;
+                Self::from_degrees(&(turn * Rational::from(360)))
+            })
+            .collect()
+    }
+
+    /// `quarter` right angles (0, 1, 2 or 3) plus `delta`.
+    fn from_quarter(theta: f64, quarter: f64, delta: f64) -> Self {
+        let scaled = (delta / 2.0).tan() * f64::from(TANGENT_BITS).exp2();
+        let m = Integer::rounding_from(scaled, RoundingMode::Nearest).0;
+        let q = Integer::ONE << TANGENT_BITS;
+        let (c, s) = ((&q).square() - (&m).square(), (&m * &q) << 1u64);
+        let w = (&q).square() + m.square();
+        let (u, v) = if (0.5..1.5).contains(&quarter) {
+            (-s, c)
+        } else if (1.5..2.5).contains(&quarter) {
+            (-c, -s)
+        } else if (2.5..3.5).contains(&quarter) {
+            (s, -c)
+        } else {
+            (c, s)
+        };
+        Self { theta, u, v, w }.reduced()
+    }
+
+    fn reduced(self) -> Self {
+        let (u, v) = (self.u(), self.v());
+        // u and v have the same denominator unless one of them is 0.
+        let w = if v == Rational::zero() {
+            u.denominator()
+        } else {
+            v.denominator()
+        };
+        let scale = Rational::from(&w);
+        Self {
+            theta: self.theta,
+            u: (u * &scale).numerator(),
+            v: (v * scale).numerator(),
+            w,
+        }
+    }
+
+    /// The nominal angle in radians.
+    #[must_use]
+    pub fn theta(&self) -> f64 {
+        self.theta
+    }
+
+    /// cos of the direction's angle, exactly.
+    #[must_use]
+    pub fn u(&self) -> Rational {
+        Rational::new(self.u.clone(), self.w.clone()).unwrap_or_default()
+    }
+
+    /// sin of the direction's angle, exactly.
+    #[must_use]
+    pub fn v(&self) -> Rational {
+        Rational::new(self.v.clone(), self.w.clone()).unwrap_or_default()
+    }
+
+    /// The integers (U, V, W).
+    pub(super) fn integers(&self) -> (&Integer, &Integer, &Integer) {
+        (&self.u, &self.v, &self.w)
+    }
+}
+
+trait RoundRational {
+    fn rounding_from_rational(q: &Rational) -> Integer;
+}
+
+impl RoundRational for Integer {
+    fn rounding_from_rational(q: &Rational) -> Integer {
+        let half = Rational::new(Integer::ONE, Integer::from(2)).unwrap_or_default();
+        let shifted = q + &half;
+        if shifted.is_zero() {
+            Integer::ZERO
+        } else {
+            shifted.floor()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_axes_are_exact() {
+        let axes = Direction::around(4);
+        let shown: Vec<String> = axes
+            .iter()
+            .map(|d| format!("{},{}", d.u(), d.v()))
+            .collect();
+        assert_eq!(shown, ["1,0", "0,1", "-1,0", "0,-1"]);
+        let turned = Direction::from_degrees(&Rational::from(-450));
+        assert_eq!(
+            (turned.u(), turned.v()),
+            (Rational::zero(), Rational::from(-1))
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn directions_are_unit_vectors_beside_their_angle(theta in -20.0f64..20.0) {
+            let d = Direction::from_radians(theta);
+            let (u, v) = (d.u(), d.v());
+            prop_assert_eq!(&u * &u + &v * &v, Rational::one());
+            prop_assert!((u.to_f64() - theta.cos()).abs() < 4e-15);
+            prop_assert!((v.to_f64() - theta.sin()).abs() < 4e-15);
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! The points of a plane curve on one line through the origin.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Gcd;
+use malachite::base::num::basic::traits::One;
+use malachite::base::polynomial::Polynomial;
+
+use super::Direction;
+use super::guess::real_root_guesses;
+use crate::exact::Rational;
+use crate::poly::{IntegerPolynomial, PlanePolynomial, RealRoot, real_roots};
+
+/// A guess from floats is proved to this many bits or not used.
+const GUESS_BITS: i64 = 40;
+
+/// A point (x, y) = r·(u, v) of the curve. r, x and y are each the double nearest to the exact
+/// value (ties aside).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// 0, 1, … from the largest r of the direction down.
+    pub branch: usize,
+    /// Signed distance from the origin along the direction.
+    pub r: f64,
+    /// r·u.
+    pub x: f64,
+    /// r·v.
+    pub y: f64,
+    /// The multiplicity of r as a root of f(ru, rv).
+    pub multiplicity: usize,
+}
+
+/// What a curve has on the line through the origin in some direction.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ray {
+    /// All distinct real roots r ≠ 0 of f(ru, rv), exactly as many as there are, largest first.
+    Points(Vec<Sample>),
+    /// f vanishes identically along the direction: the whole line belongs to the curve.
+    Line,
+}
+
+/// Solves f = 0 along directions.
+///
+/// Splitting f into homogeneous parts makes f(ru, rv) = Σ_d r^d f_d(u, v) a polynomial in r whose
+/// coefficients are values of forms (§3 of the paper). Powers of r are stripped, equal gaps k are
+/// deflated to a polynomial in r^k, roots are isolated exactly and rounded exactly.
+///
+/// ```
+/// use stellate::poly::PlanePolynomial;
+/// use stellate::sample::{Direction, Ray, RaySolver};
+///
+/// // x² + y² − 2x: a circle through the origin.
+/// let f = PlanePolynomial::from_terms([((2, 0), 1.into()), ((0, 2), 1.into()), ((1, 0), (-2).into())]);
+/// let solver = RaySolver::new(&f);
+/// let Ray::Points(points) = solver.solve(&Direction::from_radians(1.0)) else { panic!() };
+/// assert_eq!(points.len(), 1);
+/// assert_eq!(points[0].r, 2.0 * 1f64.cos());
+/// ```
+#[derive(Debug)]
+pub struct RaySolver<'a> {
+    polynomial: &'a PlanePolynomial,
+}
+
+impl<'a> RaySolver<'a> {
+    /// For the curve `polynomial = 0`.
+    #[must_use]
+    pub fn new(polynomial: &'a PlanePolynomial) -> Self {
+        Self { polynomial }
+    }
+
+    /// The points in one direction. Cost: evaluating every form (its number of coefficients times
+    /// its degree times the bits of the direction), then the roots of one polynomial.
+    #[must_use]
+    pub fn solve(&self, direction: &Direction) -> Ray {
+        let Some((gap, in_power)) = self.restricted(direction) else {
+            return Ray::Line;
+        };
+        let signed = |f: &IntegerPolynomial, sign: i32| -> Vec<(i32, RealRoot)> {
+            positive_or_all(f, gap)
+                .into_iter()
+                .map(|root| (sign, root))
+                .collect()
+        };
+        let mut roots = signed(&in_power, 1);
+        if gap > 1 && gap.is_multiple_of(2) {
+            roots.extend(signed(&in_power, -1));
+        } else if gap > 1 {
+            roots.extend(signed(&reflected(&in_power), -1));
+        }
+        let (u, v) = (direction.u(), direction.v());
+        let mut samples: Vec<Sample> = roots
+            .into_iter()
+            .map(|(sign, mut root)| {
+                let sign = Rational::from(sign);
+                Sample {
+                    branch: 0,
+                    r: root.nearest_f64(gap, &sign),
+                    x: root.nearest_f64(gap, &(&sign * &u)),
+                    y: root.nearest_f64(gap, &(&sign * &v)),
+                    multiplicity: root.multiplicity(),
+                }
+            })
+            .collect();
+        samples.sort_by(|a, b| b.r.total_cmp(&a.r));
+        for (branch, sample) in samples.iter_mut().enumerate() {
+            sample.branch = branch;
+        }
+        Ray::Points(samples)
+    }
+
+    /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if it vanishes identically.
+    fn restricted(&self, direction: &Direction) -> Option<(u32, IntegerPolynomial)> {
+        let (u, v, w) = direction.integers();
+        // f_d(U/W, V/W) W^top = f_d(U, V) W^(top − d)
+        let mut coefficients: Vec<(usize, Integer)> = Vec::new();
+        let mut w_power = Integer::ONE;
+        let mut above = self.polynomial.degree()?;
+        for part in self.polynomial.parts() {
+            for _ in part.degree()..above {
+                w_power *= w;
+            }
+            above = part.degree();
+            let value = part.evaluate(u, v);
+            if value != 0 {
+                coefficients.push((above, value * &w_power));
+            }
+        }
+        let lowest = coefficients.last()?.0;
+        let gap = coefficients
+            .iter()
+            .fold(0, |g: usize, (d, _)| g.gcd(d - lowest))
+            .max(1);
+        let highest = coefficients.first()?.0;
+        let mut dense = vec![Integer::default(); (highest - lowest) / gap + 1];
+        for (d, c) in coefficients {
+            dense[(d - lowest) / gap] = c;
+        }
+        let gap = u32::try_from(gap).ok()?;
+        Some((gap, IntegerPolynomial::from_coefficients_asc(dense)))
+    }
+}
+
+/// The roots of g, for k > 1 only the positive ones, with guesses tried.
+fn positive_or_all(g: &IntegerPolynomial, k: u32) -> Vec<RealRoot> {
+    let mut roots = real_roots(g);
+    if k > 1 {
+        roots.retain(|root| root.signum() > 0);
+    }
+    if !roots.is_empty() {
+        for guess in real_root_guesses(g) {
+            for root in &mut roots {
+                root.try_guess(guess, GUESS_BITS);
+            }
+        }
+    }
+    roots
+}
+
+/// g(−x).
+fn reflected(g: &IntegerPolynomial) -> IntegerPolynomial {
+    let flipped = g.coefficients_asc().iter().enumerate();
+    IntegerPolynomial::from_coefficients_asc(
+        flipped
+            .map(|(i, c)| if i.is_multiple_of(2) { c.clone() } else { -c })
+            .collect(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn curve(terms: &[(usize, usize, i64)]) -> PlanePolynomial {
+        PlanePolynomial::from_terms(terms.iter().map(|&(i, j, c)| ((i, j), Rational::from(c))))
+    }
+
+    fn points(f: &PlanePolynomial, d: &Direction) -> Vec<Sample> {
+        match RaySolver::new(f).solve(d) {
+            Ray::Points(points) => points,
+            Ray::Line => panic!("a line"),
+        }
+    }
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "these are exact")]
+    fn gaps_lines_and_multiplicities() {
+        // x⁴ + y⁴ = 16 along x, twice: a polynomial in r⁴.
+        let f = curve(&[(4, 0, 1), (0, 4, 1), (0, 0, -16)]);
+        let east = Direction::from_radians(0.0);
+        let found = points(&f.product(&f), &east);
+        let shown: Vec<_> = found.iter().map(|p| (p.r, p.x, p.multiplicity)).collect();
+        assert_eq!(shown, [(2.0, 2.0, 2), (-2.0, -2.0, 2)]);
+        // x³ + y³ = −8: an odd gap, a negative root.
+        let g = curve(&[(3, 0, 1), (0, 3, 1), (0, 0, 8)]);
+        assert_eq!(points(&g, &east)[0].r, -2.0);
+        // x y = 0 holds the whole axis.
+        let cross = curve(&[(1, 1, 1)]);
+        assert_eq!(RaySolver::new(&cross).solve(&east), Ray::Line);
+        // x² + y² = 0: only the origin.
+        assert_eq!(points(&curve(&[(2, 0, 1), (0, 2, 1)]), &east), []);
+    }
+
+    proptest! {
+        /// Built backwards: a product of circles about the origin and lines off it.
+        #[test]
+        fn products_of_circles_and_lines(radii in prop::collection::btree_set(1i64..50, 1..4), a in -9i64..9, theta in 0.0f64..6.3) {
+            let mut f = curve(&[(0, 0, 1)]);
+            for r in &radii {
+                f = f.product(&curve(&[(2, 0, 1), (0, 2, 1), (0, 0, -r * r)]));
+            }
+            // The line x + a y = 100 is farther out than every circle.
+            f = f.product(&curve(&[(1, 0, 1), (0, 1, a), (0, 0, -1000)]));
+            let d = Direction::from_radians(theta);
+            let slope = d.u() + Rational::from(a) * d.v();
+            prop_assume!(!slope.is_zero());
+            let mut expected: Vec<f64> = radii.iter().flat_map(|&r| [Rational::from(r).to_f64(), Rational::from(-r).to_f64()]).collect();
+            expected.push((Rational::from(1000) / slope).to_f64());
+            expected.sort_by(|a, b| b.total_cmp(a));
+            let found: Vec<f64> = points(&f, &d).iter().map(|p| p.r).collect();
+            prop_assert_eq!(found, expected);
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Shared inputs and oracles.
+#![allow(dead_code, reason = "every test file uses its own part of this")]
+
+mod oracle_theorem_2;
+
+pub(crate) use oracle_theorem_2::theorem_2 as theorem_2_oracle;
+
+use proptest::prelude::*;
+use stellate::exact::Rational;
+use stellate::shape::FourierRadius;
+
+/// Small rationals, zero among them.
+pub(crate) fn rational() -> impl Strategy<Value = Rational> {
+    prop_oneof![
+        1 => Just(Rational::zero()),
+        6 => (-60i64..60, 1i64..12).prop_map(|(p, q)| Rational::from(p) / Rational::from(q)),
+        1 => any::<f64>().prop_filter_map("finite", |v| Rational::try_from(v % 8.0).ok()),
+    ]
+}
+
+/// Fourier radii with up to `harmonics` harmonics, many coefficients zero, never all of them.
+pub(crate) fn radii(harmonics: usize) -> impl Strategy<Value = FourierRadius> {
+    prop::collection::vec((rational(), rational()), 1..=harmonics + 1)
+        .prop_map(|c| {
+            let (cos, sin) = c.into_iter().unzip();
+            FourierRadius::new(cos, sin)
+        })
+        .prop_filter("a curve", |r| !r.is_zero())
+}
+
+/// r at the point (c, s) of the unit circle, exactly, by the addition theorems.
+pub(crate) fn value_at(r: &FourierRadius, c: &Rational, s: &Rational) -> Rational {
+    let (mut re, mut im) = (Rational::one(), Rational::zero());
+    let mut sum = Rational::zero();
+    for n in 0..=r.harmonics() {
+        sum = sum + r.cos(n) * &re + r.sin(n) * &im;
+        (re, im) = (&re * c - &im * s, &re * s + &im * c);
+    }
+    sum
+}
