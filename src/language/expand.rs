@@ -40,9 +40,10 @@ pub(super) fn times_term(
         return Err(degree_limit(cx, at));
     }
     let count = f.len() as u64;
-    cx.budget.spend_products(count, cx.source, at)?;
-    let bits = count.saturating_mul(coefficient_bits(&f) + c.bits());
-    cx.budget.spend_bits(bits, cx.source, at)?;
+    let bits = coefficient_bits(&f) + c.bits();
+    cx.budget.spend_products(count, bits, cx.source, at)?;
+    cx.budget
+        .spend_bits(count.saturating_mul(bits), cx.source, at)?;
     Ok(Polynomial::from_terms(f.terms().map(|(g, d)| {
         ([e[0] + g[0], e[1] + g[1], e[2] + g[2]], c * d)
     })))
@@ -75,7 +76,7 @@ pub(super) fn product(
         let denominator = pf.denominator * pg.denominator;
         return Ok(packing.unpack(&(&pf.polynomial * &pg.polynomial), &denominator));
     }
-    cx.budget.spend_products(pairs, cx.source, at)?;
+    cx.budget.spend_products(pairs, bits, cx.source, at)?;
     Ok(f.times(g))
 }
 
@@ -109,12 +110,10 @@ pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> R
     let mut result = f.clone();
     // From the highest bit of n down: square, and multiply by f where the bit is set.
     for bit in (0..n.ilog2()).rev() {
-        let pairs = (result.len() as u64).saturating_mul(result.len() as u64);
-        cx.budget.spend_products(pairs, cx.source, at)?;
+        account_pairs(cx, &result, &result, at)?;
         result = result.squared();
         if n >> bit & 1 == 1 {
-            let pairs = (result.len() as u64).saturating_mul(f.len() as u64);
-            cx.budget.spend_products(pairs, cx.source, at)?;
+            account_pairs(cx, &result, f, at)?;
             result = result.times(f);
         }
     }
@@ -129,6 +128,13 @@ fn account(cx: &mut Context<'_>, terms: u64, bits: u64, at: Span) -> Result<()> 
     }
     cx.budget
         .spend_bits(terms.saturating_mul(bits), cx.source, at)
+}
+
+/// Accounts for a product term by term.
+fn account_pairs(cx: &mut Context<'_>, f: &Polynomial, g: &Polynomial, at: Span) -> Result<()> {
+    let pairs = (f.len() as u64).saturating_mul(g.len() as u64);
+    let bits = coefficient_bits(f) + coefficient_bits(g);
+    cx.budget.spend_products(pairs, bits, cx.source, at)
 }
 
 fn is_homogeneous(f: &Polynomial) -> bool {

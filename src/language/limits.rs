@@ -21,7 +21,8 @@ pub const MAX_HARMONIC: u32 = 100_000;
 /// The most digits of one number.
 pub const MAX_DIGITS: usize = 10_000_000;
 
-/// The most products of coefficients that the expansion of one text may take term by term.
+/// The most work that the expansion of one text may take term by term: products of coefficients,
+/// each counted with the number of its 64-bit words.
 pub const MAX_PRODUCTS: u64 = 1 << 25;
 
 /// The most bits that the products and powers of one text, or the coefficients of one polynomial
@@ -50,16 +51,19 @@ impl Budget {
         }
     }
 
-    /// Accounts for `count` products of coefficients, before they are made.
+    /// Accounts for `count` products of coefficients with `bits` bits, before they are made.
     pub(super) fn spend_products(
         &mut self,
         count: u64,
+        bits: u64,
         source: Source<'_>,
         at: Span,
     ) -> Result<()> {
-        self.products = self.products.checked_sub(count).ok_or_else(|| {
-            let limit =
-                format!("expanding takes more than {MAX_PRODUCTS} products of coefficients");
+        let work = count.saturating_mul(bits / 64 + 1);
+        self.products = self.products.checked_sub(work).ok_or_else(|| {
+            let limit = format!(
+                "expanding takes more than {MAX_PRODUCTS} products of 64-bit parts of coefficients"
+            );
             source.limit(at, limit)
         })?;
         Ok(())

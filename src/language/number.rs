@@ -16,16 +16,21 @@ pub enum Numbers {
     F64,
 }
 
+const EXPECTED: &str = "expected a number such as 3, 0.1, 1e-5, 1/3 or 0x1.8p+1";
+
 /// The value of one literal without sign, or what is wrong with it.
 pub(crate) fn literal(text: &str, numbers: Numbers) -> std::result::Result<Rational, String> {
     if text.len() > MAX_DIGITS {
         return Err(format!("a number of more than {MAX_DIGITS} digits"));
     }
-    if numbers == Numbers::Exact && text.bytes().all(|b| b.is_ascii_digit()) {
+    if numbers == Numbers::Exact && !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()) {
         return match Integer::from_string_base(10, text) {
             Some(value) => Ok(Rational::from(value)),
             None => Err("expected a number".into()),
         };
+    }
+    if !text.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+        return Err(EXPECTED.into());
     }
     // A typographic minus may stand in the exponent.
     let ascii = text.replace('−', "-");
@@ -56,7 +61,7 @@ pub(crate) fn written_number(
         }
     };
     if text.trim().is_empty() {
-        return Err("expected a number such as 3, 0.1, 1e-5, 1/3 or 0x1.8p+1".into());
+        return Err(EXPECTED.into());
     }
     let Some((p, q)) = text.split_once('/') else {
         return signed(text);

@@ -128,9 +128,10 @@ fn scaled(
     at: Span,
 ) -> Result<TrigPolynomial> {
     let count = f.len() as u64;
-    cx.budget.spend_products(count, cx.source, at)?;
+    let bits = bits(f) + factor.bits();
+    cx.budget.spend_products(count, bits, cx.source, at)?;
     cx.budget
-        .spend_bits(count * (bits(f) + factor.bits()), cx.source, at)?;
+        .spend_bits(count.saturating_mul(bits), cx.source, at)?;
     Ok(f.scaled(factor))
 }
 
@@ -142,10 +143,11 @@ fn account(cx: &mut Context<'_>, a: &TrigPolynomial, b: &TrigPolynomial, at: Spa
         return Err(cx.source.limit(at, limit));
     }
     let count = (a.len() as u64).saturating_mul(b.len() as u64);
-    cx.budget.spend_products(count, cx.source, at)?;
+    let bits = bits(a) + bits(b);
+    cx.budget.spend_products(count, bits, cx.source, at)?;
     let terms = count.min(u64::from(top) + 1);
     cx.budget
-        .spend_bits(terms.saturating_mul(bits(a) + bits(b)), cx.source, at)
+        .spend_bits(terms.saturating_mul(bits), cx.source, at)
 }
 
 /// slope·angle + offset: what may stand in cos( ) and sin( ).
