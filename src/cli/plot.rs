@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 
 use stellate::error::{Error, Result};
+use stellate::implicitize::SquaredForm;
 use stellate::picture::{Figure, Layer, Window, isolated_origin, png_from_svg, trace_zero_set};
 use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve};
 
@@ -122,17 +123,16 @@ fn add(
             if flags.harmonics.is_some() || flags.tolerance.is_some() {
                 let fit = input::fit_contour(&contour, flags, session)?;
                 layers.push(series(&fit.radius, &name));
+                let form = SquaredForm::new(&fit.radius)?;
+                let curve = session.stage("implicitize", |_| Ok(form.expand()))?;
+                zero_set(curve, &name, layers, curves);
             }
         }
         Content::Exact(Form::Fourier(radius)) => layers.push(series(&radius, &name)),
         Content::Exact(Form::Curve(curve)) => {
             let degree = curve.polynomial().degree().unwrap_or(0);
             session.check_degree(degree)?;
-            layers.push(Layer {
-                label: format!("zero set, degree {degree}, {name}"),
-                ..Layer::default()
-            });
-            curves.push((layers.len() - 1, curve));
+            zero_set(curve, &name, layers, curves);
         }
         Content::Exact(Form::Surface(_)) => {
             return Err(Error::Usage(format!(
@@ -141,6 +141,21 @@ fn add(
         }
     }
     Ok(())
+}
+
+/// A layer to be traced, with its place among the others.
+fn zero_set(
+    curve: ImplicitCurve,
+    name: &str,
+    layers: &mut Vec<Layer>,
+    curves: &mut Vec<(usize, ImplicitCurve)>,
+) {
+    let degree = curve.polynomial().degree().unwrap_or(0);
+    layers.push(Layer {
+        label: format!("zero set, degree {degree}, {name}"),
+        ..Layer::default()
+    });
+    curves.push((layers.len() - 1, curve));
 }
 
 fn shortened(name: &str) -> String {
@@ -192,14 +207,14 @@ fn fitting_window(
             Window::around(points)
         }
     };
-    window
-        .filter(|w| w.size() > 0.0)
-        .map(|w| w.padded(0.06))
-        .ok_or_else(|| {
-            Error::Usage(
-                "no real points were found to fit the picture to: give --window X0,X1,Y0,Y1".into(),
-            )
-        })
+    if let Some(window) = window.filter(|w| w.size() > 0.0) {
+        return Ok(window.padded(0.06));
+    }
+    session.note("no points were found to fit the picture to: it shows -1,1,-1,1; --window chooses another part");
+    Ok(Window {
+        x: [-1.0, 1.0],
+        y: [-1.0, 1.0],
+    })
 }
 
 fn trace(

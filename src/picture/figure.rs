@@ -168,7 +168,7 @@ impl Figure {
                 area.draw(&dot(at(LEFT + 15, middle), color(index)))?;
                 label.push_str(" (dot: its isolated point)");
             }
-            area.draw(&Text::new(label, at(LEFT + 40, y + 3), font(14)))?;
+            area.draw(&Text::new(label, at(LEFT + 40, y + 6), font(14)))?;
             y += LEGEND_ROW;
         }
         Ok(())

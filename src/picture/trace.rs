@@ -5,6 +5,7 @@
 //! and rounded, and only the joining of neighbouring crossings inside a cell is a matter of
 //! drawing. Cells with more than two crossings are divided.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use malachite::Integer;
@@ -169,8 +170,9 @@ impl Grid {
         let scale = wished.log2().floor().exp2() / 64.0;
         let cell = (wished / scale / 2.0).floor() * 2.0 * scale + scale;
         let unit = cell / f64::from(1u32 << HALVINGS);
-        let below = |v: f64| ((v / cell).floor() - 0.5) * cell + unit / 2.0;
-        let corner = [below(window.x[0]), below(window.y[0])];
+        let below = |v: f64, shift: f64| ((v / cell).floor() - 0.5) * cell + unit * shift;
+        // Not the same shift twice: a diagonal through the origin shall meet no corner.
+        let corner = [below(window.x[0], 0.40625), below(window.y[0], 0.71875)];
         let count = |low: f64, high: f64| ((high - low) / cell).ceil().clamp(1.0, 1e6) as u32;
         Self {
             corner,
@@ -286,10 +288,22 @@ impl Restriction {
             .collect();
         let width = grid.unit.log2().floor() as i64 + i64::from(HALVINGS) - CROSSING_BITS;
         let restricted = IntegerPolynomial::from_coefficients_asc(coefficients);
+        let corners = match line {
+            Line::Horizontal(_) => grid.corner[0],
+            Line::Vertical(_) => grid.corner[1],
+        };
         let roots = real_roots(&restricted).into_iter().map(|mut root| {
             root.refine_to_width(width);
             let (low, high) = root.bounds();
-            low.midpoint(high).to_f64()
+            let value = low.midpoint(high).to_f64();
+            // Beside a corner of the grid the exact order decides which cell the crossing belongs
+            // to: the lines through that corner must agree.
+            let corner = corners + ((value - corners) / grid.unit).round() * grid.unit;
+            match Dyadic::from_f64(corner).map(|c| root.cmp_dyadic(&c)) {
+                Some(Ordering::Less) => value.min(corner.next_down()),
+                Some(_) => value.max(corner),
+                None => value,
+            }
         });
         roots.collect()
     }

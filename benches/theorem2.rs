@@ -1,0 +1,71 @@
+//! Fourier → implicit (Theorem 2): the ladder over N, beside the naive formula.
+//!
+//! `cargo bench --bench theorem2`. Every answer is verified before it is timed.
+
+#![expect(clippy::unwrap_used, reason = "a bench fails by panicking")]
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
+use stellate::exact::Rational;
+use stellate::implicitize::SquaredForm;
+use stellate::shape::FourierRadius;
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::{theorem_2_oracle, value_at};
+
+/// Coefficients that are doubles of all 53 bits, of size about 0.3/n, a0 = 1: reproducible.
+fn spectrum(harmonics: u32) -> FourierRadius {
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut double = |size: f64| {
+        // SplitMix64
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^= z >> 31;
+        let bits = (z >> 12) | 1.0f64.to_bits();
+        Rational::try_from((f64::from_bits(bits) - 1.5) * 2.0 * size).unwrap()
+    };
+    let (mut cos, mut sin) = (vec![Rational::one()], vec![Rational::zero()]);
+    for n in 1..=harmonics {
+        cos.push(double(0.3 / f64::from(n)));
+        sin.push(double(0.3 / f64::from(n)));
+    }
+    FourierRadius::new(cos, sin)
+}
+
+/// F vanishes at r(θ)(c, s) for a rational point (c, s) of the circle.
+fn verify(radius: &FourierRadius) {
+    let f = SquaredForm::new(radius).unwrap().expand();
+    let (c, s) = ("3/5".parse().unwrap(), "4/5".parse().unwrap());
+    let r = value_at(radius, &c, &s);
+    assert!(f.polynomial().evaluate(&(&r * &c), &(&r * &s)).is_zero());
+}
+
+fn theorem2(c: &mut Criterion) {
+    let mut group = c.benchmark_group("fourier_to_implicit");
+    group.sampling_mode(SamplingMode::Flat).sample_size(20);
+    for n in [3, 10, 39, 100, 300, 1000] {
+        let radius = spectrum(n);
+        verify(&radius);
+        group.bench_with_input(BenchmarkId::new("stellate", n), &radius, |b, r| {
+            b.iter(|| SquaredForm::new(black_box(r)).unwrap().expand());
+        });
+    }
+    group.sample_size(10);
+    for n in [3, 10, 39] {
+        let radius = spectrum(n);
+        let ours = SquaredForm::new(&radius).unwrap().expand();
+        let naive = theorem_2_oracle(&radius);
+        assert_eq!(ours.polynomial().monic().terms().count(), naive.len());
+        group.bench_with_input(BenchmarkId::new("naive", n), &radius, |b, r| {
+            b.iter(|| theorem_2_oracle(black_box(r)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, theorem2);
+criterion_main!(benches);
