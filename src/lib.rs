@@ -1,4 +1,68 @@
-//! Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
+//! Exact conversion between parametric and implicit forms of star-shaped curves and surfaces, after
+//! Ünsalan & Erçil, *Conversions between Parametric and Implicit Forms Using Polar/Spherical Coordinate
+//! Representations*, Computer Vision and Image Understanding 81, 1–25 (2001).
+//!
+//! A contour has a radius r(θ). A truncated Fourier series of it becomes, by squaring away the odd
+//! powers of r, an implicit polynomial of degree 2(N+1); the other way, an implicit polynomial splits
+//! into homogeneous parts, and in each direction is a polynomial in r. All of this happens here
+//! in exact rational arithmetic: doubles enter only when roots are sampled at the very end, and each
+//! sample is then checked against the exact form.
+//!
+//! ```
+//! use stellate::implicitize::SquaredForm;
+//! use stellate::language::{Numbers, parse_form};
+//! use stellate::parametrize::fourier_branches;
+//! use stellate::sample::{Direction, Ray, RaySolver};
+//! use stellate::shape::Form;
+//!
+//! let form = parse_form("r = 1 + 1/5*cos(t) + 0.1*sin(t)", "example", Numbers::Exact)?;
+//! let Form::Fourier(radius) = form else { unreachable!() };
+//!
+//! // Theorem 2: a polynomial of degree 2(N+1) with exact coefficients …
+//! let curve = SquaredForm::new(&radius)?.expand();
+//! assert_eq!(curve.polynomial().homogeneous_degrees(), [4, 3, 2]);
+//!
+//! // … and back, exactly (Lemma 3).
+//! assert_eq!(fourier_branches(&curve)?.radii[0], radius);
+//!
+//! // Certified points: all real roots along an exact direction, each the nearest double.
+//! let east = Direction::from_radians(0.0);
+//! let Ray::Points(points) = RaySolver::new(curve.polynomial()).solve(&east) else { unreachable!() };
+//! assert_eq!(points.iter().map(|p| p.r).collect::<Vec<_>>(), [1.2, -0.8]);
+//! # Ok::<(), stellate::error::Error>(())
+//! ```
+//!
+//! # From the paper to the modules
+//!
+//! | paper | module |
+//! | --- | --- |
+//! | Definition 1 (Fourier coefficients of a contour) | [`fit`] |
+//! | Lemma 1 (r(θ) as a series) | [`shape::FourierRadius`] |
+//! | Theorem 2, Eqs. (5)–(9), Appendix B | [`implicitize`] |
+//! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
+//! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
+//! | Lemmas 2 and 3 where the radius is a Fourier series | [`parametrize`] |
+//! | Theorem 5 (which lemma applies) | [`describe`] |
+//! | roots in a direction | [`sample`] |
+//!
+//! # From below to above
+//!
+//! [`exact`] numbers → [`poly`]nomials → [`shape`]s → [`implicitize`], [`parametrize`], [`fit`] →
+//! [`sample`], [`describe`] → [`language`], [`document`], [`picture`] → the command line. A file imports
+//! only from below it, and [`error`] and [`limits`].
+//!
+//! # Conventions
+//!
+//! - Coefficients of univariate polynomials ascend; the zero polynomial has no degree (`None`).
+//! - Terms are ordered by total degree, then by exponents, both descending.
+//! - A canonical polynomial has coprime integer coefficients and its first term positive.
+//! - θ is in radians from +x towards +y.
+//! - Fourier radii are `a0 + Σ a_n cos nθ + b_n sin nθ`: a0 is the mean, not twice it.
+//! - Ranges of angles lie in [0, 2π] and say at each end whether it belongs to them.
+//! - What is exact is a [`exact::Rational`]; what is certified is a [`poly::RealRoot`] or a
+//!   [`sample::Sample`]; what is approximate is an `f64`, printed after ≈.
+//!
+//! Departures from the paper are marked `DIFFERENCE` with the erratum.
 
 pub mod describe;
 pub mod document;

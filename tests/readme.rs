@@ -1,0 +1,121 @@
+//! Every command in the README and in paper-examples is run, and prints what is written there.
+//!
+//! `UPDATE_README=1 cargo test --test readme` writes what the commands print now into the files.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn copy_folder(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let path = entry.unwrap().path();
+        let target = to.join(path.file_name().unwrap());
+        if path.is_dir() {
+            copy_folder(&path, &target);
+        } else {
+            fs::copy(&path, &target).unwrap();
+        }
+    }
+}
+
+/// What a command prints: standard output, then standard error.
+fn run(command: &str, folder: &Path) -> String {
+    let words = shell_words::split(command).unwrap();
+    let arguments = match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["stellate", ..] => &words[1..],
+        ["cargo", "run", "--release", "--", ..] => &words[4..],
+        _ => panic!("not a command of ours: {command}"),
+    };
+    let output = Command::new(env!("CARGO_BIN_EXE_stellate"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    assert!(
+        output.status.success(),
+        "{command}: {}",
+        text(&output.stderr)
+    );
+    text(&output.stdout) + &text(&output.stderr)
+}
+
+/// Runs the commands of a file in one folder; returns the file with their output as it is now.
+fn rewritten(file: &Path, folder: &Path) -> (String, usize) {
+    let text = fs::read_to_string(file).unwrap();
+    let (mut result, mut commands, mut block) = (String::new(), 0, "");
+    for line in text.lines() {
+        if let Some(kind) = line.strip_prefix("```") {
+            block = if block.is_empty() { kind } else { "" };
+        }
+        let command = match block {
+            "console" => line.strip_prefix("$ "),
+            "sh" => (!line.starts_with("```") && line != "cargo test").then_some(line),
+            _ => None,
+        };
+        // The old output of a console block is dropped: what comes is compared with the whole file.
+        let is_old_output = block == "console" && command.is_none() && !line.starts_with("```");
+        if !is_old_output {
+            result.push_str(line);
+            result.push('\n');
+        }
+        if let Some(command) = command {
+            commands += 1;
+            let printed = run(command, folder);
+            if block == "console" {
+                result.push_str(&printed);
+            }
+        }
+    }
+    (result, commands)
+}
+
+fn check(file: &Path) -> usize {
+    let folder = TempDir::new().unwrap();
+    copy_folder(
+        &root().join("paper-examples"),
+        &folder.path().join("paper-examples"),
+    );
+    let (now, commands) = rewritten(file, folder.path());
+    if std::env::var_os("UPDATE_README").is_some() {
+        fs::write(file, &now).unwrap();
+    }
+    let written = fs::read_to_string(file).unwrap();
+    assert_eq!(written, now, "{} is out of date", file.display());
+    commands
+}
+
+#[test]
+fn the_readme_says_what_the_commands_print() {
+    assert!(check(&root().join("README.md")) >= 10);
+}
+
+#[test]
+fn the_paper_examples_say_what_their_commands_print() {
+    let folders = fs::read_dir(root().join("paper-examples")).unwrap();
+    let mut readmes: Vec<PathBuf> = folders
+        .map(|f| f.unwrap().path().join("README.md"))
+        .collect();
+    readmes.sort();
+    assert!(!readmes.is_empty());
+    for readme in readmes {
+        assert!(check(&readme) > 0, "{} has no command", readme.display());
+    }
+}
+
+#[test]
+fn the_test_command_of_the_readme_is_what_ci_runs() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    assert!(readme.contains("```sh\ncargo test\n```"));
+    let ci = fs::read_to_string(root().join(".ci/run")).unwrap();
+    assert!(ci.contains("cargo test"));
+}
