@@ -13,7 +13,8 @@ use stellate::shape::FourierRadius;
 
 #[path = "../tests/common/mod.rs"]
 mod common;
-use common::{theorem_2_oracle, value_at};
+use common::oracle_theorem_2::theorem_2 as theorem_2_oracle;
+use common::value_at;
 
 /// Coefficients that are doubles of all 53 bits, of size about 0.3/n, a0 = 1: reproducible.
 fn spectrum(harmonics: u32) -> FourierRadius {

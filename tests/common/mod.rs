@@ -1,12 +1,11 @@
 //! Shared inputs and oracles.
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 
-mod oracle_theorem_2;
-
-pub(crate) use oracle_theorem_2::theorem_2 as theorem_2_oracle;
+pub(crate) mod oracle_theorem_2;
 
 use proptest::prelude::*;
 use stellate::exact::Rational;
+use stellate::poly::PlanePolynomial;
 use stellate::shape::FourierRadius;
 
 /// Small rationals, zero among them.
@@ -37,4 +36,10 @@ pub(crate) fn value_at(r: &FourierRadius, c: &Rational, s: &Rational) -> Rationa
         (re, im) = (&re * c - &im * s, &re * s + &im * c);
     }
     sum
+}
+
+/// Plane polynomials of degree up to 10 with a few terms; sometimes 0.
+pub(crate) fn plane_polynomials() -> impl Strategy<Value = PlanePolynomial> {
+    prop::collection::vec(((0usize..6, 0usize..6), rational()), 0..8)
+        .prop_map(PlanePolynomial::from_terms)
 }

@@ -1,15 +1,14 @@
-//! Theorem 2 against independent oracles, and the way back.
+//! The paper's theorems, examples and appendices, by their numbers.
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use proptest::prelude::*;
+use std::path::Path;
+
 use stellate::exact::Rational;
+use stellate::fit::{FitOptions, FitSize, fit, fourier_coefficients, read_contour};
 use stellate::implicitize::{SquaredForm, parity_sums, square_away};
 use stellate::parametrize::fourier_branches;
 use stellate::poly::{PlanePolynomial, Ring, SparsePolynomial};
 use stellate::shape::FourierRadius;
-
-mod common;
-use common::{radii, rational, theorem_2_oracle};
 
 fn radius(cos: &[&str], sin: &[&str]) -> FourierRadius {
     let parse = |v: &[&str]| v.iter().map(|t| t.parse().unwrap()).collect();
@@ -21,7 +20,7 @@ fn implicit(r: &FourierRadius) -> PlanePolynomial {
 }
 
 #[test]
-fn the_limacon_of_the_first_example() {
+fn theorem_2_of_a_limacon() {
     let f = implicit(&radius(&["1", "1/5"], &["0", "0.1"]));
     let shown: Vec<String> = f
         .terms()
@@ -37,7 +36,7 @@ fn the_limacon_of_the_first_example() {
 }
 
 #[test]
-fn no_harmonics_is_a_circle() {
+fn theorem_2_without_harmonics_is_a_circle() {
     let f = implicit(&radius(&["3/2"], &[]));
     let shown: Vec<String> = f
         .terms()
@@ -47,13 +46,13 @@ fn no_harmonics_is_a_circle() {
 }
 
 #[test]
-fn a_zero_radius_is_no_curve() {
+fn theorem_2_needs_a_radius_that_is_not_zero() {
     let error = SquaredForm::new(&radius(&["0", "0"], &["0", "0"])).unwrap_err();
     assert!(error.to_string().contains("single point"), "{error}");
 }
 
 #[test]
-fn odd_harmonics_alone_give_a_perfect_square() {
+fn theorem_2_of_odd_harmonics_alone_is_a_perfect_square() {
     let form = SquaredForm::new(&radius(&["0", "1", "0", "1/3"], &["0", "2", "0", "-1"])).unwrap();
     assert!(form.is_perfect_square());
     let (reduced, full) = (form.expand(), form.expand_unreduced());
@@ -100,7 +99,7 @@ fn equation_7_with_symbols() {
 }
 
 #[test]
-fn two_hundred_harmonics_come_back() {
+fn lemma_3_takes_two_hundred_harmonics_back() {
     let coefficient = |n: i64, k: i64| {
         Rational::from((n * 7919 + k * 104_729) % 1999 - 1000) / Rational::from(1 + n * n)
     };
@@ -114,82 +113,30 @@ fn two_hundred_harmonics_come_back() {
     }
 }
 
-proptest! {
-    /// The direct formula with num-rational and schoolbook multiplication.
-    #[test]
-    fn theorem_2_is_the_printed_formula(r in radii(7)) {
-        let f = SquaredForm::new(&r).unwrap().expand_unreduced();
-        prop_assert!(f.polynomial().check_invariants());
-        let naive: Vec<_> = theorem_2_oracle(&r);
-        let ours: Vec<_> = f.polynomial().monic().terms().collect();
-        prop_assert_eq!(ours.len(), naive.len());
-        for ((e, c), (e2, c2)) in ours.into_iter().zip(naive) {
-            prop_assert_eq!(e, e2);
-            prop_assert_eq!(num_rational::BigRational::from(&c), c2);
-        }
-    }
+/// Definition 1 as printed has half the right normalisation: a circle of radius 1 comes back with
+/// radius 1/2. (Erratum "Definition 1".)
+#[test]
+fn definition_1_as_printed_loses_a_factor_of_two() {
+    let samples = [1.0; 16];
+    let count = 16.0;
+    let printed_a0 = samples.iter().sum::<f64>() / (2.0 * count);
+    let (cos, _) = fourier_coefficients(&samples, 3).unwrap();
+    assert!((cos[0] - 1.0).abs() < 1e-15);
+    assert!((printed_a0 - cos[0] / 2.0).abs() < 1e-15);
+}
 
-    #[test]
-    fn the_parts_have_three_degrees_and_the_origin_its_multiplicity(r in radii(9)) {
-        let f = SquaredForm::new(&r).unwrap().expand_unreduced();
-        let n = r.harmonics();
-        let degrees = f.polynomial().homogeneous_degrees();
-        prop_assert_eq!(degrees[0], 2 * n + 2);
-        prop_assert_eq!(f.polynomial().lowest_degree(), Some(2 * n));
-        prop_assert!(degrees.iter().all(|&d| d >= 2 * n));
-    }
-
-    /// F(r(θ) (cos θ, sin θ)) = 0 in rational directions, and F ≠ 0 just beside.
-    #[test]
-    fn f_vanishes_exactly_on_the_curve(r in radii(9), t in rational()) {
-        let f = implicit(&r);
-        let one = Rational::one();
-        let w = &one + &t * &t;
-        let (c, s) = ((&one - &t * &t) / &w, Rational::from(2) * &t / &w);
-        let radius = common::value_at(&r, &c, &s);
-        prop_assert!(f.evaluate(&(&radius * &c), &(&radius * &s)).is_zero());
-        let beside = &radius + &"1/1000003".parse::<Rational>().unwrap();
-        let opposite = -common::value_at(&r, &-c.clone(), &-s.clone());
-        if beside != opposite && !beside.is_zero() {
-            prop_assert!(!f.evaluate(&(&beside * &c), &(&beside * &s)).is_zero());
-        }
-    }
-
-    #[test]
-    fn there_and_back_is_the_identity(r in radii(12)) {
-        let branches = fourier_branches(&SquaredForm::new(&r).unwrap().expand()).unwrap();
-        prop_assert!(branches.radii.contains(&r), "{:?} not in {:?}", r, branches.radii);
-    }
-
-    /// Scaling the contour by λ scales the roots: F_λ(λx, λy) is a multiple of F(x, y).
-    #[test]
-    fn scaling_acts_as_it_should(r in radii(6), p in 1i64..20, q in 1i64..20) {
-        let scale = Rational::from(p) / Rational::from(q);
-        let times = |v: &[Rational]| v.iter().map(|c| c * &scale).collect();
-        let scaled = FourierRadius::new(times(r.cosines()), times(r.sines()));
-        let power = |e: usize| scale.pow(i64::try_from(e).unwrap()).unwrap();
-        let back = PlanePolynomial::from_terms(
-            implicit(&scaled).terms().map(|((i, j), c)| ((i, j), c * power(i + j))),
-        );
-        prop_assert_eq!(back.primitive(), implicit(&r));
-    }
-
-    /// A quarter turn of the contour is a quarter turn of F: (x, y) → (y, −x).
-    #[test]
-    fn rotation_acts_as_it_should(r in radii(6)) {
-        // cos n(θ − π/2), sin n(θ − π/2)
-        let (mut cos, mut sin) = (Vec::new(), Vec::new());
-        for n in 0..=r.harmonics() {
-            let (a, b) = (r.cos(n).clone(), r.sin(n).clone());
-            let (a, b) = match n % 4 { 0 => (a, b), 1 => (-b, a), 2 => (-a, -b), _ => (b, -a) };
-            cos.push(a);
-            sin.push(b);
-        }
-        let turned = implicit(&FourierRadius::new(cos, sin));
-        let back = PlanePolynomial::from_terms(implicit(&r).terms().map(|((i, j), c)| {
-            // x → y, y → −x
-            ((j, i), if j % 2 == 1 { -c } else { c })
-        }));
-        prop_assert_eq!(turned, back.primitive());
+/// Example 2: a contour with N = 39 becomes a polynomial of degree 80 in three parts.
+#[test]
+fn example_2_has_degree_80_and_gives_its_harmonics_back() {
+    for name in ["e02-butterfly/butterfly.csv", "e02-jet/jet.csv"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("paper-examples")
+            .join(name);
+        let contour = read_contour(&path).unwrap();
+        let fit = fit(&contour, &FitOptions::new(FitSize::Harmonics(39))).unwrap();
+        let curve = SquaredForm::new(&fit.radius).unwrap().expand();
+        assert_eq!(curve.polynomial().homogeneous_degrees(), [80, 79, 78]);
+        assert_eq!(curve.polynomial().lowest_degree(), Some(78));
+        assert_eq!(fourier_branches(&curve).unwrap().radii[0], fit.radius);
     }
 }
