@@ -1,12 +1,10 @@
 //! The point that the radius is measured from.
 
-use std::cmp::Ordering;
-
 use super::kernel::kernel;
-use super::radius::outside;
+use super::radius::{outside, star_shaped_about};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::shape::{Contour, coordinate_fault, orientation};
+use crate::shape::Contour;
 
 /// Which centre is asked for.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
@@ -125,18 +123,6 @@ impl Center {
             origin,
         })
     }
-}
-
-/// Whether `contour` is star-shaped about c with room to spare: every edge is seen strictly
-/// counter-clockwise from c, so that r(θ) is a continuous function. Exact. Cost: O(n).
-///
-/// An edge in line with c would make r jump; it counts as not star-shaped.
-#[must_use]
-pub fn star_shaped_about(contour: &Contour, c: [f64; 2]) -> bool {
-    c.iter().all(|&x| coordinate_fault(x).is_none())
-        && contour
-            .edges()
-            .all(|(p, q)| orientation(c, p, q) == Ordering::Greater)
 }
 
 fn automatic(contour: &Contour) -> Result<([f64; 2], CenterOrigin)> {

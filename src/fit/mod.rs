@@ -22,9 +22,9 @@ mod tolerance;
 #[cfg(test)]
 mod laws;
 
-pub use center::{Center, CenterChoice, CenterOrigin, star_shaped_about};
+pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
-pub use radius::ContourRadius;
+pub use radius::{ContourRadius, star_shaped_about};
 pub use read::{ContourKind, contour_from_reader, read_contour};
 
 use crate::error::{Error, Result};

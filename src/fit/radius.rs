@@ -1,12 +1,12 @@
 //! [`ContourRadius`]: the radius function r(θ) of an outline about a centre.
 
+use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
 use super::as_f64;
-use super::center::star_shaped_about;
 use super::sweep::outermost;
 use crate::error::{Error, Result};
-use crate::shape::Contour;
+use crate::shape::{Contour, coordinate_fault, orientation};
 
 /// The outermost radius r(θ) of an outline about an interior point: the distance to the last point
 /// of the outline in direction θ (`x = r cos θ`, `y = r sin θ` from the centre, Lemma 1).
@@ -224,4 +224,15 @@ fn length(v: [f64; 2]) -> f64 {
 
 fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {
     (q[0] - p[0]).hypot(q[1] - p[1])
+}
+/// Whether `contour` is star-shaped about c with room to spare: every edge is seen strictly
+/// counter-clockwise from c, so that r(θ) is a continuous function. Exact. Cost: O(n).
+///
+/// An edge in line with c would make r jump; it counts as not star-shaped.
+#[must_use]
+pub fn star_shaped_about(contour: &Contour, c: [f64; 2]) -> bool {
+    c.iter().all(|&x| coordinate_fault(x).is_none())
+        && contour
+            .edges()
+            .all(|(p, q)| orientation(c, p, q) == Ordering::Greater)
 }

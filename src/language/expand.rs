@@ -11,11 +11,10 @@ use malachite::base::polynomial::Polynomial as _;
 
 use super::evaluate::Context;
 use super::limits::{MAX_DEGREE, MAX_TERMS};
-use super::polynomial::total;
 use super::source::Span;
 use crate::error::{Error, Result};
 use crate::exact::{Integer, Rational};
-use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial};
+use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial, total_degree};
 
 type Polynomial = SparsePolynomial<3>;
 
@@ -36,7 +35,7 @@ pub(super) fn times_term(
     if e == [0; 3] && *c == Rational::one() {
         return Ok(f);
     }
-    if total(&e) + f.degree().unwrap_or(0) > u64::from(MAX_DEGREE) {
+    if total_degree(&e) + f.degree().unwrap_or(0) > u64::from(MAX_DEGREE) {
         return Err(degree_limit(cx, at));
     }
     let count = f.len() as u64;
@@ -139,7 +138,7 @@ fn account_pairs(cx: &mut Context<'_>, f: &Polynomial, g: &Polynomial, at: Span)
 
 fn is_homogeneous(f: &Polynomial) -> bool {
     let degree = f.degree().unwrap_or(0);
-    f.terms().all(|(e, _)| total(e) == degree)
+    f.terms().all(|(e, _)| total_degree(e) == degree)
 }
 
 fn largest_exponents(f: &Polynomial) -> [u32; 3] {
@@ -279,7 +278,7 @@ impl Packing {
             rest %= self.strides[i];
         }
         if let (Some(degree), Some(i)) = (self.homogeneous, self.omitted) {
-            let left = degree.saturating_sub(total(&exponents));
+            let left = degree.saturating_sub(total_degree(&exponents));
             exponents[i] = u32::try_from(left).unwrap_or(u32::MAX);
         }
         exponents

@@ -9,13 +9,13 @@ use super::UNDERSTOOD;
 use super::evaluate::{Algebra, Context, evaluate};
 use super::limits::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
 use super::name::Name;
-use super::polynomial::{Implicit, total};
+use super::polynomial::Implicit;
 use super::radius::Radius;
 use super::source::Span;
 use super::syntax::{Equation, Expr};
 use crate::error::{Error, Result};
 use crate::exact::{Integer, Rational};
-use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial};
+use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
 /// The form that the equations say, about `center` if there is one.
@@ -168,7 +168,7 @@ fn plane(polynomial: &SparsePolynomial<3>, source_name: &str) -> Result<PlanePol
     let mut length = 0;
     // Terms come by degree, and within a degree by ascending powers of y.
     for (e, c) in polynomial.terms() {
-        let degree = usize::try_from(total(e)).unwrap_or(usize::MAX);
+        let degree = usize::try_from(total_degree(e)).unwrap_or(usize::MAX);
         let y = e[1] as usize;
         let mut row = match part.take() {
             Some((d, row)) if d == degree => row,

@@ -33,9 +33,6 @@ pub const MAX_BITS: u64 = 1 << 34;
 /// polynomial or of a polynomial being expanded.
 pub const MAX_COEFFICIENTS: usize = 20_000_000;
 
-/// The longest piece of the input that a message repeats.
-pub(super) const MAX_SHOWN: usize = 30;
-
 /// What the expansion of one text may still spend.
 #[derive(Debug)]
 pub(super) struct Budget {

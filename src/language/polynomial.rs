@@ -8,7 +8,7 @@ use super::source::Span;
 use super::syntax::Expr;
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::poly::SparsePolynomial;
+use crate::poly::{SparsePolynomial, total_degree};
 
 /// Polynomials in x, y, z.
 pub(super) struct Implicit;
@@ -27,11 +27,6 @@ impl Value {
             Value::Sum(sum) => sum,
         }
     }
-}
-
-/// Σ exponents.
-pub(super) fn total(exponents: &[u32; 3]) -> u64 {
-    exponents.iter().map(|&e| u64::from(e)).sum()
 }
 
 impl Algebra for Implicit {
@@ -105,7 +100,7 @@ impl Algebra for Implicit {
         match (a, b) {
             (Value::Term(e, p), Value::Term(f, q)) => {
                 let exponents = [e[0] + f[0], e[1] + f[1], e[2] + f[2]];
-                if total(&exponents) > u64::from(MAX_DEGREE) {
+                if total_degree(&exponents) > u64::from(MAX_DEGREE) {
                     return Err(expand::degree_limit(cx, at));
                 }
                 Ok(Value::Term(exponents, times(cx, p, q, at)?))
@@ -120,7 +115,7 @@ impl Algebra for Implicit {
     fn power(&self, cx: &mut Context<'_>, base: Value, exponent: u32, at: Span) -> Result<Value> {
         match base {
             Value::Term(e, c) => {
-                if total(&e) * u64::from(exponent) > u64::from(MAX_DEGREE) {
+                if total_degree(&e) * u64::from(exponent) > u64::from(MAX_DEGREE) {
                     return Err(expand::degree_limit(cx, at));
                 }
                 let bits = c.bits().saturating_mul(u64::from(exponent));

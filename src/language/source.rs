@@ -1,7 +1,9 @@
 //! The text being read, and how errors point into it.
 
-use super::limits::MAX_SHOWN;
 use crate::error::Error;
+
+/// The longest piece of the input that a message repeats.
+pub(super) const MAX_SHOWN: usize = 30;
 
 /// A text and where it came from.
 #[derive(Clone, Copy, Debug)]

@@ -27,6 +27,6 @@ pub use plane::PlanePolynomial;
 pub use ring::Ring;
 pub use roots::{RealRoot, real_roots};
 pub use shift::{shift_by_minus_one, shift_by_one};
-pub use sparse::{SparsePolynomial, term_order};
+pub use sparse::{SparsePolynomial, term_order, total_degree};
 pub use sqrt::polynomial_sqrt;
 pub use trig::TrigPolynomial;

@@ -106,23 +106,11 @@ impl RealRoot {
     #[must_use]
     pub fn cmp_rational(&self, q: &Rational) -> Ordering {
         match &self.place {
-            Place::Exact(point) => point.to_rational().cmp(q),
-            Place::Between {
-                low,
-                high,
-                sign_low,
-            } => {
-                if *q <= low.to_rational() {
-                    Ordering::Greater
-                } else if *q >= high.to_rational() {
-                    Ordering::Less
-                } else {
-                    match sign_at_rational(&self.polynomial, q) {
-                        0 => Ordering::Equal,
-                        s if s == *sign_low => Ordering::Greater,
-                        _ => Ordering::Less,
-                    }
-                }
+            Place::Exact(root) => root.to_rational().cmp(q),
+            Place::Between { low, .. } if *q <= low.to_rational() => Ordering::Greater,
+            Place::Between { high, .. } if *q >= high.to_rational() => Ordering::Less,
+            Place::Between { sign_low, .. } => {
+                side(*sign_low, sign_at_rational(&self.polynomial, q))
             }
         }
     }
@@ -132,23 +120,9 @@ impl RealRoot {
     pub fn cmp_dyadic(&self, point: &Dyadic) -> Ordering {
         match &self.place {
             Place::Exact(root) => root.cmp(point),
-            Place::Between {
-                low,
-                high,
-                sign_low,
-            } => {
-                if point <= low {
-                    Ordering::Greater
-                } else if point >= high {
-                    Ordering::Less
-                } else {
-                    match sign_at(&self.polynomial, point) {
-                        0 => Ordering::Equal,
-                        s if s == *sign_low => Ordering::Greater,
-                        _ => Ordering::Less,
-                    }
-                }
-            }
+            Place::Between { low, .. } if point <= low => Ordering::Greater,
+            Place::Between { high, .. } if point >= high => Ordering::Less,
+            Place::Between { sign_low, .. } => side(*sign_low, sign_at(&self.polynomial, point)),
         }
     }
 
@@ -386,6 +360,15 @@ impl RealRoot {
                 Ordering::Greater => return double,
             }
         }
+    }
+}
+
+/// Where the root lies of a point inside its interval at which the polynomial has this sign.
+fn side(sign_low: i8, sign: i8) -> Ordering {
+    match sign {
+        0 => Ordering::Equal,
+        s if s == sign_low => Ordering::Greater,
+        _ => Ordering::Less,
     }
 }
 

@@ -23,8 +23,13 @@ struct Exponents<const V: usize>([u32; V]);
 /// descending. `Less` comes first.
 #[must_use]
 pub fn term_order<const V: usize>(a: &[u32; V], b: &[u32; V]) -> Ordering {
-    let degree = |e: &[u32; V]| e.iter().map(|&k| u64::from(k)).sum::<u64>();
-    degree(b).cmp(&degree(a)).then_with(|| b.cmp(a))
+    total_degree(b).cmp(&total_degree(a)).then_with(|| b.cmp(a))
+}
+
+/// The sum of the exponents of a monomial.
+#[must_use]
+pub fn total_degree<const V: usize>(exponents: &[u32; V]) -> u64 {
+    exponents.iter().map(|&e| u64::from(e)).sum()
 }
 
 impl<const V: usize> PartialOrd for Exponents<V> {
@@ -122,10 +127,7 @@ impl<const V: usize> SparsePolynomial<V> {
     /// The largest total degree, `None` for the zero polynomial.
     #[must_use]
     pub fn degree(&self) -> Option<u64> {
-        self.terms
-            .keys()
-            .next()
-            .map(|e| e.0.iter().map(|&k| u64::from(k)).sum())
+        self.terms.keys().next().map(|e| total_degree(&e.0))
     }
 
     /// The value if this is a constant.
