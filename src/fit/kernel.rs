@@ -125,7 +125,7 @@ fn cuts_last(kept: &[HalfPlane], plane: &HalfPlane) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::center::star_shaped_about;
+    use super::super::radius::star_shaped_about;
     use super::*;
     use proptest::prelude::*;
 
