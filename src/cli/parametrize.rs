@@ -1,9 +1,9 @@
 //! `stellate parametrize`: back to r(θ).
 
-use stellate::document::{Format, write_branches};
+use stellate::document::{Format, write_parametrization};
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
-use stellate::parametrize::{FourierBranches, fourier_branches};
+use stellate::parametrize::{Branch, Parametrization, Radius, parametrize};
 use stellate::shape::{Form, FourierRadius};
 
 use super::arguments::Parametrize;
@@ -14,17 +14,21 @@ use super::session::Session;
 pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
-    format.check_fourier()?;
+    if matches!(format, Format::Csv | Format::Singular) {
+        return Err(Error::Usage(format!(
+            "--format {format}: a polar form is written as text, json, latex, sympy or maple"
+        )));
+    }
     let input = input::read(&verb.form, session)?;
     let fitted = input::exact_form(input, &verb.fit, session)?;
-    let branches = session.stage("parametrize", |session| match &fitted.form {
+    let parametrization = session.stage("parametrize", |session| match &fitted.form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
             of_radius(radius)
         }
         Form::Curve(curve) => {
             session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
-            fourier_branches(curve)
+            parametrize(curve)
         }
         Form::Surface(_) => Err(Error::Usage(
             "this polynomial has z: parametrize takes plane curves, in x and y".into(),
@@ -32,16 +36,17 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     })?;
     let digits = session.common.digits;
     write_result(session, |out| {
-        write_branches(&branches, digits, format, out)
+        write_parametrization(&parametrization, digits, format, out)
     })
 }
 
 /// A radius is parametric already; its document lists the branches of its implicit equation.
-fn of_radius(radius: &FourierRadius) -> Result<FourierBranches> {
-    let mut branches = fourier_branches(&SquaredForm::new(radius)?.expand())?;
+fn of_radius(radius: &FourierRadius) -> Result<Parametrization> {
+    let mut curve = parametrize(&SquaredForm::new(radius)?.expand())?;
     // Both describe the same points; the one that was given comes first.
-    if let Some(given) = branches.radii.iter().position(|r| r == radius) {
-        branches.radii.swap(0, given);
+    let is_given = |b: &Branch| matches!(&b.radius, Radius::Fourier(r) if r == radius);
+    if let Some(given) = curve.branches.iter().position(is_given) {
+        curve.branches.swap(0, given);
     }
-    Ok(branches)
+    Ok(curve)
 }

@@ -81,7 +81,7 @@ pub fn write_fourier(
         .collect();
     if format == Format::Sympy {
         // SymPy joins all lines, so there comments come last.
-        write!(out, "{}", expression(radius, format))?;
+        write!(out, "{}", expression(radius, format, "theta"))?;
         for (i, comment) in comments.iter().enumerate() {
             let separator = if i == 0 { "  " } else { "\n" };
             write!(out, "{separator}{comment}")?;
@@ -99,23 +99,23 @@ pub fn write_fourier(
             }
             Ok(())
         }
-        Format::Maple => writeln!(out, "r = {};", expression(radius, format)),
-        _ => writeln!(out, "r = {}", expression(radius, format)),
+        Format::Maple => writeln!(out, "r = {};", expression(radius, format, "theta")),
+        _ => writeln!(out, "r = {}", expression(radius, format, "t")),
     }
 }
 
-/// The right side of `r = …` in the given format; the angle is called t in text, theta elsewhere.
-pub(super) fn expression(radius: &FourierRadius, format: Format) -> String {
+/// The right side of `r = …` in the given format, with the angle called `angle`.
+pub(super) fn expression(radius: &FourierRadius, format: Format, angle: &str) -> String {
     let mut text = Vec::new();
     let written = match format {
         Format::Sympy => {
-            Notation::Python.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), &mut text)
+            Notation::Python.write_sum(harmonics(radius, |f, n| call(f, n, angle)), &mut text)
         }
         Format::Latex => Notation::LatexInline.write_sum(harmonics(radius, latex_call), &mut text),
         Format::Maple => {
-            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "theta")), &mut text)
+            Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, angle)), &mut text)
         }
-        _ => Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, "t")), &mut text),
+        _ => Notation::Explicit.write_sum(harmonics(radius, |f, n| call(f, n, angle)), &mut text),
     };
     debug_assert!(written.is_ok(), "writing into memory succeeds");
     String::from_utf8_lossy(&text).into_owned()

@@ -5,6 +5,7 @@
 
 mod csv;
 mod description;
+mod expression;
 mod fourier;
 mod implicit;
 mod json;
@@ -19,7 +20,7 @@ pub use description::write_description;
 pub use fourier::{FitReport, write_fourier};
 pub use implicit::{Annotations, write_implicit, write_surface};
 pub use json::read_document;
-pub use parametric::write_branches;
+pub use parametric::write_parametrization;
 pub use samples::{SampledRay, write_samples};
 
 use crate::error::{Error, Result};

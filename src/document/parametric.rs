@@ -4,10 +4,11 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::expression::expression_text;
 use super::fourier::expression;
 use super::{Format, SCHEMA, center_comment};
-use crate::parametrize::{AngleRange, FourierBranches, positive_ranges};
-use crate::shape::FourierRadius;
+use crate::exact::Rational;
+use crate::parametrize::{AngleRange, Branch, ExactAngle, Parametrization, Radius};
 
 #[derive(Serialize)]
 struct Document {
@@ -16,20 +17,27 @@ struct Document {
     parameters: [&'static str; 1],
     method: String,
     step: usize,
-    lines: [String; 0],
+    lines: Vec<Angle>,
     #[serde(skip_serializing_if = "Option::is_none")]
     center: Option<[String; 2]>,
-    branches: Vec<Branch>,
+    branches: Vec<BranchEntry>,
 }
 
 #[derive(Serialize)]
-struct Branch {
+struct Angle {
+    theta: String,
+    exact: String,
+}
+
+#[derive(Serialize)]
+struct BranchEntry {
     factor: usize,
     radius: String,
     latex: String,
     sympy: String,
     coordinates: Coordinates,
-    fourier: Fourier,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fourier: Option<Fourier>,
     ranges: Vec<Range>,
     positive: Vec<Range>,
 }
@@ -51,10 +59,10 @@ pub(super) struct Range {
     from: String,
     to: String,
     closed: [bool; 2],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    exact_from: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    exact_to: Option<String>,
+    exact_from: String,
+    exact_to: String,
+    #[serde(skip)]
+    nice: [Option<String>; 2],
 }
 
 impl Range {
@@ -65,129 +73,178 @@ impl Range {
             closed: range.closed,
             exact_from: range.from.describe(),
             exact_to: range.to.describe(),
+            nice: [range.from.closed_form(), range.to.closed_form()],
         }
     }
 
-    /// `[0, pi/2)`, exact where the end is a multiple of π.
+    /// `[0, pi/2)`, exact where the end has a closed form.
     pub(super) fn text(&self) -> String {
         let [from, to] = self.closed;
-        let end = |exact: &Option<String>, decimal: &String| {
-            exact.clone().unwrap_or_else(|| decimal.clone())
+        let end = |nice: &Option<String>, decimal: &String| {
+            nice.clone().unwrap_or_else(|| decimal.clone())
         };
         format!(
             "{}{}, {}{}",
             if from { '[' } else { '(' },
-            end(&self.exact_from, &self.from),
-            end(&self.exact_to, &self.to),
+            end(&self.nice[0], &self.from),
+            end(&self.nice[1], &self.to),
             if to { ']' } else { ')' }
         )
     }
 }
 
-/// Ranges as one phrase: `t in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
+/// Ranges as one phrase: `theta in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
 pub(super) fn ranges_text(ranges: &[Range]) -> String {
     if ranges.is_empty() {
         return "no angle".into();
     }
     let parts: Vec<String> = ranges.iter().map(Range::text).collect();
-    format!("t in {}", parts.join(" and "))
+    format!("theta in {}", parts.join(" and "))
 }
 
-/// Writes the branches of a curve that is born of a Fourier radius: expressions for r, x and y, the
-/// exact coefficients, and where r is real (everywhere) and positive, to `digits` decimals.
+/// Writes the polar form of a curve: expressions for r, x and y of every branch, where r is real and
+/// where it is positive to `digits` decimals, the lines through the origin, and exact Fourier coefficients
+/// where a radius is a series.
 ///
-/// Text is a formula that can be read back: the first branch, with the others in comments.
+/// Text starts with comments; the first branch is a formula `r = …`, which can be read back if it is a
+/// series.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for a format that [`Format::check_fourier`] refuses.
-pub fn write_branches(
-    branches: &FourierBranches,
+/// Those of `out`; `Unsupported` for CSV and Singular.
+pub fn write_parametrization(
+    curve: &Parametrization,
     digits: u32,
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    match (format, &branches.radii[..]) {
-        (Format::Json, radii) => {
-            let center = radii.first().map(FourierRadius::center);
-            let document = Document {
-                schema: SCHEMA,
-                kind: "parametric",
-                parameters: ["theta"],
-                method: format!("lemma-{}", branches.lemma),
-                step: branches.step,
-                lines: [],
-                center: center
-                    .filter(|c| center_comment(c).is_some())
-                    .map(|[x, y]| [x.to_string(), y.to_string()]),
-                branches: radii.iter().map(|r| branch(r, digits)).collect(),
-            };
-            serde_json::to_writer(&mut *out, &document)?;
+    match format {
+        Format::Json => {
+            serde_json::to_writer(&mut *out, &document(curve, digits))?;
             writeln!(out)
         }
-        (Format::Text, [first, others @ ..]) => {
-            writeln!(
-                out,
-                "# lemma-{}: the radius is exactly a Fourier series",
-                branches.lemma
-            )?;
-            let positive = |r| {
-                let ranges: Vec<Range> = positive_ranges(r)
-                    .iter()
-                    .map(|r| Range::new(r, digits))
-                    .collect();
-                ranges_text(&ranges)
-            };
-            writeln!(out, "# branch 0, r > 0 for {}", positive(first))?;
-            super::write_fourier(first, None, format, out)?;
-            for (index, radius) in others.iter().enumerate() {
-                writeln!(
-                    out,
-                    "# branch {}, r > 0 for {}",
-                    index + 1,
-                    positive(radius)
-                )?;
-                writeln!(out, "# r = {}", expression(radius, format))?;
+        Format::Text => write_text(curve, digits, out),
+        Format::Latex | Format::Sympy | Format::Maple => {
+            for branch in &curve.branches {
+                let radius = radius_text(&branch.radius, format);
+                match format {
+                    Format::Sympy => writeln!(out, "{radius}")?,
+                    Format::Maple => writeln!(out, "r = {radius};")?,
+                    _ => writeln!(out, "r = {radius}")?,
+                }
             }
             Ok(())
         }
-        (_, radii) => {
-            // Other systems get the first branch: the second, -r(theta + pi), has the same points.
-            radii
-                .first()
-                .map_or(Ok(()), |r| super::write_fourier(r, None, format, out))
-        }
+        Format::Csv | Format::Singular => Err(io::Error::new(
+            io::ErrorKind::Unsupported,
+            "a polar form is written as text, json, latex, sympy or maple",
+        )),
     }
 }
 
-fn branch(radius: &FourierRadius, digits: u32) -> Branch {
-    let sympy = expression(radius, Format::Sympy);
-    let [cx, cy] = radius.center().each_ref().map(|c| {
+fn document(curve: &Parametrization, digits: u32) -> Document {
+    Document {
+        schema: SCHEMA,
+        kind: "parametric",
+        parameters: ["theta"],
+        method: method(curve),
+        step: curve.step,
+        lines: curve.lines.iter().map(|line| angle(line, digits)).collect(),
+        center: center_comment(&curve.center)
+            .map(|_| curve.center.each_ref().map(ToString::to_string)),
+        branches: curve
+            .branches
+            .iter()
+            .map(|b| entry(b, &curve.center, digits))
+            .collect(),
+    }
+}
+
+fn method(curve: &Parametrization) -> String {
+    curve
+        .lemma
+        .map_or_else(|| "lines".into(), |n| format!("lemma-{n}"))
+}
+
+fn angle(angle: &ExactAngle, digits: u32) -> Angle {
+    Angle {
+        theta: angle.to_decimal(digits),
+        exact: angle.describe(),
+    }
+}
+
+fn ranges(list: &[AngleRange], digits: u32) -> Vec<Range> {
+    list.iter().map(|range| Range::new(range, digits)).collect()
+}
+
+fn write_text(curve: &Parametrization, digits: u32, out: &mut dyn Write) -> io::Result<()> {
+    let step = if curve.step > 1 {
+        format!(" in r^{}", curve.step)
+    } else {
+        String::new()
+    };
+    writeln!(out, "# {}{step}", method(curve))?;
+    if let Some(comment) = center_comment(&curve.center) {
+        writeln!(out, "# {comment}")?;
+    }
+    for line in &curve.lines {
+        let line = angle(line, digits);
+        writeln!(
+            out,
+            "# the line at theta = {} = {} belongs to the curve",
+            line.exact, line.theta
+        )?;
+    }
+    for (index, branch) in curve.branches.iter().enumerate() {
+        let real = ranges_text(&ranges(&branch.real, digits));
+        let positive = ranges_text(&ranges(&branch.positive, digits));
+        writeln!(
+            out,
+            "# branch {index}: r real for {real}; r > 0 for {positive}"
+        )?;
+        let hidden = if index > 0 { "# " } else { "" };
+        writeln!(
+            out,
+            "{hidden}r = {}",
+            radius_text(&branch.radius, Format::Text)
+        )?;
+    }
+    Ok(())
+}
+
+fn radius_text(radius: &Radius, format: Format) -> String {
+    match radius {
+        Radius::Fourier(radius) => expression(radius, format, "theta"),
+        Radius::Closed(closed) => expression_text(closed, format),
+    }
+}
+
+fn entry(branch: &Branch, center: &[Rational; 2], digits: u32) -> BranchEntry {
+    let sympy = radius_text(&branch.radius, Format::Sympy);
+    let [cx, cy] = center.each_ref().map(|c| {
         if c.is_zero() {
             String::new()
         } else {
             format!("Rational({}, {}) + ", c.numerator(), c.denominator())
         }
     });
-    let strings = |v: &[crate::exact::Rational]| v.iter().map(ToString::to_string).collect();
-    Branch {
+    let strings = |v: &[Rational]| v.iter().map(ToString::to_string).collect();
+    BranchEntry {
         factor: 0,
-        radius: expression(radius, Format::Text)
-            .replace("(t)", "(theta)")
-            .replace("*t)", "*theta)"),
-        latex: expression(radius, Format::Latex),
+        radius: radius_text(&branch.radius, Format::Text),
+        latex: radius_text(&branch.radius, Format::Latex),
         coordinates: Coordinates {
             x: format!("{cx}({sympy})*cos(theta)"),
             y: format!("{cy}({sympy})*sin(theta)"),
         },
         sympy,
-        fourier: Fourier {
-            cos: strings(radius.cosines()),
-            sin: strings(radius.sines()),
+        fourier: match &branch.radius {
+            Radius::Fourier(radius) => Some(Fourier {
+                cos: strings(radius.cosines()),
+                sin: strings(radius.sines()),
+            }),
+            Radius::Closed(_) => None,
         },
-        ranges: vec![Range::new(&AngleRange::full_circle(), digits)],
-        positive: positive_ranges(radius)
-            .iter()
-            .map(|r| Range::new(r, digits))
-            .collect(),
+        ranges: ranges(&branch.real, digits),
+        positive: ranges(&branch.positive, digits),
     }
 }

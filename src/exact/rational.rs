@@ -123,6 +123,20 @@ impl Rational {
             .flatten()
     }
 
+    /// The fraction of smallest denominator in the closed interval between two numbers.
+    #[must_use]
+    pub fn simplest_between(low: &Self, high: &Self) -> Self {
+        use malachite::rational::rational::arithmetic::traits::SimplestRationalInInterval;
+        let (low, high) = if low <= high {
+            (low, high)
+        } else {
+            (high, low)
+        };
+        Self(malachite::Rational::simplest_rational_in_closed_interval(
+            &low.0, &high.0,
+        ))
+    }
+
     /// The larger of the bit lengths of numerator and denominator.
     #[must_use]
     pub fn bits(&self) -> u64 {

@@ -1,7 +1,15 @@
 //! Implicit → parametric (§3 of the paper).
 
+mod angle;
+mod cells;
+mod closed;
+mod expression;
 mod fourier;
+mod parametrization;
 mod ranges;
 
+pub use angle::{AngleRange, ExactAngle};
+pub use expression::Expression;
 pub use fourier::{FourierBranches, fourier_branches};
-pub use ranges::{AngleRange, ExactAngle, positive_ranges};
+pub use parametrization::{Branch, Parametrization, Radius, parametrize};
+pub use ranges::positive_ranges;

@@ -1,110 +1,13 @@
 //! Where a Fourier radius is positive: exact angle ranges.
 
-use std::cmp::Ordering;
-
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
 use malachite::base::num::basic::traits::One;
 
-use crate::exact::{Rational, arctangent, pi};
-use crate::poly::{IntegerPolynomial, RealRoot, doubled_form_from_harmonics, real_roots};
+use super::angle::{AngleRange, ExactAngle};
+use crate::exact::Rational;
+use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics, real_roots};
 use crate::shape::FourierRadius;
-
-/// An angle in [0, 2π], known exactly.
-#[derive(Clone, Debug)]
-pub enum ExactAngle {
-    /// A rational multiple of π.
-    Pi(Rational),
-    /// 2 arctan t for a real root t of a polynomial, taken into [0, 2π).
-    TwiceArctangent(RealRoot),
-}
-
-impl ExactAngle {
-    /// Certified decimals: the angle rounded to `digits` places after the point.
-    ///
-    /// Bounds are refined until both round to the same decimals (an angle other than 0 here is
-    /// irrational or a multiple of π, so they do).
-    #[must_use]
-    pub fn to_decimal(&self, digits: u32) -> String {
-        let mut bits = digits * 4 + 16;
-        loop {
-            let (low, high) = self.bounds(bits);
-            let (a, b) = (low.to_decimal(digits), high.to_decimal(digits));
-            if a == b {
-                return a;
-            }
-            bits *= 2;
-        }
-    }
-
-    /// Certified bounds, about 2^−`bits` apart.
-    fn bounds(&self, bits: u32) -> (Rational, Rational) {
-        match self {
-            Self::Pi(q) if q.is_zero() => (Rational::zero(), Rational::zero()),
-            Self::Pi(q) => {
-                let (low, high) = pi(bits + 2);
-                (low * q, high * q)
-            }
-            Self::TwiceArctangent(root) => {
-                let mut root = root.clone();
-                root.refine(i64::from(bits) + 4);
-                let (t_low, t_high) = root.bounds();
-                let two = Rational::from(2);
-                let low = arctangent(&t_low.to_rational(), bits + 4).0 * &two;
-                let high = arctangent(&t_high.to_rational(), bits + 4).1 * &two;
-                if root.signum() < 0 {
-                    let (pi_low, pi_high) = pi(bits + 4);
-                    (low + pi_low * &two, high + pi_high * two)
-                } else {
-                    (low, high)
-                }
-            }
-        }
-    }
-
-    /// What the angle is, exactly: `3/4*pi`, or `2*atan(t)` with the bounds of t.
-    #[must_use]
-    pub fn describe(&self) -> Option<String> {
-        match self {
-            Self::Pi(q) if q.is_zero() => Some("0".into()),
-            Self::Pi(q) if *q == Rational::one() => Some("pi".into()),
-            Self::Pi(q) if q.is_integer() => Some(format!("{q}*pi")),
-            Self::Pi(q) => {
-                let p = q.numerator();
-                let over = q.denominator();
-                Some(if p == 1 {
-                    format!("pi/{over}")
-                } else {
-                    format!("{p}*pi/{over}")
-                })
-            }
-            Self::TwiceArctangent(_) => None,
-        }
-    }
-}
-
-/// An interval of angles within [0, 2π].
-#[derive(Clone, Debug)]
-pub struct AngleRange {
-    /// The lower end.
-    pub from: ExactAngle,
-    /// The upper end, greater than the lower one.
-    pub to: ExactAngle,
-    /// Whether the ends belong to it.
-    pub closed: [bool; 2],
-}
-
-impl AngleRange {
-    /// [0, 2π].
-    #[must_use]
-    pub fn full_circle() -> Self {
-        Self {
-            from: ExactAngle::Pi(Rational::zero()),
-            to: ExactAngle::Pi(Rational::from(2)),
-            closed: [true, true],
-        }
-    }
-}
 
 /// Where r(θ) > 0, ascending within [0, 2π]: open intervals, closed at 0 and 2π if r > 0 there.
 ///
@@ -126,7 +29,7 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
     let mut zeros: Vec<(ExactAngle, usize)> = roots
         .into_iter()
         .map(|root| (root.multiplicity(), root))
-        .map(|(multiplicity, root)| (angle_of(root), multiplicity))
+        .map(|(multiplicity, root)| (ExactAngle::of_half_tangent(root), multiplicity))
         .collect();
     // Just before π the sign is the leading coefficient's; every odd zero changes it.
     let at_zero = matches!(zeros.first(), Some((ExactAngle::Pi(q), _)) if q.is_zero());
@@ -155,16 +58,6 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
         from = (angle, false);
     }
     ranges
-}
-
-fn angle_of(root: RealRoot) -> ExactAngle {
-    // 2 atan 0 = 0 and 2 atan ±1 are multiples of π.
-    for (t, angle) in [(0, (0, 1)), (1, (1, 2)), (-1, (3, 2))] {
-        if root.cmp_rational(&Rational::from(t)) == Ordering::Equal {
-            return ExactAngle::Pi(Rational::from(angle.0) / Rational::from(angle.1));
-        }
-    }
-    ExactAngle::TwiceArctangent(root)
 }
 
 /// `(1 + t²)^N r(2 arctan t)` times a positive constant.

@@ -7,7 +7,10 @@ use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::isolate::isolate;
-use super::{IntegerPolynomial, numerator_at, sign_at, sign_at_rational, squarefree_decomposition};
+use super::{
+    IntegerPolynomial, numerator_at, polynomial_gcd, sign_at, sign_at_rational,
+    squarefree_decomposition,
+};
 use crate::exact::{Dyadic, Rational};
 
 /// A real root of a polynomial with integer coefficients: certified, and as precise as asked.
@@ -136,7 +139,64 @@ impl RealRoot {
         }
     }
 
-    fn cmp_distinct(&mut self, other: &mut Self) -> Ordering {
+    /// Whether the root is also a root of g.
+    #[must_use]
+    pub fn is_root_of(&self, g: &IntegerPolynomial) -> bool {
+        match &self.place {
+            Place::Exact(point) => sign_at(g, point) == 0,
+            Place::Between { low, high, .. } => {
+                // A common factor that changes sign in the interval has the one root there is.
+                let common = polynomial_gcd(&self.polynomial, g);
+                common.coefficients_asc().len() > 1
+                    && sign_at(&common, low) * sign_at(&common, high) < 0
+            }
+        }
+    }
+
+    /// The exact sign of g at the root. Cost: the real roots of g.
+    #[must_use]
+    pub fn sign_of(&self, g: &IntegerPolynomial) -> i8 {
+        let Some(lead) = g.coefficients_asc().last() else {
+            return 0;
+        };
+        if self.is_root_of(g) {
+            return 0;
+        }
+        let mut here = self.clone();
+        let above: usize = real_roots(g)
+            .iter_mut()
+            .filter_map(|root| {
+                (here.cmp_distinct(root) == Ordering::Less).then_some(root.multiplicity)
+            })
+            .sum();
+        let sign = if *lead > 0 { 1 } else { -1 };
+        if above.is_multiple_of(2) { sign } else { -sign }
+    }
+
+    /// The root as a fraction, if it is rational.
+    #[must_use]
+    pub fn as_rational(&self) -> Option<Rational> {
+        if let Place::Exact(point) = &self.place {
+            return Some(point.to_rational());
+        }
+        // p/q in lowest terms has q | lead: two such fractions are at least 1/lead² apart, and
+        // the simplest fraction in a shorter interval is the only candidate.
+        let lead = self.polynomial.coefficients_asc().last()?;
+        let mut here = self.clone();
+        let bits = i64::try_from(2 * lead.significant_bits()).ok()? + 1;
+        here.refine_to_width(-bits);
+        let (low, high) = here.bounds();
+        let candidate = Rational::simplest_between(&low.to_rational(), &high.to_rational());
+        (self.cmp_rational(&candidate) == Ordering::Equal).then_some(candidate)
+    }
+
+    /// The polynomial of which this is a root.
+    #[must_use]
+    pub fn polynomial(&self) -> &IntegerPolynomial {
+        &self.polynomial
+    }
+
+    pub(crate) fn cmp_distinct(&mut self, other: &mut Self) -> Ordering {
         loop {
             let (a, b) = (self.bounds(), other.bounds());
             if a.1 <= b.0 {

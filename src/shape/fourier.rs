@@ -102,26 +102,42 @@ impl FourierRadius {
     ///
     /// Computed in doubles by the sum of the series: accurate to about N·10⁻¹⁶ of the size.
     #[must_use]
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "counts of points and harmonics are small"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "a count of points is small")]
     pub fn polyline(&self, count: usize) -> Vec<[f64; 2]> {
-        let cos: Vec<f64> = self.cos.iter().map(Rational::to_f64).collect();
-        let sin: Vec<f64> = self.sin.iter().map(Rational::to_f64).collect();
         let [cx, cy] = self.center.each_ref().map(Rational::to_f64);
+        let (cos, sin) = self.to_doubles();
         let count = count.max(3);
         (0..=count)
             .map(|k| {
                 let theta = std::f64::consts::TAU * ((k % count) as f64 / count as f64);
-                let radius: f64 = (0..cos.len())
-                    .map(|n| {
-                        let (s, c) = (n as f64 * theta).sin_cos();
-                        cos[n] * c + sin[n] * s
-                    })
-                    .sum();
+                let radius = series(&cos, &sin, theta);
                 [cx + radius * theta.cos(), cy + radius * theta.sin()]
             })
             .collect()
     }
+
+    /// r(θ) in doubles, as accurate as [`FourierRadius::polyline`].
+    #[must_use]
+    pub fn approximate(&self, theta: f64) -> f64 {
+        let (cos, sin) = self.to_doubles();
+        series(&cos, &sin, theta)
+    }
+
+    fn to_doubles(&self) -> (Vec<f64>, Vec<f64>) {
+        let doubles = |v: &[Rational]| v.iter().map(Rational::to_f64).collect();
+        (doubles(&self.cos), doubles(&self.sin))
+    }
+}
+
+/// a0 + Σ a_n cos nθ + b_n sin nθ
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "the number of harmonics is small"
+)]
+fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
+    let terms = cos.iter().zip(sin).enumerate().map(|(n, (a, b))| {
+        let (s, c) = (n as f64 * theta).sin_cos();
+        a * c + b * s
+    });
+    terms.sum()
 }

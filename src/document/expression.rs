@@ -1,0 +1,142 @@
+//! Closed forms in θ, in several notations.
+
+use std::fmt::Write;
+
+use super::Format;
+use crate::parametrize::Expression;
+use crate::poly::BinaryForm;
+
+/// How tightly an expression binds: what it may stand in without parentheses.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Atom,
+}
+
+/// The expression in the given format: text (the input language's notation), LaTeX, SymPy or Maple.
+pub(super) fn expression_text(expression: &Expression, format: Format) -> String {
+    written(expression, format).0
+}
+
+fn written(expression: &Expression, format: Format) -> (String, Strength) {
+    let inner = |e: &Expression, least: Strength| {
+        let (text, strength) = written(e, format);
+        if strength >= least {
+            text
+        } else {
+            parenthesized(&text, format)
+        }
+    };
+    match expression {
+        Expression::Form(form) => form_text(form, format),
+        Expression::Sum(a, b) => {
+            let text = format!(
+                "{} + {}",
+                inner(a, Strength::Sum),
+                inner(b, Strength::Product)
+            );
+            (text, Strength::Sum)
+        }
+        Expression::Difference(a, b) => {
+            let text = format!(
+                "{} - {}",
+                inner(a, Strength::Sum),
+                inner(b, Strength::Product)
+            );
+            (text, Strength::Sum)
+        }
+        Expression::Product(a, b) => {
+            let times = if format == Format::Latex { " " } else { "*" };
+            let text = format!(
+                "{}{times}{}",
+                inner(a, Strength::Product),
+                inner(b, Strength::Product)
+            );
+            (text, Strength::Product)
+        }
+        Expression::Quotient(a, b) if format == Format::Latex => {
+            let (a, b) = (written(a, format).0, written(b, format).0);
+            (format!("\\frac{{{a}}}{{{b}}}"), Strength::Product)
+        }
+        Expression::Quotient(a, b) => {
+            let text = format!(
+                "{}/{}",
+                inner(a, Strength::Product),
+                inner(b, Strength::Atom)
+            );
+            (text, Strength::Product)
+        }
+        Expression::Negative(a) => (format!("-{}", inner(a, Strength::Product)), Strength::Sum),
+        Expression::Root(k, a) => (root_text(*k, &written(a, format).0, format), Strength::Atom),
+    }
+}
+
+fn parenthesized(text: &str, format: Format) -> String {
+    if format == Format::Latex {
+        format!("\\left({text}\\right)")
+    } else {
+        format!("({text})")
+    }
+}
+
+/// The real k-th root: other systems' powers of negative numbers are complex, so odd roots are
+/// written with the sign outside.
+fn root_text(k: u32, a: &str, format: Format) -> String {
+    match (format, k) {
+        (Format::Latex, 2) => format!("\\sqrt{{{a}}}"),
+        (Format::Latex, _) => format!("\\sqrt[{k}]{{{a}}}"),
+        (_, 2) => format!("sqrt({a})"),
+        (Format::Sympy, _) if k.is_multiple_of(2) => format!("({a})**Rational(1, {k})"),
+        (Format::Sympy, _) => format!("(sign({a})*Abs({a})**Rational(1, {k}))"),
+        (Format::Maple, _) if !k.is_multiple_of(2) => format!("surd({a}, {k})"),
+        _ => format!("({a})^(1/{k})"),
+    }
+}
+
+/// A form at (cos θ, sin θ), expanded.
+fn form_text(form: &BinaryForm, format: Format) -> (String, Strength) {
+    let degree = form.degree();
+    let mut text = String::new();
+    let mut terms = 0;
+    let mut factors = 0;
+    for (k, coefficient) in form.terms() {
+        let negative = *coefficient < 0;
+        text.push_str(match (terms, negative) {
+            (0, false) => "",
+            (0, true) => "-",
+            (_, false) => " + ",
+            (_, true) => " - ",
+        });
+        let magnitude = coefficient.unsigned_abs_ref();
+        let powers = [power("cos", degree - k, format), power("sin", k, format)];
+        let mut parts: Vec<String> = powers.into_iter().flatten().collect();
+        if parts.is_empty() || *magnitude != 1u32 {
+            parts.insert(0, magnitude.to_string());
+        }
+        terms += 1;
+        factors = parts.len() + usize::from(negative);
+        let times = if format == Format::Latex { " " } else { "*" };
+        let _ = write!(text, "{}", parts.join(times));
+    }
+    match (terms, factors) {
+        (0, _) => ("0".into(), Strength::Atom),
+        (1, 1) => (text, Strength::Atom),
+        (1, _) if !text.starts_with('-') => (text, Strength::Product),
+        _ => (text, Strength::Sum),
+    }
+}
+
+fn power(function: &str, exponent: usize, format: Format) -> Option<String> {
+    let power = match format {
+        Format::Sympy => "**",
+        _ => "^",
+    };
+    match (exponent, format) {
+        (0, _) => None,
+        (1, Format::Latex) => Some(format!("\\{function} \\theta")),
+        (_, Format::Latex) => Some(format!("\\{function}^{{{exponent}}} \\theta")),
+        (1, _) => Some(format!("{function}(theta)")),
+        _ => Some(format!("{function}(theta){power}{exponent}")),
+    }
+}

@@ -1,0 +1,269 @@
+//! Angles known exactly, and ranges of them.
+
+use crate::exact::{Rational, arctangent, pi};
+use crate::poly::{IntegerPolynomial, RealRoot};
+use malachite::Integer;
+use malachite::base::polynomial::Polynomial;
+
+/// An angle known exactly.
+#[derive(Clone, Debug)]
+pub enum ExactAngle {
+    /// A rational multiple of π.
+    Pi(Rational),
+    /// `times · arctan t + half_turns · π`, for a real root t of a polynomial.
+    Arctangent {
+        /// t.
+        tangent: RealRoot,
+        /// 1, or 2 where t is the tangent of half the angle.
+        times: i32,
+        /// How many π are added.
+        half_turns: i32,
+    },
+}
+
+/// Minimal polynomials (ascending) of the tangents of π/24·j that are at most quadratic, with the j
+/// in [0, 24) of their roots.
+const SPECIAL_TANGENTS: [(&[i64], &[i32]); 9] = [
+    (&[0, 1], &[0]),
+    (&[-1, 1], &[6]),
+    (&[1, 1], &[18]),
+    (&[-3, 0, 1], &[8, 16]),
+    (&[-1, 0, 3], &[4, 20]),
+    (&[-1, 2, 1], &[3, 15]),
+    (&[-1, -2, 1], &[9, 21]),
+    (&[1, -4, 1], &[2, 10]),
+    (&[1, 4, 1], &[14, 22]),
+];
+
+impl ExactAngle {
+    /// 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::Pi(Rational::zero())
+    }
+
+    /// The angle in [0, π) with the given tangent.
+    #[must_use]
+    pub fn of_tangent(tangent: RealRoot) -> Self {
+        if let Some(j) = special(&tangent) {
+            return Self::Pi(Rational::from(j) / Rational::from(24));
+        }
+        let half_turns = i32::from(tangent.signum() < 0);
+        Self::Arctangent {
+            tangent,
+            times: 1,
+            half_turns,
+        }
+    }
+
+    /// The angle in [0, 2π) other than π whose half has the given tangent.
+    #[must_use]
+    pub fn of_half_tangent(tangent: RealRoot) -> Self {
+        if let Some(j) = special(&tangent) {
+            return Self::Pi(Rational::from(j) / Rational::from(12));
+        }
+        let half_turns = if tangent.signum() < 0 { 2 } else { 0 };
+        Self::Arctangent {
+            tangent,
+            times: 2,
+            half_turns,
+        }
+    }
+
+    /// This angle and π.
+    #[must_use]
+    pub fn plus_pi(&self) -> Self {
+        match self {
+            Self::Pi(q) => Self::Pi(q + &Rational::one()),
+            Self::Arctangent {
+                tangent,
+                times,
+                half_turns,
+            } => Self::Arctangent {
+                tangent: tangent.clone(),
+                times: *times,
+                half_turns: half_turns + 1,
+            },
+        }
+    }
+
+    /// Whether this is the multiple `q` of π.
+    #[must_use]
+    pub fn is_pi_times(&self, q: i32) -> bool {
+        matches!(self, Self::Pi(p) if *p == Rational::from(q))
+    }
+
+    /// Certified decimals: the angle rounded to `digits` places after the point.
+    ///
+    /// Bounds are refined until both round to the same decimals; they do, because such an angle is
+    /// 0 or transcendental (Lindemann).
+    #[must_use]
+    pub fn to_decimal(&self, digits: u32) -> String {
+        let mut bits = digits * 4 + 16;
+        loop {
+            let (low, high) = self.bounds(bits);
+            let (a, b) = (low.to_decimal(digits), high.to_decimal(digits));
+            if a == b {
+                return a;
+            }
+            bits *= 2;
+        }
+    }
+
+    /// Certified bounds, about 2^−`bits` apart.
+    fn bounds(&self, bits: u32) -> (Rational, Rational) {
+        let times_pi = |q: &Rational| {
+            let (low, high) = pi(bits + 8);
+            if q.is_zero() {
+                (Rational::zero(), Rational::zero())
+            } else {
+                (low * q, high * q)
+            }
+        };
+        match self {
+            Self::Pi(q) => times_pi(q),
+            Self::Arctangent {
+                tangent,
+                times,
+                half_turns,
+            } => {
+                let mut root = tangent.clone();
+                root.refine(i64::from(bits) + 4);
+                let (t_low, t_high) = root.bounds();
+                let times = Rational::from(*times);
+                let (low, high) = times_pi(&Rational::from(*half_turns));
+                (
+                    low + arctangent(&t_low.to_rational(), bits + 8).0 * &times,
+                    high + arctangent(&t_high.to_rational(), bits + 8).1 * times,
+                )
+            }
+        }
+    }
+
+    /// A closed form if there is a nice one: `3*pi/4`, `pi + atan(1/2)`.
+    #[must_use]
+    pub fn closed_form(&self) -> Option<String> {
+        match self {
+            Self::Pi(q) => Some(multiple_of_pi(q)),
+            Self::Arctangent {
+                tangent,
+                times,
+                half_turns,
+            } => {
+                let t = tangent.as_rational()?;
+                let factor = if *times == 1 {
+                    String::new()
+                } else {
+                    format!("{times}*")
+                };
+                let arctangent = if t.signum() < 0 {
+                    format!("- {factor}atan({})", t.abs())
+                } else {
+                    format!("+ {factor}atan({t})")
+                };
+                Some(match half_turns {
+                    0 => arctangent.trim_start_matches("+ ").to_string(),
+                    n => format!("{} {arctangent}", multiple_of_pi(&Rational::from(*n))),
+                })
+            }
+        }
+    }
+
+    /// What the angle is, exactly: the closed form, or the polynomial and an interval of the tangent.
+    #[must_use]
+    pub fn describe(&self) -> String {
+        if let Some(nice) = self.closed_form() {
+            return nice;
+        }
+        let Self::Arctangent {
+            tangent,
+            times,
+            half_turns,
+        } = self
+        else {
+            return String::new();
+        };
+        let factor = if *times == 1 {
+            String::new()
+        } else {
+            format!("{times}*")
+        };
+        let turns = match half_turns {
+            0 => String::new(),
+            n => format!("{} + ", multiple_of_pi(&Rational::from(*n))),
+        };
+        let mut root = tangent.clone();
+        root.refine(20);
+        let (low, high) = root.bounds();
+        format!(
+            "{turns}{factor}atan(t) with {} = 0, {} < t < {}",
+            tangent.polynomial().to_string().replace('x', "t"),
+            low.to_rational(),
+            high.to_rational()
+        )
+    }
+}
+
+fn multiple_of_pi(q: &Rational) -> String {
+    let (p, over) = (q.numerator(), q.denominator());
+    let numerator = if p == 1 {
+        "pi".into()
+    } else {
+        format!("{p}*pi")
+    };
+    match (q.is_zero(), q.is_integer()) {
+        (true, _) => "0".into(),
+        (_, true) => numerator,
+        _ => format!("{numerator}/{over}"),
+    }
+}
+
+/// The j in [0, 24) with tan(jπ/24) = t, if there is one in the table.
+fn special(t: &RealRoot) -> Option<i32> {
+    SPECIAL_TANGENTS
+        .iter()
+        .find_map(|(coefficients, multiples)| {
+            let integers = coefficients.iter().map(|&c| Integer::from(c)).collect();
+            let polynomial = IntegerPolynomial::from_coefficients_asc(integers);
+            if !t.is_root_of(&polynomial) {
+                return None;
+            }
+            let nearest =
+                |j: &&i32| (f64::from(**j) * std::f64::consts::PI / 24.0).tan() - t.to_f64();
+            let closest = |a: &&i32, b: &&i32| nearest(a).abs().total_cmp(&nearest(b).abs());
+            multiples.iter().min_by(closest).copied()
+        })
+}
+
+/// An interval of angles within [0, 2π].
+#[derive(Clone, Debug)]
+pub struct AngleRange {
+    /// The lower end.
+    pub from: ExactAngle,
+    /// The upper end; equal to the lower one for an isolated angle.
+    pub to: ExactAngle,
+    /// Whether the ends belong to it.
+    pub closed: [bool; 2],
+}
+
+impl AngleRange {
+    /// [0, 2π].
+    #[must_use]
+    pub fn full_circle() -> Self {
+        Self {
+            from: ExactAngle::zero(),
+            to: ExactAngle::Pi(Rational::from(2)),
+            closed: [true, true],
+        }
+    }
+
+    /// The isolated angle [θ, θ].
+    #[must_use]
+    pub fn point(angle: ExactAngle) -> Self {
+        Self {
+            from: angle.clone(),
+            to: angle,
+            closed: [true, true],
+        }
+    }
+}

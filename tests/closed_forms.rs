@@ -1,0 +1,99 @@
+//! Closed forms of r(θ) against certified roots in exact directions.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use proptest::prelude::*;
+use stellate::exact::Rational;
+use stellate::parametrize::{AngleRange, Parametrization, parametrize};
+use stellate::poly::PlanePolynomial;
+use stellate::sample::{Direction, Ray, RaySolver};
+use stellate::shape::ImplicitCurve;
+
+/// How near to the end of a range an angle is not asked, and how exactly values must agree.
+const NEAR: f64 = 1e-4;
+
+fn inside(ranges: &[AngleRange], theta: f64) -> Option<bool> {
+    let mut answer = false;
+    for range in ranges {
+        let end = |a: &stellate::parametrize::ExactAngle| a.to_decimal(9).parse::<f64>().unwrap();
+        let (from, to) = (end(&range.from), end(&range.to));
+        if (theta - from).abs() < NEAR || (theta - to).abs() < NEAR {
+            return None;
+        }
+        answer |= from < theta && theta < to;
+    }
+    Some(answer)
+}
+
+/// The branches that are real at θ have exactly the values of the certified roots.
+fn check(f: &PlanePolynomial, curve: &Parametrization, theta: f64) -> Result<(), TestCaseError> {
+    let Ray::Points(points) = RaySolver::new(f).solve(&Direction::from_radians(theta)) else {
+        return Ok(());
+    };
+    let mut values = Vec::new();
+    for branch in &curve.branches {
+        let (Some(real), Some(positive)) =
+            (inside(&branch.real, theta), inside(&branch.positive, theta))
+        else {
+            return Ok(());
+        };
+        if real {
+            let value = branch.radius.approximate(theta);
+            prop_assert!(!value.is_nan(), "a real branch has a value at {theta}");
+            prop_assert_eq!(positive, value > 0.0, "the sign of {} at {}", value, theta);
+            values.push(value);
+        }
+    }
+    values.sort_by(|a, b| b.total_cmp(a));
+    prop_assert_eq!(values.len(), points.len(), "{:?} {:?}", values, points);
+    for (value, point) in values.iter().zip(&points) {
+        prop_assert!(
+            (value - point.r).abs() <= 1e-6 * point.r.abs().max(1e-3),
+            "{} {}",
+            value,
+            point.r
+        );
+    }
+    Ok(())
+}
+
+/// A sum of random forms of the given degrees.
+fn parts(degrees: Vec<usize>) -> impl Strategy<Value = PlanePolynomial> {
+    let forms: Vec<_> = degrees
+        .into_iter()
+        .map(|d| {
+            prop::collection::vec(-6i64..7, d + 1).prop_map(move |c| {
+                let terms = c
+                    .into_iter()
+                    .enumerate()
+                    .map(move |(k, c)| ((d - k, k), Rational::from(c)));
+                PlanePolynomial::from_terms(terms)
+            })
+        })
+        .collect();
+    forms.prop_map(|forms| {
+        PlanePolynomial::from_terms(forms.iter().flat_map(|f| f.terms().collect::<Vec<_>>()))
+    })
+}
+
+/// Numbers of degrees n, n − k(, n − 2k) with k ≤ 4.
+fn curves() -> impl Strategy<Value = PlanePolynomial> {
+    (1usize..5, 0usize..4, any::<bool>()).prop_flat_map(|(k, low, three)| {
+        let mut degrees = vec![low, low + k];
+        if three {
+            degrees.push(low + 2 * k);
+        }
+        parts(degrees)
+    })
+}
+
+proptest! {
+    #[test]
+    fn branches_are_the_certified_roots(f in curves(), angles in prop::collection::vec(0.0f64..6.25, 6)) {
+        prop_assume!(!f.is_zero());
+        let curve = parametrize(&ImplicitCurve::new(f.clone())).unwrap();
+        for theta in angles {
+            check(&f, &curve, theta)?;
+        }
+    }
+}
