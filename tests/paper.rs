@@ -6,9 +6,10 @@ use std::path::Path;
 use stellate::exact::Rational;
 use stellate::fit::{FitOptions, FitSize, fit, fourier_coefficients, read_contour};
 use stellate::implicitize::{SquaredForm, parity_sums, square_away};
-use stellate::parametrize::fourier_branches;
+use stellate::language::{Numbers, parse_form};
+use stellate::parametrize::{AngleRange, Parametrization, fourier_branches, parametrize};
 use stellate::poly::{PlanePolynomial, Ring, SparsePolynomial};
-use stellate::shape::FourierRadius;
+use stellate::shape::{Form, FourierRadius};
 
 fn radius(cos: &[&str], sin: &[&str]) -> FourierRadius {
     let parse = |v: &[&str]| v.iter().map(|t| t.parse().unwrap()).collect();
@@ -139,4 +140,62 @@ fn example_2_has_degree_80_and_gives_its_harmonics_back() {
         assert_eq!(curve.polynomial().lowest_degree(), Some(78));
         assert_eq!(fourier_branches(&curve).unwrap().radii[0], fit.radius);
     }
+}
+
+/// Example 5 (Lemma 2): r² = (c² − s²)/c⁴, real only where cos 2θ ≥ 0. (Erratum: printed for all θ.)
+#[test]
+fn example_5_is_real_on_two_arcs_only() {
+    let curve = polar("x^4 - x^2 + y^2");
+    assert_eq!(
+        (curve.lemma, curve.step, curve.branches.len()),
+        (Some(2), 2, 2)
+    );
+    assert!(curve.lines.is_empty());
+    for branch in &curve.branches {
+        assert_eq!(
+            ranges(&branch.real),
+            ["[0, pi/4]", "[3*pi/4, 5*pi/4]", "[7*pi/4, 2*pi]"]
+        );
+    }
+    let at = |k: usize, theta: f64| curve.branches[k].radius.approximate(theta);
+    let expected = (0.6f64.cos().powi(2) - 0.6f64.sin().powi(2)).sqrt() / 0.6f64.cos().powi(2);
+    assert!((at(0, 0.6) - expected).abs() < 1e-14);
+    assert!((at(1, 0.6) + expected).abs() < 1e-14);
+}
+
+/// Example 7 (Lemma 3): r = c + s ∓ √(sin 2θ), real on [0, π/2] and, with r < 0, on [π, 3π/2].
+#[test]
+fn example_7_has_two_branches_on_two_quarters() {
+    let curve = polar("x^2 + y^2 - 2x - 2y + 1");
+    assert_eq!(
+        (curve.lemma, curve.step, curve.branches.len()),
+        (Some(3), 1, 2)
+    );
+    for (branch, sign) in curve.branches.iter().zip([1.0, -1.0]) {
+        assert_eq!(ranges(&branch.real), ["[0, pi/2]", "[pi, 3*pi/2]"]);
+        assert_eq!(ranges(&branch.positive), ["[0, pi/2]"]);
+        let expected = 0.3f64.cos() + 0.3f64.sin() + sign * 0.6f64.sin().sqrt();
+        assert!((branch.radius.approximate(0.3) - expected).abs() < 1e-14);
+    }
+}
+
+fn polar(text: &str) -> Parametrization {
+    match parse_form(text, "example", Numbers::Exact).unwrap() {
+        Form::Curve(curve) => parametrize(&curve).unwrap(),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn ranges(list: &[AngleRange]) -> Vec<String> {
+    let text = |r: &AngleRange| {
+        let [a, b] = r.closed.map(|closed| if closed { "[]" } else { "()" });
+        format!(
+            "{}{}, {}{}",
+            &a[..1],
+            r.from.describe(),
+            r.to.describe(),
+            &b[1..]
+        )
+    };
+    list.iter().map(text).collect()
 }
