@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::Format;
+use crate::exact::Rational;
 use crate::parametrize::Expression;
 use crate::poly::BinaryForm;
 
@@ -68,7 +69,27 @@ fn written(expression: &Expression, format: Format) -> (String, Strength) {
             (text, Strength::Product)
         }
         Expression::Negative(a) => (format!("-{}", inner(a, Strength::Product)), Strength::Sum),
+        Expression::Pi(q) => (pi_text(q, format), Strength::Product),
+        Expression::Cosine(a) => (call("cos", a, format), Strength::Atom),
+        Expression::Arccosine(a) => (call("arccos", a, format), Strength::Atom),
         Expression::Root(k, a) => (root_text(*k, &written(a, format).0, format), Strength::Atom),
+    }
+}
+
+fn pi_text(q: &Rational, format: Format) -> String {
+    match format {
+        Format::Latex => format!("{q} \\pi"),
+        Format::Maple => format!("{q}*Pi"),
+        _ => format!("{q}*pi"),
+    }
+}
+
+fn call(function: &str, argument: &Expression, format: Format) -> String {
+    let argument = written(argument, format).0;
+    match (format, function) {
+        (Format::Latex, _) => format!("\\{function}\\left({argument}\\right)"),
+        (Format::Sympy | Format::Text, "arccos") => format!("acos({argument})"),
+        _ => format!("{function}({argument})"),
     }
 }
 
@@ -87,10 +108,11 @@ fn root_text(k: u32, a: &str, format: Format) -> String {
         (Format::Latex, 2) => format!("\\sqrt{{{a}}}"),
         (Format::Latex, _) => format!("\\sqrt[{k}]{{{a}}}"),
         (_, 2) => format!("sqrt({a})"),
-        (Format::Sympy, _) if k.is_multiple_of(2) => format!("({a})**Rational(1, {k})"),
-        (Format::Sympy, _) => format!("(sign({a})*Abs({a})**Rational(1, {k}))"),
-        (Format::Maple, _) if !k.is_multiple_of(2) => format!("surd({a}, {k})"),
-        _ => format!("({a})^(1/{k})"),
+        (Format::Sympy, _) if k.is_multiple_of(2) => format!("root({a}, {k})"),
+        (Format::Sympy, _) => format!("real_root({a}, {k})"),
+        (Format::Maple, _) => format!("surd({a}, {k})"),
+        (_, 3) => format!("cbrt({a})"),
+        _ => format!("root({a}, {k})"),
     }
 }
 

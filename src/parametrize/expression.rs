@@ -18,6 +18,12 @@ pub enum Expression {
     Quotient(Box<Expression>, Box<Expression>),
     /// −a
     Negative(Box<Expression>),
+    /// A multiple of π.
+    Pi(Rational),
+    /// cos a
+    Cosine(Box<Expression>),
+    /// arccos a, in [0, π]
+    Arccosine(Box<Expression>),
     /// The real k-th root: for even k the non-negative one of a non-negative number.
     Root(u32, Box<Expression>),
 }
@@ -45,6 +51,10 @@ impl Expression {
             Self::Product(a, b) => a.approximate(theta) * b.approximate(theta),
             Self::Quotient(a, b) => a.approximate(theta) / b.approximate(theta),
             Self::Negative(a) => -a.approximate(theta),
+            Self::Pi(q) => q.to_f64() * std::f64::consts::PI,
+            Self::Cosine(a) => a.approximate(theta).cos(),
+            // Rounding may carry the argument over the edge.
+            Self::Arccosine(a) => a.approximate(theta).clamp(-1.0, 1.0).acos(),
             Self::Root(k, a) => {
                 let value = a.approximate(theta);
                 let root = value.abs().powf(1.0 / f64::from(*k));

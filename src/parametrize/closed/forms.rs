@@ -1,0 +1,99 @@
+//! Forms on the unit circle, simplified for printing.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Abs, CheckedSqrt, DivRem, Gcd, Parity};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::Polynomial;
+
+use crate::poly::{BinaryForm, IntegerPolynomial, squarefree_decomposition};
+
+/// Square factors of constants are taken out of roots up to this prime.
+const LARGEST_SQUARE_PRIME: u32 = 1000;
+
+/// A form without its powers of x² + y², which are 1 on the circle.
+pub(super) fn on_circle(form: &BinaryForm) -> BinaryForm {
+    form.strip_rho()
+        .map_or_else(|| form.clone(), |(_, rest)| rest)
+}
+
+pub(super) fn negative(form: &BinaryForm) -> BinaryForm {
+    form.scaled(&Integer::from(-1))
+}
+
+/// Forms divided by the gcd of all their coefficients, the last one with its first sign positive.
+pub(super) fn reduced<const N: usize>(forms: [BinaryForm; N]) -> [BinaryForm; N] {
+    let mut content = Integer::ZERO;
+    for form in &forms {
+        content = Integer::from(
+            content
+                .unsigned_abs_ref()
+                .gcd(form.content().unsigned_abs_ref()),
+        );
+    }
+    let last_is_negative = forms[N - 1].terms().next().is_some_and(|(_, c)| *c < 0);
+    if last_is_negative {
+        content = -content;
+    }
+    if content == 0 {
+        return forms;
+    }
+    forms.map(|form| form.div_exact(&content))
+}
+
+/// (h, g) with `form = h² g (x²+y²)^e` and g squarefree up to constants.
+pub(super) fn square_part(form: &BinaryForm) -> (BinaryForm, BinaryForm) {
+    let form = on_circle(form);
+    let in_t = form.dehomogenized();
+    let Some(lead) = in_t.coefficients_asc().last() else {
+        return (BinaryForm::zero(0), BinaryForm::zero(0));
+    };
+    let mut outside = IntegerPolynomial::one();
+    let mut inside = IntegerPolynomial::one();
+    for (multiplicity, part) in squarefree_decomposition(in_t) {
+        for _ in 0..multiplicity / 2 {
+            outside *= &part;
+        }
+        if multiplicity.odd() {
+            inside *= &part;
+        }
+    }
+    let sign = if *lead > 0 {
+        Integer::ONE
+    } else {
+        -Integer::ONE
+    };
+    let (root, rest) = integer_square_part(form.content() * sign);
+    let constant = |c: Integer| IntegerPolynomial::from_coefficients_asc(vec![c]);
+    let x_power = form.degree() + 1 - in_t.coefficients_asc().len();
+    let degree = |p: &IntegerPolynomial| p.coefficients_asc().len() - 1;
+    (
+        BinaryForm::from_dehomogenized(degree(&outside) + x_power / 2, outside * constant(root)),
+        BinaryForm::from_dehomogenized(degree(&inside) + x_power % 2, inside * constant(rest)),
+    )
+}
+
+/// (a, b) with value = a² b, a as large as small primes make it.
+fn integer_square_part(value: Integer) -> (Integer, Integer) {
+    if value > 0
+        && let Some(root) = (&value).checked_sqrt()
+    {
+        return (root, Integer::ONE);
+    }
+    let mut root = Integer::ONE;
+    let mut rest = value;
+    for p in 2..LARGEST_SQUARE_PRIME {
+        let square = Integer::from(p * p);
+        if square > (&rest).abs() {
+            break;
+        }
+        loop {
+            let (quotient, remainder) = (&rest).div_rem(&square);
+            if remainder != 0 {
+                break;
+            }
+            rest = quotient;
+            root *= Integer::from(p);
+        }
+    }
+    (root, rest)
+}
