@@ -130,8 +130,8 @@ fn read_stdin(session: &Session) -> Result<Content> {
     let text = read_limited(std::io::stdin().lock(), Path::new("standard input"))?;
     let first = text
         .lines()
-        .map(str::trim)
-        .find(|l| !l.is_empty() && !l.starts_with('#'));
+        .map(|l| l.split('#').next().unwrap_or("").trim())
+        .find(|l| !l.is_empty() && !l.starts_with("//"));
     let looks_like_rows = first.is_some_and(|l| l.contains(',') && !l.contains(['=', '{', '(']));
     if looks_like_rows {
         return read_table(&text, "standard input", session);
