@@ -102,6 +102,7 @@ pub(crate) enum Verb {
 #[derive(Debug, Args)]
 pub(crate) struct Describe {
     /// What to describe
+    #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
@@ -110,6 +111,7 @@ pub(crate) struct Describe {
 #[derive(Debug, Args)]
 pub(crate) struct Implicitize {
     /// A Fourier radius, a contour, or an implicit form to be rewritten
+    #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
@@ -137,6 +139,7 @@ pub(crate) enum Coordinates {
 #[derive(Debug, Args)]
 pub(crate) struct Parametrize {
     /// An implicit polynomial, a Fourier radius or a contour
+    #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
@@ -153,6 +156,7 @@ pub(crate) struct Fit {
 #[derive(Debug, Args)]
 pub(crate) struct Sample {
     /// A Fourier radius, a contour or an implicit plane polynomial
+    #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,

@@ -44,14 +44,27 @@ pub(crate) fn read(argument: &str, session: &mut Session) -> Result<Input> {
                 read_file(Path::new(argument), session)?,
             )
         } else {
-            let form = read_text(argument, "<form>", session.numbers())?;
+            let form = read_text(argument, "<form>", session.numbers())
+                .map_err(|error| folder_instead(argument, error))?;
             (argument.trim().to_string(), Content::Exact(form))
         };
         Ok(Input { name, content })
     })
 }
 
-/// An argument with a known extension is a file even if it is missing; any other only if it exists.
+/// What is no form but the name of a folder was meant as a file.
+fn folder_instead(argument: &str, error: Error) -> Error {
+    if Path::new(argument).is_dir() {
+        Error::Usage(format!(
+            "{argument}: that is a folder; a form is text, a file, or - for standard input"
+        ))
+    } else {
+        error
+    }
+}
+
+/// An argument with a known extension is a file even if it is missing; any other only if it exists,
+/// as a file or as a pipe (`<(command)` of a shell).
 fn names_a_file(argument: &str) -> bool {
     let path = Path::new(argument);
     let known = ["csv", "png", "jpg", "jpeg", "bmp", "json", "txt"];
@@ -59,7 +72,7 @@ fn names_a_file(argument: &str) -> bool {
         .extension()
         .and_then(|e| e.to_str())
         .map(str::to_ascii_lowercase);
-    extension.is_some_and(|e| known.contains(&e.as_str())) || path.is_file()
+    extension.is_some_and(|e| known.contains(&e.as_str())) || (path.exists() && !path.is_dir())
 }
 
 fn file_name(argument: &str) -> String {
@@ -117,8 +130,8 @@ fn read_stdin(session: &Session) -> Result<Content> {
     let text = read_limited(std::io::stdin().lock(), Path::new("standard input"))?;
     let first = text
         .lines()
-        .map(str::trim)
-        .find(|l| !l.is_empty() && !l.starts_with('#'));
+        .map(|l| l.split('#').next().unwrap_or("").trim())
+        .find(|l| !l.is_empty() && !l.starts_with("//"));
     let looks_like_rows = first.is_some_and(|l| l.contains(',') && !l.contains(['=', '{', '(']));
     if looks_like_rows {
         return read_table(&text, "standard input", session);

@@ -24,36 +24,42 @@ pub(crate) fn write_result(
     })
 }
 
-/// Writes a file beside its destination and renames it.
+/// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`) is written
+/// to instead: renaming would put a file in its place.
 fn write_file(
     path: &Path,
     session: &Session,
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<()> {
-    let folder = folder_of(path);
     let failed = |source| io_error(path, source);
-    let mut beside = NamedTempFile::new_in(&folder).map_err(failed)?;
+    if std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
+        let device = std::fs::OpenOptions::new().write(true).open(path);
+        let mut out = BufWriter::new(device.map_err(failed)?);
+        return write(&mut out).and_then(|()| out.flush()).map_err(failed);
+    }
+    // What a symbolic link points to is replaced, not the link.
+    let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let folder = folder_of(path);
+    let mut beside = new_file_in(&folder).map_err(failed)?;
     {
         let mut out = BufWriter::new(beside.as_file_mut());
         write(&mut out).and_then(|()| out.flush()).map_err(failed)?;
     }
     session.limits.check()?;
-    give_default_permissions(&beside).map_err(failed)?;
     beside.persist(path).map_err(|e| failed(e.error))?;
     Ok(())
 }
 
-/// A temporary file is private; a result has the permissions that new files have here.
-#[cfg(unix)]
-fn give_default_permissions(file: &NamedTempFile) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.as_file()
-        .set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn give_default_permissions(_: &NamedTempFile) -> std::io::Result<()> {
-    Ok(())
+/// A file with the permissions that new files have here (tempfile's own are private).
+fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // The system takes the bits of the umask away.
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
 }
 
 /// Refuses `-o` into a missing folder or onto a folder before any work is done.

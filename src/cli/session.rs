@@ -14,6 +14,9 @@ use super::arguments::{Common, NumberReading};
 /// A progress bar waits this long before it shows itself.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 
+/// Far more threads than cores only take memory, and tens of thousands take minutes to start.
+const MAX_THREADS: usize = 1024;
+
 /// What all verbs share while they run.
 pub(crate) struct Session {
     pub(crate) common: Common,
@@ -38,6 +41,12 @@ impl Session {
                 return Err(Error::Usage(
                     "--threads 0: at least one thread is needed".into(),
                 ));
+            }
+            if threads > MAX_THREADS {
+                return Err(Error::Limit {
+                    limit: format!("--threads {threads}: at most {MAX_THREADS} threads"),
+                    finished: String::new(),
+                });
             }
             rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)

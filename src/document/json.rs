@@ -57,7 +57,12 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         "parametric" => {
             let branches = root.field(object, "branches")?;
             let first = branches.item(branches.array()?, 0)?;
-            read_fourier(&first.field(first.object()?, "fourier")?).map(Form::Fourier)
+            let radius = read_fourier(&first.field(first.object()?, "fourier")?)?;
+            // The branches have one center, which belongs to the whole document.
+            Ok(Form::Fourier(match root.center(object)? {
+                Some((_, center)) => radius.with_center(center),
+                None => radius,
+            }))
         }
         other => {
             let shown: String = other.chars().take(30).collect();
