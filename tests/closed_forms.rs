@@ -76,9 +76,9 @@ fn parts(degrees: Vec<usize>) -> impl Strategy<Value = PlanePolynomial> {
     })
 }
 
-/// Sums of up to four forms of degrees n, n − k, n − 2k, n − 3k with k ≤ 3.
+/// Sums of up to five forms of degrees n, n − k, n − 2k, … with k ≤ 3.
 fn curves() -> impl Strategy<Value = PlanePolynomial> {
-    (1usize..4, 0usize..3, 2usize..5)
+    (1usize..4, 0usize..3, 2usize..6)
         .prop_flat_map(|(k, low, count)| parts((0..count).map(|j| low + j * k).collect()))
 }
 

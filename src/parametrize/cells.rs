@@ -6,127 +6,174 @@ use malachite::base::polynomial::Polynomial;
 
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, IntegerPolynomial, RealRoot, primitive_part, real_roots};
-
-/// A direction at which the exact sign of any form can be asked.
-#[derive(Clone, Debug)]
-pub(super) enum Heading {
-    /// (u, v), not both 0.
-    Rational(Integer, Integer),
-    /// (1, t), or (−1, −t) if `opposite`, for an algebraic t.
-    Algebraic { tangent: RealRoot, opposite: bool },
-}
-
-impl Heading {
-    /// −1, 0 or 1.
-    pub(super) fn sign(&self, form: &BinaryForm) -> i8 {
-        match self {
-            Self::Rational(u, v) => {
-                let value = form.evaluate(u, v);
-                i8::from(value > 0) - i8::from(value < 0)
-            }
-            Self::Algebraic { tangent, opposite } => {
-                let sign = tangent.sign_of(form.dehomogenized());
-                if *opposite && !form.is_even() {
-                    -sign
-                } else {
-                    sign
-                }
-            }
-        }
-    }
-
-    fn opposite(&self) -> Self {
-        match self {
-            Self::Rational(u, v) => Self::Rational(-u, -v),
-            Self::Algebraic { tangent, opposite } => Self::Algebraic {
-                tangent: tangent.clone(),
-                opposite: !opposite,
-            },
-        }
-    }
-}
+use crate::poly::{
+    BinaryForm, IntegerPolynomial, RealRoot, divide_exactly, polynomial_gcd, primitive_part,
+    real_roots,
+};
 
 /// The circle [0, 2π] cut at the zeros of some forms: marks (the cuts, and 0 and 2π) and the open
 /// cells between them, in which no form changes its sign.
 pub(super) struct Cells {
     /// Ascending from 0 to 2π.
-    marks: Vec<(ExactAngle, Heading)>,
-    /// A heading inside each cell; one fewer than marks.
-    insides: Vec<Heading>,
+    marks: Vec<Mark>,
+    /// One inside each cell; one fewer than marks.
+    insides: Vec<Place>,
 }
 
+/// A direction with the signs of all the forms, in their order.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    pub(super) signs: Vec<i8>,
+    /// A vector in this direction, if it is a rational one.
+    pub(super) vector: Option<(Integer, Integer)>,
+}
+
+struct Mark {
+    angle: ExactAngle,
+    place: Place,
+    /// Vectors in the cells before and after, or at the mark itself if that is rational.
+    beside: [Vector; 2],
+}
+
+type Vector = (Integer, Integer);
+
 impl Cells {
-    /// Cuts at the real zeros of all the (non-zero) forms.
+    /// Cuts at the real zeros of all the forms that are not 0. Cost: the real roots of their product.
     pub(super) fn cut(forms: &[&BinaryForm]) -> Self {
         let mut product = IntegerPolynomial::one();
         let mut vertical = false;
         for form in forms.iter().filter(|f| !f.is_zero()) {
-            product *= primitive_part(form.dehomogenized());
+            let new = primitive_part(form.dehomogenized());
+            let common = polynomial_gcd(&product, &new);
+            product *= divide_exactly(&new, &common).unwrap_or(new);
             // f(0, 1) = 0 where the degree in t drops.
             vertical |= form.dehomogenized().coefficients_asc().len() <= form.degree();
         }
         let tangents = real_roots(&product);
         let (negative, other): (Vec<_>, Vec<_>) =
             tangents.into_iter().partition(|t| t.signum() < 0);
-        let algebraic = |mut tangent: RealRoot| {
-            // Away from 0, where there may be a mark.
-            tangent.refine(8);
-            let opposite = tangent.signum() < 0;
-            let heading = Heading::Algebraic {
-                tangent: tangent.clone(),
-                opposite,
-            };
-            (ExactAngle::of_tangent(tangent), heading)
+        let rational = |angle: ExactAngle, vector: Vector| Mark {
+            angle,
+            place: Place::rational(forms, vector.clone()),
+            beside: [vector.clone(), vector],
         };
-        let up = (
-            ExactAngle::Pi(Rational::one() / Rational::from(2)),
-            Heading::Rational(Integer::ZERO, Integer::ONE),
-        );
-        let mut half: Vec<(ExactAngle, Heading)> = Vec::new();
+        let mut half: Vec<Mark> = Vec::new();
         if other.first().is_none_or(|t| t.signum() != 0) {
-            half.push((ExactAngle::zero(), east()));
+            half.push(rational(ExactAngle::zero(), (Integer::ONE, Integer::ZERO)));
         }
-        half.extend(other.into_iter().map(algebraic));
-        half.extend(vertical.then_some(up));
-        half.extend(negative.into_iter().map(algebraic));
-        let mut marks = half.clone();
-        marks.extend(
-            half.iter()
-                .map(|(angle, heading)| (angle.plus_pi(), heading.opposite())),
-        );
-        marks.push((ExactAngle::Pi(Rational::from(2)), marks[0].1.clone()));
+        half.extend(other.into_iter().map(|t| Mark::algebraic(t, forms)));
+        if vertical {
+            let up = ExactAngle::Pi(Rational::one() / Rational::from(2));
+            half.push(rational(up, (Integer::ZERO, Integer::ONE)));
+        }
+        half.extend(negative.into_iter().map(|t| Mark::algebraic(t, forms)));
+        let other_half: Vec<Mark> = half.iter().map(|mark| mark.opposite(forms)).collect();
+        let mut marks = half;
+        marks.extend(other_half);
+        let end = Mark {
+            angle: ExactAngle::Pi(Rational::from(2)),
+            place: marks[0].place.clone(),
+            beside: marks[0].beside.clone(),
+        };
+        marks.push(end);
+        let between = |pair: &[Mark]| between(&pair[0].beside[1], &pair[1].beside[0]);
         let insides = marks
             .windows(2)
-            .map(|pair| between(&pair[0].1, &pair[1].1))
+            .map(|pair| Place::rational(forms, between(pair)))
             .collect();
         Self { marks, insides }
     }
 
-    /// The maximal ranges in which `holds`, within [0, 2π]; isolated angles as [θ, θ].
-    pub(super) fn ranges(&self, holds: impl Fn(&Heading) -> bool) -> Vec<AngleRange> {
+    /// The maximal ranges in which `holds`, within [0, 2π]; isolated angles as [θ, θ]. Besides the place
+    /// `holds` gets the two cells that a mark lies between.
+    pub(super) fn ranges(&self, holds: impl Fn(&Place, &[&Place]) -> bool) -> Vec<AngleRange> {
         let mut ranges: Vec<AngleRange> = Vec::new();
         let mut open: Option<AngleRange> = None;
-        for (index, (angle, heading)) in self.marks.iter().enumerate() {
-            let at_mark = holds(heading);
-            let after = self.insides.get(index).is_some_and(&holds);
+        let cells = self.insides.len();
+        for (index, mark) in self.marks.iter().enumerate() {
+            let around = [
+                &self.insides[(index + cells - 1) % cells],
+                &self.insides[index % cells],
+            ];
+            let at_mark = holds(&mark.place, &around);
+            let after = self.insides.get(index).is_some_and(|cell| holds(cell, &[]));
             match (open.take(), at_mark, after) {
                 (Some(range), true, true) => open = Some(range),
                 (Some(mut range), _, _) => {
-                    range.to = angle.clone();
+                    range.to = mark.angle.clone();
                     range.closed[1] = at_mark;
                     ranges.push(range);
-                    open = after.then(|| started(angle, at_mark));
+                    open = after.then(|| started(&mark.angle, at_mark));
                 }
-                (None, _, true) => open = Some(started(angle, at_mark)),
+                (None, _, true) => open = Some(started(&mark.angle, at_mark)),
                 // 2π is 0 again.
                 (None, true, false) if index + 1 < self.marks.len() => {
-                    ranges.push(AngleRange::point(angle.clone()));
+                    ranges.push(AngleRange::point(mark.angle.clone()));
                 }
                 (None, _, false) => {}
             }
         }
         ranges
+    }
+}
+
+impl Place {
+    fn rational(forms: &[&BinaryForm], (u, v): Vector) -> Self {
+        let sign = |form: &&BinaryForm| {
+            let value = form.evaluate(&u, &v);
+            i8::from(value > 0) - i8::from(value < 0)
+        };
+        Self {
+            signs: forms.iter().map(sign).collect(),
+            vector: Some((u, v)),
+        }
+    }
+}
+
+impl Mark {
+    /// The direction in [0, π) with an algebraic tangent: a form that does not vanish there has the
+    /// sign that it has in the cells beside.
+    fn algebraic(mut tangent: RealRoot, forms: &[&BinaryForm]) -> Self {
+        // Away from 0, where there may be a mark.
+        tangent.refine(8);
+        let (low, high) = tangent.bounds();
+        let upward = |t: Rational| {
+            let (u, v) = (t.denominator(), t.numerator());
+            if v < 0 { (-u, -v) } else { (u, v) }
+        };
+        let beside = [upward(low.to_rational()), upward(high.to_rational())];
+        let near = Place::rational(forms, beside[0].clone());
+        let signs = forms.iter().zip(near.signs).map(|(form, sign)| {
+            if tangent.is_root_of(form.dehomogenized()) {
+                0
+            } else {
+                sign
+            }
+        });
+        Self {
+            place: Place {
+                signs: signs.collect(),
+                vector: None,
+            },
+            angle: ExactAngle::of_tangent(tangent),
+            beside,
+        }
+    }
+
+    /// This direction and half a turn.
+    fn opposite(&self, forms: &[&BinaryForm]) -> Self {
+        let turned = |(u, v): &Vector| (-u, -v);
+        let signs = forms.iter().zip(&self.place.signs);
+        Self {
+            angle: self.angle.plus_pi(),
+            place: Place {
+                signs: signs
+                    .map(|(f, &s)| if f.is_even() { s } else { -s })
+                    .collect(),
+                vector: self.place.vector.as_ref().map(turned),
+            },
+            beside: self.beside.each_ref().map(turned),
+        }
     }
 }
 
@@ -138,43 +185,19 @@ fn started(angle: &ExactAngle, closed: bool) -> AngleRange {
     }
 }
 
-fn east() -> Heading {
-    Heading::Rational(Integer::ONE, Integer::ZERO)
-}
-
-/// A rational heading strictly between two neighbouring marks, less than π apart or π apart.
-fn between(from: &Heading, to: &Heading) -> Heading {
-    // Rational vectors inside the cell next to each mark, then their sum: it lies between them.
-    let (_, (u0, v0)) = vectors(from);
-    let ((u1, v1), _) = vectors(to);
-    let cross = &u0 * &v1 - &v0 * &u1;
+/// A rational vector strictly between two neighbouring marks, given vectors just after the one and just
+/// before the other.
+fn between((u0, v0): &Vector, (u1, v1): &Vector) -> Vector {
+    let cross = u0 * v1 - v0 * u1;
     if cross > 0 {
-        return Heading::Rational(u0 + u1, v0 + v1);
+        return (u0 + u1, v0 + v1);
     }
     if u0 == u1 && v0 == v1 {
         // The enclosures of two tangents touch here, and neither tangent is an end of its own.
-        return Heading::Rational(u0, v0);
+        return (u0.clone(), v0.clone());
     }
     // A half turn: the left normal.
-    Heading::Rational(-v0, u0)
-}
-
-type Vector = (Integer, Integer);
-
-/// Vectors just clockwise of (or at) a heading and just counter-clockwise of (or at) it, so close that
-/// neighbouring marks are apart.
-fn vectors(heading: &Heading) -> (Vector, Vector) {
-    match heading {
-        Heading::Rational(u, v) => ((u.clone(), v.clone()), (u.clone(), v.clone())),
-        Heading::Algebraic { tangent, opposite } => {
-            let (low, high) = tangent.bounds();
-            let vector = |t: Rational| {
-                let (u, v) = (t.denominator(), t.numerator());
-                if *opposite { (-u, -v) } else { (u, v) }
-            };
-            (vector(low.to_rational()), vector(high.to_rational()))
-        }
-    }
+    (-v0, u0.clone())
 }
 
 #[cfg(test)]
@@ -197,7 +220,7 @@ mod tests {
                 if b { ']' } else { ')' }
             )
         };
-        let ranges = cells.ranges(|h| holds(h.sign(f)));
+        let ranges = cells.ranges(|place, _| holds(place.signs[0]));
         ranges.iter().map(text).collect::<Vec<_>>().join(" ")
     }
 

@@ -3,7 +3,7 @@
 use malachite::base::num::basic::traits::Zero;
 
 use super::angle::{AngleRange, ExactAngle};
-use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4};
+use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4, lemma_5};
 use super::expression::Expression;
 use super::fourier::fourier_branches;
 use super::ranges::positive_ranges;
@@ -17,7 +17,7 @@ use crate::shape::{FourierRadius, ImplicitCurve};
 /// A curve in polar form: straight lines through the origin, and branches r(θ).
 #[derive(Clone, Debug)]
 pub struct Parametrization {
-    /// The number of the lemma that gives the branches: 2, 3 or 4; `None` if there are only lines.
+    /// The number of the lemma that gives the branches, 2 to 5; `None` if there are only lines.
     pub lemma: Option<usize>,
     /// The k of r^k.
     pub step: usize,
@@ -49,14 +49,14 @@ pub enum Radius {
     Closed(Expression),
 }
 
-/// The closed polar form of a plane curve (Lemmas 2 to 4), with exact ranges.
+/// The closed polar form of a plane curve (Lemmas 2 to 5), with exact ranges.
 ///
 /// The largest form that divides the polynomial is split off: its real zeros are the lines. What is left
-/// has two to four equally spaced homogeneous parts; if a radius is a trigonometric polynomial it comes
+/// has two to five equally spaced homogeneous parts; if a radius is a trigonometric polynomial it comes
 /// as one.
 ///
 /// # Errors
-/// [`Error::Hypothesis`] if the degree in r^k is more than three; [`Error::Usage`] for 0.
+/// [`Error::Hypothesis`] if the degree in r^k is more than four; [`Error::Usage`] for 0.
 pub fn parametrize(curve: &ImplicitCurve) -> Result<Parametrization> {
     let (form, rest) = split_form(curve.polynomial())
         .ok_or_else(|| Error::Usage("the polynomial 0 has no curve".into()))?;
@@ -71,7 +71,7 @@ pub fn parametrize(curve: &ImplicitCurve) -> Result<Parametrization> {
     if degrees.len() < 2 {
         return Ok(result);
     }
-    let rest = ImplicitCurve::new(rest).with_center(curve.center().clone());
+    let rest = ImplicitCurve::new(rest.primitive()).with_center(curve.center().clone());
     if let Ok(found) = fourier_branches(&rest) {
         result.lemma = Some(found.lemma);
         result.step = found.step;
@@ -90,11 +90,15 @@ pub fn parametrize(curve: &ImplicitCurve) -> Result<Parametrization> {
             let (second, third) = (part(top - step), part(low + step));
             lemma_4(&part(top), &second, &third, &part(low), k)
         }
+        4 => {
+            let all = [0, 1, 2, 3, 4].map(|j| part(top - j * step));
+            lemma_5(all.each_ref(), k)
+        }
         degree => {
             return Err(Error::Hypothesis {
-                statement: "the closed form of r (Lemmas 2 to 4)",
+                statement: "the closed form of r (Lemmas 2 to 5)",
                 witness: format!(
-                    "the homogeneous parts have degrees {degrees:?}: a polynomial of degree {degree} in r^{step}, and the lemmas need degree 1 to 3; sample and plot take any degree"
+                    "the homogeneous parts have degrees {degrees:?}: a polynomial of degree {degree} in r^{step}, and the lemmas need degree 1 to 4; sample and plot take any degree"
                 ),
             });
         }

@@ -5,10 +5,21 @@ use malachite::base::num::arithmetic::traits::{Abs, CheckedSqrt, DivRem, Gcd, Pa
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
-use crate::poly::{BinaryForm, IntegerPolynomial, squarefree_decomposition};
+use crate::poly::{BinaryForm, IntegerPolynomial, Ring, squarefree_decomposition};
 
 /// Square factors of constants are taken out of roots up to this prime.
 const LARGEST_SQUARE_PRIME: u32 = 1000;
+
+/// c · the product of some forms.
+pub(super) fn product(c: i64, forms: &[&BinaryForm]) -> BinaryForm {
+    let one = BinaryForm::from_coefficients(vec![Integer::from(c)]);
+    forms.iter().fold(one, |product, form| product.times(form))
+}
+
+/// The constant form c.
+pub(super) fn constant(c: i64) -> BinaryForm {
+    product(c, &[])
+}
 
 /// A form without its powers of x² + y², which are 1 on the circle.
 pub(super) fn on_circle(form: &BinaryForm) -> BinaryForm {

@@ -2,7 +2,7 @@
 
 use super::forms::{negative, on_circle, reduced};
 use super::{ClosedBranch, branches_of};
-use crate::parametrize::cells::{Cells, Heading};
+use crate::parametrize::cells::Cells;
 use crate::parametrize::expression::Expression;
 use crate::poly::BinaryForm;
 
@@ -18,8 +18,10 @@ pub(in crate::parametrize) fn lemma_2(
     let cells = Cells::cut(&[&top, &minus_low]);
     let [numerator, denominator] = reduced([minus_low.clone(), top.clone()]);
     let root = Expression::form(numerator).over(denominator);
-    branches_of(root, k, &cells, |h: &Heading| {
-        let finite = h.sign(&top);
-        (finite != 0).then(|| h.sign(&minus_low) * finite)
+    branches_of(root, k, &cells, |at, _| {
+        let [top, minus_low] = at.signs[..] else {
+            return None;
+        };
+        (top != 0).then_some(minus_low * top)
     })
 }

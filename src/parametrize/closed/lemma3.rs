@@ -4,7 +4,7 @@ use malachite::Integer;
 
 use super::forms::{negative, on_circle, reduced, square_part};
 use super::{ClosedBranch, branches_of};
-use crate::parametrize::cells::{Cells, Heading};
+use crate::parametrize::cells::{Cells, Place};
 use crate::parametrize::expression::Expression;
 use crate::poly::{BinaryForm, Ring};
 
@@ -27,14 +27,13 @@ pub(in crate::parametrize) fn lemma_3(
     let roots = [1, -1].map(|sign| Quadratic {
         s: &s,
         p: &p,
-        q: &q,
         inside: &inside,
         outside: &outside,
         sign,
     });
     let branches = roots
         .iter()
-        .flat_map(|root| branches_of(root.expression(), k, &cells, |h| root.sign_at(h)));
+        .flat_map(|root| branches_of(root.expression(), k, &cells, |at, _| root.sign_at(at)));
     branches.collect()
 }
 
@@ -42,7 +41,6 @@ pub(in crate::parametrize) fn lemma_3(
 struct Quadratic<'a> {
     s: &'a BinaryForm,
     p: &'a BinaryForm,
-    q: &'a BinaryForm,
     inside: &'a BinaryForm,
     outside: &'a BinaryForm,
     sign: i8,
@@ -72,14 +70,10 @@ impl Quadratic<'_> {
     }
 
     /// The sign of the root; `None` where it is not real or not finite.
-    fn sign_at(&self, heading: &Heading) -> Option<i8> {
-        let inside = heading.sign(self.inside);
-        let outside = heading.sign(self.outside);
-        let (s, p, q) = (
-            heading.sign(self.s),
-            heading.sign(self.p),
-            heading.sign(self.q),
-        );
+    fn sign_at(&self, at: &Place) -> Option<i8> {
+        let [s, p, q, inside, outside] = at.signs[..] else {
+            return None;
+        };
         if inside < 0 && outside != 0 {
             return None;
         }
