@@ -14,11 +14,7 @@ use super::session::Session;
 pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
-    if matches!(format, Format::Csv | Format::Singular) {
-        return Err(Error::Usage(format!(
-            "--format {format}: a polar form is written as text, json, latex, sympy or maple"
-        )));
-    }
+    format.check_fourier()?;
     let input = input::read(&verb.form, session)?;
     let fitted = input::exact_form(input, &verb.fit, session)?;
     let parametrization = session.stage("parametrize", |session| match &fitted.form {
@@ -34,6 +30,12 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             "this polynomial has z: parametrize takes plane curves, in x and y".into(),
         )),
     })?;
+    let is_series = |b: &Branch| matches!(b.radius, Radius::Fourier(_));
+    if format == Format::Csv && !parametrization.branches.first().is_some_and(is_series) {
+        return Err(Error::Usage(
+            "--format csv: only a radius that is a Fourier series is a table of coefficients; text, json, latex, sympy and maple write closed forms".into(),
+        ));
+    }
     let digits = session.common.digits;
     write_result(session, |out| {
         write_parametrization(&parametrization, digits, format, out)

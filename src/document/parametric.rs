@@ -110,20 +110,29 @@ pub(super) fn ranges_text(ranges: &[Range]) -> String {
 /// series.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for CSV and Singular.
+/// Those of `out`; `Unsupported` for Singular, and for CSV unless the first radius is a series.
 pub fn write_parametrization(
     curve: &Parametrization,
     digits: u32,
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    match format {
-        Format::Json => {
+    let series = curve
+        .branches
+        .first()
+        .and_then(|branch| match &branch.radius {
+            Radius::Fourier(radius) => Some(radius),
+            Radius::Closed(_) => None,
+        });
+    match (format, series) {
+        (Format::Json, _) => {
             serde_json::to_writer(&mut *out, &document(curve, digits))?;
             writeln!(out)
         }
-        Format::Text => write_text(curve, digits, out),
-        Format::Latex | Format::Sympy | Format::Maple => {
+        (Format::Text, _) => write_text(curve, digits, out),
+        // The other branch of a series, −r(θ + π), has the same points.
+        (_, Some(radius)) => super::write_fourier(radius, None, format, out),
+        (Format::Latex | Format::Sympy | Format::Maple, None) => {
             for branch in &curve.branches {
                 let radius = radius_text(&branch.radius, format);
                 match format {
@@ -134,9 +143,9 @@ pub fn write_parametrization(
             }
             Ok(())
         }
-        Format::Csv | Format::Singular => Err(io::Error::new(
+        (Format::Csv | Format::Singular, None) => Err(io::Error::new(
             io::ErrorKind::Unsupported,
-            "a polar form is written as text, json, latex, sympy or maple",
+            "only a radius that is a Fourier series is written as csv",
         )),
     }
 }
