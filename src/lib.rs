@@ -41,7 +41,7 @@
 //! | Theorem 2, Eqs. (5)–(9), Appendix B | [`implicitize`] |
 //! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
-//! | Lemmas 2 and 3 where the radius is a Fourier series | [`parametrize`] |
+//! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
 //!

@@ -79,7 +79,7 @@ pub(crate) enum Verb {
   stellate implicitize outline.csv --harmonics 39 --format json -o f.json
   stellate implicitize f.json --format singular")]
     Implicitize(Implicitize),
-    /// Turn an implicit polynomial back into the radius it came from (Lemmas 2 and 3)
+    /// Turn an implicit polynomial into its radius r(theta), in closed form with exact ranges (Lemmas 2 to 5)
     #[command(after_help = "Example:
   stellate parametrize '100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2'")]
     Parametrize(Parametrize),
