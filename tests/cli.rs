@@ -920,3 +920,29 @@ fn a_form_without_points_to_fit_a_window_to_is_drawn_in_a_stated_one() {
         );
     }
 }
+
+#[test]
+fn roots_beyond_the_doubles_are_infinite_or_zero() {
+    let radii = |form: &str| -> Vec<String> {
+        let rows = done(&["sample", form, "--theta", "0"]);
+        let field = |row: &str, i: usize| row.split(',').nth(i).unwrap().to_owned();
+        rows.lines().skip(1).map(|row| field(row, 4)).collect()
+    };
+    assert_eq!(radii("x^2 + y^2 = 1e700"), ["inf", "-inf"]);
+    assert_eq!(radii("x^3 = 1e1200"), ["inf"]);
+    assert_eq!(radii("x^2 + y^2 = 1e600"), ["1e300", "-1e300"]);
+    assert_eq!(radii("x^2 + y^2 = 2e-640"), ["1.414e-320", "-1.414e-320"]);
+    assert_eq!(radii("x^2 + y^2 = 1e-700"), ["0.0", "-0.0"]);
+    // r = 1e309 is beyond the doubles, y = r sin(theta) = 1e304 is not.
+    let rows = done(&[
+        "sample",
+        "x^2 + y^2 = 1e618",
+        "--theta",
+        "1e-5",
+        "--positive",
+    ]);
+    let row: Vec<&str> = rows.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!((row[4], row[5]), ("inf", "inf"));
+    let y: f64 = row[6].parse().unwrap();
+    assert!((y / 1e304 - 1.0).abs() < 1e-9, "{y}");
+}

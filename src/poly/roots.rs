@@ -365,7 +365,7 @@ impl RealRoot {
     /// The double nearest to `scale · root^(1/k)`, where for k > 1 the root must be positive.
     ///
     /// A float guess says where to look; exact comparisons with the midpoints between
-    /// neighbouring doubles decide.
+    /// neighbouring doubles decide; beyond the largest double the nearest is ±∞.
     pub(crate) fn nearest_f64(&mut self, k: u32, scale: &Rational) -> f64 {
         if scale.is_zero() {
             return 0.0;
@@ -384,7 +384,9 @@ impl RealRoot {
         let guess = if k == 1 {
             (middle * scale).to_f64()
         } else {
-            root_f64(&middle, k) * scale.to_f64()
+            // One root of the whole: the two factors may be beyond the doubles where it is not.
+            let power = scale.abs().pow(i64::from(k)).unwrap_or_default();
+            root_f64(&(middle * power), k) * f64::from(scale.signum())
         };
         self.walk_to_nearest(guess, k, scale)
     }
@@ -406,20 +408,21 @@ impl RealRoot {
                 order
             }
         };
-        loop {
+        while double < f64::INFINITY {
             match side(&midpoint(double, double.next_up())) {
                 Ordering::Greater => double = double.next_up(),
                 Ordering::Equal => return midpoint(double, double.next_up()).to_f64(),
                 Ordering::Less => break,
             }
         }
-        loop {
+        while double > f64::NEG_INFINITY {
             match side(&midpoint(double.next_down(), double)) {
                 Ordering::Less => double = double.next_down(),
                 Ordering::Equal => return midpoint(double.next_down(), double).to_f64(),
-                Ordering::Greater => return double,
+                Ordering::Greater => break,
             }
         }
+        double
     }
 }
 
