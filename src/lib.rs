@@ -68,6 +68,7 @@ pub mod describe;
 pub mod document;
 pub mod error;
 pub mod exact;
+pub mod factor;
 pub mod fit;
 pub mod implicitize;
 pub mod language;

@@ -1,0 +1,234 @@
+//! Greatest common divisors, contents and squarefree parts in several variables.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Gcd, Mod};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::Polynomial;
+
+use super::modular::PrimeField;
+use super::prime_field::SplitMix;
+use super::terms::{Exponents, Terms};
+use crate::error::Result;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, polynomial_gcd};
+
+/// The prime that quick tests are made with: 2³¹ − 1.
+pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;
+
+/// The greatest common divisor, with positive first coefficient; integer content included.
+///
+/// First a proof of coprimality by images in one variable modulo a prime. Otherwise the heuristic gcd
+/// of Char, Geddes & Gonnet (*Algorithms for Computer Algebra*, Theorem 7.7): evaluate one variable at
+/// a large integer, take the gcd there, read its digits in that base as coefficients, and prove the
+/// result by division. A failed try repeats with a larger integer.
+///
+/// # Errors
+/// What `limits` returns.
+pub(super) fn gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
+    if f.is_zero() || g.is_zero() {
+        let other = if f.is_zero() { g } else { f };
+        let sign = Integer::from(if other.signed_content() < 0 { -1 } else { 1 });
+        return Ok(other.clone().scaled(&sign));
+    }
+    let (a, b) = (f.signed_content(), g.signed_content());
+    let content = Integer::from(a.unsigned_abs_ref().gcd(b.unsigned_abs_ref()));
+    let (f, g) = (f.clone().primitive(), g.clone().primitive());
+    Ok(primitive_gcd(&f, &g, limits)?.scaled(&content))
+}
+
+fn primitive_gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
+    let (df, dg) = (f.degrees(), g.degrees());
+    let shared: Vec<usize> = (0..3).filter(|&v| df[v] > 0 && dg[v] > 0).collect();
+    if shared.iter().all(|&v| image_is_coprime(f, g, v)) {
+        return Ok(Terms::constant(Integer::ONE));
+    }
+    if f == g {
+        return Ok(f.clone());
+    }
+    let used: Vec<usize> = (0..3).filter(|&v| df[v] > 0 || dg[v] > 0).collect();
+    if let [v] = used[..] {
+        let common = polynomial_gcd(&f.to_univariate(v), &g.to_univariate(v));
+        return Ok(Terms::from_univariate(&common, v));
+    }
+    let Some(&v) = used.iter().min_by_key(|&&v| df[v].max(dg[v])) else {
+        return Ok(Terms::constant(Integer::ONE));
+    };
+    let mut point = f.height().min(g.height()) * Integer::from(2) + Integer::from(29);
+    let mut failures = 0;
+    loop {
+        limits.check()?;
+        let image = gcd(&f.evaluated(v, &point), &g.evaluated(v, &point), limits)?;
+        let candidate = from_digits(&image, v, &point).primitive();
+        if f.divided_by(&candidate).is_some() && g.divided_by(&candidate).is_some() {
+            return Ok(candidate);
+        }
+        failures += 1;
+        // A ratio without pattern; squares when that keeps failing, so that the end is near.
+        point = if failures < 6 {
+            point * Integer::from(73_794) / Integer::from(27_011)
+        } else {
+            &point * &point + Integer::from(1)
+        };
+    }
+}
+
+/// The polynomial in v whose value at `v = base` is `image` and whose coefficients are at most base/2.
+fn from_digits(image: &Terms, v: usize, base: &Integer) -> Terms {
+    let mut terms = Vec::new();
+    for (e, c) in image.iter() {
+        let mut rest = c.clone();
+        let mut k = 0;
+        while rest != 0 {
+            let mut digit = (&rest).mod_op(base);
+            if &digit << 1u64 > *base {
+                digit -= base;
+            }
+            rest = (rest - &digit) / base;
+            let mut exponents = *e;
+            exponents[v] = k;
+            terms.push((exponents, digit));
+            k += 1;
+        }
+    }
+    Terms::new(terms)
+}
+
+/// The values of the other variables modulo the prime, and f there, as a polynomial in v.
+pub(super) fn image_modulo(field: &PrimeField, f: &Terms, v: usize, point: &[u64; 3]) -> Vec<u64> {
+    let degrees = f.degrees();
+    let powers: [Vec<u64>; 3] = std::array::from_fn(|w| {
+        let mut row = vec![1];
+        for k in 0..degrees[w] as usize {
+            row.push(field.mul(row[k], point[w]));
+        }
+        row
+    });
+    let mut image = vec![0; degrees[v] as usize + 1];
+    for (e, c) in f.iter() {
+        let mut value = field.reduce_integer(c);
+        for w in (0..3).filter(|&w| w != v) {
+            value = field.mul(value, powers[w][e[w] as usize]);
+        }
+        let slot: &mut u64 = &mut image[e[v] as usize];
+        *slot = (*slot + value) % field.prime();
+    }
+    while image.last() == Some(&0) {
+        image.pop();
+    }
+    image
+}
+
+fn random_point() -> [u64; 3] {
+    let mut random = SplitMix(0xacc0);
+    std::array::from_fn(|_| random.next() % QUICK_PRIME)
+}
+
+/// Whether an image modulo a prime proves that the gcd is free of v.
+fn image_is_coprime(f: &Terms, g: &Terms, v: usize) -> bool {
+    let field = PrimeField::new(QUICK_PRIME);
+    let point = random_point();
+    let (a, b) = (
+        image_modulo(&field, f, v, &point),
+        image_modulo(&field, g, v, &point),
+    );
+    let full = |image: &[u64], f: &Terms| image.len() == f.degrees()[v] as usize + 1;
+    // The leading coefficient of the gcd divides both, so one that survives is enough.
+    (full(&a, f) || full(&b, g)) && field.gcd(a, b).len() == 1
+}
+
+/// The gcd of the coefficients of the powers of v, primitive; and f divided by it.
+pub(super) fn content_in(f: &Terms, v: usize, limits: &Limits) -> Result<(Terms, Terms)> {
+    let mut rows: Vec<Terms> = f.coefficients_in(v).into_values().collect();
+    rows.sort_by_key(Terms::cells);
+    let mut content = Terms::constant(Integer::ZERO);
+    for row in &rows {
+        content = gcd(&content, row, limits)?;
+        if content.is_constant() {
+            return Ok((Terms::constant(Integer::ONE), f.clone()));
+        }
+    }
+    let content = content.primitive();
+    // A gcd divides.
+    let rest = f.divided_by(&content).unwrap_or_else(|| f.clone());
+    Ok((content, rest))
+}
+
+/// Whether an image modulo a prime proves that f, primitive in v, is squarefree.
+fn image_is_squarefree(f: &Terms, v: usize) -> bool {
+    let field = PrimeField::new(QUICK_PRIME);
+    let image = image_modulo(&field, f, v, &random_point());
+    image.len() == f.degrees()[v] as usize + 1 && field.is_squarefree(&image)
+}
+
+/// Yun's squarefree decomposition of an f that is primitive in v: the parts and multiplicities.
+///
+/// # Errors
+/// What `limits` returns.
+pub(super) fn squarefree_parts(
+    f: &Terms,
+    v: usize,
+    limits: &Limits,
+) -> Result<Vec<(usize, Terms)>> {
+    if image_is_squarefree(f, v) {
+        return Ok(vec![(1, f.clone())]);
+    }
+    if let [only] = f.used()[..] {
+        let parts = crate::poly::squarefree_decomposition(&f.to_univariate(only));
+        return Ok(parts
+            .into_iter()
+            .map(|(m, part)| (m, Terms::from_univariate(&part, only)))
+            .collect());
+    }
+    let derivative = f.derivative(v);
+    let repeated = gcd(f, &derivative, limits)?;
+    // A gcd divides, so the defaults never come to pass.
+    let exact = |a: &Terms, b: &Terms| a.divided_by(b).unwrap_or_else(|| a.clone());
+    let mut w = exact(f, &repeated);
+    let mut y = exact(&derivative, &repeated);
+    let mut parts = Vec::new();
+    let mut multiplicity = 1;
+    while w.degrees()[v] > 0 {
+        limits.check()?;
+        let z = y.difference(&w.derivative(v));
+        let part = gcd(&w, &z, limits)?.primitive();
+        w = exact(&w, &part);
+        y = if z.is_zero() { z } else { exact(&z, &part) };
+        if !part.is_constant() {
+            parts.push((multiplicity, part));
+        }
+        multiplicity += 1;
+    }
+    Ok(parts)
+}
+
+/// The largest form that divides a polynomial in the two given variables: the gcd of its homogeneous
+/// parts, each a univariate polynomial in disguise. Neither variable may divide f.
+pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
+    let mut parts = std::collections::BTreeMap::<u32, Vec<(u32, Integer)>>::new();
+    for (e, c) in f.iter() {
+        parts
+            .entry(e[u] + e[v])
+            .or_default()
+            .push((e[u], c.clone()));
+    }
+    let mut common = IntegerPolynomial::ZERO;
+    for part in parts.into_values() {
+        let degree = part.iter().map(|(k, _)| *k).max().unwrap_or(0) as usize;
+        let mut coefficients = vec![Integer::ZERO; degree + 1];
+        for (k, c) in part {
+            coefficients[k as usize] = c;
+        }
+        let part = IntegerPolynomial::from_coefficients_asc(coefficients);
+        common = polynomial_gcd(&common, &part);
+        if common.coefficients_asc().len() == 1 {
+            break;
+        }
+    }
+    let degree = u32::try_from(common.coefficients_asc().len() - 1).unwrap_or(u32::MAX);
+    Terms::from_univariate(&common, u).map_exponents(|e| {
+        let mut form: Exponents = [0; 3];
+        form[u] = e[u];
+        form[v] = degree - e[u];
+        form
+    })
+}

@@ -1,0 +1,270 @@
+//! Factorization over the rational numbers, in one, two and three variables.
+//!
+//! The order of work: rational content; monomials; the largest form that divides a plane polynomial;
+//! x^k → x; contents and squarefree parts (Yun); then for each part the factors at an integer point of
+//! all variables but one, by Zassenhaus' algorithm, lifted by Hensel's lemma to the other variables and
+//! recombined with true division. Every factor comes with the reason why it is irreducible, and the
+//! product of all is compared with the input before anything is returned.
+//!
+//! The algorithms are those of von zur Gathen & Gerhard, *Modern Computer Algebra*, chapters 14 and 15,
+//! and Geddes, Czapor & Labahn, *Algorithms for Computer Algebra*, chapters 7 and 8.
+
+mod gcd;
+mod hensel;
+mod modular;
+mod multivariate;
+mod prime_field;
+mod proof;
+mod recombine;
+mod specialize;
+mod split;
+mod terms;
+mod truncated;
+mod univariate;
+
+use std::cmp::Ordering;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Lcm;
+use malachite::base::num::basic::traits::One;
+
+pub use proof::{Irreducibility, Variable};
+
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, PlanePolynomial, SparsePolynomial, term_order};
+use split::Found;
+use terms::Terms;
+
+/// A polynomial as `content · ∏ polynomial^multiplicity`, exactly.
+///
+/// The factors are pairwise different and in canonical order: by total degree, then term by term.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Factorization<P> {
+    /// The rational number in front, with the sign; a constant is its own content.
+    pub content: Rational,
+    /// The irreducible factors.
+    pub factors: Vec<Factor<P>>,
+}
+
+/// An irreducible factor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Factor<P> {
+    /// With coprime integer coefficients and positive first term (for one variable: leading term).
+    pub polynomial: P,
+    /// How often it occurs, at least 1.
+    pub multiplicity: usize,
+    /// Why it has no proper factors over the rational numbers.
+    pub proof: Irreducibility,
+}
+
+/// The irreducible factors over Q of a univariate polynomial with integer coefficients.
+///
+/// Deflation, Yun, Zassenhaus. Cost: with r factors modulo the best prime, at most 2^(r−1) cheap tests
+/// (2²⁸ of them are allowed), usually next to none; besides that O(n³) operations modulo a small
+/// prime, and polynomial arithmetic with coefficients of about n + log ‖f‖ bits.
+///
+/// ```
+/// use std::str::FromStr;
+/// use stellate::factor::factor_univariate;
+/// use stellate::limits::Limits;
+/// use stellate::poly::IntegerPolynomial;
+/// let f = IntegerPolynomial::from_str("-2*x^6+2*x^2").unwrap();
+/// let result = factor_univariate(&f, &Limits::none())?;
+/// assert_eq!(result.content, (-2).into());
+/// let factors: Vec<String> = result
+///     .factors
+///     .iter()
+///     .map(|g| format!("({})^{}", g.polynomial, g.multiplicity))
+///     .collect();
+/// assert_eq!(factors, ["(x-1)^1", "(x)^2", "(x+1)^1", "(x^2+1)^1"]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] for the zero polynomial; [`Error::Limit`] when a stated limit is reached (degree
+/// 4096, 2²⁸ products of modular factors, the time of `limits`); [`Error::Interrupted`].
+pub fn factor_univariate(
+    f: &IntegerPolynomial,
+    limits: &Limits,
+) -> Result<Factorization<IntegerPolynomial>> {
+    let (content, found) = factor_terms(Terms::from_univariate(f, 0), limits)?;
+    Ok(Factorization {
+        content: Rational::from(content),
+        factors: factors_as(found, |g| g.to_univariate(0)),
+    })
+}
+
+/// The irreducible factors over Q of a polynomial in x and y.
+///
+/// A polynomial in powers of x and y is factored as one in those first; what is irreducible at one
+/// value of x or y is found out without any lifting. Cost of lifting with degrees n, m: O(log m)
+/// products of polynomials with 4nm coefficients of about n + m + log ‖f‖ bits, times the number of
+/// factors at the chosen point.
+///
+/// ```
+/// use stellate::factor::factor_plane;
+/// use stellate::limits::Limits;
+/// use stellate::poly::PlanePolynomial;
+/// // x³y − xy³ = xy(x − y)(x + y)
+/// let f = PlanePolynomial::from_terms([((3, 1), 1.into()), ((1, 3), (-1).into())]);
+/// let result = factor_plane(&f, &Limits::none())?;
+/// assert_eq!(result.factors.len(), 4);
+/// // x² + y² − 1: irreducible, because x² − 1/2 would have to be a square in x at y = …
+/// let circle = PlanePolynomial::from_terms([((2, 0), 1.into()), ((0, 2), 1.into()), ((0, 0), (-1).into())]);
+/// let result = factor_plane(&circle, &Limits::none())?;
+/// assert_eq!(result.factors[0].polynomial, circle);
+/// assert_eq!(
+///     result.factors[0].proof.to_string(),
+///     "irreducible in y^2, and by Capelli's theorem in y"
+/// );
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`factor_univariate`]; besides, [`Error::Limit`] when the degrees leave room for more than 2²¹
+/// terms.
+pub fn factor_plane(
+    f: &PlanePolynomial,
+    limits: &Limits,
+) -> Result<Factorization<PlanePolynomial>> {
+    let mut terms = Vec::new();
+    for part in f.parts() {
+        for (k, c) in part.terms() {
+            terms.push(([narrow(part.degree() - k)?, narrow(k)?, 0], c.clone()));
+        }
+    }
+    let (content, found) = factor_terms(Terms::new(terms), limits)?;
+    let factors = factors_as(found, |g| {
+        PlanePolynomial::from_terms(
+            g.iter()
+                .map(|(e, c)| ((e[0] as usize, e[1] as usize), Rational::from(c))),
+        )
+    });
+    Ok(Factorization {
+        content: Rational::from(content) / Rational::from(f.denominator()),
+        factors,
+    })
+}
+
+/// The irreducible factors over Q of a polynomial in x, y and z.
+///
+/// As [`factor_plane`], with one more variable to lift to.
+///
+/// ```
+/// use stellate::factor::factor_space;
+/// use stellate::limits::Limits;
+/// use stellate::poly::{Ring, SparsePolynomial};
+/// let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+/// // x² − (y + z)²
+/// let f = x.squared().minus(&y.plus(&z).squared());
+/// let result = factor_space(&f, &Limits::none())?;
+/// assert_eq!(result.factors[0].polynomial, x.minus(&y).minus(&z));
+/// assert_eq!(result.factors[1].polynomial, x.plus(&y).plus(&z));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`factor_plane`].
+pub fn factor_space(
+    f: &SparsePolynomial<3>,
+    limits: &Limits,
+) -> Result<Factorization<SparsePolynomial<3>>> {
+    let denominator = f.terms().fold(Integer::ONE, |d, (_, c)| {
+        let both = d.unsigned_abs_ref().lcm(c.denominator().unsigned_abs_ref());
+        Integer::from(both)
+    });
+    let scale = Rational::from(&denominator);
+    let terms = f.terms().map(|(e, c)| (*e, (c * &scale).numerator()));
+    let (content, found) = factor_terms(Terms::new(terms.collect()), limits)?;
+    let factors = factors_as(found, |g| {
+        SparsePolynomial::from_terms(g.iter().map(|(e, c)| (*e, Rational::from(c))))
+    });
+    Ok(Factorization {
+        content: Rational::from(content) / scale,
+        factors,
+    })
+}
+
+fn narrow(exponent: usize) -> Result<u32> {
+    u32::try_from(exponent).map_err(|_| Error::limit("exponents below 2^32"))
+}
+
+fn factors_as<P>(found: Vec<Found>, convert: impl Fn(&Terms) -> P) -> Vec<Factor<P>> {
+    let factors = found.into_iter().map(|found| Factor {
+        polynomial: convert(&found.polynomial),
+        multiplicity: found.multiplicity,
+        proof: found.proof,
+    });
+    factors.collect()
+}
+
+/// The content and the factors in canonical order and with canonical signs, multiplied back.
+fn factor_terms(f: Terms, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
+    if f.is_zero() {
+        return Err(Error::Usage(
+            "the zero polynomial has no factorization".into(),
+        ));
+    }
+    // Graded and purely lexicographic order are both multiplicative, so signs can be fixed by either
+    // one, factor by factor.
+    let graded = graded_terms(&f);
+    let negative = graded.first().is_some_and(|(_, c)| *c < 0);
+    let content = f.signed_content();
+    let content = if (content < 0) == negative {
+        content
+    } else {
+        -content
+    };
+    let primitive = f.primitive();
+    let mut found = split::factors(&primitive, limits)?;
+    let mut product = Terms::constant(Integer::ONE);
+    for factor in &found {
+        limits.check()?;
+        product = product.product(&factor.polynomial.pow(factor.multiplicity));
+    }
+    if product.primitive() != primitive {
+        return Err(Error::Hypothesis {
+            statement: "factorization",
+            witness: "the factors do not multiply back; please report the input".into(),
+        });
+    }
+    for factor in &mut found {
+        if graded_terms(&factor.polynomial)
+            .first()
+            .is_some_and(|(_, c)| *c < 0)
+        {
+            factor.polynomial = factor.polynomial.clone().scaled(&Integer::from(-1));
+        }
+    }
+    found.sort_by(|a, b| canonical_order(&a.polynomial, &b.polynomial));
+    Ok((content, found))
+}
+
+/// The terms by total degree, then by exponents, both descending.
+fn graded_terms(f: &Terms) -> Vec<&([u32; 3], Integer)> {
+    let mut terms: Vec<_> = f.iter().collect();
+    terms.sort_by(|(a, _), (b, _)| term_order(a, b));
+    terms
+}
+
+/// By total degree, then term by term: what comes first in the order of terms, then smaller
+/// coefficients.
+fn canonical_order(f: &Terms, g: &Terms) -> Ordering {
+    let (f, g) = (graded_terms(f), graded_terms(g));
+    let total = |terms: &[&([u32; 3], Integer)]| {
+        terms
+            .first()
+            .map_or(0, |(e, _)| e.iter().map(|&k| u64::from(k)).sum::<u64>())
+    };
+    total(&f).cmp(&total(&g)).then_with(|| {
+        for ((a, c), (b, d)) in f.iter().zip(&g) {
+            let order = term_order(a, b).then_with(|| c.cmp(d));
+            if order.is_ne() {
+                return order;
+            }
+        }
+        f.len().cmp(&g.len())
+    })
+}

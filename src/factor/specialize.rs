@@ -1,0 +1,113 @@
+//! Values of the other variables at which a polynomial is factored in one.
+
+use malachite::Integer;
+
+use super::gcd::{QUICK_PRIME, image_modulo};
+use super::modular::PrimeField;
+use super::recombine::{degrees_of_products, intersect};
+use super::terms::Terms;
+use super::univariate::irreducible_factors;
+use super::{Irreducibility, Variable};
+use crate::error::Result;
+use crate::limits::Limits;
+use crate::poly::IntegerPolynomial;
+
+/// With so few factors two points are compared, otherwise [`POINTS`].
+const FEW_FACTORS: usize = 3;
+const POINTS: usize = 4;
+
+/// What the univariate factors at a few points say.
+pub(super) enum Specialized {
+    Irreducible(Irreducibility),
+    Factors(Best),
+}
+
+/// The point with the fewest factors.
+pub(super) struct Best {
+    /// The values of the variables, 0 for the main one.
+    pub(super) point: [i64; 3],
+    pub(super) factors: Vec<IntegerPolynomial>,
+    /// Which degrees in the main variable a factor may have, after all the points.
+    pub(super) allowed: Vec<bool>,
+}
+
+/// Factors f, squarefree and primitive in v, at a few small integer points that keep its degree in v
+/// and leave it squarefree. Nearly all points have as many factors as f (Hilbert).
+///
+/// # Errors
+/// Those of the univariate factorization.
+pub(super) fn specialize(f: &Terms, v: usize, limits: &Limits) -> Result<Specialized> {
+    let degree = f.degrees()[v] as usize;
+    let others: Vec<usize> = f.used().into_iter().filter(|&w| w != v).collect();
+    let field = PrimeField::new(QUICK_PRIME);
+    let mut allowed = vec![true; degree + 1];
+    let mut tried = Vec::new();
+    let mut best: Option<([i64; 3], Vec<IntegerPolynomial>)> = None;
+    for point in points(&others) {
+        limits.check()?;
+        let residues = point.map(|a| field.reduce_integer(&Integer::from(a)));
+        let image = image_modulo(&field, f, v, &residues);
+        if image.len() != degree + 1 || !field.is_squarefree(&image) {
+            continue;
+        }
+        let value = others
+            .iter()
+            .fold(f.clone(), |g, &w| g.evaluated(w, &Integer::from(point[w])));
+        let variable = Variable::from_index(v);
+        let factors = irreducible_factors(&value.to_univariate(v), variable, limits)?;
+        let named = others.iter().map(|&w| (Variable::from_index(w), point[w]));
+        let named: Vec<_> = named.collect();
+        if factors.len() == 1 {
+            return Ok(Specialized::Irreducible(Irreducibility::Specialization {
+                points: vec![named],
+            }));
+        }
+        tried.push(named);
+        let degrees = factors.iter().map(|(g, _)| g.coefficients_asc().len() - 1);
+        if !intersect(&mut allowed, &degrees_of_products(degrees)) {
+            return Ok(Specialized::Irreducible(Irreducibility::Specialization {
+                points: tried,
+            }));
+        }
+        if best.as_ref().is_none_or(|(_, b)| factors.len() < b.len()) {
+            best = Some((point, factors.into_iter().map(|(g, _)| g).collect()));
+        }
+        if let Some((_, factors)) = &best
+            && (tried.len() >= POINTS || (tried.len() >= 2 && factors.len() <= FEW_FACTORS))
+        {
+            break;
+        }
+    }
+    // The points never end, so there is a best one.
+    let (point, factors) = best.unwrap_or_default();
+    Ok(Specialized::Factors(Best {
+        point,
+        factors,
+        allowed,
+    }))
+}
+
+/// Points with small coordinates in the given variables, and 0 elsewhere, in growing size: 0, 1, −1, 2 …
+fn points(variables: &[usize]) -> impl Iterator<Item = [i64; 3]> {
+    let (first, second) = (
+        variables.first().copied().unwrap_or(0),
+        variables.get(1).copied(),
+    );
+    (0i64..).flat_map(move |size| {
+        let side = (-size..=size).rev();
+        let pairs = side.flat_map(move |a| (-size..=size).rev().map(move |b| (a, b)));
+        pairs
+            .filter(move |(a, b)| match second {
+                Some(_) => a.abs().max(b.abs()) == size,
+                None => a.abs() == size && *b == 0,
+            })
+            .map(move |(a, b)| {
+                let mut point = [0; 3];
+                point[first] = a;
+                if let Some(second) = second {
+                    point[second] = b;
+                }
+                point
+            })
+    })
+}

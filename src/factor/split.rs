@@ -1,0 +1,216 @@
+//! The order of work: monomials, forms, powers of variables, contents, squarefree parts, factors.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Parity;
+
+use super::gcd::{content_in, form_content, squarefree_parts};
+use super::multivariate::irreducible_factors;
+use super::terms::Terms;
+use super::univariate::is_power;
+use super::{Irreducibility, Variable};
+use crate::error::{Error, Result};
+use crate::limits::Limits;
+
+/// The largest dense table of coefficients that is worked on.
+pub(super) const CELLS_AT_MOST: usize = 1 << 21;
+
+/// The largest degree of a univariate polynomial that is factored modulo primes.
+pub(super) const DEGREE_AT_MOST: usize = 1 << 12;
+
+/// An irreducible factor, its multiplicity and the proof.
+pub(super) struct Found {
+    pub(super) polynomial: Terms,
+    pub(super) multiplicity: usize,
+    pub(super) proof: Irreducibility,
+}
+
+/// All irreducible factors of a primitive f.
+///
+/// # Errors
+/// [`Error::Limit`] beyond [`CELLS_AT_MOST`] or [`DEGREE_AT_MOST`] or too many subsets, and what
+/// `limits` returns.
+pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
+    let mut found = Vec::new();
+    let monomial = f.monomial_content();
+    for v in (0..3).filter(|&v| monomial[v] > 0) {
+        found.push(Found {
+            polynomial: Terms::variable(v),
+            multiplicity: monomial[v] as usize,
+            proof: Irreducibility::Linear {
+                variable: Variable::from_index(v),
+            },
+        });
+    }
+    let f = f.map_exponents(|e| std::array::from_fn(|v| e[v] - monomial[v]));
+    let used = f.used();
+    if let Some(degree) = f.homogeneous_degree()
+        && used.len() >= 2
+    {
+        found.extend(of_form(&f, degree, limits)?);
+    } else if let [u, v] = used[..] {
+        let form = form_content(&f, u, v);
+        match f.divided_by(&form) {
+            Some(rest) if !form.is_constant() => {
+                let degree = form.homogeneous_degree().unwrap_or(0);
+                found.extend(of_form(&form, degree, limits)?);
+                found.extend(deflated(&rest, limits)?);
+            }
+            _ => found.extend(deflated(&f, limits)?),
+        }
+    } else if !used.is_empty() {
+        found.extend(deflated(&f, limits)?);
+    }
+    Ok(found)
+}
+
+/// The factors of a form without monomial factors: those of its value at `last variable = 1`.
+fn of_form(form: &Terms, degree: u32, limits: &Limits) -> Result<Vec<Found>> {
+    let Some(&last) = form.used().last() else {
+        return Ok(Vec::new());
+    };
+    debug_assert!(form.homogeneous_degree() == Some(degree));
+    let mut found = deflated(&form.evaluated(last, &Integer::from(1)).primitive(), limits)?;
+    for factor in &mut found {
+        let g = &factor.polynomial;
+        let total = g.iter().map(|(e, _)| e.iter().sum::<u32>()).max();
+        let total = total.unwrap_or(0);
+        factor.polynomial = g
+            .map_exponents(|e| {
+                let mut full = *e;
+                full[last] = total - e.iter().sum::<u32>();
+                full
+            })
+            .primitive();
+    }
+    Ok(found)
+}
+
+/// The factors of f, not divisible by a variable: of the polynomial in powers of the variables first.
+fn deflated(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
+    let powers = f.exponent_gcds().map(|k| k.max(1));
+    let small = f.map_exponents(|e| std::array::from_fn(|v| e[v] / powers[v]));
+    let mut found = Vec::new();
+    for (multiplicity, part, v) in squarefree(&small, limits)? {
+        within_limits(&part)?;
+        for (polynomial, proof) in irreducible_factors(&part, v, limits)? {
+            found.push(Found {
+                polynomial,
+                multiplicity,
+                proof,
+            });
+        }
+    }
+    for v in 0..3 {
+        for q in prime_factors(powers[v]) {
+            let mut inflated = Vec::new();
+            for factor in found {
+                inflated.extend(inflate(factor, v, q, limits)?);
+            }
+            found = inflated;
+        }
+    }
+    Ok(found)
+}
+
+/// Squarefree pairwise coprime parts with multiplicities, and a variable in which each is primitive.
+fn squarefree(f: &Terms, limits: &Limits) -> Result<Vec<(usize, Terms, usize)>> {
+    let degrees = f.degrees();
+    let Some(v) = f.used().into_iter().min_by_key(|&v| degrees[v]) else {
+        return Ok(Vec::new());
+    };
+    within_limits(f)?;
+    let (content, rest) = content_in(f, v, limits)?;
+    let mut parts = squarefree(&content, limits)?;
+    for (multiplicity, part) in squarefree_parts(&rest, v, limits)? {
+        parts.push((multiplicity, part, v));
+    }
+    Ok(parts)
+}
+
+fn within_limits(f: &Terms) -> Result<()> {
+    if f.cells() > CELLS_AT_MOST {
+        return Err(Error::limit(format!(
+            "a polynomial with {:?} as degrees in x, y, z has room for more than {CELLS_AT_MOST} terms",
+            f.degrees()
+        )));
+    }
+    let least = f.degrees().into_iter().filter(|&d| d > 0).min();
+    if least.is_some_and(|d| d as usize > DEGREE_AT_MOST) {
+        return Err(Error::limit(format!(
+            "degree {DEGREE_AT_MOST} in the variable to factor in"
+        )));
+    }
+    Ok(())
+}
+
+/// The factors of g(…, v^q, …) for an irreducible g that v does not divide, and a prime q.
+fn inflate(g: Found, v: usize, q: u32, limits: &Limits) -> Result<Vec<Found>> {
+    if g.polynomial.degrees()[v] == 0 {
+        return Ok(vec![g]);
+    }
+    let stays = stays_irreducible(&g.polynomial, v, q);
+    let inflated = g.polynomial.map_exponents(|e| {
+        let mut e = *e;
+        e[v] = e[v].saturating_mul(q);
+        e
+    });
+    if stays {
+        return Ok(vec![Found {
+            polynomial: inflated,
+            multiplicity: g.multiplicity,
+            proof: Irreducibility::Capelli {
+                variable: Variable::from_index(v),
+                exponent: q,
+            },
+        }]);
+    }
+    within_limits(&inflated)?;
+    let degrees = inflated.degrees();
+    let main = inflated.used().into_iter().min_by_key(|&w| degrees[w]);
+    let factors = irreducible_factors(&inflated, main.unwrap_or(v), limits)?;
+    Ok(factors
+        .into_iter()
+        .map(|(polynomial, proof)| Found {
+            polynomial,
+            multiplicity: g.multiplicity,
+            proof,
+        })
+        .collect())
+}
+
+/// Capelli: for an irreducible g of degree n in v with root α over K = Q(other variables), and a prime
+/// q, g(v^q) is reducible only if α is a q-th power in K(α); then its norm, (−1)^n g(0)/lc(g), is one
+/// in K, and so are the values of that at points, in Q.
+fn stays_irreducible(g: &Terms, v: usize, q: u32) -> bool {
+    let rows = g.coefficients_in(v);
+    let (Some((_, constant)), Some((&n, lead))) = (rows.first_key_value(), rows.last_key_value())
+    else {
+        return false;
+    };
+    let univariate = constant.is_constant() && lead.is_constant();
+    let points = if univariate { 1 } else { 6 };
+    (1..=points).any(|k: i64| {
+        let point = [1, 2, -3].map(|c| Integer::from(c * (k / 2 + 1) + k % 2));
+        let (mut a, b) = (constant.value(&point), lead.value(&point));
+        if n.odd() {
+            a = -a;
+        }
+        a != 0 && b != 0 && !is_power(&a, &b, u64::from(q))
+    })
+}
+
+fn prime_factors(mut n: u32) -> Vec<u32> {
+    let mut primes = Vec::new();
+    let mut q = 2;
+    while n > 1 {
+        if q * q > n {
+            q = n;
+        }
+        while n.is_multiple_of(q) {
+            primes.push(q);
+            n /= q;
+        }
+        q += 1;
+    }
+    primes
+}

@@ -1,0 +1,296 @@
+//! Irreducible factors of a squarefree univariate polynomial: Zassenhaus' algorithm.
+
+use malachite::base::num::arithmetic::traits::{CeilingLogBase2, DivisibleBy, Square};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::factorization::traits::IsPrime;
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::base::polynomial::Polynomial;
+use malachite::{Integer, Natural};
+
+use super::hensel::lift;
+use super::modular::PrimeField;
+use super::prime_field::{distinct_degrees, equal_degree};
+use super::recombine::{Sieve, degrees_of_products, intersect, recombine};
+use super::truncated::{TruncatedRing, balanced};
+use super::{Irreducibility, Variable};
+use crate::error::Result;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, divide_exactly, primitive_part};
+
+/// Primes are tried from here on.
+const FIRST_PRIME: u64 = 13;
+
+/// How many good primes are compared, and how many more while there are many factors.
+const PRIMES: usize = 4;
+const MORE_PRIMES: usize = 9;
+const MANY_FACTORS: usize = 10;
+
+/// The irreducible factors of a primitive squarefree polynomial of positive degree in `variable`,
+/// each primitive with positive leading coefficient, with its proof.
+///
+/// von zur Gathen & Gerhard, *Modern Computer Algebra*, Algorithm 15.19 with the recombination of
+/// 15.22: factors modulo the best of a few small primes, Hensel lifting above the Landau–Mignotte
+/// bound, products of subsets, trial division. The degrees possible modulo all the primes are
+/// intersected first, which proves most irreducible polynomials so.
+///
+/// # Errors
+/// [`crate::error::Error::Limit`] when too many subsets would have to be tried, and what `limits`
+/// returns.
+pub(super) fn irreducible_factors(
+    f: &IntegerPolynomial,
+    variable: Variable,
+    limits: &Limits,
+) -> Result<Vec<(IntegerPolynomial, Irreducibility)>> {
+    let f = primitive_part(f);
+    let degree = f.coefficients_asc().len().saturating_sub(1);
+    if degree <= 1 {
+        return Ok(vec![(f, Irreducibility::Linear { variable })]);
+    }
+    let local = match best_prime(&f, limits)? {
+        Modular::Irreducible(primes) => {
+            return Ok(vec![(f, Irreducibility::Degrees { primes })]);
+        }
+        Modular::Factors(local) => local,
+    };
+    let field = local.field;
+    let mut factors = Vec::new();
+    for (d, part) in local.parts {
+        limits.check()?;
+        factors.extend(equal_degree(&field, part, d));
+    }
+    factors.sort();
+
+    let (exponent, modulus) = precision(&f, &field);
+    let ring = TruncatedRing {
+        modulus,
+        y: 1,
+        z: 1,
+    };
+    let target = ring.monic(&ring.normalize(f.clone()), &field);
+    let lifted = lift(&target, &factors, &field, exponent, &ring, limits)?;
+    let sieve = trace_sieve(&f, &lifted, local.allowed, &ring.modulus);
+
+    let mut rest = f;
+    let mut found = Vec::new();
+    recombine(&sieve, limits, |subset| {
+        let chosen: Vec<&IntegerPolynomial> = subset.iter().map(|&i| &lifted[i]).collect();
+        if let Some((factor, quotient)) = try_product(&rest, &chosen, &ring) {
+            found.push(factor);
+            rest = quotient;
+            return Ok(true);
+        }
+        Ok(false)
+    })?;
+    found.push(rest);
+    let proof = Irreducibility::Recombination {
+        local: lifted.len(),
+    };
+    let with_proof = found.into_iter().map(|g| {
+        let linear = g.coefficients_asc().len() == 2;
+        let proof = if linear {
+            Irreducibility::Linear { variable }
+        } else {
+            proof.clone()
+        };
+        (g, proof)
+    });
+    Ok(with_proof.collect())
+}
+
+/// What a few primes say.
+enum Modular {
+    /// No proper factor has a degree possible modulo all these primes.
+    Irreducible(Vec<u64>),
+    Factors(Local),
+}
+
+/// The prime with the fewest factors, and the products of those of equal degree.
+struct Local {
+    field: PrimeField,
+    parts: Vec<(usize, Vec<u64>)>,
+    allowed: Vec<bool>,
+}
+
+fn best_prime(f: &IntegerPolynomial, limits: &Limits) -> Result<Modular> {
+    let degree = f.coefficients_asc().len() - 1;
+    let mut allowed = vec![true; degree + 1];
+    let mut primes = Vec::new();
+    let mut best: Option<(usize, PrimeField, Vec<(usize, Vec<u64>)>)> = None;
+    let mut prime = FIRST_PRIME - 2;
+    loop {
+        limits.check()?;
+        prime += 2;
+        if !prime.is_prime() {
+            continue;
+        }
+        let field = PrimeField::new(prime);
+        let image = field.reduce(f);
+        if image.len() != degree + 1 || !field.is_squarefree(&image) {
+            continue;
+        }
+        primes.push(prime);
+        let parts = distinct_degrees(&field, &field.monic(image), limits)?;
+        let degrees = parts
+            .iter()
+            .flat_map(|(d, part)| std::iter::repeat_n(*d, (part.len() - 1) / d));
+        let count = degrees.clone().count();
+        if count == 1 {
+            return Ok(Modular::Irreducible(vec![prime]));
+        }
+        if !intersect(&mut allowed, &degrees_of_products(degrees)) {
+            return Ok(Modular::Irreducible(primes));
+        }
+        if best.as_ref().is_none_or(|(least, _, _)| count < *least) {
+            best = Some((count, field, parts));
+        }
+        if let Some((least, _, _)) = &best
+            && primes.len()
+                >= if *least < MANY_FACTORS {
+                    PRIMES
+                } else {
+                    MORE_PRIMES
+                }
+            && let Some((_, field, parts)) = best.take()
+        {
+            return Ok(Modular::Factors(Local {
+                field,
+                parts,
+                allowed,
+            }));
+        }
+    }
+}
+
+/// k and p^k above twice the coefficients of `lc(f)/lc(g) · g` for every factor g of f, which are at
+/// most 2^n ‖f‖ (Landau–Mignotte), and well above the trace.
+fn precision(f: &IntegerPolynomial, field: &PrimeField) -> (u64, Integer) {
+    let bound =
+        (norm_squared(f).significant_bits()).div_ceil(2) + f.coefficients_asc().len() as u64 + 2;
+    let bits = bound.max(trace_bits(f) + 24);
+    power_above(field.prime(), bits)
+}
+
+/// The least k with p^k > 2^bits, and p^k.
+pub(super) fn power_above(prime: u64, bits: u64) -> (u64, Integer) {
+    let (mut exponent, mut power) = (1, Integer::from(prime));
+    while power.significant_bits() <= bits {
+        power *= Integer::from(prime);
+        exponent += 1;
+    }
+    (exponent, power)
+}
+
+/// Σ c².
+fn norm_squared(f: &IntegerPolynomial) -> Integer {
+    f.coefficients_asc()
+        .iter()
+        .fold(Integer::ZERO, |sum, c| sum + c.square())
+}
+
+/// A bound, as a power of 2, of |lc(f)| times the sum of the absolute values of the roots: Fujiwara's
+/// `2 max |a_(n−k)/a_n|^(1/k)` for each.
+fn trace_bits(f: &IntegerPolynomial) -> u64 {
+    let c = f.coefficients_asc();
+    let n = c.len() - 1;
+    let lead = c[n].significant_bits();
+    let root = (1..=n)
+        .filter(|&k| c[n - k] != 0)
+        .map(|k| {
+            let ratio = (c[n - k].significant_bits() + 1).saturating_sub(lead);
+            ratio.div_ceil(k as u64)
+        })
+        .max()
+        .unwrap_or(0);
+    lead + root + 1 + (n as u64).ceiling_log_base_2() + 1
+}
+
+/// The second coefficients of lc(f) g_i over p^k, in units of 2^−64.
+fn trace_sieve(
+    f: &IntegerPolynomial,
+    lifted: &[IntegerPolynomial],
+    allowed: Vec<bool>,
+    modulus: &Integer,
+) -> Sieve {
+    let lead = f.coefficients_asc().last().cloned().unwrap_or_default();
+    let ring = TruncatedRing {
+        modulus: modulus.clone(),
+        y: 1,
+        z: 1,
+    };
+    let weights = lifted.iter().map(|g| {
+        let c = g.coefficients_asc();
+        let trace = IntegerPolynomial::from_coefficients_asc(vec![&lead * &c[c.len() - 2]]);
+        let trace = ring.normalize(trace).into_coefficients_asc().pop();
+        fraction(&trace.unwrap_or_default(), modulus)
+    });
+    // bits of the trace over bits of the modulus, and one unit of rounding for each summand.
+    let room = modulus.significant_bits() - 1;
+    let shift = (64 + trace_bits(f)).saturating_sub(room);
+    Sieve {
+        weights: weights.collect(),
+        tolerance: (1u64 << shift.min(62)) + lifted.len() as u64,
+        degrees: lifted
+            .iter()
+            .map(|g| g.coefficients_asc().len() - 1)
+            .collect(),
+        allowed,
+    }
+}
+
+/// ⌊2^64 residue/modulus⌋.
+pub(super) fn fraction(residue: &Integer, modulus: &Integer) -> u64 {
+    u64::try_from(&((residue << 64u64) / modulus)).unwrap_or(0)
+}
+
+/// The factor of `rest` that is lc(rest) times the chosen local factors, and the quotient.
+fn try_product(
+    rest: &IntegerPolynomial,
+    chosen: &[&IntegerPolynomial],
+    ring: &TruncatedRing,
+) -> Option<(IntegerPolynomial, IntegerPolynomial)> {
+    let c = rest.coefficients_asc();
+    let (lead, constant) = (c.last()?, c.first()?);
+    // The constant terms first: that of lc(rest)/lc(g) · g divides lc(rest) rest(0).
+    let scalar = |value: Integer| {
+        let one = IntegerPolynomial::from_coefficients_asc(vec![value]);
+        ring.normalize(one)
+            .into_coefficients_asc()
+            .pop()
+            .unwrap_or(Integer::ZERO)
+    };
+    let mut product = lead.clone();
+    for g in chosen {
+        product = scalar(product * g.coefficients_asc().first()?);
+    }
+    let value = balanced(&product, &ring.modulus);
+    if *constant != 0 && (value == 0 || !(lead * constant).divisible_by(&value)) {
+        return None;
+    }
+    let start = IntegerPolynomial::from_coefficients_asc(vec![lead.clone()]);
+    let product = chosen
+        .iter()
+        .fold(start, |product, g| ring.product(&product, g));
+    let candidate = IntegerPolynomial::from_coefficients_asc(
+        product
+            .coefficients_asc()
+            .iter()
+            .map(|c| balanced(c, &ring.modulus))
+            .collect(),
+    );
+    let candidate = primitive_part(&candidate);
+    let quotient = divide_exactly(rest, &candidate)?;
+    Some((candidate, quotient))
+}
+
+/// Whether the rational number a/b ≠ 0 is the q-th power of a rational number.
+pub(super) fn is_power(a: &Integer, b: &Integer, q: u64) -> bool {
+    use malachite::base::num::arithmetic::traits::{CheckedRoot, DivExact, Gcd};
+    if q.is_multiple_of(2) && (*a < 0) != (*b < 0) {
+        return false;
+    }
+    let common = a.unsigned_abs_ref().gcd(b.unsigned_abs_ref());
+    [a, b].into_iter().all(|n| {
+        let n = n.unsigned_abs_ref().div_exact(&common);
+        n == Natural::ONE || n.checked_root(q).is_some()
+    })
+}
