@@ -4,6 +4,7 @@
 
 use proptest::prelude::*;
 use stellate::exact::Rational;
+use stellate::limits::Limits;
 use stellate::parametrize::{AngleRange, Parametrization, parametrize};
 use stellate::poly::PlanePolynomial;
 use stellate::sample::{Direction, Ray, RaySolver};
@@ -88,7 +89,7 @@ proptest! {
     #[test]
     fn branches_are_the_certified_roots(f in curves(), angles in prop::collection::vec(0.0f64..6.25, 6)) {
         prop_assume!(!f.is_zero());
-        let curve = parametrize(&ImplicitCurve::new(f.clone())).unwrap();
+        let curve = parametrize(&ImplicitCurve::new(f.clone()), &Limits::none()).unwrap();
         for theta in angles {
             check(&f, &curve, theta)?;
         }

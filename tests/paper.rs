@@ -7,7 +7,10 @@ use stellate::exact::Rational;
 use stellate::fit::{FitOptions, FitSize, fit, fourier_coefficients, read_contour};
 use stellate::implicitize::{SquaredForm, parity_sums, square_away};
 use stellate::language::{Numbers, parse_form};
-use stellate::parametrize::{AngleRange, Parametrization, fourier_branches, parametrize};
+use stellate::limits::Limits;
+use stellate::parametrize::{
+    AngleRange, Parametrization, PolarMethod, fourier_branches, parametrize,
+};
 use stellate::poly::{PlanePolynomial, Ring, SparsePolynomial};
 use stellate::shape::{Form, FourierRadius};
 
@@ -147,8 +150,8 @@ fn example_2_has_degree_80_and_gives_its_harmonics_back() {
 fn example_5_is_real_on_two_arcs_only() {
     let curve = polar("x^4 - x^2 + y^2");
     assert_eq!(
-        (curve.lemma, curve.step, curve.branches.len()),
-        (Some(2), 2, 2)
+        (curve.method, curve.step, curve.branches.len()),
+        (PolarMethod::Lemma(2), 2, 2)
     );
     assert!(curve.lines.is_empty());
     for branch in &curve.branches {
@@ -168,8 +171,8 @@ fn example_5_is_real_on_two_arcs_only() {
 fn example_7_has_two_branches_on_two_quarters() {
     let curve = polar("x^2 + y^2 - 2x - 2y + 1");
     assert_eq!(
-        (curve.lemma, curve.step, curve.branches.len()),
-        (Some(3), 1, 2)
+        (curve.method, curve.step, curve.branches.len()),
+        (PolarMethod::Lemma(3), 1, 2)
     );
     for (branch, sign) in curve.branches.iter().zip([1.0, -1.0]) {
         assert_eq!(ranges(&branch.real), ["[0, pi/2]", "[pi, 3*pi/2]"]);
@@ -181,7 +184,7 @@ fn example_7_has_two_branches_on_two_quarters() {
 
 fn polar(text: &str) -> Parametrization {
     match parse_form(text, "example", Numbers::Exact).unwrap() {
-        Form::Curve(curve) => parametrize(&curve).unwrap(),
+        Form::Curve(curve) => parametrize(&curve, &Limits::none()).unwrap(),
         other => panic!("{other:?}"),
     }
 }

@@ -3,6 +3,7 @@
 use stellate::document::{Format, write_parametrization};
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
+use stellate::limits::Limits;
 use stellate::parametrize::{Branch, Parametrization, Radius, parametrize};
 use stellate::shape::{Form, FourierRadius};
 
@@ -20,11 +21,11 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     let parametrization = session.stage("parametrize", |session| match &fitted.form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
-            of_radius(radius)
+            of_radius(radius, &session.limits)
         }
         Form::Curve(curve) => {
             session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
-            parametrize(curve)
+            parametrize(curve, &session.limits)
         }
         Form::Surface(_) => Err(Error::Usage(
             "this polynomial has z: parametrize takes plane curves, in x and y".into(),
@@ -43,8 +44,8 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
 }
 
 /// A radius is parametric already; its document lists the branches of its implicit equation.
-fn of_radius(radius: &FourierRadius) -> Result<Parametrization> {
-    let mut curve = parametrize(&SquaredForm::new(radius)?.expand())?;
+fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Parametrization> {
+    let mut curve = parametrize(&SquaredForm::new(radius)?.expand(), limits)?;
     // Both describe the same points; the one that was given comes first.
     let is_given = |b: &Branch| matches!(&b.radius, Radius::Fourier(r) if r == radius);
     if let Some(given) = curve.branches.iter().position(is_given) {

@@ -8,7 +8,7 @@ use super::expression::expression_text;
 use super::fourier::expression;
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
-use crate::parametrize::{AngleRange, Branch, ExactAngle, Parametrization, Radius};
+use crate::parametrize::{AngleRange, Branch, ExactAngle, Parametrization, PolarMethod, Radius};
 
 #[derive(Serialize)]
 struct Document {
@@ -21,6 +21,7 @@ struct Document {
     #[serde(skip_serializing_if = "Option::is_none")]
     center: Option<[String; 2]>,
     branches: Vec<BranchEntry>,
+    notes: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -165,13 +166,16 @@ fn document(curve: &Parametrization, digits: u32) -> Document {
             .iter()
             .map(|b| entry(b, &curve.center, digits))
             .collect(),
+        notes: curve.notes.clone(),
     }
 }
 
 fn method(curve: &Parametrization) -> String {
-    curve
-        .lemma
-        .map_or_else(|| "lines".into(), |n| format!("lemma-{n}"))
+    match curve.method {
+        PolarMethod::Lines => "lines".into(),
+        PolarMethod::Lemma(n) => format!("lemma-{n}"),
+        PolarMethod::Factors => "factors".into(),
+    }
 }
 
 fn angle(angle: &ExactAngle, digits: u32) -> Angle {
@@ -202,6 +206,9 @@ fn write_text(curve: &Parametrization, digits: u32, out: &mut dyn Write) -> io::
             "# the line at theta = {} = {} belongs to the curve",
             line.exact, line.theta
         )?;
+    }
+    for note in &curve.notes {
+        writeln!(out, "# note: {note}")?;
     }
     for (index, branch) in curve.branches.iter().enumerate() {
         let real = ranges_text(&ranges(&branch.real, digits));
@@ -238,7 +245,7 @@ fn entry(branch: &Branch, center: &[Rational; 2], digits: u32) -> BranchEntry {
     });
     let strings = |v: &[Rational]| v.iter().map(ToString::to_string).collect();
     BranchEntry {
-        factor: 0,
+        factor: branch.factor,
         radius: radius_text(&branch.radius, Format::Text),
         latex: radius_text(&branch.radius, Format::Latex),
         coordinates: Coordinates {

@@ -9,6 +9,7 @@ use malachite::base::polynomial::Polynomial;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
+use crate::implicitize::SquaredForm;
 use crate::poly::{BinaryForm, IntegerPolynomial, Ring, harmonics_of_form, polynomial_sqrt};
 use crate::shape::{FourierRadius, ImplicitCurve};
 
@@ -98,6 +99,16 @@ pub fn fourier_branches(curve: &ImplicitCurve) -> Result<FourierBranches> {
         step: if degrees.len() == 2 { n - low } else { 1 },
         radii,
     })
+}
+
+/// The branches of a curve that is exactly the (reduced) implicit curve of a Fourier radius, without
+/// further factors: then it is irreducible over Q (see
+/// [`SquaredForm::is_perfect_square`]). `None` for all other curves.
+#[must_use]
+pub fn born_of_radius(curve: &ImplicitCurve) -> Option<FourierBranches> {
+    let found = fourier_branches(curve).ok()?;
+    let expanded = SquaredForm::new(found.radii.first()?).ok()?.expand();
+    (expanded.polynomial() == &curve.polynomial().primitive()).then_some(found)
 }
 
 /// A square root on the unit circle: h with `f = h² (x² + y²)^e`.

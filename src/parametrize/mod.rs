@@ -10,6 +10,6 @@ mod ranges;
 
 pub use angle::{AngleRange, ExactAngle};
 pub use expression::Expression;
-pub use fourier::{FourierBranches, fourier_branches};
-pub use parametrization::{Branch, Parametrization, Radius, parametrize};
+pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
+pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;

@@ -5,33 +5,48 @@ use malachite::base::num::basic::traits::Zero;
 use super::angle::{AngleRange, ExactAngle};
 use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4, lemma_5};
 use super::expression::Expression;
-use super::fourier::fourier_branches;
+use super::fourier::{born_of_radius, fourier_branches};
 use super::ranges::positive_ranges;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::poly::{
-    BinaryForm, IntegerPolynomial, PlanePolynomial, divide_exactly, polynomial_gcd, real_roots,
-};
+use crate::factor::factor_plane;
+use crate::limits::Limits;
+use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, real_roots};
 use crate::shape::{FourierRadius, ImplicitCurve};
 
 /// A curve in polar form: straight lines through the origin, and branches r(θ).
 #[derive(Clone, Debug)]
 pub struct Parametrization {
-    /// The number of the lemma that gives the branches, 2 to 5; `None` if there are only lines.
-    pub lemma: Option<usize>,
-    /// The k of r^k.
+    /// What gives the branches.
+    pub method: PolarMethod,
+    /// The k of r^k; 1 where there are several factors.
     pub step: usize,
     /// The angles in [0, π) of straight lines through the origin that belong to the curve.
     pub lines: Vec<ExactAngle>,
-    /// The branches, the one with r > 0 first where both signs occur.
+    /// The branches of all factors.
     pub branches: Vec<Branch>,
+    /// What else a reader should know.
+    pub notes: Vec<String>,
     /// The point that r is measured from.
     pub center: [Rational; 2],
+}
+
+/// What gives the branches of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PolarMethod {
+    /// There are only lines through the origin.
+    Lines,
+    /// One of Lemmas 2 to 5.
+    Lemma(usize),
+    /// The curve has several factors, each with its own lemma.
+    Factors,
 }
 
 /// One branch.
 #[derive(Clone, Debug)]
 pub struct Branch {
+    /// Which factor of the polynomial it belongs to, from 0.
+    pub factor: usize,
     /// r(θ).
     pub radius: Radius,
     /// Where r is real and finite, of either sign.
@@ -51,39 +66,76 @@ pub enum Radius {
 
 /// The closed polar form of a plane curve (Lemmas 2 to 5), with exact ranges.
 ///
-/// The largest form that divides the polynomial is split off: its real zeros are the lines. What is left
-/// has two to five equally spaced homogeneous parts; if a radius is a trigonometric polynomial it comes
-/// as one.
+/// The polynomial is factored over Q. A factor that is a form gives straight lines through the origin,
+/// its real zeros; any other one has two to five equally spaced homogeneous parts, and its radius is
+/// the root of a polynomial of degree at most four in r^k. If a radius is a trigonometric polynomial it
+/// comes as one. Multiplicities do not change the curve; they are in the notes.
 ///
 /// # Errors
-/// [`Error::Hypothesis`] if the degree in r^k is more than four; [`Error::Usage`] for 0.
-pub fn parametrize(curve: &ImplicitCurve) -> Result<Parametrization> {
-    let (form, rest) = split_form(curve.polynomial())
-        .ok_or_else(|| Error::Usage("the polynomial 0 has no curve".into()))?;
+/// [`Error::Hypothesis`] if the degree in r^k is more than four; [`Error::Usage`] for 0; those of
+/// [`factor_plane`].
+pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametrization> {
     let mut result = Parametrization {
-        lemma: None,
+        method: PolarMethod::Lines,
         step: 1,
-        lines: directions(&form),
+        lines: Vec::new(),
         branches: Vec::new(),
+        notes: Vec::new(),
         center: curve.center().clone(),
     };
-    let degrees = rest.homogeneous_degrees();
-    if degrees.len() < 2 {
-        return Ok(result);
-    }
-    let rest = ImplicitCurve::new(rest.primitive()).with_center(curve.center().clone());
-    if let Ok(found) = fourier_branches(&rest) {
-        result.lemma = Some(found.lemma);
+    if let Some(found) = born_of_radius(curve) {
+        result.method = PolarMethod::Lemma(found.lemma);
         result.step = found.step;
-        result.branches = found.radii.into_iter().map(Branch::fourier).collect();
+        result.branches = found
+            .radii
+            .into_iter()
+            .map(|r| Branch::fourier(0, r))
+            .collect();
         return Ok(result);
     }
+    let factors = factor_plane(curve.polynomial(), limits)?.factors;
+    let only_lines = |f: &PlanePolynomial| f.homogeneous_degrees().len() == 1;
+    for (index, factor) in factors.iter().enumerate() {
+        limits.check()?;
+        if factor.multiplicity > 1 {
+            result.notes.push(format!(
+                "factor {index} has multiplicity {}",
+                factor.multiplicity
+            ));
+        }
+        if only_lines(&factor.polynomial) {
+            result
+                .lines
+                .extend(factor.polynomial.parts().flat_map(directions));
+        } else {
+            add_factor(&factor.polynomial, index, &mut result)?;
+        }
+    }
+    if factors.len() > 1 && factors.iter().any(|f| !only_lines(&f.polynomial)) {
+        result.method = PolarMethod::Factors;
+        result.step = 1;
+    }
+    Ok(result)
+}
+
+/// The branches of one irreducible factor that is not a form.
+fn add_factor(f: &PlanePolynomial, index: usize, result: &mut Parametrization) -> Result<()> {
+    let curve = ImplicitCurve::new(f.clone()).with_center(result.center.clone());
+    if let Ok(found) = fourier_branches(&curve) {
+        result.method = PolarMethod::Lemma(found.lemma);
+        result.step = found.step;
+        result
+            .branches
+            .extend(found.radii.into_iter().map(|r| Branch::fourier(index, r)));
+        return Ok(());
+    }
+    let degrees = f.homogeneous_degrees();
     let step = degrees.windows(2).fold(0, |g, w| gcd(g, w[0] - w[1]));
     let (top, low) = (degrees[0], degrees[degrees.len() - 1]);
     let k = u32::try_from(step).map_err(|_| Error::limit("the step of the degrees"))?;
-    let f = rest.polynomial();
     let part = |d: usize| f.part(d).cloned().unwrap_or_else(|| BinaryForm::zero(d));
-    let closed = match (top - low) / step {
+    let degree = (top - low) / step;
+    let closed = match degree {
         1 => lemma_2(&part(top), &part(low), k),
         2 => lemma_3(&part(top), &part(top - step), &part(low), k),
         3 => {
@@ -94,19 +146,28 @@ pub fn parametrize(curve: &ImplicitCurve) -> Result<Parametrization> {
             let all = [0, 1, 2, 3, 4].map(|j| part(top - j * step));
             lemma_5(all.each_ref(), k)
         }
-        degree => {
+        _ => {
             return Err(Error::Hypothesis {
                 statement: "the closed form of r (Lemmas 2 to 5)",
                 witness: format!(
-                    "the homogeneous parts have degrees {degrees:?}: a polynomial of degree {degree} in r^{step}, and the lemmas need degree 1 to 4; sample and plot take any degree"
+                    "a factor of degree {top} with {} homogeneous parts, down to degree {low}, is of degree {degree} in r^{step}, and the lemmas need degree 1 to 4; sample and plot take any degree",
+                    degrees.len()
                 ),
             });
         }
     };
-    result.lemma = Some((top - low) / step + 1);
+    for line in directions(&part(top)).iter().filter(|_| degree > 2) {
+        result.notes.push(format!(
+            "at theta = {} the part of degree {top} vanishes: one root is infinite there, and the others, of the parts below, are left out of the ranges",
+            line.describe()
+        ));
+    }
+    result.method = PolarMethod::Lemma(degree + 1);
     result.step = step;
-    result.branches = closed.into_iter().map(Branch::closed).collect();
-    Ok(result)
+    result
+        .branches
+        .extend(closed.into_iter().map(|b| Branch::closed(index, b)));
+    Ok(())
 }
 
 impl Radius {
@@ -122,46 +183,23 @@ impl Radius {
 
 impl Branch {
     /// A branch that is a trigonometric polynomial: real everywhere.
-    pub(crate) fn fourier(radius: FourierRadius) -> Self {
+    pub(crate) fn fourier(factor: usize, radius: FourierRadius) -> Self {
         Self {
+            factor,
             real: vec![AngleRange::full_circle()],
             positive: positive_ranges(&radius),
             radius: Radius::Fourier(radius),
         }
     }
 
-    fn closed(branch: ClosedBranch) -> Self {
+    fn closed(factor: usize, branch: ClosedBranch) -> Self {
         Self {
+            factor,
             radius: Radius::Closed(branch.radius),
             real: branch.real,
             positive: branch.positive,
         }
     }
-}
-
-/// f = form · rest with the form of largest degree; `None` for 0.
-fn split_form(f: &PlanePolynomial) -> Option<(BinaryForm, PlanePolynomial)> {
-    let mut common: Option<(IntegerPolynomial, usize)> = None;
-    for part in f.parts() {
-        let in_t = part.dehomogenized();
-        let x_power = part.degree() + 1 - in_t.coefficients_asc().len();
-        common = Some(match common {
-            None => (in_t.clone(), x_power),
-            Some((g, e)) => (polynomial_gcd(&g, in_t), e.min(x_power)),
-        });
-    }
-    let (g, x_power) = common?;
-    let g = crate::poly::primitive_part(&g);
-    let degree = g.coefficients_asc().len() - 1 + x_power;
-    let parts = f.parts().filter_map(|part| {
-        let quotient = divide_exactly(part.dehomogenized(), &g)?;
-        Some(BinaryForm::from_dehomogenized(
-            part.degree() - degree,
-            quotient,
-        ))
-    });
-    let rest = PlanePolynomial::from_parts(parts.collect::<Vec<_>>(), f.denominator().clone());
-    Some((BinaryForm::from_dehomogenized(degree, g), rest))
 }
 
 /// The angles in [0, π) at which a form vanishes, ascending.
