@@ -1,9 +1,12 @@
 //! What a curve is: degree, parts, terms, which lemma applies, what is certain about it.
 
+use crate::error::Result;
+use crate::factor::{factor_plane, factor_space};
 use crate::implicitize::SquaredForm;
-use crate::parametrize::{AngleRange, FourierBranches, fourier_branches, positive_ranges};
-use crate::poly::{PlanePolynomial, SparsePolynomial};
-use crate::shape::{FourierRadius, ImplicitCurve};
+use crate::limits::Limits;
+use crate::parametrize::{AngleRange, born_of_radius, positive_ranges};
+use crate::poly::{PlanePolynomial, total_degree};
+use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
 /// What is known exactly of an implicit curve or surface, or of the polynomial of a Fourier radius.
 #[derive(Clone, Debug)]
@@ -22,6 +25,19 @@ pub struct Description {
     pub origin_multiplicity: usize,
     /// What is known if the curve is born of a Fourier radius.
     pub fourier: Option<FourierDescription>,
+    /// The irreducible factors over Q.
+    pub factors: Vec<DescribedFactor>,
+}
+
+/// An irreducible factor over Q.
+#[derive(Clone, Debug)]
+pub struct DescribedFactor {
+    /// Primitive, with positive first term.
+    pub shape: Form,
+    /// How often it occurs.
+    pub multiplicity: usize,
+    /// Why it is irreducible, in words.
+    pub proof: String,
 }
 
 /// What is known of a curve given by a Fourier radius.
@@ -102,31 +118,48 @@ fn gcd(a: usize, b: usize) -> usize {
 
 impl Description {
     /// Describes an implicit curve; if it is recognised as born of a Fourier radius, that too.
-    #[must_use]
-    pub fn of_curve(curve: &ImplicitCurve) -> Self {
-        let branches = fourier_branches(curve).ok();
-        let fourier = branches.and_then(|FourierBranches { radii, .. }| {
-            let radius = radii.into_iter().next()?;
-            let form = SquaredForm::new(&radius).ok()?;
-            let reduced = form.expand();
-            // Only if the polynomial is exactly that of the radius, without further factors.
-            let same = reduced.polynomial() == &curve.polynomial().primitive();
-            same.then(|| FourierDescription::of(&radius, form.is_perfect_square()))
+    ///
+    /// # Errors
+    /// Those of [`factor_plane`].
+    pub fn of_curve(curve: &ImplicitCurve, limits: &Limits) -> Result<Self> {
+        if let Some(radius) = born_of_radius(curve).and_then(|found| found.radii.into_iter().next())
+        {
+            return Self::of_radius(&radius, limits);
+        }
+        let mut description = Self::of_polynomial(curve.polynomial(), None);
+        let factors = factor_plane(curve.polynomial(), limits)?.factors;
+        let described = factors.into_iter().map(|factor| DescribedFactor {
+            shape: Form::Curve(
+                ImplicitCurve::new(factor.polynomial).with_center(curve.center().clone()),
+            ),
+            multiplicity: factor.multiplicity,
+            proof: factor.proof.to_string(),
         });
-        Self::of_polynomial(curve.polynomial(), fourier)
+        description.factors = described.collect();
+        Ok(description)
     }
 
     /// Describes the reduced implicit equation of a Fourier radius.
     ///
     /// # Errors
-    /// As [`SquaredForm::new`].
-    pub fn of_radius(radius: &FourierRadius) -> crate::error::Result<Self> {
+    /// As [`SquaredForm::new`]; [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
+    pub fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Self> {
         let form = SquaredForm::new(radius)?;
+        let curve = form.expand();
+        limits.check()?;
         let fourier = FourierDescription::of(radius, form.is_perfect_square());
-        Ok(Self::of_polynomial(
-            form.expand().polynomial(),
-            Some(fourier),
-        ))
+        let mut description = Self::of_polynomial(curve.polynomial(), Some(fourier));
+        description.factors = vec![DescribedFactor {
+            shape: Form::Curve(curve),
+            multiplicity: 1,
+            proof: if form.is_perfect_square() {
+                "linear in r on the unit circle, with a leading part that is a power of x^2 + y^2"
+                    .into()
+            } else {
+                "in polar form F = r^(2N) (r - r(t)) (r + r(t+pi)), the two factors are exchanged by (r, t) -> (-r, t+pi) and differ, because an even harmonic (a0 among them) is not 0; and x^2 + y^2 does not divide F, because the N-th harmonic is not 0".into()
+            },
+        }];
+        Ok(description)
     }
 
     fn of_polynomial(f: &PlanePolynomial, fourier: Option<FourierDescription>) -> Self {
@@ -139,18 +172,28 @@ impl Description {
             coefficient_bits: f.coefficient_bits(),
             origin_multiplicity: f.lowest_degree().unwrap_or(0),
             fourier,
+            factors: Vec::new(),
         }
     }
 
-    /// Describes a polynomial in x, y and z.
-    #[must_use]
-    pub fn of_surface(f: &SparsePolynomial<3>) -> Self {
+    /// Describes a surface.
+    ///
+    /// # Errors
+    /// Those of [`factor_space`].
+    pub fn of_surface(surface: &ImplicitSurface, limits: &Limits) -> Result<Self> {
+        let f = surface.polynomial();
         let mut degrees: Vec<usize> = f
             .terms()
-            .map(|(e, _)| e.iter().map(|&k| k as usize).sum())
+            .map(|(e, _)| usize::try_from(total_degree(e)).unwrap_or(usize::MAX))
             .collect();
         degrees.dedup();
-        Self {
+        let factors = factor_space(f, limits)?.factors;
+        let described = factors.into_iter().map(|factor| DescribedFactor {
+            shape: Form::Surface(ImplicitSurface::new(factor.polynomial)),
+            multiplicity: factor.multiplicity,
+            proof: factor.proof.to_string(),
+        });
+        Ok(Self {
             degree: degrees.first().copied().unwrap_or(0),
             method: Method::from_degrees(&degrees, 7),
             origin_multiplicity: degrees.last().copied().unwrap_or(0),
@@ -163,7 +206,8 @@ impl Description {
                 .max()
                 .unwrap_or(0),
             fourier: None,
-        }
+            factors: described.collect(),
+        })
     }
 }
 

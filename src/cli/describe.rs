@@ -38,10 +38,10 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
     let description = session.stage("describe", |session| match &fitted.form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
-            Description::of_radius(radius)
+            Description::of_radius(radius, &session.limits)
         }
-        Form::Curve(curve) => Ok(Description::of_curve(curve)),
-        Form::Surface(surface) => Ok(Description::of_surface(surface.polynomial())),
+        Form::Curve(curve) => Description::of_curve(curve, &session.limits),
+        Form::Surface(surface) => Description::of_surface(surface, &session.limits),
     })?;
     let digits = session.common.digits;
     write_result(session, |out| {

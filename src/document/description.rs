@@ -3,10 +3,15 @@
 use std::io::{self, Write};
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::parametric::{Range, ranges_text};
-use super::{Format, SCHEMA};
-use crate::describe::{Description, FourierDescription, Method};
+use super::{Annotations, Format, SCHEMA, write_implicit, write_surface};
+use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
+use crate::shape::Form;
+
+/// Factors with a longer text are not printed in text.
+const LONGEST_FACTOR: usize = 300;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -19,18 +24,67 @@ struct Document<'a> {
     method: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     step: Option<usize>,
+    factors: Vec<FactorEntry>,
     origin_multiplicity: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonics: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     star_shaped: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    irreducible: Option<bool>,
+    irreducible: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     perfect_square: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
     positive: Option<Vec<Range>>,
     notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct FactorEntry {
+    multiplicity: usize,
+    polynomial: Value,
+    proof: String,
+    #[serde(skip)]
+    text: String,
+}
+
+impl FactorEntry {
+    fn new(factor: &DescribedFactor) -> io::Result<Self> {
+        Ok(Self {
+            multiplicity: factor.multiplicity,
+            polynomial: serde_json::from_slice(&written(&factor.shape, Format::Json)?)?,
+            proof: factor.proof.clone(),
+            text: String::from_utf8_lossy(&written(&factor.shape, Format::Text)?).into_owned(),
+        })
+    }
+
+    /// The polynomial on one line, unless it is very long.
+    fn short_text(&self) -> String {
+        let line = self
+            .text
+            .lines()
+            .rfind(|line| !line.starts_with('#'))
+            .unwrap_or("");
+        let polynomial = line.trim_end_matches(" = 0");
+        if polynomial.len() <= LONGEST_FACTOR {
+            return polynomial.into();
+        }
+        let terms = self.polynomial["terms"].as_array().map_or(0, Vec::len);
+        format!(
+            "a polynomial of degree {} with {terms} terms",
+            self.polynomial["degree"]
+        )
+    }
+}
+
+fn written(shape: &Form, format: Format) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    let annotations = Annotations::default();
+    match shape {
+        Form::Curve(curve) => write_implicit(curve, &annotations, format, &mut text)?,
+        Form::Surface(surface) => write_surface(surface, &annotations, format, &mut text)?,
+        Form::Fourier(radius) => super::write_fourier(radius, None, format, &mut text)?,
+    }
+    Ok(text)
 }
 
 /// Writes a description as `key: value` lines, or as the JSON document of kind `description`.
@@ -44,7 +98,7 @@ pub fn write_description(
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let document = document(description, extra_notes, digits);
+    let document = document(description, extra_notes, digits)?;
     match format {
         Format::Json => {
             serde_json::to_writer(&mut *out, &document)?;
@@ -58,7 +112,11 @@ pub fn write_description(
     }
 }
 
-fn document<'a>(d: &'a Description, extra_notes: &[String], digits: u32) -> Document<'a> {
+fn document<'a>(
+    d: &'a Description,
+    extra_notes: &[String],
+    digits: u32,
+) -> io::Result<Document<'a>> {
     let fourier = d.fourier.as_ref();
     let positive: Option<Vec<Range>> =
         fourier.map(|f| f.positive.iter().map(|r| Range::new(r, digits)).collect());
@@ -70,7 +128,7 @@ fn document<'a>(d: &'a Description, extra_notes: &[String], digits: u32) -> Docu
         Method::Lemma { step, .. } => Some(step),
         Method::Lines | Method::Numeric => None,
     };
-    Document {
+    Ok(Document {
         schema: SCHEMA,
         kind: "description",
         degree: d.degree,
@@ -82,27 +140,28 @@ fn document<'a>(d: &'a Description, extra_notes: &[String], digits: u32) -> Docu
         origin_multiplicity: d.origin_multiplicity,
         harmonics: fourier.map(|f| f.radius.harmonics()),
         star_shaped: fourier.map(FourierDescription::star_shaped),
-        // By the theorem on SquaredForm::is_perfect_square; the reduced equation of a perfect square
-        // is linear in r on the circle.
-        irreducible: fourier.map(|_| true),
+        irreducible: matches!(&d.factors[..], [only] if only.multiplicity == 1),
+        factors: d
+            .factors
+            .iter()
+            .map(FactorEntry::new)
+            .collect::<io::Result<_>>()?,
         perfect_square: fourier.map(|f| f.perfect_square),
         positive,
         notes,
-    }
+    })
 }
 
 fn fourier_notes(d: &Description, f: &FourierDescription, positive: &[Range]) -> Vec<String> {
     let n = f.radius.harmonics();
     let mut notes = Vec::new();
-    notes.push(if f.perfect_square {
-        format!(
-            "F of Theorem 2 has degree {} and is a perfect square, because a0 and all even harmonics are 0; this is its reduced equation, of degree {}, linear in r on the unit circle and so irreducible over Q",
+    if f.perfect_square {
+        notes.push(format!(
+            "F of Theorem 2 has degree {} and is a perfect square, because a0 and all even harmonics are 0; this is its reduced equation, of degree {}",
             2 * n + 2,
             d.degree
-        )
-    } else {
-        "irreducible over Q: in polar form F = r^(2N) (r - r(t)) (r + r(t+pi)), the two factors are exchanged by (r, t) -> (-r, t+pi) and differ, because an even harmonic (a0 among them) is not 0; and x^2 + y^2 does not divide F, because the N-th harmonic is not 0".into()
-    });
+        ));
+    }
     if f.star_shaped() {
         notes.push(
             "r > 0 for every angle: certified, (1+s^2)^N r(2 atan s) has no real root s".into(),
@@ -121,8 +180,8 @@ fn fourier_notes(d: &Description, f: &FourierDescription, positive: &[Range]) ->
             d.origin_multiplicity
         ));
     }
-    if !f.star_shaped() && !positive.is_empty() && has_negative_radius(f) {
-        notes.push("where r(t) < 0 the reflected arc, at distance |r(t)| in the direction t + pi, belongs to F = 0 as well".into());
+    if !f.star_shaped() && !f.perfect_square && has_negative_radius(f) {
+        notes.push("where r(t) < 0 the reflected arc belongs to F = 0: the points at distance |r(t)| in the direction t + pi".into());
     }
     notes
 }
@@ -161,8 +220,18 @@ fn write_text(d: &Document, out: &mut dyn Write) -> io::Result<()> {
             yes_no(star_shaped)
         )?;
     }
-    if let Some(irreducible) = d.irreducible {
-        writeln!(out, "irreducible over Q: {}", yes_no(irreducible))?;
+    writeln!(out, "irreducible over Q: {}", yes_no(d.irreducible))?;
+    for factor in &d.factors {
+        if d.irreducible {
+            writeln!(out, "proof: {}", factor.proof)?;
+        } else {
+            let text = factor.short_text();
+            writeln!(
+                out,
+                "factor: {text}, multiplicity {} ({})",
+                factor.multiplicity, factor.proof
+            )?;
+        }
     }
     for note in &d.notes {
         writeln!(out, "note: {note}")?;
