@@ -1,5 +1,7 @@
 //! Laws and known families of the factorization over Q.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::str::FromStr;
 
 use malachite::Integer;
@@ -226,7 +228,7 @@ fn irreducible_of_high_degree_by_capelli() {
     ));
 }
 
-/// A dense polynomial with coefficients between −9 and 9 from a linear congruence.
+/// A dense polynomial with coefficients between −7 and 8 from a linear congruence.
 fn dense(degree: usize, seed: u64) -> PlanePolynomial {
     let mut state = seed;
     let mut terms = Vec::new();
@@ -235,8 +237,8 @@ fn dense(degree: usize, seed: u64) -> PlanePolynomial {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
-            let c = i64::try_from(state >> 40).unwrap() % 19 - 9;
-            terms.push((c, i, j));
+            let digit = i8::try_from(state >> 40 & 15).unwrap_or(0);
+            terms.push((i64::from(digit) - 7, i, j));
         }
     }
     xy(&terms)
@@ -291,6 +293,28 @@ fn space_polynomials() {
 }
 
 #[test]
+fn what_is_too_large_is_refused_at_once() {
+    for f in [
+        xy(&[(1, 4_000_000, 0), (1, 0, 1)]),
+        xy(&[(1, 100_001, 0), (1, 2, 0), (1, 0, 0)]),
+        xy(&[
+            (1, 5001, 5001),
+            (3, 17, 16),
+            (1, 0, 2),
+            (1, 1, 0),
+            (1, 0, 0),
+        ]),
+    ] {
+        let error = factor_plane(&f, &Limits::none()).unwrap_err();
+        assert!(matches!(error, Error::Limit { .. }));
+    }
+    let top = u32::MAX;
+    let f = SparsePolynomial::from_terms([([top; 3], 1.into()), ([0; 3], 1.into())]);
+    let error = factor_space(&f, &Limits::none()).unwrap_err();
+    assert!(matches!(error, Error::Limit { .. }));
+}
+
+#[test]
 fn a_time_limit_stops_the_work() {
     let limits = Limits::none().with_time_limit(std::time::Duration::ZERO);
     let error = factor_plane(&dense(8, 3), &limits).unwrap_err();
@@ -319,14 +343,12 @@ fn count<P>(result: &Factorization<P>) -> usize {
 
 /// Whether a quadratic or cubic has a rational root: p/q with p | a0, q | an, by trying all.
 fn has_rational_root(c: &[i64]) -> bool {
-    let n = c.len() - 1;
     c[0] == 0
-        || (1..=c[n].abs()).any(|q| {
+        || (1..=c[c.len() - 1].abs()).any(|q| {
+            // Horner, homogenised: c_n p^n + c_(n−1) p^(n−1) q + …
             (-c[0].abs()..=c[0].abs()).any(|p| {
-                (0..=n)
-                    .map(|k| c[k] * p.pow(k as u32) * q.pow((n - k) as u32))
-                    .sum::<i64>()
-                    == 0
+                let step = |(value, power): (i64, i64), c: &i64| (value * p + c * power, power * q);
+                c.iter().rev().fold((0, 1), step).0 == 0
             })
         })
 }

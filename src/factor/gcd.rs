@@ -232,3 +232,37 @@ pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
         form
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::terms::tests::terms;
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_gcd_divides_and_holds_every_common_factor(f in terms(), g in terms(), h in terms()) {
+            let limits = Limits::none();
+            let (a, b) = (f.product(&h), g.product(&h));
+            prop_assume!(!a.is_zero() && !b.is_zero());
+            let d = gcd(&a, &b, &limits).unwrap();
+            prop_assert!(d.divided_by(&h).is_some());
+            let (p, q) = (a.divided_by(&d).unwrap(), b.divided_by(&d).unwrap());
+            let rest = gcd(&p, &q, &limits).unwrap();
+            prop_assert_eq!(rest, Terms::constant(Integer::ONE));
+        }
+
+        #[test]
+        fn squarefree_parts_multiply_back(f in terms(), g in terms()) {
+            let limits = Limits::none();
+            let product = f.product(&f).product(&g).primitive();
+            prop_assume!(!product.is_zero() && product.degrees()[0] > 0);
+            let (_, rest) = content_in(&product, 0, &limits).unwrap();
+            let parts = squarefree_parts(&rest, 0, &limits).unwrap();
+            let back = parts
+                .iter()
+                .fold(Terms::constant(Integer::ONE), |p, (m, part)| p.product(&part.pow(*m)));
+            prop_assert_eq!(back.primitive(), rest.primitive());
+        }
+    }
+}

@@ -84,7 +84,7 @@ pub struct Factor<P> {
 ///
 /// # Errors
 /// [`Error::Usage`] for the zero polynomial; [`Error::Limit`] when a stated limit is reached (degree
-/// 4096, 2²⁸ products of modular factors, the time of `limits`); [`Error::Interrupted`].
+/// 4096 after deflation, 2²⁸ products of modular factors, the time of `limits`); [`Error::Interrupted`].
 pub fn factor_univariate(
     f: &IntegerPolynomial,
     limits: &Limits,
@@ -111,7 +111,7 @@ pub fn factor_univariate(
 /// let f = PlanePolynomial::from_terms([((3, 1), 1.into()), ((1, 3), (-1).into())]);
 /// let result = factor_plane(&f, &Limits::none())?;
 /// assert_eq!(result.factors.len(), 4);
-/// // x² + y² − 1: irreducible, because x² − 1/2 would have to be a square in x at y = …
+/// // x² + y² − 1 is linear in x² and y²; neither square root splits it.
 /// let circle = PlanePolynomial::from_terms([((2, 0), 1.into()), ((0, 2), 1.into()), ((0, 0), (-1).into())]);
 /// let result = factor_plane(&circle, &Limits::none())?;
 /// assert_eq!(result.factors[0].polynomial, circle);

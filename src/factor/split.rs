@@ -17,6 +17,9 @@ pub(super) const CELLS_AT_MOST: usize = 1 << 21;
 /// The largest degree of a univariate polynomial that is factored modulo primes.
 pub(super) const DEGREE_AT_MOST: usize = 1 << 12;
 
+/// The largest total degree, before anything is divided out.
+pub(super) const EXPONENTS_AT_MOST: u64 = 1 << 20;
+
 /// An irreducible factor, its multiplicity and the proof.
 pub(super) struct Found {
     pub(super) polynomial: Terms,
@@ -27,9 +30,17 @@ pub(super) struct Found {
 /// All irreducible factors of a primitive f.
 ///
 /// # Errors
-/// [`Error::Limit`] beyond [`CELLS_AT_MOST`] or [`DEGREE_AT_MOST`] or too many subsets, and what
+/// [`Error::Limit`] beyond [`EXPONENTS_AT_MOST`], [`CELLS_AT_MOST`], [`DEGREE_AT_MOST`] or too many subsets, and what
 /// `limits` returns.
 pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
+    let total = f
+        .iter()
+        .map(|(e, _)| e.iter().map(|&k| u64::from(k)).sum::<u64>());
+    if total.max().is_some_and(|d| d > EXPONENTS_AT_MOST) {
+        return Err(Error::limit(format!(
+            "total degree {EXPONENTS_AT_MOST} of a polynomial to factor"
+        )));
+    }
     let mut found = Vec::new();
     let monomial = f.monomial_content();
     for v in (0..3).filter(|&v| monomial[v] > 0) {
@@ -43,16 +54,17 @@ pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
     }
     let f = f.map_exponents(|e| std::array::from_fn(|v| e[v] - monomial[v]));
     let used = f.used();
-    if let Some(degree) = f.homogeneous_degree()
-        && used.len() >= 2
+    if used.len() >= 2 && f.is_homogeneous() {
+        found.extend(of_form(&f, limits)?);
+    } else if let [u, v] = used[..]
+        && f.degrees()
+            .into_iter()
+            .all(|d| d as usize <= DEGREE_AT_MOST)
     {
-        found.extend(of_form(&f, degree, limits)?);
-    } else if let [u, v] = used[..] {
         let form = form_content(&f, u, v);
         match f.divided_by(&form) {
             Some(rest) if !form.is_constant() => {
-                let degree = form.homogeneous_degree().unwrap_or(0);
-                found.extend(of_form(&form, degree, limits)?);
+                found.extend(of_form(&form, limits)?);
                 found.extend(deflated(&rest, limits)?);
             }
             _ => found.extend(deflated(&f, limits)?),
@@ -64,11 +76,10 @@ pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
 }
 
 /// The factors of a form without monomial factors: those of its value at `last variable = 1`.
-fn of_form(form: &Terms, degree: u32, limits: &Limits) -> Result<Vec<Found>> {
+fn of_form(form: &Terms, limits: &Limits) -> Result<Vec<Found>> {
     let Some(&last) = form.used().last() else {
         return Ok(Vec::new());
     };
-    debug_assert!(form.homogeneous_degree() == Some(degree));
     let mut found = deflated(&form.evaluated(last, &Integer::from(1)).primitive(), limits)?;
     for factor in &mut found {
         let g = &factor.polynomial;
@@ -100,8 +111,8 @@ fn deflated(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
             });
         }
     }
-    for v in 0..3 {
-        for q in prime_factors(powers[v]) {
+    for (v, power) in powers.into_iter().enumerate() {
+        for q in prime_factors(power) {
             let mut inflated = Vec::new();
             for factor in found {
                 inflated.extend(inflate(factor, v, q, limits)?);

@@ -140,11 +140,11 @@ impl Terms {
             .fold([0; 3], |d, (e, _)| std::array::from_fn(|v| d[v].gcd(e[v])))
     }
 
-    /// The total degree of all the terms if it is the same.
-    pub(super) fn homogeneous_degree(&self) -> Option<u32> {
+    /// Whether all the terms have the same total degree.
+    pub(super) fn is_homogeneous(&self) -> bool {
         let mut totals = self.0.iter().map(|(e, _)| e.iter().sum::<u32>());
-        let first = totals.next()?;
-        totals.all(|d| d == first).then_some(first)
+        let first = totals.next();
+        totals.all(|d| Some(d) == first)
     }
 
     /// The non-zero coefficients of the powers of variable v, ascending in the power.
@@ -292,10 +292,14 @@ impl Terms {
         Some(Self(quotient))
     }
 
+    /// By repeated squaring.
     pub(super) fn pow(&self, exponent: usize) -> Self {
         let mut result = Self::constant(Integer::ONE);
-        for _ in 0..exponent {
-            result = result.product(self);
+        for bit in (0..usize::BITS - exponent.leading_zeros()).rev() {
+            result = result.product(&result);
+            if exponent >> bit & 1 == 1 {
+                result = result.product(self);
+            }
         }
         result
     }
@@ -369,5 +373,40 @@ impl Table {
                 .map(|(at, c)| (self.exponents(at), c))
                 .collect(),
         )
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    pub(in crate::factor) fn terms() -> impl Strategy<Value = Terms> {
+        prop::collection::vec((prop::array::uniform3(0u32..4), -9i64..9), 1..6)
+            .prop_map(|t| Terms::new(t.into_iter().map(|(e, c)| (e, Integer::from(c))).collect()))
+    }
+
+    proptest! {
+        #[test]
+        fn a_product_divides_back(f in terms(), g in terms(), k in 0usize..4) {
+            prop_assume!(!f.is_zero() && !g.is_zero());
+            prop_assert_eq!(f.product(&g).divided_by(&g), Some(f.clone()));
+            let power = (0..k).fold(Terms::constant(Integer::ONE), |p, _| p.product(&f));
+            prop_assert_eq!(f.pow(k), power);
+        }
+
+        #[test]
+        fn what_divides_multiplies_back(f in terms(), g in terms()) {
+            prop_assume!(!g.is_zero());
+            if let Some(q) = f.divided_by(&g) {
+                prop_assert_eq!(q.product(&g), f);
+            }
+        }
+
+        #[test]
+        fn shifting_and_evaluating_agree(f in terms(), v in 0usize..3, a in -3i64..3, b in -3i64..3) {
+            let (a, b) = (Integer::from(a), Integer::from(b));
+            prop_assert_eq!(f.shifted(v, &a).evaluated(v, &b), f.evaluated(v, &(a + b)));
+        }
     }
 }

@@ -115,7 +115,7 @@ fn best_prime(f: &IntegerPolynomial, limits: &Limits) -> Result<Modular> {
     let degree = f.coefficients_asc().len() - 1;
     let mut allowed = vec![true; degree + 1];
     let mut primes = Vec::new();
-    let mut best: Option<(usize, PrimeField, Vec<(usize, Vec<u64>)>)> = None;
+    let mut best: Option<(usize, Local)> = None;
     let mut prime = FIRST_PRIME - 2;
     loop {
         limits.check()?;
@@ -140,24 +140,29 @@ fn best_prime(f: &IntegerPolynomial, limits: &Limits) -> Result<Modular> {
         if !intersect(&mut allowed, &degrees_of_products(degrees)) {
             return Ok(Modular::Irreducible(primes));
         }
-        if best.as_ref().is_none_or(|(least, _, _)| count < *least) {
-            best = Some((count, field, parts));
-        }
-        if let Some((least, _, _)) = &best
-            && primes.len()
-                >= if *least < MANY_FACTORS {
-                    PRIMES
-                } else {
-                    MORE_PRIMES
-                }
-            && let Some((_, field, parts)) = best.take()
-        {
-            return Ok(Modular::Factors(Local {
+        if best.as_ref().is_none_or(|(least, _)| count < *least) {
+            let allowed = Vec::new();
+            let local = Local {
                 field,
                 parts,
                 allowed,
-            }));
+            };
+            best = Some((count, local));
         }
+        best = match best {
+            Some((least, local)) if primes.len() >= primes_for(least) => {
+                return Ok(Modular::Factors(Local { allowed, ..local }));
+            }
+            other => other,
+        };
+    }
+}
+
+fn primes_for(factors: usize) -> usize {
+    if factors < MANY_FACTORS {
+        PRIMES
+    } else {
+        MORE_PRIMES
     }
 }
 
