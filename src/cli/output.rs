@@ -14,6 +14,7 @@ pub(crate) fn write_result(
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<()> {
     let path = session.common.output.clone();
+    session.begin_writing();
     session.stage("write", |session| match &path {
         Some(path) => write_file(path, session, write),
         None => {

@@ -1,6 +1,8 @@
 //! One run of the program: limits, notes, progress, stage times.
 
 use std::io::{IsTerminal, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -10,6 +12,9 @@ use stellate::language::Numbers;
 use stellate::limits::Limits;
 
 use super::arguments::{Common, NumberReading};
+
+/// A checkpoint gets this long after the deadline to end the work in good order.
+const GRACE: Duration = Duration::from_millis(200);
 
 /// A progress bar waits this long before it shows itself.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
@@ -22,6 +27,8 @@ pub(crate) struct Session {
     pub(crate) common: Common,
     pub(crate) limits: Limits,
     stages: Vec<(&'static str, Duration)>,
+    /// Set once output may have begun: from then on work ends at checkpoints only.
+    writing: Arc<AtomicBool>,
 }
 
 impl Session {
@@ -53,13 +60,16 @@ impl Session {
                 .build_global()
                 .map_err(|e| Error::Usage(format!("--threads {threads}: {e}")))?;
         }
-        let flag = limits.cancellation();
-        // Without a handler Ctrl-C ends the process at once, which leaves no half file either.
-        let _ = ctrlc::set_handler(move || flag.store(true, std::sync::atomic::Ordering::Relaxed));
+        let writing = Arc::new(AtomicBool::new(false));
+        watch_interruption(&limits, &writing);
+        if let Some(seconds) = common.time_limit {
+            watch_deadline(Duration::from_secs_f64(seconds), seconds, &writing);
+        }
         Ok(Self {
             common,
             limits,
             stages: Vec::new(),
+            writing,
         })
     }
 
@@ -91,6 +101,11 @@ impl Session {
             None => self.stages.push((name, spent)),
         }
         result
+    }
+
+    /// From here on the process is not ended from outside: a file is being written beside its place.
+    pub(crate) fn begin_writing(&self) {
+        self.writing.store(true, Ordering::SeqCst);
     }
 
     /// A remark for the person at the terminal.
@@ -150,6 +165,38 @@ impl Session {
         }
         Ok(())
     }
+}
+
+/// Ctrl-C: before anything is written the process ends at once, however deep in one computation it is;
+/// afterwards at the next checkpoint.
+fn watch_interruption(limits: &Limits, writing: &Arc<AtomicBool>) {
+    let (flag, writing) = (limits.cancellation(), Arc::clone(writing));
+    // Without a handler Ctrl-C ends the process at once, which leaves no half file either, as long
+    // as nothing is being written.
+    let _ = ctrlc::set_handler(move || {
+        flag.store(true, Ordering::SeqCst);
+        if !writing.load(Ordering::SeqCst) {
+            report(&format!("stellate: {}", Error::Interrupted));
+            std::process::exit(i32::from(super::WRONG_INPUT));
+        }
+    });
+}
+
+/// The time limit, for computations that reach no checkpoint in time.
+fn watch_deadline(time: Duration, seconds: f64, writing: &Arc<AtomicBool>) {
+    let writing = Arc::clone(writing);
+    std::thread::spawn(move || {
+        std::thread::sleep(time.saturating_add(GRACE));
+        if !writing.load(Ordering::SeqCst) {
+            let limit = format!("--time-limit {seconds} s");
+            let error = Error::Limit {
+                limit,
+                finished: String::new(),
+            };
+            report(&format!("stellate: {error}"));
+            std::process::exit(i32::from(super::LIMIT_REACHED));
+        }
+    });
 }
 
 /// One line on standard error; if that is closed there is nobody to tell.
