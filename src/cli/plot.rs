@@ -26,6 +26,11 @@ enum Kind {
 }
 
 pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
+    if session.common.format.is_some() {
+        return Err(Error::Usage(
+            "plot has no --format: the name after -o says .svg or .png".into(),
+        ));
+    }
     let kind = kind(session)?;
     check_destination(session)?;
     let window = verb.window.as_deref().map(window).transpose()?;
