@@ -78,7 +78,7 @@ pub struct Factor<P> {
 ///     .iter()
 ///     .map(|g| format!("({})^{}", g.polynomial, g.multiplicity))
 ///     .collect();
-/// assert_eq!(factors, ["(x-1)^1", "(x)^2", "(x+1)^1", "(x^2+1)^1"]);
+/// assert_eq!(factors, ["(x)^2", "(x-1)^1", "(x+1)^1", "(x^2+1)^1"]);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
