@@ -42,12 +42,13 @@
 //! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
 //! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
+//! | factors (Example 8) | [`factor`] |
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
 //!
 //! # From below to above
 //!
-//! [`exact`] numbers → [`poly`]nomials → [`shape`]s → [`implicitize`], [`parametrize`], [`fit`] →
+//! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`parametrize`], [`fit`] →
 //! [`sample`], [`describe`] → [`language`], [`document`], [`picture`] → the command line. A file imports
 //! only from below it, and [`error`] and [`limits`].
 //!
