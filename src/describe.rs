@@ -1,5 +1,7 @@
 //! What a curve is: degree, parts, terms, which lemma applies, what is certain about it.
 
+use malachite::base::num::arithmetic::traits::Gcd;
+
 use crate::error::Result;
 use crate::factor::{factor_plane, factor_space};
 use crate::implicitize::SquaredForm;
@@ -90,7 +92,7 @@ impl Method {
     fn from_degrees(degrees: &[usize], first: usize) -> Self {
         let gaps: Vec<usize> = degrees.windows(2).map(|w| w[0] - w[1]).collect();
         // Parts may be missing in between: the degree in r^k is what counts.
-        let step = gaps.iter().fold(0, |g, &gap| gcd(g, gap));
+        let step = gaps.iter().fold(0, |g: usize, &gap| g.gcd(gap));
         match gaps.iter().sum::<usize>().checked_div(step) {
             None => Self::Lines,
             Some(degree) if degree <= 4 => Self::Lemma {
@@ -110,10 +112,6 @@ impl Method {
             Self::Numeric => "lemma-6".into(),
         }
     }
-}
-
-fn gcd(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 impl Description {

@@ -1,7 +1,6 @@
 //! Theorem 2: the implicit polynomial of a finite Fourier radius, Eqs. (5)–(9).
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
 use malachite::base::num::basic::traits::One;
 
 use crate::error::{Error, Result};
@@ -112,10 +111,7 @@ impl SquaredForm {
             });
         }
         let n = radius.harmonics();
-        let denominator = common_denominator(radius);
-        let integer = |q: &Rational| q.numerator() * (&denominator).div_exact(q.denominator());
-        let cos: Vec<Integer> = radius.cosines().iter().map(integer).collect();
-        let sin: Vec<Integer> = radius.sines().iter().map(integer).collect();
+        let (denominator, cos, sin) = radius.over_common_denominator();
         let sum = |parity: usize| {
             let degree = if n % 2 == parity { n } else { n - 1 };
             let harmonics = (parity..=degree).step_by(2).map(|m| (m, &cos[m], &sin[m]));
@@ -183,11 +179,4 @@ impl SquaredForm {
         let f = PlanePolynomial::from_parts(parts.into_iter().flatten(), Integer::ONE);
         ImplicitCurve::new(f.primitive()).with_center(self.center.clone())
     }
-}
-
-fn common_denominator(radius: &FourierRadius) -> Integer {
-    let all = radius.cosines().iter().chain(radius.sines());
-    all.fold(Integer::ONE, |d, q| {
-        Integer::from(d.unsigned_abs_ref().lcm(q.denominator().unsigned_abs_ref()))
-    })
 }

@@ -2,6 +2,8 @@
 
 use malachite::base::num::basic::traits::Zero;
 
+use malachite::base::num::arithmetic::traits::Gcd;
+
 use super::angle::{AngleRange, ExactAngle};
 use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4, lemma_5};
 use super::expression::Expression;
@@ -130,7 +132,7 @@ fn add_factor(f: &PlanePolynomial, index: usize, result: &mut Parametrization) -
         return Ok(());
     }
     let degrees = f.homogeneous_degrees();
-    let step = degrees.windows(2).fold(0, |g, w| gcd(g, w[0] - w[1]));
+    let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
     let (top, low) = (degrees[0], degrees[degrees.len() - 1]);
     let k = u32::try_from(step).map_err(|_| Error::limit("the step of the degrees"))?;
     let part = |d: usize| f.part(d).cloned().unwrap_or_else(|| BinaryForm::zero(d));
@@ -214,8 +216,4 @@ fn directions(form: &BinaryForm) -> Vec<ExactAngle> {
         .chain(up)
         .chain(tangents(negative))
         .collect()
-}
-
-fn gcd(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { gcd(b, a % b) }
 }

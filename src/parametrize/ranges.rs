@@ -1,9 +1,5 @@
 //! Where a Fourier radius is positive: exact angle ranges.
 
-use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
-use malachite::base::num::basic::traits::One;
-
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics, real_roots};
@@ -63,13 +59,7 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
 /// `(1 + t²)^N r(2 arctan t)` times a positive constant.
 fn half_angle_polynomial(radius: &FourierRadius) -> IntegerPolynomial {
     let n = radius.harmonics();
-    let all = radius.cosines().iter().chain(radius.sines());
-    let common = all.fold(Integer::ONE, |d, q| {
-        Integer::from(d.unsigned_abs_ref().lcm(q.denominator().unsigned_abs_ref()))
-    });
-    let integer = |q: &Rational| q.numerator() * (&common).div_exact(q.denominator());
-    let cos: Vec<Integer> = radius.cosines().iter().map(integer).collect();
-    let sin: Vec<Integer> = radius.sines().iter().map(integer).collect();
+    let (_, cos, sin) = radius.over_common_denominator();
     let doubled = (0..=n).map(|m| (2 * m, &cos[m], &sin[m]));
     doubled_form_from_harmonics(2 * n, doubled)
         .dehomogenized()

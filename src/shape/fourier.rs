@@ -1,5 +1,9 @@
 //! [`FourierRadius`]: a star-shaped curve given by a finite Fourier series of its radius.
 
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::One;
+
 use crate::exact::Rational;
 
 /// The radius `r(θ) = a0 + Σ_{n=1..N} (a_n cos nθ + b_n sin nθ)` with exact rational coefficients
@@ -86,6 +90,19 @@ impl FourierRadius {
     #[must_use]
     pub fn sines(&self) -> &[Rational] {
         &self.sin
+    }
+
+    /// (D, D·cosines, D·sines) with the least common denominator D of all coefficients.
+    #[must_use]
+    pub fn over_common_denominator(&self) -> (Integer, Vec<Integer>, Vec<Integer>) {
+        let all = self.cos.iter().chain(&self.sin);
+        let common = all.fold(Integer::ONE, |d, q| {
+            Integer::from(d.unsigned_abs_ref().lcm(q.denominator().unsigned_abs_ref()))
+        });
+        let integer = |q: &Rational| q.numerator() * (&common).div_exact(q.denominator());
+        let cos = self.cos.iter().map(integer).collect();
+        let sin = self.sin.iter().map(integer).collect();
+        (common, cos, sin)
     }
 
     /// Whether r is identically 0.

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 
 pub(crate) mod oracle_theorem_2;
+pub(crate) mod program;
 
 use proptest::prelude::*;
 use stellate::exact::Rational;

@@ -1,0 +1,69 @@
+//! Running the program and reading what it says.
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use num_rational::BigRational;
+use serde_json::Value;
+
+pub(crate) const EGG: &str = "r = 1 + 1/5*cos(t) + 0.1*sin(t)";
+
+/// A run of the program.
+pub(crate) struct Run {
+    pub(crate) code: i32,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+pub(crate) fn run_in(folder: &Path, arguments: &[&str], stdin: &str) -> Run {
+    let output = Command::cargo_bin("stellate")
+        .unwrap()
+        .current_dir(folder)
+        .args(arguments)
+        .write_stdin(stdin)
+        .output()
+        .unwrap();
+    Run {
+        code: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// What a successful run prints.
+pub(crate) fn done_in(folder: &Path, arguments: &[&str], stdin: &str) -> String {
+    let run = run_in(folder, arguments, stdin);
+    assert_eq!(run.code, 0, "{arguments:?}: {}", run.err);
+    run.out
+}
+
+pub(crate) fn done(arguments: &[&str]) -> String {
+    done_in(Path::new("."), arguments, "")
+}
+
+pub(crate) fn piped(arguments: &[&str], stdin: &str) -> String {
+    done_in(Path::new("."), arguments, stdin)
+}
+
+pub(crate) fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+pub(crate) fn outline(name: &str) -> String {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("paper-examples");
+    let path = root.join(format!("e02-{name}/{name}.csv"));
+    path.to_str().unwrap().to_owned()
+}
+
+pub(crate) fn strings(value: &Value) -> Vec<String> {
+    let entries = value.as_array().unwrap().iter();
+    entries.map(|v| v.as_str().unwrap().to_owned()).collect()
+}
+
+pub(crate) fn rational(text: &str) -> BigRational {
+    text.parse().unwrap()
+}
+
+pub(crate) fn rationals(value: &Value) -> Vec<BigRational> {
+    strings(value).iter().map(|t| rational(t)).collect()
+}
