@@ -44,7 +44,7 @@ pub(in crate::parametrize) fn lemma_5(parts: [&BinaryForm; 5], k: u32) -> Vec<Cl
             } else {
                 signs.pair_real(pair)
             };
-            real.then(|| quartic.sign_of(at, beside, index))
+            real.then(|| quartic.sign_of(at, beside, index)).flatten()
         }));
     }
     for sign in [1, -1] {
@@ -52,7 +52,7 @@ pub(in crate::parametrize) fn lemma_5(parts: [&BinaryForm; 5], k: u32) -> Vec<Cl
         let index = Index { pair: 0, sign };
         branches.extend(branches_of(root, k, &cells, |at, beside| {
             let real = Signs::of(at).biquadratic_real();
-            real.then(|| quartic.sign_of(at, beside, index))
+            real.then(|| quartic.sign_of(at, beside, index)).flatten()
         }));
     }
     branches.retain(|branch| !branch.real.is_empty());
@@ -196,8 +196,8 @@ impl Quartic {
         self.parts.iter().chain(derived).collect()
     }
 
-    /// The sign of a real root R = (y − p)/4s.
-    fn sign_of(&self, at: &Place, beside: &[&Place], index: Index) -> i8 {
+    /// The sign of a real root R = (y − p)/4s; `None` if exact root counting finds no such root.
+    fn sign_of(&self, at: &Place, beside: &[&Place], index: Index) -> Option<i8> {
         if let Some(vector) = &at.vector {
             return self.sign_at(vector, index);
         }
@@ -205,35 +205,34 @@ impl Quartic {
         let Signs { s, p, u, v, .. } = signs;
         if index.pair == 0 && signs.discriminant == 0 {
             // The double root y = 0.
-            return -p * s;
+            return Some(-p * s);
         }
         if signs.all_real() {
-            return sign_of_rank(position(index, 4, s), &at.signs[..5]);
+            return Some(sign_of_rank(position(index, 4, s), &at.signs[..5]));
         }
         if v == 0 {
             // 0 is a root; the other real one is that of the cubic.
             let other = -u * s;
             let is_larger = (index.sign > 0) == (s > 0);
-            return if is_larger {
+            return Some(if is_larger {
                 other.max(0)
             } else {
                 other.min(0)
-            };
+            });
         }
         // v ≠ 0: no root changes its sign here, and a cell beside, where it is real, knows it.
         let known = beside.iter().find_map(|near| {
             let signs = Signs::of(near);
             let real = signs.all_real() || signs.pair_real(index.pair) || index.pair == 0;
-            near.vector
-                .as_ref()
-                .filter(|_| real)
-                .map(|vector| self.sign_at(vector, index))
+            let vector = near.vector.as_ref().filter(|_| real)?;
+            self.sign_at(vector, index)
         });
-        known.unwrap_or(0)
+        // An isolated double root between directions without one: its sign stays open.
+        Some(known.unwrap_or(0))
     }
 
     /// The sign in a rational direction, from the certified roots of the quartic there.
-    fn sign_at(&self, (x, y): &(Integer, Integer), index: Index) -> i8 {
+    fn sign_at(&self, (x, y): &(Integer, Integer), index: Index) -> Option<i8> {
         let mut values = self
             .parts
             .each_ref()
@@ -249,14 +248,17 @@ impl Quartic {
                 .sum::<usize>()
         };
         let all = count(1) + count(0) + count(-1);
+        if all == 0 {
+            return None;
+        }
         let rank = position(index, all, s);
-        if rank < count(1) {
+        Some(if rank < count(1) {
             1
         } else if rank < count(1) + count(0) {
             0
         } else {
             -1
-        }
+        })
     }
 
     /// y → (y − p)/4s
