@@ -87,12 +87,6 @@ impl ExactAngle {
         }
     }
 
-    /// Whether this is the multiple `q` of π.
-    #[must_use]
-    pub fn is_pi_times(&self, q: i32) -> bool {
-        matches!(self, Self::Pi(p) if *p == Rational::from(q))
-    }
-
     /// Certified decimals: the angle rounded to `digits` places after the point.
     ///
     /// Bounds are refined until both round to the same decimals; they do, because such an angle is

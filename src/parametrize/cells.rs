@@ -7,8 +7,8 @@ use malachite::base::polynomial::Polynomial;
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
 use crate::poly::{
-    BinaryForm, IntegerPolynomial, RealRoot, divide_exactly, polynomial_gcd, primitive_part,
-    real_roots,
+    BinaryForm, IntegerPolynomial, RealRoot, divide_exactly, integer_sign, polynomial_gcd,
+    primitive_part, real_roots,
 };
 
 /// The circle [0, 2π] cut at the zeros of some forms: marks (the cuts, and 0 and 2π) and the open
@@ -119,10 +119,7 @@ impl Cells {
 
 impl Place {
     fn rational(forms: &[&BinaryForm], (u, v): Vector) -> Self {
-        let sign = |form: &&BinaryForm| {
-            let value = form.evaluate(&u, &v);
-            i8::from(value > 0) - i8::from(value < 0)
-        };
+        let sign = |form: &&BinaryForm| integer_sign(&form.evaluate(&u, &v));
         Self {
             signs: forms.iter().map(sign).collect(),
             vector: Some((u, v)),

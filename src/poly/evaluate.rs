@@ -35,7 +35,7 @@ pub fn numerator_at(f: &IntegerPolynomial, point: &Dyadic) -> Integer {
 /// The exact sign (−1, 0, 1) of f at a dyadic point.
 #[must_use]
 pub fn sign_at(f: &IntegerPolynomial, point: &Dyadic) -> i8 {
-    sign(&numerator_at(f, point))
+    integer_sign(&numerator_at(f, point))
 }
 
 /// The exact sign (−1, 0, 1) of f at a rational point.
@@ -51,9 +51,10 @@ pub fn sign_at_rational(f: &IntegerPolynomial, point: &Rational) -> i8 {
         }
         q_power *= &q;
     }
-    sign(&value)
+    integer_sign(&value)
 }
 
-fn sign(value: &Integer) -> i8 {
+/// The sign of an integer: −1, 0 or 1.
+pub(crate) fn integer_sign(value: &Integer) -> i8 {
     i8::from(*value > 0) - i8::from(*value < 0)
 }

@@ -1,7 +1,7 @@
 //! Binary forms: homogeneous polynomials in x and y.
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{Content, DivExact, Pow, Square};
+use malachite::base::num::arithmetic::traits::{Content, DivExact, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::{MulPowerOfX, Polynomial};
 
@@ -216,15 +216,6 @@ impl BinaryForm {
 
     fn assert_same_degree(&self, other: &Self) {
         assert_eq!(self.degree, other.degree, "forms of one degree are added");
-    }
-
-    /// `f^exponent`.
-    #[must_use]
-    pub fn pow(&self, exponent: usize) -> Self {
-        Self {
-            degree: self.degree * exponent,
-            in_t: (&self.in_t).pow(exponent as u64),
-        }
     }
 }
 

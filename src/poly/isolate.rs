@@ -14,6 +14,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
 use malachite::base::rounding_modes::RoundingMode;
 
+use super::evaluate::integer_sign as sign;
 use super::shift::negate_odd;
 use super::{IntegerPolynomial, divide_exactly, shift_by_one, sign_at};
 use crate::exact::Dyadic;
@@ -279,10 +280,6 @@ fn halve(node: Node) -> (Node, Node) {
 /// The sign of a value known up to an error below `error`; `None` if that leaves it open.
 fn known_sign(value: &Integer, error: &Integer) -> Option<i8> {
     (value.unsigned_abs_ref() >= error.unsigned_abs_ref()).then(|| sign(value))
-}
-
-fn sign(value: &Integer) -> i8 {
-    i8::from(*value > 0) - i8::from(*value < 0)
 }
 
 fn sign_changes(signs: impl Iterator<Item = i8>) -> usize {

@@ -19,6 +19,7 @@ mod sqrt;
 mod trig;
 
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
+pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
 pub use form::BinaryForm;
 pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};

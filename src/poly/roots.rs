@@ -153,26 +153,6 @@ impl RealRoot {
         }
     }
 
-    /// The exact sign of g at the root. Cost: the real roots of g.
-    #[must_use]
-    pub fn sign_of(&self, g: &IntegerPolynomial) -> i8 {
-        let Some(lead) = g.coefficients_asc().last() else {
-            return 0;
-        };
-        if self.is_root_of(g) {
-            return 0;
-        }
-        let mut here = self.clone();
-        let above: usize = real_roots(g)
-            .iter_mut()
-            .filter_map(|root| {
-                (here.cmp_distinct(root) == Ordering::Less).then_some(root.multiplicity)
-            })
-            .sum();
-        let sign = if *lead > 0 { 1 } else { -1 };
-        if above.is_multiple_of(2) { sign } else { -sign }
-    }
-
     /// The root as a fraction, if it is rational.
     #[must_use]
     pub fn as_rational(&self) -> Option<Rational> {

@@ -126,6 +126,11 @@ pub(super) fn sign_of_rank(rank: usize, signs: &[i8]) -> i8 {
     let nonzero: Vec<i8> = signs.iter().copied().filter(|&sign| sign != 0).collect();
     let positive = nonzero.windows(2).filter(|pair| pair[0] != pair[1]).count();
     let zeros = signs.iter().rev().take_while(|&&sign| sign == 0).count();
+    rank_sign(rank, positive, zeros)
+}
+
+/// The sign of the root with the given rank (0 for the largest) among so many positive ones and zeros.
+pub(super) fn rank_sign(rank: usize, positive: usize, zeros: usize) -> i8 {
     if rank < positive {
         1
     } else if rank < positive + zeros {

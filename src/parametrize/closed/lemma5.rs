@@ -4,11 +4,11 @@ use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 
 use super::forms::{constant, negative, on_circle, product, reduced, square_part};
-use super::lemma4::{cosine_root, sign_of_rank, sum_of_cube_roots};
+use super::lemma4::{cosine_root, rank_sign, sign_of_rank, sum_of_cube_roots};
 use super::{ClosedBranch, branches_of};
 use crate::parametrize::cells::{Cells, Place};
 use crate::parametrize::expression::Expression;
-use crate::poly::{BinaryForm, IntegerPolynomial, Ring, divide_exactly, real_roots};
+use crate::poly::{BinaryForm, IntegerPolynomial, Ring, divide_exactly, integer_sign, real_roots};
 
 /// Eqs. (50)–(69): `s R⁴ + p R³ + q R² + u R + v = 0` with R = r^k.
 ///
@@ -238,7 +238,7 @@ impl Quartic {
             .each_ref()
             .map(|form| form.evaluate(x, y))
             .to_vec();
-        let s = i8::from(values[0] > 0) - i8::from(values[0] < 0);
+        let s = integer_sign(&values[0]);
         values.reverse();
         let roots = real_roots(&IntegerPolynomial::from_coefficients_asc(values));
         let count = |sign: i8| {
@@ -252,13 +252,7 @@ impl Quartic {
             return None;
         }
         let rank = position(index, all, s);
-        Some(if rank < count(1) {
-            1
-        } else if rank < count(1) + count(0) {
-            0
-        } else {
-            -1
-        })
+        Some(rank_sign(rank, count(1), count(0)))
     }
 
     /// y → (y − p)/4s
