@@ -7,9 +7,11 @@ mod expression;
 mod fourier;
 mod parametrization;
 mod ranges;
+mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
 pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;
+pub use traced::{RootArc, RootBranch};
