@@ -79,8 +79,9 @@ pub(crate) enum Verb {
   stellate implicitize outline.csv --harmonics 39 --format json -o f.json
   stellate implicitize f.json --format singular")]
     Implicitize(Implicitize),
-    /// Turn an implicit polynomial into its radius r(theta), in closed form with exact ranges (Lemmas 2 to 5)
-    #[command(after_help = "Example:
+    /// Turn an implicit polynomial into its radius r(theta): closed forms (Lemmas 2 to 5), else certified roots and a Fourier fit (Lemma 6), with exact ranges
+    #[command(after_help = "Examples:
+  stellate parametrize 'x^6 + y^6 + x*y^3 = 1 + x' --harmonics 12
   stellate parametrize '100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2'")]
     Parametrize(Parametrize),
     /// Fit a Fourier radius to a contour (Definition 1)
@@ -143,6 +144,9 @@ pub(crate) struct Parametrize {
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
+    /// The branch to fit a Fourier series to where there is no closed form [default: the outermost]
+    #[arg(long, value_name = "I")]
+    pub(crate) branch: Option<usize>,
 }
 
 #[derive(Debug, Args)]
@@ -187,6 +191,18 @@ pub(crate) struct Plot {
     /// Cells along the larger side, for tracing implicit curves
     #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(8..=4000))]
     pub(crate) cells: u32,
+}
+
+impl Default for FitFlags {
+    fn default() -> Self {
+        Self {
+            harmonics: None,
+            tolerance: None,
+            center: "centroid".into(),
+            samples: None,
+            decimals: None,
+        }
+    }
 }
 
 /// How a contour becomes a Fourier radius.

@@ -185,13 +185,23 @@ pub(crate) fn exact_form(input: Input, flags: &FitFlags, session: &mut Session) 
 
 /// `--harmonics` and the like belong to contours.
 pub(crate) fn refuse_fit_flags(flags: &FitFlags) -> Result<()> {
-    let given = [
+    refuse(&[
         ("--harmonics", flags.harmonics.is_some()),
-        ("--tolerance", flags.tolerance.is_some()),
         ("--samples", flags.samples.is_some()),
         ("--decimals", flags.decimals.is_some()),
+    ])?;
+    refuse_contour_flags(flags)
+}
+
+/// What only a contour has: a centre to choose, and a tolerance.
+pub(crate) fn refuse_contour_flags(flags: &FitFlags) -> Result<()> {
+    refuse(&[
+        ("--tolerance", flags.tolerance.is_some()),
         ("--center", flags.center != "centroid"),
-    ];
+    ])
+}
+
+fn refuse(given: &[(&str, bool)]) -> Result<()> {
     match given.iter().find(|(_, given)| *given) {
         Some((name, _)) => Err(Error::Usage(format!(
             "{name} is for contours; this form is exact already"

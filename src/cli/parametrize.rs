@@ -4,10 +4,13 @@ use stellate::document::{Format, write_parametrization};
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::limits::Limits;
-use stellate::parametrize::{Branch, Parametrization, Radius, parametrize};
+use stellate::parametrize::{
+    Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, Parametrization, PolarMethod, Radius,
+    fit_branch, parametrize,
+};
 use stellate::shape::{Form, FourierRadius};
 
-use super::arguments::Parametrize;
+use super::arguments::{FitFlags, Parametrize};
 use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
@@ -17,7 +20,14 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     let format = session.format_or(Format::Text);
     format.check_fourier()?;
     let input = input::read(&verb.form, session)?;
-    let fitted = input::exact_form(input, &verb.fit, session)?;
+    // What a fit of a branch (Lemma 6) should be like, for a form that is exact already.
+    let is_exact = matches!(input.content, input::Content::Exact(_));
+    let fitted = if is_exact {
+        input::refuse_contour_flags(&verb.fit)?;
+        input::exact_form(input, &FitFlags::default(), session)?
+    } else {
+        input::exact_form(input, &verb.fit, session)?
+    };
     let parametrization = session.stage("parametrize", |session| match &fitted.form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
@@ -31,16 +41,61 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             "this polynomial has z: parametrize takes plane curves, in x and y".into(),
         )),
     })?;
+    let fit = branch_fit(verb, is_exact, &parametrization, session)?;
     let is_series = |b: &Branch| matches!(b.radius, Radius::Fourier(_));
-    if format == Format::Csv && !parametrization.branches.first().is_some_and(is_series) {
+    let has_series = parametrization.branches.first().is_some_and(is_series)
+        || fit.is_some() && parametrization.method == PolarMethod::Numeric;
+    if format == Format::Csv && !has_series {
         return Err(Error::Usage(
             "--format csv: only a radius that is a Fourier series is a table of coefficients; text, json, latex, sympy and maple write closed forms".into(),
         ));
     }
     let digits = session.common.digits;
     write_result(session, |out| {
-        write_parametrization(&parametrization, digits, format, out)
+        write_parametrization(&parametrization, fit.as_ref(), digits, format, out)
     })
+}
+
+/// The Fourier fit of a branch without a closed form, if there is one.
+fn branch_fit(
+    verb: &Parametrize,
+    is_exact: bool,
+    curve: &Parametrization,
+    session: &mut Session,
+) -> Result<Option<BranchFit>> {
+    let is_root = |b: &Branch| matches!(b.radius, Radius::Root(_));
+    if !curve.branches.iter().any(is_root) {
+        let given = [
+            ("--branch", verb.branch.is_some()),
+            ("--harmonics", is_exact && verb.fit.harmonics.is_some()),
+            ("--samples", is_exact && verb.fit.samples.is_some()),
+            ("--decimals", is_exact && verb.fit.decimals.is_some()),
+        ];
+        return match given.iter().find(|(_, given)| *given) {
+            Some((name, _)) => Err(Error::Usage(format!(
+                "{name} is for contours and for branches without a closed form (Lemma 6); the radii of this form are exact"
+            ))),
+            None => Ok(None),
+        };
+    }
+    let options = BranchFitOptions {
+        branch: verb.branch,
+        harmonics: verb.fit.harmonics.unwrap_or(DEFAULT_HARMONICS),
+        samples: verb.fit.samples,
+        decimals: verb.fit.decimals,
+    };
+    let fit = session.stage("fit", |session| {
+        fit_branch(curve, &options, &session.limits)
+    })?;
+    match &fit {
+        None => session.note("no positive radius without a closed form covers the full circle: there is no Fourier fit"),
+        Some(fit) if !fit.jumps.is_empty() => session.note(&format!(
+            "no branch covers the full circle: the outermost positive radius is fitted, which jumps between branches (angles: {})",
+            fit.jumps.len()
+        )),
+        Some(_) => {}
+    }
+    Ok(fit)
 }
 
 /// A radius is parametric already; its document lists the branches of its implicit equation.

@@ -20,6 +20,28 @@ pub(super) fn expression_text(expression: &Expression, format: Format) -> String
     written(expression, format).0
 }
 
+/// Σ forms[i](cos θ, sin θ) r^(i·step) from the highest power down.
+pub(super) fn equation_text(forms: &[BinaryForm], step: usize, format: Format) -> String {
+    let times = if format == Format::Latex { " " } else { "*" };
+    let terms = forms
+        .iter()
+        .enumerate()
+        .rev()
+        .filter(|(_, form)| !form.is_zero());
+    let terms = terms.map(|(i, form)| {
+        let (text, _) = form_text(form, format);
+        let power = match (i * step, format) {
+            (0, _) => return parenthesized(&text, format),
+            (1, _) => "r".into(),
+            (e, Format::Latex) => format!("r^{{{e}}}"),
+            (e, Format::Sympy) => format!("r**{e}"),
+            (e, _) => format!("r^{e}"),
+        };
+        format!("{}{times}{power}", parenthesized(&text, format))
+    });
+    terms.collect::<Vec<_>>().join(" + ")
+}
+
 fn written(expression: &Expression, format: Format) -> (String, Strength) {
     let inner = |e: &Expression, least: Strength| {
         let (text, strength) = written(e, format);

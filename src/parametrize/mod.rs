@@ -1,6 +1,7 @@
 //! Implicit → parametric (§3 of the paper).
 
 mod angle;
+mod approximate;
 mod cells;
 mod closed;
 mod expression;
@@ -10,6 +11,7 @@ mod ranges;
 mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
+pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch, rounded_up};
 pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};

@@ -27,6 +27,7 @@ pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decompo
 pub use malachite::integer_polynomial::IntegerPolynomial;
 pub use plane::PlanePolynomial;
 pub use ring::Ring;
+pub(crate) use roots::sort_distinct;
 pub use roots::{RealRoot, real_roots};
 pub(crate) use shift::negate_odd;
 pub use shift::{shift_by_minus_one, shift_by_one};

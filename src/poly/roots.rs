@@ -69,13 +69,13 @@ pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
             }
         }));
     }
-    sort(&mut roots);
+    sort_distinct(&mut roots);
     roots
 }
 
-/// Insertion sort; overlapping enclosures are refined until they part, and they do: the roots are
+/// Sorts distinct roots, by insertion; overlapping enclosures are refined until they part, and they do: the roots are
 /// distinct.
-fn sort(roots: &mut [RealRoot]) {
+pub(crate) fn sort_distinct(roots: &mut [RealRoot]) {
     for i in 1..roots.len() {
         let mut j = i;
         while j > 0 {
@@ -340,6 +340,33 @@ impl RealRoot {
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         self.clone().nearest_f64(1, &Rational::one())
+    }
+
+    /// Certified decimals: the root rounded to `digits` places after the point.
+    ///
+    /// ```
+    /// use std::str::FromStr;
+    /// use stellate::poly::{IntegerPolynomial, real_roots};
+    /// let f = IntegerPolynomial::from_str("x^2-2").unwrap();
+    /// assert_eq!(real_roots(&f)[1].to_decimal(30), "1.414213562373095048801688724210");
+    /// ```
+    #[must_use]
+    pub fn to_decimal(&self, digits: u32) -> String {
+        if let Some(exact) = self.as_rational() {
+            return exact.to_decimal(digits);
+        }
+        // An irrational root is no midpoint of two decimals, so the bounds come to agree.
+        let mut root = self.clone();
+        let mut bits = i64::from(digits) * 4 + 16;
+        loop {
+            root.refine_to_width(-bits);
+            let (low, high) = root.bounds();
+            let text = low.to_rational().to_decimal(digits);
+            if text == high.to_rational().to_decimal(digits) {
+                return text;
+            }
+            bits += 16;
+        }
     }
 
     /// The double nearest to `scale · root^(1/k)`, where for k > 1 the root must be positive.

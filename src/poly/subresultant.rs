@@ -1,7 +1,6 @@
 //! Subresultants of a polynomial and its derivative, where the coefficients are polynomials themselves.
 
 use malachite::base::num::basic::traits::Zero;
-use malachite::base::polynomial::Polynomial;
 
 use super::IntegerPolynomial;
 use super::modular::{Images, inverse_mod, previous_prime, reduce_integer};
@@ -110,7 +109,7 @@ impl Matrix {
     fn coefficient_bits(&self, p: &[IntegerPolynomial]) -> f64 {
         let mut norms = [0.0f64; 2];
         // Scaled down by the largest coefficient, so that no square overflows.
-        let scale = p.iter().map(|a| one_norm_bits(a)).fold(0.0, f64::max);
+        let scale = p.iter().map(one_norm_bits).fold(0.0, f64::max);
         for (i, a) in p.iter().enumerate() {
             let norm = (one_norm_bits(a) - scale).exp2();
             norms[0] += norm * norm;
@@ -228,6 +227,7 @@ fn interpolate(mut values: Vec<u64>, p: u64) -> Vec<u64> {
 mod tests {
     use super::*;
     use malachite::Integer;
+    use malachite::base::polynomial::Polynomial;
     use num_bigint::BigInt;
     use num_rational::BigRational;
     use proptest::prelude::*;
@@ -304,11 +304,11 @@ mod tests {
                 det = -det;
             }
             det *= rows[k][k].clone();
-            for i in k + 1..size {
-                let factor = &rows[i][k] / &rows[k][k];
-                for c in k..size {
-                    let step = &factor * &rows[k][c];
-                    rows[i][c] -= step;
+            let top = rows[k].clone();
+            for row in &mut rows[k + 1..] {
+                let factor = &row[k] / &top[k];
+                for (c, t) in row[k..].iter_mut().zip(&top[k..]) {
+                    *c -= &factor * t;
                 }
             }
         }

@@ -6,7 +6,7 @@ use super::link::Link;
 use super::{Sector, Tracing};
 use crate::exact::Rational;
 use crate::parametrize::angle::{AngleRange, ExactAngle};
-use crate::poly::{IntegerPolynomial, RealRoot, negate_odd, real_roots};
+use crate::poly::{BinaryForm, IntegerPolynomial, RealRoot, negate_odd, real_roots};
 use crate::sample::Direction;
 use malachite::base::polynomial::Polynomial;
 
@@ -41,7 +41,8 @@ struct Radius {
 }
 
 /// The radii of all sectors, and how those of neighbours go on.
-struct Graph {
+#[derive(Debug, Default)]
+pub(super) struct Graph {
     radii: Vec<Vec<Radius>>,
     /// For each radius the one of the next sector that it continues as.
     next: Vec<Vec<Option<usize>>>,
@@ -56,7 +57,7 @@ struct Graph {
 impl Tracing {
     /// The branches, from the angle 0 on; isolated points last.
     pub(in crate::parametrize) fn branches(self: &Arc<Self>) -> Vec<RootBranch> {
-        let graph = self.graph();
+        let graph = &self.graph;
         let mut branches: Vec<RootBranch> = graph
             .chains()
             .into_iter()
@@ -93,7 +94,8 @@ impl Tracing {
             .collect()
     }
 
-    fn graph(&self) -> Graph {
+    /// How the radii of all sectors go on.
+    pub(super) fn new_graph(&self) -> Graph {
         let sectors = self.sectors();
         let boundaries = self.boundaries();
         let count = sectors.len();
@@ -138,6 +140,14 @@ impl Tracing {
         backward.reverse();
         let signed = |roots: Vec<RealRoot>, sign| roots.into_iter().map(move |root| (root, sign));
         signed(backward, -1).chain(signed(outward, 1)).collect()
+    }
+}
+
+impl Tracing {
+    /// The nearest double of sign · root^(1/step).
+    fn nearest(&self, mut root: RealRoot, sign: i8) -> f64 {
+        let step = u32::try_from(self.equation.step).unwrap_or(1);
+        root.nearest_f64(step, &Rational::from(i32::from(sign)))
     }
 }
 
@@ -264,36 +274,59 @@ impl Graph {
 }
 
 impl RootBranch {
-    /// Where the branch is which of the real radii.
+    /// Where the branch is which of the real radii; neighbouring ranges with the same answer are one.
     #[must_use]
     pub fn arcs(&self) -> Vec<RootArc> {
-        let graph = self.tracing.graph();
-        let mut arcs: Vec<RootArc> = Vec::new();
+        let graph = &self.tracing.graph;
+        let end = |sector: usize| {
+            let angle = graph.angles.get(sector + 1);
+            angle
+                .cloned()
+                .unwrap_or_else(|| ExactAngle::Pi(Rational::from(2)))
+        };
+        let mut arcs: Vec<(usize, RootArc)> = Vec::new();
         for &(sector, index) in &self.arcs {
             let of = graph.radii[sector].len();
             let rank = of - 1 - index;
-            let end = graph
-                .angles
-                .get(sector + 1)
-                .cloned()
-                .unwrap_or_else(|| ExactAngle::Pi(Rational::from(2)));
-            arcs.push(RootArc {
-                range: AngleRange {
-                    from: graph.angles[sector].clone(),
-                    to: end,
-                    closed: [false, false],
-                },
-                rank,
-                of,
-            });
+            match arcs.last_mut() {
+                Some((last, arc)) if *last + 1 == sector && arc.rank == rank && arc.of == of => {
+                    arc.range.to = end(sector);
+                    *last = sector;
+                }
+                _ => arcs.push((
+                    sector,
+                    RootArc {
+                        range: AngleRange {
+                            from: graph.angles[sector].clone(),
+                            to: end(sector),
+                            closed: [false, false],
+                        },
+                        rank,
+                        of,
+                    },
+                )),
+            }
         }
-        arcs
+        arcs.into_iter().map(|(_, arc)| arc).collect()
+    }
+
+    /// The forms f_(low), f_(low + step), … of the polynomial Σ f_(low + i·step)(cos θ, sin θ) r^(i·step), of
+    /// which r is a root, and the step.
+    #[must_use]
+    pub fn equation(&self) -> (&[BinaryForm], usize) {
+        (&self.tracing.equation.forms, self.tracing.equation.step)
+    }
+
+    /// The discriminant of that polynomial with respect to r^step in t = tan θ, up to a constant.
+    #[must_use]
+    pub fn discriminant(&self) -> IntegerPolynomial {
+        self.tracing.discriminant()
     }
 
     /// Whether the branch is positive in every direction.
     #[must_use]
     pub fn covers_circle(&self) -> bool {
-        let graph = self.tracing.graph();
+        let graph = &self.tracing.graph;
         let (Some(first), Some(last)) = (self.arcs.first(), self.arcs.last()) else {
             return false;
         };
@@ -303,6 +336,37 @@ impl RootBranch {
             && self.positive[0].closed == [true, true]
     }
 
+    /// Where the outermost positive radius, of all branches together, goes from one branch to another. `None`
+    /// if there is not one in every direction, or it is not bounded.
+    #[must_use]
+    pub fn outermost_jumps(&self) -> Option<Vec<ExactAngle>> {
+        let graph = &self.tracing.graph;
+        let count = graph.radii.len();
+        let mut jumps = Vec::new();
+        for (sector, radii) in graph.radii.iter().enumerate() {
+            let outermost = radii
+                .len()
+                .checked_sub(1)
+                .filter(|&last| radii[last].sign > 0)?;
+            let after = (sector + 1) % count;
+            if graph.limits[sector][outermost].contains(&None) {
+                return None;
+            }
+            if graph.next[sector][outermost] != graph.radii[after].len().checked_sub(1) {
+                jumps.push((after, graph.angles[after].clone()));
+            }
+        }
+        jumps.sort_by_key(|(after, _)| *after);
+        Some(jumps.into_iter().map(|(_, angle)| angle).collect())
+    }
+
+    /// The nearest double of the largest positive radius of all branches in an exact direction.
+    #[must_use]
+    pub fn outermost_radius(&self, direction: &Direction) -> Option<f64> {
+        let (root, sign) = self.tracing.radii_at(direction).pop()?;
+        (sign > 0).then(|| self.tracing.nearest(root, sign))
+    }
+
     /// The nearest double of r in an exact direction; `None` where the branch is not real, and in
     /// critical directions.
     #[must_use]
@@ -310,8 +374,7 @@ impl RootBranch {
         let (u, v, _) = direction.integers();
         let sector = self.tracing.sector_of(u, v)?;
         let index = self.arcs.iter().find(|(s, _)| *s == sector)?.1;
-        let (mut root, sign) = self.tracing.radii_at(direction).into_iter().nth(index)?;
-        let step = u32::try_from(self.tracing.equation.step).ok()?;
-        Some(root.nearest_f64(step, &Rational::from(i32::from(sign))))
+        let (root, sign) = self.tracing.radii_at(direction).into_iter().nth(index)?;
+        Some(self.tracing.nearest(root, sign))
     }
 }

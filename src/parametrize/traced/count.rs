@@ -2,7 +2,6 @@
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
-use malachite::base::polynomial::Polynomial;
 
 use super::strip::constant_sign;
 use crate::error::Result;
@@ -120,6 +119,7 @@ pub(super) fn zero_multiplicity(g: &IntegerPolynomial) -> usize {
 mod tests {
     use super::*;
     use crate::poly::real_roots;
+    use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 
     fn poly(c: &[i64]) -> IntegerPolynomial {

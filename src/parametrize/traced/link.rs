@@ -3,7 +3,6 @@
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
-use malachite::base::polynomial::Polynomial;
 
 use super::count::{count_roots, zero_multiplicity};
 use super::strictly_between;
@@ -104,7 +103,10 @@ fn through_rational(alpha: &Rational, room: &Rational, cx: &Context<'_>) -> Link
     let mut separators = bounds.map(|b| b.separators()).unwrap_or_default();
     for i in 1..roots.len() {
         let (before, after) = roots.split_at_mut(i);
-        separators.push(rational_between(&mut before[i - 1], &mut after[0]));
+        // Around 0 there are separators already.
+        if before[i - 1].signum() == after[0].signum() {
+            separators.push(rational_between(&mut before[i - 1], &mut after[0]));
+        }
     }
     separators.sort();
     let mut width = room.clone();

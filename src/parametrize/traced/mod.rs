@@ -7,6 +7,8 @@
 
 mod branch;
 mod count;
+#[cfg(test)]
+mod laws;
 mod link;
 mod strip;
 
@@ -15,6 +17,7 @@ use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
+use branch::Graph;
 pub use branch::{RootArc, RootBranch};
 use link::{Context, Critical, Link};
 use strip::Strip;
@@ -25,7 +28,7 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
     BinaryForm, IntegerPolynomial, RealRoot, Weights, divide_exactly, polynomial_gcd,
-    primitive_part, real_roots, signed_subresultant, squarefree_decomposition,
+    primitive_part, real_roots, signed_subresultant, sort_distinct, squarefree_decomposition,
 };
 use crate::sample::Direction;
 
@@ -57,9 +60,8 @@ impl Equation {
 /// The circle of directions cut into sectors, with the real roots in each and what becomes of them
 /// between.
 #[derive(Debug)]
-pub struct Tracing {
+pub(super) struct Tracing {
     equation: Equation,
-    strip: Strip,
     /// The critical slopes t = y/x, ascending, with disjoint enclosures; 0 is always one.
     slopes: Vec<RealRoot>,
     /// Slopes below, between and above them.
@@ -70,6 +72,7 @@ pub struct Tracing {
     links: Vec<Link>,
     /// The discriminant with respect to R, as a polynomial in t = tan θ.
     discriminant: IntegerPolynomial,
+    graph: Graph,
 }
 
 /// Directions between two neighbouring critical ones: those of one interval of slopes, with x > 0 or, turned,
@@ -147,15 +150,17 @@ impl Tracing {
             std::mem::swap(before, after);
         }
         links.push(link);
-        Ok(Self {
+        let mut tracing = Self {
             equation,
-            strip,
             slopes,
             insides,
             roots,
             links,
             discriminant,
-        })
+            graph: Graph::default(),
+        };
+        tracing.graph = tracing.new_graph();
+        Ok(tracing)
     }
 
     /// The discriminant of P with respect to R at (1, t), without its content.
@@ -269,21 +274,21 @@ impl Tracing {
     }
 }
 
-/// The zeros of the product of some polynomials, and 0.
+/// The distinct real zeros of some polynomials, and 0, ascending; each as a root of a factor that is as small
+/// as squarefree decompositions make it.
 fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
-    let mut product = IntegerPolynomial::from_coefficients_asc(vec![Integer::ZERO, Integer::ONE]);
-    for f in polynomials
-        .iter()
-        .filter(|f| **f != &IntegerPolynomial::ZERO)
-    {
-        let new = primitive_part(f);
-        let squarefree = squarefree_decomposition(&new)
-            .into_iter()
-            .fold(IntegerPolynomial::one(), |all, (_, g)| all * g);
-        let common = polynomial_gcd(&product, &squarefree);
-        product *= divide_exactly(&squarefree, &common).unwrap_or(squarefree);
+    let t = IntegerPolynomial::from_coefficients_asc(vec![Integer::ZERO, Integer::ONE]);
+    let mut roots = real_roots(&t);
+    let mut product = t;
+    let parts = polynomials.iter().flat_map(|f| squarefree_decomposition(f));
+    for (_, part) in parts {
+        let common = polynomial_gcd(&product, &part);
+        let new = divide_exactly(&part, &common).unwrap_or(part);
+        roots.extend(real_roots(&new));
+        product *= new;
     }
-    real_roots(&product)
+    sort_distinct(&mut roots);
+    roots
 }
 
 /// The same roots with disjoint enclosures.

@@ -1,0 +1,343 @@
+//! The Fourier fit of a branch that has no closed form (Lemma 6), with a certified error.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::DivRound;
+use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+use rayon::prelude::*;
+
+use super::angle::ExactAngle;
+use super::parametrization::{Parametrization, Radius};
+use super::traced::RootBranch;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::fit::{MAX_HARMONICS, MAX_SAMPLES, fourier_coefficients};
+use crate::limits::Limits;
+use crate::sample::Direction;
+use crate::shape::FourierRadius;
+
+/// Harmonics of a fit if no number is given.
+pub const DEFAULT_HARMONICS: usize = 20;
+
+/// The directions between samples at which the error is looked at, per sample.
+const CHECKS_PER_SAMPLE: usize = 4;
+
+/// Which radius to fit, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BranchFitOptions {
+    /// The index of the branch; by default the outermost positive one that covers the circle, or else the
+    /// outermost positive radius, if there is one in every direction.
+    pub branch: Option<usize>,
+    /// N.
+    pub harmonics: usize,
+    /// Ns; by default max(8N, 256), rounded up to a power of two.
+    pub samples: Option<usize>,
+    /// Round the coefficients to this many decimals; by default so many that rounding adds about 1 % to
+    /// the error.
+    pub decimals: Option<u32>,
+}
+
+impl Default for BranchFitOptions {
+    fn default() -> Self {
+        Self {
+            branch: None,
+            harmonics: DEFAULT_HARMONICS,
+            samples: None,
+            decimals: None,
+        }
+    }
+}
+
+/// A Fourier radius near a branch.
+#[derive(Clone, Debug)]
+pub struct BranchFit {
+    /// The branch; `None` for the outermost positive radius in every direction.
+    pub branch: Option<usize>,
+    /// The fit, with exact coefficients.
+    pub radius: FourierRadius,
+    /// Ns.
+    pub samples: usize,
+    /// A certified bound of |fit − r| at all samples.
+    pub error_at_samples: Rational,
+    /// The largest |fit − r| at directions between the samples, each certified: an estimate of the error
+    /// everywhere.
+    pub error_between: Rational,
+    /// How many directions between were looked at.
+    pub checks: usize,
+    /// Where the outermost radius jumps from one branch to another: there a Fourier series cannot follow.
+    pub jumps: Vec<ExactAngle>,
+}
+
+/// What gives the radius in a direction.
+enum Target<'a> {
+    Branch(&'a RootBranch),
+    Outermost(&'a RootBranch),
+}
+
+impl Target<'_> {
+    fn radius(&self, direction: &Direction) -> Option<f64> {
+        match self {
+            Self::Branch(branch) => branch.radius(direction),
+            Self::Outermost(any) => any.outermost_radius(direction),
+        }
+    }
+}
+
+/// Fits a Fourier series to one branch of a curve, by Definition 1 from certified radii.
+///
+/// The error at a sample is |fit − r| in the exact direction, for the exact coefficients and the nearest
+/// double of r, and half an ulp of that: so it is a bound. `None` if no branch was asked for and no
+/// positive radius that has no closed form covers the circle.
+///
+/// Cost: 4 Ns times the roots of one polynomial.
+///
+/// # Errors
+/// [`Error::Usage`] if the branch does not exist, has a closed form, or does not cover the circle, or if Ns <
+/// 2N + 1; [`Error::Limit`] beyond the limits of fits; those of `limits`.
+pub fn fit_branch(
+    curve: &Parametrization,
+    options: &BranchFitOptions,
+    limits: &Limits,
+) -> Result<Option<BranchFit>> {
+    let harmonics = options.harmonics;
+    let samples = options.samples.unwrap_or_else(|| {
+        harmonics
+            .saturating_mul(8)
+            .clamp(256, MAX_SAMPLES)
+            .next_power_of_two()
+    });
+    if harmonics > MAX_HARMONICS || samples > MAX_SAMPLES {
+        return Err(Error::limit(format!(
+            "a fit has at most {MAX_HARMONICS} harmonics and {MAX_SAMPLES} samples; {harmonics} and {samples} were asked for"
+        )));
+    }
+    let Some((index, target, jumps)) = choose(curve, options.branch)? else {
+        return Ok(None);
+    };
+    let radii: Vec<(Direction, f64)> = (0..samples * CHECKS_PER_SAMPLE)
+        .into_par_iter()
+        .map(|k| {
+            limits.check()?;
+            radius_near(&target, k, samples * CHECKS_PER_SAMPLE)
+        })
+        .collect::<Result<_>>()?;
+    let at_samples: Vec<f64> = radii
+        .iter()
+        .step_by(CHECKS_PER_SAMPLE)
+        .map(|(_, r)| *r)
+        .collect();
+    let (cos, sin) = fourier_coefficients(&at_samples, harmonics)?;
+    let decimals = options
+        .decimals
+        .unwrap_or_else(|| enough_decimals(&radii, &cos, &sin));
+    let rounded = |list: &[f64]| -> Vec<Rational> {
+        let exact = list
+            .iter()
+            .map(|&c| Rational::try_from(c).unwrap_or_default());
+        exact.map(|c| c.round_decimals(decimals)).collect()
+    };
+    let radius = FourierRadius::new(rounded(&cos), rounded(&sin)).with_center(curve.center.clone());
+    let evaluator = Evaluator::new(&radius);
+    let errors: Vec<Rational> = radii
+        .par_iter()
+        .map(|(direction, r)| evaluator.error(direction, *r))
+        .collect();
+    let largest = |wanted: bool| {
+        let chosen = errors
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| k.is_multiple_of(CHECKS_PER_SAMPLE) == wanted);
+        chosen.map(|(_, e)| e).max().cloned().unwrap_or_default()
+    };
+    Ok(Some(BranchFit {
+        branch: index,
+        radius,
+        samples,
+        error_at_samples: largest(true),
+        error_between: largest(false),
+        checks: samples * (CHECKS_PER_SAMPLE - 1),
+        jumps,
+    }))
+}
+
+type Chosen<'a> = (Option<usize>, Target<'a>, Vec<ExactAngle>);
+
+fn choose(curve: &Parametrization, wanted: Option<usize>) -> Result<Option<Chosen<'_>>> {
+    let roots = || {
+        curve
+            .branches
+            .iter()
+            .enumerate()
+            .filter_map(|(index, branch)| match &branch.radius {
+                Radius::Root(root) => Some((index, root)),
+                _ => None,
+            })
+    };
+    if let Some(index) = wanted {
+        let refuse = |why: String| Err(Error::Usage(format!("--branch {index}: {why}")));
+        let Some(branch) = curve.branches.get(index) else {
+            return refuse(format!(
+                "there are {} branches, from 0 on",
+                curve.branches.len()
+            ));
+        };
+        return match &branch.radius {
+            Radius::Root(root) if root.covers_circle() => Ok(Some((Some(index), Target::Branch(root), Vec::new()))),
+            Radius::Root(_) => refuse("this branch is not positive in every direction, so a Fourier series cannot be fitted to it".into()),
+            _ => refuse("this branch has a closed form".into()),
+        };
+    }
+    let away_from_axes = Direction::from_radians(1.0);
+    let covering = roots().filter(|(_, root)| root.covers_circle());
+    let size = |root: &RootBranch| root.radius(&away_from_axes).unwrap_or(0.0);
+    let outermost = covering.max_by(|a, b| size(a.1).total_cmp(&size(b.1)));
+    if let Some((index, root)) = outermost {
+        return Ok(Some((Some(index), Target::Branch(root), Vec::new())));
+    }
+    Ok(
+        roots()
+            .find_map(|(_, root)| Some((None, Target::Outermost(root), root.outermost_jumps()?))),
+    )
+}
+
+/// The k-th of `count` uniform directions, or beside it if that is critical, and the radius there.
+fn radius_near(target: &Target<'_>, k: usize, count: usize) -> Result<(Direction, f64)> {
+    let turn = Rational::from(Integer::from(k)) / Rational::from(Integer::from(count));
+    let exact = Direction::from_degrees(&(turn * Rational::from(360)));
+    if let Some(r) = target.radius(&exact) {
+        return Ok((exact, r));
+    }
+    // Critical directions are isolated.
+    for step in 46..53 {
+        let beside = Direction::from_radians(exact.theta() + f64::from(-step).exp2());
+        if let Some(r) = target.radius(&beside) {
+            return Ok((beside, r));
+        }
+    }
+    Err(Error::Hypothesis {
+        statement: "the Fourier fit of a branch (Lemma 6)",
+        witness: format!(
+            "the branch has no radius beside the angle {}",
+            exact.theta()
+        ),
+    })
+}
+
+/// Decimals with which rounding adds about a hundredth of the error that the fit has anyway.
+fn enough_decimals(radii: &[(Direction, f64)], cos: &[f64], sin: &[f64]) -> u32 {
+    let error = |(direction, r): &(Direction, f64)| {
+        let mut angle = 0.0;
+        let terms = cos.iter().zip(sin).map(|(a, b)| {
+            let (s, c) = f64::sin_cos(angle);
+            angle += direction.theta();
+            a * c + b * s
+        });
+        (terms.sum::<f64>() - r).abs()
+    };
+    let largest = radii
+        .iter()
+        .map(error)
+        .fold(f64::EPSILON * cos[0].abs(), f64::max);
+    let terms = f64::rounding_from(2 * cos.len(), RoundingMode::Nearest).0;
+    let decimals = (terms * 50.0 / largest).log10().ceil();
+    u32::rounding_from(decimals.clamp(0.0, 320.0), RoundingMode::Nearest).0
+}
+
+/// Exact values of a Fourier radius in exact directions.
+struct Evaluator {
+    denominator: Integer,
+    cos: Vec<Integer>,
+    sin: Vec<Integer>,
+}
+
+impl Evaluator {
+    fn new(radius: &FourierRadius) -> Self {
+        let (denominator, cos, sin) = radius.over_common_denominator();
+        Self {
+            denominator,
+            cos,
+            sin,
+        }
+    }
+
+    /// Re Σ (a_n − i b_n) z^n with z = (U + iV)/W, by Horner over integers.
+    fn value(&self, direction: &Direction) -> Rational {
+        let (u, v, w) = direction.integers();
+        let (mut re, mut im) = (Integer::ZERO, Integer::ZERO);
+        let mut power = Integer::ONE;
+        for (a, b) in self.cos.iter().zip(&self.sin).rev() {
+            let turned = &re * u - &im * v;
+            im = &re * v + &im * u;
+            re = turned;
+            re += a * &power;
+            im -= b * &power;
+            power *= w;
+        }
+        // The last power is one too many.
+        let scale = (&power).div_round(w, RoundingMode::Exact).0 * &self.denominator;
+        Rational::new(re, scale).unwrap_or_default()
+    }
+
+    /// A bound of |fit − r|, where `r` is the nearest double of the radius.
+    fn error(&self, direction: &Direction, r: f64) -> Rational {
+        let exact = Rational::try_from(r).unwrap_or_default();
+        let next = Rational::try_from(r.abs().next_up()).unwrap_or_default();
+        let ulp = next - exact.abs();
+        (self.value(direction) - exact).abs() + ulp
+    }
+}
+
+/// A positive number rounded up to three significant digits: `1.23e-4`.
+#[must_use]
+pub fn rounded_up(value: &Rational) -> String {
+    if value.is_zero() {
+        return "0".into();
+    }
+    let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+    let mut exponent = i64::rounding_from(value.to_f64().log10().floor(), RoundingMode::Nearest).0;
+    let digits = |exponent: i64| {
+        let scaled = value * &ten(2 - exponent);
+        -(-scaled).floor()
+    };
+    // The logarithm of a double may be off by one.
+    while digits(exponent) >= Integer::from(10).pow(3) {
+        exponent += 1;
+    }
+    let text = digits(exponent).to_string();
+    let (first, rest) = text.split_at(1);
+    format!("{first}.{rest}e{exponent}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_rounded_up() {
+        let shown = |p: i64, q: i64| rounded_up(&(Rational::from(p) / Rational::from(q)));
+        assert_eq!(shown(1, 3), "3.34e-1");
+        assert_eq!(shown(1, 8), "1.25e-1");
+        assert_eq!(shown(9999, 10), "1.00e3");
+        assert_eq!(shown(12345, 1), "1.24e4");
+        assert_eq!(shown(0, 1), "0");
+    }
+
+    #[test]
+    fn a_series_is_evaluated_exactly() {
+        let exact = |v: &[i64]| v.iter().map(|&c| Rational::from(c)).collect::<Vec<_>>();
+        let radius = FourierRadius::new(exact(&[2, 0, 3]), exact(&[0, 5, 1]));
+        let evaluator = Evaluator::new(&radius);
+        for degrees in [0, 17, 90, 123, 270] {
+            let d = Direction::from_degrees(&Rational::from(degrees));
+            let (c, s) = (d.u(), d.v());
+            let two = Rational::from(2);
+            let expected = Rational::from(2)
+                + Rational::from(5) * &s
+                + Rational::from(3) * (&c * &c - &s * &s)
+                + two * &c * &s;
+            assert_eq!(evaluator.value(&d), expected);
+        }
+    }
+}
