@@ -4,7 +4,9 @@ use stellate::document::{Format, write_parametrization};
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::limits::Limits;
-use stellate::parametrize::{Branch, Parametrization, Radius, parametrize};
+use stellate::parametrize::{
+    Branch, Parametrization, Radius, parametrize, parametrize_superquadric,
+};
 use stellate::shape::{Form, FourierRadius};
 
 use super::arguments::Parametrize;
@@ -27,6 +29,7 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
             parametrize(curve, &session.limits)
         }
+        Form::Superquadric(shape) => Ok(parametrize_superquadric(shape)),
         Form::Surface(_) => Err(Error::Usage(
             "this polynomial has z: parametrize takes plane curves, in x and y".into(),
         )),

@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::picture::{Figure, Layer, Window, isolated_origin, png_from_svg, trace_zero_set};
-use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve};
+use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, Superquadric};
 
 use super::arguments::{FitFlags, Plot};
 use super::input::{self, Content, Input};
@@ -139,6 +139,7 @@ fn add(
             session.check_degree(degree)?;
             zero_set(curve, &name, layers, curves);
         }
+        Content::Exact(Form::Superquadric(shape)) => layers.push(superquadric(&shape)),
         Content::Exact(Form::Surface(_)) => {
             return Err(Error::Usage(format!(
                 "{name}: this polynomial has z: plot draws plane curves, in x and y"
@@ -189,6 +190,14 @@ fn series(radius: &FourierRadius, name: &str) -> Layer {
     Layer {
         label: format!("Fourier radius, N = {n}, {name}"),
         lines: vec![points],
+        ..Layer::default()
+    }
+}
+
+fn superquadric(shape: &Superquadric) -> Layer {
+    Layer {
+        label: format!("superquadric, 2/e = {}", shape.exponent()),
+        lines: vec![shape.polyline(MIN_POINTS / 4)],
         ..Layer::default()
     }
 }

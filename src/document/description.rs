@@ -83,6 +83,7 @@ fn written(shape: &Form, format: Format) -> io::Result<Vec<u8>> {
         Form::Curve(curve) => write_implicit(curve, &annotations, format, &mut text)?,
         Form::Surface(surface) => write_surface(surface, &annotations, format, &mut text)?,
         Form::Fourier(radius) => super::write_fourier(radius, None, format, &mut text)?,
+        Form::Superquadric(shape) => super::write_superquadric(shape, format, &mut text)?,
     }
     Ok(text)
 }

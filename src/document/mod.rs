@@ -10,7 +10,9 @@ mod fourier;
 mod implicit;
 mod json;
 mod parametric;
+mod rational;
 mod samples;
+mod superquadric;
 mod terms;
 
 use std::fmt;
@@ -22,6 +24,7 @@ pub use implicit::{Annotations, write_implicit, write_surface};
 pub use json::read_document;
 pub use parametric::write_parametrization;
 pub use samples::{SampledRay, write_samples};
+pub use superquadric::{write_superquadric, write_superquadric_description};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::expression::expression_text;
 use super::fourier::expression;
+use super::rational::{self, Entry};
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
 use crate::parametrize::{AngleRange, Branch, ExactAngle, Parametrization, PolarMethod, Radius};
@@ -21,7 +22,10 @@ struct Document {
     #[serde(skip_serializing_if = "Option::is_none")]
     center: Option<[String; 2]>,
     branches: Vec<BranchEntry>,
+    rational: Vec<Entry>,
     notes: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    superquadric: Option<super::superquadric::Document>,
 }
 
 #[derive(Serialize)]
@@ -142,7 +146,7 @@ pub fn write_parametrization(
                     _ => writeln!(out, "r = {radius}")?,
                 }
             }
-            Ok(())
+            write_rational(curve, format, out)
         }
         (Format::Csv | Format::Singular, None) => Err(io::Error::new(
             io::ErrorKind::Unsupported,
@@ -166,7 +170,16 @@ fn document(curve: &Parametrization, digits: u32) -> Document {
             .iter()
             .map(|b| entry(b, &curve.center, digits))
             .collect(),
+        rational: curve
+            .rational
+            .iter()
+            .map(|r| Entry::new(r, &curve.center))
+            .collect(),
         notes: curve.notes.clone(),
+        superquadric: curve
+            .superquadric
+            .as_ref()
+            .map(super::superquadric::Document::new),
     }
 }
 
@@ -223,6 +236,18 @@ fn write_text(curve: &Parametrization, digits: u32, out: &mut dyn Write) -> io::
             "{hidden}r = {}",
             radius_text(&branch.radius, Format::Text)
         )?;
+    }
+    write_rational(curve, Format::Text, out)
+}
+
+/// What is known of rational parametrizations, as comments.
+fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) -> io::Result<()> {
+    let comments = curve
+        .rational
+        .iter()
+        .filter_map(|r| rational::comment(r, &curve.center, format));
+    for comment in comments {
+        writeln!(out, "{} {comment}", format.comment())?;
     }
     Ok(())
 }

@@ -7,9 +7,16 @@ mod expression;
 mod fourier;
 mod parametrization;
 mod ranges;
+mod rational;
+mod superquadric;
 
 pub use angle::{AngleRange, ExactAngle};
 pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;
+pub use rational::{
+    Cover, FactorRationality, Place, RationalCurve, RationalFunction, Rationality,
+    rational_parametrization,
+};
+pub use superquadric::parametrize_superquadric;
