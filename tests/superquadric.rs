@@ -186,7 +186,8 @@ proptest! {
         prop_assert!(positive.r > 0.0 && negative.r < 0.0);
         prop_assert!(at(positive.r.next_down()) == Ordering::Less);
         prop_assert!(at(positive.r.next_up()) == Ordering::Greater);
-        prop_assert_eq!([positive.r, positive.x, positive.y].map(|v| -v), [negative.r, negative.x, negative.y]);
+        let bits = |p: &Sample, sign: f64| [p.r, p.x, p.y].map(|v| (sign * v).to_bits());
+        prop_assert_eq!(bits(positive, -1.0), bits(negative, 1.0));
         // Doubles agree as far as they can.
         let about = shape.approximate(theta);
         prop_assert!((about - positive.r).abs() < 1e-5 * positive.r, "{} {}", about, positive.r);

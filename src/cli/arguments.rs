@@ -111,7 +111,7 @@ pub(crate) struct Describe {
 
 #[derive(Debug, Args)]
 pub(crate) struct Implicitize {
-    /// A Fourier radius, a contour, or an implicit form to be rewritten
+    /// A Fourier radius, a contour, a superquadric, or an implicit form to be rewritten
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
@@ -139,7 +139,7 @@ pub(crate) enum Coordinates {
 
 #[derive(Debug, Args)]
 pub(crate) struct Parametrize {
-    /// An implicit polynomial, a Fourier radius or a contour
+    /// An implicit polynomial, a Fourier radius, a superquadric or a contour
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
@@ -156,7 +156,7 @@ pub(crate) struct Fit {
 
 #[derive(Debug, Args)]
 pub(crate) struct Sample {
-    /// A Fourier radius, a contour or an implicit plane polynomial
+    /// A Fourier radius, a contour, a superquadric or an implicit plane polynomial
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]

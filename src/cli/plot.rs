@@ -16,6 +16,9 @@ use super::session::Session;
 const POINTS_PER_HARMONIC: usize = 40;
 const MIN_POINTS: usize = 1440;
 
+/// Of each of the two kinds of points of a superquadric.
+const POINTS_PER_QUADRANT: usize = 90;
+
 /// PNG pixels per SVG unit.
 const PNG_SCALE: f32 = 2.0;
 
@@ -197,7 +200,7 @@ fn series(radius: &FourierRadius, name: &str) -> Layer {
 fn superquadric(shape: &Superquadric) -> Layer {
     Layer {
         label: format!("superquadric, 2/e = {}", shape.exponent()),
-        lines: vec![shape.polyline(MIN_POINTS / 4)],
+        lines: vec![shape.polyline(POINTS_PER_QUADRANT)],
         ..Layer::default()
     }
 }

@@ -82,14 +82,14 @@ fn written(expression: &Expression, format: Format) -> (String, Strength) {
     }
 }
 
-/// A fraction is weaker than a power, but never needs parentheses as a numerator.
+/// A fraction gets parentheses wherever something follows or precedes it.
 fn constant_text(q: &Rational, format: Format) -> (String, Strength) {
     let (p, over) = (q.numerator(), q.denominator());
     match (q.is_integer(), format) {
         (true, _) => (p.to_string(), Strength::Atom),
         (_, Format::Latex) => (format!("\\frac{{{p}}}{{{over}}}"), Strength::Product),
         (_, Format::Sympy) => (format!("Rational({p}, {over})"), Strength::Atom),
-        _ => (format!("{p}/{over}"), Strength::Product),
+        _ => (format!("{p}/{over}"), Strength::Sum),
     }
 }
 

@@ -60,7 +60,12 @@ pub fn parametrize_superquadric(shape: &Superquadric) -> Parametrization {
             positive: vec![AngleRange::full_circle()],
         }],
         notes: vec![format!(
-            "Lemma 2 for two parts of the degrees {exponent} and 0: r^({exponent}) is a quotient; -r(theta) has the same points"
+            "Lemma 2 for parts of the degrees {exponent} and 0 gives r^{}; -r(theta) has the same points",
+            if exponent.is_integer() {
+                exponent.to_string()
+            } else {
+                format!("({exponent})")
+            }
         )],
         center: [Rational::zero(), Rational::zero()],
         rational: Vec::new(),

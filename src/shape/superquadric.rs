@@ -9,7 +9,7 @@ use crate::poly::PlanePolynomial;
 ///
 /// By Lemma 2, `r(θ) = c^(ε/2) / [|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)]^(ε/2)`, positive for every θ.
 ///
-/// DIFFERENCE (erratum E6): Eq. (20) as printed has `[… − a]^(ε2/ε1) = 1` and no absolute values. That does not
+/// DIFFERENCE (erratum Eq. (20)): Eq. (20) as printed has `[… − a]^(ε2/ε1) = 1` and no absolute values. That does not
 /// give the printed r(θ); the absolute values may be left out only where 2/ε is an even integer.
 ///
 /// ```
