@@ -127,7 +127,7 @@ pub fn write_parametrization(
         .first()
         .and_then(|branch| match &branch.radius {
             Radius::Fourier(radius) => Some(radius),
-            Radius::Closed(_) => None,
+            Radius::Closed(_) | Radius::Root(_) => None,
         });
     match (format, series) {
         (Format::Json, _) => {
@@ -188,6 +188,7 @@ fn method(curve: &Parametrization) -> String {
         PolarMethod::Lines => "lines".into(),
         PolarMethod::Lemma(n) => format!("lemma-{n}"),
         PolarMethod::Factors => "factors".into(),
+        PolarMethod::Numeric => "lemma-6".into(),
     }
 }
 
@@ -256,6 +257,7 @@ fn radius_text(radius: &Radius, format: Format) -> String {
     match radius {
         Radius::Fourier(radius) => expression(radius, format, "theta"),
         Radius::Closed(closed) => expression_text(closed, format),
+        Radius::Root(_) => "ROOT".into(),
     }
 }
 
@@ -283,7 +285,7 @@ fn entry(branch: &Branch, center: &[Rational; 2], digits: u32) -> BranchEntry {
                 cos: strings(radius.cosines()),
                 sin: strings(radius.sines()),
             }),
-            Radius::Closed(_) => None,
+            Radius::Closed(_) | Radius::Root(_) => None,
         },
         ranges: ranges(&branch.real, digits),
         positive: ranges(&branch.positive, digits),

@@ -9,6 +9,7 @@ mod parametrization;
 mod ranges;
 mod rational;
 mod superquadric;
+mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
 pub use expression::Expression;
@@ -20,3 +21,4 @@ pub use rational::{
     rational_parametrization,
 };
 pub use superquadric::parametrize_superquadric;
+pub use traced::{RootArc, RootBranch};

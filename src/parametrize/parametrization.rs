@@ -1,8 +1,9 @@
 //! The whole of §3 for one curve: lines through the origin, and the branches r(θ) of the rest.
 
-use malachite::base::num::basic::traits::Zero;
+use std::sync::Arc;
 
 use malachite::base::num::arithmetic::traits::Gcd;
+use malachite::base::num::basic::traits::Zero;
 
 use super::angle::{AngleRange, ExactAngle};
 use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4, lemma_5};
@@ -10,11 +11,13 @@ use super::expression::Expression;
 use super::fourier::{born_of_radius, fourier_branches};
 use super::ranges::positive_ranges;
 use super::rational::{FactorRationality, Rationality, rational_parametrization};
+use super::traced::{Equation, RootBranch, Tracing};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, real_roots};
+use crate::sample::Direction;
 use crate::shape::{FourierRadius, ImplicitCurve, Superquadric};
 
 /// A curve in polar form: straight lines through the origin, and branches r(θ).
@@ -47,6 +50,8 @@ pub enum PolarMethod {
     Lemma(usize),
     /// The curve has several factors, each with its own lemma.
     Factors,
+    /// Lemma 6: roots direction by direction, since the degree in r^k is more than four.
+    Numeric,
 }
 
 /// One branch.
@@ -69,17 +74,20 @@ pub enum Radius {
     Fourier(FourierRadius),
     /// Any other closed form.
     Closed(Expression),
+    /// A certified root in each direction (Lemma 6).
+    Root(RootBranch),
 }
 
-/// The closed polar form of a plane curve (Lemmas 2 to 5), with exact ranges.
+/// The polar form of a plane curve (Lemmas 2 to 6), with exact ranges.
 ///
 /// The polynomial is factored over Q. A factor that is a form gives straight lines through the origin,
-/// its real zeros; any other one has two to five equally spaced homogeneous parts, and its radius is
-/// the root of a polynomial of degree at most four in r^k. If a radius is a trigonometric polynomial it
+/// its real zeros. With two to five equally spaced homogeneous parts the radius is the root of a
+/// polynomial of degree at most four in r^k, in closed form (Lemmas 2 to 5); otherwise it is a certified
+/// root in each direction (Lemma 6). If a radius is a trigonometric polynomial it
 /// comes as one. Multiplicities do not change the curve; they are in the notes.
 ///
 /// # Errors
-/// [`Error::Hypothesis`] if the degree in r^k is more than four; [`Error::Usage`] for 0; those of
+/// [`Error::Usage`] for 0; [`Error::Limit`] if a discriminant is beyond what is computed; those of
 /// [`factor_plane`].
 pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametrization> {
     let mut result = Parametrization {
@@ -120,7 +128,7 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
                 .lines
                 .extend(factor.polynomial.parts().flat_map(directions));
         } else {
-            add_factor(&factor.polynomial, index, &mut result)?;
+            add_factor(&factor.polynomial, index, &mut result, limits)?;
             result
                 .rational
                 .extend(rationality(&factor.polynomial, index, &result));
@@ -152,7 +160,12 @@ fn rationality(
 }
 
 /// The branches of one irreducible factor that is not a form.
-fn add_factor(f: &PlanePolynomial, index: usize, result: &mut Parametrization) -> Result<()> {
+fn add_factor(
+    f: &PlanePolynomial,
+    index: usize,
+    result: &mut Parametrization,
+    limits: &Limits,
+) -> Result<()> {
     let curve = ImplicitCurve::new(f.clone()).with_center(result.center.clone());
     if let Ok(found) = fourier_branches(&curve) {
         result.method = PolarMethod::Lemma(found.lemma);
@@ -179,15 +192,7 @@ fn add_factor(f: &PlanePolynomial, index: usize, result: &mut Parametrization) -
             let all = [0, 1, 2, 3, 4].map(|j| part(top - j * step));
             lemma_5(all.each_ref(), k)
         }
-        _ => {
-            return Err(Error::Hypothesis {
-                statement: "the closed form of r (Lemmas 2 to 5)",
-                witness: format!(
-                    "a factor of degree {top} with {} homogeneous parts, down to degree {low}, is of degree {degree} in r^{step}, and the lemmas need degree 1 to 4; sample and plot take any degree",
-                    degrees.len()
-                ),
-            });
-        }
+        _ => return add_traced(f, index, step, result, limits),
     };
     for line in directions(&part(top)).iter().filter(|_| degree > 2) {
         result.notes.push(format!(
@@ -203,6 +208,53 @@ fn add_factor(f: &PlanePolynomial, index: usize, result: &mut Parametrization) -
     Ok(())
 }
 
+/// The branches of a factor of degree more than four in r^step, root by root.
+fn add_traced(
+    f: &PlanePolynomial,
+    index: usize,
+    step: usize,
+    result: &mut Parametrization,
+    limits: &Limits,
+) -> Result<()> {
+    let degrees = f.homogeneous_degrees();
+    let (top, low) = (degrees[0], degrees[degrees.len() - 1]);
+    let part = |d: usize| f.part(d).cloned().unwrap_or_else(|| BinaryForm::zero(d));
+    let equation = Equation {
+        forms: (low..=top).step_by(step).map(part).collect(),
+        lowest: low,
+        step,
+    };
+    let tracing = Arc::new(Tracing::new(equation, limits)?);
+    let list: Vec<String> = degrees.iter().map(ToString::to_string).collect();
+    let in_power = if step > 1 {
+        format!("r^{step}")
+    } else {
+        "r".into()
+    };
+    result.notes.push(format!(
+        "factor {index} has homogeneous parts of degrees {}: degree {} in {in_power}, and the lemmas give a closed form up to degree 4 (Theorem 5 needs equally spaced degrees)",
+        list.join(", "),
+        (top - low) / step,
+    ));
+    for angle in tracing.open_angles() {
+        result.notes.push(format!(
+            "at theta = {} several roots meet, and which goes on as which is not decided: branches end there",
+            angle.describe()
+        ));
+    }
+    result.method = PolarMethod::Numeric;
+    result.step = step;
+    result
+        .branches
+        .extend(tracing.branches().into_iter().map(|branch| Branch {
+            factor: index,
+            real: branch.real.clone(),
+            positive: branch.positive.clone(),
+            radius: Radius::Root(branch),
+        }));
+    Ok(())
+}
+
 impl Radius {
     /// r(θ) in doubles, with no bound of its error: for drawing and comparing.
     #[must_use]
@@ -210,6 +262,9 @@ impl Radius {
         match self {
             Self::Fourier(radius) => radius.approximate(theta),
             Self::Closed(expression) => expression.approximate(theta),
+            Self::Root(branch) => branch
+                .radius(&Direction::from_radians(theta))
+                .unwrap_or(f64::NAN),
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Greatest common divisors, exact division and squarefree decomposition over the integers.
 
-use malachite::base::num::arithmetic::traits::{CanonicalPrimitivePart, DivRem, Gcd, Mod};
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{CanonicalPrimitivePart, DivRem, Gcd};
 use malachite::base::num::basic::traits::Zero;
-use malachite::base::num::factorization::traits::IsPrime;
 use malachite::base::polynomial::{Derivative, Polynomial};
-use malachite::{Integer, Natural};
 
 use super::IntegerPolynomial;
-use super::modular::{gcd_mod, inverse_mod, mul_mod};
+use super::modular::{Images, gcd_mod, mul_mod, previous_prime, reduce_integer};
 
 /// The first prime tried; the others are found below it.
 const FIRST_PRIME: u64 = (1 << 61) - 1;
@@ -166,56 +165,6 @@ pub fn squarefree_decomposition(f: &IntegerPolynomial) -> Vec<(usize, IntegerPol
     parts
 }
 
-/// Residues of one polynomial modulo a growing product of primes.
-struct Images {
-    residues: Vec<Natural>,
-    modulus: Natural,
-}
-
-impl Images {
-    fn new(image: &[u64], prime: u64) -> Self {
-        Self {
-            residues: image.iter().map(|&c| Natural::from(c)).collect(),
-            modulus: Natural::from(prime),
-        }
-    }
-
-    /// One more prime; whether the balanced value stayed the same.
-    fn add(&mut self, image: &[u64], prime: u64) -> bool {
-        let before = self.balanced();
-        let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime))).unwrap_or(0);
-        let inverse = inverse_mod(modulus_mod, prime);
-        for (residue, &c) in self.residues.iter_mut().zip(image) {
-            let current = u64::try_from(&(&*residue % Natural::from(prime))).unwrap_or(0);
-            let difference = if c >= current {
-                c - current
-            } else {
-                c + prime - current
-            };
-            *residue += &self.modulus * Natural::from(mul_mod(difference, inverse, prime));
-        }
-        self.modulus *= Natural::from(prime);
-        self.balanced() == before
-    }
-
-    /// The representatives of least absolute value.
-    fn balanced(&self) -> IntegerPolynomial {
-        let half = &self.modulus >> 1u64;
-        let coefficients = self.residues.iter().map(|r| {
-            if *r > half {
-                Integer::from(r) - Integer::from(&self.modulus)
-            } else {
-                Integer::from(r)
-            }
-        });
-        IntegerPolynomial::from_coefficients_asc(coefficients.collect())
-    }
-}
-
-fn reduce_integer(value: &Integer, prime: u64) -> u64 {
-    u64::try_from(&value.mod_op(Integer::from(prime))).unwrap_or(0)
-}
-
 fn reduce(f: &IntegerPolynomial, prime: u64) -> Vec<u64> {
     let mut residues: Vec<u64> = f
         .coefficients_asc()
@@ -226,14 +175,6 @@ fn reduce(f: &IntegerPolynomial, prime: u64) -> Vec<u64> {
         residues.pop();
     }
     residues
-}
-
-fn previous_prime(from: u64) -> u64 {
-    let mut candidate = from - 2;
-    while !candidate.is_prime() {
-        candidate -= 2;
-    }
-    candidate
 }
 
 #[cfg(test)]

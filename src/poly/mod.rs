@@ -16,6 +16,7 @@ mod roots;
 mod shift;
 mod sparse;
 mod sqrt;
+mod subresultant;
 mod trig;
 
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
@@ -27,7 +28,9 @@ pub use malachite::integer_polynomial::IntegerPolynomial;
 pub use plane::PlanePolynomial;
 pub use ring::Ring;
 pub use roots::{RealRoot, real_roots};
+pub(crate) use shift::negate_odd;
 pub use shift::{shift_by_minus_one, shift_by_one};
 pub use sparse::{SparsePolynomial, term_order, total_degree};
 pub use sqrt::polynomial_sqrt;
+pub(crate) use subresultant::{Weights, signed_subresultant};
 pub use trig::TrigPolynomial;

@@ -1,4 +1,11 @@
-//! Polynomials modulo a prime below 2⁶³: just enough for gcds.
+//! Polynomials modulo a prime below 2⁶³, and Chinese remainders: just enough for gcds and subresultants.
+
+use malachite::base::num::arithmetic::traits::Mod;
+use malachite::base::num::factorization::traits::IsPrime;
+use malachite::base::polynomial::Polynomial;
+use malachite::{Integer, Natural};
+
+use super::IntegerPolynomial;
 
 /// a·b mod p.
 pub(super) fn mul_mod(a: u64, b: u64, p: u64) -> u64 {
@@ -49,4 +56,64 @@ fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
     while f.last() == Some(&0) {
         f.pop();
     }
+}
+
+/// Residues of one polynomial modulo a growing product of primes.
+pub(super) struct Images {
+    pub(super) residues: Vec<Natural>,
+    modulus: Natural,
+}
+
+impl Images {
+    pub(super) fn new(image: &[u64], prime: u64) -> Self {
+        Self {
+            residues: image.iter().map(|&c| Natural::from(c)).collect(),
+            modulus: Natural::from(prime),
+        }
+    }
+
+    /// One more prime; whether the balanced value stayed the same.
+    pub(super) fn add(&mut self, image: &[u64], prime: u64) -> bool {
+        let before = self.balanced();
+        let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime))).unwrap_or(0);
+        let inverse = inverse_mod(modulus_mod, prime);
+        for (residue, &c) in self.residues.iter_mut().zip(image) {
+            let current = u64::try_from(&(&*residue % Natural::from(prime))).unwrap_or(0);
+            let difference = if c >= current {
+                c - current
+            } else {
+                c + prime - current
+            };
+            *residue += &self.modulus * Natural::from(mul_mod(difference, inverse, prime));
+        }
+        self.modulus *= Natural::from(prime);
+        self.balanced() == before
+    }
+
+    /// The representatives of least absolute value.
+    pub(super) fn balanced(&self) -> IntegerPolynomial {
+        let half = &self.modulus >> 1u64;
+        let coefficients = self.residues.iter().map(|r| {
+            if *r > half {
+                Integer::from(r) - Integer::from(&self.modulus)
+            } else {
+                Integer::from(r)
+            }
+        });
+        IntegerPolynomial::from_coefficients_asc(coefficients.collect())
+    }
+}
+
+/// The residue of an integer, in [0, p).
+pub(super) fn reduce_integer(value: &Integer, prime: u64) -> u64 {
+    u64::try_from(&value.mod_op(Integer::from(prime))).unwrap_or(0)
+}
+
+/// The next prime below an odd number.
+pub(super) fn previous_prime(from: u64) -> u64 {
+    let mut candidate = from - 2;
+    while !candidate.is_prime() {
+        candidate -= 2;
+    }
+    candidate
 }

@@ -123,7 +123,7 @@ impl Direction {
     }
 
     /// The integers (U, V, W).
-    pub(super) fn integers(&self) -> (&Integer, &Integer, &Integer) {
+    pub(crate) fn integers(&self) -> (&Integer, &Integer, &Integer) {
         (&self.u, &self.v, &self.w)
     }
 }

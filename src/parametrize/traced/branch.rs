@@ -1,0 +1,317 @@
+//! From roots in sectors to branches r(θ) with exact ranges.
+
+use std::sync::Arc;
+
+use super::link::Link;
+use super::{Sector, Tracing};
+use crate::exact::Rational;
+use crate::parametrize::angle::{AngleRange, ExactAngle};
+use crate::poly::{IntegerPolynomial, RealRoot, negate_odd, real_roots};
+use crate::sample::Direction;
+use malachite::base::polynomial::Polynomial;
+
+/// One continuous real branch r(θ) of a curve, given by which root it is in every direction.
+#[derive(Clone, Debug)]
+pub struct RootBranch {
+    tracing: Arc<Tracing>,
+    /// The sectors where it is real, with the index of r among the real radii there, ascending.
+    arcs: Vec<(usize, usize)>,
+    /// Where it is real and finite.
+    pub(in crate::parametrize) real: Vec<AngleRange>,
+    /// Where it is positive.
+    pub(in crate::parametrize) positive: Vec<AngleRange>,
+}
+
+/// On some range of angles, the branch is one of the real radii.
+#[derive(Clone, Debug)]
+pub struct RootArc {
+    /// The open range.
+    pub range: AngleRange,
+    /// Which root: 0 for the largest r.
+    pub rank: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+/// A real radius in a sector: which root R, and the sign of r.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Radius {
+    root: usize,
+    sign: i8,
+}
+
+/// The radii of all sectors, and how those of neighbours go on.
+struct Graph {
+    radii: Vec<Vec<Radius>>,
+    /// For each radius the one of the next sector that it continues as.
+    next: Vec<Vec<Option<usize>>>,
+    has_previous: Vec<Vec<bool>>,
+    /// The signs of the limits at the beginning and at the end of the sector; `None` where infinite.
+    limits: Vec<Vec<[Option<i8>; 2]>>,
+    angles: Vec<ExactAngle>,
+    /// Isolated points, as the boundary and the sign of r.
+    isolated: Vec<(usize, i8)>,
+}
+
+impl Tracing {
+    /// The branches, from the angle 0 on; isolated points last.
+    pub(in crate::parametrize) fn branches(self: &Arc<Self>) -> Vec<RootBranch> {
+        let graph = self.graph();
+        let mut branches: Vec<RootBranch> = graph
+            .chains()
+            .into_iter()
+            .map(|arcs| RootBranch {
+                tracing: Arc::clone(self),
+                real: graph.ranges(&arcs, |sign| sign.is_some(), |_| true),
+                positive: graph.ranges(&arcs, |sign| sign == Some(1), |sign| sign > 0),
+                arcs,
+            })
+            .collect();
+        branches.extend(graph.isolated.iter().map(|&(boundary, sign)| {
+            let point = || vec![AngleRange::point(graph.angles[boundary].clone())];
+            RootBranch {
+                tracing: Arc::clone(self),
+                arcs: Vec::new(),
+                real: point(),
+                positive: if sign > 0 { point() } else { Vec::new() },
+            }
+        }));
+        branches
+    }
+
+    /// The r of a sector, ascending.
+    fn radii(&self, sector: Sector) -> Vec<Radius> {
+        let signs = self.signs(sector);
+        let all = signs.iter().enumerate();
+        if self.is_odd() {
+            return all.map(|(root, &sign)| Radius { root, sign }).collect();
+        }
+        let positive: Vec<usize> = all.filter(|(_, s)| **s > 0).map(|(root, _)| root).collect();
+        let negative = positive.iter().rev().map(|&root| Radius { root, sign: -1 });
+        negative
+            .chain(positive.iter().map(|&root| Radius { root, sign: 1 }))
+            .collect()
+    }
+
+    fn graph(&self) -> Graph {
+        let sectors = self.sectors();
+        let boundaries = self.boundaries();
+        let count = sectors.len();
+        let radii: Vec<Vec<Radius>> = sectors.iter().map(|&s| self.radii(s)).collect();
+        let mut graph = Graph {
+            next: radii.iter().map(|list| vec![None; list.len()]).collect(),
+            has_previous: radii.iter().map(|list| vec![false; list.len()]).collect(),
+            limits: radii
+                .iter()
+                .map(|list| vec![[None, None]; list.len()])
+                .collect(),
+            angles: boundaries
+                .iter()
+                .map(|&(index, turned)| self.angle(index, turned))
+                .collect(),
+            isolated: Vec::new(),
+            radii,
+        };
+        for (after, &(index, turned)) in boundaries.iter().enumerate() {
+            let link = self.link(index, turned);
+            graph.add((after + count - 1) % count, after, &link, self.is_odd());
+        }
+        graph
+    }
+
+    /// The radii in an exact direction that is not critical as (|r|^step, sign of r), ascending in r.
+    fn radii_at(&self, direction: &Direction) -> Vec<(RealRoot, i8)> {
+        let along = self.equation.along(direction);
+        let positive = |g: &IntegerPolynomial| {
+            let mut roots = real_roots(g);
+            roots.retain(|root| root.signum() > 0);
+            roots
+        };
+        let outward = positive(&along);
+        let mut backward = if self.is_odd() {
+            let mut reflected = along.into_coefficients_asc();
+            negate_odd(&mut reflected);
+            positive(&IntegerPolynomial::from_coefficients_asc(reflected))
+        } else {
+            outward.clone()
+        };
+        backward.reverse();
+        let signed = |roots: Vec<RealRoot>, sign| roots.into_iter().map(move |root| (root, sign));
+        signed(backward, -1).chain(signed(outward, 1)).collect()
+    }
+}
+
+impl Graph {
+    /// What happens between two neighbouring sectors.
+    fn add(&mut self, before: usize, after: usize, link: &Link, odd: bool) {
+        let limit = |radius: &Radius, side: usize| {
+            let of_root = link.limits[side][radius.root];
+            if odd {
+                of_root
+            } else {
+                of_root.map(|s| if s == 0 { 0 } else { radius.sign })
+            }
+        };
+        let mut reaches_zero = false;
+        for (sector, side) in [(before, 0), (after, 1)] {
+            for index in 0..self.radii[sector].len() {
+                let value = limit(&self.radii[sector][index], side);
+                self.limits[sector][index][1 - side] = value;
+                reaches_zero |= value == Some(0);
+            }
+        }
+        for &(a, b) in &link.pairs {
+            for index in 0..self.radii[before].len() {
+                let from = self.radii[before][index];
+                let is_next = |to: &Radius| to.root == b && (odd || to.sign == from.sign);
+                if from.root == a
+                    && let Some(to) = self.radii[after].iter().position(is_next)
+                {
+                    self.next[before][index] = Some(to);
+                    self.has_previous[after][to] = true;
+                }
+            }
+        }
+        for &sign in &link.isolated {
+            match (odd, sign > 0) {
+                (true, _) => self.isolated.push((after, sign)),
+                (false, true) => self.isolated.extend([(after, 1), (after, -1)]),
+                (false, false) => {}
+            }
+        }
+        if link.zero && !reaches_zero {
+            self.isolated.push((after, 0));
+        }
+    }
+
+    /// Maximal chains of (sector, radius), each at most once around; a chain that goes on through the
+    /// angle 0 is one branch if its parts do not overlap.
+    fn chains(&self) -> Vec<Vec<(usize, usize)>> {
+        let count = self.radii.len();
+        let mut seen: Vec<Vec<bool>> = self
+            .radii
+            .iter()
+            .map(|list| vec![false; list.len()])
+            .collect();
+        let mut chains = Vec::new();
+        let starts = |wanted: bool| {
+            (0..count)
+                .flat_map(move |s| (0..self.radii[s].len()).map(move |i| (s, i)))
+                .filter(move |&(s, i)| self.has_previous[s][i] != wanted)
+        };
+        // Those with a beginning first, then closed ones, from the angle 0 on.
+        for start in starts(true).chain(starts(false)) {
+            if seen[start.0][start.1] {
+                continue;
+            }
+            let mut pieces: Vec<Vec<(usize, usize)>> = vec![Vec::new()];
+            let mut at = Some(start);
+            while let Some((sector, index)) = at.filter(|&(s, i)| !seen[s][i]) {
+                seen[sector][index] = true;
+                if sector == 0 && !pieces[pieces.len() - 1].is_empty() {
+                    pieces.push(Vec::new());
+                }
+                let last = pieces.len() - 1;
+                pieces[last].push((sector, index));
+                at = self.next[sector][index].map(|to| ((sector + 1) % count, to));
+            }
+            let ends_before = |a: &[(usize, usize)], b: &[(usize, usize)]| {
+                a.last().map(|x| x.0) < b.first().map(|x| x.0)
+            };
+            if pieces.len() == 2 && ends_before(&pieces[1], &pieces[0]) {
+                let first = pieces.swap_remove(0);
+                pieces[0].extend(first);
+            }
+            chains.extend(pieces);
+        }
+        chains.sort();
+        chains
+    }
+
+    /// The maximal ranges of a chain where `at_limit` holds at boundaries and `inside` in sectors.
+    fn ranges(
+        &self,
+        arcs: &[(usize, usize)],
+        at_limit: impl Fn(Option<i8>) -> bool,
+        inside: impl Fn(i8) -> bool,
+    ) -> Vec<AngleRange> {
+        let full = || ExactAngle::Pi(Rational::from(2));
+        let mut ranges: Vec<AngleRange> = Vec::new();
+        let mut goes_on = false;
+        for (position, &(sector, index)) in arcs.iter().enumerate() {
+            let [from, to] = self.limits[sector][index].map(&at_limit);
+            let holds = inside(self.radii[sector][index].sign);
+            let end = self.angles.get(sector + 1).cloned().unwrap_or_else(full);
+            let glued = position > 0
+                && arcs[position - 1].0 + 1 == sector
+                && self.next[arcs[position - 1].0][arcs[position - 1].1] == Some(index);
+            match ranges.last_mut() {
+                Some(range) if holds && glued && goes_on && from => {
+                    range.to = end;
+                    range.closed[1] = to;
+                }
+                _ if holds => ranges.push(AngleRange {
+                    from: self.angles[sector].clone(),
+                    to: end,
+                    closed: [from, to],
+                }),
+                _ => {}
+            }
+            goes_on = holds && to;
+        }
+        ranges
+    }
+}
+
+impl RootBranch {
+    /// Where the branch is which of the real radii.
+    #[must_use]
+    pub fn arcs(&self) -> Vec<RootArc> {
+        let graph = self.tracing.graph();
+        let mut arcs: Vec<RootArc> = Vec::new();
+        for &(sector, index) in &self.arcs {
+            let of = graph.radii[sector].len();
+            let rank = of - 1 - index;
+            let end = graph
+                .angles
+                .get(sector + 1)
+                .cloned()
+                .unwrap_or_else(|| ExactAngle::Pi(Rational::from(2)));
+            arcs.push(RootArc {
+                range: AngleRange {
+                    from: graph.angles[sector].clone(),
+                    to: end,
+                    closed: [false, false],
+                },
+                rank,
+                of,
+            });
+        }
+        arcs
+    }
+
+    /// Whether the branch is positive in every direction.
+    #[must_use]
+    pub fn covers_circle(&self) -> bool {
+        let graph = self.tracing.graph();
+        let (Some(first), Some(last)) = (self.arcs.first(), self.arcs.last()) else {
+            return false;
+        };
+        self.arcs.len() == graph.radii.len()
+            && graph.next[last.0][last.1] == Some(first.1)
+            && self.positive.len() == 1
+            && self.positive[0].closed == [true, true]
+    }
+
+    /// The nearest double of r in an exact direction; `None` where the branch is not real, and in
+    /// critical directions.
+    #[must_use]
+    pub fn radius(&self, direction: &Direction) -> Option<f64> {
+        let (u, v, _) = direction.integers();
+        let sector = self.tracing.sector_of(u, v)?;
+        let index = self.arcs.iter().find(|(s, _)| *s == sector)?.1;
+        let (mut root, sign) = self.tracing.radii_at(direction).into_iter().nth(index)?;
+        let step = u32::try_from(self.tracing.equation.step).ok()?;
+        Some(root.nearest_f64(step, &Rational::from(i32::from(sign))))
+    }
+}

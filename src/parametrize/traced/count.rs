@@ -1,0 +1,180 @@
+//! How many real roots P(α, ·) has at an algebraic α, from the signs of subresultants.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::polynomial::Polynomial;
+
+use super::strip::constant_sign;
+use crate::error::Result;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, RealRoot, Weights, signed_subresultant};
+
+/// The distinct roots of P(α, ·), without R = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct RootCount {
+    /// Real ones.
+    pub(super) real: usize,
+    /// Positive ones.
+    pub(super) positive: usize,
+    /// Multiplicities beyond 1, all complex roots together.
+    pub(super) repeated: usize,
+}
+
+/// Counts the roots of Σ a_i(α) R^i, where neither the first nor the last coefficient vanishes at α.
+///
+/// The real ones by the signs of the signed subresultant coefficients at α (Basu, Pollack, Roy,
+/// Theorem 4.33), the positive ones by those of P(α, R²).
+pub(super) fn count_roots(
+    coefficients: &[IntegerPolynomial],
+    weights: Weights,
+    alpha: &RealRoot,
+    limits: &Limits,
+) -> Result<RootCount> {
+    let signs = subresultant_signs(coefficients, weights, alpha, limits)?;
+    let repeated = signs.iter().position(|&s| s != 0).unwrap_or(0);
+    let mut squared = Vec::with_capacity(2 * coefficients.len() - 1);
+    for (i, a) in coefficients.iter().enumerate() {
+        if i > 0 {
+            squared.push(IntegerPolynomial::ZERO);
+        }
+        squared.push(a.clone());
+    }
+    // In powers of R the step is a half: twice all degrees are at most twice the lowest and i steps.
+    let doubled = Weights {
+        lowest: weights.lowest,
+        step: weights.step.div_ceil(2),
+    };
+    let twice = subresultant_signs(&squared, doubled, alpha, limits)?;
+    Ok(RootCount {
+        real: variations(&signs),
+        positive: variations(&twice) / 2,
+        repeated,
+    })
+}
+
+/// The signs at α of sRes_0, …, sRes_(m−1), and of the leading coefficient.
+fn subresultant_signs(
+    coefficients: &[IntegerPolynomial],
+    weights: Weights,
+    alpha: &RealRoot,
+    limits: &Limits,
+) -> Result<Vec<i8>> {
+    let m = coefficients.len() - 1;
+    let mut signs = Vec::with_capacity(m + 1);
+    for j in 0..m {
+        let value = signed_subresultant(coefficients, j, weights, limits)?;
+        signs.push(sign_at(&value, alpha));
+    }
+    signs.push(sign_at(&coefficients[m], alpha));
+    Ok(signs)
+}
+
+/// The exact sign of g at α.
+pub(super) fn sign_at(g: &IntegerPolynomial, alpha: &RealRoot) -> i8 {
+    if *g == IntegerPolynomial::ZERO || alpha.is_root_of(g) {
+        return 0;
+    }
+    let mut alpha = alpha.clone();
+    let mut bits = 16;
+    loop {
+        let (low, high) = alpha.bounds();
+        let (low, high) = (low.to_rational(), high.to_rational());
+        if low == high {
+            return crate::poly::sign_at_rational(g, &low);
+        }
+        if let Some(sign) = constant_sign(g, &low, &high) {
+            return sign;
+        }
+        alpha.refine(bits);
+        bits *= 2;
+    }
+}
+
+/// Permanences minus variations of the signs s_0, …, s_m, from s_m down, with the rule for gaps
+/// (Basu, Pollack, Roy, Notation 4.30).
+fn variations(signs: &[i8]) -> usize {
+    let mut total = 0i64;
+    let mut last: Option<(usize, i8)> = None;
+    for (index, &sign) in signs.iter().enumerate().rev().filter(|(_, s)| **s != 0) {
+        if let Some((above, other)) = last {
+            let gap = above - index;
+            if gap % 2 == 1 {
+                let flip = (gap * (gap - 1) / 2) % 2 == 1;
+                total += i64::from(other * sign) * if flip { -1 } else { 1 };
+            }
+        }
+        last = Some((index, sign));
+    }
+    usize::try_from(total).unwrap_or(0)
+}
+
+/// Whether an integer polynomial in R has R = 0 as a root, how often.
+pub(super) fn zero_multiplicity(g: &IntegerPolynomial) -> usize {
+    g.coefficients_asc()
+        .iter()
+        .take_while(|c| **c == Integer::ZERO)
+        .count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::real_roots;
+    use proptest::prelude::*;
+
+    fn poly(c: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+    }
+
+    fn sqrt_two() -> RealRoot {
+        real_roots(&poly(&[-2, 0, 1])).pop().unwrap()
+    }
+
+    #[test]
+    fn multiple_roots_over_a_number_field() {
+        // (R − √2)² (R + 3) (R² + 1) with t² = 2: R² − 2tR + 2 times R³ + 3R² + R + 3
+        let square = [poly(&[2]), poly(&[0, -2]), poly(&[1])];
+        let rest = [poly(&[3]), poly(&[1]), poly(&[3]), poly(&[1])];
+        let mut product = vec![IntegerPolynomial::ZERO; 6];
+        for (i, a) in square.iter().enumerate() {
+            for (j, b) in rest.iter().enumerate() {
+                product[i + j] += a * b;
+            }
+        }
+        let weights = Weights { lowest: 1, step: 0 };
+        let count = count_roots(&product, weights, &sqrt_two(), &Limits::none()).unwrap();
+        assert_eq!(
+            count,
+            RootCount {
+                real: 2,
+                positive: 1,
+                repeated: 1
+            }
+        );
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+        /// Constant coefficients: the count must be that of the exact isolation.
+        #[test]
+        fn agrees_with_isolation(roots in prop::collection::vec((-4i64..5, 1usize..3), 0..4), pairs in prop::collection::vec(-3i64..4, 0..2), lead in prop_oneof![-3i64..0, 1i64..4]) {
+            let mut f = poly(&[lead]);
+            for (r, m) in &roots {
+                for _ in 0..*m {
+                    f *= poly(&[if *r == 0 { 7 } else { -r }, 1]);
+                }
+            }
+            for b in &pairs {
+                f *= poly(&[b * b + 2, -2 * b, 1]);
+            }
+            prop_assume!(f.coefficients_asc().len() > 1);
+            let coefficients: Vec<IntegerPolynomial> = f.coefficients_asc().iter().map(|c| IntegerPolynomial::from_coefficients_asc(vec![c.clone()])).collect();
+            let found = count_roots(&coefficients, Weights { lowest: 0, step: 0 }, &sqrt_two(), &Limits::none()).unwrap();
+            let exact = real_roots(&f);
+            prop_assert_eq!(found.real, exact.len());
+            prop_assert_eq!(found.positive, exact.iter().filter(|r| r.signum() > 0).count());
+            let squarefree: usize = crate::poly::squarefree_decomposition(&f).iter().map(|(_, g)| g.coefficients_asc().len() - 1).sum();
+            prop_assert_eq!(found.repeated, f.coefficients_asc().len() - 1 - squarefree);
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! Branches of any degree: certified roots, followed from direction to direction (Lemma 6).
+//!
+//! P(θ, R) = Σ f_(low + ik)(cos θ, sin θ) R^i with R = r^k has a constant number of real roots between
+//! *critical* directions, the zeros of its first and last coefficient and of its discriminant. They are
+//! algebraic, so everything about the branches but their values is known exactly: where they begin and
+//! end, meet, vanish or become infinite.
+
+mod branch;
+mod count;
+mod link;
+mod strip;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::Polynomial;
+
+pub use branch::{RootArc, RootBranch};
+use link::{Context, Critical, Link};
+use strip::Strip;
+
+use super::angle::ExactAngle;
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{
+    BinaryForm, IntegerPolynomial, RealRoot, Weights, divide_exactly, polynomial_gcd,
+    primitive_part, real_roots, signed_subresultant, squarefree_decomposition,
+};
+use crate::sample::Direction;
+
+/// The polynomial in R = r^step whose coefficients are forms: `forms[i]` has degree `lowest + i·step`.
+#[derive(Clone, Debug)]
+pub(super) struct Equation {
+    pub(super) forms: Vec<BinaryForm>,
+    pub(super) lowest: usize,
+    pub(super) step: usize,
+}
+
+impl Equation {
+    /// P in an exact direction, ascending in R, up to a positive factor.
+    fn along(&self, direction: &Direction) -> IntegerPolynomial {
+        let (u, v, w) = direction.integers();
+        let unit = w.pow(self.step as u64);
+        // f_i(U/W, V/W) W^(lowest + m·step) = f_i(U, V) W^((m − i)·step)
+        let mut power = Integer::ONE;
+        let mut coefficients = Vec::with_capacity(self.forms.len());
+        for form in self.forms.iter().rev() {
+            coefficients.push(form.evaluate(u, v) * &power);
+            power *= &unit;
+        }
+        coefficients.reverse();
+        IntegerPolynomial::from_coefficients_asc(coefficients)
+    }
+}
+
+/// The circle of directions cut into sectors, with the real roots in each and what becomes of them
+/// between.
+#[derive(Debug)]
+pub struct Tracing {
+    equation: Equation,
+    strip: Strip,
+    /// The critical slopes t = y/x, ascending, with disjoint enclosures; 0 is always one.
+    slopes: Vec<RealRoot>,
+    /// Slopes below, between and above them.
+    insides: Vec<Rational>,
+    /// The signs of the real roots R at each of these slopes, ascending in R.
+    roots: Vec<Vec<i8>>,
+    /// One for each critical slope, then the vertical direction.
+    links: Vec<Link>,
+    /// The discriminant with respect to R, as a polynomial in t = tan θ.
+    discriminant: IntegerPolynomial,
+}
+
+/// Directions between two neighbouring critical ones: those of one interval of slopes, with x > 0 or, turned,
+/// x < 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Sector {
+    cell: usize,
+    turned: bool,
+}
+
+impl Tracing {
+    /// Cuts the circle and follows the roots. The equation has degree ≥ 1 in R, without repeated factors.
+    ///
+    /// # Errors
+    /// Those of [`signed_subresultant`].
+    pub(super) fn new(equation: Equation, limits: &Limits) -> Result<Self> {
+        let strip = Strip::of_slope(&equation.forms);
+        let weights = Weights {
+            lowest: equation.lowest,
+            step: equation.step,
+        };
+        let top = &equation.forms[equation.forms.len() - 1];
+        let low = &equation.forms[0];
+        let eliminant = signed_subresultant(strip.coefficients(), 0, weights, limits)?;
+        // sRes_0 = ± a_m · discriminant
+        let discriminant = divide_exactly(&eliminant, top.dehomogenized()).unwrap_or_default();
+        let m = equation.forms.len() - 1;
+        let degree = (2 * m - 2) * equation.lowest + equation.step * m * (m - 1);
+        let slopes = separated(critical_slopes(&[
+            top.dehomogenized(),
+            low.dehomogenized(),
+            &discriminant,
+        ]));
+        let insides = insides(&slopes);
+        let at = |t: &Rational| {
+            real_roots(&strip.along(t))
+                .iter()
+                .map(RealRoot::signum)
+                .collect()
+        };
+        let roots = insides.iter().map(at).collect();
+        let parts = squarefree_decomposition(&discriminant);
+        let mut links = Vec::with_capacity(slopes.len() + 1);
+        for (index, slope) in slopes.iter().enumerate() {
+            limits.check()?;
+            let root_of = parts.iter().find(|(_, g)| slope.is_root_of(g));
+            let cx = Context {
+                strip: &strip,
+                weights,
+                multiplicity: root_of.map_or(0, |(m, _)| *m),
+                limits,
+            };
+            links.push(match slope.as_rational() {
+                Some(alpha) => {
+                    let room = (&alpha - &insides[index]).min(&insides[index + 1] - &alpha);
+                    Link::through(&Critical::Rational(&alpha, room), &cx)?
+                }
+                None => Link::through(&Critical::Irrational(slope), &cx)?,
+            });
+        }
+        // The vertical direction, in the other chart: there the side below is beyond the vertical.
+        let reciprocal = |t: &Rational| t.abs().recip().unwrap_or_default();
+        let room = reciprocal(&insides[0]).min(reciprocal(&insides[insides.len() - 1]));
+        let vertical = Strip::of_cotangent(&equation.forms);
+        let drop = degree + 1 - discriminant.coefficients_asc().len();
+        let cx = Context {
+            strip: &vertical,
+            weights,
+            multiplicity: drop,
+            limits,
+        };
+        let mut link = Link::through(&Critical::Rational(&Rational::zero(), room), &cx)?;
+        link.limits.reverse();
+        for (before, after) in &mut link.pairs {
+            std::mem::swap(before, after);
+        }
+        links.push(link);
+        Ok(Self {
+            equation,
+            strip,
+            slopes,
+            insides,
+            roots,
+            links,
+            discriminant,
+        })
+    }
+
+    /// The discriminant of P with respect to R at (1, t), without its content.
+    pub(super) fn discriminant(&self) -> IntegerPolynomial {
+        primitive_part(&self.discriminant)
+    }
+
+    /// The angles in [0, 2π) at which some link is not complete.
+    pub(super) fn open_angles(&self) -> Vec<ExactAngle> {
+        let boundaries = self.boundaries();
+        let open = boundaries
+            .iter()
+            .filter(|(index, _)| !self.links[*index].complete);
+        open.map(|&(index, turned)| self.angle(index, turned))
+            .collect()
+    }
+
+    /// All sectors from angle 0 on.
+    fn sectors(&self) -> Vec<Sector> {
+        let zero = self.slopes.iter().take_while(|t| t.signum() < 0).count();
+        let right =
+            |cells: std::ops::Range<usize>, turned| cells.map(move |cell| Sector { cell, turned });
+        let cells = self.insides.len();
+        let half = right(zero + 1..cells, false).chain(right(0..zero + 1, true));
+        let other = right(zero + 1..cells, true).chain(right(0..zero + 1, false));
+        half.chain(other).collect()
+    }
+
+    /// What is before each sector: the index of a link and whether it is turned.
+    fn boundaries(&self) -> Vec<(usize, bool)> {
+        let vertical = self.slopes.len();
+        let before = |sector: &Sector| {
+            if sector.cell == 0 {
+                // Beyond the vertical: turned when that comes from x > 0.
+                (vertical, !sector.turned)
+            } else {
+                (sector.cell - 1, sector.turned)
+            }
+        };
+        self.sectors().iter().map(before).collect()
+    }
+
+    /// The angle in [0, 2π) of a link.
+    fn angle(&self, index: usize, turned: bool) -> ExactAngle {
+        let angle = match self.slopes.get(index) {
+            None => ExactAngle::Pi(Rational::one() / Rational::from(2)),
+            Some(slope) => ExactAngle::of_tangent(slope.clone()),
+        };
+        // of_tangent is in [0, π), which for negative slopes has x < 0.
+        let is_left = self.slopes.get(index).is_some_and(|t| t.signum() < 0);
+        if turned != is_left {
+            angle.plus_pi()
+        } else {
+            angle
+        }
+    }
+
+    /// Whether turning by π changes the signs of all R.
+    fn is_odd(&self) -> bool {
+        self.equation.step % 2 == 1
+    }
+
+    /// The signs of the roots R in a sector, ascending in R.
+    fn signs(&self, sector: Sector) -> Vec<i8> {
+        let signs = &self.roots[sector.cell];
+        if sector.turned && self.is_odd() {
+            signs.iter().rev().map(|s| -s).collect()
+        } else {
+            signs.clone()
+        }
+    }
+
+    /// A link as seen by directions with x > 0, or turned by π.
+    fn link(&self, index: usize, turned: bool) -> Link {
+        let mut link = self.links[index].clone();
+        if turned && self.is_odd() {
+            let [before, after] = link.limits.each_ref().map(Vec::len);
+            for list in &mut link.limits {
+                list.reverse();
+                for limit in list.iter_mut().flatten() {
+                    *limit = -*limit;
+                }
+            }
+            for (a, b) in &mut link.pairs {
+                (*a, *b) = (before - 1 - *a, after - 1 - *b);
+            }
+            for sign in &mut link.isolated {
+                *sign = -*sign;
+            }
+        }
+        link
+    }
+
+    /// The sector that a direction is in; `None` for a critical one.
+    fn sector_of(&self, u: &Integer, v: &Integer) -> Option<usize> {
+        let slope = Rational::new(v.clone(), u.clone())?;
+        let cell = self
+            .slopes
+            .partition_point(|t| t.cmp_rational(&slope).is_lt());
+        if self
+            .slopes
+            .get(cell)
+            .is_some_and(|t| t.cmp_rational(&slope).is_eq())
+        {
+            return None;
+        }
+        let turned = *u < 0;
+        self.sectors()
+            .iter()
+            .position(|s| *s == Sector { cell, turned })
+    }
+}
+
+/// The zeros of the product of some polynomials, and 0.
+fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
+    let mut product = IntegerPolynomial::from_coefficients_asc(vec![Integer::ZERO, Integer::ONE]);
+    for f in polynomials
+        .iter()
+        .filter(|f| **f != &IntegerPolynomial::ZERO)
+    {
+        let new = primitive_part(f);
+        let squarefree = squarefree_decomposition(&new)
+            .into_iter()
+            .fold(IntegerPolynomial::one(), |all, (_, g)| all * g);
+        let common = polynomial_gcd(&product, &squarefree);
+        product *= divide_exactly(&squarefree, &common).unwrap_or(squarefree);
+    }
+    real_roots(&product)
+}
+
+/// The same roots with disjoint enclosures.
+fn separated(mut roots: Vec<RealRoot>) -> Vec<RealRoot> {
+    for i in 1..roots.len() {
+        let mut bits = 4;
+        while roots[i - 1].bounds().1 >= roots[i].bounds().0 {
+            roots[i - 1].refine_to_width(-bits);
+            roots[i].refine_to_width(-bits);
+            bits *= 2;
+        }
+    }
+    roots
+}
+
+/// Rational numbers below, between and above roots with disjoint enclosures.
+fn insides(roots: &[RealRoot]) -> Vec<Rational> {
+    let bounds: Vec<[Rational; 2]> = roots
+        .iter()
+        .map(|r| [r.bounds().0.to_rational(), r.bounds().1.to_rational()])
+        .collect();
+    let mut points = Vec::with_capacity(roots.len() + 1);
+    if let (Some([first, _]), Some([_, last])) = (bounds.first(), bounds.last()) {
+        points.push(Rational::from(first.floor()) - Rational::one());
+        points.extend(
+            bounds
+                .windows(2)
+                .map(|pair| strictly_between(&pair[0][1], &pair[1][0])),
+        );
+        points.push(Rational::from(last.floor()) + Rational::from(2));
+    }
+    points
+}
+
+/// A simple rational number strictly between two others, low < high.
+fn strictly_between(low: &Rational, high: &Rational) -> Rational {
+    let quarter = (high - low) / Rational::from(4);
+    Rational::simplest_between(&(low + &quarter), &(high - &quarter))
+}

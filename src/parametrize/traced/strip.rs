@@ -1,0 +1,195 @@
+//! P(t, R) near a line of directions: exact values along and across.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::Polynomial;
+
+use crate::exact::Rational;
+use crate::poly::{BinaryForm, IntegerPolynomial, integer_sign, shift_by_one};
+
+/// P(t, R) = Σ a_i(t) R^i, in the chart where directions are (1, t), or (t, 1).
+#[derive(Clone, Debug)]
+pub(super) struct Strip {
+    coefficients: Vec<IntegerPolynomial>,
+}
+
+impl Strip {
+    /// Σ f_i(1, t) R^i
+    pub(super) fn of_slope(forms: &[BinaryForm]) -> Self {
+        let coefficients = forms.iter().map(|f| f.dehomogenized().clone()).collect();
+        Self { coefficients }
+    }
+
+    /// Σ f_i(t, 1) R^i
+    pub(super) fn of_cotangent(forms: &[BinaryForm]) -> Self {
+        let turned = forms.iter().map(|f| {
+            let row = (0..=f.degree()).rev().map(|k| f.coefficient(k));
+            IntegerPolynomial::from_coefficients_asc(row.collect())
+        });
+        Self {
+            coefficients: turned.collect(),
+        }
+    }
+
+    /// The a_i, ascending in i.
+    pub(super) fn coefficients(&self) -> &[IntegerPolynomial] {
+        &self.coefficients
+    }
+
+    /// P(t, ·) up to a positive factor.
+    pub(super) fn along(&self, t: &Rational) -> IntegerPolynomial {
+        let (p, q) = (t.numerator(), t.denominator());
+        let length = |a: &IntegerPolynomial| a.coefficients_asc().len();
+        let longest = self.coefficients.iter().map(length).max().unwrap_or(0);
+        let value = |a: &IntegerPolynomial| {
+            // Σ c_k p^k q^(longest − 1 − k), by Horner from the highest possible power.
+            let mut value = Integer::ZERO;
+            let mut q_power = Integer::ONE;
+            for k in (0..longest).rev() {
+                value *= &p;
+                if let Some(c) = a.coefficients_asc().get(k) {
+                    value += c * &q_power;
+                }
+                q_power *= &q;
+            }
+            value
+        };
+        IntegerPolynomial::from_coefficients_asc(self.coefficients.iter().map(value).collect())
+    }
+
+    /// P(·, r) up to a positive factor.
+    pub(super) fn across(&self, r: &Rational) -> IntegerPolynomial {
+        let (p, q) = (r.numerator(), r.denominator());
+        let mut value = IntegerPolynomial::ZERO;
+        let mut q_power = Integer::ONE;
+        let constant = |c: &Integer| IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
+        for a in self.coefficients.iter().rev() {
+            value = value * constant(&p) + a * constant(&q_power);
+            q_power *= &q;
+        }
+        value
+    }
+
+    /// Whether P(·, r) is proved to have no zero in [low, high].
+    pub(super) fn is_free(&self, r: &Rational, low: &Rational, high: &Rational) -> bool {
+        constant_sign(&self.across(r), low, high).is_some()
+    }
+}
+
+/// The sign of g on [low, high], if Descartes' rule proves that it has no zero there. It does so for
+/// every g without a zero as soon as the interval is short enough.
+pub(super) fn constant_sign(g: &IntegerPolynomial, low: &Rational, high: &Rational) -> Option<i8> {
+    let degree = g.coefficients_asc().len().checked_sub(1)?;
+    // g((p + w x) / q) q^degree
+    let common = low.denominator() * high.denominator();
+    let whole = Rational::from(&common);
+    let p = (low * &whole).numerator();
+    let w = ((high - low) * &whole).numerator();
+    let line = IntegerPolynomial::from_coefficients_asc(vec![p, w]);
+    let mut moved = IntegerPolynomial::ZERO;
+    let mut power = Integer::ONE;
+    for c in g.coefficients_asc().iter().rev() {
+        let term = IntegerPolynomial::from_coefficients_asc(vec![c * &power]);
+        moved = moved * &line + term;
+        power *= &common;
+    }
+    // (1 + x)^degree g at low + (high − low)/(1 + x): its coefficients are those in the Bernstein basis.
+    let mut coefficients = moved.into_coefficients_asc();
+    coefficients.resize(degree + 1, Integer::ZERO);
+    coefficients.reverse();
+    let bernstein = shift_by_one(IntegerPolynomial::from_coefficients_asc(coefficients));
+    let signs = bernstein.coefficients_asc().iter().map(integer_sign);
+    let [first, last] = [
+        bernstein.coefficients_asc().first()?,
+        bernstein.coefficients_asc().get(degree)?,
+    ]
+    .map(integer_sign);
+    (first != 0 && first == last && signs.into_iter().all(|s| s == 0 || s == first))
+        .then_some(first)
+}
+
+/// Bounds of g on [low, high], by Horner.
+pub(super) fn range(
+    g: &IntegerPolynomial,
+    low: &Rational,
+    high: &Rational,
+) -> (Rational, Rational) {
+    let mut value = (Rational::zero(), Rational::zero());
+    for c in g.coefficients_asc().iter().rev() {
+        let products = [
+            &value.0 * low,
+            &value.0 * high,
+            &value.1 * low,
+            &value.1 * high,
+        ];
+        let c = Rational::from(c);
+        let least = products.iter().min().cloned().unwrap_or_default();
+        let most = products.into_iter().max().unwrap_or_default();
+        value = (least + &c, most + &c);
+    }
+    value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn poly(c: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+    }
+
+    fn fraction(p: i64, q: i64) -> Rational {
+        Rational::from(p) / Rational::from(q)
+    }
+
+    #[test]
+    fn a_sign_without_zeros_is_proved() {
+        let g = poly(&[-2, 0, 1]); // t² − 2
+        assert_eq!(constant_sign(&g, &fraction(3, 2), &fraction(2, 1)), Some(1));
+        assert_eq!(
+            constant_sign(&g, &fraction(-1, 1), &fraction(1, 1)),
+            Some(-1)
+        );
+        assert_eq!(constant_sign(&g, &fraction(1, 1), &fraction(2, 1)), None);
+        assert_eq!(
+            constant_sign(&poly(&[0, 1]), &fraction(0, 1), &fraction(2, 1)),
+            None
+        );
+        assert_eq!(
+            constant_sign(&poly(&[-3]), &fraction(0, 1), &fraction(2, 1)),
+            Some(-1)
+        );
+        assert_eq!(
+            constant_sign(&poly(&[]), &fraction(0, 1), &fraction(2, 1)),
+            None
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn along_and_across_are_one_polynomial(
+            rows in prop::collection::vec(prop::collection::vec(-9i64..9, 3), 2..5),
+            p in -9i64..9, q in 1i64..9, r in -9i64..9, s in 1i64..9,
+        ) {
+            let forms: Vec<BinaryForm> = rows.iter().map(|c| BinaryForm::from_coefficients(c.iter().map(|&c| Integer::from(c)).collect())).collect();
+            let (t, r) = (fraction(p, q), fraction(r, s));
+            let mut expected = Rational::zero();
+            for (i, row) in rows.iter().enumerate() {
+                let a = Rational::from(row[0]) + Rational::from(row[1]) * &t + Rational::from(row[2]) * &t * &t;
+                expected = expected + a * r.pow(i64::try_from(i).unwrap()).unwrap();
+            }
+            let strip = Strip::of_slope(&forms);
+            prop_assert_eq!(crate::poly::sign_at_rational(&strip.along(&t), &r), expected.signum());
+            prop_assert_eq!(crate::poly::sign_at_rational(&strip.across(&r), &t), expected.signum());
+            if p != 0 {
+                // The same direction, (1, t) = t (1/t, 1).
+                let turned = Strip::of_cotangent(&forms).along(&fraction(q * p.signum(), p.abs()));
+                prop_assert_eq!(crate::poly::sign_at_rational(&turned, &r), expected.signum());
+            }
+            let (low, high) = range(&poly(&rows[0]), &t, &(&t + &Rational::one()));
+            let middle = Rational::from(rows[0][0]) + Rational::from(rows[0][1]) * &t + Rational::from(rows[0][2]) * &t * &t;
+            prop_assert!(low <= middle && middle <= high);
+        }
+    }
+}

@@ -1,0 +1,335 @@
+//! Subresultants of a polynomial and its derivative, where the coefficients are polynomials themselves.
+
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::polynomial::Polynomial;
+
+use super::IntegerPolynomial;
+use super::modular::{Images, inverse_mod, previous_prime, reduce_integer};
+use crate::error::{Error, Result};
+use crate::limits::Limits;
+
+/// Determinants are taken modulo primes below this, so that products of residues fit 62 bits.
+const ABOVE_PRIMES: u64 = (1 << 31) + 1;
+
+/// Products of residues beyond which the work is refused: about a minute.
+const MAX_WORK: f64 = 3e10;
+
+/// Degrees of the coefficients: the i-th has at most degree `lowest + i·step`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Weights {
+    pub(crate) lowest: usize,
+    pub(crate) step: usize,
+}
+
+/// The j-th signed principal subresultant coefficient sRes_j(P, P′) in Z[t] of `P = Σ a_i(t) R^i`,
+/// m = deg P ≥ 1 and 0 ≤ j < m: the determinant of the Sylvester–Habicht matrix (Basu, Pollack, Roy,
+/// *Algorithms in Real Algebraic Geometry*, Notation 8.55). sRes_0 is a_m times the discriminant, up to
+/// the positive factor 1 and a sign that depends on m only.
+///
+/// By evaluation at integers, Gauss modulo 31-bit primes, interpolation, and Chinese remainders up to
+/// Hadamard's bound on |t| = 1. Cost: (degree · primes) determinants of size 2m − 1 − 2j.
+///
+/// # Errors
+/// [`Error::Limit`] if that is too much; those of `limits`.
+pub(crate) fn signed_subresultant(
+    p: &[IntegerPolynomial],
+    j: usize,
+    weights: Weights,
+    limits: &Limits,
+) -> Result<IntegerPolynomial> {
+    let matrix = Matrix::new(p.len() - 1, j);
+    let degree = matrix.degree_bound(weights);
+    let bits = matrix.coefficient_bits(p);
+    let primes = bits / 30.9 + 2.0;
+    let work = primes * as_f64(degree + 1) * as_f64(matrix.size).powi(3) / 3.0;
+    if work > MAX_WORK {
+        return Err(Error::limit(format!(
+            "a discriminant of degree {degree} with coefficients of up to {bits:.0} bits, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
+        )));
+    }
+    let mut combined: Option<Images> = None;
+    let mut prime = ABOVE_PRIMES;
+    let mut known_bits = 0.0;
+    while known_bits < bits + 1.0 {
+        limits.check()?;
+        prime = previous_prime(prime);
+        let image = matrix.image(p, degree, prime);
+        match &mut combined {
+            Some(images) => {
+                images.add(&image, prime);
+            }
+            None => combined = Some(Images::new(&image, prime)),
+        }
+        known_bits += as_f64(usize::try_from(prime).unwrap_or(2)).log2();
+    }
+    Ok(combined.map_or(IntegerPolynomial::ZERO, |images| images.balanced()))
+}
+
+#[expect(clippy::cast_precision_loss, reason = "sizes are far below 2^53")]
+fn as_f64(n: usize) -> f64 {
+    n as f64
+}
+
+/// The Sylvester–Habicht matrix: m − 1 − j rows R^k P with k descending, then m − j rows R^k P′ with k
+/// ascending, and columns for the powers 2m − 2 − j down to j.
+struct Matrix {
+    m: usize,
+    j: usize,
+    size: usize,
+}
+
+impl Matrix {
+    fn new(m: usize, j: usize) -> Self {
+        let size = 2 * m - 1 - 2 * j;
+        Self { m, j, size }
+    }
+
+    /// (k, whether the row is R^k P′)
+    fn row(&self, index: usize) -> (usize, bool) {
+        let of_p = self.m - 1 - self.j;
+        if index < of_p {
+            (of_p - 1 - index, false)
+        } else {
+            (index - of_p, true)
+        }
+    }
+
+    fn degree_bound(&self, weights: Weights) -> usize {
+        let columns: usize = (self.j..self.j + self.size).sum();
+        let rows = (0..self.size).map(|index| self.row(index));
+        // The coefficient of R^i in P′ is that of R^(i+1) in P.
+        let (mut shifts, mut raised) = (0, 0);
+        for (shift, derivative) in rows {
+            shifts += shift;
+            raised += usize::from(derivative);
+        }
+        self.size * weights.lowest + weights.step * (columns + raised - shifts)
+    }
+
+    /// log₂ of Hadamard's bound for the coefficients of the determinant.
+    fn coefficient_bits(&self, p: &[IntegerPolynomial]) -> f64 {
+        let mut norms = [0.0f64; 2];
+        // Scaled down by the largest coefficient, so that no square overflows.
+        let scale = p.iter().map(|a| one_norm_bits(a)).fold(0.0, f64::max);
+        for (i, a) in p.iter().enumerate() {
+            let norm = (one_norm_bits(a) - scale).exp2();
+            norms[0] += norm * norm;
+            norms[1] += (as_f64(i) * norm).powi(2);
+        }
+        let of_p = as_f64(self.m - 1 - self.j);
+        let of_derivative = as_f64(self.m - self.j);
+        let bits = |square: f64| square.log2() / 2.0 + scale + 0.01;
+        of_p * bits(norms[0]) + of_derivative * bits(norms[1]).max(1.0)
+    }
+
+    /// The determinant modulo a prime, as the residues of its `degree + 1` coefficients.
+    fn image(&self, p: &[IntegerPolynomial], degree: usize, prime: u64) -> Vec<u64> {
+        let reduced: Vec<Vec<u64>> = p
+            .iter()
+            .map(|a| {
+                let c = a.coefficients_asc().iter();
+                c.map(|c| reduce_integer(c, prime)).collect()
+            })
+            .collect();
+        let mut values = Vec::with_capacity(degree + 1);
+        for t in 0..=degree as u64 {
+            let at = |a: &Vec<u64>| a.iter().rev().fold(0, |v, c| (v * t + c) % prime);
+            let p: Vec<u64> = reduced.iter().map(at).collect();
+            let derivative: Vec<u64> = p
+                .iter()
+                .enumerate()
+                .skip(1)
+                .map(|(i, c)| c * i as u64 % prime)
+                .collect();
+            let mut rows = Vec::with_capacity(self.size);
+            for index in 0..self.size {
+                let (shift, of_derivative) = self.row(index);
+                let source = if of_derivative { &derivative } else { &p };
+                let column = |c: usize| {
+                    let power = self.j + self.size - 1 - c;
+                    power
+                        .checked_sub(shift)
+                        .and_then(|i| source.get(i))
+                        .copied()
+                        .unwrap_or(0)
+                };
+                rows.push((0..self.size).map(column).collect());
+            }
+            values.push(determinant(rows, prime));
+        }
+        interpolate(values, prime)
+    }
+}
+
+/// log₂ of the sum of the absolute values, 0 for 0; rounded up a little.
+fn one_norm_bits(a: &IntegerPolynomial) -> f64 {
+    use malachite::base::num::logic::traits::SignificantBits;
+    let sum = a
+        .coefficients_asc()
+        .iter()
+        .map(|c| c.unsigned_abs_ref())
+        .sum::<malachite::Natural>();
+    let bits = sum.significant_bits();
+    let shift = bits.saturating_sub(60);
+    let top = u64::try_from(&(sum >> shift)).unwrap_or(0) + 1;
+    #[expect(clippy::cast_precision_loss, reason = "a bound, rounded up elsewhere")]
+    let value = (top as f64).log2() + shift as f64;
+    value.max(0.0)
+}
+
+/// The determinant of a square matrix modulo a prime below 2³¹, by Gauss.
+fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
+    let n = rows.len();
+    let mut value = 1;
+    for k in 0..n {
+        let Some(pivot) = (k..n).find(|&i| rows[i][k] != 0) else {
+            return 0;
+        };
+        if pivot != k {
+            rows.swap(pivot, k);
+            value = (p - value) % p;
+        }
+        value = value * rows[k][k] % p;
+        let inverse = inverse_mod(rows[k][k], p);
+        let (done, open) = rows.split_at_mut(k + 1);
+        let top = &done[k];
+        for row in open.iter_mut().filter(|row| row[k] != 0) {
+            let factor = p - row[k] * inverse % p;
+            for (c, t) in row[k..].iter_mut().zip(&top[k..]) {
+                *c = (*c + factor * t) % p;
+            }
+        }
+    }
+    value
+}
+
+/// Coefficients, ascending, of the polynomial with the given values at 0, 1, 2, … modulo a prime
+/// (Newton).
+fn interpolate(mut values: Vec<u64>, p: u64) -> Vec<u64> {
+    let n = values.len();
+    for gap in 1..n {
+        let inverse = inverse_mod(gap as u64, p);
+        for i in (gap..n).rev() {
+            values[i] = (values[i] + p - values[i - 1]) % p * inverse % p;
+        }
+    }
+    // Horner over (t − k), from the last difference down.
+    let mut coefficients = vec![0; n];
+    for k in (0..n).rev() {
+        for i in (1..n).rev() {
+            coefficients[i] = (coefficients[i - 1] + (p - k as u64 % p) * coefficients[i]) % p;
+        }
+        coefficients[0] = ((p - k as u64 % p) * coefficients[0] + values[k]) % p;
+    }
+    coefficients
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::Integer;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use proptest::prelude::*;
+
+    fn poly(c: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+    }
+
+    const FLAT: Weights = Weights { lowest: 3, step: 0 };
+
+    #[test]
+    fn the_discriminant_of_a_quadratic() {
+        // a R² + b R + c with a = t, b = 1 + t, c = 2 − t: sRes_0 = a (b² − 4ac)
+        let p = [poly(&[2, -1]), poly(&[1, 1]), poly(&[0, 1])];
+        let found =
+            signed_subresultant(&p, 0, Weights { lowest: 1, step: 0 }, &Limits::none()).unwrap();
+        assert_eq!(found, poly(&[0, 1]) * poly(&[1, -6, 5]));
+        let first =
+            signed_subresultant(&p, 1, Weights { lowest: 1, step: 0 }, &Limits::none()).unwrap();
+        assert_eq!(first, poly(&[0, 2]));
+    }
+
+    #[test]
+    fn too_much_work_is_refused() {
+        let huge = vec![poly(&[1; 101]); 101];
+        let weights = Weights {
+            lowest: 100,
+            step: 0,
+        };
+        let error = signed_subresultant(&huge, 0, weights, &Limits::none()).unwrap_err();
+        assert!(
+            error.to_string().contains("a discriminant of degree"),
+            "{error}"
+        );
+    }
+
+    /// Gauss over the fractions of num-rational, at one t.
+    fn naive(p: &[IntegerPolynomial], j: usize, t: i64) -> BigRational {
+        let value = |a: &IntegerPolynomial| {
+            a.coefficients_asc()
+                .iter()
+                .rev()
+                .fold(BigRational::from(BigInt::from(0)), |v, c| {
+                    let c: BigInt = c.to_string().parse().unwrap();
+                    v * BigInt::from(t) + c
+                })
+        };
+        let p: Vec<BigRational> = p.iter().map(value).collect();
+        let m = p.len() - 1;
+        let derivative: Vec<BigRational> = (1..=m).map(|i| &p[i] * BigInt::from(i)).collect();
+        let zero = BigRational::from(BigInt::from(0));
+        let size = 2 * m - 1 - 2 * j;
+        let row = |source: &[BigRational], shift: usize| -> Vec<BigRational> {
+            (0..size)
+                .map(|c| {
+                    let power = j + size - 1 - c;
+                    power
+                        .checked_sub(shift)
+                        .and_then(|i| source.get(i))
+                        .unwrap_or(&zero)
+                        .clone()
+                })
+                .collect()
+        };
+        let mut rows: Vec<Vec<BigRational>> = (0..m - 1 - j).rev().map(|k| row(&p, k)).collect();
+        rows.extend((0..m - j).map(|k| row(&derivative, k)));
+        let mut det = BigRational::from(BigInt::from(1));
+        for k in 0..size {
+            let Some(pivot) = (k..size).find(|&i| rows[i][k] != zero) else {
+                return zero;
+            };
+            if pivot != k {
+                rows.swap(pivot, k);
+                det = -det;
+            }
+            det *= rows[k][k].clone();
+            for i in k + 1..size {
+                let factor = &rows[i][k] / &rows[k][k];
+                for c in k..size {
+                    let step = &factor * &rows[k][c];
+                    rows[i][c] -= step;
+                }
+            }
+        }
+        det
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+        #[test]
+        fn agrees_with_gauss_over_the_rationals(
+            c in prop::collection::vec(prop::collection::vec(-9i64..9, 1..5), 2..6),
+            lead in prop_oneof![-5i64..0, 1i64..5],
+            t in -6i64..7,
+            pick in 0usize..4,
+        ) {
+            let mut p: Vec<IntegerPolynomial> = c.iter().map(|c| poly(c)).collect();
+            p.push(poly(&[lead, 1]));
+            let j = pick % (p.len() - 1);
+            let found = signed_subresultant(&p, j, FLAT, &Limits::none()).unwrap();
+            let value = found.coefficients_asc().iter().rev().fold(BigInt::from(0), |v, c| v * t + c.to_string().parse::<BigInt>().unwrap());
+            prop_assert_eq!(BigRational::from(value), naive(&p, j, t));
+        }
+    }
+}
