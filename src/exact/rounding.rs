@@ -10,7 +10,7 @@ use malachite::base::rounding_modes::RoundingMode;
 use super::Rational;
 
 /// The double nearest to a real number, given how the number compares with any rational one (ties to even; beyond
-/// the largest double ±∞).
+/// the largest double ±∞; a zero has the sign of the guess).
 ///
 /// Two comparisons if the guess is right, about 2 log₂ n if it is n doubles away.
 pub(crate) fn nearest_double<E>(
@@ -33,32 +33,35 @@ pub(crate) fn nearest_double<E>(
     let mut high = rank(guess);
     let mut order = above(high)?;
     let mut low = high;
-    let mut step = 1;
+    let mut step = 1_i64;
     if order == Ordering::Greater {
         while order == Ordering::Greater {
             low = high;
-            high += step;
-            step *= 2;
+            high = high.saturating_add(step).min(infinity);
+            step = step.saturating_mul(2);
             order = above(high)?;
         }
     } else {
         loop {
-            low -= step;
-            step *= 2;
+            low = low.saturating_sub(step).max(-infinity - 1);
+            step = step.saturating_mul(2);
             match above(low)? {
                 Ordering::Greater => break,
                 lower => (high, order) = (low, lower),
             }
         }
     }
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
+    while low + 1 < high {
+        let middle = i64::midpoint(low, high);
         match above(middle)? {
             Ordering::Greater => low = middle,
             lower => (high, order) = (middle, lower),
         }
     }
-    let double = of_rank(high.clamp(-infinity, infinity));
+    let double = match high.clamp(-infinity, infinity) {
+        0 => 0.0_f64.copysign(guess),
+        other => of_rank(other),
+    };
     Ok(if order == Ordering::Equal {
         midpoint(double, double.next_up()).to_f64()
     } else {
