@@ -107,6 +107,23 @@ proptest! {
     }
 
     #[test]
+    fn a_conic_through_a_point_of_any_size_is_parametrized(
+        a in -300i64..300, b in -300i64..300, c in -300i64..300, p in 1i64..20_000, q in -20_000i64..20_000,
+    ) {
+        // a x² + b x y + c y² through (p, q)
+        let level = a * p * p + b * p * q + c * q * q;
+        prop_assume!(level != 0 && b * b != 4 * a * c);
+        let f = curve(vec![form(&[a, b, c]), form(&[-level])]);
+        let factors = stellate::factor::factor_plane(&f, &Limits::none()).unwrap().factors;
+        prop_assume!(factors.len() == 1);
+        for known in parametrized(&f).rational {
+            if known.rationality != Rationality::HalfAngle {
+                lies_on(&known, &f)?;
+            }
+        }
+    }
+
+    #[test]
     fn a_conic_without_a_point_gives_none(s in forms(3), a in forms(2), b in forms(1), c in forms(2)) {
         // Sums of two squares are never 3 modulo 4 up to squares: w² = 3(t0² + t1²) after a change of (t0, t1).
         let [x, y] = [c.coefficient(0), c.coefficient(1)];

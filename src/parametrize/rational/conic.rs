@@ -38,15 +38,22 @@ pub(super) fn points(k: &BinaryForm) -> Points {
     if !small.is_empty() {
         return Points::Found(small);
     }
-    // 4a w² = (2a t0 + b t1)² − (b² − 4ac) t1², so Z² = D X² + a Y² with X = t1, Y = 2w; a ≠ 0, since
-    // (1, 0, 0) would be a small point, and D ≠ 0, since k is squarefree.
-    let [a, b, c] = [0, 1, 2].map(|i| k.coefficient(i));
-    let discriminant = (&b).square() - Integer::from(4) * &a * &c;
-    match solve(&discriminant, &a) {
+    // k = g (a, b, c): 4ga w² = g² ((2a t0 + b t1)² − (b² − 4ac) t1²), so Z² = D X² + ga Y² with
+    // Z = g (2a t0 + b t1), X = g t1, Y = 2w; a ≠ 0, since (1, 0, 0) would be a small point, and D ≠ 0, since k is
+    // squarefree.
+    let g = k.content();
+    let [a, b, c] = [0, 1, 2].map(|i| k.coefficient(i).div_exact(&g));
+    let discriminant = if b == 0 {
+        vec![Integer::from(-4), a.clone(), c]
+    } else {
+        vec![(&b).square() - Integer::from(4) * &a * &c]
+    };
+    match solve(&discriminant, &[g.clone(), a.clone()]) {
         Solution::Point([x, y, z]) => {
-            // Times 2a: t0 = Z − bX, t1 = 2aX, w = aY.
-            let twice = Integer::from(2) * &a;
-            Points::Found(vec![primitive([z - b * &x, twice * x, a * y])])
+            // Times 2ga: t0 = Z − bX, t1 = 2aX, w = gaY.
+            let t0 = z - b * &x;
+            let t1 = Integer::from(2) * &a * x;
+            Points::Found(vec![primitive([t0, t1, g * a * y])])
         }
         other => Points::Other(other),
     }

@@ -61,6 +61,26 @@ impl Factored {
         })
     }
 
+    /// The factors of a product of numbers that are not 0; the error is one that is too large.
+    pub(super) fn of_product(numbers: &[Integer]) -> Result<Self, Integer> {
+        let mut product = Self {
+            negative: false,
+            primes: Vec::new(),
+        };
+        for number in numbers {
+            let factors = Self::of(number).ok_or_else(|| number.clone())?;
+            product.negative ^= factors.negative;
+            for (p, e) in factors.primes {
+                match product.primes.iter_mut().find(|(q, _)| *q == p) {
+                    Some((_, exponent)) => *exponent += e,
+                    None => product.primes.push((p, e)),
+                }
+            }
+        }
+        product.primes.sort_unstable();
+        Ok(product)
+    }
+
     /// (root, rest) with n = root² · rest and rest squarefree.
     pub(super) fn square_part(&self) -> (Integer, Self) {
         let mut root = Integer::from(1);

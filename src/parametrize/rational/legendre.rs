@@ -42,15 +42,15 @@ pub(super) enum Solution {
     NotDecided(Integer),
 }
 
-/// A rational point of `Z² = A X² + B Y²` with A, B ≠ 0, or a place without one.
+/// A rational point of `Z² = A X² + B Y²` with A, B ≠ 0, or a place without one; A and B are given as products,
+/// the easier to factor.
 ///
 /// By the theorem of Hasse and Minkowski there is a rational point exactly if there is a real one and
 /// a p-adic one for every p that divides 2AB.
-pub(super) fn solve(a: &Integer, b: &Integer) -> Solution {
-    let not_decided = |n: &Integer| Solution::NotDecided(n.clone());
-    let (Some(of_a), Some(of_b)) = (Factored::of(a), Factored::of(b)) else {
-        let hard = if Factored::of(a).is_none() { a } else { b };
-        return not_decided(hard);
+pub(super) fn solve(a: &[Integer], b: &[Integer]) -> Solution {
+    let (of_a, of_b) = match (Factored::of_product(a), Factored::of_product(b)) {
+        (Ok(of_a), Ok(of_b)) => (of_a, of_b),
+        (Err(hard), _) | (_, Err(hard)) => return Solution::NotDecided(hard),
     };
     let ((root_a, free_a), (root_b, free_b)) = (of_a.square_part(), of_b.square_part());
     if let Some(place) = obstruction(&free_a, &free_b) {
@@ -58,7 +58,7 @@ pub(super) fn solve(a: &Integer, b: &Integer) -> Solution {
     }
     match descend(&free_a, &free_b) {
         Ok([x, y, z]) => Solution::Point([x * &root_b, y * &root_a, z * root_a * root_b]),
-        Err(hard) => not_decided(&hard),
+        Err(hard) => Solution::NotDecided(hard),
     }
 }
 
@@ -195,7 +195,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn solved(a: i64, b: i64) -> Solution {
-        solve(&Integer::from(a), &Integer::from(b))
+        solve(&[Integer::from(a)], &[Integer::from(b)])
     }
 
     #[test]
