@@ -42,7 +42,9 @@
 //! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
 //! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
+//! | superquadrics of the plane (Example 6, Eq. (20)) | [`shape::Superquadric`], [`parametrize::parametrize_superquadric`] |
 //! | factors (Example 8) | [`factor`] |
+//! | beyond the paper: genus and rational parametrizations | [`parametrize::rational_parametrization`] |
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
 //!

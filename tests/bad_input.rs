@@ -354,7 +354,10 @@ fn flags_that_do_not_fit_are_refused() {
         (&["sample", EGG, "--directions", "0"], "at least one"),
         (&["sample", EGG, "--theta", "north"], "--theta north"),
         (&["sample", "x + y + z"], "z"),
-        (&["parametrize", "x^5 + x*y + 1"], "does not apply"),
+        (
+            &["implicitize", "superquadric 2d a=1,2 e=3"],
+            "does not apply",
+        ),
         (&["plot", "x + y + z", "-o", "f.svg"], "z"),
         (
             &["plot", EGG, "-o", "f.svg", "--window", "1,0,0,1"],

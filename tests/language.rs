@@ -271,11 +271,6 @@ fn malformed_text_is_refused_at_the_place() {
             "cos",
         ),
         ("x + r = 0", "r stands only on the left", "r"),
-        (
-            "superquadric 2d a=1,2 e=1/2",
-            "the forms understood here",
-            "superq",
-        ),
         ("x = sin(t); y = cos(t)", "the forms understood here", "x"),
         ("x = t", "the forms understood here", "x"),
         ("x^2 + y^2 = 1; z = y^5", "a second equation", "z"),

@@ -19,6 +19,7 @@ const FORMS: &str = "\
 A FORM is text, a file, or - for standard input:
   'r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)'   a Fourier radius (angle t or theta)
   'x^4 - x^2 + y^2 = 0'                   an implicit curve in x, y, or a surface in x, y, z
+  'superquadric 2d a=1,2 e=1/2'           |x/a1|^(2/e) + |y/a2|^(2/e) = 1, or = c with level=c
   outline.csv  outline.png|.jpg|.bmp      a contour: rows x,y in order, or a silhouette
   document.json                           what another verb wrote
 Numbers are exact as written: 0.1 is 1/10.
@@ -111,7 +112,7 @@ pub(crate) struct Describe {
 
 #[derive(Debug, Args)]
 pub(crate) struct Implicitize {
-    /// A Fourier radius, a contour, or an implicit form to be rewritten
+    /// A Fourier radius, a contour, a superquadric, or an implicit form to be rewritten
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
@@ -139,7 +140,7 @@ pub(crate) enum Coordinates {
 
 #[derive(Debug, Args)]
 pub(crate) struct Parametrize {
-    /// An implicit polynomial, a Fourier radius or a contour
+    /// An implicit polynomial, a Fourier radius, a superquadric or a contour
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
@@ -159,7 +160,7 @@ pub(crate) struct Fit {
 
 #[derive(Debug, Args)]
 pub(crate) struct Sample {
-    /// A Fourier radius, a contour or an implicit plane polynomial
+    /// A Fourier radius, a contour, a superquadric or an implicit plane polynomial
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]

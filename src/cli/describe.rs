@@ -1,7 +1,7 @@
 //! `stellate describe`: what a form is.
 
 use stellate::describe::Description;
-use stellate::document::{Format, write_description};
+use stellate::document::{Format, write_description, write_superquadric_description};
 use stellate::error::{Error, Result};
 use stellate::shape::Form;
 
@@ -35,6 +35,11 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
             report.max_radial_error, report.rms_radial_error
         ));
     }
+    if let Form::Superquadric(shape) = &fitted.form {
+        return write_result(session, |out| {
+            write_superquadric_description(shape, format, out)
+        });
+    }
     let description = session.stage("describe", |session| match &fitted.form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
@@ -42,6 +47,9 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
         }
         Form::Curve(curve) => Description::of_curve(curve, &session.limits),
         Form::Surface(surface) => Description::of_surface(surface, &session.limits),
+        Form::Superquadric(shape) => {
+            Description::of_curve(&input::polynomial_of(shape)?, &session.limits)
+        }
     })?;
     let digits = session.common.digits;
     write_result(session, |out| {

@@ -30,6 +30,7 @@ pub(crate) fn run(verb: &Implicitize, session: &mut Session) -> Result<()> {
             })?
         }
         Form::Curve(curve) => curve,
+        Form::Superquadric(shape) => input::polynomial_of(&shape)?,
         Form::Surface(surface) => {
             let f = surface.polynomial();
             let f = match verb.scale {

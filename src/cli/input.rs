@@ -11,7 +11,7 @@ use stellate::fit::{
     fit_within, read_contour,
 };
 use stellate::language::MAX_TEXT_BYTES;
-use stellate::shape::{Contour, Form};
+use stellate::shape::{Contour, Form, ImplicitCurve, Superquadric};
 
 use super::arguments::FitFlags;
 use super::session::Session;
@@ -181,6 +181,18 @@ pub(crate) fn exact_form(input: Input, flags: &FitFlags, session: &mut Session) 
             })
         }
     }
+}
+
+/// The implicit curve of a superquadric, where it has one.
+pub(crate) fn polynomial_of(shape: &Superquadric) -> Result<ImplicitCurve> {
+    let polynomial = shape.polynomial().ok_or_else(|| Error::Hypothesis {
+        statement: "implicitization as a polynomial",
+        witness: format!(
+            "|x/a1|^n + |y/a2|^n = level is polynomial only for an even integer n = 2/e, and here n = {}; describe, parametrize, sample and plot take any n",
+            shape.exponent()
+        ),
+    })?;
+    Ok(ImplicitCurve::new(polynomial))
 }
 
 /// `--harmonics` and the like belong to contours.

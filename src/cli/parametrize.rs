@@ -6,7 +6,7 @@ use stellate::implicitize::SquaredForm;
 use stellate::limits::Limits;
 use stellate::parametrize::{
     Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, Parametrization, PolarMethod, Radius,
-    fit_branch, parametrize,
+    fit_branch, parametrize, parametrize_superquadric,
 };
 use stellate::shape::{Form, FourierRadius};
 
@@ -37,6 +37,7 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
             parametrize(curve, &session.limits)
         }
+        Form::Superquadric(shape) => Ok(parametrize_superquadric(shape)),
         Form::Surface(_) => Err(Error::Usage(
             "this polynomial has z: parametrize takes plane curves, in x and y".into(),
         )),

@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::picture::{Figure, Layer, Window, isolated_origin, png_from_svg, trace_zero_set};
-use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve};
+use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, Superquadric};
 
 use super::arguments::{FitFlags, Plot};
 use super::input::{self, Content, Input};
@@ -15,6 +15,9 @@ use super::session::Session;
 /// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
 const POINTS_PER_HARMONIC: usize = 40;
 const MIN_POINTS: usize = 1440;
+
+/// Of each of the two kinds of points of a superquadric.
+const POINTS_PER_QUADRANT: usize = 90;
 
 /// PNG pixels per SVG unit.
 const PNG_SCALE: f32 = 2.0;
@@ -139,6 +142,7 @@ fn add(
             session.check_degree(degree)?;
             zero_set(curve, &name, layers, curves);
         }
+        Content::Exact(Form::Superquadric(shape)) => layers.push(superquadric(&shape)),
         Content::Exact(Form::Surface(_)) => {
             return Err(Error::Usage(format!(
                 "{name}: this polynomial has z: plot draws plane curves, in x and y"
@@ -189,6 +193,14 @@ fn series(radius: &FourierRadius, name: &str) -> Layer {
     Layer {
         label: format!("Fourier radius, N = {n}, {name}"),
         lines: vec![points],
+        ..Layer::default()
+    }
+}
+
+fn superquadric(shape: &Superquadric) -> Layer {
+    Layer {
+        label: format!("superquadric, 2/e = {}", shape.exponent()),
+        lines: vec![shape.polyline(POINTS_PER_QUADRANT)],
         ..Layer::default()
     }
 }

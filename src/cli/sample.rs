@@ -3,9 +3,10 @@
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use stellate::document::{Format, SampledRay, write_samples};
 use stellate::error::{Error, Result};
+use stellate::exact::Rational;
 use stellate::exact::exact_literal;
 use stellate::implicitize::SquaredForm;
-use stellate::sample::{Direction, Ray, RaySolver};
+use stellate::sample::{Direction, Ray, RaySolver, SuperquadricSolver};
 use stellate::shape::{Form, ImplicitCurve};
 
 use super::arguments::Sample;
@@ -27,9 +28,18 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
     let directions = directions(verb)?;
     let input = input::read(&verb.form, session)?;
     let fitted = input::exact_form(input, &verb.fit, session)?;
+    if let Form::Superquadric(shape) = &fitted.form {
+        let solver = SuperquadricSolver::new(shape);
+        let rays = session.stage("sample", |session| {
+            solve(|d| solver.solve(d), directions, verb.positive, session)
+        })?;
+        let origin = [Rational::zero(), Rational::zero()];
+        return write_result(session, |out| write_samples(&rays, &origin, format, out));
+    }
     let curve = session.stage("implicitize", |session| curve(fitted.form, session))?;
+    let solver = RaySolver::new(curve.polynomial());
     let rays = session.stage("sample", |session| {
-        solve(&curve, directions, verb.positive, session)
+        solve(|d| Ok(solver.solve(d)), directions, verb.positive, session)
     })?;
     let [a, b] = curve.center();
     if !(a.is_zero() && b.is_zero()) {
@@ -103,6 +113,7 @@ fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
             session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
             Ok(curve)
         }
+        Form::Superquadric(shape) => input::polynomial_of(&shape),
         Form::Surface(_) => Err(Error::Usage(
             "this polynomial has z: sample takes plane curves, in x and y".into(),
         )),
@@ -110,18 +121,17 @@ fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
 }
 
 fn solve(
-    curve: &ImplicitCurve,
+    solver: impl Fn(&Direction) -> Result<Ray> + Sync,
     directions: Vec<Direction>,
     positive: bool,
     session: &Session,
 ) -> Result<Vec<SampledRay>> {
-    let solver = RaySolver::new(curve.polynomial());
     let bar = session.progress(directions.len(), "directions");
     let rays = directions
         .into_par_iter()
         .map(|direction| {
             session.limits.check()?;
-            let mut ray = solver.solve(&direction);
+            let mut ray = solver(&direction)?;
             if positive && let Ray::Points(points) = &mut ray {
                 points.retain(|p| p.r > 0.0);
             }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::parametric::{Range, ranges_text};
+use super::angles::{Range, ranges_text};
 use super::{Annotations, Format, SCHEMA, write_implicit, write_surface};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::shape::Form;
@@ -83,6 +83,7 @@ fn written(shape: &Form, format: Format) -> io::Result<Vec<u8>> {
         Form::Curve(curve) => write_implicit(curve, &annotations, format, &mut text)?,
         Form::Surface(surface) => write_surface(surface, &annotations, format, &mut text)?,
         Form::Fourier(radius) => super::write_fourier(radius, None, format, &mut text)?,
+        Form::Superquadric(shape) => super::write_superquadric(shape, format, &mut text)?,
     }
     Ok(text)
 }

@@ -94,7 +94,42 @@ fn written(expression: &Expression, format: Format) -> (String, Strength) {
         Expression::Pi(q) => (pi_text(q, format), Strength::Product),
         Expression::Cosine(a) => (call("cos", a, format), Strength::Atom),
         Expression::Arccosine(a) => (call("arccos", a, format), Strength::Atom),
+        Expression::Constant(q) => constant_text(q, format),
+        Expression::Absolute(a) => (absolute_text(&written(a, format).0, format), Strength::Atom),
+        Expression::Power(a, q) => (
+            power_text(&inner(a, Strength::Atom), q, format),
+            Strength::Product,
+        ),
         Expression::Root(k, a) => (root_text(*k, &written(a, format).0, format), Strength::Atom),
+    }
+}
+
+/// A fraction gets parentheses wherever something follows or precedes it.
+fn constant_text(q: &Rational, format: Format) -> (String, Strength) {
+    let (p, over) = (q.numerator(), q.denominator());
+    match (q.is_integer(), format) {
+        (true, _) => (p.to_string(), Strength::Atom),
+        (_, Format::Latex) => (format!("\\frac{{{p}}}{{{over}}}"), Strength::Product),
+        (_, Format::Sympy) => (format!("Rational({p}, {over})"), Strength::Atom),
+        _ => (format!("{p}/{over}"), Strength::Sum),
+    }
+}
+
+fn absolute_text(a: &str, format: Format) -> String {
+    match format {
+        Format::Latex => format!("\\left|{a}\\right|"),
+        Format::Sympy => format!("Abs({a})"),
+        _ => format!("abs({a})"),
+    }
+}
+
+fn power_text(a: &str, q: &Rational, format: Format) -> String {
+    let (exponent, strength) = constant_text(q, format);
+    match (format, strength) {
+        (Format::Latex, _) => format!("{a}^{{{q}}}"),
+        (Format::Sympy, _) => format!("{a}**{exponent}"),
+        (_, Strength::Atom) => format!("{a}^{exponent}"),
+        _ => format!("{a}^({exponent})"),
     }
 }
 

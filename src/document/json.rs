@@ -5,6 +5,7 @@ use std::fmt;
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
+use super::superquadric::read_superquadric;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{
@@ -13,8 +14,8 @@ use crate::language::{
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, FourierRadius};
 
-/// Reads a document of kind `implicit` or `fourier`, or the exact Fourier radius of the first branch
-/// of a `parametric` one. Fields that are not known are ignored.
+/// Reads a document of kind `implicit`, `fourier` or `superquadric`, or the exact Fourier radius of the first
+/// branch, or the superquadric, of a `parametric` one. Fields that are not known are ignored.
 ///
 /// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; either way
 /// they are taken from their text.
@@ -54,7 +55,12 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
     match kind.string()? {
         "implicit" => read_implicit(&root, object, source_name),
         "fourier" => read_fourier(&root).map(Form::Fourier),
+        "superquadric" => read_superquadric(&root, object).map(Form::Superquadric),
         "parametric" => {
+            if object.contains_key("superquadric") {
+                let node = root.field(object, "superquadric")?;
+                return read_superquadric(&node, node.object()?).map(Form::Superquadric);
+            }
             let branches = root.field(object, "branches")?;
             let first = branches.item(branches.array()?, 0)?;
             let radius = read_fourier(&first.field(first.object()?, "fourier")?)?;
@@ -68,7 +74,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
             let shown: String = other.chars().take(30).collect();
             Err(kind.wrong(format!(
                 "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
-                 \"fourier\" and \"parametric\" with an exact Fourier radius are"
+                 \"fourier\", \"superquadric\" and \"parametric\" with an exact Fourier radius or a superquadric are"
             )))
         }
     }
@@ -206,23 +212,28 @@ impl fmt::Display for Place<'_> {
 }
 
 /// A value of a document and where it is.
-struct Node<'a> {
+pub(super) struct Node<'a> {
     value: &'a Value,
     place: Place<'a>,
     numbers: Numbers,
 }
 
 impl Node<'_> {
-    fn wrong(&self, message: impl Into<String>) -> Error {
+    /// Where it is.
+    pub(super) fn place(&self) -> String {
+        self.place.to_string()
+    }
+
+    pub(super) fn wrong(&self, message: impl Into<String>) -> Error {
         Error::data(self.place.to_string(), message)
     }
 
-    fn object(&self) -> Result<&Map<String, Value>> {
+    pub(super) fn object(&self) -> Result<&Map<String, Value>> {
         let object = self.value.as_object();
         object.ok_or_else(|| self.wrong("expected an object { … }"))
     }
 
-    fn array(&self) -> Result<&Vec<Value>> {
+    pub(super) fn array(&self) -> Result<&Vec<Value>> {
         let array = self.value.as_array();
         array.ok_or_else(|| self.wrong("expected a list [ … ]"))
     }
@@ -232,7 +243,11 @@ impl Node<'_> {
         string.ok_or_else(|| self.wrong("expected a string"))
     }
 
-    fn field<'b>(&'b self, object: &'b Map<String, Value>, name: &'b str) -> Result<Node<'b>> {
+    pub(super) fn field<'b>(
+        &'b self,
+        object: &'b Map<String, Value>,
+        name: &'b str,
+    ) -> Result<Node<'b>> {
         match object.get(name) {
             Some(value) => Ok(Node {
                 value,
@@ -243,7 +258,7 @@ impl Node<'_> {
         }
     }
 
-    fn item<'b>(&'b self, array: &'b [Value], n: usize) -> Result<Node<'b>> {
+    pub(super) fn item<'b>(&'b self, array: &'b [Value], n: usize) -> Result<Node<'b>> {
         match array.get(n) {
             Some(value) => Ok(Node {
                 value,
@@ -255,7 +270,7 @@ impl Node<'_> {
     }
 
     /// A JSON number or a string, from its text.
-    fn number(&self) -> Result<Rational> {
+    pub(super) fn number(&self) -> Result<Rational> {
         let owned;
         let text = match self.value {
             Value::String(text) => text.as_str(),
@@ -271,7 +286,7 @@ impl Node<'_> {
         }
     }
 
-    fn natural(&self) -> Result<u32> {
+    pub(super) fn natural(&self) -> Result<u32> {
         let value = match self.value {
             Value::Number(number) => number.as_u64(),
             _ => None,

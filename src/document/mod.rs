@@ -3,14 +3,18 @@
 //! Writing streams: no format builds the whole text in memory. Everything but LaTeX is read back
 //! without loss, the center included.
 
+mod angles;
 mod csv;
 mod description;
 mod expression;
 mod fourier;
 mod implicit;
 mod json;
+mod numeric;
 mod parametric;
+mod rational;
 mod samples;
+mod superquadric;
 mod terms;
 
 use std::fmt;
@@ -22,6 +26,7 @@ pub use implicit::{Annotations, write_implicit, write_surface};
 pub use json::read_document;
 pub use parametric::write_parametrization;
 pub use samples::{SampledRay, write_samples};
+pub use superquadric::{write_superquadric, write_superquadric_description};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;

@@ -4,16 +4,19 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::expression::{equation_text, expression_text};
+use super::angles::{
+    Angle, Coordinates, Fourier, Range, angle, coordinates, fourier, ranges, ranges_text,
+};
+use super::expression::expression_text;
 use super::fourier::expression;
+use super::numeric::{
+    EquationEntry, FitEntry, RootEntry, equation_entry, equations, fit_comments, fit_entry,
+    root_entries, roots_text,
+};
+use super::rational::{self, Entry};
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
-use crate::parametrize::{
-    AngleRange, Branch, BranchFit, ExactAngle, Parametrization, PolarMethod, Radius, RootBranch,
-    rounded_up,
-};
-use crate::poly::real_roots;
-use crate::shape::FourierRadius;
+use crate::parametrize::{Branch, BranchFit, Parametrization, PolarMethod, Radius};
 
 #[derive(Serialize)]
 struct Document {
@@ -30,56 +33,10 @@ struct Document {
     branches: Vec<BranchEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fit: Option<FitEntry>,
+    rational: Vec<Entry>,
     notes: Vec<String>,
-}
-
-/// The equation of the roots of a factor that has no closed form.
-#[derive(Serialize)]
-struct EquationEntry {
-    factor: usize,
-    text: String,
-    latex: String,
-    sympy: String,
-    discriminant: DiscriminantEntry,
-}
-
-#[derive(Serialize)]
-struct DiscriminantEntry {
-    degree: usize,
-    real_roots: Vec<String>,
-}
-
-/// On a range, which root a branch is: 1 for the largest.
-#[derive(Serialize)]
-struct RootEntry {
-    root: usize,
-    of: usize,
-    from: String,
-    to: String,
-}
-
-/// A Fourier radius near a branch without a closed form.
-#[derive(Serialize)]
-struct FitEntry {
-    /// The index of the branch, or null for the outermost positive radius.
-    branch: Option<usize>,
-    radius: String,
-    latex: String,
-    sympy: String,
-    coordinates: Coordinates,
-    fourier: Fourier,
-    harmonics: usize,
-    samples: usize,
-    max_error_at_samples: String,
-    max_error_between_estimate: String,
-    checks: usize,
-    jumps: Vec<Angle>,
-}
-
-#[derive(Serialize)]
-struct Angle {
-    theta: String,
-    exact: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    superquadric: Option<super::superquadric::Document>,
 }
 
 #[derive(Serialize)]
@@ -98,66 +55,6 @@ struct BranchEntry {
     roots: Vec<RootEntry>,
     ranges: Vec<Range>,
     positive: Vec<Range>,
-}
-
-#[derive(Serialize)]
-struct Coordinates {
-    x: String,
-    y: String,
-}
-
-#[derive(Serialize)]
-struct Fourier {
-    cos: Vec<String>,
-    sin: Vec<String>,
-}
-
-#[derive(Serialize)]
-pub(super) struct Range {
-    from: String,
-    to: String,
-    closed: [bool; 2],
-    exact_from: String,
-    exact_to: String,
-    #[serde(skip)]
-    nice: [Option<String>; 2],
-}
-
-impl Range {
-    pub(super) fn new(range: &AngleRange, digits: u32) -> Self {
-        Self {
-            from: range.from.to_decimal(digits),
-            to: range.to.to_decimal(digits),
-            closed: range.closed,
-            exact_from: range.from.describe(),
-            exact_to: range.to.describe(),
-            nice: [range.from.closed_form(), range.to.closed_form()],
-        }
-    }
-
-    /// `[0, pi/2)`, exact where the end has a closed form.
-    pub(super) fn text(&self) -> String {
-        let [from, to] = self.closed;
-        let end = |nice: &Option<String>, decimal: &String| {
-            nice.clone().unwrap_or_else(|| decimal.clone())
-        };
-        format!(
-            "{}{}, {}{}",
-            if from { '[' } else { '(' },
-            end(&self.nice[0], &self.from),
-            end(&self.nice[1], &self.to),
-            if to { ']' } else { ')' }
-        )
-    }
-}
-
-/// Ranges as one phrase: `theta in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
-pub(super) fn ranges_text(ranges: &[Range]) -> String {
-    if ranges.is_empty() {
-        return "no angle".into();
-    }
-    let parts: Vec<String> = ranges.iter().map(Range::text).collect();
-    format!("theta in {}", parts.join(" and "))
 }
 
 /// Writes the polar form of a curve: expressions for r, x and y of every branch, where r is real and
@@ -211,7 +108,7 @@ pub fn write_parametrization(
                     "there is no formula for r; --format text or json describes the branches",
                 ));
             }
-            Ok(())
+            write_rational(curve, format, out)
         }
         (Format::Csv, None) if curve.method == PolarMethod::Numeric && fit.is_some() => fit
             .map_or(Ok(()), |fit| {
@@ -243,7 +140,16 @@ fn document(curve: &Parametrization, fit: Option<&BranchFit>, digits: u32) -> Do
             .iter()
             .map(|b| entry(b, &curve.center, digits))
             .collect(),
+        rational: curve
+            .rational
+            .iter()
+            .map(|r| Entry::new(r, &curve.center))
+            .collect(),
         notes: curve.notes.clone(),
+        superquadric: curve
+            .superquadric
+            .as_ref()
+            .map(super::superquadric::Document::new),
     }
 }
 
@@ -254,17 +160,6 @@ fn method(curve: &Parametrization) -> String {
         PolarMethod::Factors => "factors".into(),
         PolarMethod::Numeric => "lemma-6".into(),
     }
-}
-
-fn angle(angle: &ExactAngle, digits: u32) -> Angle {
-    Angle {
-        theta: angle.to_decimal(digits),
-        exact: angle.describe(),
-    }
-}
-
-fn ranges(list: &[AngleRange], digits: u32) -> Vec<Range> {
-    list.iter().map(|range| Range::new(range, digits)).collect()
 }
 
 fn write_text(
@@ -294,17 +189,9 @@ fn write_text(
         writeln!(out, "# note: {note}")?;
     }
     for (factor, root) in equations(curve) {
-        let entry = equation_entry(factor, root, digits);
-        let zeros = match entry.discriminant.real_roots.len() {
-            0 => "no real zero".into(),
-            _ => format!("real zeros {}", entry.discriminant.real_roots.join(", ")),
-        };
-        writeln!(out, "# factor {factor}: {} = 0", entry.text)?;
-        writeln!(
-            out,
-            "# its discriminant has degree {} in t = tan(theta), {zeros}",
-            entry.discriminant.degree
-        )?;
+        for comment in equation_entry(factor, root, digits).comments() {
+            writeln!(out, "# {comment}")?;
+        }
     }
     let mut formulas = 0;
     for (index, branch) in curve.branches.iter().enumerate() {
@@ -324,29 +211,27 @@ fn write_text(
         }
     }
     if let Some(fit) = fit {
-        let entry = fit_entry(fit, digits);
-        let of = match fit.branch {
-            Some(index) => format!("branch {index}"),
-            None => "the outermost positive radius, of several branches".into(),
-        };
-        writeln!(
-            out,
-            "# Fourier fit of {of}: N = {}, {} samples; |error| <= {} at the samples (certified), ≈ {} between them (the largest at {} more directions)",
-            entry.harmonics,
-            entry.samples,
-            entry.max_error_at_samples,
-            entry.max_error_between_estimate,
-            entry.checks
-        )?;
-        for jump in &entry.jumps {
-            writeln!(
-                out,
-                "# at theta = {} it jumps from one branch to another",
-                jump.theta
-            )?;
+        for comment in fit_comments(fit, digits) {
+            writeln!(out, "# {comment}")?;
         }
         let hidden = if formulas > 0 { "# " } else { "" };
-        writeln!(out, "{hidden}r = {}", entry.radius)?;
+        writeln!(
+            out,
+            "{hidden}r = {}",
+            expression(&fit.radius, Format::Text, "theta")
+        )?;
+    }
+    write_rational(curve, Format::Text, out)
+}
+
+/// What is known of rational parametrizations, as comments.
+fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) -> io::Result<()> {
+    let comments = curve
+        .rational
+        .iter()
+        .filter_map(|r| rational::comment(r, &curve.center, format));
+    for comment in comments {
+        writeln!(out, "{} {comment}", format.comment())?;
     }
     Ok(())
 }
@@ -357,109 +242,6 @@ fn radius_text(radius: &Radius, format: Format) -> Option<String> {
         Radius::Fourier(radius) => Some(expression(radius, format, "theta")),
         Radius::Closed(closed) => Some(expression_text(closed, format)),
         Radius::Root(_) => None,
-    }
-}
-
-/// One root of each factor that has no closed form.
-fn equations(curve: &Parametrization) -> impl Iterator<Item = (usize, &RootBranch)> {
-    let mut last = None;
-    curve
-        .branches
-        .iter()
-        .filter_map(move |branch| match &branch.radius {
-            Radius::Root(root) if last != Some(branch.factor) => {
-                last = Some(branch.factor);
-                Some((branch.factor, root))
-            }
-            _ => None,
-        })
-}
-
-fn equation_entry(factor: usize, root: &RootBranch, digits: u32) -> EquationEntry {
-    let (forms, step) = root.equation();
-    let in_format = |format| equation_text(forms, step, format);
-    let discriminant = root.discriminant();
-    EquationEntry {
-        factor,
-        text: in_format(Format::Text),
-        latex: in_format(Format::Latex),
-        sympy: in_format(Format::Sympy),
-        discriminant: DiscriminantEntry {
-            degree: discriminant.coefficients_asc().len().saturating_sub(1),
-            real_roots: real_roots(&discriminant)
-                .iter()
-                .map(|t| t.to_decimal(digits))
-                .collect(),
-        },
-    }
-}
-
-fn root_entries(root: &RootBranch, digits: u32) -> Vec<RootEntry> {
-    let arcs = root.arcs().into_iter();
-    arcs.map(|arc| RootEntry {
-        root: arc.rank + 1,
-        of: arc.of,
-        from: arc.range.from.to_decimal(digits),
-        to: arc.range.to.to_decimal(digits),
-    })
-    .collect()
-}
-
-/// `root 1 of 3 for theta in (0, pi/2), …`
-fn roots_text(radius: &Radius, digits: u32) -> String {
-    let Radius::Root(root) = radius else {
-        return String::new();
-    };
-    let arcs = root.arcs().into_iter().map(|arc| {
-        let range = Range::new(&arc.range, digits).text();
-        format!("root {} of {} for theta in {range}", arc.rank + 1, arc.of)
-    });
-    let text = arcs.collect::<Vec<_>>().join(", ");
-    if text.is_empty() {
-        "an isolated point".into()
-    } else {
-        format!("real r from the largest: {text}")
-    }
-}
-
-fn fit_entry(fit: &BranchFit, digits: u32) -> FitEntry {
-    let in_format = |format| expression(&fit.radius, format, "theta");
-    let sympy = in_format(Format::Sympy);
-    FitEntry {
-        branch: fit.branch,
-        radius: in_format(Format::Text),
-        latex: in_format(Format::Latex),
-        coordinates: coordinates(&sympy, fit.radius.center()),
-        sympy,
-        fourier: fourier(&fit.radius),
-        harmonics: fit.radius.harmonics(),
-        samples: fit.samples,
-        max_error_at_samples: rounded_up(&fit.error_at_samples),
-        max_error_between_estimate: rounded_up(&fit.error_between),
-        checks: fit.checks,
-        jumps: fit.jumps.iter().map(|jump| angle(jump, digits)).collect(),
-    }
-}
-
-fn fourier(radius: &FourierRadius) -> Fourier {
-    let strings = |v: &[Rational]| v.iter().map(ToString::to_string).collect();
-    Fourier {
-        cos: strings(radius.cosines()),
-        sin: strings(radius.sines()),
-    }
-}
-
-fn coordinates(sympy: &str, center: &[Rational; 2]) -> Coordinates {
-    let [cx, cy] = center.each_ref().map(|c| {
-        if c.is_zero() {
-            String::new()
-        } else {
-            format!("Rational({}, {}) + ", c.numerator(), c.denominator())
-        }
-    });
-    Coordinates {
-        x: format!("{cx}({sympy})*cos(theta)"),
-        y: format!("{cy}({sympy})*sin(theta)"),
     }
 }
 

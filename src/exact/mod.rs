@@ -14,3 +14,4 @@ pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal};
 pub use malachite::Integer;
 pub use rational::{NotANumber, NotAnInteger, Rational};
+pub(crate) use rounding::nearest_double;

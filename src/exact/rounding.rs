@@ -1,11 +1,95 @@
 //! From an exact number to digits: the nearest double, the nearest decimal.
 
+use std::cmp::Ordering;
+
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Abs, DivRound, Pow};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::Rational;
+
+/// The double nearest to a real number, given how the number compares with any rational one (ties to even; beyond
+/// the largest double ±∞; a zero has the sign of the guess).
+///
+/// Two comparisons if the guess is right, about 2 log₂ n if it is n doubles away.
+pub(crate) fn nearest_double<E>(
+    guess: f64,
+    compare: impl Fn(&Rational) -> Result<Ordering, E>,
+) -> Result<f64, E> {
+    let infinity = rank(f64::INFINITY);
+    // How the number compares with the midpoint above a double: the answer is the lowest double for which it is
+    // not greater.
+    let above = |rank: i64| {
+        if rank >= infinity {
+            return Ok(Ordering::Less);
+        }
+        if rank < -infinity {
+            return Ok(Ordering::Greater);
+        }
+        let double = of_rank(rank);
+        compare(&midpoint(double, double.next_up()))
+    };
+    let mut high = rank(guess);
+    let mut order = above(high)?;
+    let mut low = high;
+    let mut step = 1_i64;
+    if order == Ordering::Greater {
+        while order == Ordering::Greater {
+            low = high;
+            high = high.saturating_add(step).min(infinity);
+            step = step.saturating_mul(2);
+            order = above(high)?;
+        }
+    } else {
+        loop {
+            low = low.saturating_sub(step).max(-infinity - 1);
+            step = step.saturating_mul(2);
+            match above(low)? {
+                Ordering::Greater => break,
+                lower => (high, order) = (low, lower),
+            }
+        }
+    }
+    while low + 1 < high {
+        let middle = i64::midpoint(low, high);
+        match above(middle)? {
+            Ordering::Greater => low = middle,
+            lower => (high, order) = (middle, lower),
+        }
+    }
+    let double = match high.clamp(-infinity, infinity) {
+        0 => 0.0_f64.copysign(guess),
+        other => of_rank(other),
+    };
+    Ok(if order == Ordering::Equal {
+        midpoint(double, double.next_up()).to_f64()
+    } else {
+        double
+    })
+}
+
+/// The place of a double among all doubles: 0 for ±0, one more for each next larger one.
+fn rank(double: f64) -> i64 {
+    let magnitude = i64::try_from(double.abs().to_bits()).unwrap_or(0);
+    if double < 0.0 { -magnitude } else { magnitude }
+}
+
+fn of_rank(rank: i64) -> f64 {
+    let magnitude = f64::from_bits(rank.unsigned_abs());
+    if rank < 0 { -magnitude } else { magnitude }
+}
+
+/// The exact midpoint of two neighbouring doubles; beyond the largest, half an ulp above it.
+fn midpoint(a: f64, b: f64) -> Rational {
+    let half_ulp = |sign: i32| Rational::from(sign) * Rational::from_parts(Integer::from(1), 970);
+    match (Rational::try_from(a), Rational::try_from(b)) {
+        (Ok(a), Ok(b)) => (a + b) / Rational::from(2),
+        (Ok(a), Err(_)) => a + half_ulp(1),
+        (Err(_), Ok(b)) => b + half_ulp(-1),
+        (Err(_), Err(_)) => Rational::zero(),
+    }
+}
 
 impl Rational {
     /// The double nearest to this number, ties to even; beyond the largest double, ±∞.
@@ -87,6 +171,23 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
+    fn beyond_the_doubles_the_nearest_is_infinite() {
+        let huge = Rational::from_parts(Integer::from(1), 5000);
+        let nearest = |value: Rational| nearest_double(1.0, |m| Ok::<_, ()>(value.cmp(m))).unwrap();
+        assert_eq!(nearest(huge.clone()), f64::INFINITY);
+        assert_eq!(nearest(-huge), f64::NEG_INFINITY);
+        // A tie: 2^53 + 1 lies between two doubles.
+        assert_eq!(
+            nearest(Rational::from((1i64 << 53) + 1)),
+            9_007_199_254_740_992.0
+        );
+        assert_eq!(
+            nearest(Rational::from((1i64 << 53) + 3)),
+            9_007_199_254_740_996.0
+        );
+    }
+
+    #[test]
     fn the_largest_doubles_and_beyond() {
         let max = Rational::try_from(f64::MAX).unwrap();
         assert_eq!(max.to_f64(), f64::MAX);
@@ -108,6 +209,17 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_nearest_double_is_found_from_any_guess(p in any::<i64>(), q in 1..i64::MAX, bits in any::<u64>()) {
+            let value = Rational::from(p) / Rational::from(q);
+            let guess = f64::from_bits(bits);
+            prop_assume!(!guess.is_nan());
+            for value in [value.clone(), value * Rational::from_parts(Integer::from(1), -1074)] {
+                let found = nearest_double(guess, |m| Ok::<_, ()>(value.cmp(m))).unwrap();
+                prop_assert_eq!(found, value.to_f64());
+            }
+        }
+
         #[test]
         fn a_double_survives_the_trip(bits in any::<u64>()) {
             let value = f64::from_bits(bits);

@@ -5,8 +5,12 @@
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
+//! | `superquadric 2d a=1,2 e=1/2` | the curve `|x/a1|^(2/e) + |y/a2|^(2/e) = 1`; `level=3` makes it `= 3` |
 //!
-//! The grammar, from loose to tight:
+//! A superquadric is a row of parameters, each once and in any order: positive numbers, and the numerator and the
+//! denominator of e at most [`MAX_SUPERQUADRIC_EXPONENT`]. The others are equations.
+//!
+//! The grammar of equations, from loose to tight:
 //!
 //! - equations are separated by `;` or a new line. A new line within parentheses, after an operator
 //!   or before one only continues the line above; one before + or − does so too, unless both
@@ -50,6 +54,7 @@ mod parser;
 mod polynomial;
 mod radius;
 mod source;
+mod superquadric;
 mod syntax;
 mod token;
 
@@ -58,16 +63,19 @@ pub use limits::{
     MAX_TERMS, MAX_TEXT_BYTES,
 };
 pub use number::Numbers;
+pub use superquadric::MAX_SUPERQUADRIC_EXPONENT;
 
 pub(crate) use form::{constant_message, implicit};
 pub(crate) use number::{number_at, written_point};
+pub(crate) use superquadric::check_exponent;
 
 use crate::error::{Error, Result};
 use crate::shape::Form;
 
 /// The forms that are read, for messages.
 const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
-     `r = 1 + 1/5*cos(3*t)`, a plane curve `x^2 + y^2 = 1`, a surface `x^2 + y^2 + z^2 = 1`";
+     `r = 1 + 1/5*cos(3*t)`, a plane curve `x^2 + y^2 = 1`, a surface `x^2 + y^2 + z^2 = 1`, \
+     `superquadric 2d a=1,2 e=1/2`";
 
 /// Reads a formula; the grammar is in the [module documentation](self). `source_name` is what error
 /// messages call the text.
@@ -94,6 +102,9 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
         name: source_name,
         text,
     };
+    if let Some(shape) = superquadric::superquadric(source, numbers)? {
+        return Ok(Form::Superquadric(shape));
+    }
     let tokens = token::tokenize(source)?;
     let equations = parser::parse(source, &tokens.tokens)?;
     let center = match tokens.center {

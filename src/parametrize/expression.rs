@@ -26,6 +26,12 @@ pub enum Expression {
     Arccosine(Box<Expression>),
     /// The real k-th root: for even k the non-negative one of a non-negative number.
     Root(u32, Box<Expression>),
+    /// A positive rational number.
+    Constant(Rational),
+    /// |a|
+    Absolute(Box<Expression>),
+    /// a^q of a non-negative a, q > 0
+    Power(Box<Expression>, Rational),
 }
 
 impl Expression {
@@ -64,6 +70,9 @@ impl Expression {
                     (false, _) => root,
                 }
             }
+            Self::Constant(q) => q.to_f64(),
+            Self::Absolute(a) => a.approximate(theta).abs(),
+            Self::Power(a, q) => a.approximate(theta).powf(q.to_f64()),
         }
     }
 

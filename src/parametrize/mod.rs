@@ -8,6 +8,8 @@ mod expression;
 mod fourier;
 mod parametrization;
 mod ranges;
+mod rational;
+mod superquadric;
 mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
@@ -16,4 +18,9 @@ pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;
+pub use rational::{
+    Cover, FactorRationality, Place, RationalCurve, RationalFunction, Rationality,
+    rational_parametrization,
+};
+pub use superquadric::parametrize_superquadric;
 pub use traced::{RootArc, RootBranch};

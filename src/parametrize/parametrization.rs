@@ -10,6 +10,7 @@ use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4, lemma_5};
 use super::expression::Expression;
 use super::fourier::{born_of_radius, fourier_branches};
 use super::ranges::positive_ranges;
+use super::rational::{FactorRationality, Rationality, rational_parametrization};
 use super::traced::{Equation, RootBranch, Tracing};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -17,7 +18,7 @@ use crate::factor::factor_plane;
 use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, real_roots};
 use crate::sample::Direction;
-use crate::shape::{FourierRadius, ImplicitCurve};
+use crate::shape::{FourierRadius, ImplicitCurve, Superquadric};
 
 /// A curve in polar form: straight lines through the origin, and branches r(θ).
 #[derive(Clone, Debug)]
@@ -34,6 +35,10 @@ pub struct Parametrization {
     pub notes: Vec<String>,
     /// The point that r is measured from.
     pub center: [Rational; 2],
+    /// What is known of rational parametrizations, factor by factor; factors of which nothing is known are left out.
+    pub rational: Vec<FactorRationality>,
+    /// The superquadric that this is the radius of, if it is one.
+    pub superquadric: Option<Superquadric>,
 }
 
 /// What gives the branches of a curve.
@@ -92,6 +97,8 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         branches: Vec::new(),
         notes: Vec::new(),
         center: curve.center().clone(),
+        rational: Vec::new(),
+        superquadric: None,
     };
     if let Some(found) = born_of_radius(curve) {
         result.method = PolarMethod::Lemma(found.lemma);
@@ -101,6 +108,9 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
             .into_iter()
             .map(|r| Branch::fourier(0, r))
             .collect();
+        result
+            .rational
+            .extend(rationality(curve.polynomial(), 0, &result));
         return Ok(result);
     }
     let factors = factor_plane(curve.polynomial(), limits)?.factors;
@@ -119,6 +129,9 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
                 .extend(factor.polynomial.parts().flat_map(directions));
         } else {
             add_factor(&factor.polynomial, index, &mut result, limits)?;
+            result
+                .rational
+                .extend(rationality(&factor.polynomial, index, &result));
         }
     }
     if factors.len() > 1 && factors.iter().any(|f| !only_lines(&f.polynomial)) {
@@ -126,6 +139,24 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         result.step = 1;
     }
     Ok(result)
+}
+
+/// What is known of the rational parametrizations of a factor whose branches are there already.
+fn rationality(
+    f: &PlanePolynomial,
+    factor: usize,
+    known: &Parametrization,
+) -> Option<FactorRationality> {
+    let series = |b: &Branch| b.factor == factor && matches!(b.radius, Radius::Fourier(_));
+    let rationality = if known.branches.iter().any(series) {
+        Rationality::HalfAngle
+    } else {
+        rational_parametrization(f)?
+    };
+    Some(FactorRationality {
+        factor,
+        rationality,
+    })
 }
 
 /// The branches of one irreducible factor that is not a form.

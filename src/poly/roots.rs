@@ -1,6 +1,7 @@
 //! Real roots as exact objects: a polynomial and where its root is.
 
 use std::cmp::Ordering;
+use std::convert::Infallible;
 use std::sync::Arc;
 
 use malachite::Integer;
@@ -11,7 +12,7 @@ use super::{
     IntegerPolynomial, numerator_at, polynomial_gcd, sign_at, sign_at_rational,
     squarefree_decomposition,
 };
-use crate::exact::{Dyadic, Rational};
+use crate::exact::{Dyadic, Rational, nearest_double};
 
 /// A real root of a polynomial with integer coefficients: certified, and as precise as asked.
 #[derive(Clone, Debug)]
@@ -399,7 +400,6 @@ impl RealRoot {
     }
 
     fn walk_to_nearest(&self, guess: f64, k: u32, scale: &Rational) -> f64 {
-        let mut double = guess;
         // root ? (bound/scale)^k, seen from the double's side
         let side = |bound: &Rational| {
             let q = bound / scale;
@@ -409,26 +409,13 @@ impl RealRoot {
             } else {
                 self.cmp_rational(&q.pow(i64::from(k)).unwrap_or_default())
             };
-            if scale.signum() < 0 {
+            Ok::<_, Infallible>(if scale.signum() < 0 {
                 order.reverse()
             } else {
                 order
-            }
+            })
         };
-        while double < f64::INFINITY {
-            match side(&midpoint(double, double.next_up())) {
-                Ordering::Greater => double = double.next_up(),
-                Ordering::Equal => return midpoint(double, double.next_up()).to_f64(),
-                Ordering::Less => break,
-            }
-        }
-        while double > f64::NEG_INFINITY {
-            match side(&midpoint(double.next_down(), double)) {
-                Ordering::Less => double = double.next_down(),
-                Ordering::Equal => return midpoint(double.next_down(), double).to_f64(),
-                Ordering::Greater => break,
-            }
-        }
+        let Ok(double) = nearest_double(guess, side);
         double
     }
 }
@@ -439,17 +426,6 @@ fn side(sign_low: i8, sign: i8) -> Ordering {
         0 => Ordering::Equal,
         s if s == sign_low => Ordering::Greater,
         _ => Ordering::Less,
-    }
-}
-
-/// The exact midpoint of two neighbouring doubles; beyond the largest, half an ulp above it.
-fn midpoint(a: f64, b: f64) -> Rational {
-    let half_ulp = |sign: i32| Rational::from(sign) * Rational::from_parts(Integer::from(1), 970);
-    match (Rational::try_from(a), Rational::try_from(b)) {
-        (Ok(a), Ok(b)) => (a + b) / Rational::from(2),
-        (Ok(a), Err(_)) => a + half_ulp(1),
-        (Err(_), Ok(b)) => b + half_ulp(-1),
-        (Err(_), Err(_)) => Rational::zero(),
     }
 }
 

@@ -3,6 +3,8 @@
 mod direction;
 mod guess;
 mod ray;
+mod superquadric;
 
 pub use direction::Direction;
 pub use ray::{Ray, RaySolver, Sample};
+pub use superquadric::{MAX_ROOT_BITS, SuperquadricSolver};

@@ -1,10 +1,11 @@
-//! What a user holds: Fourier radii, implicit curves and surfaces, contours.
+//! What a user holds: Fourier radii, implicit curves and surfaces, superquadrics, contours.
 
 mod contour;
 mod crossing;
 mod fourier;
 mod implicit;
 mod orientation;
+mod superquadric;
 mod swept_edge;
 
 pub use contour::Contour;
@@ -12,6 +13,7 @@ pub(crate) use contour::coordinate_fault;
 pub use fourier::FourierRadius;
 pub use implicit::{ImplicitCurve, ImplicitSurface};
 pub(crate) use orientation::orientation;
+pub use superquadric::Superquadric;
 pub(crate) use swept_edge::SweptEdge;
 
 /// Any form that the input language or a document can say exactly.
@@ -23,4 +25,6 @@ pub enum Form {
     Curve(ImplicitCurve),
     /// A polynomial in x, y and z.
     Surface(ImplicitSurface),
+    /// `superquadric 2d …`
+    Superquadric(Superquadric),
 }

@@ -53,7 +53,11 @@ pub(super) fn reduced<const N: usize>(forms: [BinaryForm; N]) -> [BinaryForm; N]
 
 /// (h, g) with `form = h² g (x²+y²)^e` and g squarefree up to constants.
 pub(super) fn square_part(form: &BinaryForm) -> (BinaryForm, BinaryForm) {
-    let form = on_circle(form);
+    squarefree_kernel(&on_circle(form))
+}
+
+/// (h, g) with `form = h² g` and g squarefree up to constants.
+pub(in crate::parametrize) fn squarefree_kernel(form: &BinaryForm) -> (BinaryForm, BinaryForm) {
     let in_t = form.dehomogenized();
     let Some(lead) = in_t.coefficients_asc().last() else {
         return (BinaryForm::zero(0), BinaryForm::zero(0));
@@ -84,7 +88,7 @@ pub(super) fn square_part(form: &BinaryForm) -> (BinaryForm, BinaryForm) {
 }
 
 /// (a, b) with value = a² b, a as large as small primes make it.
-fn integer_square_part(value: Integer) -> (Integer, Integer) {
+pub(in crate::parametrize) fn integer_square_part(value: Integer) -> (Integer, Integer) {
     if value > 0
         && let Some(root) = (&value).checked_sqrt()
     {

@@ -13,6 +13,7 @@ use super::angle::AngleRange;
 use super::cells::{Cells, Place};
 use super::expression::Expression;
 
+pub(super) use forms::{integer_square_part, squarefree_kernel};
 pub(super) use lemma2::lemma_2;
 pub(super) use lemma3::lemma_3;
 pub(super) use lemma4::lemma_4;

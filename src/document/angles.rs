@@ -1,0 +1,106 @@
+//! What the entries of parametric documents are made of: angles, ranges, coordinates, coefficients.
+
+use serde::Serialize;
+
+use crate::exact::Rational;
+use crate::parametrize::{AngleRange, ExactAngle};
+use crate::shape::FourierRadius;
+
+#[derive(Serialize)]
+pub(super) struct Angle {
+    pub(super) theta: String,
+    pub(super) exact: String,
+}
+
+#[derive(Serialize)]
+pub(super) struct Coordinates {
+    pub(super) x: String,
+    pub(super) y: String,
+}
+
+#[derive(Serialize)]
+pub(super) struct Fourier {
+    pub(super) cos: Vec<String>,
+    pub(super) sin: Vec<String>,
+}
+
+#[derive(Serialize)]
+pub(super) struct Range {
+    from: String,
+    to: String,
+    closed: [bool; 2],
+    exact_from: String,
+    exact_to: String,
+    #[serde(skip)]
+    nice: [Option<String>; 2],
+}
+
+impl Range {
+    pub(super) fn new(range: &AngleRange, digits: u32) -> Self {
+        Self {
+            from: range.from.to_decimal(digits),
+            to: range.to.to_decimal(digits),
+            closed: range.closed,
+            exact_from: range.from.describe(),
+            exact_to: range.to.describe(),
+            nice: [range.from.closed_form(), range.to.closed_form()],
+        }
+    }
+
+    /// `[0, pi/2)`, exact where the end has a closed form.
+    pub(super) fn text(&self) -> String {
+        let [from, to] = self.closed;
+        let end = |nice: &Option<String>, decimal: &String| {
+            nice.clone().unwrap_or_else(|| decimal.clone())
+        };
+        format!(
+            "{}{}, {}{}",
+            if from { '[' } else { '(' },
+            end(&self.nice[0], &self.from),
+            end(&self.nice[1], &self.to),
+            if to { ']' } else { ')' }
+        )
+    }
+}
+
+/// Ranges as one phrase: `theta in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
+pub(super) fn ranges_text(ranges: &[Range]) -> String {
+    if ranges.is_empty() {
+        return "no angle".into();
+    }
+    let parts: Vec<String> = ranges.iter().map(Range::text).collect();
+    format!("theta in {}", parts.join(" and "))
+}
+
+pub(super) fn angle(angle: &ExactAngle, digits: u32) -> Angle {
+    Angle {
+        theta: angle.to_decimal(digits),
+        exact: angle.describe(),
+    }
+}
+
+pub(super) fn ranges(list: &[AngleRange], digits: u32) -> Vec<Range> {
+    list.iter().map(|range| Range::new(range, digits)).collect()
+}
+
+pub(super) fn fourier(radius: &FourierRadius) -> Fourier {
+    let strings = |v: &[Rational]| v.iter().map(ToString::to_string).collect();
+    Fourier {
+        cos: strings(radius.cosines()),
+        sin: strings(radius.sines()),
+    }
+}
+
+pub(super) fn coordinates(sympy: &str, center: &[Rational; 2]) -> Coordinates {
+    let [cx, cy] = center.each_ref().map(|c| {
+        if c.is_zero() {
+            String::new()
+        } else {
+            format!("Rational({}, {}) + ", c.numerator(), c.denominator())
+        }
+    });
+    Coordinates {
+        x: format!("{cx}({sympy})*cos(theta)"),
+        y: format!("{cy}({sympy})*sin(theta)"),
+    }
+}

@@ -1,0 +1,184 @@
+//! `superquadric 2d a=1,2 e=1/2 level=1`: a row of parameters, not an equation.
+
+use super::number::{Numbers, written_number};
+use super::source::{Source, Span};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::shape::Superquadric;
+
+/// The word that such a form starts with.
+const KEYWORD: &str = "superquadric";
+
+/// The largest numerator and denominator of e: powers with larger exponents are of no use in exact arithmetic.
+pub const MAX_SUPERQUADRIC_EXPONENT: i32 = 1000;
+
+const EXAMPLE: &str =
+    "as in `superquadric 2d a=1,2 e=1/2`, or with `level=3` for a right-hand side other than 1";
+
+/// A parameter: its name, what it is for messages, and how many numbers it takes.
+const PARAMETERS: [(&str, &str, usize); 3] = [
+    ("a", "`a=a1,a2`, the semi-axes", 2),
+    (
+        "e",
+        "`e=…`, the exponent in |x/a1|^(2/e) + |y/a2|^(2/e) = level",
+        1,
+    ),
+    ("level", "`level=…`, the right-hand side", 1),
+];
+
+/// The superquadric that a text says, `None` if it says another kind of form.
+///
+/// # Errors
+/// A syntax error at the first character that is wrong; a limit for exponents beyond
+/// [`MAX_SUPERQUADRIC_EXPONENT`].
+pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Option<Superquadric>> {
+    let mut words = Words { source, at: 0 }.peekable();
+    match words.next() {
+        Some(first) if source.slice(first) == KEYWORD => {}
+        _ => return Ok(None),
+    }
+    let end = u32::try_from(source.text.len()).unwrap_or(u32::MAX);
+    let end = Span { start: end, end };
+    let dimension = words.next().unwrap_or(end);
+    match source.slice(dimension) {
+        "2d" | "2D" => {}
+        "3d" | "3D" => {
+            let message = format!(
+                "superquadrics in space are not understood; those in the plane are, {EXAMPLE}"
+            );
+            return Err(source.error(dimension, message));
+        }
+        _ => {
+            return Err(source.error(
+                dimension,
+                format!("expected `2d` after `{KEYWORD}`, {EXAMPLE}"),
+            ));
+        }
+    }
+    let mut values: [Option<Vec<(Span, Rational)>>; 3] = Default::default();
+    while let Some(name) = words.next() {
+        let position = PARAMETERS
+            .iter()
+            .position(|(n, ..)| *n == source.slice(name));
+        let Some(index) = position else {
+            let shown = source.quoted(name);
+            return Err(source.error(
+                name,
+                format!("expected a parameter a, e or level, found {shown}; {EXAMPLE}"),
+            ));
+        };
+        let (_, what, count) = PARAMETERS[index];
+        let equals = words.next().unwrap_or(end);
+        if source.slice(equals) != "=" {
+            return Err(source.error(equals, format!("expected `=`: {what}")));
+        }
+        let mut list = Vec::new();
+        loop {
+            let at = words.next().unwrap_or(end);
+            list.push((at, positive(source, at, what, numbers)?));
+            if words.next_if(|w| source.slice(*w) == ",").is_none() {
+                break;
+            }
+        }
+        if list.len() != count {
+            let numbers = if count == 1 {
+                "one number"
+            } else {
+                "two numbers in the plane"
+            };
+            return Err(source.error(
+                list[0].0,
+                format!("{what}: expected {numbers}, found {}", list.len()),
+            ));
+        }
+        if values[index].replace(list).is_some() {
+            return Err(source.error(name, format!("a second `{}=`", source.slice(name))));
+        }
+    }
+    let [axes, epsilon, level] = values;
+    let missing =
+        |index: usize| source.error(end, format!("missing {}; {EXAMPLE}", PARAMETERS[index].1));
+    let single = |list: Vec<(Span, Rational)>| list.into_iter().next();
+    let [a1, a2] = <[_; 2]>::try_from(axes.ok_or_else(|| missing(0))?).map_err(|_| missing(0))?;
+    let (at, epsilon) = epsilon.and_then(single).ok_or_else(|| missing(1))?;
+    check_exponent(&epsilon).map_err(|limit| source.limit(at, limit))?;
+    let level = level
+        .and_then(single)
+        .map_or_else(Rational::one, |(_, value)| value);
+    refuse_center(source)?;
+    Ok(Superquadric::new([a1.1, a2.1], epsilon, level))
+}
+
+/// The comment that gives a center has no meaning here.
+fn refuse_center(source: Source<'_>) -> Result<()> {
+    let comments = source.text.match_indices('#').map(|(at, _)| at);
+    let center = |at: &usize| source.text[at + 1..].trim_start().starts_with("center:");
+    match comments.into_iter().find(center) {
+        Some(at) => {
+            let at = u32::try_from(at).unwrap_or(u32::MAX);
+            let message = "a superquadric is about the origin, so it has no center";
+            Err(source.error(Span { start: at, end: at }, message))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Why an exponent is beyond the limits.
+pub(crate) fn check_exponent(epsilon: &Rational) -> std::result::Result<(), String> {
+    let most = malachite::Integer::from(MAX_SUPERQUADRIC_EXPONENT);
+    if epsilon.numerator() <= most && epsilon.denominator() <= most {
+        return Ok(());
+    }
+    Err(format!(
+        "the numerator and the denominator of e are at most {MAX_SUPERQUADRIC_EXPONENT}"
+    ))
+}
+
+fn positive(source: Source<'_>, at: Span, what: &str, numbers: Numbers) -> Result<Rational> {
+    let value = written_number(source.slice(at), numbers)
+        .map_err(|message| source.error(at, format!("{what}: {message}")))?;
+    if value.signum() > 0 {
+        return Ok(value);
+    }
+    Err(source.error(at, format!("{what}: it must be positive")))
+}
+
+/// The words of a text: `=` and `,` stand alone, blanks, `;` and comments separate.
+struct Words<'a> {
+    source: Source<'a>,
+    at: usize,
+}
+
+impl Iterator for Words<'_> {
+    type Item = Span;
+
+    fn next(&mut self) -> Option<Span> {
+        let text = self.source.text;
+        let separates = |c: char| c.is_whitespace() || c == ';' || c == '\u{feff}';
+        loop {
+            let rest = &text[self.at..];
+            let first = rest.chars().next()?;
+            if separates(first) {
+                self.at += first.len_utf8();
+            } else if first == '#' {
+                self.at += rest.find('\n').unwrap_or(rest.len());
+            } else {
+                break;
+            }
+        }
+        let rest = &text[self.at..];
+        let ends = |c: char| separates(c) || matches!(c, '=' | ',' | '#');
+        let length = match rest.find(ends) {
+            Some(0) => 1,
+            Some(length) => length,
+            None => rest.len(),
+        };
+        let start = self.at;
+        self.at += length;
+        let position = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+        Some(Span {
+            start: position(start),
+            end: position(start + length),
+        })
+    }
+}

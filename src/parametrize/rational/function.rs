@@ -1,0 +1,117 @@
+//! Rational functions of one variable over Q, in lowest terms.
+
+use std::fmt;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Content, DivExact, Gcd};
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::polynomial::Polynomial;
+
+use crate::exact::Rational;
+use crate::poly::{IntegerPolynomial, divide_exactly, polynomial_gcd};
+
+/// numerator / denominator: coprime polynomials whose coefficients have no common factor either, the
+/// denominator with positive leading coefficient. So equal functions are equal values.
+///
+/// ```
+/// use std::str::FromStr;
+/// use stellate::exact::Rational;
+/// use stellate::parametrize::RationalFunction;
+/// use stellate::poly::IntegerPolynomial;
+///
+/// let polynomial = |text| IntegerPolynomial::from_str(text).unwrap();
+/// let f = RationalFunction::new(polynomial("2*x^2-2"), polynomial("-4*x-4")).unwrap();
+/// assert_eq!(f.to_string(), "(-t+1)/2");
+/// assert_eq!(f.evaluate(&Rational::from(5)), Some(Rational::from(-2)));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RationalFunction {
+    numerator: IntegerPolynomial,
+    denominator: IntegerPolynomial,
+}
+
+impl RationalFunction {
+    /// In lowest terms; `None` if the denominator is 0. Cost: a gcd.
+    #[must_use]
+    pub fn new(numerator: IntegerPolynomial, denominator: IntegerPolynomial) -> Option<Self> {
+        let lead = denominator.coefficients_asc().last()?;
+        if numerator == IntegerPolynomial::ZERO {
+            return Some(Self {
+                numerator,
+                denominator: IntegerPolynomial::one(),
+            });
+        }
+        let mut content = Integer::from((&numerator).content().gcd((&denominator).content()));
+        if *lead < 0 {
+            content = -content;
+        }
+        let common = polynomial_gcd(&numerator, &denominator);
+        let reduced = |f: &IntegerPolynomial| Some(divide_exactly(f, &common)?.div_exact(&content));
+        Some(Self {
+            numerator: reduced(&numerator)?,
+            denominator: reduced(&denominator)?,
+        })
+    }
+
+    /// The numerator.
+    #[must_use]
+    pub fn numerator(&self) -> &IntegerPolynomial {
+        &self.numerator
+    }
+
+    /// The denominator.
+    #[must_use]
+    pub fn denominator(&self) -> &IntegerPolynomial {
+        &self.denominator
+    }
+
+    /// The value at a rational number, `None` at a pole.
+    #[must_use]
+    pub fn evaluate(&self, at: &Rational) -> Option<Rational> {
+        let value = |f: &IntegerPolynomial| {
+            let coefficients = f.coefficients_asc().iter().rev();
+            coefficients.fold(Rational::zero(), |v, c| v * at + Rational::from(c))
+        };
+        let below = value(&self.denominator);
+        (!below.is_zero()).then(|| value(&self.numerator) / below)
+    }
+
+    /// This function and a constant.
+    #[must_use]
+    pub fn plus(&self, constant: &Rational) -> Self {
+        let times = |f: &IntegerPolynomial, c: Integer| {
+            f * IntegerPolynomial::from_coefficients_asc(vec![c])
+        };
+        let numerator = times(&self.numerator, constant.denominator())
+            + times(&self.denominator, constant.numerator());
+        let denominator = times(&self.denominator, constant.denominator());
+        // The denominator is not 0.
+        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+    }
+
+    /// Whether it is a polynomial with integer coefficients.
+    #[must_use]
+    pub fn is_polynomial(&self) -> bool {
+        self.denominator == IntegerPolynomial::one()
+    }
+
+    /// How long it is when written.
+    pub(super) fn length(&self) -> usize {
+        self.to_string().len()
+    }
+}
+
+impl fmt::Display for RationalFunction {
+    /// In the parameter t, as `(-t+1)/2`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = |p: &IntegerPolynomial| {
+            let text = p.to_string().replace('x', "t");
+            let constant = p.coefficients_asc().len() <= 1;
+            if constant { text } else { format!("({text})") }
+        };
+        if self.is_polynomial() {
+            return f.write_str(&self.numerator.to_string().replace('x', "t"));
+        }
+        write!(f, "{}/{}", text(&self.numerator), text(&self.denominator))
+    }
+}

@@ -1,0 +1,168 @@
+//! Certified points of superquadrics: sums of two real roots, compared exactly.
+
+use std::cmp::Ordering;
+
+use malachite::base::num::arithmetic::traits::{CheckedRoot, FloorRoot};
+use malachite::{Integer, Natural};
+
+use super::{Direction, Ray, Sample};
+use crate::error::{Error, Result};
+use crate::exact::{Rational, nearest_double};
+use crate::shape::Superquadric;
+
+/// The precision that a comparison begins with, in bits after the point.
+const FIRST_BITS: u64 = 128;
+
+/// The largest number, in bits, of which a root is taken before a comparison is given up.
+pub const MAX_ROOT_BITS: u64 = 1 << 22;
+
+/// Solves `|x/a1|^(2/ε) + |y/a2|^(2/ε) = c` along directions.
+///
+/// With 2/ε = p/q in lowest terms the equation at a rational point is `α^(1/q) + β^(1/q) = c` with
+/// rational `α = |x/a1|^p`, `β = |y/a2|^p`. Which side is larger is decided by integer q-th roots at growing
+/// precision; equality of positive numbers needs both roots rational (real radicals of different classes are
+/// linearly independent over Q: Besicovitch 1940), which is decided by exact roots. So every comparison ends, up
+/// to [`MAX_ROOT_BITS`].
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::sample::{Direction, Ray, SuperquadricSolver};
+/// use stellate::shape::Superquadric;
+///
+/// let one = Rational::one;
+/// let diamond = Superquadric::new([one(), one()], Rational::from(2), one()).unwrap();
+/// let Ray::Points(points) = SuperquadricSolver::new(&diamond).solve(&Direction::from_radians(0.0))? else { panic!() };
+/// assert_eq!([points[0].r, points[1].r], [1.0, -1.0]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct SuperquadricSolver<'a> {
+    shape: &'a Superquadric,
+    /// p/q = 2/ε
+    p: u64,
+    q: u64,
+}
+
+impl<'a> SuperquadricSolver<'a> {
+    /// For this curve.
+    #[must_use]
+    pub fn new(shape: &'a Superquadric) -> Self {
+        let exponent = shape.exponent();
+        // What does not fit meets the limit of the roots.
+        let small = |n: Integer| u64::try_from(&n).unwrap_or(u64::MAX);
+        Self {
+            shape,
+            p: small(exponent.numerator()),
+            q: small(exponent.denominator()),
+        }
+    }
+
+    /// The two points r and −r in a direction; r, x and y each the double nearest to the exact value.
+    ///
+    /// Cost: some ten comparisons, each of two q-th roots of numbers with about (128 + bits of the direction)·p bits.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if a comparison takes roots of numbers of more than [`MAX_ROOT_BITS`] bits.
+    pub fn solve(&self, direction: &Direction) -> Result<Ray> {
+        let (u, v) = (direction.u(), direction.v());
+        let guess = self.shape.approximate_along(u.to_f64(), v.to_f64());
+        // The factor·r nearest to a double: r = bound/factor is compared with the curve.
+        let nearest = |factor: &Rational| -> Result<f64> {
+            if factor.is_zero() {
+                return Ok(0.0);
+            }
+            let start = guess * factor.to_f64().abs();
+            let magnitude = nearest_double(start.max(0.0), |bound| {
+                let r = bound / &factor.abs();
+                if r.signum() <= 0 {
+                    return Ok(Ordering::Greater);
+                }
+                // The curve is beyond r where the point at r is inside.
+                Ok(self.compare(&(&r * &u), &(&r * &v))?.reverse())
+            })?;
+            Ok(magnitude * f64::from(factor.signum()))
+        };
+        let (r, x, y) = (nearest(&Rational::one())?, nearest(&u)?, nearest(&v)?);
+        let sample = |branch: usize, sign: f64| Sample {
+            branch,
+            r: sign * r,
+            x: signed(sign, x),
+            y: signed(sign, y),
+            multiplicity: 1,
+        };
+        Ok(Ray::Points(vec![sample(0, 1.0), sample(1, -1.0)]))
+    }
+
+    /// The exact order of `|x/a1|^(2/ε) + |y/a2|^(2/ε)` and c: `Less` inside the curve.
+    ///
+    /// # Errors
+    /// As [`SuperquadricSolver::solve`].
+    pub fn compare(&self, x: &Rational, y: &Rational) -> Result<Ordering> {
+        let [a1, a2] = self.shape.semi_axes();
+        let level = self.shape.level();
+        let bases = [(x / a1).abs(), (y / a2).abs()];
+        self.check_size(bases.iter().map(Rational::bits).max().unwrap_or(0))?;
+        let power = i64::try_from(self.p).unwrap_or(i64::MAX);
+        let radicands = bases.map(|base| base.pow(power).unwrap_or_default());
+        let roots = radicands
+            .each_ref()
+            .map(|radicand| self.exact_root(radicand));
+        if let [Some(first), Some(second)] = roots {
+            return Ok((first + second).cmp(level));
+        }
+        let mut bits = FIRST_BITS;
+        loop {
+            self.check_size(bits)?;
+            let unit = Rational::from(Integer::from(1) << bits);
+            let [first, second] = radicands
+                .each_ref()
+                .map(|radicand| self.scaled_root(radicand, bits));
+            // Each root is less than one unit above its floor.
+            let low = Rational::from(Integer::from(first + second));
+            let scaled = level * &unit;
+            if low >= scaled {
+                // The sum of the roots is no integer multiple of a unit unless both are, and they are irrational.
+                return Ok(Ordering::Greater);
+            }
+            if low + Rational::from(2) <= scaled {
+                return Ok(Ordering::Less);
+            }
+            bits *= 2;
+        }
+    }
+
+    fn check_size(&self, bits: u64) -> Result<()> {
+        let largest = bits.saturating_mul(self.p.max(self.q));
+        if largest <= MAX_ROOT_BITS {
+            return Ok(());
+        }
+        Err(Error::limit(format!(
+            "a point of the superquadric needs roots of numbers with more than {MAX_ROOT_BITS} bits: the exponent 2/e = {} or the numbers are too long",
+            self.shape.exponent()
+        )))
+    }
+
+    /// The q-th root if it is rational.
+    fn exact_root(&self, radicand: &Rational) -> Option<Rational> {
+        let (above, below) = natural_parts(radicand);
+        let root = |n: Natural| n.checked_root(self.q).map(Integer::from);
+        Rational::new(root(above)?, root(below)?)
+    }
+
+    /// ⌊radicand^(1/q) · 2^bits⌋
+    fn scaled_root(&self, radicand: &Rational, bits: u64) -> Natural {
+        let (above, below) = natural_parts(radicand);
+        // ⌊⌊n⌋^(1/q)⌋ = ⌊n^(1/q)⌋
+        ((above << (bits * self.q)) / below).floor_root(self.q)
+    }
+}
+
+fn natural_parts(q: &Rational) -> (Natural, Natural) {
+    let natural = |n: Integer| n.unsigned_abs_ref().clone();
+    (natural(q.numerator()), natural(q.denominator()))
+}
+
+/// sign · value, where 0 has no sign.
+fn signed(sign: f64, value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { sign * value }
+}

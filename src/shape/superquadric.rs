@@ -1,0 +1,151 @@
+//! [`Superquadric`]: the plane superquadrics of Example 6, Eq. (20).
+
+use malachite::base::num::arithmetic::traits::Parity;
+
+use crate::exact::Rational;
+use crate::poly::PlanePolynomial;
+
+/// The closed curve `|x/a1|^(2/ε) + |y/a2|^(2/ε) = c` about the origin, with exact a1, a2, ε, c > 0.
+///
+/// By Lemma 2, `r(θ) = c^(ε/2) / [|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)]^(ε/2)`, positive for every θ.
+///
+/// DIFFERENCE (erratum Eq. (20)): Eq. (20) as printed has `[… − a]^(ε2/ε1) = 1` and no absolute values. That does not
+/// give the printed r(θ); the absolute values may be left out only where 2/ε is an even integer.
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::shape::Superquadric;
+///
+/// let one = Rational::one;
+/// let astroid = Superquadric::new([one(), one()], Rational::from(3), one()).unwrap();
+/// assert_eq!(astroid.exponent().to_string(), "2/3");
+/// assert!(!astroid.is_convex());
+/// assert!(astroid.polynomial().is_none());
+/// assert!(Superquadric::new([one(), one()], Rational::zero(), one()).is_none());
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Superquadric {
+    semi_axes: [Rational; 2],
+    epsilon: Rational,
+    level: Rational,
+}
+
+impl Superquadric {
+    /// With a1 and a2, ε and c; `None` unless all are positive.
+    #[must_use]
+    pub fn new(semi_axes: [Rational; 2], epsilon: Rational, level: Rational) -> Option<Self> {
+        let shape = Self {
+            semi_axes,
+            epsilon,
+            level,
+        };
+        let [a1, a2] = &shape.semi_axes;
+        let positive = [a1, a2, &shape.epsilon, &shape.level].map(|q| q.signum() > 0);
+        (positive == [true; 4]).then_some(shape)
+    }
+
+    /// a1 and a2.
+    #[must_use]
+    pub fn semi_axes(&self) -> &[Rational; 2] {
+        &self.semi_axes
+    }
+
+    /// ε.
+    #[must_use]
+    pub fn epsilon(&self) -> &Rational {
+        &self.epsilon
+    }
+
+    /// c, the paper's a.
+    #[must_use]
+    pub fn level(&self) -> &Rational {
+        &self.level
+    }
+
+    /// 2/ε.
+    #[must_use]
+    pub fn exponent(&self) -> Rational {
+        Rational::from(2) / &self.epsilon
+    }
+
+    /// Whether the region inside is convex: it is a disk of the norm of exponent 2/ε, stretched, and that
+    /// is a norm exactly for 2/ε ≥ 1 (Minkowski).
+    #[must_use]
+    pub fn is_convex(&self) -> bool {
+        self.epsilon <= Rational::from(2)
+    }
+
+    /// 2/ε if it is an even integer: then the absolute values fall away.
+    #[must_use]
+    pub fn even_exponent(&self) -> Option<usize> {
+        let exponent = self.exponent();
+        let even = exponent.is_integer() && exponent.numerator().even();
+        even.then(|| usize::try_from(&exponent.numerator()).ok())?
+    }
+
+    /// `(x/a1)^n + (y/a2)^n − c` as a primitive polynomial for an even integer n = 2/ε, else `None`.
+    #[must_use]
+    pub fn polynomial(&self) -> Option<PlanePolynomial> {
+        let n = self.even_exponent()?;
+        let power = i64::try_from(n).ok()?;
+        let [a1, a2] = &self.semi_axes;
+        let terms = [
+            ((n, 0), a1.pow(-power)?),
+            ((0, n), a2.pow(-power)?),
+            ((0, 0), -self.level.clone()),
+        ];
+        Some(PlanePolynomial::from_terms(terms).primitive())
+    }
+}
+
+/// What is drawn: doubles, with no certificate.
+impl Superquadric {
+    /// r(θ) in doubles, with no bound of its error.
+    #[must_use]
+    pub fn approximate(&self, theta: f64) -> f64 {
+        let (s, c) = theta.sin_cos();
+        self.approximate_along(c, s)
+    }
+
+    /// r in the direction of the unit vector (u, v), as [`Superquadric::approximate`].
+    #[must_use]
+    pub fn approximate_along(&self, u: f64, v: f64) -> f64 {
+        let [a1, a2] = self.semi_axes.each_ref().map(Rational::to_f64);
+        let exponent = self.exponent().to_f64();
+        let (u, v) = ((u / a1).abs(), (v / a2).abs());
+        // The larger of the two is taken out, so that no power overflows.
+        let largest = u.max(v);
+        let sum = (u / largest).powf(exponent) + (v / largest).powf(exponent);
+        (self.level.to_f64() / sum).powf(1.0 / exponent) / largest
+    }
+
+    /// Points (x, y) of the curve for drawing, closed: `4·count` directions evenly spaced in θ, and as many evenly spaced
+    /// in the parameter of `(a1 cos^ε, a2 sin^ε)`, which are dense where the others are sparse.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a count of points is small")]
+    pub fn polyline(&self, count: usize) -> Vec<[f64; 2]> {
+        let [a1, a2] = self.semi_axes.each_ref().map(Rational::to_f64);
+        let epsilon = self.epsilon.to_f64();
+        let steps = (0..count.max(2)).map(|k| k as f64 / count.max(2) as f64);
+        let angles = steps.flat_map(|step| {
+            let even = step * std::f64::consts::FRAC_PI_2;
+            let (s, c) = even.sin_cos();
+            [even, (a2 * s.powf(epsilon)).atan2(a1 * c.powf(epsilon))]
+        });
+        let mut quadrant: Vec<f64> = angles.collect();
+        quadrant.sort_by(f64::total_cmp);
+        let arc = |theta: &f64| {
+            let r = self.approximate(*theta);
+            [r * theta.cos(), r * theta.sin()]
+        };
+        let arc: Vec<[f64; 2]> = quadrant.iter().map(arc).collect();
+        let top = [0.0, self.approximate(std::f64::consts::FRAC_PI_2)];
+        let mut points = arc.clone();
+        points.push(top);
+        points.extend(arc.iter().rev().map(|[x, y]| [-x, *y]));
+        points.extend(arc.iter().map(|[x, y]| [-x, -y]));
+        points.push([0.0, -top[1]]);
+        points.extend(arc.iter().rev().map(|[x, y]| [*x, -y]));
+        points
+    }
+}
