@@ -9,10 +9,12 @@ use stellate::implicitize::{SquaredForm, parity_sums, square_away};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::parametrize::{
-    AngleRange, Parametrization, PolarMethod, fourier_branches, parametrize,
+    AngleRange, Branch, BranchFitOptions, Parametrization, PolarMethod, Radius, fit_branch,
+    fourier_branches, parametrize,
 };
-use stellate::poly::{PlanePolynomial, Ring, SparsePolynomial};
-use stellate::shape::{Form, FourierRadius};
+use stellate::poly::{BinaryForm, PlanePolynomial, Ring, SparsePolynomial, real_roots};
+use stellate::sample::{Direction, Ray, RaySolver};
+use stellate::shape::{Form, FourierRadius, ImplicitCurve};
 
 fn radius(cos: &[&str], sin: &[&str]) -> FourierRadius {
     let parse = |v: &[&str]| v.iter().map(|t| t.parse().unwrap()).collect();
@@ -201,4 +203,155 @@ fn ranges(list: &[AngleRange]) -> Vec<String> {
         )
     };
     list.iter().map(text).collect()
+}
+
+fn example_9() -> ImplicitCurve {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/paper-examples/e09-sixth-degree/curve.txt"
+    );
+    let text = std::fs::read_to_string(path).unwrap();
+    let Form::Curve(curve) = parse_form(&text, path, Numbers::Exact).unwrap() else {
+        panic!("a plane curve")
+    };
+    curve
+}
+
+/// The polar form as printed, the coefficient of each r^d with c for cos θ and s for sin θ.
+const EXAMPLE_9_PRINTED: [(usize, &str); 7] = [
+    (
+        6,
+        "408c*s + 57s*c^5 + 807c^2 - 478c^4 + 52c^6 - 500 - 467c^3*s",
+    ),
+    (
+        5,
+        "31700s - 25461s*c^2 + 2434c^4*s - 4156c^5 - 16672c + 27845c^3",
+    ),
+    (
+        4,
+        "1253127c^4 + 2646954c^3*s - 4326891c^2 - 3285437c*s + 4495262",
+    ),
+    (3, "-96384404c^3 - 276518665s + 45302709c + 117382579s*c^2"),
+    (2, "-18536463436 + 5603905960c*s + 8788031666c^2"),
+    (1, "72289297932c + 622833383233s"),
+    (0, "30547238788903"),
+];
+
+/// A polynomial in c and s as a form of degree d, with c² + s² = 1.
+fn on_the_circle(text: &str, d: usize) -> BinaryForm {
+    let mut sum = BinaryForm::zero(d);
+    let plane = if text.contains(['c', 's']) {
+        let Form::Curve(curve) = parse_form(
+            &text.replace('c', "x").replace('s', "y"),
+            "printed",
+            Numbers::Exact,
+        )
+        .unwrap() else {
+            panic!("a polynomial in c and s")
+        };
+        curve.polynomial().clone()
+    } else {
+        PlanePolynomial::from_terms([((0, 0), text.parse().unwrap())])
+    };
+    for part in plane.parts() {
+        let rho = (part.degree()..d)
+            .step_by(2)
+            .fold(part.clone(), |form, _| form.times_rho());
+        sum = sum.plus(&rho);
+    }
+    sum
+}
+
+#[test]
+fn example_9_is_printed_with_x_and_y_exchanged() {
+    let f = example_9();
+    let mut differs = 0;
+    for (d, printed) in EXAMPLE_9_PRINTED {
+        let printed = on_the_circle(printed, d);
+        let part = f.polynomial().part(d).unwrap().clone();
+        let exchanged =
+            BinaryForm::from_coefficients((0..=d).rev().map(|k| part.coefficient(k)).collect());
+        assert_eq!(printed, exchanged, "r^{d}");
+        differs += usize::from(printed != part);
+    }
+    assert_eq!(differs, 6, "as printed, only the constant is right");
+}
+
+#[test]
+fn example_9_has_three_radii_at_the_fold() {
+    let f = example_9();
+    let found = parametrize(&f, &Limits::none()).unwrap();
+    assert_eq!(found.method, PolarMethod::Numeric);
+    let root = |b: &Branch| match &b.radius {
+        Radius::Root(root) => Some(root.clone()),
+        _ => None,
+    };
+    let first = root(&found.branches[0]).unwrap();
+    let discriminant = first.discriminant();
+    assert_eq!(discriminant.coefficients_asc().len(), 31);
+    let zeros: Vec<String> = real_roots(&discriminant)
+        .iter()
+        .map(|t| t.to_decimal(12))
+        .collect();
+    assert_eq!(zeros, ["0.819692850654", "0.830370818503"]);
+    // 219.3412…° and 219.7053…°, where the positive branches end: three of them between.
+    let positive: Vec<String> = found
+        .branches
+        .iter()
+        .flat_map(|b| &b.positive)
+        .map(|r| format!("{} {}", r.from.to_decimal(6), r.to.to_decimal(6)))
+        .collect();
+    assert_eq!(
+        positive,
+        [
+            "0.000000 3.834580",
+            "3.828227 3.834580",
+            "3.828227 6.283185"
+        ]
+    );
+    let counts: Vec<usize> = ["219.34", "219.35", "219.5", "219.70", "219.71"]
+        .iter()
+        .map(|degrees| {
+            let Ray::Points(points) = RaySolver::new(f.polynomial())
+                .solve(&Direction::from_degrees(&degrees.parse().unwrap()))
+            else {
+                panic!("no line")
+            };
+            points.iter().filter(|p| p.r > 0.0).count()
+        })
+        .collect();
+    assert_eq!(counts, [1, 3, 3, 3, 1]);
+    // No branch goes around; the outermost radius does, with one jump, and is fitted.
+    let fit = fit_branch(&found, &BranchFitOptions::default(), &Limits::none())
+        .unwrap()
+        .unwrap();
+    assert_eq!(
+        (fit.branch, fit.jumps.len(), fit.radius.harmonics()),
+        (None, 1, 20)
+    );
+    let bound = fit.error_at_samples.to_f64();
+    assert!(bound > 1.0 && bound < 10.0, "{bound}");
+    assert!(fit.error_between < fit.error_at_samples.clone() * Rational::from(2));
+}
+
+/// Theorem 5 as printed allows five homogeneous parts of any degrees; parts of degrees 5, 1, 0 give a general
+/// quintic.
+#[test]
+fn theorem_5_needs_equally_spaced_degrees() {
+    let Form::Curve(curve) = parse_form("x^5 - x - 1 + y^5", "<form>", Numbers::Exact).unwrap()
+    else {
+        panic!("a plane curve")
+    };
+    let found = parametrize(&curve, &Limits::none()).unwrap();
+    assert_eq!(found.method, PolarMethod::Numeric);
+    assert!(
+        found.notes[0].contains("degrees 5, 1, 0: degree 5 in r"),
+        "{:?}",
+        found.notes
+    );
+    assert!(
+        fit_branch(&found, &BranchFitOptions::default(), &Limits::none())
+            .unwrap()
+            .is_none()
+    );
 }

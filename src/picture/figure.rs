@@ -11,7 +11,7 @@ use plotters::style::{
     BLACK, Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE, register_font,
 };
 
-use super::Window;
+use super::{Window, clip};
 use crate::error::{Error, Result};
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito), dark enough on white.
@@ -127,17 +127,19 @@ impl Figure {
             .draw()?;
         for (index, layer) in self.layers.iter().enumerate() {
             let style = self.style(index);
+            let (lines, window) = (layer.lines.iter(), &frame.window);
             if layer.filled {
-                let polygons = layer.lines.iter().map(|l| Polygon::new(tuples(l), style));
+                let polygons = lines.map(|l| Polygon::new(clip::polygon(l, window), style));
                 chart.draw_series(polygons)?;
             } else {
-                let paths = layer
-                    .lines
-                    .iter()
-                    .map(|l| PathElement::new(tuples(l), style));
-                chart.draw_series(paths)?;
+                let parts = lines.flat_map(|l| clip::polyline(l, window));
+                chart.draw_series(parts.map(|part| PathElement::new(part, style)))?;
             }
-            let dots = layer.points.iter();
+            let shown = |p: &&[f64; 2]| {
+                let within = |v: f64, [low, high]: [f64; 2]| low <= v && v <= high;
+                within(p[0], frame.window.x) && within(p[1], frame.window.y)
+            };
+            let dots = layer.points.iter().filter(shown);
             chart.draw_series(dots.map(|&[x, y]| dot((x, y), color(index))))?;
         }
         plot.present()
@@ -267,11 +269,6 @@ fn tick(value: f64) -> String {
     }
 }
 
-fn tuples(line: &[[f64; 2]]) -> Vec<(f64, f64)> {
-    line.iter().map(|&[x, y]| (x, y)).collect()
-}
-
-/// The figure's one font, embedded in the binary: nothing is taken from the system.
 fn load_font() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -1,5 +1,6 @@
 //! Pictures: zero sets traced from their exact form, figures as SVG and PNG.
 
+mod clip;
 mod extent;
 mod figure;
 mod raster;
