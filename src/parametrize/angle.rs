@@ -251,6 +251,12 @@ impl AngleRange {
         }
     }
 
+    /// Whether it is a single angle.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        self.closed == [true, true] && self.from.describe() == self.to.describe()
+    }
+
     /// The isolated angle [θ, θ].
     #[must_use]
     pub fn point(angle: ExactAngle) -> Self {

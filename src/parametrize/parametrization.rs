@@ -111,8 +111,10 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         result
             .rational
             .extend(rationality(curve.polynomial(), 0, &result));
+        note_points(curve, true, &mut result);
         return Ok(result);
     }
+    let mut complete = true;
     let factors = factor_plane(curve.polynomial(), limits)?.factors;
     let only_lines = |f: &PlanePolynomial| f.homogeneous_degrees().len() == 1;
     for (index, factor) in factors.iter().enumerate() {
@@ -128,7 +130,7 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
                 .lines
                 .extend(factor.polynomial.parts().flat_map(directions));
         } else {
-            add_factor(&factor.polynomial, index, &mut result, limits)?;
+            complete &= add_factor(&factor.polynomial, index, &mut result, limits)?;
             result
                 .rational
                 .extend(rationality(&factor.polynomial, index, &result));
@@ -138,7 +140,30 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         result.method = PolarMethod::Factors;
         result.step = 1;
     }
+    note_points(curve, complete, &mut result);
     Ok(result)
+}
+
+/// Notes on the origin, and on a curve with no real points or with isolated ones only; `complete` says that
+/// no root is left out of the ranges.
+fn note_points(curve: &ImplicitCurve, complete: bool, result: &mut Parametrization) {
+    let multiplicity = curve.polynomial().lowest_degree().unwrap_or(0);
+    if multiplicity > 0 {
+        result.notes.push(format!(
+            "the origin belongs to the curve, with multiplicity {multiplicity}"
+        ));
+    }
+    if !complete || !result.lines.is_empty() {
+        return;
+    }
+    let ranges: Vec<&AngleRange> = result.branches.iter().flat_map(|b| &b.real).collect();
+    let note = match (ranges.is_empty(), multiplicity) {
+        (true, 0) => "the curve has no real point",
+        (true, _) => "the origin is its only real point",
+        (false, _) if ranges.iter().all(|r| r.is_point()) => "its real points are isolated",
+        _ => return,
+    };
+    result.notes.push(note.into());
 }
 
 /// What is known of the rational parametrizations of a factor whose branches are there already.
@@ -159,13 +184,13 @@ fn rationality(
     })
 }
 
-/// The branches of one irreducible factor that is not a form.
+/// The branches of one irreducible factor that is not a form; whether their ranges are complete.
 fn add_factor(
     f: &PlanePolynomial,
     index: usize,
     result: &mut Parametrization,
     limits: &Limits,
-) -> Result<()> {
+) -> Result<bool> {
     let curve = ImplicitCurve::new(f.clone()).with_center(result.center.clone());
     if let Ok(found) = fourier_branches(&curve) {
         result.method = PolarMethod::Lemma(found.lemma);
@@ -173,7 +198,7 @@ fn add_factor(
         result
             .branches
             .extend(found.radii.into_iter().map(|r| Branch::fourier(index, r)));
-        return Ok(());
+        return Ok(true);
     }
     let degrees = f.homogeneous_degrees();
     let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
@@ -192,9 +217,17 @@ fn add_factor(
             let all = [0, 1, 2, 3, 4].map(|j| part(top - j * step));
             lemma_5(all.each_ref(), k)
         }
-        _ => return add_traced(f, index, step, result, limits),
+        _ => {
+            add_traced(f, index, step, result, limits)?;
+            return Ok(true);
+        }
     };
-    for line in directions(&part(top)).iter().filter(|_| degree > 2) {
+    let left_out = if degree > 2 {
+        directions(&part(top))
+    } else {
+        Vec::new()
+    };
+    for line in &left_out {
         result.notes.push(format!(
             "at theta = {} the part of degree {top} vanishes: one root is infinite there, and the others, of the parts below, are left out of the ranges",
             line.describe()
@@ -205,7 +238,7 @@ fn add_factor(
     result
         .branches
         .extend(closed.into_iter().map(|b| Branch::closed(index, b)));
-    Ok(())
+    Ok(left_out.is_empty())
 }
 
 /// The branches of a factor of degree more than four in r^step, root by root.
