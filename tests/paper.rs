@@ -355,3 +355,35 @@ fn theorem_5_needs_equally_spaced_degrees() {
             .is_none()
     );
 }
+
+/// Example 8 is also a cubic in r⁴: the same certified radii as from its two factors.
+#[test]
+fn example_8_is_a_cubic_in_r_to_the_fourth_too() {
+    let plane = |text: &str| {
+        let Form::Curve(curve) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
+            panic!("a plane curve")
+        };
+        curve.polynomial().clone()
+    };
+    let (outer, inner) = ("(x^4 - 1.9x^2*y^2 + y^4 - 0.5)", "(x^8 + y^8 - 1e-5)");
+    let whole = plane(&format!("{outer}*{inner}*x^10*y^10"));
+    assert_eq!(whole.homogeneous_degrees(), [32, 28, 24, 20]);
+    assert_eq!(whole.term_count(), 12);
+    let radii =
+        |f: &PlanePolynomial, direction: &Direction| match RaySolver::new(f).solve(direction) {
+            Ray::Points(points) => points.iter().map(|p| p.r).collect::<Vec<f64>>(),
+            Ray::Line => Vec::new(),
+        };
+    for direction in Direction::around(72) {
+        let mut expected = [
+            radii(&plane(outer), &direction),
+            radii(&plane(inner), &direction),
+        ]
+        .concat();
+        expected.sort_by(|a, b| b.total_cmp(a));
+        let found = radii(&whole, &direction);
+        // Along the axes the whole line belongs to it.
+        let on_axis = direction.u().is_zero() || direction.v().is_zero();
+        assert_eq!(found, if on_axis { Vec::new() } else { expected });
+    }
+}
