@@ -45,6 +45,7 @@
 //! | superquadrics of the plane (Example 6, Eq. (20)) | [`shape::Superquadric`], [`parametrize::parametrize_superquadric`] |
 //! | factors (Example 8) | [`factor`] |
 //! | beyond the paper: genus and rational parametrizations | [`parametrize::rational_parametrization`] |
+//! | Lemma 6: branches of any degree, with exact ranges and a Fourier fit | [`parametrize`] ([`parametrize::RootBranch`], [`parametrize::fit_branch`]) |
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
 //!

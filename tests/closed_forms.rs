@@ -6,10 +6,10 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use stellate::exact::Rational;
 use stellate::limits::Limits;
-use stellate::parametrize::{AngleRange, Parametrization, parametrize};
+use stellate::parametrize::{AngleRange, Branch, Parametrization, PolarMethod, parametrize};
 use stellate::poly::PlanePolynomial;
 use stellate::sample::{Direction, Ray, RaySolver};
-use stellate::shape::ImplicitCurve;
+use stellate::shape::{Form, ImplicitCurve};
 
 /// How near to the end of a range an angle is not asked, and how exactly values must agree.
 const NEAR: f64 = 2e-2;
@@ -119,6 +119,48 @@ proptest! {
         let curve = parametrize(&ImplicitCurve::new(f.clone()), &Limits::none()).unwrap();
         for theta in angles {
             check(&f, &curve, theta)?;
+        }
+    }
+}
+
+/// Isolated points in directions with irrational slopes: a double root of a quartic, real there alone.
+#[test]
+fn isolated_points_have_the_right_sign() {
+    use stellate::language::{Numbers, parse_form};
+    for (text, positive) in [
+        // (1, ±√2): at ±54.7…° with r > 0 and opposite with r < 0.
+        ("(x-1)^2 + (y^2-2)^2", 2),
+        ("(x+1)^2*(1+y^2) + (y^2-2)^2", 2),
+    ] {
+        let Form::Curve(curve) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
+            panic!("a plane curve")
+        };
+        let found = parametrize(&curve, &Limits::none()).unwrap();
+        assert_eq!(found.method, PolarMethod::Lemma(5));
+        let single = |ranges: &[AngleRange]| -> Vec<String> {
+            let points = ranges.iter().filter(|r| r.is_point());
+            points.map(|r| r.from.to_decimal(6)).collect()
+        };
+        let of_all = |ranges: fn(&Branch) -> &[AngleRange]| {
+            let mut all: Vec<String> = found
+                .branches
+                .iter()
+                .flat_map(|b| single(ranges(b)))
+                .collect();
+            all.sort();
+            all.dedup();
+            all
+        };
+        let (real, above) = (of_all(|b| &b.real), of_all(|b| &b.positive));
+        assert_eq!(
+            (real.len(), above.len()),
+            (4, positive),
+            "{text}: {real:?} {above:?}"
+        );
+        for theta in above {
+            let theta: f64 = theta.parse().unwrap();
+            let x = if text.starts_with("(x-1)") { 1.0 } else { -1.0 };
+            assert!((theta.cos() - x / 3f64.sqrt()).abs() < 1e-5, "{theta}");
         }
     }
 }

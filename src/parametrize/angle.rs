@@ -14,6 +14,8 @@ pub enum ExactAngle {
     Arctangent {
         /// t.
         tangent: RealRoot,
+        /// t, if it is rational.
+        rational: Option<Rational>,
         /// 1, or 2 where t is the tangent of half the angle.
         times: i32,
         /// How many π are added.
@@ -50,6 +52,7 @@ impl ExactAngle {
         }
         let half_turns = i32::from(tangent.signum() < 0);
         Self::Arctangent {
+            rational: tangent.as_rational(),
             tangent,
             times: 1,
             half_turns,
@@ -64,6 +67,7 @@ impl ExactAngle {
         }
         let half_turns = if tangent.signum() < 0 { 2 } else { 0 };
         Self::Arctangent {
+            rational: tangent.as_rational(),
             tangent,
             times: 2,
             half_turns,
@@ -77,10 +81,12 @@ impl ExactAngle {
             Self::Pi(q) => Self::Pi(q + &Rational::one()),
             Self::Arctangent {
                 tangent,
+                rational,
                 times,
                 half_turns,
             } => Self::Arctangent {
                 tangent: tangent.clone(),
+                rational: rational.clone(),
                 times: *times,
                 half_turns: half_turns + 1,
             },
@@ -120,6 +126,7 @@ impl ExactAngle {
                 tangent,
                 times,
                 half_turns,
+                ..
             } => {
                 let mut root = tangent.clone();
                 root.refine(i64::from(bits) + 4);
@@ -140,11 +147,12 @@ impl ExactAngle {
         match self {
             Self::Pi(q) => Some(multiple_of_pi(q)),
             Self::Arctangent {
-                tangent,
+                rational,
                 times,
                 half_turns,
+                ..
             } => {
-                let t = tangent.as_rational()?;
+                let t = rational.as_ref()?;
                 let factor = if *times == 1 {
                     String::new()
                 } else {
@@ -173,6 +181,7 @@ impl ExactAngle {
             tangent,
             times,
             half_turns,
+            ..
         } = self
         else {
             return String::new();

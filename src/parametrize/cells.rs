@@ -26,6 +26,8 @@ pub(super) struct Place {
     pub(super) signs: Vec<i8>,
     /// A vector in this direction, if it is a rational one.
     pub(super) vector: Option<(Integer, Integer)>,
+    /// Otherwise the tangent of the angle, and whether the direction is in [π, 2π).
+    slope: Option<(RealRoot, bool)>,
 }
 
 struct Mark {
@@ -123,6 +125,25 @@ impl Place {
         Self {
             signs: forms.iter().map(sign).collect(),
             vector: Some((u, v)),
+            slope: None,
+        }
+    }
+
+    /// The sign of one more form.
+    pub(super) fn sign_of(&self, form: &BinaryForm) -> i8 {
+        if let Some((u, v)) = &self.vector {
+            return integer_sign(&form.evaluate(u, v));
+        }
+        let Some((slope, below)) = &self.slope else {
+            return 0;
+        };
+        // (1, t) has an angle in [0, π) for t ≥ 0 only.
+        let is_turned = *below != (slope.signum() < 0);
+        let sign = slope.sign_of(form.dehomogenized());
+        if is_turned && !form.is_even() {
+            -sign
+        } else {
+            sign
         }
     }
 }
@@ -151,6 +172,7 @@ impl Mark {
             place: Place {
                 signs: signs.collect(),
                 vector: None,
+                slope: Some((tangent.clone(), false)),
             },
             angle: ExactAngle::of_tangent(tangent),
             beside,
@@ -168,6 +190,7 @@ impl Mark {
                     .map(|(f, &s)| if f.is_even() { s } else { -s })
                     .collect(),
                 vector: self.place.vector.as_ref().map(turned),
+                slope: self.place.slope.clone().map(|(t, below)| (t, !below)),
             },
             beside: self.beside.each_ref().map(turned),
         }

@@ -12,6 +12,7 @@ mod isolate;
 mod modular;
 mod plane;
 mod ring;
+mod root_sign;
 mod roots;
 mod shift;
 mod sparse;
@@ -27,6 +28,7 @@ pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decompo
 pub use malachite::integer_polynomial::IntegerPolynomial;
 pub use plane::PlanePolynomial;
 pub use ring::Ring;
+pub(crate) use root_sign::constant_sign;
 pub(crate) use roots::sort_distinct;
 pub use roots::{RealRoot, real_roots};
 pub(crate) use shift::negate_odd;

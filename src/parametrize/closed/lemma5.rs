@@ -151,6 +151,9 @@ struct Quartic {
     resolvent_p: BinaryForm,
     resolvent_b: BinaryForm,
     discriminant: BinaryForm,
+    /// A double root where it is the only one is y = n/d with d = 2A³ − 8AC + 9B² and n = −B(A² + 12C) (the
+    /// first subresultant): d, and n − pd.
+    double: [BinaryForm; 2],
 }
 
 impl Quartic {
@@ -172,7 +175,14 @@ impl Quartic {
         let cube = product(4, &[&resolvent_p, &resolvent_p, &resolvent_p]);
         let full = negative(&resolvent_b.squared().plus(&cube));
         let discriminant = (0..6).fold(full, |rest, _| divided(&rest, s));
+        let below = product(2, &[&a, &a, &a])
+            .plus(&product(-8, &[&a, &c]))
+            .plus(&product(9, &[&b, &b]));
+        let above = product(-1, &[&b, &a, &a])
+            .plus(&product(-12, &[&b, &c]))
+            .minus(&product(1, &[p, &below]));
         Self {
+            double: [&below, &above].map(on_circle),
             parts: [s, p, q, u, v].map(on_circle),
             a: on_circle(&a),
             b: on_circle(&b),
@@ -227,8 +237,11 @@ impl Quartic {
             let vector = near.vector.as_ref().filter(|_| real)?;
             self.sign_at(vector, index)
         });
-        // An isolated double root between directions without one: its sign stays open.
-        Some(known.unwrap_or(0))
+        // Else it is a double root, isolated between directions without it.
+        Some(known.unwrap_or_else(|| {
+            let [below, above] = self.double.each_ref().map(|form| at.sign_of(form));
+            above * below * s
+        }))
     }
 
     /// The sign in a rational direction, from the certified roots of the quartic there.

@@ -3,7 +3,6 @@
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 
-use super::strip::constant_sign;
 use crate::error::Result;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RealRoot, Weights, signed_subresultant};
@@ -62,31 +61,10 @@ fn subresultant_signs(
     let mut signs = Vec::with_capacity(m + 1);
     for j in 0..m {
         let value = signed_subresultant(coefficients, j, weights, limits)?;
-        signs.push(sign_at(&value, alpha));
+        signs.push(alpha.sign_of(&value));
     }
-    signs.push(sign_at(&coefficients[m], alpha));
+    signs.push(alpha.sign_of(&coefficients[m]));
     Ok(signs)
-}
-
-/// The exact sign of g at α.
-pub(super) fn sign_at(g: &IntegerPolynomial, alpha: &RealRoot) -> i8 {
-    if *g == IntegerPolynomial::ZERO || alpha.is_root_of(g) {
-        return 0;
-    }
-    let mut alpha = alpha.clone();
-    let mut bits = 16;
-    loop {
-        let (low, high) = alpha.bounds();
-        let (low, high) = (low.to_rational(), high.to_rational());
-        if low == high {
-            return crate::poly::sign_at_rational(g, &low);
-        }
-        if let Some(sign) = constant_sign(g, &low, &high) {
-            return sign;
-        }
-        alpha.refine(bits);
-        bits *= 2;
-    }
 }
 
 /// Permanences minus variations of the signs s_0, …, s_m, from s_m down, with the rule for gaps

@@ -5,7 +5,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, IntegerPolynomial, integer_sign, shift_by_one};
+use crate::poly::{BinaryForm, IntegerPolynomial, constant_sign};
 
 /// P(t, R) = Σ a_i(t) R^i, in the chart where directions are (1, t), or (t, 1).
 #[derive(Clone, Debug)]
@@ -76,38 +76,6 @@ impl Strip {
     }
 }
 
-/// The sign of g on [low, high], if Descartes' rule proves that it has no zero there. It does so for
-/// every g without a zero as soon as the interval is short enough.
-pub(super) fn constant_sign(g: &IntegerPolynomial, low: &Rational, high: &Rational) -> Option<i8> {
-    let degree = g.coefficients_asc().len().checked_sub(1)?;
-    // g((p + w x) / q) q^degree
-    let common = low.denominator() * high.denominator();
-    let whole = Rational::from(&common);
-    let p = (low * &whole).numerator();
-    let w = ((high - low) * &whole).numerator();
-    let line = IntegerPolynomial::from_coefficients_asc(vec![p, w]);
-    let mut moved = IntegerPolynomial::ZERO;
-    let mut power = Integer::ONE;
-    for c in g.coefficients_asc().iter().rev() {
-        let term = IntegerPolynomial::from_coefficients_asc(vec![c * &power]);
-        moved = moved * &line + term;
-        power *= &common;
-    }
-    // (1 + x)^degree g at low + (high − low)/(1 + x): its coefficients are those in the Bernstein basis.
-    let mut coefficients = moved.into_coefficients_asc();
-    coefficients.resize(degree + 1, Integer::ZERO);
-    coefficients.reverse();
-    let bernstein = shift_by_one(IntegerPolynomial::from_coefficients_asc(coefficients));
-    let signs = bernstein.coefficients_asc().iter().map(integer_sign);
-    let [first, last] = [
-        bernstein.coefficients_asc().first()?,
-        bernstein.coefficients_asc().get(degree)?,
-    ]
-    .map(integer_sign);
-    (first != 0 && first == last && signs.into_iter().all(|s| s == 0 || s == first))
-        .then_some(first)
-}
-
 /// Bounds of g on [low, high], by Horner.
 pub(super) fn range(
     g: &IntegerPolynomial,
@@ -141,29 +109,6 @@ mod tests {
 
     fn fraction(p: i64, q: i64) -> Rational {
         Rational::from(p) / Rational::from(q)
-    }
-
-    #[test]
-    fn a_sign_without_zeros_is_proved() {
-        let g = poly(&[-2, 0, 1]); // t² − 2
-        assert_eq!(constant_sign(&g, &fraction(3, 2), &fraction(2, 1)), Some(1));
-        assert_eq!(
-            constant_sign(&g, &fraction(-1, 1), &fraction(1, 1)),
-            Some(-1)
-        );
-        assert_eq!(constant_sign(&g, &fraction(1, 1), &fraction(2, 1)), None);
-        assert_eq!(
-            constant_sign(&poly(&[0, 1]), &fraction(0, 1), &fraction(2, 1)),
-            None
-        );
-        assert_eq!(
-            constant_sign(&poly(&[-3]), &fraction(0, 1), &fraction(2, 1)),
-            Some(-1)
-        );
-        assert_eq!(
-            constant_sign(&poly(&[]), &fraction(0, 1), &fraction(2, 1)),
-            None
-        );
     }
 
     proptest! {
