@@ -6,7 +6,9 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use stellate::exact::Rational;
 use stellate::limits::Limits;
-use stellate::parametrize::{AngleRange, Branch, Parametrization, PolarMethod, parametrize};
+use stellate::parametrize::{
+    AngleRange, Branch, Parametrization, PolarMethod, Radius, parametrize,
+};
 use stellate::poly::PlanePolynomial;
 use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::{Form, ImplicitCurve};
@@ -162,5 +164,71 @@ fn isolated_points_have_the_right_sign() {
             let x = if text.starts_with("(x-1)") { 1.0 } else { -1.0 };
             assert!((theta.cos() - x / 3f64.sqrt()).abs() < 1e-5, "{theta}");
         }
+    }
+}
+
+/// Where the leading part vanishes one root is infinite, and the finite ones are not lost.
+#[test]
+fn finite_roots_beside_an_infinite_one_are_kept() {
+    use stellate::language::{Numbers, parse_form};
+    for text in [
+        "x^3 + x^2*y + y - 1",
+        "x^3 - 3x*y^2 + y^2 - x - 1",
+        "x^2*y^2 - x^3 + y - 2x^2 + 3",
+        "x^4 + x^3*y - 4x^2*y + x*y - 5x + y^2 - 2",
+        "x^6 - x^2*y^4 - 7x^4 + y^4 - x^2 + 2y^2 - 1",
+        // The slope is irrational: x² = 2y².
+        "(x^2 - 2y^2)*x + 3x*y + y - 1",
+        "(x^2 - 2y^2)*(x^2 + y^2) + x^2*y - 3x*y + y - 1",
+    ] {
+        let Form::Curve(curve) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
+            panic!("a plane curve")
+        };
+        let found = parametrize(&curve, &Limits::none()).unwrap();
+        let top = curve.polynomial().homogeneous_degrees()[0];
+        let top = curve.polynomial().part(top).unwrap();
+        let mut seen = 0;
+        for degrees in (0..360).step_by(90) {
+            let direction = Direction::from_degrees(&Rational::from(degrees));
+            let Ray::Points(points) = RaySolver::new(curve.polynomial()).solve(&direction) else {
+                panic!("no line in {text}")
+            };
+            let theta = f64::from(degrees).to_radians();
+            let here = |ranges: &[AngleRange]| {
+                ranges.iter().any(|r| {
+                    let at = |e: &stellate::parametrize::ExactAngle| {
+                        e.to_decimal(9).parse::<f64>().unwrap()
+                    };
+                    let (from, to) = (at(&r.from), at(&r.to));
+                    let closed = |e: f64, c: bool| (e - theta).abs() < 1e-8 && c;
+                    (from + 1e-8 < theta && theta < to - 1e-8)
+                        || closed(from, r.closed[0])
+                        || closed(to, r.closed[1])
+                })
+            };
+            let real = found.branches.iter().filter(|b| here(&b.real)).count();
+            let positive = found.branches.iter().filter(|b| here(&b.positive)).count();
+            assert_eq!(real, points.len(), "{text} at {degrees} degrees");
+            assert_eq!(
+                positive,
+                points.iter().filter(|p| p.r > 0.0).count(),
+                "{text} at {degrees} degrees"
+            );
+            seen += usize::from(
+                top.evaluate(&direction.u().numerator(), &direction.v().numerator()) == 0
+                    && !points.is_empty(),
+            );
+        }
+        let irrational = text.starts_with("(x^2");
+        assert!(
+            seen > 0 || irrational,
+            "{text}: a leading part vanishes along an axis"
+        );
+        let single = found
+            .branches
+            .iter()
+            .filter(|b| matches!(&b.radius, Radius::Root(root) if root.is_point()))
+            .count();
+        assert!(single > 0, "{text}");
     }
 }

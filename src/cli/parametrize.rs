@@ -64,7 +64,7 @@ fn branch_fit(
     curve: &Parametrization,
     session: &mut Session,
 ) -> Result<Option<BranchFit>> {
-    let is_root = |b: &Branch| matches!(b.radius, Radius::Root(_));
+    let is_root = |b: &Branch| matches!(&b.radius, Radius::Root(root) if !root.is_point());
     if !curve.branches.iter().any(is_root) {
         let given = [
             ("--branch", verb.branch.is_some()),

@@ -107,7 +107,9 @@ pub(super) fn roots_text(radius: &Radius, digits: u32) -> String {
         format!("root {} of {} for theta in {range}", arc.rank + 1, arc.of)
     });
     let text = arcs.collect::<Vec<_>>().join(", ");
-    if text.is_empty() {
+    if root.is_point() && !text.is_empty() {
+        format!("a single point, of the finite real r from the largest: {text}")
+    } else if text.is_empty() {
         "an isolated point".into()
     } else {
         format!("real r from the largest: {text}")

@@ -111,10 +111,9 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         result
             .rational
             .extend(rationality(curve.polynomial(), 0, &result));
-        note_points(curve, true, &mut result);
+        note_points(curve, &mut result);
         return Ok(result);
     }
-    let mut complete = true;
     let factors = factor_plane(curve.polynomial(), limits)?.factors;
     let only_lines = |f: &PlanePolynomial| f.homogeneous_degrees().len() == 1;
     for (index, factor) in factors.iter().enumerate() {
@@ -130,7 +129,7 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
                 .lines
                 .extend(factor.polynomial.parts().flat_map(directions));
         } else {
-            complete &= add_factor(&factor.polynomial, index, &mut result, limits)?;
+            add_factor(&factor.polynomial, index, &mut result, limits)?;
             result
                 .rational
                 .extend(rationality(&factor.polynomial, index, &result));
@@ -140,20 +139,19 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         result.method = PolarMethod::Factors;
         result.step = 1;
     }
-    note_points(curve, complete, &mut result);
+    note_points(curve, &mut result);
     Ok(result)
 }
 
-/// Notes on the origin, and on a curve with no real points or with isolated ones only; `complete` says that
-/// no root is left out of the ranges.
-fn note_points(curve: &ImplicitCurve, complete: bool, result: &mut Parametrization) {
+/// Notes on the origin, and on a curve with no real points or with isolated ones only.
+fn note_points(curve: &ImplicitCurve, result: &mut Parametrization) {
     let multiplicity = curve.polynomial().lowest_degree().unwrap_or(0);
     if multiplicity > 0 {
         result.notes.push(format!(
             "the origin belongs to the curve, with multiplicity {multiplicity}"
         ));
     }
-    if !complete || !result.lines.is_empty() {
+    if !result.lines.is_empty() {
         return;
     }
     let ranges: Vec<&AngleRange> = result.branches.iter().flat_map(|b| &b.real).collect();
@@ -184,13 +182,13 @@ fn rationality(
     })
 }
 
-/// The branches of one irreducible factor that is not a form; whether their ranges are complete.
+/// The branches of one irreducible factor that is not a form.
 fn add_factor(
     f: &PlanePolynomial,
     index: usize,
     result: &mut Parametrization,
     limits: &Limits,
-) -> Result<bool> {
+) -> Result<()> {
     let curve = ImplicitCurve::new(f.clone()).with_center(result.center.clone());
     if let Ok(found) = fourier_branches(&curve) {
         result.method = PolarMethod::Lemma(found.lemma);
@@ -198,7 +196,7 @@ fn add_factor(
         result
             .branches
             .extend(found.radii.into_iter().map(|r| Branch::fourier(index, r)));
-        return Ok(true);
+        return Ok(());
     }
     let degrees = f.homogeneous_degrees();
     let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
@@ -217,28 +215,38 @@ fn add_factor(
             let all = [0, 1, 2, 3, 4].map(|j| part(top - j * step));
             lemma_5(all.each_ref(), k)
         }
-        _ => {
-            add_traced(f, index, step, result, limits)?;
-            return Ok(true);
-        }
+        _ => return add_traced(f, index, step, result, limits),
     };
-    let left_out = if degree > 2 {
-        directions(&part(top))
-    } else {
-        Vec::new()
-    };
-    for line in &left_out {
-        result.notes.push(format!(
-            "at theta = {} the part of degree {top} vanishes: one root is infinite there, and the others, of the parts below, are left out of the ranges",
-            line.describe()
-        ));
-    }
     result.method = PolarMethod::Lemma(degree + 1);
     result.step = step;
     result
         .branches
         .extend(closed.into_iter().map(|b| Branch::closed(index, b)));
-    Ok(left_out.is_empty())
+    if degree > 2 && !directions(&part(top)).is_empty() {
+        let tracing = Arc::new(Tracing::new(equation(f, step), limits)?);
+        let points = tracing.finite_where_one_is_infinite();
+        if !points.is_empty() {
+            result.notes.push(format!(
+                "factor {index}: where the part of degree {top} vanishes one root is infinite, and the formulas have no value; the finite ones there are branches of their own"
+            ));
+        }
+        result
+            .branches
+            .extend(points.into_iter().map(|b| Branch::root(index, b)));
+    }
+    Ok(())
+}
+
+/// The equation of a factor in powers of r^step.
+fn equation(f: &PlanePolynomial, step: usize) -> Equation {
+    let degrees = f.homogeneous_degrees();
+    let (top, lowest) = (degrees[0], degrees[degrees.len() - 1]);
+    let part = |d: usize| f.part(d).cloned().unwrap_or_else(|| BinaryForm::zero(d));
+    Equation {
+        forms: (lowest..=top).step_by(step).map(part).collect(),
+        lowest,
+        step,
+    }
 }
 
 /// The branches of a factor of degree more than four in r^step, root by root.
@@ -251,13 +259,7 @@ fn add_traced(
 ) -> Result<()> {
     let degrees = f.homogeneous_degrees();
     let (top, low) = (degrees[0], degrees[degrees.len() - 1]);
-    let part = |d: usize| f.part(d).cloned().unwrap_or_else(|| BinaryForm::zero(d));
-    let equation = Equation {
-        forms: (low..=top).step_by(step).map(part).collect(),
-        lowest: low,
-        step,
-    };
-    let tracing = Arc::new(Tracing::new(equation, limits)?);
+    let tracing = Arc::new(Tracing::new(equation(f, step), limits)?);
     let list: Vec<String> = degrees.iter().map(ToString::to_string).collect();
     let in_power = if step > 1 {
         format!("r^{step}")
@@ -277,14 +279,12 @@ fn add_traced(
     }
     result.method = PolarMethod::Numeric;
     result.step = step;
-    result
-        .branches
-        .extend(tracing.branches().into_iter().map(|branch| Branch {
-            factor: index,
-            real: branch.real.clone(),
-            positive: branch.positive.clone(),
-            radius: Radius::Root(branch),
-        }));
+    result.branches.extend(
+        tracing
+            .branches()
+            .into_iter()
+            .map(|b| Branch::root(index, b)),
+    );
     Ok(())
 }
 
@@ -310,6 +310,15 @@ impl Branch {
             real: vec![AngleRange::full_circle()],
             positive: positive_ranges(&radius),
             radius: Radius::Fourier(radius),
+        }
+    }
+
+    fn root(factor: usize, branch: RootBranch) -> Self {
+        Self {
+            factor,
+            real: branch.real.clone(),
+            positive: branch.positive.clone(),
+            radius: Radius::Root(branch),
         }
     }
 

@@ -16,6 +16,8 @@ pub struct RootBranch {
     tracing: Arc<Tracing>,
     /// The sectors where it is real, with the index of r among the real radii there, ascending.
     arcs: Vec<(usize, usize)>,
+    /// For a root at a single angle: which of the real radii r ≠ 0 there, from the largest, and of how many.
+    single: Option<(usize, usize)>,
     /// Where it is real and finite.
     pub(in crate::parametrize) real: Vec<AngleRange>,
     /// Where it is positive.
@@ -66,6 +68,7 @@ impl Tracing {
                 real: graph.ranges(&arcs, |sign| sign.is_some(), |_| true),
                 positive: graph.ranges(&arcs, |sign| sign == Some(1), |sign| sign > 0),
                 arcs,
+                single: None,
             })
             .collect();
         branches.extend(graph.isolated.iter().map(|&(boundary, sign)| {
@@ -73,10 +76,42 @@ impl Tracing {
             RootBranch {
                 tracing: Arc::clone(self),
                 arcs: Vec::new(),
+                single: None,
                 real: point(),
                 positive: if sign > 0 { point() } else { Vec::new() },
             }
         }));
+        branches
+    }
+
+    /// The finite real r ≠ 0 at the single angles where another root is infinite: there a formula with the leading
+    /// coefficient as its denominator has no value.
+    pub(in crate::parametrize) fn finite_where_one_is_infinite(
+        self: &Arc<Self>,
+    ) -> Vec<RootBranch> {
+        let mut branches = Vec::new();
+        for &(index, turned) in &self.boundaries() {
+            let link = self.link(index, turned);
+            if !link.loses {
+                continue;
+            }
+            let angle = self.angle(index, turned);
+            let mut signs: Vec<i8> = link.finite.iter().rev().copied().collect();
+            if !self.is_odd() {
+                let positive = signs.iter().filter(|s| **s > 0).count();
+                signs = [vec![1; positive], vec![-1; positive]].concat();
+            }
+            for (rank, &sign) in signs.iter().enumerate() {
+                let point = || vec![AngleRange::point(angle.clone())];
+                branches.push(RootBranch {
+                    tracing: Arc::clone(self),
+                    arcs: Vec::new(),
+                    single: Some((rank, signs.len())),
+                    real: point(),
+                    positive: if sign > 0 { point() } else { Vec::new() },
+                });
+            }
+        }
         branches
     }
 
@@ -284,6 +319,10 @@ impl RootBranch {
                 .cloned()
                 .unwrap_or_else(|| ExactAngle::Pi(Rational::from(2)))
         };
+        if let Some((rank, of)) = self.single {
+            let range = self.real[0].clone();
+            return vec![RootArc { range, rank, of }];
+        }
         let mut arcs: Vec<(usize, RootArc)> = Vec::new();
         for &(sector, index) in &self.arcs {
             let of = graph.radii[sector].len();
@@ -321,6 +360,12 @@ impl RootBranch {
     #[must_use]
     pub fn discriminant(&self) -> IntegerPolynomial {
         self.tracing.discriminant()
+    }
+
+    /// Whether the branch is a point: real at a single angle only.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        self.arcs.is_empty()
     }
 
     /// Whether the branch is positive in every direction.

@@ -27,6 +27,10 @@ pub(super) struct Link {
     pub(super) isolated: Vec<i8>,
     /// Whether R = 0 is a root at α.
     pub(super) zero: bool,
+    /// Whether the leading coefficient vanishes at α.
+    pub(super) loses: bool,
+    /// The signs of the distinct real roots R ≠ 0 at α, ascending.
+    pub(super) finite: Vec<i8>,
     /// Whether all this is complete. If not, some roots that go on through α are not paired, and an
     /// isolated root may be missing.
     pub(super) complete: bool,
@@ -129,6 +133,7 @@ fn through_rational(alpha: &Rational, room: &Rational, cx: &Context<'_>) -> Link
         let only = degree(&at_alpha) - distinct == 1;
         crossing(band, only && lost <= 1, cx.multiplicity)
     });
+    link.finite = roots.iter().map(RealRoot::signum).collect();
     for root in roots {
         let place = bands.place(&root);
         if bands.list[place].is_empty() {
@@ -216,6 +221,8 @@ fn through_irrational(alpha: &RealRoot, cx: &Context<'_>) -> Result<Link> {
                         vec![1; isolated_positive],
                     ]
                     .concat();
+                    link.finite.extend(&link.isolated);
+                    link.finite.sort_unstable();
                     link.complete = true;
                     return Ok(link);
                 }
@@ -419,7 +426,12 @@ impl Bands {
                 }
             }
             if band.kind == Kind::Infinite {
+                link.loses = true;
                 continue;
+            }
+            if band.kind == Kind::Ordinary && !band.is_empty() {
+                link.finite
+                    .push(if self.is_positive(band) { 1 } else { -1 });
             }
             if band.passes() {
                 link.pairs.push((band.below[0], band.above[0]));

@@ -247,9 +247,10 @@ impl Tracing {
             for (a, b) in &mut link.pairs {
                 (*a, *b) = (before - 1 - *a, after - 1 - *b);
             }
-            for sign in &mut link.isolated {
+            for sign in link.isolated.iter_mut().chain(&mut link.finite) {
                 *sign = -*sign;
             }
+            link.finite.reverse();
         }
         link
     }
