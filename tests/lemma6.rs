@@ -34,6 +34,15 @@ fn the_error_of_a_fit_is_what_it_is_said_to_be() {
     let fit = &document["fit"];
     assert_eq!(fit["branch"], 1);
     assert_eq!(fit["harmonics"], 8);
+    // The fitted branch has its formulas, said to be approximate; the other one has none.
+    let branches = &document["branches"];
+    assert_eq!(branches[1]["sympy"], fit["sympy"]);
+    assert_eq!(branches[1]["approximate"], true);
+    assert!(
+        branches[1].get("fourier").is_none(),
+        "the radius is no series"
+    );
+    assert!(branches[0].get("sympy").is_none() && branches[0].get("approximate").is_none());
     assert_eq!(fit["jumps"].as_array().unwrap().len(), 0);
     let samples = fit["samples"].as_u64().unwrap();
     let bound: f64 = fit["max_error_at_samples"]

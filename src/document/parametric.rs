@@ -43,6 +43,9 @@ struct Document {
 struct BranchEntry {
     factor: usize,
     radius: String,
+    /// Whether the formulas are those of a fit, whose error is said there.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    approximate: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     latex: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -138,7 +141,11 @@ fn document(curve: &Parametrization, fit: Option<&BranchFit>, digits: u32) -> Do
         branches: curve
             .branches
             .iter()
-            .map(|b| entry(b, &curve.center, digits))
+            .enumerate()
+            .map(|(index, b)| {
+                let fit = fit.filter(|fit| fit.branch == Some(index));
+                entry(b, fit, &curve.center, digits)
+            })
             .collect(),
         rational: curve
             .rational
@@ -245,13 +252,23 @@ fn radius_text(radius: &Radius, format: Format) -> Option<String> {
     }
 }
 
-fn entry(branch: &Branch, center: &[Rational; 2], digits: u32) -> BranchEntry {
-    let sympy = radius_text(&branch.radius, Format::Sympy);
+/// A branch; if a Fourier series is fitted to it, the formulas are those of the fit.
+fn entry(
+    branch: &Branch,
+    fit: Option<&BranchFit>,
+    center: &[Rational; 2],
+    digits: u32,
+) -> BranchEntry {
+    let formula = |format| {
+        let fitted = || fit.map(|fit| expression(&fit.radius, format, "theta"));
+        radius_text(&branch.radius, format).or_else(fitted)
+    };
+    let sympy = formula(Format::Sympy);
     BranchEntry {
         factor: branch.factor,
-        radius: radius_text(&branch.radius, Format::Text)
-            .unwrap_or_else(|| roots_text(&branch.radius, digits)),
-        latex: radius_text(&branch.radius, Format::Latex),
+        radius: formula(Format::Text).unwrap_or_else(|| roots_text(&branch.radius, digits)),
+        latex: formula(Format::Latex),
+        approximate: fit.is_some(),
         coordinates: sympy.as_ref().map(|sympy| coordinates(sympy, center)),
         sympy,
         fourier: match &branch.radius {
