@@ -171,6 +171,9 @@ fn fits_are_written_in_every_format_that_has_formulas() {
         again.out,
         again.err
     );
+    std::fs::write(folder.path().join("fit.json"), run("json")).unwrap();
+    let document = run_in(folder.path(), &["describe", "fit.json"], "");
+    assert_eq!(document.out, again.out, "{}", document.err);
 }
 
 #[test]

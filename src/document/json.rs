@@ -1,21 +1,18 @@
 //! JSON documents: reading, with the place of whatever is wrong.
 
-use std::fmt;
-
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
+use super::node::{Node, Place};
 use super::superquadric::read_superquadric;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::language::{
-    MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, number_at,
-};
+use crate::language::{MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit};
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, FourierRadius};
 
-/// Reads a document of kind `implicit`, `fourier` or `superquadric`, or the exact Fourier radius of the first
-/// branch, or the superquadric, of a `parametric` one. Fields that are not known are ignored.
+/// Reads a document of kind `implicit`, `fourier` or `superquadric`, or of a `parametric` one the exact Fourier
+/// radius of the first branch, the fit, or the superquadric. Fields that are not known are ignored.
 ///
 /// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; either way
 /// they are taken from their text.
@@ -61,9 +58,15 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
                 let node = root.field(object, "superquadric")?;
                 return read_superquadric(&node, node.object()?).map(Form::Superquadric);
             }
-            let branches = root.field(object, "branches")?;
-            let first = branches.item(branches.array()?, 0)?;
-            let radius = read_fourier(&first.field(first.object()?, "fourier")?)?;
+            let radius = if object.contains_key("fit") {
+                // What was fitted to a curve without a closed form (Lemma 6).
+                let fit = root.field(object, "fit")?;
+                read_fourier(&fit.field(fit.object()?, "fourier")?)?
+            } else {
+                let branches = root.field(object, "branches")?;
+                let first = branches.item(branches.array()?, 0)?;
+                read_fourier(&first.field(first.object()?, "fourier")?)?
+            };
             // The branches have one center, which belongs to the whole document.
             Ok(Form::Fourier(match root.center(object)? {
                 Some((_, center)) => radius.with_center(center),
@@ -74,7 +77,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
             let shown: String = other.chars().take(30).collect();
             Err(kind.wrong(format!(
                 "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
-                 \"fourier\", \"superquadric\" and \"parametric\" with an exact Fourier radius or a superquadric are"
+                 \"fourier\", \"superquadric\" and \"parametric\" with a Fourier radius or a superquadric are"
             )))
         }
     }
@@ -190,127 +193,4 @@ pub(super) fn check_exponents(place: &str, exponents: &[u32; 3]) -> Result<()> {
         )));
     }
     Ok(())
-}
-
-/// The way from the root of a document to a value; it is spelled out only for a message.
-#[derive(Clone, Copy)]
-enum Place<'a> {
-    Root(&'a str),
-    Field(&'a Place<'a>, &'a str),
-    Item(&'a Place<'a>, usize),
-}
-
-impl fmt::Display for Place<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Place::Root(name) => f.write_str(name),
-            Place::Field(parent @ Place::Root(_), name) => write!(f, "{parent}: {name}"),
-            Place::Field(parent, name) => write!(f, "{parent}.{name}"),
-            Place::Item(parent, n) => write!(f, "{parent}[{n}]"),
-        }
-    }
-}
-
-/// A value of a document and where it is.
-pub(super) struct Node<'a> {
-    value: &'a Value,
-    place: Place<'a>,
-    numbers: Numbers,
-}
-
-impl Node<'_> {
-    /// Where it is.
-    pub(super) fn place(&self) -> String {
-        self.place.to_string()
-    }
-
-    pub(super) fn wrong(&self, message: impl Into<String>) -> Error {
-        Error::data(self.place.to_string(), message)
-    }
-
-    pub(super) fn object(&self) -> Result<&Map<String, Value>> {
-        let object = self.value.as_object();
-        object.ok_or_else(|| self.wrong("expected an object { … }"))
-    }
-
-    pub(super) fn array(&self) -> Result<&Vec<Value>> {
-        let array = self.value.as_array();
-        array.ok_or_else(|| self.wrong("expected a list [ … ]"))
-    }
-
-    fn string(&self) -> Result<&str> {
-        let string = self.value.as_str();
-        string.ok_or_else(|| self.wrong("expected a string"))
-    }
-
-    pub(super) fn field<'b>(
-        &'b self,
-        object: &'b Map<String, Value>,
-        name: &'b str,
-    ) -> Result<Node<'b>> {
-        match object.get(name) {
-            Some(value) => Ok(Node {
-                value,
-                place: Place::Field(&self.place, name),
-                numbers: self.numbers,
-            }),
-            None => Err(self.wrong(format!("the field \"{name}\" is missing"))),
-        }
-    }
-
-    pub(super) fn item<'b>(&'b self, array: &'b [Value], n: usize) -> Result<Node<'b>> {
-        match array.get(n) {
-            Some(value) => Ok(Node {
-                value,
-                place: Place::Item(&self.place, n),
-                numbers: self.numbers,
-            }),
-            None => Err(self.wrong(format!("entry {n} is missing"))),
-        }
-    }
-
-    /// A JSON number or a string, from its text.
-    pub(super) fn number(&self) -> Result<Rational> {
-        let owned;
-        let text = match self.value {
-            Value::String(text) => text.as_str(),
-            Value::Number(number) => {
-                owned = number.to_string();
-                &owned
-            }
-            _ => return Err(self.wrong("expected a number or a string such as \"1/3\"")),
-        };
-        match number_at("", text, self.numbers) {
-            Err(Error::Data { message, .. }) => Err(self.wrong(message)),
-            result => result,
-        }
-    }
-
-    pub(super) fn natural(&self) -> Result<u32> {
-        let value = match self.value {
-            Value::Number(number) => number.as_u64(),
-            _ => None,
-        };
-        match value {
-            Some(value) => Ok(u32::try_from(value).unwrap_or(u32::MAX)),
-            None => Err(self.wrong("expected a non-negative integer")),
-        }
-    }
-
-    /// The field `center`, if there is one.
-    fn center<'b>(
-        &'b self,
-        object: &'b Map<String, Value>,
-    ) -> Result<Option<(Node<'b>, [Rational; 2])>> {
-        if object.get("center").is_none_or(Value::is_null) {
-            return Ok(None);
-        }
-        let node = self.field(object, "center")?;
-        let list = node.array()?;
-        if list.len() != 2 {
-            return Err(node.wrong("expected two numbers [x, y]"));
-        }
-        let point = [node.item(list, 0)?.number()?, node.item(list, 1)?.number()?];
-        Ok(Some((node, point)))
-    }
 }

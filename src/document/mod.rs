@@ -10,6 +10,7 @@ mod expression;
 mod fourier;
 mod implicit;
 mod json;
+mod node;
 mod numeric;
 mod parametric;
 mod rational;

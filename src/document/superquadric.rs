@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::json::Node;
+use super::node::Node;
 use super::{Format, SCHEMA};
 use crate::error::{Error, Result};
 use crate::exact::Rational;

@@ -1,0 +1,132 @@
+//! A value inside a JSON document, and where it is: every fault names its place.
+
+use std::fmt;
+
+use serde_json::{Map, Value};
+
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::language::{Numbers, number_at};
+
+/// The way from the root of a document to a value; it is spelled out only for a message.
+#[derive(Clone, Copy)]
+pub(super) enum Place<'a> {
+    Root(&'a str),
+    Field(&'a Place<'a>, &'a str),
+    Item(&'a Place<'a>, usize),
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Root(name) => f.write_str(name),
+            Place::Field(parent @ Place::Root(_), name) => write!(f, "{parent}: {name}"),
+            Place::Field(parent, name) => write!(f, "{parent}.{name}"),
+            Place::Item(parent, n) => write!(f, "{parent}[{n}]"),
+        }
+    }
+}
+
+/// A value of a document and where it is.
+pub(super) struct Node<'a> {
+    pub(super) value: &'a Value,
+    pub(super) place: Place<'a>,
+    pub(super) numbers: Numbers,
+}
+
+impl Node<'_> {
+    /// Where it is.
+    pub(super) fn place(&self) -> String {
+        self.place.to_string()
+    }
+
+    pub(super) fn wrong(&self, message: impl Into<String>) -> Error {
+        Error::data(self.place.to_string(), message)
+    }
+
+    pub(super) fn object(&self) -> Result<&Map<String, Value>> {
+        let object = self.value.as_object();
+        object.ok_or_else(|| self.wrong("expected an object { … }"))
+    }
+
+    pub(super) fn array(&self) -> Result<&Vec<Value>> {
+        let array = self.value.as_array();
+        array.ok_or_else(|| self.wrong("expected a list [ … ]"))
+    }
+
+    pub(super) fn string(&self) -> Result<&str> {
+        let string = self.value.as_str();
+        string.ok_or_else(|| self.wrong("expected a string"))
+    }
+
+    pub(super) fn field<'b>(
+        &'b self,
+        object: &'b Map<String, Value>,
+        name: &'b str,
+    ) -> Result<Node<'b>> {
+        match object.get(name) {
+            Some(value) => Ok(Node {
+                value,
+                place: Place::Field(&self.place, name),
+                numbers: self.numbers,
+            }),
+            None => Err(self.wrong(format!("the field \"{name}\" is missing"))),
+        }
+    }
+
+    pub(super) fn item<'b>(&'b self, array: &'b [Value], n: usize) -> Result<Node<'b>> {
+        match array.get(n) {
+            Some(value) => Ok(Node {
+                value,
+                place: Place::Item(&self.place, n),
+                numbers: self.numbers,
+            }),
+            None => Err(self.wrong(format!("entry {n} is missing"))),
+        }
+    }
+
+    /// A JSON number or a string, from its text.
+    pub(super) fn number(&self) -> Result<Rational> {
+        let owned;
+        let text = match self.value {
+            Value::String(text) => text.as_str(),
+            Value::Number(number) => {
+                owned = number.to_string();
+                &owned
+            }
+            _ => return Err(self.wrong("expected a number or a string such as \"1/3\"")),
+        };
+        match number_at("", text, self.numbers) {
+            Err(Error::Data { message, .. }) => Err(self.wrong(message)),
+            result => result,
+        }
+    }
+
+    pub(super) fn natural(&self) -> Result<u32> {
+        let value = match self.value {
+            Value::Number(number) => number.as_u64(),
+            _ => None,
+        };
+        match value {
+            Some(value) => Ok(u32::try_from(value).unwrap_or(u32::MAX)),
+            None => Err(self.wrong("expected a non-negative integer")),
+        }
+    }
+
+    /// The field `center`, if there is one.
+    pub(super) fn center<'b>(
+        &'b self,
+        object: &'b Map<String, Value>,
+    ) -> Result<Option<(Node<'b>, [Rational; 2])>> {
+        if object.get("center").is_none_or(Value::is_null) {
+            return Ok(None);
+        }
+        let node = self.field(object, "center")?;
+        let list = node.array()?;
+        if list.len() != 2 {
+            return Err(node.wrong("expected two numbers [x, y]"));
+        }
+        let point = [node.item(list, 0)?.number()?, node.item(list, 1)?.number()?];
+        Ok(Some((node, point)))
+    }
+}
