@@ -5,7 +5,7 @@
 use proptest::prelude::*;
 use stellate::document::{
     Annotations, FitReport, Format, read_coefficients_csv, read_document, read_fourier_csv,
-    read_text, write_fourier, write_implicit, write_superquadric, write_surface,
+    read_text, write_form, write_fourier,
 };
 use stellate::error::Error;
 use stellate::exact::Rational;
@@ -17,13 +17,9 @@ fn write(form: &Form, notes: &[&str], format: Format) -> String {
     let mut out = Vec::new();
     let annotations = Annotations {
         notes: notes.iter().map(ToString::to_string).collect(),
+        ..Annotations::default()
     };
-    match form {
-        Form::Fourier(radius) => write_fourier(radius, None, format, &mut out).unwrap(),
-        Form::Curve(curve) => write_implicit(curve, &annotations, format, &mut out).unwrap(),
-        Form::Surface(surface) => write_surface(surface, &annotations, format, &mut out).unwrap(),
-        Form::Superquadric(shape) => write_superquadric(shape, format, &mut out).unwrap(),
-    }
+    write_form(form, &annotations, format, &mut out).unwrap();
     String::from_utf8(out).unwrap()
 }
 

@@ -18,7 +18,10 @@ pub(crate) struct Arguments {
 const FORMS: &str = "\
 A FORM is text, a file, or - for standard input:
   'r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)'   a Fourier radius (angle t or theta)
+  'x = sin(t); y = sin(t)*cos(t)'         a parametric curve; with z = ... a space curve
+  'x = u*cos(v); y = u*sin(v); z = u^2'    a patch, in two parameters (t, theta, u, v, phi)
   'x^4 - x^2 + y^2 = 0'                   an implicit curve in x, y, or a surface in x, y, z
+  'x^2 + y^2 = 1; z = y^5'                a space curve as an intersection of surfaces
   'superquadric 2d a=1,2 e=1/2'           |x/a1|^(2/e) + |y/a2|^(2/e) = 1, or = c with level=c
   outline.csv  outline.png|.jpg|.bmp      a contour: rows x,y in order, or a silhouette
   document.json                           what another verb wrote
@@ -74,9 +77,11 @@ pub(crate) enum Verb {
     /// Tell what a form is: degree, parts, lemma, star-shapedness, what is certain about it
     #[command(after_help = "Example:\n  stellate describe 'r = 1 + 1/5*cos(3*t)'")]
     Describe(Describe),
-    /// Turn a Fourier radius or a contour into its exact implicit polynomial (Theorem 2)
+    /// Turn a Fourier radius, a contour, a parametric curve or a patch into its exact implicit equation (Theorems 1 to 4)
     #[command(after_help = "Examples:
   stellate implicitize 'r = 1 + 1/5*cos(t) + 0.1*sin(t)'
+  stellate implicitize 'x = sin(t); y = sin(t)*cos(t)' --method polar
+  stellate implicitize 'x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)'
   stellate implicitize outline.csv --harmonics 39 --format json -o f.json
   stellate implicitize f.json --format singular")]
     Implicitize(Implicitize),
@@ -95,9 +100,10 @@ pub(crate) enum Verb {
   stellate sample 'x^4 - x^2 + y^2' --directions 8
   stellate sample f.json --theta 0.5 --theta 219.5deg --positive")]
     Sample(Sample),
-    /// Draw forms over each other with equal axes, as SVG or PNG
-    #[command(after_help = "Example:
-  stellate plot outline.csv radius.json f.json -o figure.svg")]
+    /// Draw forms over each other with equal axes, as SVG or PNG; space curves and patches in perspective
+    #[command(after_help = "Examples:
+  stellate plot outline.csv radius.json f.json -o figure.svg
+  stellate plot 'x = (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)' -o torus.svg")]
     Plot(Plot),
 }
 
@@ -112,17 +118,30 @@ pub(crate) struct Describe {
 
 #[derive(Debug, Args)]
 pub(crate) struct Implicitize {
-    /// A Fourier radius, a contour, a superquadric, or an implicit form to be rewritten
+    /// A Fourier radius, a contour, a parametric curve or patch, a superquadric, or an implicit form to be rewritten
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
+    /// The paper's substitution into polar or spherical coordinates, with its spurious factors named, or a
+    /// resultant (plane curves) [default: Theorem 2 for radii, resultant for plane curves, certified linear
+    /// algebra in space]
+    #[arg(long, value_enum)]
+    pub(crate) method: Option<ImplicitizeMethod>,
     /// Coprime integers with the first term positive, or first coefficient 1
     #[arg(long, value_enum, default_value_t = Scale::Integer)]
     pub(crate) scale: Scale,
     /// Coordinates relative to the centre of the fit, or the contour's own
     #[arg(long, value_enum, default_value_t = Coordinates::Centre)]
     pub(crate) coordinates: Coordinates,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ImplicitizeMethod {
+    /// Theorems 1, 3 and 4 of the paper
+    Polar,
+    /// By elimination of the parameter; plane curves only
+    Resultant,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -183,9 +202,21 @@ pub(crate) struct Plot {
     pub(crate) forms: Vec<String>,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
-    /// The part of the plane that is shown: x0,x1,y0,y1
-    #[arg(long, value_name = "X0,X1,Y0,Y1", allow_hyphen_values = true)]
+    /// The part of the plane that is shown: x0,x1,y0,y1; in space x0,x1,y0,y1,z0,z1
+    #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true)]
     pub(crate) window: Option<String>,
+    /// The part of a parameter that is drawn, as t=-2,2; may be repeated [default: once around for an angle, all
+    /// numbers for a bounded curve, else -1.5,1.5]
+    #[arg(long, value_name = "NAME=A,B")]
+    pub(crate) range: Vec<String>,
+    /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y
+    #[arg(
+        long,
+        value_name = "AZIMUTH,ELEVATION",
+        default_value = "30,25",
+        allow_hyphen_values = true
+    )]
+    pub(crate) view: String,
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,

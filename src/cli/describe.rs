@@ -50,6 +50,7 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
         Form::Superquadric(shape) => {
             Description::of_curve(&input::polynomial_of(shape)?, &session.limits)
         }
+        _ => Err(input::plane_only("describe")),
     })?;
     let digits = session.common.digits;
     write_result(session, |out| {

@@ -10,6 +10,7 @@ use stellate::fit::{
     CenterChoice, CenterOrigin, ContourKind, Fit, FitOptions, FitSize, contour_from_reader,
     fit_within, read_contour,
 };
+use stellate::implicitize::{implicitize_patch, implicitize_plane};
 use stellate::language::MAX_TEXT_BYTES;
 use stellate::shape::{Contour, Form, ImplicitCurve, Superquadric};
 
@@ -181,6 +182,32 @@ pub(crate) fn exact_form(input: Input, flags: &FitFlags, session: &mut Session) 
             })
         }
     }
+}
+
+/// A parametric curve as its implicit equation, a patch as that of its surface; other forms as they are.
+pub(crate) fn through_equation(form: Form, session: &mut Session) -> Result<Form> {
+    Ok(match form {
+        Form::PlaneCurve(curve) => {
+            let equation = session.stage("implicitize", |session| {
+                implicitize_plane(&curve, &session.limits)
+            })?;
+            Form::Curve(equation.curve)
+        }
+        Form::Patch(patch) => {
+            let equation = session.stage("implicitize", |session| {
+                implicitize_patch(&patch, &session.limits)
+            })?;
+            Form::Surface(equation.surface)
+        }
+        other => other,
+    })
+}
+
+/// Why a form of space is not taken by a verb of the plane.
+pub(crate) fn plane_only(verb: &str) -> Error {
+    Error::Usage(format!(
+        "this form is in space (it has z): {verb} takes plane curves, in x and y"
+    ))
 }
 
 /// The implicit curve of a superquadric, where it has one.

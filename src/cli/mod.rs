@@ -8,6 +8,7 @@ mod input;
 mod output;
 mod parametrize;
 mod plot;
+mod plot_space;
 mod sample;
 mod session;
 

@@ -28,7 +28,8 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     } else {
         input::exact_form(input, &verb.fit, session)?
     };
-    let parametrization = session.stage("parametrize", |session| match &fitted.form {
+    let form = input::through_equation(fitted.form, session)?;
+    let parametrization = session.stage("parametrize", |session| match &form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
             of_radius(radius, &session.limits)
@@ -38,9 +39,7 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             parametrize(curve, &session.limits)
         }
         Form::Superquadric(shape) => Ok(parametrize_superquadric(shape)),
-        Form::Surface(_) => Err(Error::Usage(
-            "this polynomial has z: parametrize takes plane curves, in x and y".into(),
-        )),
+        _ => Err(input::plane_only("parametrize")),
     })?;
     let fit = branch_fit(verb, is_exact, &parametrization, session)?;
     let is_series = |b: &Branch| matches!(b.radius, Radius::Fourier(_));

@@ -5,16 +5,20 @@ use std::ffi::OsStr;
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::picture::{Figure, Layer, Window, isolated_origin, png_from_svg, trace_zero_set};
-use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, Superquadric};
+use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, Superquadric};
 
 use super::arguments::{FitFlags, Plot};
 use super::input::{self, Content, Input};
 use super::output::{check_destination, write_result};
+use super::plot_space::{self, Range};
 use super::session::Session;
 
 /// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
 const POINTS_PER_HARMONIC: usize = 40;
 const MIN_POINTS: usize = 1440;
+
+/// Points drawn of a parametric curve.
+const CURVE_POINTS: u32 = 2880;
 
 /// Of each of the two kinds of points of a superquadric.
 const POINTS_PER_QUADRANT: usize = 90;
@@ -36,11 +40,27 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     }
     let kind = kind(session)?;
     check_destination(session)?;
-    let window = verb.window.as_deref().map(window).transpose()?;
     let mut inputs = Vec::new();
     for form in &verb.forms {
         inputs.push(input::read(form, session)?);
     }
+    let svg = if inputs.iter().any(plot_space::is_in_space) {
+        input::refuse_fit_flags(&verb.fit)?;
+        session.stage("draw", |_| plot_space::scene(verb, inputs))?
+    } else {
+        plane(verb, inputs, session)?
+    };
+    let bytes = session.stage("draw", |_| match kind {
+        Kind::Svg => Ok(svg.into_bytes()),
+        Kind::Png => png_from_svg(&svg, PNG_SCALE),
+    })?;
+    write_result(session, |out| out.write_all(&bytes))
+}
+
+/// The figure of forms in the plane, as SVG.
+fn plane(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<String> {
+    let window = verb.window.as_deref().map(window).transpose()?;
+    let ranges = plot_space::ranges(verb)?;
     let has_contour = inputs
         .iter()
         .any(|i| matches!(i.content, Content::Contour(_)));
@@ -50,6 +70,10 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     let mut layers = Vec::new();
     let mut curves = Vec::new();
     for input in inputs {
+        if let Content::Exact(Form::PlaneCurve(curve)) = &input.content {
+            layers.push(parametric(curve, &shortened(&input.name), &ranges));
+            continue;
+        }
         add(input, &verb.fit, &mut layers, &mut curves, session)?;
     }
     let mut figure = Figure {
@@ -69,14 +93,7 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
         })?;
         bar.finish_and_clear();
     }
-    let bytes = session.stage("draw", |_| {
-        let svg = figure.to_svg()?;
-        match kind {
-            Kind::Svg => Ok(svg.into_bytes()),
-            Kind::Png => png_from_svg(&svg, PNG_SCALE),
-        }
-    })?;
-    write_result(session, |out| out.write_all(&bytes))
+    session.stage("draw", |_| figure.to_svg())
 }
 
 fn kind(session: &Session) -> Result<Kind> {
@@ -99,17 +116,11 @@ fn kind(session: &Session) -> Result<Kind> {
 }
 
 fn window(text: &str) -> Result<Window> {
-    let numbers: Vec<f64> = text
-        .split(',')
-        .filter_map(|t| t.trim().parse().ok())
-        .collect();
-    match numbers[..] {
-        [x0, x1, y0, y1] if x0 < x1 && y0 < y1 && numbers.iter().all(|v| v.is_finite()) => {
-            Ok(Window {
-                x: [x0, x1],
-                y: [y0, y1],
-            })
-        }
+    match plot_space::numbers_of::<4>(text) {
+        Some([x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => Ok(Window {
+            x: [x0, x1],
+            y: [y0, y1],
+        }),
         _ => Err(Error::Usage(format!(
             "--window {text}: expected X0,X1,Y0,Y1 with X0 < X1 and Y0 < Y1, such as -1,1,-1,1"
         ))),
@@ -143,11 +154,7 @@ fn add(
             zero_set(curve, &name, layers, curves);
         }
         Content::Exact(Form::Superquadric(shape)) => layers.push(superquadric(&shape)),
-        Content::Exact(Form::Surface(_)) => {
-            return Err(Error::Usage(format!(
-                "{name}: this polynomial has z: plot draws plane curves, in x and y"
-            )));
-        }
+        Content::Exact(_) => return Err(input::plane_only("plot")),
     }
     Ok(())
 }
@@ -167,7 +174,7 @@ fn zero_set(
     curves.push((layers.len() - 1, curve));
 }
 
-fn shortened(name: &str) -> String {
+pub(crate) fn shortened(name: &str) -> String {
     const LONGEST: usize = 40;
     let line: String = name.split_whitespace().collect::<Vec<_>>().join(" ");
     if line.chars().count() <= LONGEST {
@@ -193,6 +200,17 @@ fn series(radius: &FourierRadius, name: &str) -> Layer {
     Layer {
         label: format!("Fourier radius, N = {n}, {name}"),
         lines: vec![points],
+        ..Layer::default()
+    }
+}
+
+fn parametric(curve: &PlaneCurve, name: &str, ranges: &[Range]) -> Layer {
+    let range = plot_space::range_of(curve.parameter(), ranges);
+    let said = plot_space::range_text(curve.parameter(), range, curve.is_bounded());
+    let said = said.map(|text| format!(", {text}")).unwrap_or_default();
+    Layer {
+        label: format!("parametric curve, {name}{said}"),
+        lines: curve.polylines(range, CURVE_POINTS),
         ..Layer::default()
     }
 }

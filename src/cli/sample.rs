@@ -36,7 +36,8 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
         let origin = [Rational::zero(), Rational::zero()];
         return write_result(session, |out| write_samples(&rays, &origin, format, out));
     }
-    let curve = session.stage("implicitize", |session| curve(fitted.form, session))?;
+    let form = input::through_equation(fitted.form, session)?;
+    let curve = session.stage("implicitize", |session| curve(form, session))?;
     let solver = RaySolver::new(curve.polynomial());
     let rays = session.stage("sample", |session| {
         solve(|d| Ok(solver.solve(d)), directions, verb.positive, session)
@@ -114,9 +115,7 @@ fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
             Ok(curve)
         }
         Form::Superquadric(shape) => input::polynomial_of(&shape),
-        Form::Surface(_) => Err(Error::Usage(
-            "this polynomial has z: sample takes plane curves, in x and y".into(),
-        )),
+        _ => Err(input::plane_only("sample")),
     }
 }
 

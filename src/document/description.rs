@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::angles::{Range, ranges_text};
-use super::{Annotations, Format, SCHEMA, write_implicit, write_surface};
+use super::{Annotations, Format, SCHEMA, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::shape::Form;
 
@@ -78,13 +78,7 @@ impl FactorEntry {
 
 fn written(shape: &Form, format: Format) -> io::Result<Vec<u8>> {
     let mut text = Vec::new();
-    let annotations = Annotations::default();
-    match shape {
-        Form::Curve(curve) => write_implicit(curve, &annotations, format, &mut text)?,
-        Form::Surface(surface) => write_surface(surface, &annotations, format, &mut text)?,
-        Form::Fourier(radius) => super::write_fourier(radius, None, format, &mut text)?,
-        Form::Superquadric(shape) => super::write_superquadric(shape, format, &mut text)?,
-    }
+    write_form(shape, &Annotations::default(), format, &mut text)?;
     Ok(text)
 }
 

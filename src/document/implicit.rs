@@ -5,13 +5,26 @@ use std::io::{self, Write};
 use super::terms::Notation;
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
+use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 
 /// What a document says besides the polynomial.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotations {
     /// Remarks for the reader: comments, or the field `notes` of a JSON document.
     pub notes: Vec<String>,
+    /// More fields of the JSON document.
+    pub fields: Vec<(&'static str, serde_json::Value)>,
+}
+
+/// A polynomial in x, y, z as the input language has it.
+pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
+    let terms = f.terms();
+    let terms = terms.map(|(e, c)| (c.clone(), Notation::Text.monomial(e)));
+    let mut text = Vec::new();
+    let written = Notation::Text.write_sum(terms, &mut text);
+    debug_assert!(written.is_ok(), "writing into memory succeeds");
+    String::from_utf8_lossy(&text).into_owned()
 }
 
 /// Writes `f(x, y) = 0`, terms in canonical order, and the center if it is not the origin.
@@ -55,7 +68,7 @@ pub fn write_implicit(
         center: center_comment(curve.center()),
         center_json: curve.center(),
         z_is_missing: false,
-        notes: &annotations.notes,
+        annotations,
     }
     .write(&degrees, format, out)
 }
@@ -95,7 +108,7 @@ pub fn write_surface(
         center: None,
         center_json: &[Rational::zero(), Rational::zero()],
         z_is_missing: f.terms().all(|(e, _)| e[2] == 0),
-        notes: &annotations.notes,
+        annotations,
     }
     .write(&degrees, format, out)
 }
@@ -107,7 +120,7 @@ struct Implicit<'a, T> {
     center: Option<String>,
     center_json: &'a [Rational; 2],
     z_is_missing: bool,
-    notes: &'a [String],
+    annotations: &'a Annotations,
 }
 
 impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
@@ -145,7 +158,7 @@ impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
 
     /// The center and the notes; every line starts as a comment.
     fn write_comments(&self, end: &str, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        let notes = self.notes.iter().flat_map(|note| note.lines());
+        let notes = self.annotations.notes.iter().flat_map(|note| note.lines());
         let notes = notes.map(|line| format!("note: {line}"));
         for (i, comment) in self.center.iter().cloned().chain(notes).enumerate() {
             if i > 0 && end.is_empty() {
@@ -207,9 +220,13 @@ impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
             let [x, y] = self.center_json;
             write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
         }
-        if !self.notes.is_empty() {
+        if !self.annotations.notes.is_empty() {
             write!(out, ",\"notes\":")?;
-            serde_json::to_writer(&mut *out, self.notes)?;
+            serde_json::to_writer(&mut *out, &self.annotations.notes)?;
+        }
+        for (name, value) in &self.annotations.fields {
+            write!(out, ",\"{name}\":")?;
+            serde_json::to_writer(&mut *out, value)?;
         }
         write!(out, ",\"terms\":[")?;
         let in_space = self.variables.len() == 3;

@@ -3,11 +3,14 @@
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
+use super::intersection::read_intersection;
 use super::node::{Node, Place};
 use super::superquadric::read_superquadric;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::language::{MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit};
+use crate::language::{
+    MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, parse_form,
+};
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, FourierRadius};
 
@@ -53,6 +56,12 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         "implicit" => read_implicit(&root, object, source_name),
         "fourier" => read_fourier(&root).map(Form::Fourier),
         "superquadric" => read_superquadric(&root, object).map(Form::Superquadric),
+        "intersection" => read_intersection(&root, object, |node| {
+            read_implicit(node, node.object()?, source_name)
+        }),
+        "parametric" if !object.contains_key("branches") && object.contains_key("coordinates") => {
+            read_coordinates(&root, object, source_name)
+        }
         "parametric" => {
             if object.contains_key("superquadric") {
                 let node = root.field(object, "superquadric")?;
@@ -77,8 +86,32 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
             let shown: String = other.chars().take(30).collect();
             Err(kind.wrong(format!(
                 "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
-                 \"fourier\", \"superquadric\" and \"parametric\" with a Fourier radius or a superquadric are"
+                 \"fourier\", \"superquadric\", \"intersection\" and \"parametric\" with a Fourier radius, a \
+                 superquadric or coordinates are"
             )))
+        }
+    }
+}
+
+/// The coordinates of a parametric form, each a formula of the input language.
+fn read_coordinates(
+    root: &Node<'_>,
+    object: &Map<String, Value>,
+    source_name: &str,
+) -> Result<Form> {
+    let coordinates = root.field(object, "coordinates")?;
+    let fields = coordinates.object()?;
+    let mut text = String::new();
+    for name in fields.keys() {
+        let formula = coordinates.field(fields, name)?;
+        text.push_str(&format!("{name} = {}\n", formula.string()?));
+    }
+    let name = format!("{source_name}: coordinates");
+    match parse_form(&text, &name, root.numbers)? {
+        form @ (Form::PlaneCurve(_) | Form::SpaceCurve(_) | Form::Patch(_)) => Ok(form),
+        _ => {
+            Err(coordinates
+                .wrong("expected functions of a parameter, such as {\"x\": \"cos(t)\", …}"))
         }
     }
 }

@@ -4,11 +4,14 @@
 //! without loss, the center included.
 
 mod angles;
+mod coordinates;
 mod csv;
 mod description;
 mod expression;
 mod fourier;
 mod implicit;
+mod implicitization;
+mod intersection;
 mod json;
 mod node;
 mod numeric;
@@ -18,12 +21,14 @@ mod samples;
 mod superquadric;
 mod terms;
 
-use std::fmt;
+use std::{fmt, io};
 
+pub use coordinates::Coordinates;
 pub use csv::{read_coefficients_csv, read_fourier_csv};
 pub use description::write_description;
 pub use fourier::{FitReport, write_fourier};
 pub use implicit::{Annotations, write_implicit, write_surface};
+pub use intersection::write_intersection;
 pub use json::read_document;
 pub use parametric::write_parametrization;
 pub use samples::{SampledRay, write_samples};
@@ -101,6 +106,28 @@ impl fmt::Display for Format {
             Format::Maple => "maple",
             Format::Singular => "singular",
         })
+    }
+}
+
+/// Writes any form in the given format, with what is annotated if it is implicit.
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for a format that the kind of form does not have.
+pub fn write_form(
+    form: &Form,
+    annotations: &Annotations,
+    format: Format,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    match form {
+        Form::Fourier(radius) => write_fourier(radius, None, format, out),
+        Form::Curve(curve) => write_implicit(curve, annotations, format, out),
+        Form::Surface(surface) => write_surface(surface, annotations, format, out),
+        Form::Superquadric(shape) => write_superquadric(shape, format, out),
+        Form::PlaneCurve(curve) => Coordinates::from(curve).write(format, out),
+        Form::SpaceCurve(curve) => Coordinates::from(curve).write(format, out),
+        Form::Patch(patch) => Coordinates::from(patch).write(format, out),
+        Form::Intersection(surfaces) => write_intersection(surfaces, annotations, format, out),
     }
 }
 

@@ -5,8 +5,8 @@ use serde::Serialize;
 use super::Format;
 use super::terms::Notation;
 use crate::exact::Rational;
-use crate::parametrize::{Cover, FactorRationality, RationalCurve, RationalFunction, Rationality};
-use crate::poly::{BinaryForm, IntegerPolynomial};
+use crate::parametrize::{Cover, FactorRationality, RationalCurve, Rationality};
+use crate::poly::{BinaryForm, IntegerPolynomial, RationalFunction};
 
 /// Longer equations of a cover are not printed in text.
 const LONGEST_EQUATION: usize = 120;
@@ -42,8 +42,8 @@ impl Coordinates {
     /// In the coordinates of the plane: about the center.
     fn new(curve: &RationalCurve, [a, b]: &[Rational; 2], format: Format) -> Self {
         Self {
-            x: function_text(&curve.x.plus(a), format),
-            y: function_text(&curve.y.plus(b), format),
+            x: function_text(&curve.x.plus_constant(a), format),
+            y: function_text(&curve.y.plus_constant(b), format),
         }
     }
 }

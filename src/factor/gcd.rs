@@ -6,10 +6,10 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
 use super::modular::PrimeField;
-use super::prime_field::SplitMix;
 use super::terms::{Exponents, Terms};
 use crate::error::Result;
 use crate::limits::Limits;
+use crate::poly::SplitMix;
 use crate::poly::{IntegerPolynomial, polynomial_gcd};
 
 /// The prime that quick tests are made with: 2³¹ − 1.

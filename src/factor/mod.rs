@@ -59,6 +59,71 @@ pub struct Factor<P> {
     pub proof: Irreducibility,
 }
 
+/// The primitive parts of two polynomials in at most three variables, none of them 0, divided by their
+/// greatest common divisor; first terms positive.
+///
+/// # Errors
+/// What `limits` returns.
+///
+/// # Panics
+/// If there are more than three variables.
+pub(crate) fn coprime_parts<const V: usize>(
+    [f, g]: [&SparsePolynomial<V>; 2],
+    limits: &Limits,
+) -> Result<[SparsePolynomial<V>; 2]> {
+    let [f, g] = [primitive_terms(f), primitive_terms(g)];
+    let common = gcd::gcd(&f, &g, limits)?;
+    // A gcd divides, so the default never comes to pass.
+    Ok([f, g].map(|f| canonical(&f.divided_by(&common).unwrap_or(f))))
+}
+
+/// The primitive part of the greatest common divisor of two polynomials in at most three variables, with positive
+/// first term; one of them may be 0.
+///
+/// # Errors
+/// What `limits` returns.
+///
+/// # Panics
+/// If there are more than three variables.
+pub(crate) fn greatest_common_divisor<const V: usize>(
+    f: &SparsePolynomial<V>,
+    g: &SparsePolynomial<V>,
+    limits: &Limits,
+) -> Result<SparsePolynomial<V>> {
+    let common = gcd::gcd(&primitive_terms(f), &primitive_terms(g), limits)?;
+    Ok(canonical(&common))
+}
+
+/// The product of the different irreducible factors of a plane polynomial that is a power of an irreducible one:
+/// that one.
+///
+/// # Errors
+/// What `limits` returns.
+pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<PlanePolynomial> {
+    let terms = primitive_terms(&SparsePolynomial::<3>::from(f));
+    let Some(&v) = terms.used().first() else {
+        return Ok(f.clone());
+    };
+    let repeated = gcd::gcd(&terms, &terms.derivative(v), limits)?;
+    let quotient = terms.divided_by(&repeated).unwrap_or(terms);
+    Ok(canonical::<3>(&quotient)
+        .to_plane()
+        .unwrap_or_else(|| f.clone()))
+}
+
+fn primitive_terms<const V: usize>(f: &SparsePolynomial<V>) -> Terms {
+    let padded = |e: &[u32; V]| std::array::from_fn(|v| if v < V { e[v] } else { 0 });
+    let primitive = f.primitive();
+    let terms = primitive.terms().map(|(e, c)| (padded(e), c.numerator()));
+    Terms::new(terms.collect())
+}
+
+fn canonical<const V: usize>(f: &Terms) -> SparsePolynomial<V> {
+    let terms = f.iter();
+    let terms = terms.map(|(e, c)| (std::array::from_fn(|v| e[v]), Rational::from(c)));
+    SparsePolynomial::from_terms(terms).primitive()
+}
+
 /// The irreducible factors over Q of a univariate polynomial with integer coefficients.
 ///
 /// Deflation, Yun, Zassenhaus. Cost: with r factors modulo the best prime, at most 2^(r−1) cheap tests

@@ -3,6 +3,7 @@
 use super::modular::PrimeField;
 use crate::error::Result;
 use crate::limits::Limits;
+use crate::poly::SplitMix;
 
 /// Distinct-degree factorization of a monic squarefree f: pairs (d, product of the monic
 /// irreducible factors of degree d), ascending in d.
@@ -78,19 +79,6 @@ pub(super) fn equal_degree(field: &PrimeField, f: Vec<u64>, degree: usize) -> Ve
         }
     }
     done
-}
-
-/// A small generator of well-mixed numbers (Steele, Lea & Flood's SplitMix64).
-pub(super) struct SplitMix(pub(super) u64);
-
-impl SplitMix {
-    pub(super) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
 }
 
 #[cfg(test)]

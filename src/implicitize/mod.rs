@@ -1,5 +1,20 @@
 //! Parametric → implicit (§2 of the paper).
 
+mod fibre;
+mod map;
+mod patch;
+mod polar;
+mod resultant;
+mod space_curve;
 mod theorem2;
+mod tracing;
+mod vanishing;
 
+pub use patch::{SurfaceEquation, implicitize_patch};
+pub use polar::{
+    PolarFactor, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role, polar_patch,
+    polar_plane, polar_space_curve,
+};
+pub use resultant::{PlaneEquation, implicitize_plane};
+pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};
 pub use theorem2::{Parts, SquaredForm, parity_sums, square_away};

@@ -29,7 +29,7 @@ pub(super) trait Algebra {
 
     fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<Self::Value>;
 
-    /// cos or sin of one argument.
+    /// A function of an angle: cos, sin, tan, cot, sec or csc.
     fn call(
         &self,
         cx: &mut Context<'_>,
@@ -39,7 +39,19 @@ pub(super) trait Algebra {
     ) -> Result<Self::Value>;
 
     /// sum ± term. A long sum is one accumulator, so this costs the length of the term.
-    fn add(&self, sum: &mut Self::Value, negative: bool, term: Self::Value);
+    fn add(
+        &self,
+        cx: &mut Context<'_>,
+        sum: &mut Self::Value,
+        negative: bool,
+        term: Self::Value,
+        at: Span,
+    ) -> Result<()>;
+
+    /// 1/value for a value that is not a constant, if there is such a thing here.
+    fn reciprocal(&self, _: Self::Value) -> Option<Self::Value> {
+        None
+    }
 
     fn multiply(
         &self,
@@ -72,14 +84,14 @@ pub(super) fn evaluate<A: Algebra>(
         ExprKind::Negative(inner) => {
             let value = evaluate(cx, algebra, inner)?;
             let mut zero = A::constant(Rational::zero());
-            algebra.add(&mut zero, true, value);
+            algebra.add(cx, &mut zero, true, value, expr.span)?;
             Ok(zero)
         }
         ExprKind::Sum(parts) => {
             let mut sum = A::constant(Rational::zero());
             for (negative, part) in parts {
                 let term = evaluate(cx, algebra, part)?;
-                algebra.add(&mut sum, *negative, term);
+                algebra.add(cx, &mut sum, *negative, term, part.span)?;
             }
             Ok(sum)
         }
@@ -92,7 +104,10 @@ pub(super) fn evaluate<A: Algebra>(
             [argument] => algebra.call(cx, *name, argument, expr.span),
             _ => {
                 let at = arguments.get(1).map_or(expr.span, |a| a.span);
-                Err(cx.source.error(at, "cos and sin have one argument"))
+                let function = cx.source.slice(expr.span);
+                let function = function.split('(').next().unwrap_or("").trim_end();
+                let message = format!("{function} has one argument");
+                Err(cx.source.error(at, message))
             }
         },
     }
@@ -123,10 +138,15 @@ fn product<A: Algebra>(
     for (divides, part) in parts {
         let value = evaluate(cx, algebra, part)?;
         let factor = if *divides {
-            let divisor = A::to_constant(&value)
-                .ok_or_else(|| cx.source.error(part.span, A::DIVISOR))?
-                .recip();
-            A::constant(divisor.ok_or_else(|| cx.source.error(part.span, "division by zero"))?)
+            match A::to_constant(&value) {
+                Some(divisor) => divisor
+                    .recip()
+                    .map(A::constant)
+                    .ok_or_else(|| cx.source.error(part.span, "division by zero"))?,
+                None => algebra
+                    .reciprocal(value)
+                    .ok_or_else(|| cx.source.error(part.span, A::DIVISOR))?,
+            }
         } else {
             value
         };
@@ -166,10 +186,13 @@ fn power<A: Algebra>(
                 .error(base.span, "division by zero: a negative power of 0")
         });
     }
-    if negative {
+    let value = if negative {
         let message = "a negative exponent; only constants have negative powers here";
-        return Err(cx.source.error(exponent.span, message));
-    }
+        let inverse = algebra.reciprocal(value);
+        inverse.ok_or_else(|| cx.source.error(exponent.span, message))?
+    } else {
+        value
+    };
     match magnitude {
         0 => Ok(A::constant(Rational::one())),
         1 => Ok(value),
@@ -235,13 +258,21 @@ impl Algebra for Constants {
         Err(cx.source.error(at, CONSTANT))
     }
 
-    fn add(&self, sum: &mut Rational, negative: bool, term: Rational) {
+    fn add(
+        &self,
+        _: &mut Context<'_>,
+        sum: &mut Rational,
+        negative: bool,
+        term: Rational,
+        _: Span,
+    ) -> Result<()> {
         let before = std::mem::take(sum);
         *sum = if negative {
             before - term
         } else {
             before + term
         };
+        Ok(())
     }
 
     fn multiply(

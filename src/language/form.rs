@@ -6,6 +6,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial as _;
 
 use super::UNDERSTOOD;
+use super::coordinates;
 use super::evaluate::{Algebra, Context, evaluate};
 use super::limits::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
 use super::name::Name;
@@ -31,9 +32,18 @@ pub(super) fn form(
             .source
             .error(at, format!("there is no equation; {UNDERSTOOD}")));
     };
-    refuse_parametric(cx, equation)?;
+    if coordinates::are_parametric(equations) {
+        if let Some((at, _)) = center {
+            let message = "a center belongs to an implicit curve or a Fourier radius";
+            return Err(cx.source.error(at, message));
+        }
+        return coordinates::parametric(cx, equations);
+    }
+    let in_space = |e: &Equation| e.names.first(Name::Z).is_some();
+    if equations.len() > 1 && equations.iter().any(in_space) {
+        return intersection(cx, equations, center);
+    }
     if let Some(second) = equations.get(1) {
-        refuse_parametric(cx, second)?;
         let message = format!("a second equation; {UNDERSTOOD}, and each is one equation");
         return Err(cx.source.error(second.left.span, message));
     }
@@ -44,22 +54,12 @@ pub(super) fn form(
             None => radius,
         }));
     }
-    let mut difference = evaluate(cx, &Implicit, &equation.left)?;
-    if let Some(right) = &equation.right {
-        let value = evaluate(cx, &Implicit, right)?;
-        Implicit.add(&mut difference, true, value);
-    }
-    let polynomial = difference.into_polynomial();
+    let polynomial = difference(cx, equation)?;
     let in_space = equation.names.first(Name::Z).is_some();
     if let (true, Some((at, _))) = (in_space, &center) {
         return Err(cx
             .source
             .error(*at, "a center belongs to a plane curve, this is a surface"));
-    }
-    if let Some(value) = polynomial.as_constant() {
-        return Err(cx
-            .source
-            .error(equation.left.span, constant_message(&value)));
     }
     implicit(
         polynomial,
@@ -69,6 +69,42 @@ pub(super) fn form(
     )
 }
 
+/// left − right, which is not constant.
+fn difference(cx: &mut Context<'_>, equation: &Equation) -> Result<SparsePolynomial<3>> {
+    let mut difference = evaluate(cx, &Implicit, &equation.left)?;
+    if let Some(right) = &equation.right {
+        let value = evaluate(cx, &Implicit, right)?;
+        Implicit.add(cx, &mut difference, true, value, right.span)?;
+    }
+    let polynomial = difference.into_polynomial();
+    match polynomial.as_constant() {
+        Some(value) => Err(cx
+            .source
+            .error(equation.left.span, constant_message(&value))),
+        None => Ok(polynomial),
+    }
+}
+
+/// The common points of several surfaces.
+fn intersection(
+    cx: &mut Context<'_>,
+    equations: &[Equation],
+    center: Option<(Span, [Rational; 2])>,
+) -> Result<Form> {
+    if let Some((at, _)) = center {
+        let message = "a center belongs to a plane curve, this is an intersection of surfaces";
+        return Err(cx.source.error(at, message));
+    }
+    let mut surfaces = Vec::new();
+    for equation in equations {
+        let polynomial = difference(cx, equation)?;
+        if let Form::Surface(surface) = implicit(polynomial, true, None, cx.source.name)? {
+            surfaces.push(surface);
+        }
+    }
+    Ok(Form::Intersection(surfaces))
+}
+
 /// Why a constant is not a curve.
 pub(crate) fn constant_message(value: &Rational) -> &'static str {
     if value.is_zero() {
@@ -76,21 +112,6 @@ pub(crate) fn constant_message(value: &Rational) -> &'static str {
     } else {
         "the equation is a constant = 0: no point satisfies it, so it describes no curve"
     }
-}
-
-const PARAMETERS: &[Name] = &[Name::T, Name::Theta, Name::Parameter, Name::Cos, Name::Sin];
-
-/// `x = …` in a parameter is a form of its own.
-fn refuse_parametric(cx: &Context<'_>, equation: &Equation) -> Result<()> {
-    let is_coordinate = [Name::X, Name::Y, Name::Z]
-        .into_iter()
-        .any(|name| equation.left.is_name(name));
-    if is_coordinate && equation.right.is_some() && equation.names.any(PARAMETERS) {
-        let message =
-            format!("a coordinate as a function of a parameter is not among {UNDERSTOOD}");
-        return Err(cx.source.error(equation.left.span, message));
-    }
-    Ok(())
 }
 
 /// What the radius is, if the equation gives one: the right side of `r = …`, or an expression in

@@ -5,6 +5,9 @@
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
+//! | `x = sin(t); y = sin(t)*cos(t)` | a plane curve; with `z = …` a space curve |
+//! | `x = cos(u)*sin(v); y = cos(u); z = cos(v)` | a patch; the parameters are two of t, theta, u, v, phi |
+//! | `x^2 + y^2 = 1; z = y^5` | the intersection of two or more surfaces |
 //! | `superquadric 2d a=1,2 e=1/2` | the curve `|x/a1|^(2/e) + |y/a2|^(2/e) = 1`; `level=3` makes it `= 3` |
 //!
 //! A superquadric is a row of parameters, each once and in any order: positive numbers, and the numerator and the
@@ -44,6 +47,8 @@
 //! # Ok::<(), stellate::error::Error>(())
 //! ```
 
+mod angle;
+mod coordinates;
 mod evaluate;
 mod expand;
 mod form;
@@ -52,6 +57,7 @@ mod name;
 mod number;
 mod parser;
 mod polynomial;
+mod quotient;
 mod radius;
 mod source;
 mod superquadric;
@@ -75,6 +81,7 @@ use crate::shape::Form;
 /// The forms that are read, for messages.
 const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
      `r = 1 + 1/5*cos(3*t)`, a plane curve `x^2 + y^2 = 1`, a surface `x^2 + y^2 + z^2 = 1`, \
+     a parametric form `x = sin(t); y = cos(t)`, an intersection `x^2 + y^2 = 1; z = y^5`, \
      `superquadric 2d a=1,2 e=1/2`";
 
 /// Reads a formula; the grammar is in the [module documentation](self). `source_name` is what error

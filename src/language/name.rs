@@ -14,15 +14,23 @@ pub(super) enum Name {
     /// The angle, or the parameter of a curve.
     T,
     Theta,
-    /// Other parameters, of patches.
-    Parameter,
+    /// Other parameters.
+    U,
+    V,
+    Phi,
     Cos,
     Sin,
+    Tan,
+    Cot,
+    Sec,
+    Csc,
+    /// π, in angles only.
+    Pi,
     /// `Rational(p, q)`, as SymPy writes a fraction.
     Rational,
     /// A function that is neither a polynomial nor a finite Fourier series.
     Function,
-    /// A constant that is not rational, or a function whose values are not.
+    /// A function whose values are not rational.
     Irrational,
     /// `superquadric`.
     Superquadric,
@@ -33,6 +41,37 @@ pub(super) enum Name {
 
 /// How many names there are.
 pub(super) const NAMES: usize = Name::Poly as usize + 1;
+
+/// The parameters of curves and patches, in the order in which a patch has them.
+pub(super) const PARAMETERS: [Name; 5] = [Name::T, Name::Theta, Name::U, Name::V, Name::Phi];
+
+impl Name {
+    /// The functions of angles.
+    pub(super) const OF_ANGLES: [Name; 6] = [
+        Name::Cos,
+        Name::Sin,
+        Name::Tan,
+        Name::Cot,
+        Name::Sec,
+        Name::Csc,
+    ];
+
+    /// How a parameter is written.
+    pub(super) fn parameter_name(self) -> &'static str {
+        match self {
+            Name::Theta => "theta",
+            Name::U => "u",
+            Name::V => "v",
+            Name::Phi => "phi",
+            _ => "t",
+        }
+    }
+
+    /// The place among the [`PARAMETERS`]; 0 for other names.
+    pub(super) fn parameter_index(self) -> usize {
+        PARAMETERS.iter().position(|&p| p == self).unwrap_or(0)
+    }
+}
 
 /// Every spelling; the longer one of two that fit is meant.
 const SPELLINGS: &[(&str, Name)] = &[
@@ -53,28 +92,28 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("poly", Name::Poly),
     ("cos", Name::Cos),
     ("sin", Name::Sin),
-    ("phi", Name::Parameter),
-    ("tan", Name::Function),
-    ("cot", Name::Function),
-    ("sec", Name::Function),
-    ("csc", Name::Function),
+    ("phi", Name::Phi),
+    ("tan", Name::Tan),
+    ("cot", Name::Cot),
+    ("sec", Name::Sec),
+    ("csc", Name::Csc),
     ("exp", Name::Function),
     ("log", Name::Function),
     ("abs", Name::Function),
     ("ln", Name::Function),
-    ("pi", Name::Irrational),
-    ("π", Name::Irrational),
+    ("pi", Name::Pi),
+    ("π", Name::Pi),
     ("√", Name::Irrational),
     ("θ", Name::Theta),
-    ("φ", Name::Parameter),
-    ("ϕ", Name::Parameter),
+    ("φ", Name::Phi),
+    ("ϕ", Name::Phi),
     ("x", Name::X),
     ("y", Name::Y),
     ("z", Name::Z),
     ("r", Name::R),
     ("t", Name::T),
-    ("u", Name::Parameter),
-    ("v", Name::Parameter),
+    ("u", Name::U),
+    ("v", Name::V),
 ];
 
 /// The names that `word`, which starts at byte `start`, consists of: the longest first, so `xy` is

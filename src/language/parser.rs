@@ -210,7 +210,7 @@ impl Parser<'_> {
             Kind::Unknown => {
                 let message = format!(
                     "unknown name {}; a Fourier radius uses the angle t or theta, \
-                     a polynomial x, y, z",
+                     a polynomial x, y, z, parameters are t, theta, u, v, phi",
                     self.source.quoted(token.span)
                 );
                 return Err(self.source.error(token.span, message));
@@ -234,15 +234,16 @@ impl Parser<'_> {
         let refuse = |message: String| Err(self.source.error(token.span, message));
         match name {
             Name::Function => refuse(format!(
-                "unknown function {shown}: it is not a finite Fourier series and not a \
-                 polynomial; cos and sin of integer multiples of the angle are understood"
+                "unknown function {shown}: it is not a finite Fourier series, not a polynomial and \
+                 not algebraic in a parameter; cos, sin, tan, cot, sec and csc are understood"
             )),
             Name::Irrational => refuse(format!(
                 "{shown} is not rational; numbers are exact here: write a fraction or a decimal"
             )),
             Name::Superquadric => refuse(format!("{shown} is not among {}", super::UNDERSTOOD)),
             Name::Ring | Name::Poly => refuse(format!("{shown} stands only before an equation")),
-            Name::Cos | Name::Sin | Name::Rational => self.call(name, token, depth),
+            Name::Rational => self.call(name, token, depth),
+            _ if Name::OF_ANGLES.contains(&name) => self.call(name, token, depth),
             _ => Ok(Expr {
                 kind: ExprKind::Name(name),
                 span: token.span,

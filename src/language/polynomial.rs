@@ -4,6 +4,7 @@ use super::evaluate::{Algebra, Context, times};
 use super::expand;
 use super::limits::MAX_DEGREE;
 use super::name::Name;
+use super::radius::{not_a_series, not_rational};
 use super::source::Span;
 use super::syntax::Expr;
 use crate::error::Result;
@@ -56,6 +57,7 @@ impl Algebra for Implicit {
                                a polynomial has x, y, z";
                 return Err(cx.source.error(at, message));
             }
+            Name::Pi => return Err(cx.source.error(at, not_rational(cx.source.quoted(at)))),
             _ => {
                 let message = format!(
                     "{} in a polynomial, whose variables are x, y, z; \
@@ -68,18 +70,28 @@ impl Algebra for Implicit {
         Ok(Value::Term(exponents, Rational::one()))
     }
 
-    fn call(&self, cx: &mut Context<'_>, _: Name, _: &Expr, at: Span) -> Result<Value> {
+    fn call(&self, cx: &mut Context<'_>, name: Name, _: &Expr, at: Span) -> Result<Value> {
+        if !matches!(name, Name::Cos | Name::Sin) {
+            return Err(cx.source.error(at, not_a_series(cx.source.slice(at))));
+        }
         let message = "cos and sin do not occur in a polynomial; \
                        they belong to a Fourier radius `r = …` in the angle t or theta";
         Err(cx.source.error(at, message))
     }
 
-    fn add(&self, sum: &mut Value, negative: bool, term: Value) {
+    fn add(
+        &self,
+        _: &mut Context<'_>,
+        sum: &mut Value,
+        negative: bool,
+        term: Value,
+        _: Span,
+    ) -> Result<()> {
         let mut accumulator = match std::mem::replace(sum, Self::constant(Rational::zero())) {
             // The first part of a sum moves in.
             Value::Term(_, c) if c.is_zero() && !negative => {
                 *sum = term;
-                return;
+                return Ok(());
             }
             Value::Term(exponents, c) => SparsePolynomial::from_terms([(exponents, c)]),
             Value::Sum(accumulator) => accumulator,
@@ -94,6 +106,7 @@ impl Algebra for Implicit {
             }
         }
         *sum = Value::Sum(accumulator);
+        Ok(())
     }
 
     fn multiply(&self, cx: &mut Context<'_>, a: Value, b: Value, at: Span) -> Result<Value> {

@@ -1,6 +1,7 @@
 //! The right side of `r = …`: trigonometric polynomials in one angle.
 
-use super::evaluate::{Algebra, Context, evaluate, times};
+use super::angle::{ARGUMENT, Angle};
+use super::evaluate::{Algebra, Context, times};
 use super::limits::MAX_HARMONIC;
 use super::name::Name;
 use super::source::Span;
@@ -9,11 +10,22 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::poly::{Ring, TrigPolynomial};
 
-const ARGUMENT: &str =
-    "the argument of cos and sin is an integer multiple of the angle, as in cos(3*t)";
-
 /// Trigonometric polynomials.
 pub(super) struct Radius;
+
+/// Why tan and so on are refused in a radius and in a polynomial; `call` is the text of the call.
+pub(super) fn not_a_series(call: &str) -> String {
+    let function = call.split('(').next().unwrap_or("").trim_end();
+    format!(
+        "unknown function `{function}`: it is not a finite Fourier series and not a polynomial; \
+         cos and sin of integer multiples of the angle are understood"
+    )
+}
+
+/// Why π is refused outside angles.
+pub(super) fn not_rational(shown: String) -> String {
+    format!("{shown} is not rational; numbers are exact here: write a fraction or a decimal")
+}
 
 impl Algebra for Radius {
     type Value = TrigPolynomial;
@@ -35,6 +47,7 @@ impl Algebra for Radius {
             Name::T | Name::Theta => format!(
                 "the angle {shown} outside cos( ) and sin( ) is not a finite Fourier series"
             ),
+            Name::Pi => not_rational(shown),
             Name::R => "r stands only on the left of `r = …`".into(),
             _ => {
                 format!("{shown} in a Fourier radius, whose only variable is the angle t or theta")
@@ -48,27 +61,49 @@ impl Algebra for Radius {
         cx: &mut Context<'_>,
         name: Name,
         argument: &Expr,
-        _: Span,
+        at: Span,
     ) -> Result<TrigPolynomial> {
-        let [slope, offset] = evaluate(cx, &Angle, argument)?;
-        if !slope.is_integer() || !offset.is_zero() {
-            return Err(cx.source.error(argument.span, ARGUMENT));
+        if !matches!(name, Name::Cos | Name::Sin) {
+            return Err(cx.source.error(at, not_a_series(cx.source.slice(at))));
+        }
+        let angle = Angle::of(cx, argument)?;
+        let wrong = || cx.source.error(argument.span, ARGUMENT);
+        let quarters = angle.quarter_turns().ok_or_else(wrong)?;
+        let [t, theta, others @ ..] = &angle.slopes;
+        let slope = t + theta;
+        if !slope.is_integer() || others.iter().any(|s| !s.is_zero()) {
+            return Err(wrong());
         }
         if slope.abs() > Rational::from(i64::from(MAX_HARMONIC)) {
             let limit = format!("a harmonic beyond {MAX_HARMONIC}");
             return Err(cx.source.limit(argument.span, limit));
         }
         let n = i32::try_from(&slope.numerator()).unwrap_or(0);
-        Ok(if name == Name::Cos {
-            TrigPolynomial::cosine(n)
+        // sin a = cos(a − π/2)
+        let quarters = if name == Name::Cos {
+            quarters
         } else {
-            TrigPolynomial::sine(n)
+            quarters + 3
+        };
+        Ok(match quarters % 4 {
+            0 => TrigPolynomial::cosine(n),
+            1 => TrigPolynomial::sine(n).scaled(&Rational::from(-1)),
+            2 => TrigPolynomial::cosine(n).scaled(&Rational::from(-1)),
+            _ => TrigPolynomial::sine(n),
         })
     }
 
-    fn add(&self, sum: &mut TrigPolynomial, negative: bool, term: TrigPolynomial) {
+    fn add(
+        &self,
+        _: &mut Context<'_>,
+        sum: &mut TrigPolynomial,
+        negative: bool,
+        term: TrigPolynomial,
+        _: Span,
+    ) -> Result<()> {
         let sign = if negative { -1 } else { 1 };
         sum.add_multiple(&term, &Rational::from(sign));
+        Ok(())
     }
 
     fn multiply(
@@ -148,72 +183,4 @@ fn account(cx: &mut Context<'_>, a: &TrigPolynomial, b: &TrigPolynomial, at: Spa
     let terms = count.min(u64::from(top) + 1);
     cx.budget
         .spend_bits(terms.saturating_mul(bits), cx.source, at)
-}
-
-/// slope·angle + offset: what may stand in cos( ) and sin( ).
-struct Angle;
-
-impl Algebra for Angle {
-    type Value = [Rational; 2];
-
-    const DIVISOR: &'static str = ARGUMENT;
-
-    fn constant(value: Rational) -> [Rational; 2] {
-        [Rational::zero(), value]
-    }
-
-    fn to_constant([slope, offset]: &[Rational; 2]) -> Option<Rational> {
-        slope.is_zero().then(|| offset.clone())
-    }
-
-    fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<[Rational; 2]> {
-        match name {
-            Name::T | Name::Theta => Ok([Rational::one(), Rational::zero()]),
-            _ => Err(cx.source.error(at, ARGUMENT)),
-        }
-    }
-
-    fn call(&self, cx: &mut Context<'_>, _: Name, _: &Expr, at: Span) -> Result<[Rational; 2]> {
-        Err(cx.source.error(at, ARGUMENT))
-    }
-
-    fn add(&self, sum: &mut [Rational; 2], negative: bool, term: [Rational; 2]) {
-        for (part, other) in sum.iter_mut().zip(term) {
-            let before = std::mem::take(part);
-            *part = if negative {
-                before - other
-            } else {
-                before + other
-            };
-        }
-    }
-
-    fn multiply(
-        &self,
-        cx: &mut Context<'_>,
-        a: [Rational; 2],
-        b: [Rational; 2],
-        at: Span,
-    ) -> Result<[Rational; 2]> {
-        let (angle, factor) = match (Self::to_constant(&a), Self::to_constant(&b)) {
-            (_, Some(factor)) => (a, factor),
-            (Some(factor), None) => (b, factor),
-            (None, None) => return Err(cx.source.error(at, ARGUMENT)),
-        };
-        let [slope, offset] = angle;
-        Ok([
-            times(cx, slope, factor.clone(), at)?,
-            times(cx, offset, factor, at)?,
-        ])
-    }
-
-    fn power(
-        &self,
-        cx: &mut Context<'_>,
-        _: [Rational; 2],
-        _: u32,
-        at: Span,
-    ) -> Result<[Rational; 2]> {
-        Err(cx.source.error(at, ARGUMENT))
-    }
 }

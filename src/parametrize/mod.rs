@@ -19,8 +19,7 @@ pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;
 pub use rational::{
-    Cover, FactorRationality, Place, RationalCurve, RationalFunction, Rationality,
-    rational_parametrization,
+    Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,
 };
 pub use superquadric::parametrize_superquadric;
 pub use traced::{RootArc, RootBranch};

@@ -1,39 +1,21 @@
 //! A figure: layers of lines and points over equal axes, with a legend above them.
 
-use std::sync::Once;
-
 use plotters::chart::ChartBuilder;
 use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
-use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::element::{PathElement, Polygon};
 use plotters::prelude::{DrawingBackend, SVGBackend};
-use plotters::style::{
-    BLACK, Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE, register_font,
-};
+use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
 
+use super::heading::{
+    self, Drawn, FINER, LEFT, MARGIN, Mark, Row, WIDTH, color, dot, font, load_font,
+    shown_in_units, tick,
+};
 use super::{Window, clip};
 use crate::error::{Error, Result};
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito), dark enough on white.
-const PALETTE: [RGBColor; 6] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 120, 90),
-    RGBColor(170, 60, 130),
-    RGBColor(120, 94, 0),
-    RGBColor(90, 90, 90),
-];
-
-/// Width of the picture in units of the SVG.
-const WIDTH: u32 = 900;
-/// The drawing library rounds to whole units: it draws on a grid this much finer.
-const FINER: u32 = 8;
-/// Units around the plotted part: left of it, below it, and on the other two sides.
-const LEFT: u32 = 76;
+/// Units below the plotted part.
 const BELOW: u32 = 56;
-const MARGIN: u32 = 16;
-const LEGEND_ROW: u32 = 22;
-const TITLE_ROW: u32 = 34;
 
 /// The height of the plotted part over its width is kept between these by showing more.
 const ASPECT: [f64; 2] = [0.3, 1.4];
@@ -62,8 +44,6 @@ pub struct Figure {
     pub layers: Vec<Layer>,
 }
 
-type Drawn<B> = std::result::Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
-
 impl Figure {
     /// The figure as an SVG text, with the same unit of length on both axes.
     ///
@@ -79,13 +59,7 @@ impl Figure {
             self.draw(&area, &frame)
                 .map_err(|e| Error::data("figure", e.to_string()))?;
         }
-        let fine = format!(
-            "width=\"{}\" height=\"{}\"",
-            WIDTH * FINER,
-            frame.height * FINER
-        );
-        let shown = format!("width=\"{WIDTH}\" height=\"{}\"", frame.height);
-        Ok(svg.replacen(&fine, &shown, 1))
+        Ok(shown_in_units(&svg, frame.height))
     }
 
     /// All that the picture will show: the window, widened to the shape of the picture.
@@ -98,8 +72,8 @@ impl Figure {
 
     fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, frame: &Frame) -> Drawn<B> {
         area.fill(&WHITE)?;
-        let (heading, plot) = area.split_vertically(frame.heading * FINER);
-        self.draw_heading(&heading)?;
+        let (above, plot) = area.split_vertically(frame.heading * FINER);
+        heading::draw(&above, &self.title, self.rows())?;
         let mut chart = ChartBuilder::on(&plot)
             .margin(0)
             .margin_right(MARGIN * FINER)
@@ -145,35 +119,28 @@ impl Figure {
         plot.present()
     }
 
-    /// The title and a row of legend for every layer: above the drawing, so that they hide nothing.
-    fn draw_heading<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
-        let at = |x: u32, y: u32| (int(x * FINER), int(y * FINER));
-        let mut y = MARGIN;
-        if !self.title.is_empty() {
-            area.draw(&Text::new(self.title.clone(), at(LEFT, y), font(20)))?;
-            y += TITLE_ROW;
-        }
-        for (index, layer) in self.layers.iter().enumerate() {
+    /// The rows of the legend.
+    fn rows(&self) -> Vec<Row> {
+        let layers = self.layers.iter().enumerate();
+        let row = |(index, layer): (usize, &Layer)| {
             let style = self.style(index);
-            let middle = y + LEGEND_ROW / 2;
-            if layer.filled {
-                let corners = [at(LEFT, middle - 6), at(LEFT + 30, middle + 6)];
-                area.draw(&Rectangle::new(corners, style))?;
+            let has_points = !layer.points.is_empty();
+            let remark = if has_points {
+                " (dot: its isolated point)"
             } else {
-                area.draw(&PathElement::new(
-                    vec![at(LEFT, middle), at(LEFT + 30, middle)],
-                    style,
-                ))?;
+                ""
+            };
+            Row {
+                label: format!("{}{remark}", layer.label),
+                mark: if layer.filled {
+                    Mark::Area(style)
+                } else {
+                    Mark::Line(style)
+                },
+                dot: has_points.then(|| color(index)),
             }
-            let mut label = layer.label.clone();
-            if !layer.points.is_empty() {
-                area.draw(&dot(at(LEFT + 15, middle), color(index)))?;
-                label.push_str(" (dot: its isolated point)");
-            }
-            area.draw(&Text::new(label, at(LEFT + 40, y + 6), font(14)))?;
-            y += LEGEND_ROW;
-        }
-        Ok(())
+        };
+        layers.map(row).collect()
     }
 
     /// Later layers are thinner, so that what they cover stays visible on either side.
@@ -222,15 +189,7 @@ impl Frame {
             let more = (unit * pixels - size(v)) / 2.0;
             [v[0] - more, v[1] + more]
         };
-        let title = if figure.title.is_empty() {
-            0
-        } else {
-            TITLE_ROW
-        };
-        let rows = u32::try_from(figure.layers.len())
-            .unwrap_or(u32::MAX)
-            .min(1000);
-        let heading = MARGIN + title + rows * LEGEND_ROW + MARGIN / 2;
+        let heading = heading::height(&figure.title, figure.layers.len());
         Ok(Self {
             window: Window {
                 x: widened(x, f64::from(width)),
@@ -240,41 +199,6 @@ impl Frame {
             height: heading + plotted as u32 + BELOW,
         })
     }
-}
-
-fn dot<C>(at: C, color: RGBColor) -> Circle<C, u32> {
-    Circle::new(at, 4 * FINER, color.filled())
-}
-
-fn color(index: usize) -> RGBColor {
-    PALETTE[index % PALETTE.len()]
-}
-
-fn font(size: u32) -> TextStyle<'static> {
-    ("sans-serif", size * FINER).into_font().into()
-}
-
-fn int(value: u32) -> i32 {
-    i32::try_from(value).unwrap_or(i32::MAX)
-}
-
-/// The shortest text of a tick: ticks are decimals up to rounding.
-fn tick(value: f64) -> String {
-    let text = format!("{value:.10}");
-    let short = text.trim_end_matches('0').trim_end_matches('.');
-    match short {
-        "-0" => "0".into(),
-        "0" | "" if value != 0.0 => format!("{value:e}"),
-        _ => short.into(),
-    }
-}
-
-fn load_font() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        // A font that ships with a crate parses; if it did not, labels would be missing.
-        let _ = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
-    });
 }
 
 #[cfg(test)]
@@ -299,11 +223,5 @@ mod tests {
             assert!((y / pixels / unit - 1.0).abs() < 1e-9);
             assert!(x >= w && y >= h);
         }
-    }
-
-    #[test]
-    fn ticks_are_short() {
-        let shown = [0.0, -0.0, 200.0, 0.1 + 0.2, -1.5, 1e-12].map(tick);
-        assert_eq!(shown, ["0", "0", "200", "0.3", "-1.5", "1e-12"]);
     }
 }

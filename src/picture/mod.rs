@@ -1,12 +1,18 @@
-//! Pictures: zero sets traced from their exact form, figures as SVG and PNG.
+//! Pictures: zero sets traced from their exact form, figures of the plane and scenes in space as SVG and PNG.
 
+mod axes;
+mod camera;
 mod clip;
+mod cut;
 mod extent;
 mod figure;
+mod heading;
 mod raster;
+mod scene;
 mod trace;
 
 pub use extent::extent;
 pub use figure::{Figure, Layer};
 pub use raster::png_from_svg;
+pub use scene::{Scene, SpaceLayer};
 pub use trace::{Window, isolated_origin, trace_zero_set};

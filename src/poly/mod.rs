@@ -5,12 +5,16 @@
 //! polynomial f(1, t) together with d.
 
 mod circle;
+mod eliminate;
 mod evaluate;
 mod form;
+mod function;
 mod gcd;
 mod isolate;
+mod kernel;
 mod modular;
 mod plane;
+mod resultant;
 mod ring;
 mod root_sign;
 mod roots;
@@ -21,12 +25,17 @@ mod subresultant;
 mod trig;
 
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
+pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
 pub use form::BinaryForm;
+pub use function::RationalFunction;
 pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
+pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
 pub use malachite::integer_polynomial::IntegerPolynomial;
+pub(crate) use modular::{SplitMix, gcd_mod, interpolate, inverse_mod, power_mod, reduce_integer};
 pub use plane::PlanePolynomial;
+pub(crate) use resultant::resultant;
 pub use ring::Ring;
 pub(crate) use root_sign::constant_sign;
 pub(crate) use roots::sort_distinct;

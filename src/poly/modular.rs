@@ -1,4 +1,5 @@
-//! Polynomials modulo a prime below 2⁶³, and Chinese remainders: just enough for gcds and subresultants.
+//! Polynomials modulo a prime, Chinese remainders and the way back to the rational numbers: just enough for
+//! gcds, resultants and kernels.
 
 use malachite::base::num::arithmetic::traits::Mod;
 use malachite::base::num::factorization::traits::IsPrime;
@@ -7,27 +8,35 @@ use malachite::{Integer, Natural};
 
 use super::IntegerPolynomial;
 
+/// For primes below this, products of residues fit 62 bits.
+pub(super) const ABOVE_PRIMES: u64 = (1 << 31) + 1;
+
 /// a·b mod p.
 pub(super) fn mul_mod(a: u64, b: u64, p: u64) -> u64 {
     let product = u128::from(a) * u128::from(b) % u128::from(p);
     u64::try_from(product).unwrap_or(0)
 }
 
-/// 1/a mod the prime p, by Fermat.
-pub(super) fn inverse_mod(a: u64, p: u64) -> u64 {
-    let (mut result, mut base, mut exponent) = (1, a % p, p - 2);
+/// base^exponent mod p.
+pub(crate) fn power_mod(base: u64, mut exponent: u64, p: u64) -> u64 {
+    let (mut result, mut square) = (1, base % p);
     while exponent > 0 {
         if exponent & 1 == 1 {
-            result = mul_mod(result, base, p);
+            result = mul_mod(result, square, p);
         }
-        base = mul_mod(base, base, p);
+        square = mul_mod(square, square, p);
         exponent >>= 1;
     }
     result
 }
 
+/// 1/a mod the prime p, by Fermat.
+pub(crate) fn inverse_mod(a: u64, p: u64) -> u64 {
+    power_mod(a, p - 2, p)
+}
+
 /// The monic gcd of two non-zero polynomials (ascending, trimmed), by Euclid.
-pub(super) fn gcd_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> Vec<u64> {
+pub(crate) fn gcd_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> Vec<u64> {
     while !g.is_empty() {
         remainder(&mut f, &g, p);
         std::mem::swap(&mut f, &mut g);
@@ -61,7 +70,7 @@ fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
 /// Residues of one polynomial modulo a growing product of primes.
 pub(super) struct Images {
     pub(super) residues: Vec<Natural>,
-    modulus: Natural,
+    pub(super) modulus: Natural,
 }
 
 impl Images {
@@ -105,7 +114,7 @@ impl Images {
 }
 
 /// The residue of an integer, in [0, p).
-pub(super) fn reduce_integer(value: &Integer, prime: u64) -> u64 {
+pub(crate) fn reduce_integer(value: &Integer, prime: u64) -> u64 {
     u64::try_from(&value.mod_op(Integer::from(prime))).unwrap_or(0)
 }
 
@@ -116,4 +125,38 @@ pub(super) fn previous_prime(from: u64) -> u64 {
         candidate -= 2;
     }
     candidate
+}
+
+/// Coefficients, ascending, of the polynomial with the given values at 0, 1, 2, … modulo a prime
+/// (Newton).
+pub(crate) fn interpolate(mut values: Vec<u64>, p: u64) -> Vec<u64> {
+    let n = values.len();
+    for gap in 1..n {
+        let inverse = inverse_mod(gap as u64, p);
+        for i in (gap..n).rev() {
+            values[i] = (values[i] + p - values[i - 1]) % p * inverse % p;
+        }
+    }
+    // Horner over (t − k), from the last difference down.
+    let mut coefficients = vec![0; n];
+    for k in (0..n).rev() {
+        for i in (1..n).rev() {
+            coefficients[i] = (coefficients[i - 1] + (p - k as u64 % p) * coefficients[i]) % p;
+        }
+        coefficients[0] = ((p - k as u64 % p) * coefficients[0] + values[k]) % p;
+    }
+    coefficients
+}
+
+/// A small generator of well-mixed numbers (Steele, Lea & Flood's SplitMix64).
+pub(crate) struct SplitMix(pub(crate) u64);
+
+impl SplitMix {
+    pub(crate) fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
 }

@@ -140,6 +140,19 @@ impl<const V: usize> SparsePolynomial<V> {
         }
     }
 
+    /// The value at a point. Cost: a power of every coordinate for every term.
+    #[must_use]
+    pub fn evaluate(&self, at: &[Rational; V]) -> Rational {
+        self.terms.iter().fold(Rational::zero(), |sum, (e, c)| {
+            let powers = e.0.iter().zip(at);
+            let monomial = powers.fold(c.clone(), |product, (&k, value)| {
+                // A non-negative power exists.
+                product * value.pow(i64::from(k)).unwrap_or_default()
+            });
+            sum + monomial
+        })
+    }
+
     /// `factor · self`.
     #[must_use]
     pub fn scaled(&self, factor: &Rational) -> Self {

@@ -3,12 +3,11 @@
 use malachite::base::num::basic::traits::Zero;
 
 use super::IntegerPolynomial;
-use super::modular::{Images, inverse_mod, previous_prime, reduce_integer};
+use super::modular::{
+    ABOVE_PRIMES, Images, interpolate, inverse_mod, previous_prime, reduce_integer,
+};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
-
-/// Determinants are taken modulo primes below this, so that products of residues fit 62 bits.
-const ABOVE_PRIMES: u64 = (1 << 31) + 1;
 
 /// Products of residues beyond which the work is refused: about a minute.
 const MAX_WORK: f64 = 3e10;
@@ -200,27 +199,6 @@ fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
         }
     }
     value
-}
-
-/// Coefficients, ascending, of the polynomial with the given values at 0, 1, 2, … modulo a prime
-/// (Newton).
-fn interpolate(mut values: Vec<u64>, p: u64) -> Vec<u64> {
-    let n = values.len();
-    for gap in 1..n {
-        let inverse = inverse_mod(gap as u64, p);
-        for i in (gap..n).rev() {
-            values[i] = (values[i] + p - values[i - 1]) % p * inverse % p;
-        }
-    }
-    // Horner over (t − k), from the last difference down.
-    let mut coefficients = vec![0; n];
-    for k in (0..n).rev() {
-        for i in (1..n).rev() {
-            coefficients[i] = (coefficients[i - 1] + (p - k as u64 % p) * coefficients[i]) % p;
-        }
-        coefficients[0] = ((p - k as u64 % p) * coefficients[0] + values[k]) % p;
-    }
-    coefficients
 }
 
 #[cfg(test)]

@@ -4,7 +4,9 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
 use malachite::base::num::basic::traits::One;
 
+use super::{Parameter, PlaneCurve};
 use crate::exact::Rational;
+use crate::poly::{BinaryForm, RationalFunction, Ring, doubled_form_from_harmonics};
 
 /// The radius `r(θ) = a0 + Σ_{n=1..N} (a_n cos nθ + b_n sin nθ)` with exact rational coefficients
 /// (Lemma 1), and the point it is measured from.
@@ -103,6 +105,30 @@ impl FourierRadius {
         let cos = self.cos.iter().map(integer).collect();
         let sin = self.sin.iter().map(integer).collect();
         (common, cos, sin)
+    }
+
+    /// The curve (r cos θ, r sin θ) about its center, in s = tan(θ/2):
+    /// `r = Σ a_n Re (1+is)^(2n) (1+s²)^(N−n) + b_n Im … over (1+s²)^N`.
+    #[must_use]
+    pub fn to_plane_curve(&self) -> PlaneCurve {
+        let n = self.harmonics();
+        let (denominator, cos, sin) = self.over_common_denominator();
+        // Harmonics of θ are even harmonics of θ/2.
+        let halves = (0..=n).map(|m| (2 * m, &cos[m], &sin[m]));
+        let above = doubled_form_from_harmonics(2 * n, halves);
+        let below = BinaryForm::rho_power(n + 1).scaled(&(denominator << 1u64));
+        let turn = |c: [i64; 3]| {
+            let c = c.iter().map(|&c| Integer::from(c)).collect();
+            let factor = BinaryForm::from_coefficients(c).times(&above);
+            let function = RationalFunction::new(
+                factor.dehomogenized().clone(),
+                below.dehomogenized().clone(),
+            );
+            function.expect("a power of 1 + s^2 is not 0")
+        };
+        let parameter = Parameter::angle("t", Rational::one());
+        // cos θ = (1 − s²)/(1 + s²), sin θ = 2s/(1 + s²)
+        PlaneCurve::new(parameter, [turn([1, 0, -1]), turn([0, 2, 0])])
     }
 
     /// Whether r is identically 0.

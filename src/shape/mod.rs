@@ -1,18 +1,27 @@
-//! What a user holds: Fourier radii, implicit curves and surfaces, superquadrics, contours.
+//! What a user holds: Fourier radii, parametric curves and patches, implicit curves and surfaces,
+//! superquadrics, contours.
 
 mod contour;
 mod crossing;
+mod curve;
+mod drawn;
 mod fourier;
 mod implicit;
 mod orientation;
+mod parameter;
+mod patch;
 mod superquadric;
 mod swept_edge;
 
 pub use contour::Contour;
 pub(crate) use contour::coordinate_fault;
+pub use curve::{ParametricCurve, PlaneCurve, SpaceCurve};
+pub use drawn::DRAWN_NUMBERS;
 pub use fourier::FourierRadius;
 pub use implicit::{ImplicitCurve, ImplicitSurface};
 pub(crate) use orientation::orientation;
+pub use parameter::Parameter;
+pub use patch::{Patch, PatchFunction};
 pub use superquadric::Superquadric;
 pub(crate) use swept_edge::SweptEdge;
 
@@ -27,4 +36,12 @@ pub enum Form {
     Surface(ImplicitSurface),
     /// `superquadric 2d …`
     Superquadric(Superquadric),
+    /// `x = …; y = …` in one parameter
+    PlaneCurve(PlaneCurve),
+    /// `x = …; y = …; z = …` in one parameter
+    SpaceCurve(SpaceCurve),
+    /// `x = …; y = …; z = …` in two parameters
+    Patch(Patch),
+    /// The common points of two or more surfaces: one polynomial in x, y and z to an equation.
+    Intersection(Vec<ImplicitSurface>),
 }

@@ -10,7 +10,6 @@
 //! mean: of genus g ≥ 1 no curve has a rational parametrization, over any field.
 
 mod conic;
-mod function;
 mod integers;
 mod legendre;
 mod polynomials;
@@ -20,10 +19,9 @@ mod quadratic;
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 
-pub use function::RationalFunction;
 pub use legendre::Place;
 
-use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial};
+use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
 use polynomials::{constant, form_at};
 
 /// Factors of a higher degree are not looked at: substituting x(t), y(t) into one of degree n is a
@@ -37,6 +35,13 @@ pub struct RationalCurve {
     pub x: RationalFunction,
     /// y(t)
     pub y: RationalFunction,
+}
+
+impl RationalCurve {
+    /// How long it is when written.
+    fn length(&self) -> usize {
+        self.x.to_string().len() + self.y.to_string().len()
+    }
 }
 
 /// What is proved of the rational parametrizations of an irreducible curve.

@@ -59,7 +59,7 @@ pub(super) fn rationality(s: &BinaryForm, q: &BinaryForm, k: usize) -> Option<Ra
     let curves = both
         .into_iter()
         .filter_map(|(zero, pole)| cover(&parts, zero, pole, &factor, modulus));
-    let shortest = curves.min_by_key(|c| c.x.length() + c.y.length())?;
+    let shortest = curves.min_by_key(RationalCurve::length)?;
     Some(Rationality::Parametrized(shortest))
 }
 

@@ -31,7 +31,7 @@ pub(super) fn rationality(s: &BinaryForm, p: &BinaryForm, q: &BinaryForm) -> Opt
             Points::Found(list) => {
                 let cover = DoubleCover { s, p, h, k };
                 let curves = list.iter().flat_map(|point| cover.curves(point));
-                let shortest = curves.min_by_key(|c| c.x.length() + c.y.length())?;
+                let shortest = curves.min_by_key(RationalCurve::length)?;
                 Some(Rationality::Parametrized(shortest))
             }
             Points::Other(Solution::None(place)) => Some(Rationality::NoRationalPoint {

@@ -7,8 +7,8 @@ use malachite::base::num::arithmetic::traits::{Content, DivExact, Gcd};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
+use super::{IntegerPolynomial, Ring, divide_exactly, polynomial_gcd};
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, divide_exactly, polynomial_gcd};
 
 /// numerator / denominator: coprime polynomials whose coefficients have no common factor either, the
 /// denominator with positive leading coefficient. So equal functions are equal values.
@@ -16,8 +16,7 @@ use crate::poly::{IntegerPolynomial, divide_exactly, polynomial_gcd};
 /// ```
 /// use std::str::FromStr;
 /// use stellate::exact::Rational;
-/// use stellate::parametrize::RationalFunction;
-/// use stellate::poly::IntegerPolynomial;
+/// use stellate::poly::{IntegerPolynomial, RationalFunction};
 ///
 /// let polynomial = |text| IntegerPolynomial::from_str(text).unwrap();
 /// let f = RationalFunction::new(polynomial("2*x^2-2"), polynomial("-4*x-4")).unwrap();
@@ -76,9 +75,31 @@ impl RationalFunction {
         (!below.is_zero()).then(|| value(&self.numerator) / below)
     }
 
+    /// The value at infinity, `None` if there is a pole.
+    #[must_use]
+    pub fn evaluate_at_infinity(&self) -> Option<Rational> {
+        let (above, below) = (
+            self.numerator.coefficients_asc(),
+            self.denominator.coefficients_asc(),
+        );
+        match above.len().cmp(&below.len()) {
+            std::cmp::Ordering::Greater => None,
+            std::cmp::Ordering::Less => Some(Rational::zero()),
+            std::cmp::Ordering::Equal => {
+                Rational::new(above.last()?.clone(), below.last()?.clone())
+            }
+        }
+    }
+
+    /// 1/f, `None` for 0.
+    #[must_use]
+    pub fn recip(&self) -> Option<Self> {
+        Self::new(self.denominator.clone(), self.numerator.clone())
+    }
+
     /// This function and a constant.
     #[must_use]
-    pub fn plus(&self, constant: &Rational) -> Self {
+    pub fn plus_constant(&self, constant: &Rational) -> Self {
         let times = |f: &IntegerPolynomial, c: Integer| {
             f * IntegerPolynomial::from_coefficients_asc(vec![c])
         };
@@ -95,9 +116,39 @@ impl RationalFunction {
         self.denominator == IntegerPolynomial::one()
     }
 
-    /// How long it is when written.
-    pub(super) fn length(&self) -> usize {
-        self.to_string().len()
+    /// The degree of the map t ↦ f(t): the larger one of the two degrees, 0 for a constant.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        let length = |f: &IntegerPolynomial| f.coefficients_asc().len();
+        length(&self.numerator).max(length(&self.denominator)) - 1
+    }
+
+    /// Whether it does not depend on t.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        self.degree() == 0
+    }
+}
+
+/// Sums and products in lowest terms, at the cost of a gcd each.
+impl Ring for RationalFunction {
+    fn plus(&self, other: &Self) -> Self {
+        let numerator = &self.numerator * &other.denominator + &other.numerator * &self.denominator;
+        let denominator = &self.denominator * &other.denominator;
+        // No denominator is 0.
+        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        let numerator = &self.numerator * &other.denominator - &other.numerator * &self.denominator;
+        let denominator = &self.denominator * &other.denominator;
+        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let numerator = &self.numerator * &other.numerator;
+        let denominator = &self.denominator * &other.denominator;
+        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
     }
 }
 

@@ -1,0 +1,405 @@
+//! Parametric curves and patches as formulas: functions of s = tan(g·t/2) go back to cosines and sines.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::{One, Zero};
+use serde::Serialize;
+
+use super::terms::Notation;
+use super::{Format, SCHEMA};
+use crate::exact::Rational;
+use crate::poly::{
+    BinaryForm, IntegerPolynomial, RationalFunction, SparsePolynomial, harmonics_of_form,
+};
+use crate::shape::{Parameter, ParametricCurve, Patch};
+
+const NAMES: [&str; 3] = ["x", "y", "z"];
+
+/// The formulas of a parametric form, as every format needs them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coordinates {
+    parameters: Vec<Parameter>,
+    /// Numerators and denominators as polynomials in s1 and s2.
+    functions: Vec<[SparsePolynomial<2>; 2]>,
+}
+
+impl<const N: usize> From<&ParametricCurve<N>> for Coordinates {
+    fn from(curve: &ParametricCurve<N>) -> Self {
+        let sparse = |f: &IntegerPolynomial| {
+            let terms = f.coefficients_asc().iter().enumerate();
+            let power = |k: usize| u32::try_from(k).unwrap_or(u32::MAX);
+            SparsePolynomial::from_terms(terms.map(|(k, c)| ([power(k), 0], Rational::from(c))))
+        };
+        let both = |f: &RationalFunction| [sparse(f.numerator()), sparse(f.denominator())];
+        Self {
+            parameters: vec![curve.parameter().clone()],
+            functions: curve.coordinates().iter().map(both).collect(),
+        }
+    }
+}
+
+impl From<&Patch> for Coordinates {
+    fn from(patch: &Patch) -> Self {
+        let functions = patch.coordinates().iter();
+        Self {
+            parameters: patch.parameters().to_vec(),
+            functions: functions
+                .map(|f| [f.numerator().clone(), f.denominator().clone()])
+                .collect(),
+        }
+    }
+}
+
+impl Coordinates {
+    /// The formula of every coordinate, in order.
+    ///
+    /// ```
+    /// use stellate::document::{Coordinates, Format};
+    /// use stellate::language::{Numbers, parse_form};
+    /// use stellate::shape::Form;
+    ///
+    /// let text = "x = tan(t/2); y = cos(t)^2";
+    /// let Form::PlaneCurve(curve) = parse_form(text, "<form>", Numbers::Exact)? else { panic!() };
+    /// let formulas = Coordinates::from(&curve).formulas(Format::Text);
+    /// assert_eq!(formulas, ["sin(t/2)/cos(t/2)", "1/2 + 1/2*cos(2*t)"]);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn formulas(&self, format: Format) -> Vec<String> {
+        let formula = |f: &[SparsePolynomial<2>; 2]| self.quotient(f, format);
+        self.functions.iter().map(formula).collect()
+    }
+
+    /// The names of the parameters.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<&str> {
+        self.parameters.iter().map(Parameter::name).collect()
+    }
+
+    /// Writes the form: `x = …; y = …` as text, statements for SymPy and Maple, or a JSON document of kind
+    /// `parametric`; text and JSON are read back.
+    ///
+    /// # Errors
+    /// Those of `out`; `Unsupported` for CSV and Singular.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        let formulas = self.formulas(format);
+        let rows = NAMES.iter().zip(&formulas);
+        match format {
+            Format::Json => {
+                serde_json::to_writer(&mut *out, &self.document())?;
+                writeln!(out)
+            }
+            Format::Text => rows
+                .into_iter()
+                .try_for_each(|(n, f)| writeln!(out, "{n} = {f}")),
+            Format::Latex => rows
+                .into_iter()
+                .try_for_each(|(n, f)| writeln!(out, "{n} = {f} \\\\")),
+            Format::Maple => rows
+                .into_iter()
+                .try_for_each(|(n, f)| writeln!(out, "{n} := {f};")),
+            Format::Sympy => writeln!(out, "({})", formulas.join(", ")),
+            Format::Csv | Format::Singular => Err(io::Error::new(
+                io::ErrorKind::Unsupported,
+                "a parametric form is written as text, json, latex, sympy or maple",
+            )),
+        }
+    }
+
+    /// The JSON document.
+    pub(super) fn document(&self) -> Document {
+        Document {
+            schema: SCHEMA,
+            kind: "parametric",
+            parameters: self.parameters().into_iter().map(Into::into).collect(),
+            coordinates: self.fields(),
+        }
+    }
+
+    /// `{"x": "…", "y": "…"}`
+    pub(super) fn fields(&self) -> BTreeMap<&'static str, String> {
+        NAMES.into_iter().zip(self.formulas(Format::Text)).collect()
+    }
+
+    fn quotient(&self, [above, below]: &[SparsePolynomial<2>; 2], format: Format) -> String {
+        let degree = |v: usize| {
+            let terms = above.terms().chain(below.terms());
+            let degree = terms.map(|(e, _)| e[v]).max().unwrap_or(0);
+            // The half angle must go: forms of even degree.
+            degree.next_multiple_of(2)
+        };
+        let degrees = [degree(0), degree(1)];
+        let (mut above, mut below) = (self.expand(above, degrees), self.expand(below, degrees));
+        let constant = [Basis::Power(0), Basis::Power(0)];
+        let divisor = match below.get(&constant) {
+            Some(value) if below.len() == 1 => value.clone(),
+            _ => content(&above, &below),
+        };
+        for value in above.values_mut().chain(below.values_mut()) {
+            *value = &*value / &divisor;
+        }
+        let whole = below.len() == 1 && below.contains_key(&constant);
+        let text = |f: &BTreeMap<[Basis; 2], Rational>| self.sum(f, format);
+        if whole {
+            return text(&above);
+        }
+        let (p, q) = (text(&above), text(&below));
+        if format == Format::Latex {
+            return format!("\\frac{{{p}}}{{{q}}}");
+        }
+        let grouped = |text: String, f: &BTreeMap<[Basis; 2], Rational>, single: bool| {
+            if f.len() <= 1 && single {
+                text
+            } else {
+                format!("({text})")
+            }
+        };
+        let is_atom = below.len() == 1
+            && below
+                .iter()
+                .all(|(b, c)| *c == Rational::one() && b.contains(&Basis::Power(0)));
+        format!(
+            "{}/{}",
+            grouped(p, &above, true),
+            grouped(q, &below, is_atom)
+        )
+    }
+
+    /// The coefficients in powers of numbers and harmonics of angles, of f/∏ (1 + s²)^(degree/2) over angles.
+    fn expand(&self, f: &SparsePolynomial<2>, degrees: [u32; 2]) -> BTreeMap<[Basis; 2], Rational> {
+        let power = |e: u32| Basis::Power(e as usize);
+        let terms = f.terms().map(|(e, c)| (e.map(power), c.clone()));
+        let mut table: BTreeMap<[Basis; 2], Rational> = terms.collect();
+        for (v, parameter) in self.parameters.iter().enumerate() {
+            if !parameter.is_angle() {
+                continue;
+            }
+            let mut rows: BTreeMap<Basis, Vec<Rational>> = BTreeMap::new();
+            for (basis, c) in table {
+                let row = rows.entry(basis[1 - v]).or_default();
+                let Basis::Power(k) = basis[v] else { continue };
+                row.resize(row.len().max(k + 1), Rational::zero());
+                row[k] = c;
+            }
+            table = BTreeMap::new();
+            for (other, row) in rows {
+                for (n, a, b) in harmonics(&row, degrees[v] as usize) {
+                    // Harmonics of the half angle are all even.
+                    let n = n / 2;
+                    let cosine = if n == 0 {
+                        Basis::Power(0)
+                    } else {
+                        Basis::Cos(n)
+                    };
+                    for (basis, c) in [(cosine, a), (Basis::Sin(n), b)] {
+                        let mut key = [other; 2];
+                        key[v] = basis;
+                        if !c.is_zero() {
+                            table.insert(key, c);
+                        }
+                    }
+                }
+            }
+        }
+        table
+    }
+
+    fn sum(&self, f: &BTreeMap<[Basis; 2], Rational>, format: Format) -> String {
+        let notation = match format {
+            Format::Sympy => Notation::Python,
+            Format::Latex => Notation::LatexInline,
+            _ => Notation::Explicit,
+        };
+        let times = if format == Format::Latex { " " } else { "*" };
+        let terms = f.iter().map(|(basis, c)| {
+            let factors = basis.iter().zip(&self.parameters);
+            let factors: Vec<String> = factors
+                .map(|(basis, parameter)| basis.text(parameter, format))
+                .filter(|text| !text.is_empty())
+                .collect();
+            (c.clone(), factors.join(times))
+        });
+        let mut text = Vec::new();
+        let written = notation.write_sum(terms, &mut text);
+        debug_assert!(written.is_ok(), "writing into memory succeeds");
+        String::from_utf8_lossy(&text).into_owned()
+    }
+}
+
+/// A document of kind `parametric` that gives coordinates.
+#[derive(Debug, Serialize)]
+pub(super) struct Document {
+    schema: &'static str,
+    kind: &'static str,
+    parameters: Vec<String>,
+    coordinates: BTreeMap<&'static str, String>,
+}
+
+/// A factor of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Basis {
+    Power(usize),
+    Cos(usize),
+    Sin(usize),
+}
+
+impl Basis {
+    /// Powers descend, harmonics ascend; 1 is `Power(0)` in both.
+    fn key(self) -> (bool, usize, usize) {
+        match self {
+            Basis::Power(k) => (false, usize::MAX - k, 0),
+            Basis::Cos(n) => (true, n, 0),
+            Basis::Sin(n) => (true, n, 1),
+        }
+    }
+
+    fn text(self, parameter: &Parameter, format: Format) -> String {
+        let name = parameter.name();
+        let latex = format == Format::Latex;
+        let shown = match name {
+            "theta" | "phi" if latex => format!("\\{name}"),
+            _ => name.to_owned(),
+        };
+        let (function, n) = match self {
+            Basis::Power(0) => return String::new(),
+            Basis::Power(1) => return shown,
+            Basis::Power(k) if latex => return format!("{shown}^{{{k}}}"),
+            Basis::Power(k) if format == Format::Sympy => return format!("{shown}**{k}"),
+            Basis::Power(k) => return format!("{shown}^{k}"),
+            Basis::Cos(n) => ("cos", n),
+            Basis::Sin(n) => ("sin", n),
+        };
+        let step = parameter.step().cloned().unwrap_or_else(Rational::one);
+        let multiple = step * Rational::from(Integer::from(n));
+        let (p, q) = (multiple.numerator(), multiple.denominator());
+        if latex {
+            let factor = match (p == 1, q == 1) {
+                (true, true) => String::new(),
+                (false, true) => format!("{p}"),
+                _ => format!("\\tfrac{{{p}}}{{{q}}}"),
+            };
+            return format!("\\{function} {factor}{shown}");
+        }
+        let factor = if p == 1 {
+            String::new()
+        } else {
+            format!("{p}*")
+        };
+        let divisor = if q == 1 {
+            String::new()
+        } else {
+            format!("/{q}")
+        };
+        format!("{function}({factor}{shown}{divisor})")
+    }
+}
+
+impl Ord for Basis {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.key().cmp(&other.key())
+    }
+}
+
+impl PartialOrd for Basis {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The harmonics of Σ c_k cos^(d−k) sin^k of the half angle.
+fn harmonics(coefficients: &[Rational], degree: usize) -> Vec<(usize, Rational, Rational)> {
+    let denominator = coefficients.iter().fold(Integer::ONE, |d, c| {
+        Integer::from(d.unsigned_abs_ref().lcm(c.denominator().unsigned_abs_ref()))
+    });
+    let mut integers: Vec<Integer> = coefficients
+        .iter()
+        .map(|c| c.numerator() * (&denominator).div_exact(c.denominator()))
+        .collect();
+    integers.resize(degree + 1, Integer::ZERO);
+    let scale = Rational::from(&denominator);
+    let form = BinaryForm::from_coefficients(integers);
+    harmonics_of_form(&form)
+        .into_iter()
+        .map(|(n, a, b)| (n, a / &scale, b / &scale))
+        .collect()
+}
+
+/// The number by which both are divided to have coprime integers, the first one of the denominator positive.
+fn content(
+    above: &BTreeMap<[Basis; 2], Rational>,
+    below: &BTreeMap<[Basis; 2], Rational>,
+) -> Rational {
+    let values = below.values().chain(above.values());
+    // Descending powers keep the order.
+    let indexed = values.zip((0..u32::MAX).rev());
+    let polynomial = SparsePolynomial::from_terms(indexed.map(|(c, n)| ([n], c.clone())));
+    let first = |p: &SparsePolynomial<1>| p.terms().next().map(|(_, c)| c.clone());
+    match (first(&polynomial), first(&polynomial.primitive())) {
+        (Some(a), Some(b)) => a / b,
+        _ => Rational::one(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::{Numbers, parse_form};
+    use crate::shape::Form;
+
+    fn formulas(text: &str) -> Vec<String> {
+        let coordinates = match parse_form(text, "<form>", Numbers::Exact) {
+            Ok(Form::PlaneCurve(curve)) => Coordinates::from(&curve),
+            Ok(Form::SpaceCurve(curve)) => Coordinates::from(&curve),
+            Ok(Form::Patch(patch)) => Coordinates::from(&patch),
+            other => panic!("{text}: {other:?}"),
+        };
+        coordinates.formulas(Format::Text)
+    }
+
+    #[test]
+    fn formulas_are_canonical_and_are_read_back() {
+        let cases = [
+            ("x = sin(t); y = sin(t)*cos(t)", "sin(t) ; 1/2*sin(2*t)"),
+            ("x = 1 + t^2; y = (t + t^3)/2", "t^2 + 1 ; 1/2*t^3 + 1/2*t"),
+            (
+                "x = (1-t^2)/(1+t^2); y = 2t/(1+t**2)",
+                "(-t^2 + 1)/(t^2 + 1) ; 2*t/(t^2 + 1)",
+            ),
+            ("x = sin(t/2); y = sin(t/3)", "sin(t/2) ; sin(t/3)"),
+            (
+                "x = sin(2theta+pi/2)+sin(theta)^2+cos(theta)^2; y = sec(theta)",
+                "1 + cos(2*theta) ; 1/cos(theta)",
+            ),
+            ("x = tan(t); y = cot(t)", "sin(t)/cos(t) ; cos(t)/sin(t)"),
+            ("x = 0.1/t; y = t^-2; z = 3", "1/(10*t) ; 1/t^2 ; 3"),
+            (
+                "x = (2+cos(v))*cos(u); y = (2+cos(v))sin(u); z = sin(v)",
+                "2*cos(u) + cos(u)*cos(v) ; 2*sin(u) + sin(u)*cos(v) ; sin(v)",
+            ),
+            ("x = u*v; y = u; z = v^2", "u*v ; u ; v^2"),
+            ("x = sin(2t + u); y = u - u + cos(t); z = cos(u)", ""),
+            (
+                "x = u*cos(v)/(1+u^2); y = u; z = sin(v)",
+                "u*cos(v)/(u^2 + 1) ; u ; sin(v)",
+            ),
+        ];
+        for (text, expected) in cases {
+            if expected.is_empty() {
+                assert!(parse_form(text, "<form>", Numbers::Exact).is_err());
+                continue;
+            }
+            let found = formulas(text);
+            assert_eq!(found.join(" ; "), expected, "{text}");
+            let rows: Vec<String> = NAMES
+                .iter()
+                .zip(&found)
+                .map(|(n, f)| format!("{n} = {f}"))
+                .collect();
+            assert_eq!(formulas(&rows.join("\n")), found, "{text}");
+        }
+    }
+}

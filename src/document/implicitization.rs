@@ -1,0 +1,177 @@
+//! What is said of an equation that was found from a parametric form.
+
+use serde_json::{Value, json};
+
+use super::Annotations;
+use super::implicit::polynomial_text;
+use crate::implicitize::{
+    PlaneEquation, PolarFactor, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface,
+    SpaceCurveEquations, SurfaceEquation,
+};
+use crate::poly::SparsePolynomial;
+
+impl Annotations {
+    /// Of the equation of a plane curve.
+    #[must_use]
+    pub fn of_plane(equation: &PlaneEquation) -> Self {
+        let mut annotations = Self::default();
+        annotations.tracing_index(equation.tracing_index);
+        annotations
+    }
+
+    /// Of the equation of a patch.
+    #[must_use]
+    pub fn of_patch(equation: &SurfaceEquation) -> Self {
+        let mut annotations = Self::default();
+        match equation.tracing_index {
+            Some(index) => {
+                annotations.notes.push(format!(
+                    "tracing index {index}: a general point of the surface has {index} parameter {} (complex ones \
+                     included; counted at random points modulo a prime, not proved)",
+                    if index == 1 { "value" } else { "values" }
+                ));
+                annotations.fields.push(("tracing_index", json!(index)));
+                annotations
+                    .fields
+                    .push(("tracing_index_proved", json!(false)));
+            }
+            None => annotations
+                .notes
+                .push("the tracing index was not found: counts at random points disagree".into()),
+        }
+        annotations
+    }
+
+    /// Of the equations of a space curve.
+    #[must_use]
+    pub fn of_space_curve(equations: &SpaceCurveEquations) -> Self {
+        let mut annotations = Self::default();
+        annotations.notes.push(format!(
+            "these equations generate all polynomials that vanish on the curve: they cut out the curve alone, of degree {}",
+            equations.degree
+        ));
+        annotations
+            .fields
+            .push(("curve_degree", json!(equations.degree)));
+        annotations.tracing_index(equations.tracing_index);
+        annotations
+    }
+
+    fn tracing_index(&mut self, index: usize) {
+        let times = match index {
+            1 => "once".into(),
+            2 => "twice".into(),
+            n => format!("{n} times"),
+        };
+        self.notes.push(format!(
+            "tracing index {index}: the parametrization runs over the curve {times}"
+        ));
+        self.fields.push(("tracing_index", json!(index)));
+    }
+
+    /// Adds what Theorem 1 gave.
+    pub fn add_polar_plane(&mut self, polar: &PolarPlane) {
+        self.polar(
+            "Theorem 1, Eq. (1): x^2 + y^2",
+            &polar.squared_radius,
+            &polar.factors,
+        );
+    }
+
+    /// Adds what Theorem 4 gave.
+    pub fn add_polar_patch(&mut self, polar: &PolarPatch) {
+        self.polar(
+            "Theorem 4, Eq. (15): x^2 + y^2 + z^2",
+            &polar.squared_radius,
+            &polar.factors,
+        );
+    }
+
+    fn polar(
+        &mut self,
+        left: &str,
+        [above, below]: &[SparsePolynomial<3>; 2],
+        factors: &[PolarFactor],
+    ) {
+        let right = if below
+            .as_constant()
+            .is_some_and(|c| c == crate::exact::Rational::one())
+        {
+            polynomial_text(above)
+        } else {
+            format!("({})/({})", polynomial_text(above), polynomial_text(below))
+        };
+        self.notes.push(format!("{left} = {right}"));
+        self.notes
+            .push("cleared of denominators it has the factors".into());
+        self.notes.extend(factors.iter().map(factor_text));
+        let entry = json!({
+            "squared_radius": [polynomial_text(above), polynomial_text(below)],
+            "factors": factors.iter().map(factor_json).collect::<Vec<_>>(),
+        });
+        self.fields.push(("polar", entry));
+    }
+
+    /// Adds what Theorem 3 gave.
+    pub fn add_polar_space_curve(&mut self, polar: &PolarSpaceCurve) {
+        let mut surfaces = Vec::new();
+        for (name, surface) in [("Eq. (10)", &polar.first), ("Eq. (11)", &polar.second)] {
+            match surface {
+                Ok(surface) => {
+                    self.notes.push(format!(
+                        "Theorem 3, {name}, cleared of denominators: {} = 0, with the factors",
+                        polynomial_text(&surface.equation)
+                    ));
+                    self.notes.extend(surface.factors.iter().map(factor_text));
+                    surfaces.push(surface_json(name, surface));
+                }
+                Err(reason) => {
+                    self.notes.push(format!("Theorem 3, {name}: {reason}"));
+                    surfaces.push(json!({"equation": name, "reason": reason}));
+                }
+            }
+        }
+        for [on, also] in &polar.components {
+            self.notes.push(format!(
+                "spurious component of the two surfaces: {} = 0 on {} = 0",
+                polynomial_text(also),
+                polynomial_text(on)
+            ));
+        }
+        let components = polar
+            .components
+            .iter()
+            .map(|[on, also]| json!([polynomial_text(on), polynomial_text(also)]));
+        let components: Vec<Value> = components.collect();
+        self.fields.push(("polar", json!({"surfaces": surfaces})));
+        self.fields.push(("components", json!(components)));
+    }
+}
+
+fn factor_text(factor: &PolarFactor) -> String {
+    let power = match factor.multiplicity {
+        1 => String::new(),
+        m => format!(", multiplicity {m}"),
+    };
+    format!(
+        "  {}{power}: {}",
+        polynomial_text(&factor.polynomial),
+        factor.role.describe()
+    )
+}
+
+fn factor_json(factor: &PolarFactor) -> Value {
+    json!({
+        "polynomial": polynomial_text(&factor.polynomial),
+        "multiplicity": factor.multiplicity,
+        "role": factor.role.name(),
+    })
+}
+
+fn surface_json(name: &str, surface: &PolarSurface) -> Value {
+    json!({
+        "equation": name,
+        "polynomial": polynomial_text(&surface.equation),
+        "factors": surface.factors.iter().map(factor_json).collect::<Vec<_>>(),
+    })
+}

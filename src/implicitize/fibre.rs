@@ -1,0 +1,160 @@
+//! How many parameter values of a patch lie on a line.
+
+use super::map::RationalMap;
+use crate::error::Result;
+use crate::limits::Limits;
+use crate::poly::{
+    SparsePolynomial, SplitMix, gcd_mod, interpolate, inverse_mod, kernel_primes, power_mod,
+    reduce_integer, resultant_mod,
+};
+use crate::shape::{Patch, PatchFunction};
+
+/// Random points at which the tangent vectors are looked at.
+const TRIES: usize = 5;
+
+/// Whether the tangent vectors are independent somewhere: proved if they are, else wrong with a probability
+/// below 10⁻⁴⁰.
+pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
+    let prime = kernel_primes().next().unwrap_or(2);
+    let mut random = SplitMix(1);
+    let map = RationalMap::of_patch(patch);
+    let mut tries = 0;
+    while tries < TRIES {
+        let s = [random.next() % prime, random.next() % prime];
+        if map.at(s, prime).is_none() {
+            continue;
+        }
+        tries += 1;
+        // The derivatives times the squares of the denominators: multiples do not matter.
+        let tangents: Vec<[u64; 2]> = patch
+            .coordinates()
+            .iter()
+            .map(|f| gradient(f, s, prime))
+            .collect();
+        let independent = |i: usize, j: usize| {
+            let [a, b] = [tangents[i], tangents[j]];
+            a[0] * b[1] % prime != a[1] * b[0] % prime
+        };
+        if independent(0, 1) || independent(0, 2) || independent(1, 2) {
+            return true;
+        }
+    }
+    false
+}
+
+/// (p_v q − p q_v) for v = s1, s2.
+fn gradient(f: &PatchFunction, s: [u64; 2], prime: u64) -> [u64; 2] {
+    let value = |p: &SparsePolynomial<2>, derivative: Option<usize>| {
+        p.terms().fold(0, |sum, (e, c)| {
+            let mut e = *e;
+            let mut factor = reduce_integer(&c.numerator(), prime);
+            if let Some(v) = derivative {
+                factor = factor * (u64::from(e[v]) % prime) % prime;
+                e[v] = e[v].saturating_sub(1);
+            }
+            let [a, b] = [0, 1].map(|v| power_mod(s[v], e[v].into(), prime));
+            (sum + factor * (a * b % prime)) % prime
+        })
+    };
+    let (p, q) = (f.numerator(), f.denominator());
+    [0, 1].map(|v| {
+        let (plus, minus) = (
+            value(p, Some(v)) * value(q, None) % prime,
+            value(p, None) * value(q, Some(v)) % prime,
+        );
+        (plus + prime - minus) % prime
+    })
+}
+
+/// The number of parameter values (s1, s2), complex ones included, whose points lie on a general line: the degree
+/// of the surface times the tracing index.
+///
+/// Two random planes meet in a line; the resultant of their equations in s1, s2 has as roots the s1 of these
+/// values, besides those of the base points, which do not depend on the planes: what it shares with that of
+/// other random planes is taken off. Modulo a prime, so with a small probability of error.
+///
+/// # Errors
+/// What `limits` returns.
+pub(super) fn generic_fibre(patch: &Patch, limits: &Limits) -> Result<usize> {
+    let prime = kernel_primes().next().unwrap_or(2);
+    let mut random = SplitMix(2);
+    let functions = over_one_denominator(patch, limits)?;
+    let mut eliminants = Vec::new();
+    for _ in 0..2 {
+        let planes: [Dense; 2] = std::array::from_fn(|_| {
+            let weights: Vec<u64> = functions.iter().map(|_| random.next() % prime).collect();
+            Dense::combination(&functions, &weights, prime)
+        });
+        eliminants.push(eliminant(&planes, prime));
+    }
+    let [first, second] = [eliminants.pop(), eliminants.pop()].map(Option::unwrap_or_default);
+    if first.is_empty() || second.is_empty() {
+        return Ok(0);
+    }
+    let fixed = gcd_mod(first.clone(), second, prime);
+    Ok(first.len() - fixed.len())
+}
+
+/// x, y, z and 1 times the least common denominator.
+fn over_one_denominator(patch: &Patch, limits: &Limits) -> Result<Vec<SparsePolynomial<2>>> {
+    use crate::factor::coprime_parts;
+    use crate::poly::Ring;
+    let mut common = SparsePolynomial::constant(crate::exact::Rational::one());
+    for f in patch.coordinates() {
+        let [_, missing] = coprime_parts([&common, f.denominator()], limits)?;
+        common = common.times(&missing);
+    }
+    let mut functions = Vec::new();
+    for f in patch.coordinates() {
+        // Up to a constant factor, which a random combination does not mind.
+        let [factor, _] = coprime_parts([&common, f.denominator()], limits)?;
+        functions.push(f.numerator().times(&factor).primitive());
+    }
+    functions.push(common);
+    Ok(functions)
+}
+
+/// A polynomial in s1 and s2 modulo a prime: for each power of s2 its coefficient in s1.
+struct Dense {
+    rows: Vec<Vec<u64>>,
+}
+
+impl Dense {
+    fn combination(functions: &[SparsePolynomial<2>], weights: &[u64], prime: u64) -> Self {
+        let degree = |v: usize| {
+            let terms = functions.iter().flat_map(SparsePolynomial::terms);
+            terms.map(|(e, _)| e[v] as usize).max().unwrap_or(0)
+        };
+        let mut rows = vec![vec![0; degree(0) + 1]; degree(1) + 1];
+        for (f, weight) in functions.iter().zip(weights) {
+            for (e, c) in f.terms() {
+                let value = &mut rows[e[1] as usize][e[0] as usize];
+                *value = (*value + weight * reduce_integer(&c.numerator(), prime)) % prime;
+            }
+        }
+        Self { rows }
+    }
+
+    /// As a polynomial in s2.
+    fn at(&self, s1: u64, prime: u64) -> Vec<u64> {
+        let value = |row: &Vec<u64>| row.iter().rev().fold(0, |v, c| (v * s1 + c) % prime);
+        self.rows.iter().map(value).collect()
+    }
+}
+
+/// The resultant with respect to s2, monic and trimmed; empty if it is 0.
+fn eliminant([f, g]: &[Dense; 2], prime: u64) -> Vec<u64> {
+    let degree = 2 * (f.rows.len() - 1) * (f.rows[0].len() - 1);
+    let values = (0..=degree as u64).map(|s| resultant_mod(f.at(s, prime), g.at(s, prime), prime));
+    let mut result = interpolate(values.collect(), prime);
+    while result.last() == Some(&0) {
+        result.pop();
+    }
+    if let Some(&lead) = result.last() {
+        let inverse = inverse_mod(lead, prime);
+        for c in &mut result {
+            *c = *c * inverse % prime;
+        }
+    }
+    result
+}

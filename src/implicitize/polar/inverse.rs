@@ -1,0 +1,81 @@
+//! Inversion by substitution: one function of s as a rational function of another.
+
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::implicitize::map::RationalMap;
+use crate::implicitize::tracing::common_numerator;
+use crate::implicitize::vanishing::vanishing;
+use crate::limits::Limits;
+use crate::poly::{RationalFunction, SparsePolynomial};
+
+/// Whether w is a rational function of m.
+pub(super) enum Inverse {
+    /// `w = above(m)/below(m)`: the coefficients by powers of m.
+    Function(Fraction),
+    /// m is constant.
+    Constant,
+    /// For a general value of m there are so many of w, complex ones included.
+    Values(usize),
+}
+
+/// `Σ above_k m^k / Σ below_k m^k` with integer coefficients.
+pub(super) struct Fraction {
+    pub(super) above: Vec<(u32, Rational)>,
+    pub(super) below: Vec<(u32, Rational)>,
+    /// The larger one of the degrees.
+    pub(super) degree: u32,
+}
+
+impl Fraction {
+    /// Numerator and denominator as polynomials, from what m^k times the denominator^degree is.
+    pub(super) fn cleared(
+        &self,
+        power: impl Fn(u32, u32) -> SparsePolynomial<3>,
+    ) -> [SparsePolynomial<3>; 2] {
+        [&self.above, &self.below].map(|terms| {
+            let mut sum = SparsePolynomial::zero();
+            for (k, c) in terms {
+                sum.add_multiple(&power(*k, self.degree - k), c);
+            }
+            sum
+        })
+    }
+}
+
+/// Whether `w = H(m)` with a rational function H.
+///
+/// If so, deg H = deg w / deg m, and H is found by certified linear algebra in 1, m, m², …, w, mw, m²w, …; if
+/// not, the gcd of the numerators of m(s) − m(σ) and w(s) − w(σ) tells how many values w has for one of m.
+///
+/// # Errors
+/// Those of `limits`, and of the linear algebra.
+pub(super) fn invert(
+    w: &RationalFunction,
+    m: &RationalFunction,
+    limits: &Limits,
+) -> Result<Inverse> {
+    if m.is_constant() {
+        return Ok(Inverse::Constant);
+    }
+    let functions = [m.clone(), w.clone()];
+    if w.degree().is_multiple_of(m.degree()) {
+        let degree = u32::try_from(w.degree() / m.degree()).unwrap_or(u32::MAX);
+        let powers = |y: u32| (0..=degree).map(move |k| [k, y, 0]);
+        let monomials: Vec<[u32; 3]> = powers(0).chain(powers(1)).collect();
+        let map = RationalMap::of_functions(&functions);
+        if let Some(f) = vanishing(&map, &monomials, limits)?.first() {
+            let part = |y: u32| f.terms().filter(move |(e, _)| e[1] == y);
+            // The first coefficient of the denominator is positive.
+            let negative = part(1).next().is_some_and(|(_, c)| c.signum() < 0);
+            let signed = |c: &Rational, flip: bool| if flip { -c.clone() } else { c.clone() };
+            return Ok(Inverse::Function(Fraction {
+                above: part(0).map(|(e, c)| (e[0], signed(c, !negative))).collect(),
+                below: part(1).map(|(e, c)| (e[0], signed(c, negative))).collect(),
+                degree,
+            }));
+        }
+    }
+    let common = common_numerator(&functions, limits)?;
+    let shared = common.terms().map(|(e, _)| e[0] as usize).max();
+    Ok(Inverse::Values(m.degree() / shared.unwrap_or(1).max(1)))
+}

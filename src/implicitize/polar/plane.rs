@@ -1,0 +1,110 @@
+//! Theorem 1, Eq. (1): plane curves whose slope function is inverted by substitution.
+
+use super::inverse::{Inverse, invert};
+use super::{PolarFactor, Role, squared_radius};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::factor::factor_plane;
+use crate::implicitize::map::RationalMap;
+use crate::limits::Limits;
+use crate::poly::{Ring, SparsePolynomial};
+use crate::shape::{ImplicitCurve, PlaneCurve};
+
+/// What Eq. (1) gives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PolarPlane {
+    /// The irreducible equation of the curve.
+    pub curve: ImplicitCurve,
+    /// `x² + y² = above(x, y)/below(x, y)`, forms of the same degree: Eq. (1).
+    pub squared_radius: [SparsePolynomial<3>; 2],
+    /// The irreducible factors of `(x² + y²) below − above`.
+    pub factors: Vec<PolarFactor>,
+}
+
+/// Theorem 1 with its spurious factors removed.
+///
+/// With the slope m = y/x of the curve (h, g), `h² + g²` is a rational function H of m exactly if the numerator
+/// of m(s) − m(σ) divides that of h² + g²; then Eq. (1) reads `x² + y² = H(y/x)`. Cleared of denominators it is
+/// factored over Q; the factor that vanishes on the curve is the curve, and the others are named.
+///
+/// DIFFERENCE: the paper calls Eq. (1) free of spurious parts. It contains the reflection −α of every curve
+/// that is not its own reflection.
+///
+/// ```
+/// use stellate::implicitize::{Role, polar_plane};
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::limits::Limits;
+/// use stellate::shape::Form;
+///
+/// let form = parse_form("x = 1 + t^2; y = t + t^3", "<form>", Numbers::Exact)?;
+/// let Form::PlaneCurve(curve) = form else { panic!("a plane curve") };
+/// let polar = polar_plane(&curve, &Limits::none())?;
+/// let roles: Vec<_> = polar.factors.iter().map(|f| f.role).collect();
+/// // (x² + y²) (x³ − x² − y²) (x³ + x² + y²)
+/// assert_eq!(roles, [Role::SquaredRadius, Role::Form, Role::Reflection]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// Cost: linear algebra with 2(deg H + 1) columns, and a factorization in degree deg H + 2.
+///
+/// # Errors
+/// [`Error::Hypothesis`] if the slope is constant or H does not exist, with the reason; those of the
+/// factorization and of `limits`.
+pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
+    let [h, g] = curve.coordinates();
+    let refused = |witness: String| Error::Hypothesis {
+        statement: "Theorem 1",
+        witness,
+    };
+    let Some(over_h) = h.recip() else {
+        return Err(refused(
+            "x = 0 on the whole curve, so the slope y/x is not a function".into(),
+        ));
+    };
+    let (slope, radius) = (g.times(&over_h), h.squared().plus(&g.squared()));
+    let fraction = match invert(&radius, &slope, limits)? {
+        Inverse::Function(fraction) => fraction,
+        Inverse::Constant => {
+            return Err(refused(
+                "the slope y/x is constant: the curve lies on a line through the origin".into(),
+            ));
+        }
+        Inverse::Values(count) => {
+            return Err(refused(format!(
+                "the slope y/x cannot be inverted by substitution: a general line through the origin meets the \
+                 curve at {count} different values of x^2 + y^2 (complex ones included), so x^2 + y^2 is not a \
+                 rational function of y/x"
+            )));
+        }
+    };
+    let monomial = |y: u32, x: u32| SparsePolynomial::from_terms([([x, y, 0], Rational::one())]);
+    let [above, below] = fraction.cleared(monomial);
+    let rho = squared_radius(false);
+    let cleared = rho.times(&below).minus(&above);
+    let factors = match cleared.to_plane() {
+        Some(plane) => factor_plane(&plane, limits)?.factors,
+        None => Vec::new(),
+    };
+    let map = RationalMap::of_curve(curve);
+    let denominators = [below.clone()];
+    let factors: Vec<PolarFactor> = factors
+        .into_iter()
+        .map(|factor| {
+            let polynomial = SparsePolynomial::<3>::from(&factor.polynomial);
+            PolarFactor {
+                role: Role::of(&polynomial, &map, &rho, &denominators),
+                polynomial,
+                multiplicity: factor.multiplicity,
+            }
+        })
+        .collect();
+    let found = factors.iter().find(|f| f.role == Role::Form);
+    let found = found.and_then(|f| f.polynomial.to_plane()).ok_or_else(|| {
+        refused("no factor vanishes on the curve; please report the input".into())
+    })?;
+    Ok(PolarPlane {
+        curve: ImplicitCurve::new(found),
+        squared_radius: [above, below],
+        factors,
+    })
+}

@@ -1,0 +1,189 @@
+//! Theorem 3, Eqs. (10) and (11): the paper's two surfaces through a space curve, and what else they meet in.
+
+use super::inverse::{Fraction, Inverse, invert};
+use super::{PolarFactor, Role, squared_radius};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::factor::factor_space;
+use crate::implicitize::map::RationalMap;
+use crate::limits::Limits;
+use crate::poly::{RationalFunction, Ring, SparsePolynomial, resultant};
+use crate::shape::SpaceCurve;
+
+/// What Eqs. (10) and (11) give.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PolarSpaceCurve {
+    /// The surface of Eq. (10), or why there is none.
+    pub first: std::result::Result<PolarSurface, String>,
+    /// The surface of Eq. (11), or why there is none.
+    pub second: std::result::Result<PolarSurface, String>,
+    /// What the two have in common besides the curve, after their spurious factors are removed: on the
+    /// given factor of the first surface, the zero set of the given polynomial in two variables.
+    pub components: Vec<[SparsePolynomial<3>; 2]>,
+}
+
+/// One of the paper's surfaces.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PolarSurface {
+    /// The equation, cleared of denominators.
+    pub equation: SparsePolynomial<3>,
+    /// Its irreducible factors; those of [`Role::Form`] contain the curve.
+    pub factors: Vec<PolarFactor>,
+}
+
+impl PolarSurface {
+    /// The product of the factors that contain the curve.
+    #[must_use]
+    pub fn reduced(&self) -> SparsePolynomial<3> {
+        let one = SparsePolynomial::constant(Rational::one());
+        self.through_the_curve()
+            .fold(one, |product, g| product.times(g))
+    }
+
+    fn through_the_curve(&self) -> impl Iterator<Item = &SparsePolynomial<3>> {
+        let factors = self.factors.iter().filter(|f| f.role == Role::Form);
+        factors.map(|f| &f.polynomial)
+    }
+}
+
+/// Theorem 3: with α = (h, g, k),
+///
+/// - (10) `A(y/x) + B(z²/(x²+y²)) = x² + y² + z²`,
+/// - (11) `A(y/x) + C(z/y) = x² + y² + z²`,
+///
+/// where `h² + g² = A(g/h)`, `k² = B(k²/(g²+h²))` and `k² = C(k/g)`, as far as these rational functions exist
+/// (the paper's f2 is the square root of the argument of B). Each equation is cleared of denominators and
+/// factored; the components of the intersection besides the curve are read off a resultant.
+///
+/// DIFFERENCE: the paper simplifies the second surface of Example 3 to z = ±y² modulo the first; as derived, the
+/// two surfaces also meet in z = 0 and in z = −y².
+///
+/// # Errors
+/// [`Error::Hypothesis`] if neither surface exists, with the reasons; those of the factorization and of `limits`.
+pub fn polar_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<PolarSpaceCurve> {
+    let [h, g, k] = curve.coordinates();
+    let (plane, k2) = (h.squared().plus(&g.squared()), k.squared());
+    let squares = |e: u32, f: u32| {
+        let terms = [([0, 0, 2], Rational::one())];
+        SparsePolynomial::from_terms(terms)
+            .pow(e)
+            .times(&squared_radius(false).pow(f))
+    };
+    let by_slope = |y: u32, x: u32| SparsePolynomial::from_terms([([x, y, 0], Rational::one())]);
+    let by_height = |z: u32, y: u32| SparsePolynomial::from_terms([([0, y, z], Rational::one())]);
+    let in_plane = inverse(&plane, ratio(g, h), ["x^2 + y^2", "y/x"], limits)?;
+    let first = inverse(&k2, ratio(&k2, &plane), ["z^2", "z^2/(x^2 + y^2)"], limits)?;
+    let second = inverse(&k2, ratio(k, g), ["z^2", "z/y"], limits)?;
+    let map = RationalMap::of_curve(curve);
+    let surface = |upper: &std::result::Result<Fraction, String>,
+                   power: &dyn Fn(u32, u32) -> SparsePolynomial<3>|
+     -> Result<std::result::Result<PolarSurface, String>> {
+        match (&in_plane, upper) {
+            (Ok(a), Ok(b)) => {
+                let (a, b) = (a.cleared(by_slope), b.cleared(power));
+                through(&map, a, b, limits).map(Ok)
+            }
+            (Err(reason), _) | (_, Err(reason)) => Ok(Err(reason.clone())),
+        }
+    };
+    let first = surface(&first, &squares)?;
+    let second = surface(&second, &by_height)?;
+    if let (Err(a), Err(b)) = (&first, &second) {
+        let witness = if a == b {
+            a.clone()
+        } else {
+            format!("{a}; {b}")
+        };
+        return Err(Error::Hypothesis {
+            statement: "Theorem 3",
+            witness,
+        });
+    }
+    let mut components = Vec::new();
+    if let (Ok(first), Ok(second)) = (&first, &second) {
+        for a in first.through_the_curve() {
+            for b in second.through_the_curve().filter(|b| *b != a) {
+                components.extend(common_components(a, b, &map, limits)?);
+            }
+        }
+    }
+    Ok(PolarSpaceCurve {
+        first,
+        second,
+        components,
+    })
+}
+
+fn ratio(p: &RationalFunction, q: &RationalFunction) -> Option<RationalFunction> {
+    Some(p.times(&q.recip()?))
+}
+
+/// w as a function of m, or why it is none.
+fn inverse(
+    w: &RationalFunction,
+    m: Option<RationalFunction>,
+    [w_name, m_name]: [&str; 2],
+    limits: &Limits,
+) -> Result<std::result::Result<Fraction, String>> {
+    let Some(m) = m else {
+        return Ok(Err(format!(
+            "{m_name} has the denominator 0 on the whole curve"
+        )));
+    };
+    Ok(match invert(w, &m, limits)? {
+        Inverse::Function(fraction) => Ok(fraction),
+        Inverse::Constant => Err(format!("{m_name} is constant on the curve")),
+        Inverse::Values(count) => Err(format!(
+            "{m_name} cannot be inverted by substitution: where it has a general value there are {count} values of \
+             {w_name} (complex ones included)"
+        )),
+    })
+}
+
+/// The surface `above_a/below_a + above_b/below_b = x² + y² + z²`.
+fn through(
+    map: &RationalMap,
+    [above_a, below_a]: [SparsePolynomial<3>; 2],
+    [above_b, below_b]: [SparsePolynomial<3>; 2],
+    limits: &Limits,
+) -> Result<PolarSurface> {
+    let radius = squared_radius(true);
+    let equation = radius
+        .times(&below_a)
+        .times(&below_b)
+        .minus(&above_a.times(&below_b))
+        .minus(&above_b.times(&below_a))
+        .primitive();
+    let denominators = [below_a, below_b];
+    let factors = factor_space(&equation, limits)?.factors.into_iter();
+    let factors = factors.map(|factor| PolarFactor {
+        role: Role::of(&factor.polynomial, map, &radius, &denominators),
+        polynomial: factor.polynomial,
+        multiplicity: factor.multiplicity,
+    });
+    Ok(PolarSurface {
+        factors: factors.collect(),
+        equation,
+    })
+}
+
+/// The components of a = b = 0 besides the curve: a, and an irreducible factor of the resultant.
+fn common_components(
+    a: &SparsePolynomial<3>,
+    b: &SparsePolynomial<3>,
+    map: &RationalMap,
+    limits: &Limits,
+) -> Result<Vec<[SparsePolynomial<3>; 2]>> {
+    let degree = |f: &SparsePolynomial<3>, v: usize| f.terms().map(|(e, _)| e[v]).max();
+    let eliminated = (0..3)
+        .filter(|&v| degree(a, v) > Some(0) && degree(b, v) > Some(0))
+        .min_by_key(|&v| degree(a, v));
+    let projected = match eliminated {
+        Some(v) => resultant(a, b, v, limits)?,
+        // Nothing is shared: b itself tells where on a.
+        None => b.clone(),
+    };
+    let factors = factor_space(&projected, limits)?.factors.into_iter();
+    let others = factors.filter(|f| !map.annihilates(&f.polynomial));
+    Ok(others.map(|f| [a.clone(), f.polynomial]).collect())
+}

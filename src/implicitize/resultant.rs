@@ -1,0 +1,83 @@
+//! Plane curves by a resultant.
+
+use super::map::RationalMap;
+use super::tracing::tracing_index_bound;
+use crate::error::{Error, Result};
+use crate::factor::squarefree_plane;
+use crate::limits::Limits;
+use crate::poly::{PlanePolynomial, SparsePolynomial, eliminate};
+use crate::shape::{ImplicitCurve, PlaneCurve};
+
+/// The equation of a parametric plane curve.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlaneEquation {
+    /// The irreducible equation, primitive with positive first term.
+    pub curve: ImplicitCurve,
+    /// How often the parametrization runs over the curve while s runs over all numbers, complex ones and
+    /// infinity included: the degree of Q(s) over Q(x, y). For an angle that is once around.
+    pub tracing_index: usize,
+}
+
+/// The implicit equation of a plane curve.
+///
+/// With x = p1/q1 and y = p2/q2 in lowest terms, of degrees m and n in s: `Res_s(q1 X − p1, q2 Y − p2) = c f^k`
+/// with f irreducible over Q and k the tracing index, without extraneous factor (Sederberg; Sendra &
+/// Winkler, *Rational Algebraic Curves*, Theorem 4.41). f is what is returned, with three proofs: it vanishes
+/// identically on the curve (exact substitution); its degree in X is n/k', where k' bounds the index from
+/// above; so by degrees it is the minimal polynomial and k = k'.
+///
+/// ```
+/// use stellate::implicitize::implicitize_plane;
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::limits::Limits;
+/// use stellate::shape::Form;
+///
+/// // Example 1
+/// let form = parse_form("x = sin(t); y = sin(t)*cos(t)", "<form>", Numbers::Exact)?;
+/// let Form::PlaneCurve(curve) = form else { panic!("a plane curve") };
+/// let equation = implicitize_plane(&curve, &Limits::none())?;
+/// assert_eq!(equation.curve, match parse_form("x^4 - x^2 + y^2", "<form>", Numbers::Exact)? {
+///     Form::Curve(expected) => expected,
+///     _ => unreachable!(),
+/// });
+/// assert_eq!(equation.tracing_index, 1);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// Cost: (m n)² products of residues for each of about (m + n)·(bits of a coefficient)/31 primes, and 2m
+/// products of polynomials of degree m n for the proof.
+///
+/// # Errors
+/// [`Error::Hypothesis`] if both coordinates are constant; [`Error::Limit`] if the resultant is too large; those
+/// of `limits`.
+pub fn implicitize_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PlaneEquation> {
+    let [x, y] = curve.coordinates();
+    if curve.is_point() {
+        return Err(Error::Hypothesis {
+            statement: "implicitization",
+            witness: "all coordinates are constant: that is a point, not a curve".into(),
+        });
+    }
+    let tracing_index = tracing_index_bound(curve.coordinates());
+    let map = RationalMap::of_curve(curve);
+    let f = eliminate(x, y, limits, |resultant| {
+        let f = if tracing_index > 1 {
+            squarefree_plane(resultant, limits)?
+        } else {
+            resultant.primitive()
+        };
+        let [in_x, in_y] = degrees(&f);
+        let fits = in_x * tracing_index == y.degree() && in_y * tracing_index == x.degree();
+        Ok((fits && map.annihilates(&SparsePolynomial::from(&f))).then_some(f))
+    })?;
+    Ok(PlaneEquation {
+        curve: ImplicitCurve::new(f),
+        tracing_index,
+    })
+}
+
+/// The degrees in x and in y.
+fn degrees(f: &PlanePolynomial) -> [usize; 2] {
+    f.terms()
+        .fold([0, 0], |[a, b], ((i, j), _)| [a.max(i), b.max(j)])
+}

@@ -1,0 +1,144 @@
+//! How often a parametrization runs over its curve.
+
+use malachite::base::num::basic::traits::Zero;
+
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::factor::greatest_common_divisor;
+use crate::limits::Limits;
+use crate::poly::{
+    IntegerPolynomial, RationalFunction, SparsePolynomial, gcd_mod, kernel_primes, reduce_integer,
+};
+
+/// Values of the parameter that are tried.
+const TRIES: u64 = 4;
+
+/// An upper bound of the tracing index, the degree `[Q(s) : Q(x, y, …)]`; it is the index but for an exception of
+/// probability about (degree²/2³¹)⁴.
+///
+/// The index is the degree in s of the gcd of the numerators of x(s) − x(σ), y(s) − y(σ), …; modulo a prime and
+/// at a number σ the gcd of these binary forms in s, infinity counted, can only become larger.
+pub(super) fn tracing_index_bound(functions: &[RationalFunction]) -> usize {
+    let moving: Vec<&RationalFunction> = functions.iter().filter(|f| !f.is_constant()).collect();
+    let mut least = moving.iter().map(|f| f.degree()).min().unwrap_or(0);
+    let mut primes = kernel_primes();
+    for k in 0..TRIES {
+        let prime = primes.next().unwrap_or(2);
+        // Any number does; these have no pattern.
+        let sigma = (k + 1) * 0x1234_5677 % prime;
+        if let Some(degree) = common_degree(&moving, sigma, prime) {
+            least = least.min(degree);
+        }
+    }
+    least
+}
+
+/// The degree of the gcd of the forms p(s) q(σ) − q(s) p(σ); `None` if all of them vanish.
+fn common_degree(functions: &[&RationalFunction], sigma: u64, prime: u64) -> Option<usize> {
+    let mut common: Option<Vec<u64>> = None;
+    let mut at_infinity = usize::MAX;
+    for f in functions {
+        let reduce = |p: &IntegerPolynomial| {
+            let residues = p
+                .coefficients_asc()
+                .iter()
+                .map(|c| reduce_integer(c, prime));
+            let mut residues: Vec<u64> = residues.collect();
+            residues.resize(f.degree() + 1, 0);
+            residues
+        };
+        let value = |p: &[u64]| p.iter().rev().fold(0, |v, c| (v * sigma + c) % prime);
+        let (p, q) = (reduce(f.numerator()), reduce(f.denominator()));
+        let (p_value, q_value) = (value(&p), value(&q));
+        let mut form: Vec<u64> = p
+            .iter()
+            .zip(&q)
+            .map(|(p, q)| (p * q_value + (prime - q) * p_value) % prime)
+            .collect();
+        while form.last() == Some(&0) {
+            form.pop();
+        }
+        if form.is_empty() {
+            continue;
+        }
+        at_infinity = at_infinity.min(f.degree() + 1 - form.len());
+        common = Some(match common {
+            Some(other) => gcd_mod(other, form, prime),
+            None => form,
+        });
+    }
+    common.map(|g| g.len() - 1 + at_infinity)
+}
+
+/// The gcd over Q of the numerators of x(s) − x(σ), y(s) − y(σ), …, a polynomial in s and σ.
+///
+/// Its degree in s is the tracing index, and of its coefficients as a polynomial in s the quotients that are not
+/// constant generate the field of all functions of the point (Lüroth).
+///
+/// # Errors
+/// What `limits` returns.
+pub(super) fn common_numerator(
+    functions: &[RationalFunction],
+    limits: &Limits,
+) -> Result<SparsePolynomial<2>> {
+    let mut common = SparsePolynomial::zero();
+    for f in functions.iter().filter(|f| !f.is_constant()) {
+        limits.check()?;
+        common = greatest_common_divisor(&common, &difference(f), limits)?;
+    }
+    Ok(common)
+}
+
+/// p(s) q(σ) − q(s) p(σ)
+pub(super) fn difference(f: &RationalFunction) -> SparsePolynomial<2> {
+    let (p, q) = (
+        f.numerator().coefficients_asc(),
+        f.denominator().coefficients_asc(),
+    );
+    let mut terms = Vec::new();
+    let index = |k: usize| u32::try_from(k).unwrap_or(u32::MAX);
+    for (i, p) in p
+        .iter()
+        .enumerate()
+        .filter(|(_, c)| **c != malachite::Integer::ZERO)
+    {
+        for (j, q) in q
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| **c != malachite::Integer::ZERO)
+        {
+            let product = Rational::from(p * q);
+            terms.push(([index(i), index(j)], product.clone()));
+            terms.push(([index(j), index(i)], -product));
+        }
+    }
+    SparsePolynomial::from_terms(terms)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::str::FromStr;
+
+    fn function(p: &str, q: &str) -> RationalFunction {
+        let polynomial = |text: &str| IntegerPolynomial::from_str(text).unwrap();
+        RationalFunction::new(polynomial(p), polynomial(q)).unwrap()
+    }
+
+    #[test]
+    fn the_index_counts_how_often_a_curve_is_run_over() {
+        let cases = [
+            (vec![function("x^2+1", "1"), function("x^3+x", "1")], 1),
+            (vec![function("x^2", "1"), function("x^4+1", "x^2")], 2),
+            // Poles and zeros at infinity: 1/s³ and s³.
+            (vec![function("1", "x^3"), function("x^6", "1")], 3),
+            (vec![function("5", "1"), function("x^3", "1")], 3),
+        ];
+        for (functions, index) in cases {
+            assert_eq!(tracing_index_bound(&functions), index);
+            let common = common_numerator(&functions, &Limits::none()).unwrap();
+            let degree = common.terms().map(|(e, _)| e[0]).max();
+            assert_eq!(degree, u32::try_from(index).ok());
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! What may stand in cos( ) and sin( ): rational multiples of the parameters, and of π.
+
+use super::evaluate::{Algebra, Context, evaluate, times};
+use super::name::{Name, PARAMETERS};
+use super::source::Span;
+use super::syntax::Expr;
+use crate::error::Result;
+use crate::exact::Rational;
+
+pub(super) const ARGUMENT: &str =
+    "the argument of cos and sin is an integer multiple of the angle, as in cos(3*t)";
+
+/// `Σ slope·parameter + turns·π + offset`
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Angle {
+    /// In the order of [`PARAMETERS`].
+    pub(super) slopes: [Rational; PARAMETERS.len()],
+    half_turns: Rational,
+    offset: Rational,
+}
+
+impl Angle {
+    /// The value of the argument of cos, sin and so on.
+    pub(super) fn of(cx: &mut Context<'_>, argument: &Expr) -> Result<Self> {
+        evaluate(cx, &Angles, argument)
+    }
+
+    fn constant(offset: Rational) -> Self {
+        Self {
+            slopes: std::array::from_fn(|_| Rational::zero()),
+            half_turns: Rational::zero(),
+            offset,
+        }
+    }
+
+    /// How many right angles are added, modulo 4; `None` if what is added has a cosine that is not
+    /// rational or not known.
+    pub(super) fn quarter_turns(&self) -> Option<u8> {
+        let quarters = &self.half_turns * Rational::from(2);
+        if !self.offset.is_zero() || !quarters.is_integer() {
+            return None;
+        }
+        let four = Rational::from(4);
+        let rounds = Rational::from((&quarters / &four).floor());
+        u8::try_from(&(quarters - rounds * four).numerator()).ok()
+    }
+
+    fn parts(self) -> impl Iterator<Item = Rational> {
+        self.slopes
+            .into_iter()
+            .chain([self.half_turns, self.offset])
+    }
+
+    fn parts_mut(&mut self) -> impl Iterator<Item = &mut Rational> {
+        let added = [&mut self.half_turns, &mut self.offset];
+        self.slopes.iter_mut().chain(added)
+    }
+}
+
+/// Linear functions of the parameters.
+struct Angles;
+
+impl Algebra for Angles {
+    type Value = Angle;
+
+    const DIVISOR: &'static str = ARGUMENT;
+
+    fn constant(value: Rational) -> Angle {
+        Angle::constant(value)
+    }
+
+    fn to_constant(value: &Angle) -> Option<Rational> {
+        let varies = value.slopes.iter().any(|s| !s.is_zero()) || !value.half_turns.is_zero();
+        (!varies).then(|| value.offset.clone())
+    }
+
+    fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<Angle> {
+        let mut value = Angle::constant(Rational::zero());
+        match PARAMETERS.iter().position(|&p| p == name) {
+            Some(index) => value.slopes[index] = Rational::one(),
+            None if name == Name::Pi => value.half_turns = Rational::one(),
+            None => return Err(cx.source.error(at, ARGUMENT)),
+        }
+        Ok(value)
+    }
+
+    fn call(&self, cx: &mut Context<'_>, _: Name, _: &Expr, at: Span) -> Result<Angle> {
+        Err(cx.source.error(at, ARGUMENT))
+    }
+
+    fn add(
+        &self,
+        _: &mut Context<'_>,
+        sum: &mut Angle,
+        negative: bool,
+        term: Angle,
+        _: Span,
+    ) -> Result<()> {
+        for (part, other) in sum.parts_mut().zip(term.parts()) {
+            let before = std::mem::take(part);
+            *part = if negative {
+                before - other
+            } else {
+                before + other
+            };
+        }
+        Ok(())
+    }
+
+    fn multiply(&self, cx: &mut Context<'_>, a: Angle, b: Angle, at: Span) -> Result<Angle> {
+        let (mut angle, factor) = match (Self::to_constant(&a), Self::to_constant(&b)) {
+            (_, Some(factor)) => (a, factor),
+            (Some(factor), None) => (b, factor),
+            (None, None) => return Err(cx.source.error(at, ARGUMENT)),
+        };
+        for part in angle.parts_mut() {
+            *part = times(cx, std::mem::take(part), factor.clone(), at)?;
+        }
+        Ok(angle)
+    }
+
+    fn power(&self, cx: &mut Context<'_>, _: Angle, _: u32, at: Span) -> Result<Angle> {
+        Err(cx.source.error(at, ARGUMENT))
+    }
+}

@@ -1,0 +1,252 @@
+//! `x = …; y = …[; z = …]`: parametric curves and patches.
+
+use malachite::base::num::arithmetic::traits::{DivExact, Gcd, Lcm};
+use malachite::base::num::basic::traits::One;
+use malachite::base::polynomial::Polynomial as _;
+
+use super::angle::Angle;
+use super::evaluate::{Context, evaluate};
+use super::name::{Name, PARAMETERS};
+use super::quotient::{ParameterUse, Quotient, Quotients};
+use super::source::Span;
+use super::syntax::{Equation, Expr, ExprKind};
+use crate::error::Result;
+use crate::exact::{Integer, Rational};
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
+use crate::shape::{Form, Parameter, ParametricCurve, Patch, PatchFunction};
+
+const COORDINATES: [Name; 3] = [Name::X, Name::Y, Name::Z];
+
+/// Whether the equations are coordinates as functions of parameters: one of them is `x = …` with a
+/// parameter or a function of an angle on the right.
+pub(super) fn are_parametric(equations: &[Equation]) -> bool {
+    let varies = |equation: &Equation| {
+        equation.names.any(&PARAMETERS) || equation.names.any(&Name::OF_ANGLES)
+    };
+    equations
+        .iter()
+        .any(|equation| coordinate(equation).is_some() && varies(equation))
+}
+
+/// Which coordinate the equation gives, and its formula.
+fn coordinate(equation: &Equation) -> Option<(usize, &Expr)> {
+    let formula = equation.right.as_ref()?;
+    let index = COORDINATES
+        .iter()
+        .position(|&name| equation.left.is_name(name))?;
+    Some((index, formula))
+}
+
+/// The curve or patch.
+pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result<Form> {
+    let formulas = formulas(cx, equations)?;
+    let (parameters, in_space) = parameters(cx, &formulas)?;
+    let mut values = Vec::new();
+    for formula in formulas.iter().flatten() {
+        values.push((
+            evaluate(cx, &Quotients(&parameters), formula)?,
+            formula.span,
+        ));
+    }
+    let limits = Limits::none();
+    let names: Vec<Parameter> = parameters.iter().map(ParameterUse::parameter).collect();
+    let no_function = |at| {
+        cx.source
+            .error(at, "division by zero: this is 0/0 everywhere")
+    };
+    if let [first, second] = &names[..] {
+        let mut coordinates = Vec::new();
+        for (value, at) in &values {
+            let (above, below) = value.over_one_denominator();
+            let function = PatchFunction::new(&above, &below, &limits)?;
+            coordinates.push(function.ok_or_else(|| no_function(*at))?);
+        }
+        let coordinates: [PatchFunction; 3] = coordinates
+            .try_into()
+            .map_err(|_| missing(cx, equations, "z"))?;
+        let parameters = [first.clone(), second.clone()];
+        return Ok(Form::Patch(Patch::new(parameters, coordinates)));
+    }
+    let Some(parameter) = names.into_iter().next() else {
+        let at = equations[0].left.span;
+        return Err(cx
+            .source
+            .error(at, "the coordinates do not depend on a parameter"));
+    };
+    let mut coordinates = Vec::new();
+    for (value, at) in &values {
+        coordinates.push(univariate(value).ok_or_else(|| no_function(*at))?);
+    }
+    if in_space {
+        let coordinates: [RationalFunction; 3] = coordinates
+            .try_into()
+            .map_err(|_| missing(cx, equations, "z"))?;
+        return Ok(Form::SpaceCurve(ParametricCurve::new(
+            parameter,
+            coordinates,
+        )));
+    }
+    let coordinates: [RationalFunction; 2] = coordinates
+        .try_into()
+        .map_err(|_| missing(cx, equations, "y"))?;
+    Ok(Form::PlaneCurve(ParametricCurve::new(
+        parameter,
+        coordinates,
+    )))
+}
+
+fn missing(cx: &Context<'_>, equations: &[Equation], name: &str) -> crate::error::Error {
+    let end = equations
+        .last()
+        .map_or(Span { start: 0, end: 0 }, |e| e.left.span);
+    let message = format!(
+        "`{name} = …` is missing: a plane curve has x and y, a space curve or a patch x, y and z"
+    );
+    cx.source.error(end, message)
+}
+
+/// The formulas of x, y and z.
+fn formulas<'e>(cx: &Context<'_>, equations: &'e [Equation]) -> Result<[Option<&'e Expr>; 3]> {
+    let mut formulas = [None; 3];
+    for equation in equations {
+        let Some((index, formula)) = coordinate(equation) else {
+            let message = "expected `x = …`, `y = …` or `z = …` as a function of the parameter";
+            return Err(cx.source.error(equation.left.span, message));
+        };
+        if formulas[index].replace(formula).is_some() {
+            let message = format!("a second `{} = …`", cx.source.slice(equation.left.span));
+            return Err(cx.source.error(equation.left.span, message));
+        }
+    }
+    for (name, formula) in ["x", "y"].iter().zip(&formulas) {
+        if formula.is_none() {
+            return Err(missing(cx, equations, name));
+        }
+    }
+    Ok(formulas)
+}
+
+/// Where a parameter occurs: by itself, and in angles with which slopes.
+#[derive(Default)]
+struct Occurrence {
+    by_itself: Option<Span>,
+    in_angle: Option<Span>,
+    step: Option<Rational>,
+}
+
+/// The parameters in canonical order and how each is used; whether there is a z.
+fn parameters(
+    cx: &mut Context<'_>,
+    formulas: &[Option<&Expr>; 3],
+) -> Result<(Vec<ParameterUse>, bool)> {
+    let mut found: [Occurrence; PARAMETERS.len()] = Default::default();
+    for formula in formulas.iter().flatten() {
+        collect(cx, formula, &mut found)?;
+    }
+    let in_space = formulas[2].is_some();
+    let mut uses = Vec::new();
+    for (name, occurrence) in PARAMETERS.into_iter().zip(found) {
+        let Some(at) = occurrence.by_itself.or(occurrence.in_angle) else {
+            continue;
+        };
+        let shown = cx.source.slice(at).to_owned();
+        if let (Some(at), Some(_)) = (occurrence.by_itself, occurrence.in_angle) {
+            let message = format!(
+                "`{shown}` itself beside cos or sin of it: {shown} and sin({shown}) satisfy no \
+                 polynomial equation, so the form is not algebraic"
+            );
+            return Err(cx.source.error(at, message));
+        }
+        let most = if in_space { 2 } else { 1 };
+        if uses.len() == most {
+            let message = if in_space {
+                "a third parameter; a space curve has one, a patch two"
+            } else {
+                "a second parameter; a plane curve has one, a patch has two and x, y and z"
+            };
+            return Err(cx.source.error(at, message));
+        }
+        let spelling = name.parameter_name().to_owned();
+        uses.push(ParameterUse::new(name, spelling, occurrence.step));
+    }
+    Ok((uses, in_space))
+}
+
+fn collect(cx: &mut Context<'_>, expr: &Expr, found: &mut [Occurrence]) -> Result<()> {
+    match &expr.kind {
+        ExprKind::Number | ExprKind::Integer(_) => {}
+        ExprKind::Name(name) => {
+            if let Some(index) = PARAMETERS.iter().position(|p| p == name) {
+                found[index].by_itself.get_or_insert(expr.span);
+            }
+        }
+        ExprKind::Negative(inner) => collect(cx, inner, found)?,
+        ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+            for (_, part) in parts {
+                collect(cx, part, found)?;
+            }
+        }
+        ExprKind::Power(base, exponent) => {
+            collect(cx, base, found)?;
+            collect(cx, exponent, found)?;
+        }
+        ExprKind::Call(name, arguments) if Name::OF_ANGLES.contains(name) => {
+            if let [argument] = arguments.as_slice() {
+                let angle = Angle::of(cx, argument)?;
+                for (occurrence, slope) in found.iter_mut().zip(&angle.slopes) {
+                    if !slope.is_zero() {
+                        occurrence.in_angle.get_or_insert(name_in(argument));
+                        let step = occurrence.step.take();
+                        occurrence.step = Some(common_step(step, slope));
+                    }
+                }
+            }
+        }
+        ExprKind::Call(_, arguments) => {
+            for argument in arguments {
+                collect(cx, argument, found)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Where the argument is; for a bare parameter that is its name.
+fn name_in(argument: &Expr) -> Span {
+    argument.span
+}
+
+/// The largest rational number of which both are integer multiples.
+fn common_step(step: Option<Rational>, slope: &Rational) -> Rational {
+    let slope = slope.abs();
+    let Some(step) = step else {
+        return slope;
+    };
+    // gcd(a/b, c/d) = gcd(ad, cb)/bd
+    let (b, d) = (step.denominator(), slope.denominator());
+    let (ad, cb) = (step.numerator() * &d, slope.numerator() * &b);
+    let gcd = Integer::from(ad.unsigned_abs_ref().gcd(cb.unsigned_abs_ref()));
+    Rational::new(gcd, b * d).unwrap_or(step)
+}
+
+/// A quotient that has only one variable.
+fn univariate(value: &Quotient) -> Option<RationalFunction> {
+    let (above, below) = value.over_one_denominator();
+    let denominator = above
+        .terms()
+        .chain(below.terms())
+        .fold(Integer::ONE, |d, (_, c)| {
+            let lcm = d.unsigned_abs_ref().lcm(c.denominator().unsigned_abs_ref());
+            Integer::from(lcm)
+        });
+    let integers = |f: &SparsePolynomial<2>| {
+        let length = f.terms().map(|(e, _)| e[0] as usize + 1).max().unwrap_or(0);
+        let mut coefficients = vec![Integer::from(0); length];
+        for (e, c) in f.terms() {
+            coefficients[e[0] as usize] = c.numerator() * (&denominator).div_exact(c.denominator());
+        }
+        IntegerPolynomial::from_coefficients_asc(coefficients)
+    };
+    RationalFunction::new(integers(&above), integers(&below))
+}

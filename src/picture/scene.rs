@@ -1,0 +1,389 @@
+//! Curves and surfaces in space, in perspective, with axes.
+
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::element::{PathElement, Polygon};
+use plotters::prelude::{DrawingBackend, SVGBackend};
+use plotters::style::{Color, RGBColor, ShapeStyle, WHITE};
+
+use super::camera::{Camera, Seen};
+use super::heading::{
+    self, Drawn, FINER, MARGIN, Mark, Row, WIDTH, color, dot, load_font, shown_in_units,
+};
+use super::{axes, cut};
+use crate::error::{Error, Result};
+
+/// Units left for ticks and names around the box.
+const AROUND: f64 = 74.0;
+/// Units left below it.
+const BELOW: f64 = 40.0;
+/// The highest picture of the box.
+const HEIGHT: f64 = 640.0;
+/// Lines are cut into pieces of at most this part of the box's diagonal, and lie this much nearer to the eye than
+/// they are: so a curve on a surface is seen where the surface is.
+const PIECE: f64 = 0.012;
+
+/// One thing drawn in space.
+#[derive(Clone, Debug, Default)]
+pub struct SpaceLayer {
+    /// What the legend says.
+    pub label: String,
+    /// Polylines; closed ones end where they begin.
+    pub lines: Vec<Vec<[f64; 3]>>,
+    /// Small polygons, seen from both sides.
+    pub facets: Vec<Vec<[f64; 3]>>,
+    /// Single points.
+    pub points: Vec<[f64; 3]>,
+}
+
+impl SpaceLayer {
+    /// The cells of a grid of points as facets; cells with a missing corner are left out.
+    #[must_use]
+    pub fn grid_facets(rows: &[Vec<Option<[f64; 3]>>]) -> Vec<Vec<[f64; 3]>> {
+        let mut facets = Vec::new();
+        for pair in rows.windows(2) {
+            let columns = pair[0].len().min(pair[1].len());
+            for j in 1..columns {
+                let corners = [pair[0][j - 1], pair[1][j - 1], pair[1][j], pair[0][j]];
+                facets.extend(corners.into_iter().collect::<Option<Vec<_>>>());
+            }
+        }
+        facets
+    }
+
+    fn all_points(&self) -> impl Iterator<Item = &[f64; 3]> {
+        let lists = self.lines.iter().chain(&self.facets);
+        lists.flatten().chain(&self.points)
+    }
+}
+
+/// Layers in a box with axes.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The heading, possibly empty.
+    pub title: String,
+    /// The box that is shown; what lies outside is cut off. `None`: around everything.
+    pub bounds: Option<[[f64; 2]; 3]>,
+    /// The direction of the eye, in degrees from +x towards +y.
+    pub azimuth: f64,
+    /// How high the eye is, in degrees above the plane of x and y.
+    pub elevation: f64,
+    /// What is drawn.
+    pub layers: Vec<SpaceLayer>,
+}
+
+/// What is drawn in the order of its distance from the eye.
+enum Primitive {
+    Facet(Vec<(i32, i32)>, RGBColor),
+    Piece([(i32, i32); 2], RGBColor),
+    Dot((i32, i32), RGBColor),
+}
+
+impl Scene {
+    /// The scene as an SVG text: equal units on the three axes unless the box is very thin, hidden parts hidden
+    /// (the farthest is drawn first), surfaces shaded by their slope.
+    ///
+    /// # Errors
+    /// [`Error::Data`] if there is nothing finite to draw.
+    pub fn to_svg(&self) -> Result<String> {
+        load_font();
+        let width = f64::from(WIDTH) - 2.0 * AROUND;
+        let camera = Camera::new(
+            self.bounds()?,
+            [self.azimuth, self.elevation],
+            [width, HEIGHT],
+        );
+        let rows = self.rows(&camera);
+        let heading = heading::height(&self.title, rows.len());
+        let height = heading + pixels(camera.size[1] + BELOW) + MARGIN;
+        let mut svg = String::new();
+        {
+            let size = (WIDTH * FINER, height * FINER);
+            let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+            let drawn = self.draw(&area, &camera, heading, rows);
+            drawn.map_err(|e| Error::data("figure", e.to_string()))?;
+        }
+        Ok(shown_in_units(&svg, height))
+    }
+
+    /// The given box, or the one around everything that is finite.
+    fn bounds(&self) -> Result<[[f64; 2]; 3]> {
+        let mut around = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        let finite = |p: &&[f64; 3]| p.iter().all(|v| v.is_finite());
+        for p in self
+            .layers
+            .iter()
+            .flat_map(SpaceLayer::all_points)
+            .filter(finite)
+        {
+            for (k, v) in p.iter().enumerate() {
+                around[k] = [around[k][0].min(*v), around[k][1].max(*v)];
+            }
+        }
+        let bounds = self.bounds.unwrap_or(around);
+        if bounds
+            .iter()
+            .any(|[a, b]| !(a.is_finite() && b.is_finite() && a <= b))
+        {
+            return Err(Error::data("figure", "there is nothing finite to draw"));
+        }
+        Ok(bounds)
+    }
+
+    fn rows(&self, camera: &Camera) -> Vec<Row> {
+        let mut rows: Vec<Row> = self
+            .layers
+            .iter()
+            .enumerate()
+            .map(|(index, layer)| Row {
+                label: layer.label.clone(),
+                mark: match (layer.facets.is_empty(), layer.lines.is_empty()) {
+                    (false, _) => Mark::Area(mixed(color(index), WHITE, 0.35).filled()),
+                    (true, false) => Mark::Line(line_style(color(index))),
+                    (true, true) => Mark::None,
+                },
+                dot: (!layer.points.is_empty()).then(|| color(index)),
+            })
+            .collect();
+        if !camera.equal {
+            rows.push(Row {
+                label: "the axes do not have one unit of length".into(),
+                mark: Mark::None,
+                dot: None,
+            });
+        }
+        rows
+    }
+
+    fn draw<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        camera: &Camera,
+        heading: u32,
+        rows: Vec<Row>,
+    ) -> Drawn<B> {
+        area.fill(&WHITE)?;
+        heading::draw(area, &self.title, rows)?;
+        let left = (f64::from(WIDTH) - camera.size[0]) / 2.0;
+        let place = |seen: Seen| {
+            let fine = f64::from(FINER);
+            (
+                rounded((seen.x + left) * fine),
+                rounded((seen.y + f64::from(heading)) * fine),
+            )
+        };
+        axes::draw_walls(area, camera, &place)?;
+        if self.layers.iter().all(|layer| layer.facets.is_empty()) {
+            self.draw_shadows(area, camera, &place)?;
+        }
+        let mut primitives = self.primitives(camera, &place);
+        primitives.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        for (_, primitive) in primitives {
+            match primitive {
+                Primitive::Facet(corners, color) => {
+                    let mut outline = corners.clone();
+                    outline.extend(corners.first());
+                    area.draw(&Polygon::new(corners, color.filled()))?;
+                    let edge = mixed(color, RGBColor(0, 0, 0), 0.15);
+                    let style = ShapeStyle::from(edge).stroke_width(FINER / 2);
+                    area.draw(&PathElement::new(outline, style))?;
+                }
+                Primitive::Piece(ends, color) => {
+                    area.draw(&PathElement::new(ends.to_vec(), line_style(color)))?;
+                }
+                Primitive::Dot(at, color) => area.draw(&dot(at, color))?,
+            }
+        }
+        axes::draw_labels(area, camera, &place)?;
+        area.present()
+    }
+
+    /// Curves cast a shadow on the floor where nothing else shows how high they are.
+    fn draw_shadows<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        camera: &Camera,
+        place: &impl Fn(Seen) -> (i32, i32),
+    ) -> Drawn<B> {
+        let floor = camera.bounds[2][1 - camera.front[2]];
+        let style = ShapeStyle::from(RGBColor(185, 185, 185)).stroke_width(FINER);
+        for line in self.layers.iter().flat_map(|layer| &layer.lines) {
+            for pair in line.windows(2) {
+                if let Some(ends) = cut::segment([pair[0], pair[1]], &camera.bounds) {
+                    let ends = ends.map(|[x, y, _]| place(camera.see([x, y, floor])));
+                    area.draw(&PathElement::new(ends.to_vec(), style))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn primitives(
+        &self,
+        camera: &Camera,
+        place: &impl Fn(Seen) -> (i32, i32),
+    ) -> Vec<(f64, Primitive)> {
+        let mut primitives = Vec::new();
+        let finite = |p: &[f64; 3]| p.iter().all(|v| v.is_finite());
+        let mean = |seen: &[Seen]| {
+            let sum = seen.iter().map(|s| s.depth).sum::<f64>();
+            sum / f64::from(u32::try_from(seen.len()).unwrap_or(1))
+        };
+        let bias = camera.diagonal() * PIECE;
+        for (index, layer) in self.layers.iter().enumerate() {
+            let base = color(index);
+            for facet in layer.facets.iter().filter(|f| f.iter().all(finite)) {
+                let corners = cut::polygon(facet, &camera.bounds);
+                if corners.is_empty() {
+                    continue;
+                }
+                let shade = shaded(base, camera.facing(&corners));
+                let seen: Vec<Seen> = corners.iter().map(|&p| camera.see(p)).collect();
+                let shown = seen.iter().map(|&s| place(s)).collect();
+                primitives.push((mean(&seen), Primitive::Facet(shown, shade)));
+            }
+            for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
+                if !pair.iter().all(finite) {
+                    continue;
+                }
+                let Some(ends) = cut::segment([pair[0], pair[1]], &camera.bounds) else {
+                    continue;
+                };
+                for piece in pieces(ends, camera) {
+                    let seen = piece.map(|p| camera.see(p));
+                    let shown = seen.map(place);
+                    primitives.push((mean(&seen) - bias, Primitive::Piece(shown, base)));
+                }
+            }
+            for &point in layer.points.iter().filter(|p| finite(p)) {
+                if cut::segment([point, point], &camera.bounds).is_some() {
+                    let seen = camera.see(point);
+                    primitives.push((seen.depth - 2.0 * bias, Primitive::Dot(place(seen), base)));
+                }
+            }
+        }
+        primitives
+    }
+}
+
+/// A segment in short pieces.
+fn pieces([p, q]: [[f64; 3]; 2], camera: &Camera) -> Vec<[[f64; 3]; 2]> {
+    let (a, b) = (camera.see(p), camera.see(q));
+    let longest = camera.size[0].hypot(camera.size[1]) * PIECE;
+    let count = (((b.x - a.x).hypot(b.y - a.y)) / longest)
+        .ceil()
+        .clamp(1.0, 1000.0);
+    let at = |k: f64| [0, 1, 2].map(|i| p[i] + (q[i] - p[i]) * (k / count));
+    let mut pieces = Vec::new();
+    let mut k = 0.0;
+    while k < count {
+        pieces.push([at(k), at(k + 1.0)]);
+        k += 1.0;
+    }
+    pieces
+}
+
+/// The light comes from the eye. Both sides of a facet look alike: a patch may cover its surface twice, once from
+/// each side.
+fn shaded(base: RGBColor, facing: f64) -> RGBColor {
+    let lit = mixed(base, WHITE, 0.4);
+    mixed(RGBColor(30, 30, 40), lit, 0.42 + 0.58 * facing.abs())
+}
+
+/// From a (t = 0) to b (t = 1).
+fn mixed(a: RGBColor, b: RGBColor, t: f64) -> RGBColor {
+    let channel = |a: u8, b: u8| {
+        let value = f64::from(a) + t * (f64::from(b) - f64::from(a));
+        u8::try_from(pixels(value.clamp(0.0, 255.0))).unwrap_or(255)
+    };
+    RGBColor(channel(a.0, b.0), channel(a.1, b.1), channel(a.2, b.2))
+}
+
+fn line_style(color: RGBColor) -> ShapeStyle {
+    ShapeStyle::from(color).stroke_width(2 * FINER)
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a number of pixels, rounded up"
+)]
+fn pixels(value: f64) -> u32 {
+    value.max(0.0).ceil() as u32
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a place on the picture")]
+fn rounded(value: f64) -> i32 {
+    value.round() as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(layers: Vec<SpaceLayer>) -> Scene {
+        Scene {
+            title: String::new(),
+            bounds: None,
+            azimuth: 30.0,
+            elevation: 25.0,
+            layers,
+        }
+    }
+
+    fn square(x: f64) -> Vec<[f64; 3]> {
+        vec![
+            [x, -1.0, -1.0],
+            [x, 1.0, -1.0],
+            [x, 1.0, 1.0],
+            [x, -1.0, 1.0],
+        ]
+    }
+
+    #[test]
+    fn what_is_nearer_is_drawn_later() {
+        let layer = |x: f64| SpaceLayer {
+            facets: vec![square(x)],
+            ..SpaceLayer::default()
+        };
+        // The eye is on the side of large x.
+        for (first, second) in [(0.0, 1.0), (1.0, 0.0)] {
+            let svg = scene(vec![layer(first), layer(second)]).to_svg().unwrap();
+            // The last facet has the colour of the layer that is nearer.
+            let hue = |index: usize| {
+                let RGBColor(r, g, b) = color(index);
+                [r > b, g > b]
+            };
+            let last = svg.rfind("<polygon").unwrap();
+            let fill = svg[last..].split("fill=\"#").nth(1).unwrap();
+            let channel = |k: usize| u8::from_str_radix(&fill[2 * k..2 * k + 2], 16).unwrap();
+            let nearer = usize::from(second > first);
+            assert_eq!(
+                [channel(0) > channel(2), channel(1) > channel(2)],
+                hue(nearer)
+            );
+            assert_eq!(svg.matches("<polygon").count() - 3, 2);
+        }
+    }
+
+    #[test]
+    fn a_grid_has_facets_where_it_has_points() {
+        let point = |i: i32, j: i32| Some([f64::from(i), f64::from(j), 0.0]);
+        let mut rows: Vec<Vec<_>> = (0..3)
+            .map(|i| (0..3).map(|j| point(i, j)).collect())
+            .collect();
+        assert_eq!(SpaceLayer::grid_facets(&rows).len(), 4);
+        rows[0][0] = None;
+        assert_eq!(SpaceLayer::grid_facets(&rows).len(), 3);
+    }
+
+    #[test]
+    fn nothing_finite_is_refused() {
+        let nowhere = SpaceLayer {
+            points: vec![[f64::NAN, 0.0, 0.0]],
+            ..SpaceLayer::default()
+        };
+        assert!(scene(vec![nowhere]).to_svg().is_err());
+        assert!(scene(vec![]).to_svg().is_err());
+    }
+}

@@ -1,0 +1,252 @@
+//! The implicit equation of x = p1/q1, y = p2/q2 by a resultant.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::One;
+use malachite::base::polynomial::Polynomial;
+use rayon::prelude::*;
+
+use super::modular::{
+    ABOVE_PRIMES, Images, interpolate, inverse_mod, power_mod, previous_prime, reduce_integer,
+};
+use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
+use crate::error::{Error, Result};
+use crate::limits::Limits;
+
+/// Products of residues beyond which the work is refused: about a minute.
+const MAX_WORK: f64 = 3e10;
+
+/// The resultant of `q1(s) x − p1(s)` and `q2(s) y − p2(s)` with respect to s, for two functions in lowest
+/// terms of which one is not constant: a power of the irreducible equation of the curve, times a constant.
+/// Its degree in x is the degree of y(s), and the other way round.
+///
+/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation and Chinese remainders. As soon as one
+/// more prime changes nothing the polynomial is given to `prove`; what that returns first is the result. Cost:
+/// for degrees m and n, (m n)² products of residues for each prime, of which (m + n) coefficients' lengths
+/// are needed.
+///
+/// # Errors
+/// [`Error::Limit`] if that is too much; those of `limits` and of `prove`.
+pub(crate) fn eliminate<T>(
+    x: &RationalFunction,
+    y: &RationalFunction,
+    limits: &Limits,
+    mut prove: impl FnMut(&PlanePolynomial) -> Result<Option<T>>,
+) -> Result<T> {
+    let (m, n) = (x.degree(), y.degree());
+    // Hadamard: n rows of the first polynomial, m of the second.
+    let bits = as_f64(n) * length_bits(x) + as_f64(m) * length_bits(y);
+    let pairs = as_f64((m + 1) * (n + 1));
+    let work = bits / 30.9 * pairs * pairs;
+    if work > MAX_WORK {
+        return Err(Error::limit(format!(
+            "a resultant of degrees {n} and {m} with coefficients of up to {bits:.0} bits, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
+        )));
+    }
+    let mut combined: Option<Images> = None;
+    let mut prime = ABOVE_PRIMES;
+    let mut known_bits = 0.0;
+    loop {
+        limits.check()?;
+        prime = previous_prime(prime);
+        let image = image([x, y], [m, n], prime);
+        known_bits += as_f64(usize::try_from(prime).unwrap_or(2)).log2();
+        let stable = match &mut combined {
+            Some(images) => images.add(&image, prime),
+            None => {
+                combined = Some(Images::new(&image, prime));
+                false
+            }
+        };
+        let complete = known_bits > bits + 2.0;
+        if let (true, Some(images)) = (stable || complete, &combined)
+            && let Some(result) = prove(&polynomial(&images.balanced(), m))?
+        {
+            return Ok(result);
+        }
+        if complete {
+            return Err(Error::Hypothesis {
+                statement: "implicitization by a resultant",
+                witness: "the resultant does not pass its own proof; please report the input"
+                    .into(),
+            });
+        }
+    }
+}
+
+/// From the coefficients of x^i y^j at place i (m + 1) + j.
+fn polynomial(flat: &IntegerPolynomial, m: usize) -> PlanePolynomial {
+    let mut parts: Vec<Vec<Integer>> = Vec::new();
+    for (index, c) in flat.coefficients_asc().iter().enumerate() {
+        let (i, j) = (index / (m + 1), index % (m + 1));
+        if *c == 0 {
+            continue;
+        }
+        if parts.len() <= i + j {
+            parts.resize(i + j + 1, Vec::new());
+        }
+        let part = &mut parts[i + j];
+        part.resize(part.len().max(j + 1), Integer::from(0));
+        part[j] = c.clone();
+    }
+    let forms = parts.into_iter().enumerate().map(|(degree, row)| {
+        BinaryForm::from_dehomogenized(degree, IntegerPolynomial::from_coefficients_asc(row))
+    });
+    PlanePolynomial::from_parts(forms, Integer::ONE)
+}
+
+/// The coefficients modulo a prime, in the order of [`polynomial`].
+fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<u64> {
+    let reduce = |f: &IntegerPolynomial, degree: usize| {
+        let mut residues: Vec<u64> = f
+            .coefficients_asc()
+            .iter()
+            .map(|c| reduce_integer(c, prime))
+            .collect();
+        residues.resize(degree + 1, 0);
+        residues
+    };
+    // q(s) v − p(s) for v = 0, 1, 2, …
+    let pencil = |f: &RationalFunction, degree: usize, count: usize| -> Vec<Vec<u64>> {
+        let (p, q) = (
+            reduce(f.numerator(), degree),
+            reduce(f.denominator(), degree),
+        );
+        let at = |v: usize| {
+            let terms = q.iter().zip(&p);
+            terms
+                .map(|(q, p)| (q * v as u64 + prime - p) % prime)
+                .collect()
+        };
+        (0..count).map(at).collect()
+    };
+    let (in_x, in_y) = (pencil(x, m, n + 1), pencil(y, n, m + 1));
+    // For each y the coefficients of the powers of x, then for each of these the powers of y.
+    let rows: Vec<Vec<u64>> = in_y
+        .par_iter()
+        .map(|g| {
+            let values = in_x
+                .iter()
+                .map(|f| resultant_mod(f.clone(), g.clone(), prime));
+            interpolate(values.collect(), prime)
+        })
+        .collect();
+    (0..=n)
+        .flat_map(|i| interpolate(rows.iter().map(|row| row[i]).collect(), prime))
+        .collect()
+}
+
+/// The resultant of two polynomials modulo a prime below 2³¹ whose formal degrees are their lengths less one.
+pub(crate) fn resultant_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> u64 {
+    let odd = |f: &[u64], g: &[u64]| (f.len() - 1) * (g.len() - 1) % 2 == 1;
+    let mut value = 1;
+    if g.last() == Some(&0) {
+        if f.last() == Some(&0) {
+            return 0;
+        }
+        if odd(&f, &g) {
+            value = p - 1;
+        }
+        std::mem::swap(&mut f, &mut g);
+    }
+    // From here on the leading coefficient of g is not 0.
+    while g.len() > 1 {
+        if odd(&f, &g) {
+            value = (p - value) % p;
+        }
+        let formal = f.len() - 1;
+        let lead = g[g.len() - 1];
+        remainder(&mut f, &g, p);
+        let Some(degree) = f.len().checked_sub(1) else {
+            return 0;
+        };
+        value = value * power_mod(lead, (formal - degree) as u64, p) % p;
+        std::mem::swap(&mut f, &mut g);
+    }
+    value * power_mod(g[0], f.len() as u64 - 1, p) % p
+}
+
+/// f mod g in place, trimmed.
+fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
+    let n = g.len() - 1;
+    let inverse = inverse_mod(g[n], p);
+    while f.len() > n {
+        let top = f.pop().unwrap_or(0);
+        if top != 0 {
+            let factor = p - top * inverse % p;
+            let start = f.len() - n;
+            for (value, c) in f[start..].iter_mut().zip(g) {
+                *value = (*value + factor * c) % p;
+            }
+        }
+    }
+    while f.last() == Some(&0) {
+        f.pop();
+    }
+}
+
+/// log₂ of the sum of the absolute values of all coefficients, about.
+fn length_bits(f: &RationalFunction) -> f64 {
+    use malachite::base::num::logic::traits::SignificantBits;
+    let coefficients = [f.numerator(), f.denominator()];
+    let sum = coefficients
+        .iter()
+        .flat_map(|p| p.coefficients_asc())
+        .map(|c| c.unsigned_abs_ref())
+        .sum::<malachite::Natural>();
+    as_f64(usize::try_from(sum.significant_bits()).unwrap_or(usize::MAX))
+}
+
+#[expect(clippy::cast_precision_loss, reason = "sizes are far below 2^53")]
+pub(super) fn as_f64(n: usize) -> f64 {
+    n as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const P: u64 = 2_147_483_647;
+
+    /// c ∏ (s − r)
+    fn with_roots(c: u64, roots: &[u64]) -> Vec<u64> {
+        let mut f = vec![c];
+        for r in roots {
+            f.insert(0, 0);
+            for i in 1..f.len() {
+                f[i - 1] = (f[i - 1] + (P - r) * f[i]) % P;
+            }
+        }
+        f
+    }
+
+    proptest! {
+        #[test]
+        fn a_resultant_is_the_product_of_differences(
+            a in 1u64..100, b in 1u64..100,
+            r in prop::collection::vec(0u64..1000, 0..6),
+            q in prop::collection::vec(0u64..1000, 0..6),
+            drop in 0usize..3,
+        ) {
+            // a^n b^m ∏ (r − q)
+            let mut expected = power_mod(a, q.len() as u64, P) * power_mod(b, r.len() as u64, P) % P;
+            for r in &r {
+                for q in &q {
+                    expected = expected * ((P + r - q) % P) % P;
+                }
+            }
+            let (f, g) = (with_roots(a, &r), with_roots(b, &q));
+            prop_assert_eq!(resultant_mod(f.clone(), g.clone(), P), expected);
+            // Leading zeros of g: each is a root at infinity, the factor is lc(f) up to sign.
+            let mut formal = g.clone();
+            formal.extend(vec![0; drop]);
+            let found = resultant_mod(f.clone(), formal.clone(), P);
+            let factor = power_mod(a, drop as u64, P);
+            prop_assert_eq!(found, expected * factor % P);
+            // Res(g, f) = (−1)^(mn) Res(f, g)
+            let swapped = resultant_mod(formal.clone(), f.clone(), P);
+            let odd = (f.len() - 1) * (formal.len() - 1) % 2 == 1;
+            prop_assert_eq!(swapped, if odd { (P - found) % P } else { found });
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! What of a parametric form is drawn: points in doubles, with no certificate.
+
+use super::{Parameter, ParametricCurve, Patch, PatchFunction};
+use crate::exact::Rational;
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, real_roots};
+
+/// How much of a parameter that runs through all numbers is drawn if the form goes to infinity.
+pub const DRAWN_NUMBERS: [f64; 2] = [-1.5, 1.5];
+
+/// A value of s as the ratio of two doubles, so that infinity is a value too.
+type Ratio = [f64; 2];
+
+impl Parameter {
+    /// `count + 1` values over the range of the parameter, over one full period of an angle if none is given, over
+    /// all numbers (infinity left out) if `whole`.
+    fn values(&self, range: Option<[f64; 2]>, whole: bool, count: u32) -> Vec<Ratio> {
+        let part = |k: u32| f64::from(k) / f64::from(count);
+        let between = |[a, b]: [f64; 2], k: u32| a + (b - a) * part(k);
+        match self.step() {
+            Some(step) => {
+                let step = step.to_f64();
+                let range = range.unwrap_or([0.0, std::f64::consts::TAU / step]);
+                (0..=count)
+                    .map(|k| {
+                        let (sin, cos) = (between(range, k) * step / 2.0).sin_cos();
+                        [sin, cos]
+                    })
+                    .collect()
+            }
+            None if whole && range.is_none() => {
+                // tan runs through all numbers; its ends are left out.
+                let right = std::f64::consts::FRAC_PI_2;
+                (0..=count)
+                    .map(|k| {
+                        let angle = between([-right, right], k) * (1.0 - 1e-9);
+                        let (sin, cos) = angle.sin_cos();
+                        [sin, cos]
+                    })
+                    .collect()
+            }
+            None => {
+                let range = range.unwrap_or(DRAWN_NUMBERS);
+                (0..=count).map(|k| [between(range, k), 1.0]).collect()
+            }
+        }
+    }
+}
+
+impl<const N: usize> ParametricCurve<N> {
+    /// Points along the curve, in lines that end at poles: about `count` of them, over the range of the parameter.
+    ///
+    /// Without a range: a full period of an angle; all numbers if the curve is bounded, else [`DRAWN_NUMBERS`].
+    #[must_use]
+    pub fn polylines(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Vec<[f64; N]>> {
+        let values = self
+            .parameter()
+            .values(range, self.is_bounded(), count.max(1));
+        let mut lines: Vec<Vec<[f64; N]>> = vec![Vec::new()];
+        let mut signs: Option<[bool; N]> = None;
+        for s in values {
+            let mut point = [0.0; N];
+            let mut now = [false; N];
+            for (k, f) in self.coordinates().iter().enumerate() {
+                let (p, q) = forms(f, s);
+                point[k] = p / q;
+                now[k] = q > 0.0;
+            }
+            // Through a pole the denominator changes its sign.
+            let jumps = signs.is_some_and(|before| before != now);
+            if jumps && !self.is_bounded() {
+                lines.push(Vec::new());
+            }
+            signs = Some(now);
+            if point.iter().all(|v| v.is_finite())
+                && let Some(line) = lines.last_mut()
+            {
+                line.push(point);
+            }
+        }
+        lines.retain(|line| line.len() > 1);
+        lines
+    }
+
+    /// Whether no coordinate has a real pole, infinity included: exact.
+    #[must_use]
+    pub fn is_bounded(&self) -> bool {
+        self.coordinates().iter().all(|f| {
+            let degree = |p: &IntegerPolynomial| p.coefficients_asc().len();
+            degree(f.numerator()) <= degree(f.denominator())
+                && real_roots(f.denominator()).is_empty()
+        })
+    }
+}
+
+/// Numerator and denominator at s = a/b as forms of the same degree.
+fn forms(f: &RationalFunction, [a, b]: Ratio) -> (f64, f64) {
+    let degree = f.degree();
+    let value = |p: &IntegerPolynomial| {
+        let mut value = 0.0;
+        let coefficients = p.coefficients_asc();
+        let mut power = 1.0;
+        for k in (0..=degree).rev() {
+            let c = coefficients
+                .get(k)
+                .map_or(0.0, |c| Rational::from(c).to_f64());
+            value = value * a + c * power;
+            power *= b;
+        }
+        value
+    };
+    (value(f.numerator()), value(f.denominator()))
+}
+
+impl Patch {
+    /// Points of the surface on a grid of parameters, a row for each value of the first one; `None` at poles.
+    ///
+    /// Without ranges: a full period of an angle, [`DRAWN_NUMBERS`] of a number.
+    #[must_use]
+    pub fn grid(
+        &self,
+        ranges: [Option<[f64; 2]>; 2],
+        counts: [u32; 2],
+    ) -> Vec<Vec<Option<[f64; 3]>>> {
+        let [first, second] =
+            [0, 1].map(|k| self.parameters()[k].values(ranges[k], false, counts[k].max(1)));
+        let functions: Vec<[Doubles; 2]> = self.coordinates().iter().map(Doubles::of).collect();
+        let point = |at: [Ratio; 2]| {
+            let mut point = [0.0; 3];
+            for (value, [p, q]) in point.iter_mut().zip(&functions) {
+                *value = p.at(at) / q.at(at);
+            }
+            point.iter().all(|v| v.is_finite()).then_some(point)
+        };
+        let row = |s: &Ratio| second.iter().map(|t| point([*s, *t])).collect();
+        first.iter().map(row).collect()
+    }
+}
+
+/// A polynomial in doubles, as a form in each variable.
+struct Doubles {
+    terms: Vec<([i32; 2], f64)>,
+    degrees: [i32; 2],
+}
+
+impl Doubles {
+    fn of(f: &PatchFunction) -> [Self; 2] {
+        let exponent = |e: u32| i32::try_from(e).unwrap_or(i32::MAX);
+        let degrees = [0, 1].map(|v| exponent(f.degree_in(v)));
+        [f.numerator(), f.denominator()].map(|p: &SparsePolynomial<2>| Self {
+            terms: p
+                .terms()
+                .map(|(e, c)| (e.map(exponent), c.to_f64()))
+                .collect(),
+            degrees,
+        })
+    }
+
+    fn at(&self, s: [Ratio; 2]) -> f64 {
+        let monomial = |e: &[i32; 2]| {
+            let factor = |v: usize| s[v][0].powi(e[v]) * s[v][1].powi(self.degrees[v] - e[v]);
+            factor(0) * factor(1)
+        };
+        self.terms.iter().map(|(e, c)| c * monomial(e)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::PlaneCurve;
+    use std::str::FromStr;
+
+    fn function(p: &str, q: &str) -> RationalFunction {
+        let polynomial = |text: &str| IntegerPolynomial::from_str(text).unwrap();
+        RationalFunction::new(polynomial(p), polynomial(q)).unwrap()
+    }
+
+    #[test]
+    fn a_circle_is_closed_and_a_hyperbola_has_two_arms() {
+        let circle = [function("-x^2+1", "x^2+1"), function("2*x", "x^2+1")];
+        let circle = PlaneCurve::new(Parameter::angle("t", Rational::one()), circle);
+        let lines = circle.polylines(None, 100);
+        assert_eq!(lines.len(), 1);
+        assert!(
+            lines[0]
+                .iter()
+                .all(|[x, y]| (x * x + y * y - 1.0).abs() < 1e-12)
+        );
+        let (first, last) = (lines[0][0], lines[0][100]);
+        assert!((first[0] - last[0]).hypot(first[1] - last[1]) < 1e-12);
+
+        let hyperbola = [function("x", "1"), function("1", "x")];
+        let hyperbola = PlaneCurve::new(Parameter::number("t"), hyperbola);
+        assert!(!hyperbola.is_bounded());
+        let lines = hyperbola.polylines(None, 101);
+        assert_eq!(lines.len(), 2);
+    }
+}
