@@ -1,11 +1,15 @@
 //! `stellate describe`: what a form is.
 
 use stellate::describe::Description;
-use stellate::document::{Format, write_description, write_superquadric_description};
+use stellate::document::{
+    Annotations, Coordinates, Format, write_description, write_space_curve_description,
+    write_superquadric_description,
+};
 use stellate::error::{Error, Result};
 use stellate::shape::Form;
 
 use super::arguments::Describe;
+use super::implicitize;
 use super::input::{self, Content};
 use super::output::{check_destination, write_result};
 use super::session::Session;
@@ -19,10 +23,10 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
         )));
     }
     let input = input::read(&verb.form, session)?;
-    let mut notes = Vec::new();
+    let mut annotations = Annotations::default();
     if let Content::Contour(contour) = &input.content {
         let [x, y] = contour.centroid();
-        notes.push(format!(
+        annotations.notes.push(format!(
             "a contour of {} vertices, area ≈ {}, centroid ≈ ({x}, {y}); what follows is its Fourier fit",
             contour.len(),
             contour.area()
@@ -30,7 +34,7 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
     }
     let fitted = input::exact_form(input, &verb.fit, session)?;
     if let Some(report) = fitted.report {
-        notes.push(format!(
+        annotations.notes.push(format!(
             "radial error of the fit ≈ {:.3e} at most, ≈ {:.3e} rms",
             report.max_radial_error, report.rms_radial_error
         ));
@@ -40,7 +44,15 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
             write_superquadric_description(shape, format, out)
         });
     }
-    let description = session.stage("describe", |session| match &fitted.form {
+    let form = session.stage("implicitize", |session| {
+        with_equation(fitted.form, &mut annotations, session)
+    })?;
+    if let Form::Intersection(surfaces) = &form {
+        return write_result(session, |out| {
+            write_space_curve_description(surfaces, &annotations, format, out)
+        });
+    }
+    let description = session.stage("describe", |session| match &form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
             Description::of_radius(radius, &session.limits)
@@ -54,6 +66,28 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
     })?;
     let digits = session.common.digits;
     write_result(session, |out| {
-        write_description(&description, &notes, digits, format, out)
+        write_description(&description, &annotations, digits, format, out)
     })
+}
+
+/// A parametric form as its implicit one, with what is known of the two.
+fn with_equation(form: Form, annotations: &mut Annotations, session: &Session) -> Result<Form> {
+    let (form, found, coordinates) = match form {
+        Form::PlaneCurve(curve) => {
+            let (form, found) = implicitize::of_plane_curve(&curve, false, session)?;
+            (form, found, Coordinates::from(&curve))
+        }
+        Form::SpaceCurve(curve) => {
+            let (form, found) = implicitize::of_space_curve(&curve, false, session)?;
+            (form, found, Coordinates::from(&curve))
+        }
+        Form::Patch(patch) => {
+            let (form, found) = implicitize::of_patch(&patch, false, session)?;
+            (form, found, Coordinates::from(&patch))
+        }
+        other => return Ok(other),
+    };
+    *annotations = found;
+    annotations.add_coordinates(&coordinates);
+    Ok(form)
 }

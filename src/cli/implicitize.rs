@@ -3,8 +3,8 @@
 use stellate::document::{Annotations, Format, write_implicit, write_intersection, write_surface};
 use stellate::error::{Error, Result};
 use stellate::implicitize::{
-    SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve, polar_patch,
-    polar_plane, polar_space_curve,
+    SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve, point_beyond,
+    polar_patch, polar_plane, polar_space_curve, real_image,
 };
 use stellate::shape::{
     Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
@@ -103,7 +103,7 @@ fn of_radius(
     Ok((Form::Curve(form.expand()), annotations))
 }
 
-fn of_plane_curve(
+pub(crate) fn of_plane_curve(
     curve: &PlaneCurve,
     polar: bool,
     session: &Session,
@@ -113,6 +113,8 @@ fn of_plane_curve(
         .transpose()?;
     let equation = implicitize_plane(curve, &session.limits)?;
     let mut annotations = Annotations::of_plane(&equation);
+    let image = real_image(curve, equation.tracing_index, &session.limits)?;
+    annotations.add_real_image(curve, &image);
     let curve = match polar {
         Some(polar) => {
             annotations.add_polar_plane(&polar);
@@ -123,7 +125,7 @@ fn of_plane_curve(
     Ok((Form::Curve(curve), annotations))
 }
 
-fn of_space_curve(
+pub(crate) fn of_space_curve(
     curve: &SpaceCurve,
     polar: bool,
     session: &Session,
@@ -133,18 +135,25 @@ fn of_space_curve(
         .transpose()?;
     let equations = implicitize_space_curve(curve, &session.limits)?;
     let mut annotations = Annotations::of_space_curve(&equations);
+    let image = real_image(curve, equations.tracing_index, &session.limits)?;
+    annotations.add_real_image(curve, &image);
     if let Some(polar) = polar {
         annotations.add_polar_space_curve(&polar);
     }
     Ok((Form::Intersection(equations.surfaces), annotations))
 }
 
-fn of_patch(patch: &Patch, polar: bool, session: &Session) -> Result<(Form, Annotations)> {
+pub(crate) fn of_patch(
+    patch: &Patch,
+    polar: bool,
+    session: &Session,
+) -> Result<(Form, Annotations)> {
     let polar = polar
         .then(|| polar_patch(patch, &session.limits))
         .transpose()?;
     let equation = implicitize_patch(patch, &session.limits)?;
     let mut annotations = Annotations::of_patch(&equation);
+    annotations.add_point_beyond(point_beyond(patch, &equation.surface).as_ref());
     let surface = match polar {
         Some(polar) => {
             annotations.add_polar_patch(&polar);

@@ -1,21 +1,16 @@
 //! Parametric curves and patches as formulas: functions of s = tan(g·t/2) go back to cosines and sines.
 
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
-use malachite::base::num::basic::traits::{One, Zero};
 use serde::Serialize;
 
 use super::terms::Notation;
 use super::{Format, SCHEMA};
 use crate::exact::Rational;
-use crate::poly::{
-    BinaryForm, IntegerPolynomial, RationalFunction, SparsePolynomial, harmonics_of_form,
-};
-use crate::shape::{Parameter, ParametricCurve, Patch};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
+use crate::shape::{Basis, Expansion, Parameter, ParametricCurve, Patch, quotient_in_harmonics};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -126,14 +121,7 @@ impl Coordinates {
     }
 
     fn quotient(&self, [above, below]: &[SparsePolynomial<2>; 2], format: Format) -> String {
-        let degree = |v: usize| {
-            let terms = above.terms().chain(below.terms());
-            let degree = terms.map(|(e, _)| e[v]).max().unwrap_or(0);
-            // The half angle must go: forms of even degree.
-            degree.next_multiple_of(2)
-        };
-        let degrees = [degree(0), degree(1)];
-        let (mut above, mut below) = (self.expand(above, degrees), self.expand(below, degrees));
+        let [mut above, mut below] = quotient_in_harmonics([above, below], &self.parameters);
         let constant = [Basis::Power(0), Basis::Power(0)];
         let divisor = match below.get(&constant) {
             Some(value) if below.len() == 1 => value.clone(),
@@ -143,7 +131,7 @@ impl Coordinates {
             *value = &*value / &divisor;
         }
         let whole = below.len() == 1 && below.contains_key(&constant);
-        let text = |f: &BTreeMap<[Basis; 2], Rational>| self.sum(f, format);
+        let text = |f: &Expansion| self.sum(f, format);
         if whole {
             return text(&above);
         }
@@ -151,7 +139,7 @@ impl Coordinates {
         if format == Format::Latex {
             return format!("\\frac{{{p}}}{{{q}}}");
         }
-        let grouped = |text: String, f: &BTreeMap<[Basis; 2], Rational>, single: bool| {
+        let grouped = |text: String, f: &Expansion, single: bool| {
             if f.len() <= 1 && single {
                 text
             } else {
@@ -169,46 +157,7 @@ impl Coordinates {
         )
     }
 
-    /// The coefficients in powers of numbers and harmonics of angles, of f/∏ (1 + s²)^(degree/2) over angles.
-    fn expand(&self, f: &SparsePolynomial<2>, degrees: [u32; 2]) -> BTreeMap<[Basis; 2], Rational> {
-        let power = |e: u32| Basis::Power(e as usize);
-        let terms = f.terms().map(|(e, c)| (e.map(power), c.clone()));
-        let mut table: BTreeMap<[Basis; 2], Rational> = terms.collect();
-        for (v, parameter) in self.parameters.iter().enumerate() {
-            if !parameter.is_angle() {
-                continue;
-            }
-            let mut rows: BTreeMap<Basis, Vec<Rational>> = BTreeMap::new();
-            for (basis, c) in table {
-                let row = rows.entry(basis[1 - v]).or_default();
-                let Basis::Power(k) = basis[v] else { continue };
-                row.resize(row.len().max(k + 1), Rational::zero());
-                row[k] = c;
-            }
-            table = BTreeMap::new();
-            for (other, row) in rows {
-                for (n, a, b) in harmonics(&row, degrees[v] as usize) {
-                    // Harmonics of the half angle are all even.
-                    let n = n / 2;
-                    let cosine = if n == 0 {
-                        Basis::Power(0)
-                    } else {
-                        Basis::Cos(n)
-                    };
-                    for (basis, c) in [(cosine, a), (Basis::Sin(n), b)] {
-                        let mut key = [other; 2];
-                        key[v] = basis;
-                        if !c.is_zero() {
-                            table.insert(key, c);
-                        }
-                    }
-                }
-            }
-        }
-        table
-    }
-
-    fn sum(&self, f: &BTreeMap<[Basis; 2], Rational>, format: Format) -> String {
+    fn sum(&self, f: &Expansion, format: Format) -> String {
         let notation = match format {
             Format::Sympy => Notation::Python,
             Format::Latex => Notation::LatexInline,
@@ -218,7 +167,7 @@ impl Coordinates {
         let terms = f.iter().map(|(basis, c)| {
             let factors = basis.iter().zip(&self.parameters);
             let factors: Vec<String> = factors
-                .map(|(basis, parameter)| basis.text(parameter, format))
+                .map(|(basis, parameter)| factor_text(*basis, parameter, format))
                 .filter(|text| !text.is_empty())
                 .collect();
             (c.clone(), factors.join(times))
@@ -239,100 +188,49 @@ pub(super) struct Document {
     coordinates: BTreeMap<&'static str, String>,
 }
 
-/// A factor of a term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Basis {
-    Power(usize),
-    Cos(usize),
-    Sin(usize),
-}
-
-impl Basis {
-    /// Powers descend, harmonics ascend; 1 is `Power(0)` in both.
-    fn key(self) -> (bool, usize, usize) {
-        match self {
-            Basis::Power(k) => (false, usize::MAX - k, 0),
-            Basis::Cos(n) => (true, n, 0),
-            Basis::Sin(n) => (true, n, 1),
-        }
-    }
-
-    fn text(self, parameter: &Parameter, format: Format) -> String {
-        let name = parameter.name();
-        let latex = format == Format::Latex;
-        let shown = match name {
-            "theta" | "phi" if latex => format!("\\{name}"),
-            _ => name.to_owned(),
+/// A factor of a term, in a notation.
+fn factor_text(basis: Basis, parameter: &Parameter, format: Format) -> String {
+    let name = parameter.name();
+    let latex = format == Format::Latex;
+    let shown = match name {
+        "theta" | "phi" if latex => format!("\\{name}"),
+        _ => name.to_owned(),
+    };
+    let (function, n) = match basis {
+        Basis::Power(0) => return String::new(),
+        Basis::Power(1) => return shown,
+        Basis::Power(k) if latex => return format!("{shown}^{{{k}}}"),
+        Basis::Power(k) if format == Format::Sympy => return format!("{shown}**{k}"),
+        Basis::Power(k) => return format!("{shown}^{k}"),
+        Basis::Cos(n) => ("cos", n),
+        Basis::Sin(n) => ("sin", n),
+    };
+    let step = parameter.step().cloned().unwrap_or_else(Rational::one);
+    let multiple = step * Rational::from(Integer::from(n));
+    let (p, q) = (multiple.numerator(), multiple.denominator());
+    if latex {
+        let factor = match (p == 1, q == 1) {
+            (true, true) => String::new(),
+            (false, true) => format!("{p}"),
+            _ => format!("\\tfrac{{{p}}}{{{q}}}"),
         };
-        let (function, n) = match self {
-            Basis::Power(0) => return String::new(),
-            Basis::Power(1) => return shown,
-            Basis::Power(k) if latex => return format!("{shown}^{{{k}}}"),
-            Basis::Power(k) if format == Format::Sympy => return format!("{shown}**{k}"),
-            Basis::Power(k) => return format!("{shown}^{k}"),
-            Basis::Cos(n) => ("cos", n),
-            Basis::Sin(n) => ("sin", n),
-        };
-        let step = parameter.step().cloned().unwrap_or_else(Rational::one);
-        let multiple = step * Rational::from(Integer::from(n));
-        let (p, q) = (multiple.numerator(), multiple.denominator());
-        if latex {
-            let factor = match (p == 1, q == 1) {
-                (true, true) => String::new(),
-                (false, true) => format!("{p}"),
-                _ => format!("\\tfrac{{{p}}}{{{q}}}"),
-            };
-            return format!("\\{function} {factor}{shown}");
-        }
-        let factor = if p == 1 {
-            String::new()
-        } else {
-            format!("{p}*")
-        };
-        let divisor = if q == 1 {
-            String::new()
-        } else {
-            format!("/{q}")
-        };
-        format!("{function}({factor}{shown}{divisor})")
+        return format!("\\{function} {factor}{shown}");
     }
-}
-
-impl Ord for Basis {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.key().cmp(&other.key())
-    }
-}
-
-impl PartialOrd for Basis {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-/// The harmonics of Σ c_k cos^(d−k) sin^k of the half angle.
-fn harmonics(coefficients: &[Rational], degree: usize) -> Vec<(usize, Rational, Rational)> {
-    let denominator = coefficients.iter().fold(Integer::ONE, |d, c| {
-        Integer::from(d.unsigned_abs_ref().lcm(c.denominator().unsigned_abs_ref()))
-    });
-    let mut integers: Vec<Integer> = coefficients
-        .iter()
-        .map(|c| c.numerator() * (&denominator).div_exact(c.denominator()))
-        .collect();
-    integers.resize(degree + 1, Integer::ZERO);
-    let scale = Rational::from(&denominator);
-    let form = BinaryForm::from_coefficients(integers);
-    harmonics_of_form(&form)
-        .into_iter()
-        .map(|(n, a, b)| (n, a / &scale, b / &scale))
-        .collect()
+    let factor = if p == 1 {
+        String::new()
+    } else {
+        format!("{p}*")
+    };
+    let divisor = if q == 1 {
+        String::new()
+    } else {
+        format!("/{q}")
+    };
+    format!("{function}({factor}{shown}{divisor})")
 }
 
 /// The number by which both are divided to have coprime integers, the first one of the denominator positive.
-fn content(
-    above: &BTreeMap<[Basis; 2], Rational>,
-    below: &BTreeMap<[Basis; 2], Rational>,
-) -> Rational {
+fn content(above: &Expansion, below: &Expansion) -> Rational {
     let values = below.values().chain(above.values());
     // Descending powers keep the order.
     let indexed = values.zip((0..u32::MAX).rev());

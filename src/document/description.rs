@@ -6,9 +6,10 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::angles::{Range, ranges_text};
+use super::implicit::polynomial_text;
 use super::{Annotations, Format, SCHEMA, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
-use crate::shape::Form;
+use crate::shape::{Form, ImplicitSurface};
 
 /// Factors with a longer text are not printed in text.
 const LONGEST_FACTOR: usize = 300;
@@ -88,18 +89,73 @@ fn written(shape: &Form, format: Format) -> io::Result<Vec<u8>> {
 /// Those of `out`; `Unsupported` for formats other than text and JSON.
 pub fn write_description(
     description: &Description,
-    extra_notes: &[String],
+    annotations: &Annotations,
     digits: u32,
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let document = document(description, extra_notes, digits)?;
+    let document = document(description, &annotations.notes, digits)?;
     match format {
         Format::Json => {
-            serde_json::to_writer(&mut *out, &document)?;
+            let mut value = serde_json::to_value(&document)?;
+            for (name, field) in &annotations.fields {
+                value[*name] = field.clone();
+            }
+            serde_json::to_writer(&mut *out, &value)?;
             writeln!(out)
         }
         Format::Text => write_text(&document, out),
+        _ => Err(io::Error::new(
+            io::ErrorKind::Unsupported,
+            "a description is written as text or json",
+        )),
+    }
+}
+
+/// Writes what is known of a space curve: its equations, and what is annotated.
+///
+/// # Errors
+/// As [`write_description`].
+pub fn write_space_curve_description(
+    surfaces: &[ImplicitSurface],
+    annotations: &Annotations,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match format {
+        Format::Json => {
+            let forms = surfaces.iter().map(|s| Form::Surface(s.clone()));
+            let entries: Vec<Value> = forms
+                .map(|form| Ok(serde_json::from_slice(&written(&form, Format::Json)?)?))
+                .collect::<io::Result<_>>()?;
+            let mut value = serde_json::json!({
+                "schema": SCHEMA,
+                "kind": "description",
+                "surfaces": entries,
+                "notes": annotations.notes,
+            });
+            for (name, field) in &annotations.fields {
+                value[*name] = field.clone();
+            }
+            serde_json::to_writer(&mut *out, &value)?;
+            writeln!(out)
+        }
+        Format::Text => {
+            writeln!(out, "surfaces: {}", surfaces.len())?;
+            for surface in surfaces {
+                let f = surface.polynomial();
+                let degree = f.degree().unwrap_or(0);
+                writeln!(
+                    out,
+                    "equation of degree {degree}: {} = 0",
+                    polynomial_text(f)
+                )?;
+            }
+            annotations
+                .notes
+                .iter()
+                .try_for_each(|note| writeln!(out, "note: {note}"))
+        }
         _ => Err(io::Error::new(
             io::ErrorKind::Unsupported,
             "a description is written as text or json",

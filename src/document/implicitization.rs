@@ -2,13 +2,15 @@
 
 use serde_json::{Value, json};
 
-use super::Annotations;
 use super::implicit::polynomial_text;
+use super::{Annotations, Coordinates, Format};
+use crate::exact::Rational;
 use crate::implicitize::{
-    PlaneEquation, PolarFactor, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface,
-    SpaceCurveEquations, SurfaceEquation,
+    Coverage, IsolatedPoint, PlaneEquation, PointBeyond, PolarFactor, PolarPatch, PolarPlane,
+    PolarSpaceCurve, PolarSurface, RealImage, SpaceCurveEquations, SurfaceEquation,
 };
 use crate::poly::SparsePolynomial;
+use crate::shape::ParametricCurve;
 
 impl Annotations {
     /// Of the equation of a plane curve.
@@ -69,6 +71,89 @@ impl Annotations {
         self.fields.push(("tracing_index", json!(index)));
     }
 
+    /// Adds the form that the equation came from.
+    pub fn add_coordinates(&mut self, coordinates: &Coordinates) {
+        let formulas = coordinates.formulas(Format::Text);
+        let rows = ["x", "y", "z"].into_iter().zip(&formulas);
+        let rows: Vec<String> = rows.map(|(name, f)| format!("{name} = {f}")).collect();
+        self.notes
+            .insert(0, format!("parametric form: {}", rows.join("; ")));
+        self.fields
+            .push(("parameters", json!(coordinates.parameters())));
+        self.fields
+            .push(("coordinates", json!(coordinates.fields())));
+    }
+
+    /// Adds what the zero set of a curve has beyond the points of real parameters.
+    pub fn add_real_image<const N: usize>(
+        &mut self,
+        curve: &ParametricCurve<N>,
+        image: &RealImage<N>,
+    ) {
+        let name = curve.parameter().name();
+        let exact = |p: &[Rational; N]| tuple(p.iter().map(ToString::to_string));
+        let near = |p: &[f64; N]| format!("≈ {}", tuple(p.iter().map(|v| format!("{v:.12}"))));
+        let mut beyond = Vec::new();
+        if let Some(point) = &image.approached {
+            let point = exact(point);
+            self.notes.push(format!(
+                "beyond the real image: {point} is only approached, as {name} goes to infinity"
+            ));
+            beyond.push(json!({"kind": "approached", "point": point}));
+        }
+        match &image.coverage {
+            Coverage::Whole => {}
+            Coverage::Part(turns) => {
+                let turns = turns.iter().map(|&s| turning_point(curve, s));
+                let turns: Vec<String> = turns.collect();
+                self.notes.push(format!(
+                    "beyond the real image: real values of {name} turn back at {}, the curve goes on",
+                    turns.join(" and ")
+                ));
+                beyond.push(json!({"kind": "part", "turning_points": turns}));
+            }
+            Coverage::Unknown => self.notes.push(format!(
+                "whether real values of {name} reach the whole real curve is not decided"
+            )),
+        }
+        for point in &image.isolated.points {
+            let point = match point {
+                IsolatedPoint::Exact(point) => exact(point),
+                IsolatedPoint::Near(point) => near(point),
+            };
+            self.notes.push(format!(
+                "beyond the real image: {point} is an isolated real point, of two conjugate complex {name}"
+            ));
+            beyond.push(json!({"kind": "isolated", "point": point}));
+        }
+        if N == 2 && !image.isolated.complete {
+            self.notes
+                .push("isolated real points were looked for only where two conjugate parameters have a rational sum".into());
+        }
+        self.fields.push(("beyond", json!(beyond)));
+    }
+
+    /// Adds a point of the zero set that is not on the patch.
+    pub fn add_point_beyond(&mut self, found: Option<&PointBeyond>) {
+        let Some(found) = found else {
+            return;
+        };
+        let name = ["x", "y", "z"][found.coordinate];
+        let range = match &found.bounds {
+            [Some(low), Some(high)] => format!("{low} <= {name} <= {high}"),
+            [Some(low), None] => format!("{name} >= {low}"),
+            [None, Some(high)] => format!("{name} <= {high}"),
+            [None, None] => return,
+        };
+        let point = tuple(found.point.iter().map(ToString::to_string));
+        self.notes.push(format!(
+            "beyond the patch: {range} on the patch, but the zero set has the point ≈ {point} (two coordinates exact, \
+             the third the double nearest to an exact root)"
+        ));
+        let entry = json!([{"kind": "point", "point": point, "bound": range}]);
+        self.fields.push(("beyond", entry));
+    }
+
     /// Adds what Theorem 1 gave.
     pub fn add_polar_plane(&mut self, polar: &PolarPlane) {
         self.polar(
@@ -93,10 +178,7 @@ impl Annotations {
         [above, below]: &[SparsePolynomial<3>; 2],
         factors: &[PolarFactor],
     ) {
-        let right = if below
-            .as_constant()
-            .is_some_and(|c| c == crate::exact::Rational::one())
-        {
+        let right = if below.as_constant().is_some_and(|c| c == Rational::one()) {
             polynomial_text(above)
         } else {
             format!("({})/({})", polynomial_text(above), polynomial_text(below))
@@ -145,6 +227,22 @@ impl Annotations {
         let components: Vec<Value> = components.collect();
         self.fields.push(("polar", json!({"surfaces": surfaces})));
         self.fields.push(("components", json!(components)));
+    }
+}
+
+fn tuple(coordinates: impl Iterator<Item = String>) -> String {
+    format!("({})", coordinates.collect::<Vec<_>>().join(", "))
+}
+
+/// The point at a rounded parameter value.
+fn turning_point<const N: usize>(curve: &ParametricCurve<N>, s: f64) -> String {
+    let point = match Rational::try_from(s) {
+        Ok(s) => curve.point(&s),
+        Err(_) => curve.point_at_infinity(),
+    };
+    match point {
+        Some(point) => format!("≈ {}", tuple(point.iter().map(|v| v.to_f64().to_string()))),
+        None => "infinity".into(),
     }
 }
 

@@ -25,7 +25,7 @@ use std::{fmt, io};
 
 pub use coordinates::Coordinates;
 pub use csv::{read_coefficients_csv, read_fourier_csv};
-pub use description::write_description;
+pub use description::{write_description, write_space_curve_description};
 pub use fourier::{FitReport, write_fourier};
 pub use implicit::{Annotations, write_implicit, write_surface};
 pub use intersection::write_intersection;

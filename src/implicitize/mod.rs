@@ -1,6 +1,8 @@
 //! Parametric → implicit (§2 of the paper).
 
+mod beyond;
 mod fibre;
+mod image;
 mod map;
 mod patch;
 mod polar;
@@ -10,6 +12,8 @@ mod theorem2;
 mod tracing;
 mod vanishing;
 
+pub use beyond::{PointBeyond, point_beyond};
+pub use image::{Coverage, Isolated, IsolatedPoint, RealImage, real_image};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
     PolarFactor, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role, polar_patch,
