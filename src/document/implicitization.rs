@@ -6,10 +6,9 @@ use super::implicit::polynomial_text;
 use super::{Annotations, Coordinates, Format};
 use crate::exact::Rational;
 use crate::implicitize::{
-    Coverage, IsolatedPoint, PlaneEquation, PointBeyond, PolarFactor, PolarPatch, PolarPlane,
-    PolarSpaceCurve, PolarSurface, RealImage, SpaceCurveEquations, SurfaceEquation,
+    Coverage, IsolatedPoint, PlaneEquation, PointBeyond, PolarFactor, PolarInverse, PolarPatch,
+    PolarPlane, PolarSpaceCurve, PolarSurface, RealImage, SpaceCurveEquations, SurfaceEquation,
 };
-use crate::poly::SparsePolynomial;
 use crate::shape::ParametricCurve;
 
 impl Annotations {
@@ -157,40 +156,47 @@ impl Annotations {
     /// Adds what Theorem 1 gave.
     pub fn add_polar_plane(&mut self, polar: &PolarPlane) {
         self.polar(
-            "Theorem 1, Eq. (1): x^2 + y^2",
-            &polar.squared_radius,
+            ["Theorem 1, Eq. (1)", "x^2 + y^2", "y/x"],
+            &polar.inverse,
             &polar.factors,
         );
     }
 
     /// Adds what Theorem 4 gave.
     pub fn add_polar_patch(&mut self, polar: &PolarPatch) {
-        self.polar(
-            "Theorem 4, Eq. (15): x^2 + y^2 + z^2",
-            &polar.squared_radius,
-            &polar.factors,
-        );
+        let names = ["Theorem 4, Eq. (15)", "x^2 + y^2 + z^2", "y/x and z/x"];
+        self.polar(names, &polar.inverse, &polar.factors);
     }
 
     fn polar(
         &mut self,
-        left: &str,
-        [above, below]: &[SparsePolynomial<3>; 2],
+        [statement, radius, direction]: [&str; 3],
+        inverse: &PolarInverse,
         factors: &[PolarFactor],
     ) {
-        let right = if below.as_constant().is_some_and(|c| c == Rational::one()) {
-            polynomial_text(above)
-        } else {
-            format!("({})/({})", polynomial_text(above), polynomial_text(below))
+        let factors_json: Vec<Value> = factors.iter().map(factor_json).collect();
+        let entry = match inverse {
+            PolarInverse::Function([above, below]) => {
+                let whole = below.as_constant().is_some_and(|c| c == Rational::one());
+                let (above, below) = (polynomial_text(above), polynomial_text(below));
+                let right = if whole {
+                    above.clone()
+                } else {
+                    format!("({above})/({below})")
+                };
+                self.notes.push(format!("{statement}: {radius} = {right}"));
+                json!({"squared_radius": [above, below], "factors": factors_json})
+            }
+            PolarInverse::Relation(reason) => {
+                self.notes.push(format!(
+                    "{statement}: {reason}; a polynomial relation between {direction} and {radius} is taken instead"
+                ));
+                json!({"reason": reason, "factors": factors_json})
+            }
         };
-        self.notes.push(format!("{left} = {right}"));
         self.notes
             .push("cleared of denominators it has the factors".into());
         self.notes.extend(factors.iter().map(factor_text));
-        let entry = json!({
-            "squared_radius": [polynomial_text(above), polynomial_text(below)],
-            "factors": factors.iter().map(factor_json).collect::<Vec<_>>(),
-        });
         self.fields.push(("polar", entry));
     }
 

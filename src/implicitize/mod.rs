@@ -16,8 +16,8 @@ pub use beyond::{PointBeyond, point_beyond};
 pub use image::{Coverage, Isolated, IsolatedPoint, RealImage, real_image};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
-    PolarFactor, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role, polar_patch,
-    polar_plane, polar_space_curve,
+    PolarFactor, PolarInverse, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role,
+    polar_patch, polar_plane, polar_space_curve,
 };
 pub use resultant::{PlaneEquation, implicitize_plane};
 pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};

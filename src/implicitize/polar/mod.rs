@@ -13,6 +13,15 @@ pub use patch::{PolarPatch, polar_patch};
 pub use plane::{PolarPlane, polar_plane};
 pub use space_curve::{PolarSpaceCurve, PolarSurface, polar_space_curve};
 
+/// How the squared distance from the origin depends on the direction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PolarInverse {
+    /// It is the quotient above/below of two forms of the same degree in x, y (and z).
+    Function([SparsePolynomial<3>; 2]),
+    /// It is no rational function, for this reason; a polynomial relation between the two was taken.
+    Relation(String),
+}
+
 /// An irreducible factor of an equation that was found by substitution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PolarFactor {

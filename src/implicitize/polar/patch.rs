@@ -1,12 +1,12 @@
 //! Theorem 4, Eq. (15): patches on which x² + y² + z² is a function of the direction.
 
-use super::{PolarFactor, Role, squared_radius};
+use super::{PolarFactor, PolarInverse, Role, squared_radius};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
 use crate::implicitize::map::RationalMap;
 use crate::implicitize::patch::implicitize_patch;
-use crate::implicitize::vanishing::vanishing;
+use crate::implicitize::vanishing::{monomials, vanishing};
 use crate::limits::Limits;
 use crate::poly::{Ring, SparsePolynomial, total_degree};
 use crate::shape::{ImplicitSurface, Patch, PatchFunction};
@@ -16,105 +16,154 @@ use crate::shape::{ImplicitSurface, Patch, PatchFunction};
 pub struct PolarPatch {
     /// The irreducible equation of the surface.
     pub surface: ImplicitSurface,
-    /// `x² + y² + z² = above/below`, forms of the same degree.
-    pub squared_radius: [SparsePolynomial<3>; 2],
-    /// The irreducible factors of `(x² + y² + z²) below − above`.
+    /// Eq. (15), or why the angles cannot be found by substitution.
+    pub inverse: PolarInverse,
+    /// The irreducible factors of the polar equation, cleared of denominators.
     pub factors: Vec<PolarFactor>,
 }
 
 /// Theorem 4 with its spurious factors removed.
 ///
-/// Eq. (15) expresses `x² + y² + z²` by the direction, `H(y/x, z/x)`. H is found by certified linear algebra in
-/// the products `(y/x)^i (z/x)^j` and `(y/x)^i (z/x)^j (x² + y² + z²)`, by increasing degree. It exists exactly
-/// if the irreducible equation has two homogeneous parts whose degrees differ by 1 or 2: only then does a
-/// line through the origin meet the surface and its reflection at one distance.
+/// Eq. (15) expresses w = x² + y² + z² by the direction, `w = H(y/x, z/x)`. H exists exactly if the irreducible
+/// equation has two homogeneous parts whose degrees differ by 1 or 2: only then does a line through the origin
+/// meet the surface and its reflection at one distance. It is found by certified linear algebra in the products
+/// `(y/x)^i (z/x)^j` and `(y/x)^i (z/x)^j w`, by increasing degree; otherwise the polynomial relation of least
+/// degree between y/x, z/x and w is taken. Cleared of denominators the equation is factored.
 ///
 /// # Errors
-/// [`Error::Hypothesis`] if H does not exist, with the reason; those of [`implicitize_patch`], of the
-/// factorization and of `limits`.
+/// [`Error::Hypothesis`] for a cone with its apex at the origin, or x = 0; [`Error::Limit`] for relations of a
+/// degree above 18; those of [`implicitize_patch`], of the factorization and of `limits`.
 pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
-    let refused = |witness: String| Error::Hypothesis {
+    let refused = |witness: &str| Error::Hypothesis {
         statement: "Theorem 4",
-        witness,
+        witness: witness.into(),
     };
     // What is possible is read off the equation, which the linear algebra below then finds again.
     let known = implicitize_patch(patch, limits)?.surface;
     let degrees = part_degrees(known.polynomial());
+    let Some(functions) = directions(patch, limits)? else {
+        return Err(refused("x = 0 on the whole surface"));
+    };
+    let directions = RationalMap::of_patch_functions(&functions);
     let largest = match degrees[..] {
-        // x² + y² + z² = −ρ f_(n−2)/f_n, or ρ (f_(n−1)/f_n)², in the direction on the unit sphere.
-        [n, low] if n - low == 2 => n,
-        [n, low] if n - low == 1 => 2 * n,
+        // w = −ρ f_(n−2)/f_n, or ρ (f_(n−1)/f_n)², in the direction on the unit sphere.
+        [n, low] if n - low == 2 => Some(n),
+        [n, low] if n - low == 1 => Some(2 * n),
         [_] => {
             return Err(refused(
-                "the surface is a cone with its apex at the origin: the direction does not determine the point"
-                    .into(),
+                "the surface is a cone with its apex at the origin: the direction does not determine the point",
             ));
         }
-        _ => {
-            let listed: Vec<String> = degrees.iter().map(ToString::to_string).collect();
-            return Err(refused(format!(
-                "the angles cannot be found by substitution: the equation has homogeneous parts of degrees {}, \
-                 so a general line through the origin meets the surface at different distances, and x^2 + y^2 + \
-                 z^2 is not a rational function of y/x and z/x",
-                listed.join(", ")
-            )));
-        }
+        _ => None,
     };
-    let Some(functions) = directions(patch, limits)? else {
-        return Err(refused("x = 0 on the whole surface".into()));
+    let relation = match largest {
+        Some(largest) => function_of_direction(&directions, largest, limits)?,
+        None => Some(
+            least_relation(&directions, limits).map_err(|error| match error {
+                Error::Limit { limit, .. } => Error::Limit {
+                    limit,
+                    finished: different_distances(&degrees),
+                },
+                other => other,
+            })?,
+        ),
     };
-    let direction_map = RationalMap::of_patch_functions(&functions);
-    let largest = u32::try_from(largest).unwrap_or(u32::MAX);
-    for degree in 0..=largest {
+    let relation = relation.ok_or_else(|| {
+        refused("the relation to the direction was not found; please report the input")
+    })?;
+    let degree = relation
+        .terms()
+        .map(|(e, _)| e[0] + e[1])
+        .max()
+        .unwrap_or(0);
+    let rho = squared_radius(true);
+    let form = |k: u32| {
+        let terms = relation.terms().filter(move |(e, _)| e[2] == k);
+        let terms = terms.map(|(e, c)| ([degree - e[0] - e[1], e[0], e[1]], c.clone()));
+        SparsePolynomial::from_terms(terms)
+    };
+    let highest = relation.terms().map(|(e, _)| e[2]).max().unwrap_or(0);
+    let mut cleared = SparsePolynomial::zero();
+    for k in 0..=highest {
+        cleared = cleared.plus(&form(k).times(&rho.pow(k)));
+    }
+    let inverse = if largest.is_some() {
+        let (above, below) = (form(0).scaled(&Rational::from(-1)), form(1));
+        let sign = below
+            .terms()
+            .next()
+            .map_or(1, |(_, c)| i64::from(c.signum()));
+        let signed = |f: &SparsePolynomial<3>| f.scaled(&Rational::from(sign));
+        PolarInverse::Function([signed(&above), signed(&below)])
+    } else {
+        PolarInverse::Relation(different_distances(&degrees))
+    };
+    let map = RationalMap::of_patch(patch);
+    let x_power = SparsePolynomial::from_terms([([degree, 0, 0], Rational::one())]);
+    let denominators = [form(highest), x_power];
+    let factors = factor_space(&cleared, limits)?.factors.into_iter();
+    let factors: Vec<PolarFactor> = factors
+        .map(|factor| PolarFactor {
+            role: Role::of(&factor.polynomial, &map, &rho, &denominators),
+            polynomial: factor.polynomial,
+            multiplicity: factor.multiplicity,
+        })
+        .collect();
+    let surface = factors.iter().find(|f| f.role == Role::Form);
+    let surface = surface.map(|f| ImplicitSurface::new(f.polynomial.clone()));
+    Ok(PolarPatch {
+        surface: surface
+            .ok_or_else(|| refused("no factor vanishes on the surface; please report the input"))?,
+        inverse,
+        factors,
+    })
+}
+
+/// A relation that is linear in w, with coefficients of at most the given degree in y/x and z/x.
+fn function_of_direction(
+    directions: &RationalMap,
+    largest: u64,
+    limits: &Limits,
+) -> Result<Option<SparsePolynomial<3>>> {
+    for degree in 0..=u32::try_from(largest).unwrap_or(u32::MAX) {
         let mut monomials = Vec::new();
         for k in [0, 1] {
             for i in 0..=degree {
                 monomials.extend((0..=degree - i).map(|j| [i, j, k]));
             }
         }
-        let found = vanishing(&direction_map, &monomials, limits)?;
-        let Some(relation) = found.first() else {
-            continue;
-        };
-        let part = |k: u32, sign: i64| {
-            let terms = relation.terms().filter(|(e, _)| e[2] == k);
-            let sign = Rational::from(sign);
-            SparsePolynomial::from_terms(
-                terms.map(|(e, c)| ([degree - e[0] - e[1], e[0], e[1]], c * &sign)),
-            )
-        };
-        let first = part(1, 1)
-            .terms()
-            .next()
-            .map_or(1, |(_, c)| i64::from(c.signum()));
-        let (above, below) = (part(0, -first), part(1, first));
-        let rho = squared_radius(true);
-        let cleared = rho.times(&below).minus(&above);
-        let map = RationalMap::of_patch(patch);
-        let denominators = [below.clone()];
-        let factors = factor_space(&cleared, limits)?.factors;
-        let factors: Vec<PolarFactor> = factors
+        if let Some(relation) = vanishing(directions, &monomials, limits)?
             .into_iter()
-            .map(|factor| PolarFactor {
-                role: Role::of(&factor.polynomial, &map, &rho, &denominators),
-                polynomial: factor.polynomial,
-                multiplicity: factor.multiplicity,
-            })
-            .collect();
-        let surface = factors.iter().find(|f| f.role == Role::Form);
-        let surface = surface.map(|f| ImplicitSurface::new(f.polynomial.clone()));
-        return Ok(PolarPatch {
-            surface: surface.ok_or_else(|| {
-                refused("no factor vanishes on the surface; please report the input".into())
-            })?,
-            squared_radius: [above, below],
-            factors,
-        });
+            .next()
+        {
+            return Ok(Some(relation));
+        }
     }
-    Err(refused(
-        "x^2 + y^2 + z^2 was not found as a function of y/x and z/x; please report the input"
-            .into(),
-    ))
+    Ok(None)
+}
+
+/// The irreducible relation between y/x, z/x and w.
+fn least_relation(directions: &RationalMap, limits: &Limits) -> Result<SparsePolynomial<3>> {
+    for degree in 1.. {
+        let monomials = monomials(degree, [true; 3]);
+        if let Some(relation) = vanishing(directions, &monomials, limits)?
+            .into_iter()
+            .next()
+        {
+            return Ok(relation);
+        }
+    }
+    unreachable!("the number of monomials is limited")
+}
+
+/// Why there is no function H.
+fn different_distances(degrees: &[u64]) -> String {
+    let listed: Vec<String> = degrees.iter().map(ToString::to_string).collect();
+    format!(
+        "the angles cannot be found by substitution: the equation has homogeneous parts of degrees {}, so a general \
+         line through the origin meets the surface at different distances",
+        listed.join(", ")
+    )
 }
 
 /// The degrees of the homogeneous parts, descending.

@@ -1,31 +1,33 @@
 //! Theorem 1, Eq. (1): plane curves whose slope function is inverted by substitution.
 
 use super::inverse::{Inverse, invert};
-use super::{PolarFactor, Role, squared_radius};
+use super::{PolarFactor, PolarInverse, Role, squared_radius};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::implicitize::map::RationalMap;
+use crate::implicitize::resultant::implicitize_plane;
 use crate::limits::Limits;
 use crate::poly::{Ring, SparsePolynomial};
-use crate::shape::{ImplicitCurve, PlaneCurve};
+use crate::shape::{ImplicitCurve, ParametricCurve, PlaneCurve};
 
 /// What Eq. (1) gives.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PolarPlane {
     /// The irreducible equation of the curve.
     pub curve: ImplicitCurve,
-    /// `x² + y² = above(x, y)/below(x, y)`, forms of the same degree: Eq. (1).
-    pub squared_radius: [SparsePolynomial<3>; 2],
-    /// The irreducible factors of `(x² + y²) below − above`.
+    /// Eq. (1), or why the slope function cannot be inverted by substitution.
+    pub inverse: PolarInverse,
+    /// The irreducible factors of the polar equation, cleared of denominators.
     pub factors: Vec<PolarFactor>,
 }
 
 /// Theorem 1 with its spurious factors removed.
 ///
 /// With the slope m = y/x of the curve (h, g), `h² + g²` is a rational function H of m exactly if the numerator
-/// of m(s) − m(σ) divides that of h² + g²; then Eq. (1) reads `x² + y² = H(y/x)`. Cleared of denominators it is
-/// factored over Q; the factor that vanishes on the curve is the curve, and the others are named.
+/// of m(s) − m(σ) divides that of h² + g²; then Eq. (1) reads `x² + y² = H(y/x)`. Otherwise the parameter is
+/// eliminated between m and w = h² + g² by a resultant: `P(y/x, x² + y²) = 0`. Cleared of denominators the
+/// equation is factored over Q; the factor that vanishes on the curve is the curve, and the others are named.
 ///
 /// DIFFERENCE: the paper calls Eq. (1) free of spurious parts. It contains the reflection −α of every curve
 /// that is not its own reflection.
@@ -48,8 +50,8 @@ pub struct PolarPlane {
 /// Cost: linear algebra with 2(deg H + 1) columns, and a factorization in degree deg H + 2.
 ///
 /// # Errors
-/// [`Error::Hypothesis`] if the slope is constant or H does not exist, with the reason; those of the
-/// factorization and of `limits`.
+/// [`Error::Hypothesis`] if the slope is constant, or x = 0; those of the resultant, the factorization and of
+/// `limits`.
 pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
     let [h, g] = curve.coordinates();
     let refused = |witness: String| Error::Hypothesis {
@@ -62,31 +64,43 @@ pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
         ));
     };
     let (slope, radius) = (g.times(&over_h), h.squared().plus(&g.squared()));
-    let fraction = match invert(&radius, &slope, limits)? {
-        Inverse::Function(fraction) => fraction,
+    let rho = squared_radius(false);
+    let monomial = |y: u32, x: u32| SparsePolynomial::from_terms([([x, y, 0], Rational::one())]);
+    let (inverse, cleared, below) = match invert(&radius, &slope, limits)? {
+        Inverse::Function(fraction) => {
+            let [above, below] = fraction.cleared(monomial);
+            let cleared = rho.times(&below).minus(&above);
+            let inverse = PolarInverse::Function([above, below.clone()]);
+            (inverse, cleared, below)
+        }
         Inverse::Constant => {
             return Err(refused(
                 "the slope y/x is constant: the curve lies on a line through the origin".into(),
             ));
         }
         Inverse::Values(count) => {
-            return Err(refused(format!(
+            let pair = ParametricCurve::new(curve.parameter().clone(), [slope, radius]);
+            let relation = implicitize_plane(&pair, limits)?.curve;
+            let relation = SparsePolynomial::<3>::from(relation.polynomial());
+            let degree = relation.terms().map(|(e, _)| e[0]).max().unwrap_or(0);
+            let mut cleared = SparsePolynomial::zero();
+            for (e, c) in relation.terms() {
+                let term = monomial(e[0], degree - e[0]).times(&rho.pow(e[1]));
+                cleared.add_multiple(&term, c);
+            }
+            let reason = format!(
                 "the slope y/x cannot be inverted by substitution: a general line through the origin meets the \
-                 curve at {count} different values of x^2 + y^2 (complex ones included), so x^2 + y^2 is not a \
-                 rational function of y/x"
-            )));
+                 curve at {count} different values of x^2 + y^2 (complex ones included)"
+            );
+            (PolarInverse::Relation(reason), cleared, monomial(0, degree))
         }
     };
-    let monomial = |y: u32, x: u32| SparsePolynomial::from_terms([([x, y, 0], Rational::one())]);
-    let [above, below] = fraction.cleared(monomial);
-    let rho = squared_radius(false);
-    let cleared = rho.times(&below).minus(&above);
     let factors = match cleared.to_plane() {
         Some(plane) => factor_plane(&plane, limits)?.factors,
         None => Vec::new(),
     };
     let map = RationalMap::of_curve(curve);
-    let denominators = [below.clone()];
+    let denominators = [below];
     let factors: Vec<PolarFactor> = factors
         .into_iter()
         .map(|factor| {
@@ -104,7 +118,7 @@ pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
     })?;
     Ok(PolarPlane {
         curve: ImplicitCurve::new(found),
-        squared_radius: [above, below],
+        inverse,
         factors,
     })
 }
