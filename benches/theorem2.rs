@@ -1,4 +1,5 @@
-//! Fourier → implicit (Theorem 2): the ladder over N, beside the naive formula.
+//! Fourier → implicit (Theorem 2): the ladder over N, beside the naive formula and beside general elimination,
+//! the comparison that the paper did not make.
 //!
 //! `cargo bench --bench theorem2`. Every answer is verified before it is timed.
 
@@ -8,7 +9,8 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
 use stellate::exact::Rational;
-use stellate::implicitize::SquaredForm;
+use stellate::implicitize::{SquaredForm, implicitize_plane};
+use stellate::limits::Limits;
 use stellate::shape::FourierRadius;
 
 #[path = "../tests/common/mod.rs"]
@@ -68,5 +70,25 @@ fn theorem2(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, theorem2);
+/// Theorem 2 against the resultant of x(t) and y(t), N = 1 … 12.
+fn elimination(c: &mut Criterion) {
+    let mut group = c.benchmark_group("theorem_2_against_elimination");
+    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    for n in 1..=12 {
+        let radius = spectrum(n);
+        let curve = radius.to_plane_curve();
+        let ours = SquaredForm::new(&radius).unwrap().expand();
+        let eliminated = implicitize_plane(&curve, &Limits::none()).unwrap();
+        assert_eq!(ours, eliminated.curve);
+        group.bench_with_input(BenchmarkId::new("theorem_2", n), &radius, |b, r| {
+            b.iter(|| SquaredForm::new(black_box(r)).unwrap().expand());
+        });
+        group.bench_with_input(BenchmarkId::new("resultant", n), &curve, |b, curve| {
+            b.iter(|| implicitize_plane(black_box(curve), &Limits::none()).unwrap());
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, theorem2, elimination);
 criterion_main!(benches);

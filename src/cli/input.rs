@@ -23,6 +23,10 @@ pub(crate) struct Input {
     pub(crate) content: Content,
 }
 
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of these for each form on the command line"
+)]
 pub(crate) enum Content {
     Exact(Form),
     Contour(Contour),

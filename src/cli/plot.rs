@@ -10,7 +10,7 @@ use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, S
 use super::arguments::{FitFlags, Plot};
 use super::input::{self, Content, Input};
 use super::output::{check_destination, write_result};
-use super::plot_space::{self, Range};
+use super::plot_space;
 use super::session::Session;
 
 /// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
@@ -67,20 +67,29 @@ fn plane(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<Strin
     if !has_contour {
         input::refuse_fit_flags(&verb.fit)?;
     }
-    let mut layers = Vec::new();
+    let mut layers: Vec<Layer> = Vec::new();
     let mut curves = Vec::new();
+    // What the window must show.
+    let mut seen: Vec<[f64; 2]> = Vec::new();
     for input in inputs {
         if let Content::Exact(Form::PlaneCurve(curve)) = &input.content {
-            layers.push(parametric(curve, &shortened(&input.name), &ranges));
+            let range = plot_space::range_of(curve.parameter(), &ranges);
+            layers.push(parametric(curve, &shortened(&input.name), range));
+            if let Some([x, y]) = curve.extent(range) {
+                seen.extend([[x[0], y[0]], [x[1], y[1]]]);
+            }
             continue;
         }
+        let before = layers.len();
         add(input, &verb.fit, &mut layers, &mut curves, session)?;
+        let added = layers[before..].iter().flat_map(|layer| &layer.lines);
+        seen.extend(added.flatten());
     }
     let mut figure = Figure {
         title: verb.title.clone(),
         window: match window {
             Some(window) => window,
-            None => fitting_window(&layers, &curves, session)?,
+            None => fitting_window(seen, &curves, session)?,
         },
         layers,
     };
@@ -204,9 +213,8 @@ fn series(radius: &FourierRadius, name: &str) -> Layer {
     }
 }
 
-fn parametric(curve: &PlaneCurve, name: &str, ranges: &[Range]) -> Layer {
-    let range = plot_space::range_of(curve.parameter(), ranges);
-    let said = plot_space::range_text(curve.parameter(), range, curve.is_bounded());
+fn parametric(curve: &PlaneCurve, name: &str, range: Option<[f64; 2]>) -> Layer {
+    let said = plot_space::range_text(curve.parameter(), range);
     let said = said.map(|text| format!(", {text}")).unwrap_or_default();
     Layer {
         label: format!("parametric curve, {name}{said}"),
@@ -225,14 +233,11 @@ fn superquadric(shape: &Superquadric) -> Layer {
 
 /// Around everything that has an extent of its own; else around certified points of the curves.
 fn fitting_window(
-    layers: &[Layer],
+    seen: Vec<[f64; 2]>,
     curves: &[(usize, ImplicitCurve)],
     session: &Session,
 ) -> Result<Window> {
-    let drawn = layers
-        .iter()
-        .flat_map(|l| l.lines.iter().flatten().copied());
-    let window = match Window::around(drawn) {
+    let window = match Window::around(seen) {
         Some(window) => Some(window),
         None => {
             let mut points = Vec::new();

@@ -28,18 +28,29 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>) -> Result<String> {
     let [azimuth, elevation] = view(&verb.view)?;
     let bounds = verb.window.as_deref().map(bounds).transpose()?;
     let mut layers = Vec::new();
+    let mut around: Option<Bounds> = None;
     for input in inputs {
-        layers.push(layer(input, &ranges)?);
+        let (layer, extent) = layer(input, &ranges)?;
+        layers.push(layer);
+        around = match (around, extent) {
+            (Some(a), Some(b)) => {
+                Some([0, 1, 2].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])]))
+            }
+            (a, b) => a.or(b),
+        };
     }
     Scene {
         title: verb.title.clone(),
-        bounds,
+        bounds: bounds.or(around),
         azimuth,
         elevation,
         layers,
     }
     .to_svg()
 }
+
+/// The sides of a box.
+type Bounds = [[f64; 2]; 3];
 
 /// A parameter's name and the part of it that is drawn.
 pub(crate) type Range = (String, [f64; 2]);
@@ -70,17 +81,8 @@ pub(crate) fn range_of(parameter: &Parameter, ranges: &[Range]) -> Option<[f64; 
 }
 
 /// What the legend says of the range of a parameter.
-pub(crate) fn range_text(
-    parameter: &Parameter,
-    range: Option<[f64; 2]>,
-    whole: bool,
-) -> Option<String> {
-    let [a, b] = match range {
-        Some(range) => range,
-        None if parameter.is_angle() || whole => return None,
-        None => DRAWN_NUMBERS,
-    };
-    Some(format!("{} from {a} to {b}", parameter.name()))
+pub(crate) fn range_text(parameter: &Parameter, range: Option<[f64; 2]>) -> Option<String> {
+    range.map(|[a, b]| format!("{} from {a} to {b}", parameter.name()))
 }
 
 fn view(text: &str) -> Result<[f64; 2]> {
@@ -113,7 +115,8 @@ pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {
     numbers.iter().all(|v| v.is_finite()).then_some(numbers)
 }
 
-fn layer(input: Input, ranges: &[Range]) -> Result<SpaceLayer> {
+/// What is drawn of a form, and the box that shows it.
+fn layer(input: Input, ranges: &[Range]) -> Result<(SpaceLayer, Option<Bounds>)> {
     let name = shortened(&input.name);
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
@@ -122,25 +125,28 @@ fn layer(input: Input, ranges: &[Range]) -> Result<SpaceLayer> {
     match input.content {
         Content::Exact(Form::SpaceCurve(curve)) => {
             let range = range_of(curve.parameter(), ranges);
-            let said = range_text(curve.parameter(), range, curve.is_bounded());
-            Ok(SpaceLayer {
+            let said = range_text(curve.parameter(), range);
+            let drawn = SpaceLayer {
                 label: label("space curve", said.into_iter().collect()),
                 lines: curve.polylines(range, CURVE_POINTS),
                 ..SpaceLayer::default()
-            })
+            };
+            Ok((drawn, curve.extent(range)))
         }
         Content::Exact(Form::Patch(patch)) => {
             let given = patch.parameters().each_ref().map(|p| range_of(p, ranges));
-            let said = patch.parameters().iter().zip(given);
-            let said = said
-                .filter_map(|(p, range)| range_text(p, range, false))
-                .collect();
+            let shown = patch.parameters().iter().zip(given).map(|(p, range)| {
+                let numbers = (!p.is_angle()).then_some(DRAWN_NUMBERS);
+                range_text(p, range.or(numbers))
+            });
             let grid = patch.grid(given, [PATCH_CELLS; 2]);
-            Ok(SpaceLayer {
-                label: label("patch", said),
+            let drawn = SpaceLayer {
+                label: label("patch", shown.flatten().collect()),
                 facets: SpaceLayer::grid_facets(&grid),
                 ..SpaceLayer::default()
-            })
+            };
+            let extent = around(drawn.facets.iter().flatten());
+            Ok((drawn, extent))
         }
         Content::Exact(Form::Surface(_) | Form::Intersection(_)) => Err(Error::Usage(format!(
             "{name}: plot draws curves and patches in space from their parameters; this form has only equations in x, y and z"
@@ -149,4 +155,14 @@ fn layer(input: Input, ranges: &[Range]) -> Result<SpaceLayer> {
             "{name}: this form is in the plane and cannot be drawn with one in space"
         ))),
     }
+}
+
+/// The box around finite points.
+fn around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
+    points
+        .filter(|p| p.iter().all(|v| v.is_finite()))
+        .fold(None, |bounds: Option<Bounds>, p| {
+            let b = bounds.unwrap_or(p.map(|v| [v, v]));
+            Some([0, 1, 2].map(|k| [b[k][0].min(p[k]), b[k][1].max(p[k])]))
+        })
 }

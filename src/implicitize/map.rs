@@ -114,13 +114,13 @@ fn substitute(
             .cloned()
             .collect();
         if value != IntegerPolynomial::ZERO {
-            value = value * p;
+            value *= p;
         }
         if !here.is_empty() {
             value += substitute(&here, last, degrees, packed) * &q_power;
         }
         if k > 0 && *q != constant(Integer::ONE) {
-            q_power = q_power * q;
+            q_power *= q;
         }
     }
     value

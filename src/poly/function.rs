@@ -29,6 +29,16 @@ pub struct RationalFunction {
     denominator: IntegerPolynomial,
 }
 
+impl Default for RationalFunction {
+    /// 0.
+    fn default() -> Self {
+        Self {
+            numerator: IntegerPolynomial::ZERO,
+            denominator: IntegerPolynomial::one(),
+        }
+    }
+}
+
 impl RationalFunction {
     /// In lowest terms; `None` if the denominator is 0. Cost: a gcd.
     #[must_use]

@@ -4,20 +4,21 @@ use super::{Parameter, ParametricCurve, Patch, PatchFunction};
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, real_roots};
 
-/// How much of a parameter that runs through all numbers is drawn if the form goes to infinity.
+/// The part of a parameter that runs through all numbers that must be seen if the form goes to infinity, and
+/// all that is drawn of a patch.
 pub const DRAWN_NUMBERS: [f64; 2] = [-1.5, 1.5];
 
 /// A value of s as the ratio of two doubles, so that infinity is a value too.
 type Ratio = [f64; 2];
 
 impl Parameter {
-    /// `count + 1` values over the range of the parameter, over one full period of an angle if none is given, over
-    /// all numbers (infinity left out) if `whole`.
-    fn values(&self, range: Option<[f64; 2]>, whole: bool, count: u32) -> Vec<Ratio> {
+    /// `count + 1` values over the range; without one, over a full period of an angle or over all numbers
+    /// (infinity left out).
+    fn values(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Ratio> {
         let part = |k: u32| f64::from(k) / f64::from(count);
         let between = |[a, b]: [f64; 2], k: u32| a + (b - a) * part(k);
-        match self.step() {
-            Some(step) => {
+        match (self.step(), range) {
+            (Some(step), range) => {
                 let step = step.to_f64();
                 let range = range.unwrap_or([0.0, std::f64::consts::TAU / step]);
                 (0..=count)
@@ -27,7 +28,7 @@ impl Parameter {
                     })
                     .collect()
             }
-            None if whole && range.is_none() => {
+            (None, None) => {
                 // tan runs through all numbers; its ends are left out.
                 let right = std::f64::consts::FRAC_PI_2;
                 (0..=count)
@@ -38,10 +39,7 @@ impl Parameter {
                     })
                     .collect()
             }
-            None => {
-                let range = range.unwrap_or(DRAWN_NUMBERS);
-                (0..=count).map(|k| [between(range, k), 1.0]).collect()
-            }
+            (None, Some(range)) => (0..=count).map(|k| [between(range, k), 1.0]).collect(),
         }
     }
 }
@@ -49,12 +47,10 @@ impl Parameter {
 impl<const N: usize> ParametricCurve<N> {
     /// Points along the curve, in lines that end at poles: about `count` of them, over the range of the parameter.
     ///
-    /// Without a range: a full period of an angle; all numbers if the curve is bounded, else [`DRAWN_NUMBERS`].
+    /// Without a range: a full period of an angle, all numbers.
     #[must_use]
     pub fn polylines(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Vec<[f64; N]>> {
-        let values = self
-            .parameter()
-            .values(range, self.is_bounded(), count.max(1));
+        let values = self.parameter().values(range, count.max(1));
         let mut lines: Vec<Vec<[f64; N]>> = vec![Vec::new()];
         let mut signs: Option<[bool; N]> = None;
         for s in values {
@@ -81,6 +77,23 @@ impl<const N: usize> ParametricCurve<N> {
         lines
     }
 
+    /// A box that shows the curve: all of it if it is bounded, else most of what it does in the range, or for
+    /// [`DRAWN_NUMBERS`]. `None` if nothing of it is finite.
+    #[must_use]
+    pub fn extent(&self, range: Option<[f64; 2]>) -> Option<[[f64; 2]; N]> {
+        const POINTS: u32 = 720;
+        let bounded = self.is_bounded();
+        let range = if self.parameter().is_angle() || bounded {
+            range
+        } else {
+            range.or(Some(DRAWN_NUMBERS))
+        };
+        let lines = self.polylines(range, POINTS);
+        // Poles run off to infinity: the ends of all values are left out then.
+        let has_poles = !bounded && lines.len() > 1;
+        box_around(&lines.concat(), if has_poles { 0.05 } else { 0.0 })
+    }
+
     /// Whether no coordinate has a real pole, infinity included: exact.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
@@ -90,6 +103,28 @@ impl<const N: usize> ParametricCurve<N> {
                 && real_roots(f.denominator()).is_empty()
         })
     }
+}
+
+/// The box around points, for each coordinate without the given share of the smallest and of the largest values but
+/// half as large again.
+fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f64; 2]; N]> {
+    let last = points.len().checked_sub(1)?;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "a share of a number of points"
+    )]
+    let skipped = (left_out * last as f64) as usize;
+    let mut bounds = [[0.0; 2]; N];
+    for (k, side) in bounds.iter_mut().enumerate() {
+        let mut values: Vec<f64> = points.iter().map(|p| p[k]).collect();
+        values.sort_by(f64::total_cmp);
+        let (low, high) = (values[skipped], values[last - skipped]);
+        let more = if skipped > 0 { (high - low) / 4.0 } else { 0.0 };
+        *side = [low - more, high + more];
+    }
+    Some(bounds)
 }
 
 /// Numerator and denominator at s = a/b as forms of the same degree.
@@ -121,8 +156,15 @@ impl Patch {
         ranges: [Option<[f64; 2]>; 2],
         counts: [u32; 2],
     ) -> Vec<Vec<Option<[f64; 3]>>> {
-        let [first, second] =
-            [0, 1].map(|k| self.parameters()[k].values(ranges[k], false, counts[k].max(1)));
+        let [first, second] = [0, 1].map(|k| {
+            let parameter = &self.parameters()[k];
+            let range = if parameter.is_angle() {
+                ranges[k]
+            } else {
+                ranges[k].or(Some(DRAWN_NUMBERS))
+            };
+            parameter.values(range, counts[k].max(1))
+        });
         let functions: Vec<[Doubles; 2]> = self.coordinates().iter().map(Doubles::of).collect();
         let point = |at: [Ratio; 2]| {
             let mut point = [0.0; 3];
@@ -194,5 +236,8 @@ mod tests {
         assert!(!hyperbola.is_bounded());
         let lines = hyperbola.polylines(None, 101);
         assert_eq!(lines.len(), 2);
+        // It shows the middle, not where it goes to infinity.
+        let [x, y] = hyperbola.extent(None).unwrap();
+        assert!(x[1] < 3.0 && y[1] < 40.0, "{x:?} {y:?}");
     }
 }

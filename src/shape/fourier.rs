@@ -120,11 +120,9 @@ impl FourierRadius {
         let turn = |c: [i64; 3]| {
             let c = c.iter().map(|&c| Integer::from(c)).collect();
             let factor = BinaryForm::from_coefficients(c).times(&above);
-            let function = RationalFunction::new(
-                factor.dehomogenized().clone(),
-                below.dehomogenized().clone(),
-            );
-            function.expect("a power of 1 + s^2 is not 0")
+            let (p, q) = (factor.dehomogenized(), below.dehomogenized());
+            // A power of 1 + s² is not 0.
+            RationalFunction::new(p.clone(), q.clone()).unwrap_or_default()
         };
         let parameter = Parameter::angle("t", Rational::one());
         // cos θ = (1 − s²)/(1 + s²), sin θ = 2s/(1 + s²)
