@@ -10,7 +10,7 @@ use super::plot::shortened;
 
 /// Points along a curve, and cells along each parameter of a patch.
 const CURVE_POINTS: u32 = 720;
-const PATCH_CELLS: u32 = 60;
+const PATCH_CELLS: u32 = 54;
 
 /// Whether a form is drawn in space.
 pub(crate) fn is_in_space(input: &Input) -> bool {

@@ -122,9 +122,13 @@ pub fn write_space_curve_description(
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
+    let surfaces = surfaces.iter();
+    let surfaces: Vec<ImplicitSurface> = surfaces
+        .map(|s| ImplicitSurface::new(s.polynomial().primitive()))
+        .collect();
     match format {
         Format::Json => {
-            let forms = surfaces.iter().map(|s| Form::Surface(s.clone()));
+            let forms = surfaces.into_iter().map(Form::Surface);
             let entries: Vec<Value> = forms
                 .map(|form| Ok(serde_json::from_slice(&written(&form, Format::Json)?)?))
                 .collect::<io::Result<_>>()?;
@@ -142,7 +146,7 @@ pub fn write_space_curve_description(
         }
         Format::Text => {
             writeln!(out, "surfaces: {}", surfaces.len())?;
-            for surface in surfaces {
+            for surface in &surfaces {
                 let f = surface.polynomial();
                 let degree = f.degree().unwrap_or(0);
                 writeln!(

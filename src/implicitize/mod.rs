@@ -3,6 +3,7 @@
 mod beyond;
 mod fibre;
 mod image;
+mod inverse;
 mod map;
 mod patch;
 mod polar;

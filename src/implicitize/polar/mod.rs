@@ -1,7 +1,6 @@
 //! The paper's own way (Theorems 1, 3 and 4): where `x² + y²` (or `x² + y² + z²`) is a rational function of the
 //! direction, that function is substituted, and the spurious factors are found and named.
 
-mod inverse;
 mod patch;
 mod plane;
 mod space_curve;

@@ -1,10 +1,10 @@
 //! Theorem 1, Eq. (1): plane curves whose slope function is inverted by substitution.
 
-use super::inverse::{Inverse, invert};
 use super::{PolarFactor, PolarInverse, Role, squared_radius};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
+use crate::implicitize::inverse::{Inverse, invert};
 use crate::implicitize::map::RationalMap;
 use crate::implicitize::resultant::implicitize_plane;
 use crate::limits::Limits;

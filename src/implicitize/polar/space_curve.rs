@@ -1,10 +1,10 @@
 //! Theorem 3, Eqs. (10) and (11): the paper's two surfaces through a space curve, and what else they meet in.
 
-use super::inverse::{Fraction, Inverse, invert};
 use super::{PolarFactor, Role, squared_radius};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
+use crate::implicitize::inverse::{Fraction, Inverse, invert};
 use crate::implicitize::map::RationalMap;
 use crate::limits::Limits;
 use crate::poly::{RationalFunction, Ring, SparsePolynomial, resultant};

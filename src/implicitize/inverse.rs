@@ -1,12 +1,15 @@
 //! Inversion by substitution: one function of s as a rational function of another.
 
+use malachite::Integer;
+use malachite::base::polynomial::Polynomial;
+
+use super::map::RationalMap;
+use super::tracing::common_numerator;
+use super::vanishing::vanishing;
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::implicitize::map::RationalMap;
-use crate::implicitize::tracing::common_numerator;
-use crate::implicitize::vanishing::vanishing;
 use crate::limits::Limits;
-use crate::poly::{RationalFunction, SparsePolynomial};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 
 /// Whether w is a rational function of m.
 pub(super) enum Inverse {
@@ -27,6 +30,18 @@ pub(super) struct Fraction {
 }
 
 impl Fraction {
+    /// As a function of m.
+    pub(super) fn to_function(&self) -> Option<RationalFunction> {
+        let [p, q] = [&self.above, &self.below].map(|terms| {
+            let mut coefficients = vec![Integer::from(0); self.degree as usize + 1];
+            for (k, c) in terms {
+                coefficients[*k as usize] = c.numerator();
+            }
+            IntegerPolynomial::from_coefficients_asc(coefficients)
+        });
+        RationalFunction::new(p, q)
+    }
+
     /// Numerator and denominator as polynomials, from what m^k times the denominator^degree is.
     pub(super) fn cleared(
         &self,

@@ -1,0 +1,283 @@
+//! Parametric forms from end to end on the command line.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::program::{done, done_in, json, piped, run_in};
+use tempfile::TempDir;
+
+const EXAMPLE_1: &str = "x = sin(t); y = sin(t)*cos(t)";
+const EXAMPLE_3: &str = "x = sin(t); y = cos(t); z = cos(t)^2";
+const EXAMPLE_4: &str = "x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)";
+
+/// The lines that are no comments.
+fn formulas(text: &str) -> Vec<&str> {
+    text.lines().filter(|line| !line.starts_with('#')).collect()
+}
+
+#[test]
+fn the_answer_does_not_depend_on_the_method() {
+    for method in [&[][..], &["--method", "polar"], &["--method", "resultant"]] {
+        let out = done(&[&["implicitize", EXAMPLE_1], method].concat());
+        assert_eq!(formulas(&out), ["x^4 - x^2 + y^2 = 0"], "{method:?}");
+    }
+    for method in [&[][..], &["--method", "polar"]] {
+        let out = done(&[&["implicitize", EXAMPLE_3], method].concat());
+        assert_eq!(formulas(&out), ["x^2 + y^2 - 1 = 0", "x^2 + z - 1 = 0"]);
+        let out = done(&[&["implicitize", EXAMPLE_4], method].concat());
+        assert_eq!(formulas(&out), ["y^2z^2 + x^2 - y^2 = 0"]);
+    }
+    let radius = "r = 1 + 1/5*cos(3*t)";
+    let theorem_2 = done(&["implicitize", radius]);
+    let eliminated = done(&["implicitize", radius, "--method", "resultant"]);
+    assert_eq!(formulas(&theorem_2), formulas(&eliminated));
+    let given = "x = (1 + cos(3t)/5)*cos(t); y = (1 + cos(3t)/5)*sin(t)";
+    assert_eq!(
+        formulas(&theorem_2),
+        formulas(&done(&["implicitize", given]))
+    );
+}
+
+#[test]
+fn documents_say_what_was_found() {
+    let polar = [
+        "implicitize",
+        EXAMPLE_1,
+        "--method",
+        "polar",
+        "--format",
+        "json",
+    ];
+    let document = json(&done(&polar));
+    assert_eq!(
+        (&document["kind"], &document["tracing_index"]),
+        (&"implicit".into(), &1.into())
+    );
+    let roles: Vec<_> = document["polar"]["factors"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|f| &f["role"])
+        .collect();
+    assert_eq!(roles, ["squared-radius", "form"]);
+
+    let document = json(&done(&[
+        "implicitize",
+        "x = t^2; y = t^3 + t",
+        "--format",
+        "json",
+    ]));
+    assert_eq!(document["beyond"][0]["point"], "(-1, 0)");
+
+    let space = [
+        "implicitize",
+        EXAMPLE_3,
+        "--method",
+        "polar",
+        "--format",
+        "json",
+    ];
+    let text = done(&space);
+    let document = json(&text);
+    assert_eq!(
+        (&document["kind"], &document["schema"]),
+        (&"intersection".into(), &"stellate/1".into())
+    );
+    assert_eq!(document["surfaces"].as_array().unwrap().len(), 2);
+    assert_eq!(document["components"][1][1], "y^2 + z");
+    assert_eq!(document["curve_degree"], 4);
+    // What is written is read, from JSON and from text.
+    let again = piped(&["implicitize", "-"], &text);
+    assert_eq!(again, "x^2 + y^2 - 1 = 0\nx^2 + z - 1 = 0\n");
+    assert_eq!(piped(&["implicitize", "-"], &again), again);
+    let singular = done(&["implicitize", EXAMPLE_3, "--format", "singular"]);
+    assert!(singular.contains("poly F = x^2 + y^2 - 1"), "{singular}");
+
+    let document = json(&done(&["describe", EXAMPLE_4, "--format", "json"]));
+    assert_eq!(document["coordinates"]["x"], "cos(theta)*sin(phi)");
+    assert_eq!(document["tracing_index_proved"], false);
+    assert_eq!(document["method"], "lemma-7");
+}
+
+#[test]
+fn a_parametric_document_is_a_form() {
+    let document = r#"{"schema":"stellate/1","kind":"parametric","parameters":["t"],
+        "coordinates":{"x":"sin(t)","y":"1/2*sin(2*t)"}}"#;
+    let out = piped(&["implicitize", "-"], document);
+    assert_eq!(formulas(&out), ["x^4 - x^2 + y^2 = 0"]);
+    let folder = TempDir::new().unwrap();
+    let wrong = document.replace("sin(2*t)", "exp(t)");
+    let run = run_in(folder.path(), &["implicitize", "-"], &wrong);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("coordinates:2:") && run.err.contains("not algebraic"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
+fn other_verbs_go_through_the_equation() {
+    let equation = "x^4 - x^2 + y^2";
+    let same = |arguments: &[&str]| {
+        let with = |form: &str| {
+            let all: Vec<&str> = arguments
+                .iter()
+                .map(|a| if *a == "FORM" { form } else { a })
+                .collect();
+            done(&all)
+        };
+        assert_eq!(with(EXAMPLE_1), with(equation), "{arguments:?}");
+    };
+    same(&["sample", "FORM", "--directions", "7"]);
+    same(&["parametrize", "FORM"]);
+    let described = done(&["describe", EXAMPLE_1]);
+    assert!(described.contains("method: lemma-2 in r^2"), "{described}");
+    assert!(
+        described.contains("note: parametric form: x = sin(t); y = 1/2*sin(2*t)"),
+        "{described}"
+    );
+    let described = done(&["describe", "x^2 + y^2 = 1; z = y^5"]);
+    assert!(
+        described.contains("equation of degree 5: y^5 - z = 0"),
+        "{described}"
+    );
+}
+
+#[test]
+fn pictures_in_the_plane_and_in_space() {
+    let folder = TempDir::new().unwrap();
+    let draw = |arguments: &[&str]| {
+        done_in(
+            folder.path(),
+            &[&["plot"], arguments, &["-o", "figure.svg"]].concat(),
+            "",
+        );
+        std::fs::read_to_string(folder.path().join("figure.svg")).unwrap()
+    };
+    let plane = draw(&[EXAMPLE_1, "x^4 - x^2 + y^2"]);
+    assert!(plane.contains("parametric curve, x = sin(t)") && plane.contains("zero set, degree 4"));
+    let facets = |svg: &str| svg.matches("<polygon").count();
+    let patch = draw(&[EXAMPLE_4, "--title", "Example 4"]);
+    assert!(
+        patch.contains("Example 4") && facets(&patch) > 2000,
+        "{}",
+        facets(&patch)
+    );
+    for name in ["x", "y", "z"] {
+        assert!(
+            patch.lines().any(|line| line.trim() == name),
+            "the axis {name} has its name"
+        );
+    }
+    // Three walls and no facet; a shadow.
+    let curve = draw(&[EXAMPLE_3]);
+    assert_eq!(facets(&curve), 3);
+    assert!(curve.contains("#B9B9B9"));
+    // A part of the surface has as many facets, and its legend says so.
+    let part = draw(&[
+        "x = u; y = v; z = u*v",
+        "--range",
+        "u=0,2",
+        "--view",
+        "10,40",
+    ]);
+    assert!(part.contains("u from 0 to 2, v from -1.5 to 1.5"));
+    let thin = draw(&["x = u; y = v; z = 40u^2"]);
+    assert!(thin.contains("the axes do not have one unit of length"));
+}
+
+#[test]
+fn mistakes_are_said_once_and_nothing_is_written() {
+    let folder = TempDir::new().unwrap();
+    for (arguments, message) in [
+        (
+            &["implicitize", "x = 1; y = cos(t)^2 + sin(t)^2"][..],
+            "a point, not a curve",
+        ),
+        (
+            &["implicitize", "x = u + v; y = 2u + 2v; z = 1"],
+            "move along a curve only",
+        ),
+        (
+            &["implicitize", EXAMPLE_4, "--method", "resultant"],
+            "is for plane curves",
+        ),
+        (
+            &["implicitize", "x^2 + y^2 = 1", "--method", "polar"],
+            "this one is implicit already",
+        ),
+        (
+            &["implicitize", EXAMPLE_3, "--format", "csv"],
+            "several equations",
+        ),
+        (&["implicitize", "x = t*sin(t); y = 1"], "not algebraic"),
+        (
+            &["implicitize", "x = t; y = 2t", "--method", "polar"],
+            "line through the origin",
+        ),
+        (&["sample", EXAMPLE_3], "sample takes plane curves"),
+        (
+            &["parametrize", EXAMPLE_4],
+            "parametrize takes plane curves",
+        ),
+        (
+            &["plot", EXAMPLE_3, "x^2 + y^2 = 1", "-o", "f.svg"],
+            "cannot be drawn with one in space",
+        ),
+        (
+            &["plot", "x^2 + y^2 + z^2 = 1", "-o", "f.svg"],
+            "only equations in x, y and z",
+        ),
+        (
+            &["plot", EXAMPLE_3, "--view", "30", "-o", "f.svg"],
+            "expected AZIMUTH,ELEVATION",
+        ),
+        (
+            &["plot", EXAMPLE_3, "--range", "t=2,1", "-o", "f.svg"],
+            "expected NAME=A,B",
+        ),
+        (
+            &["plot", EXAMPLE_3, "--window", "0,1,0,1", "-o", "f.svg"],
+            "expected X0,X1,Y0,Y1,Z0,Z1",
+        ),
+        (
+            &["plot", EXAMPLE_3, "--harmonics", "3", "-o", "f.svg"],
+            "--harmonics is for contours",
+        ),
+    ] {
+        let run = run_in(folder.path(), arguments, "");
+        assert_eq!(
+            (run.code, run.out.as_str()),
+            (2, ""),
+            "{arguments:?}: {}",
+            run.err
+        );
+        assert!(run.err.contains(message), "{arguments:?}: {}", run.err);
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+}
+
+#[test]
+fn limits_end_with_code_3_and_say_what_is_known() {
+    let folder = TempDir::new().unwrap();
+    let large = "x = u^7 + v; y = v^7 + u; z = u^5*v^5 + 1";
+    let run = run_in(folder.path(), &["implicitize", large], "");
+    assert_eq!(run.code, 3, "{}", run.err);
+    assert!(
+        run.err
+            .contains("there is no equation of degree 18 or less"),
+        "{}",
+        run.err
+    );
+    let curve = "x = (t^200 + 3t + 1)/(t^199 + 7); y = (5t^200 + t^3 - 2)/(t^100 + 3)";
+    let run = run_in(folder.path(), &["implicitize", curve], "");
+    assert_eq!(run.code, 3, "{}", run.err);
+    let run = run_in(
+        folder.path(),
+        &["implicitize", EXAMPLE_1, "--max-degree", "3"],
+        "",
+    );
+    assert_eq!(run.code, 3, "{}", run.err);
+}
