@@ -38,7 +38,10 @@
 //! | --- | --- |
 //! | Definition 1 (Fourier coefficients of a contour) | [`fit`] |
 //! | Lemma 1 (r(θ) as a series) | [`shape::FourierRadius`] |
-//! | Theorem 2, Eqs. (5)–(9), Appendix B | [`implicitize`] |
+//! | Theorem 1, Eq. (1) | [`implicitize::polar_plane`]; the same by a resultant: [`implicitize::implicitize_plane`] |
+//! | Theorem 2, Eqs. (5)–(9), Appendix B | [`implicitize::SquaredForm`] |
+//! | Theorem 3, Eqs. (10), (11) | [`implicitize::polar_space_curve`]; all equations: [`implicitize::implicitize_space_curve`] |
+//! | Theorem 4, Eq. (15) | [`implicitize::polar_patch`]; by linear algebra: [`implicitize::implicitize_patch`] |
 //! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
 //! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
@@ -51,8 +54,8 @@
 //!
 //! # From below to above
 //!
-//! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`parametrize`], [`fit`] →
-//! [`sample`], [`describe`] → [`language`], [`document`], [`picture`] → the command line. A file imports
+//! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
+//! [`parametrize`], [`sample`], [`describe`] → [`document`], [`picture`] → the command line. A file imports
 //! only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
@@ -60,6 +63,8 @@
 //! - Coefficients of univariate polynomials ascend; the zero polynomial has no degree (`None`).
 //! - Terms are ordered by total degree, then by exponents, both descending.
 //! - A canonical polynomial has coprime integer coefficients and its first term positive.
+//! - A parametric form is held as rational functions of s, which is the parameter t itself or tan(g·t/2) for an
+//!   angle of which all multiples that occur are multiples of g·t ([`shape::Parameter`]).
 //! - θ is in radians from +x towards +y.
 //! - Fourier radii are `a0 + Σ a_n cos nθ + b_n sin nθ`: a0 is the mean, not twice it.
 //! - Ranges of angles lie in [0, 2π] and say at each end whether it belongs to them.

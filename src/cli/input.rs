@@ -32,6 +32,18 @@ pub(crate) enum Content {
     Contour(Contour),
 }
 
+impl Input {
+    /// The name on one line, cut if it is long.
+    pub(crate) fn short_name(&self) -> String {
+        const LONGEST: usize = 40;
+        let line: String = self.name.split_whitespace().collect::<Vec<_>>().join(" ");
+        if line.chars().count() <= LONGEST {
+            return line;
+        }
+        line.chars().take(LONGEST).chain(['…']).collect()
+    }
+}
+
 /// A form with contours fitted: the exact form and, for a contour, how good the fit is.
 pub(crate) struct Fitted {
     pub(crate) form: Form,

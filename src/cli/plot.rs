@@ -74,7 +74,7 @@ fn plane(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<Strin
     for input in inputs {
         if let Content::Exact(Form::PlaneCurve(curve)) = &input.content {
             let range = plot_space::range_of(curve.parameter(), &ranges);
-            layers.push(parametric(curve, &shortened(&input.name), range));
+            layers.push(parametric(curve, &input.short_name(), range));
             if let Some([x, y]) = curve.extent(range) {
                 seen.extend([[x[0], y[0]], [x[1], y[1]]]);
             }
@@ -144,7 +144,7 @@ fn add(
     curves: &mut Vec<(usize, ImplicitCurve)>,
     session: &mut Session,
 ) -> Result<()> {
-    let name = shortened(&input.name);
+    let name = input.short_name();
     match input.content {
         Content::Contour(contour) => {
             layers.push(outline(&contour, format!("outline, {name}")));
@@ -181,15 +181,6 @@ fn zero_set(
         ..Layer::default()
     });
     curves.push((layers.len() - 1, curve));
-}
-
-pub(crate) fn shortened(name: &str) -> String {
-    const LONGEST: usize = 40;
-    let line: String = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    if line.chars().count() <= LONGEST {
-        return line;
-    }
-    line.chars().take(LONGEST).chain(['…']).collect()
 }
 
 fn outline(contour: &Contour, label: String) -> Layer {

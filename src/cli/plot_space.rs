@@ -6,7 +6,6 @@ use stellate::shape::{DRAWN_NUMBERS, Form, Parameter};
 
 use super::arguments::Plot;
 use super::input::{Content, Input};
-use super::plot::shortened;
 
 /// Points along a curve, and cells along each parameter of a patch.
 const CURVE_POINTS: u32 = 720;
@@ -117,7 +116,7 @@ pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {
 
 /// What is drawn of a form, and the box that shows it.
 fn layer(input: Input, ranges: &[Range]) -> Result<(SpaceLayer, Option<Bounds>)> {
-    let name = shortened(&input.name);
+    let name = input.short_name();
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
         format!("{kind}, {name}{}", parts.collect::<String>())
