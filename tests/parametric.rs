@@ -464,6 +464,36 @@ fn what_real_parameters_do_not_reach() {
     let with_loop = image("x = (1/3 + cos(t))cos(t); y = (1/3 + cos(t))sin(t)");
     assert!(with_loop.isolated.points.is_empty() && with_loop.isolated.complete);
 
+    // t⁴ + 8t² + 25 = (t² − √2 t + 5)(t² + √2 t + 5): two conjugate pairs with irrational sums.
+    let quintic = image("x = t^4 + 8t^2 + 25; y = t*(t^4 + 8t^2 + 25)");
+    assert_eq!(
+        quintic.isolated.points,
+        [IsolatedPoint::Exact(point("0", "0"))]
+    );
+    assert!(quintic.isolated.complete);
+    let moved = image("x = t^4 + 8t^2 + 26; y = t*(t^4 + 8t^2 + 25)");
+    assert_eq!(
+        moved.isolated.points,
+        [IsolatedPoint::Exact(point("1", "0"))]
+    );
+    // t² = −2 ± √2
+    let two = image("x = t^2; y = t*(t^4 + 4t^2 + 2)");
+    let mut found: Vec<f64> = Vec::new();
+    for point in &two.isolated.points {
+        let IsolatedPoint::Near([x, y]) = point else {
+            panic!("{point:?}");
+        };
+        assert!(y.abs() < 1e-30);
+        found.push(*x);
+    }
+    found.sort_by(f64::total_cmp);
+    // 2 − √2 is rounded once here and twice there.
+    assert!((found[0] + (2f64.sqrt() + 2.0)).abs() < 1e-15);
+    assert!((found[1] - (2f64.sqrt() - 2.0)).abs() < 2e-16 && found.len() == 2);
+    // (t² − 1)² − 2 has four real zeros.
+    let real = image("x = t^4 - 2t^2 - 1/2; y = t*(t^4 - 2t^2 - 1/2)");
+    assert!(real.isolated.complete);
+
     assert!(
         matches!(image("x = t^2; y = t^4").coverage, Coverage::Part(turns) if turns == [0.0, f64::INFINITY])
     );

@@ -16,14 +16,24 @@ impl Annotations {
     #[must_use]
     pub fn of_plane(equation: &PlaneEquation) -> Self {
         let mut annotations = Self::default();
+        let degree = equation.curve.polynomial().degree().unwrap_or(0);
+        annotations.irreducible(degree as u64);
         annotations.tracing_index(equation.tracing_index);
         annotations
+    }
+
+    fn irreducible(&mut self, degree: u64) {
+        self.notes.push(format!(
+            "the irreducible equation, of degree {degree}; that it vanishes identically is proved by substitution"
+        ));
+        self.fields.push(("irreducible", json!(true)));
     }
 
     /// Of the equation of a patch.
     #[must_use]
     pub fn of_patch(equation: &SurfaceEquation) -> Self {
         let mut annotations = Self::default();
+        annotations.irreducible(equation.surface.polynomial().degree().unwrap_or(0));
         match equation.tracing_index {
             Some(index) => {
                 annotations.notes.push(format!(
@@ -54,6 +64,8 @@ impl Annotations {
         annotations
             .fields
             .push(("curve_degree", json!(equations.degree)));
+        // These surfaces have nothing else in common; what the paper's two have is added with them.
+        annotations.fields.push(("components", json!([])));
         annotations.tracing_index(equations.tracing_index);
         annotations
     }
@@ -127,7 +139,7 @@ impl Annotations {
         }
         if N == 2 && !image.isolated.complete {
             self.notes
-                .push("isolated real points were looked for only where two conjugate parameters have a rational sum".into());
+                .push("there may be more isolated real points: a multiple irrational sum of conjugate parameters is not decided".into());
         }
         self.fields.push(("beyond", json!(beyond)));
     }
@@ -232,6 +244,7 @@ impl Annotations {
             .map(|[on, also]| json!([polynomial_text(on), polynomial_text(also)]));
         let components: Vec<Value> = components.collect();
         self.fields.push(("polar", json!({"surfaces": surfaces})));
+        self.fields.retain(|(name, _)| *name != "components");
         self.fields.push(("components", json!(components)));
     }
 }

@@ -4,6 +4,7 @@ mod beyond;
 mod fibre;
 mod image;
 mod inverse;
+mod isolated;
 mod map;
 mod patch;
 mod polar;
@@ -14,7 +15,8 @@ mod tracing;
 mod vanishing;
 
 pub use beyond::{PointBeyond, point_beyond};
-pub use image::{Coverage, Isolated, IsolatedPoint, RealImage, real_image};
+pub use image::{Coverage, RealImage, real_image};
+pub use isolated::{Isolated, IsolatedPoint};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
     PolarFactor, PolarInverse, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role,

@@ -52,7 +52,7 @@ impl Role {
     #[must_use]
     pub fn describe(self) -> &'static str {
         match self {
-            Role::Form => "vanishes on the form",
+            Role::Form => "the form: it vanishes there identically, by exact substitution",
             Role::Reflection => "spurious: the reflection -alpha",
             Role::SquaredRadius => "spurious: the squared radius",
             Role::Denominator => "spurious: a denominator that was multiplied by",
