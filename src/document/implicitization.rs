@@ -116,7 +116,9 @@ impl Annotations {
             Coverage::Whole => {}
             Coverage::Part(turns) => {
                 let turns = turns.iter().map(|&s| turning_point(curve, s));
-                let turns: Vec<String> = turns.collect();
+                let mut turns: Vec<String> = turns.collect();
+                turns.sort();
+                turns.dedup();
                 self.notes.push(format!(
                     "beyond the real image: real values of {name} turn back at {}, the curve goes on",
                     turns.join(" and ")
@@ -139,7 +141,7 @@ impl Annotations {
         }
         if N == 2 && !image.isolated.complete {
             self.notes
-                .push("there may be more isolated real points: a multiple irrational sum of conjugate parameters is not decided".into());
+                .push("there may be more isolated real points: not all pairs of conjugate complex parameters were decided".into());
         }
         self.fields.push(("beyond", json!(beyond)));
     }

@@ -13,6 +13,9 @@ use crate::poly::{
     polynomial_gcd, real_roots, resultant,
 };
 
+/// Pairs of parameters with the same point, up to which they are looked for: about a second of work.
+const MAX_PAIRS: usize = 64;
+
 /// The isolated real points that were found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Isolated<const N: usize> {
@@ -38,7 +41,7 @@ pub enum IsolatedPoint<const N: usize> {
     Near([f64; N]),
 }
 
-/// The isolated points of a curve that is run over once.
+/// The isolated points of a curve that is run over once; incomplete if the degrees are large.
 pub(super) fn isolated<const N: usize>(
     coordinates: &[RationalFunction; N],
     limits: &Limits,
@@ -54,7 +57,13 @@ pub(super) fn isolated<const N: usize>(
         // Different parameters have different points.
         return Ok(none);
     }
-    let [a, b] = [a, b].map(|f| in_sum_and_product(divided_by_difference(&difference(f))));
+    if (a.degree() - 1) * (b.degree() - 1) > MAX_PAIRS {
+        return Ok(Isolated {
+            complete: false,
+            ..none
+        });
+    }
+    let [a, b] = [a, b].map(|f| in_sum_and_product(&divided_by_difference(&difference(f))));
     let eliminated = resultant(&a, &b, 1, limits)?;
     let mut found = none;
     let mut product: Option<Fraction> = None;
@@ -102,21 +111,31 @@ fn divided_by_difference(f: &SparsePolynomial<2>) -> SparsePolynomial<2> {
     quotient
 }
 
-/// A symmetric polynomial in s and σ as a polynomial in s + σ and sσ, the first two of three variables.
-fn in_sum_and_product(mut f: SparsePolynomial<2>) -> SparsePolynomial<3> {
-    let sum = SparsePolynomial::variable(0).plus(&SparsePolynomial::variable(1));
+/// A symmetric polynomial in s and σ as a polynomial in S = s + σ and P = sσ, the first two of three variables.
+///
+/// `s^a σ^b + s^b σ^a = P^b (s^(a−b) + σ^(a−b))`, and Newton's `p_k = S p_(k−1) − P p_(k−2)` for these sums of powers.
+fn in_sum_and_product(f: &SparsePolynomial<2>) -> SparsePolynomial<3> {
+    let [sum, product] = [0, 1].map(SparsePolynomial::<3>::variable);
+    let degree = f.terms().map(|(e, _)| e[0]).max().unwrap_or(0) as usize;
+    let mut powers = vec![SparsePolynomial::constant(Rational::from(2)), sum.clone()];
+    for k in 2..=degree {
+        let next = sum
+            .times(&powers[k - 1])
+            .minus(&product.times(&powers[k - 2]));
+        powers.push(next);
+    }
     let mut result = SparsePolynomial::zero();
-    // The largest power of s: s^a σ^b + … = (s+σ)^(a−b) (sσ)^b + …
-    while let Some((a, b, c)) = f
-        .terms()
-        .map(|(e, c)| (e[0], e[1], c.clone()))
-        .max_by_key(|(a, b, _)| (*a, *b))
-    {
-        let (high, low) = (a.max(b), a.min(b));
-        let product = SparsePolynomial::from_terms([([low, low], c.clone())]);
-        let part = sum.pow(high - low).times(&product);
-        f = f.minus(&part);
-        result.add_term([high - low, low, 0], c);
+    for (&[a, b], c) in f.terms().filter(|(e, _)| e[0] >= e[1]) {
+        let terms = powers[(a - b) as usize].terms();
+        // The sum of powers 0 counts the one term s^a σ^a twice.
+        let c = if a == b {
+            c / &Rational::from(2)
+        } else {
+            c.clone()
+        };
+        for (e, power) in terms {
+            result.add_term([e[0], e[1] + b, 0], power * &c);
+        }
     }
     result
 }

@@ -5,6 +5,7 @@ use malachite::base::num::basic::traits::One;
 use malachite::base::polynomial::Polynomial;
 use rayon::prelude::*;
 
+use super::kernel::Reconstruction;
 use super::modular::{
     ABOVE_PRIMES, Images, interpolate, inverse_mod, power_mod, previous_prime, reduce_integer,
 };
@@ -19,8 +20,10 @@ const MAX_WORK: f64 = 3e10;
 /// terms of which one is not constant: a power of the irreducible equation of the curve, times a constant.
 /// Its degree in x is the degree of y(s), and the other way round.
 ///
-/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation and Chinese remainders. As soon as one
-/// more prime changes nothing the polynomial is given to `prove`; what that returns first is the result. Cost:
+/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation and Chinese remainders: of the resultant
+/// itself, and of the multiple of it in which one coefficient is 1, over fractions, because the constant in front
+/// is often much longer than the equation. As soon as more primes change nothing the polynomial is given to
+/// `prove`; what that returns first is the result. Cost:
 /// for degrees m and n, (m n)² products of residues for each prime, of which (m + n) coefficients' lengths
 /// are needed.
 ///
@@ -43,26 +46,47 @@ pub(crate) fn eliminate<T>(
         )));
     }
     let mut combined: Option<Images> = None;
+    let mut monic = Reconstruction::new();
+    let mut last = IntegerPolynomial::default();
+    let mut pivot = None;
     let mut prime = ABOVE_PRIMES;
     let mut known_bits = 0.0;
+    let (mut primes, mut next_try) = (0, 2);
     loop {
         limits.check()?;
         prime = previous_prime(prime);
         let image = image([x, y], [m, n], prime);
+        let pivot = *pivot.get_or_insert_with(|| image.iter().rposition(|&c| c != 0).unwrap_or(0));
+        if image[pivot] != 0 {
+            let inverse = inverse_mod(image[pivot], prime);
+            let scaled: Vec<u64> = image.iter().map(|c| c * inverse % prime).collect();
+            monic.push(&scaled, prime);
+        }
+        match &mut combined {
+            Some(images) => images.push(&image, prime),
+            None => combined = Some(Images::new(&image, prime)),
+        }
         known_bits += as_f64(usize::try_from(prime).unwrap_or(2)).log2();
-        let stable = match &mut combined {
-            Some(images) => images.add(&image, prime),
-            None => {
-                combined = Some(Images::new(&image, prime));
-                false
-            }
-        };
+        primes += 1;
         let complete = known_bits > bits + 2.0;
-        if let (true, Some(images)) = (stable || complete, &combined)
-            && let Some(result) = prove(&polynomial(&images.balanced(), m))?
+        if primes < next_try && !complete {
+            continue;
+        }
+        // A quarter more each time: trying is not much cheaper than one more prime.
+        next_try = primes + 1 + primes / 4;
+        if let Some(found) = monic.attempt() {
+            let found = IntegerPolynomial::from_coefficients_asc(found);
+            if let Some(result) = prove(&polynomial(&found, m))? {
+                return Ok(result);
+            }
+        }
+        let found = combined.as_ref().map(Images::balanced).unwrap_or_default();
+        if (complete || found == last)
+            && let Some(result) = prove(&polynomial(&found, m))?
         {
             return Ok(result);
         }
+        last = found;
         if complete {
             return Err(Error::Hypothesis {
                 statement: "implicitization by a resultant",

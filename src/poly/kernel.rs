@@ -128,12 +128,20 @@ impl Reconstruction {
 
     /// One more image. The vector with coprime integers, if it is found and this image did not change it.
     pub(crate) fn add(&mut self, image: &[u64], prime: u64) -> Option<Vec<Integer>> {
+        self.push(image, prime);
+        self.attempt()
+    }
+
+    /// One more image.
+    pub(crate) fn push(&mut self, image: &[u64], prime: u64) {
         match &mut self.images {
-            Some(images) => {
-                images.add(image, prime);
-            }
+            Some(images) => images.push(image, prime),
             None => self.images = Some(Images::new(image, prime)),
         }
+    }
+
+    /// The vector with coprime integers, if it is found and the same as at the last attempt.
+    pub(crate) fn attempt(&mut self) -> Option<Vec<Integer>> {
         let images = self.images.as_ref()?;
         let found = integers(&images.residues, &images.modulus);
         let stable = found.is_some() && found == self.last;
