@@ -83,6 +83,9 @@ fn small_points(k: &BinaryForm) -> Vec<Vector> {
     found
 }
 
+/// Up to so many bits of the size any smaller one is taken.
+const ANY_FALL_BITS: u64 = 20;
+
 impl ConicParametrization {
     /// All points of the conic, by the lines through one of them: the line through P in direction D meets it
     /// again in `Q(D) P − B(P, D) D`, Q = k − w², B its polar form. D runs over a basis of Z³/ZP.
@@ -137,7 +140,13 @@ impl ConicParametrization {
             let better = shears.chain(sublattices).find_map(|matrix| {
                 let other = best.substituted(&matrix).primitive();
                 let other_size = other.size();
-                (other_size < size).then_some((other, other_size))
+                // Large ones must fall by a 64th: the number of steps stays logarithmic.
+                let falls = if size.significant_bits() > ANY_FALL_BITS {
+                    (&size - &other_size) << 6u64 > size
+                } else {
+                    other_size < size
+                };
+                falls.then_some((other, other_size))
             });
             match better {
                 Some(found) => (best, size) = found,
