@@ -186,7 +186,7 @@ proptest! {
         prop_assert!(positive.r > 0.0 && negative.r < 0.0);
         prop_assert!(at(positive.r.next_down()) == Ordering::Less);
         prop_assert!(at(positive.r.next_up()) == Ordering::Greater);
-        let bits = |p: &Sample, sign: f64| [p.r, p.x, p.y].map(|v| (sign * v).to_bits());
+        let bits = |p: &Sample, sign: f64| [p.r, p.position[0], p.position[1]].map(|v| (sign * v).to_bits());
         prop_assert_eq!(bits(positive, -1.0), bits(negative, 1.0));
         // Doubles agree as far as they can.
         let about = shape.approximate(theta);

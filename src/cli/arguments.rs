@@ -179,17 +179,21 @@ pub(crate) struct Fit {
 
 #[derive(Debug, Args)]
 pub(crate) struct Sample {
-    /// A Fourier radius, a contour, a superquadric or an implicit plane polynomial
+    /// A Fourier radius, a contour, a superquadric, an implicit polynomial in x, y or x, y, z
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
-    /// This many directions around the circle [default: 360 if no angle is given]
+    /// This many directions around the circle, or spread over the sphere [default: 360 if no angle is given]; with
+    /// one of the two angles of a surface, this many steps of the other
     #[arg(long, value_name = "K")]
     pub(crate) directions: Option<usize>,
     /// An angle in radians, or in degrees: 219.5deg; may be repeated
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     pub(crate) theta: Vec<String>,
+    /// For a surface: the angle from the z axis, likewise; every theta is taken with every phi
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    pub(crate) phi: Vec<String>,
     /// Only points with r > 0
     #[arg(long)]
     pub(crate) positive: bool,

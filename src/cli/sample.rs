@@ -1,13 +1,13 @@
 //! `stellate sample`: certified points.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use stellate::document::{Format, SampledRay, write_samples};
+use stellate::document::{Format, NominalAngles, SampledRay, write_samples};
 use stellate::error::{Error, Result};
-use stellate::exact::Rational;
-use stellate::exact::exact_literal;
+use stellate::exact::{Rational, exact_literal};
 use stellate::implicitize::SquaredForm;
-use stellate::sample::{Direction, Ray, RaySolver, SuperquadricSolver};
-use stellate::shape::{Form, ImplicitCurve};
+use stellate::poly::SpacePolynomial;
+use stellate::sample::{Direction, Ray, RaySolver, SpaceDirection, SuperquadricSolver};
+use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
 use super::arguments::Sample;
 use super::input;
@@ -15,6 +15,8 @@ use super::output::{check_destination, write_result};
 use super::session::Session;
 
 const DEFAULT_DIRECTIONS: usize = 360;
+/// Along a meridian, from pole to pole.
+const DEFAULT_POLAR_STEPS: usize = 180;
 const MAX_DIRECTIONS: usize = 10_000_000;
 
 pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
@@ -25,10 +27,31 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
             "--format {format}: points are written as csv or json"
         )));
     }
-    let directions = directions(verb)?;
+    let counted = verb.directions.unwrap_or(1);
+    check_count(counted)?;
+    let thetas = angles("--theta", &verb.theta)?;
+    let phis = angles("--phi", &verb.phi)?;
     let input = input::read(&verb.form, session)?;
     let fitted = input::exact_form(input, &verb.fit, session)?;
-    if let Form::Superquadric(shape) = &fitted.form {
+    let form = match fitted.form {
+        shape @ Form::Superquadric(_) => shape,
+        other => input::through_equation(other, session)?,
+    };
+    if let Form::Surface(surface) = &form {
+        let directions = space_directions(verb.directions, &thetas, &phis)?;
+        return sample_surface(surface, directions, verb.positive, format, session);
+    }
+    if !phis.is_empty() {
+        return Err(Error::Usage(
+            "--phi is the polar angle of a direction in space; this is a plane curve".into(),
+        ));
+    }
+    let mut directions = match verb.directions {
+        None if thetas.is_empty() => Direction::around(DEFAULT_DIRECTIONS),
+        count => Direction::around(count.unwrap_or(0)),
+    };
+    directions.extend(thetas);
+    if let Form::Superquadric(shape) = &form {
         let solver = SuperquadricSolver::new(shape);
         let rays = session.stage("sample", |session| {
             solve(|d| solver.solve(d), directions, verb.positive, session)
@@ -36,7 +59,6 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
         let origin = [Rational::zero(), Rational::zero()];
         return write_result(session, |out| write_samples(&rays, &origin, format, out));
     }
-    let form = input::through_equation(fitted.form, session)?;
     let curve = session.stage("implicitize", |session| curve(form, session))?;
     let solver = RaySolver::new(curve.polynomial());
     let rays = session.stage("sample", |session| {
@@ -48,46 +70,105 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
             "coordinates are relative to the centre ({a}, {b})"
         ));
     }
-    for ray in rays.iter().filter(|r| r.ray == Ray::Line) {
-        session.note(&format!(
-            "the whole line at theta = {} belongs to the curve: it has no rows",
-            ray.direction.theta()
-        ));
-    }
+    note_lines(&rays, "curve", session);
     write_result(session, |out| {
         write_samples(&rays, curve.center(), format, out)
     })
 }
 
-fn directions(verb: &Sample) -> Result<Vec<Direction>> {
-    let count = match verb.directions {
-        Some(0) => {
-            return Err(Error::Usage(
-                "--directions 0: at least one is needed".into(),
-            ));
-        }
-        Some(count) if count > MAX_DIRECTIONS => {
-            return Err(Error::Limit {
-                limit: format!("--directions {count}: at most {MAX_DIRECTIONS} directions"),
-                finished: String::new(),
-            });
-        }
-        Some(count) => count,
-        None if verb.theta.is_empty() => DEFAULT_DIRECTIONS,
-        None => 0,
-    };
-    let mut directions = Direction::around(count);
-    for text in &verb.theta {
-        directions.push(angle(text)?);
+/// Lemmas 7 to 10 and Theorem 6 at single directions: all real R of f(R u, R v, R w).
+fn sample_surface(
+    surface: &ImplicitSurface,
+    directions: Vec<SpaceDirection>,
+    positive: bool,
+    format: Format,
+    session: &mut Session,
+) -> Result<()> {
+    let polynomial = SpacePolynomial::from(surface.polynomial());
+    session.check_degree(polynomial.degree().unwrap_or(0))?;
+    let solver = RaySolver::new(&polynomial);
+    let rays = session.stage("sample", |session| {
+        solve(|d| Ok(solver.solve(d)), directions, positive, session)
+    })?;
+    note_lines(&rays, "surface", session);
+    let origin = [Rational::zero(), Rational::zero()];
+    write_result(session, |out| write_samples(&rays, &origin, format, out))
+}
+
+fn note_lines<D: NominalAngles<V>, const V: usize>(
+    rays: &[SampledRay<D, V>],
+    what: &str,
+    session: &Session,
+) {
+    for ray in rays.iter().filter(|r| r.ray == Ray::Line) {
+        let place = match ray.direction.angles() {
+            (theta, None) => format!("theta = {theta}"),
+            (theta, Some(phi)) => format!("theta = {theta}, phi = {phi}"),
+        };
+        session.note(&format!(
+            "the whole line at {place} belongs to the {what}: it has no rows"
+        ));
     }
-    Ok(directions)
+}
+
+fn check_count(count: usize) -> Result<()> {
+    match count {
+        0 => Err(Error::Usage(
+            "--directions 0: at least one is needed".into(),
+        )),
+        count if count > MAX_DIRECTIONS => Err(Error::Limit {
+            limit: format!("--directions {count}: at most {MAX_DIRECTIONS} directions"),
+            finished: String::new(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Every given θ with every given φ. Where only one of them is given, the other one goes all the way,
+/// in `count` steps; where none is, the directions are spread evenly over the sphere.
+fn space_directions(
+    count: Option<usize>,
+    thetas: &[Direction],
+    phis: &[Direction],
+) -> Result<Vec<SpaceDirection>> {
+    if thetas.is_empty() && phis.is_empty() {
+        return Ok(SpaceDirection::fibonacci(
+            count.unwrap_or(DEFAULT_DIRECTIONS),
+        ));
+    }
+    let around = || Direction::around(count.unwrap_or(DEFAULT_DIRECTIONS));
+    let thetas = match thetas {
+        [] => around(),
+        given => given.to_vec(),
+    };
+    let phis = match phis {
+        [] => meridian(count.unwrap_or(DEFAULT_POLAR_STEPS)),
+        given => given.to_vec(),
+    };
+    check_count(thetas.len().saturating_mul(phis.len()))?;
+    let pairs = thetas.iter().flat_map(|theta| {
+        let along = phis.iter();
+        along.map(|phi| SpaceDirection::new(theta.clone(), phi.clone()))
+    });
+    Ok(pairs.collect())
+}
+
+/// φ = 0°, …, 180° in `steps` steps.
+fn meridian(steps: usize) -> Vec<Direction> {
+    let mut around = Direction::around(2 * steps);
+    around.truncate(steps + 1);
+    around
+}
+
+fn angles(flag: &str, texts: &[String]) -> Result<Vec<Direction>> {
+    texts.iter().map(|text| angle(flag, text)).collect()
 }
 
 /// Radians, or degrees with the suffix `deg`.
-fn angle(text: &str) -> Result<Direction> {
+pub(super) fn angle(flag: &str, text: &str) -> Result<Direction> {
     let wrong = || {
         Error::Usage(format!(
-            "--theta {text}: expected radians such as 0.5, or degrees such as 219.5deg"
+            "{flag} {text}: expected radians such as 0.5, or degrees such as 219.5deg"
         ))
     };
     let trimmed = text.trim();
@@ -119,12 +200,12 @@ fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
     }
 }
 
-fn solve(
-    solver: impl Fn(&Direction) -> Result<Ray> + Sync,
-    directions: Vec<Direction>,
+fn solve<D: NominalAngles<V> + Send, const V: usize>(
+    solver: impl Fn(&D) -> Result<Ray<V>> + Sync,
+    directions: Vec<D>,
     positive: bool,
     session: &Session,
-) -> Result<Vec<SampledRay>> {
+) -> Result<Vec<SampledRay<D, V>>> {
     let bar = session.progress(directions.len(), "directions");
     let rays = directions
         .into_par_iter()

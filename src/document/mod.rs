@@ -31,7 +31,7 @@ pub use implicit::{Annotations, write_implicit, write_surface};
 pub use intersection::write_intersection;
 pub use json::read_document;
 pub use parametric::write_parametrization;
-pub use samples::{SampledRay, write_samples};
+pub use samples::{NominalAngles, SampledRay, write_samples};
 pub use superquadric::{write_superquadric, write_superquadric_description};
 
 use crate::error::{Error, Result};

@@ -6,34 +6,57 @@ use serde::Serialize;
 
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
-use crate::sample::{Direction, Ray, Sample};
+use crate::sample::{Direction, Ray, Sample, SpaceDirection, UnitVector};
 
-/// A direction and what the curve has in it.
+/// A direction and what the curve or surface has in it.
 #[derive(Clone, Debug)]
-pub struct SampledRay {
+pub struct SampledRay<D = Direction, const V: usize = 2> {
     /// The direction.
-    pub direction: Direction,
+    pub direction: D,
     /// The points, or the whole line.
-    pub ray: Ray,
+    pub ray: Ray<V>,
+}
+
+/// A direction with its nominal angles, as it is written.
+pub trait NominalAngles<const V: usize>: UnitVector<V> {
+    /// θ, and φ in space.
+    fn angles(&self) -> (f64, Option<f64>);
+}
+
+impl NominalAngles<2> for Direction {
+    fn angles(&self) -> (f64, Option<f64>) {
+        (self.theta(), None)
+    }
+}
+
+impl NominalAngles<3> for SpaceDirection {
+    fn angles(&self) -> (f64, Option<f64>) {
+        (self.theta().theta(), Some(self.phi().theta()))
+    }
 }
 
 #[derive(Serialize)]
 struct Point {
     branch: usize,
-    theta: f64,
-    u: String,
-    v: String,
+    #[serde(flatten)]
+    direction: Line,
     r: f64,
     x: f64,
     y: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    z: Option<f64>,
     multiplicity: usize,
 }
 
 #[derive(Serialize)]
 struct Line {
     theta: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    phi: Option<f64>,
     u: String,
     v: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    w: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -46,32 +69,44 @@ struct Document {
     lines: Vec<Line>,
 }
 
-/// Writes points as CSV `branch,theta,u,v,r,x,y,multiplicity` or as a JSON document of kind
-/// `samples`. Coordinates are relative to `center`, which only the document carries.
+/// Writes points as CSV `branch,theta,u,v,r,x,y,multiplicity` (in space
+/// `branch,theta,phi,u,v,w,r,x,y,z,multiplicity`) or as a JSON document of kind `samples`. Coordinates are relative to
+/// `center`, which only the document carries.
 ///
 /// # Errors
 /// Those of `out`; `Unsupported` for other formats.
-pub fn write_samples(
-    rays: &[SampledRay],
+pub fn write_samples<D: NominalAngles<V>, const V: usize>(
+    rays: &[SampledRay<D, V>],
     center: &[Rational; 2],
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match format {
         Format::Csv | Format::Text => {
-            writeln!(out, "branch,theta,u,v,r,x,y,multiplicity")?;
+            writeln!(
+                out,
+                "{}",
+                match V {
+                    2 => "branch,theta,u,v,r,x,y,multiplicity",
+                    _ => "branch,theta,phi,u,v,w,r,x,y,z,multiplicity",
+                }
+            )?;
             for (ray, p) in points(rays) {
-                let d = &ray.direction;
+                let (theta, phi) = ray.direction.angles();
+                let angles = [Some(theta), phi];
+                let doubles = |values: &[f64]| {
+                    let written = values.iter().map(|v| format!("{v:?}"));
+                    written.collect::<Vec<_>>().join(",")
+                };
+                let angles: Vec<f64> = angles.into_iter().flatten().collect();
+                let unit = ray.direction.components().map(|u| u.to_string()).join(",");
                 writeln!(
                     out,
-                    "{},{:?},{},{},{:?},{:?},{:?},{}",
+                    "{},{},{unit},{:?},{},{}",
                     p.branch,
-                    d.theta(),
-                    d.u(),
-                    d.v(),
+                    doubles(&angles),
                     p.r,
-                    p.x,
-                    p.y,
+                    doubles(&p.position),
                     p.multiplicity
                 )?;
             }
@@ -86,7 +121,7 @@ pub fn write_samples(
                 lines: rays
                     .iter()
                     .filter(|r| r.ray == Ray::Line)
-                    .map(line)
+                    .map(|ray| line(&ray.direction))
                     .collect(),
             };
             serde_json::to_writer(&mut *out, &document)?;
@@ -99,9 +134,11 @@ pub fn write_samples(
     }
 }
 
-fn points(rays: &[SampledRay]) -> impl Iterator<Item = (&SampledRay, &Sample)> {
+fn points<D, const V: usize>(
+    rays: &[SampledRay<D, V>],
+) -> impl Iterator<Item = (&SampledRay<D, V>, &Sample<V>)> {
     rays.iter().flat_map(|ray| {
-        let points: &[Sample] = match &ray.ray {
+        let points: &[Sample<V>] = match &ray.ray {
             Ray::Points(points) => points,
             Ray::Line => &[],
         };
@@ -109,23 +146,28 @@ fn points(rays: &[SampledRay]) -> impl Iterator<Item = (&SampledRay, &Sample)> {
     })
 }
 
-fn point((ray, p): (&SampledRay, &Sample)) -> Point {
+fn point<D: NominalAngles<V>, const V: usize>((ray, p): (&SampledRay<D, V>, &Sample<V>)) -> Point {
+    let coordinate = |i: usize| p.position.get(i).copied();
     Point {
         branch: p.branch,
-        theta: ray.direction.theta(),
-        u: ray.direction.u().to_string(),
-        v: ray.direction.v().to_string(),
+        direction: line(&ray.direction),
         r: p.r,
-        x: p.x,
-        y: p.y,
+        x: coordinate(0).unwrap_or_default(),
+        y: coordinate(1).unwrap_or_default(),
+        z: coordinate(2),
         multiplicity: p.multiplicity,
     }
 }
 
-fn line(ray: &SampledRay) -> Line {
+fn line<D: NominalAngles<V>, const V: usize>(direction: &D) -> Line {
+    let (theta, phi) = direction.angles();
+    let mut unit = direction.components().into_iter().map(|u| u.to_string());
+    let mut next = || unit.next().unwrap_or_default();
     Line {
-        theta: ray.direction.theta(),
-        u: ray.direction.u().to_string(),
-        v: ray.direction.v().to_string(),
+        theta,
+        phi,
+        u: next(),
+        v: next(),
+        w: (V > 2).then(next),
     }
 }

@@ -43,5 +43,7 @@ pub fn extent(curve: &ImplicitCurve, limits: &Limits) -> Result<Vec<[f64; 2]>> {
     let near = samples
         .iter()
         .filter(|s| s.r.abs() <= LARGEST_OVER_MEDIAN * median);
-    Ok(near.map(|s| [s.x + a, s.y + b]).collect())
+    Ok(near
+        .map(|s| [s.position[0] + a, s.position[1] + b])
+        .collect())
 }

@@ -14,6 +14,24 @@ use crate::exact::Rational;
 /// nominal angle.
 const TANGENT_BITS: u32 = 53;
 
+/// An exact unit vector: V rational numbers whose squares add up to 1.
+pub trait UnitVector<const V: usize> {
+    /// Its components times a common denominator, and that denominator W > 0.
+    fn over_common_denominator(&self) -> ([Integer; V], Integer);
+
+    /// Its components.
+    fn components(&self) -> [Rational; V] {
+        let (vector, w) = self.over_common_denominator();
+        vector.map(|u| Rational::new(u, w.clone()).unwrap_or_default())
+    }
+}
+
+impl UnitVector<2> for Direction {
+    fn over_common_denominator(&self) -> ([Integer; 2], Integer) {
+        ([self.u.clone(), self.v.clone()], self.w.clone())
+    }
+}
+
 /// An exact unit vector `(u, v) = (U/W, V/W)` with integers `U² + V² = W²`, next to a nominal angle.
 ///
 /// It is the direction with `tan(δ/2) = m/2⁵³` nearest to the nominal one, where δ is the distance

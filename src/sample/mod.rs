@@ -1,10 +1,12 @@
-//! Certified points on a curve: a float says where to look, exact arithmetic says what is true.
+//! Certified points on curves and surfaces: a float says where to look, exact arithmetic says what is true.
 
 mod direction;
 mod guess;
 mod ray;
+mod space_direction;
 mod superquadric;
 
-pub use direction::Direction;
-pub use ray::{Ray, RaySolver, Sample};
+pub use direction::{Direction, UnitVector};
+pub use ray::{HomogeneousParts, Ray, RaySolver, Sample};
+pub use space_direction::SpaceDirection;
 pub use superquadric::{MAX_ROOT_BITS, SuperquadricSolver};

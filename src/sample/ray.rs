@@ -1,41 +1,70 @@
-//! The points of a plane curve on one line through the origin.
+//! The points of a curve or a surface on one line through the origin.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::basic::traits::One;
 use malachite::base::polynomial::Polynomial;
 
-use super::Direction;
+use super::direction::UnitVector;
 use super::guess::real_root_guesses;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, PlanePolynomial, RealRoot, real_roots};
+use crate::poly::{IntegerPolynomial, PlanePolynomial, RealRoot, SpacePolynomial, real_roots};
 
 /// A guess from floats is proved to this many bits or not used.
 const GUESS_BITS: i64 = 40;
 
-/// A point (x, y) = r·(u, v) of the curve. r, x and y are each the double nearest to the exact
-/// value (ties aside).
+/// A point r·(u, v) of a curve, or r·(u, v, w) of a surface. r and the coordinates are each the double nearest
+/// to the exact value (ties aside).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sample {
+pub struct Sample<const V: usize = 2> {
     /// 0, 1, … from the largest r of the direction down.
     pub branch: usize,
     /// Signed distance from the origin along the direction.
     pub r: f64,
-    /// r·u.
-    pub x: f64,
-    /// r·v.
-    pub y: f64,
+    /// x, y (and z).
+    pub position: [f64; V],
     /// The multiplicity of r as a root of f(ru, rv).
     pub multiplicity: usize,
 }
 
-/// What a curve has on the line through the origin in some direction.
+/// What a curve or surface has on the line through the origin in some direction.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Ray {
+pub enum Ray<const V: usize = 2> {
     /// All distinct real roots r ≠ 0 of f(ru, rv), exactly as many as there are, largest first.
-    Points(Vec<Sample>),
-    /// f vanishes identically along the direction: the whole line belongs to the curve.
+    Points(Vec<Sample<V>>),
+    /// f vanishes identically along the direction: the whole line belongs to the zero set.
     Line,
+}
+
+/// A polynomial in V variables by its homogeneous parts, as far as rays ask.
+pub trait HomogeneousParts<const V: usize> {
+    /// The largest total degree, `None` for the zero polynomial.
+    fn top_degree(&self) -> Option<usize>;
+
+    /// The degrees d of the parts, descending, with their values f_d at a vector.
+    fn values_at(&self, vector: &[Integer; V]) -> Vec<(usize, Integer)>;
+}
+
+impl HomogeneousParts<2> for PlanePolynomial {
+    fn top_degree(&self) -> Option<usize> {
+        self.degree()
+    }
+
+    fn values_at(&self, [u, v]: &[Integer; 2]) -> Vec<(usize, Integer)> {
+        let parts = self.parts();
+        parts.map(|p| (p.degree(), p.evaluate(u, v))).collect()
+    }
+}
+
+impl HomogeneousParts<3> for SpacePolynomial {
+    fn top_degree(&self) -> Option<usize> {
+        self.degree()
+    }
+
+    fn values_at(&self, vector: &[Integer; 3]) -> Vec<(usize, Integer)> {
+        let parts = self.parts();
+        parts.map(|p| (p.degree(), p.evaluate(vector))).collect()
+    }
 }
 
 /// Solves f = 0 along directions.
@@ -56,21 +85,21 @@ pub enum Ray {
 /// assert_eq!(points[0].r, 2.0 * 1f64.cos());
 /// ```
 #[derive(Debug)]
-pub struct RaySolver<'a> {
-    polynomial: &'a PlanePolynomial,
+pub struct RaySolver<'a, P, const V: usize> {
+    polynomial: &'a P,
 }
 
-impl<'a> RaySolver<'a> {
-    /// For the curve `polynomial = 0`.
+impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
+    /// For the curve or surface `polynomial = 0`.
     #[must_use]
-    pub fn new(polynomial: &'a PlanePolynomial) -> Self {
+    pub fn new(polynomial: &'a P) -> Self {
         Self { polynomial }
     }
 
     /// The points in one direction. Cost: evaluating every form (its number of coefficients times
     /// its degree times the bits of the direction), then the roots of one polynomial.
     #[must_use]
-    pub fn solve(&self, direction: &Direction) -> Ray {
+    pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         let Some((gap, in_power)) = self.restricted(direction) else {
             return Ray::Line;
         };
@@ -86,16 +115,15 @@ impl<'a> RaySolver<'a> {
         } else if gap > 1 {
             roots.extend(signed(&reflected(&in_power), -1));
         }
-        let (u, v) = (direction.u(), direction.v());
-        let mut samples: Vec<Sample> = roots
+        let unit = direction.components();
+        let mut samples: Vec<Sample<V>> = roots
             .into_iter()
             .map(|(sign, mut root)| {
                 let sign = Rational::from(sign);
                 Sample {
                     branch: 0,
                     r: root.nearest_f64(gap, &sign),
-                    x: root.nearest_f64(gap, &(&sign * &u)),
-                    y: root.nearest_f64(gap, &(&sign * &v)),
+                    position: unit.each_ref().map(|u| root.nearest_f64(gap, &(&sign * u))),
                     multiplicity: root.multiplicity(),
                 }
             })
@@ -108,18 +136,17 @@ impl<'a> RaySolver<'a> {
     }
 
     /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if it vanishes identically.
-    fn restricted(&self, direction: &Direction) -> Option<(u32, IntegerPolynomial)> {
-        let (u, v, w) = direction.integers();
+    fn restricted(&self, direction: &impl UnitVector<V>) -> Option<(u32, IntegerPolynomial)> {
+        let (vector, w) = direction.over_common_denominator();
         // f_d(U/W, V/W) W^top = f_d(U, V) W^(top − d)
         let mut coefficients: Vec<(usize, Integer)> = Vec::new();
         let mut w_power = Integer::ONE;
-        let mut above = self.polynomial.degree()?;
-        for part in self.polynomial.parts() {
-            for _ in part.degree()..above {
-                w_power *= w;
+        let mut above = self.polynomial.top_degree()?;
+        for (degree, value) in self.polynomial.values_at(&vector) {
+            for _ in degree..above {
+                w_power *= &w;
             }
-            above = part.degree();
-            let value = part.evaluate(u, v);
+            above = degree;
             if value != 0 {
                 coefficients.push((above, value * &w_power));
             }
@@ -168,6 +195,7 @@ fn reflected(g: &IntegerPolynomial) -> IntegerPolynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sample::Direction;
     use proptest::prelude::*;
 
     fn curve(terms: &[(usize, usize, i64)]) -> PlanePolynomial {
@@ -188,7 +216,10 @@ mod tests {
         let f = curve(&[(4, 0, 1), (0, 4, 1), (0, 0, -16)]);
         let east = Direction::from_radians(0.0);
         let found = points(&f.product(&f), &east);
-        let shown: Vec<_> = found.iter().map(|p| (p.r, p.x, p.multiplicity)).collect();
+        let shown: Vec<_> = found
+            .iter()
+            .map(|p| (p.r, p.position[0], p.multiplicity))
+            .collect();
         assert_eq!(shown, [(2.0, 2.0, 2), (-2.0, -2.0, 2)]);
         // x³ + y³ = −8: an odd gap, a negative root.
         let g = curve(&[(3, 0, 1), (0, 3, 1), (0, 0, 8)]);

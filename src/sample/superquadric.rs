@@ -86,8 +86,7 @@ impl<'a> SuperquadricSolver<'a> {
         let sample = |branch: usize, sign: f64| Sample {
             branch,
             r: sign * r,
-            x: signed(sign, x),
-            y: signed(sign, y),
+            position: [signed(sign, x), signed(sign, y)],
             multiplicity: 1,
         };
         Ok(Ray::Points(vec![sample(0, 1.0), sample(1, -1.0)]))

@@ -1,0 +1,111 @@
+//! What binary and ternary forms have in common.
+
+use std::fmt::Debug;
+
+use malachite::Integer;
+
+use super::{BinaryForm, Ring, TernaryForm};
+
+/// A homogeneous polynomial with integer coefficients, in x and y or in x, y and z.
+///
+/// The lemmas of §3 of the paper are the same in the plane and in space: Lemmas 7 to 10 are Lemmas 2 to
+/// 5 with forms in (α, β, γ) for forms in (cos θ, sin θ). So they are written once, for any form.
+pub trait Form: Ring + PartialEq + Debug {
+    /// The constant as a form of degree 0.
+    fn constant(value: Integer) -> Self;
+
+    /// The degree, also of the zero form.
+    fn degree(&self) -> usize;
+
+    /// Whether every coefficient is 0.
+    fn is_zero(&self) -> bool;
+
+    /// The gcd of the coefficients, 0 for the zero form.
+    fn content(&self) -> Integer;
+
+    /// `factor · f`.
+    #[must_use]
+    fn scaled(&self, factor: &Integer) -> Self;
+
+    /// `f / divisor` for a divisor of the content.
+    #[must_use]
+    fn div_exact(&self, divisor: &Integer) -> Self;
+
+    /// The form without its powers of the squared length (`x² + y²`, or `x² + y² + z²`), which is 1 on unit vectors.
+    #[must_use]
+    fn on_unit_vectors(&self) -> Self;
+
+    /// The non-zero terms as (exponents of x, y, z; coefficient).
+    fn monomials(&self) -> Vec<([usize; 3], &Integer)>;
+}
+
+impl Form for BinaryForm {
+    fn constant(value: Integer) -> Self {
+        Self::from_coefficients(vec![value])
+    }
+
+    fn degree(&self) -> usize {
+        self.degree()
+    }
+
+    fn is_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn content(&self) -> Integer {
+        self.content()
+    }
+
+    fn scaled(&self, factor: &Integer) -> Self {
+        self.scaled(factor)
+    }
+
+    fn div_exact(&self, divisor: &Integer) -> Self {
+        self.div_exact(divisor)
+    }
+
+    fn on_unit_vectors(&self) -> Self {
+        self.strip_rho()
+            .map_or_else(|| self.clone(), |(_, rest)| rest)
+    }
+
+    fn monomials(&self) -> Vec<([usize; 3], &Integer)> {
+        let degree = self.degree();
+        self.terms().map(|(k, c)| ([degree - k, k, 0], c)).collect()
+    }
+}
+
+impl Form for TernaryForm {
+    fn constant(value: Integer) -> Self {
+        Self::from_rows(vec![BinaryForm::from_coefficients(vec![value])])
+    }
+
+    fn degree(&self) -> usize {
+        self.degree()
+    }
+
+    fn is_zero(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn content(&self) -> Integer {
+        self.content()
+    }
+
+    fn scaled(&self, factor: &Integer) -> Self {
+        self.scaled(factor)
+    }
+
+    fn div_exact(&self, divisor: &Integer) -> Self {
+        self.div_exact(divisor)
+    }
+
+    fn on_unit_vectors(&self) -> Self {
+        self.strip_rho()
+            .map_or_else(|| self.clone(), |(_, rest)| rest)
+    }
+
+    fn monomials(&self) -> Vec<([usize; 3], &Integer)> {
+        self.terms().collect()
+    }
+}

@@ -1,0 +1,286 @@
+//! Ternary forms: homogeneous polynomials in x, y and z.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Gcd;
+use malachite::base::num::basic::traits::{One, Zero};
+
+use super::{BinaryForm, Ring};
+
+/// A homogeneous polynomial `f(x, y, z) = Σ_j f_j(x, y) z^j` with integer coefficients: a binary form of
+/// degree d − j for every power of z.
+///
+/// ```
+/// use stellate::poly::{Ring, TernaryForm};
+/// let rho = TernaryForm::rho(); // x² + y² + z²
+/// assert_eq!(rho.squared().evaluate(&[2.into(), 3.into(), 6.into()]), 49 * 49);
+/// assert_eq!(rho.squared().strip_rho().unwrap().0, 2);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TernaryForm {
+    /// `rows[j]` has degree d − j; there are d + 1.
+    rows: Vec<BinaryForm>,
+}
+
+impl TernaryForm {
+    /// From the binary forms beside z⁰, z¹, …, z^d.
+    ///
+    /// # Panics
+    /// If the degrees are not d, d − 1, …, 0.
+    #[must_use]
+    pub fn from_rows(rows: Vec<BinaryForm>) -> Self {
+        let descending = rows.iter().rev().enumerate();
+        assert!(
+            !rows.is_empty() && descending.into_iter().all(|(d, row)| row.degree() == d),
+            "row j of a ternary form has degree d - j"
+        );
+        Self { rows }
+    }
+
+    /// The sum of the terms c x^i y^j z^k, with i + j + k = `degree`.
+    ///
+    /// # Panics
+    /// If a term has another degree.
+    #[must_use]
+    pub fn from_terms(
+        degree: usize,
+        terms: impl IntoIterator<Item = ([usize; 3], Integer)>,
+    ) -> Self {
+        let mut rows: Vec<Vec<Integer>> = (0..=degree)
+            .map(|k| vec![Integer::ZERO; degree - k + 1])
+            .collect();
+        for ([i, j, k], c) in terms {
+            assert_eq!(i + j + k, degree, "the terms of a form have one degree");
+            rows[k][j] += c;
+        }
+        Self::from_rows(
+            rows.into_iter()
+                .map(BinaryForm::from_coefficients)
+                .collect(),
+        )
+    }
+
+    /// The zero form of degree `degree`.
+    #[must_use]
+    pub fn zero(degree: usize) -> Self {
+        Self::from_rows((0..=degree).rev().map(BinaryForm::zero).collect())
+    }
+
+    /// `x² + y² + z²`.
+    #[must_use]
+    pub fn rho() -> Self {
+        let one = || Integer::ONE;
+        Self::from_terms(
+            2,
+            [([2, 0, 0], one()), ([0, 2, 0], one()), ([0, 0, 2], one())],
+        )
+    }
+
+    /// d, also for the zero form.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.rows.len() - 1
+    }
+
+    /// Whether every coefficient is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.rows.iter().all(BinaryForm::is_zero)
+    }
+
+    /// The forms in x and y beside z⁰, z¹, …
+    #[must_use]
+    pub fn rows(&self) -> &[BinaryForm] {
+        &self.rows
+    }
+
+    /// The non-zero terms as ([i, j, k], coefficient of x^i y^j z^k), in canonical order.
+    pub fn terms(&self) -> impl Iterator<Item = ([usize; 3], &Integer)> {
+        let degree = self.degree();
+        let mut terms: Vec<([usize; 3], &Integer)> = self
+            .rows
+            .iter()
+            .enumerate()
+            .flat_map(|(k, row)| row.terms().map(move |(j, c)| ([degree - k - j, j, k], c)))
+            .collect();
+        terms.sort_by_key(|(exponents, _)| std::cmp::Reverse(*exponents));
+        terms.into_iter()
+    }
+
+    /// The gcd of the coefficients, 0 for the zero form.
+    #[must_use]
+    pub fn content(&self) -> Integer {
+        let contents = self.rows.iter().map(BinaryForm::content);
+        contents.fold(Integer::ZERO, |gcd, c| {
+            Integer::from(gcd.unsigned_abs_ref().gcd(c.unsigned_abs_ref()))
+        })
+    }
+
+    /// `f / divisor` for a divisor of the content.
+    #[must_use]
+    pub fn div_exact(&self, divisor: &Integer) -> Self {
+        self.each(|row| row.div_exact(divisor))
+    }
+
+    /// `factor · f`.
+    #[must_use]
+    pub fn scaled(&self, factor: &Integer) -> Self {
+        self.each(|row| row.scaled(factor))
+    }
+
+    fn each(&self, change: impl Fn(&BinaryForm) -> BinaryForm) -> Self {
+        Self {
+            rows: self.rows.iter().map(change).collect(),
+        }
+    }
+
+    /// `f / (x² + y² + z²)` if it divides f.
+    #[must_use]
+    pub fn divided_by_rho(&self) -> Option<Self> {
+        let degree = self.degree();
+        if degree < 2 {
+            return None;
+        }
+        // From the highest power of z down: q_j = f_(j+2) − (x² + y²) q_(j+2).
+        let mut rest = self.rows.clone();
+        let mut quotient = Vec::with_capacity(degree - 1);
+        for j in (0..=degree - 2).rev() {
+            let q = rest[j + 2].clone();
+            rest[j] = rest[j].minus(&q.times_rho());
+            quotient.push(q);
+        }
+        quotient.reverse();
+        let divides = rest[0].is_zero() && rest[1].is_zero();
+        divides.then(|| Self::from_rows(quotient))
+    }
+
+    /// The largest e such that `(x² + y² + z²)^e` divides f, and the quotient; `None` for the zero form.
+    #[must_use]
+    pub fn strip_rho(&self) -> Option<(usize, Self)> {
+        if self.is_zero() {
+            return None;
+        }
+        let (mut power, mut rest) = (0, self.clone());
+        while let Some(quotient) = rest.divided_by_rho() {
+            rest = quotient;
+            power += 1;
+        }
+        Some((power, rest))
+    }
+
+    /// `f(u, v, w)`. Cost: that of evaluating d + 1 binary forms.
+    #[must_use]
+    pub fn evaluate(&self, [u, v, w]: &[Integer; 3]) -> Integer {
+        let rows = self.rows.iter().rev();
+        rows.fold(Integer::ZERO, |value, row| {
+            let here = if row.is_zero() {
+                Integer::ZERO
+            } else {
+                row.evaluate(u, v)
+            };
+            value * w + here
+        })
+    }
+
+    /// The form on the plane through the z axis and (a, b, 0): with a² + b² = c², the binary form
+    /// `c^d f(aY/c, bY/c, X)` in (X, Y) = (cos φ, sin φ).
+    #[must_use]
+    pub fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> BinaryForm {
+        let mut power = Integer::ONE;
+        let mut coefficients = Vec::with_capacity(self.rows.len());
+        for row in &self.rows {
+            coefficients.push(row.evaluate(a, b) * &power);
+            power *= c;
+        }
+        // Row k stands beside X^k Y^(d−k).
+        coefficients.reverse();
+        BinaryForm::from_coefficients(coefficients)
+    }
+
+    fn assert_same_degree(&self, other: &Self) {
+        assert_eq!(
+            self.degree(),
+            other.degree(),
+            "forms of one degree are added"
+        );
+    }
+}
+
+impl Ring for TernaryForm {
+    fn plus(&self, other: &Self) -> Self {
+        self.assert_same_degree(other);
+        let pairs = self.rows.iter().zip(&other.rows);
+        Self {
+            rows: pairs.map(|(a, b)| a.plus(b)).collect(),
+        }
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self.assert_same_degree(other);
+        let pairs = self.rows.iter().zip(&other.rows);
+        Self {
+            rows: pairs.map(|(a, b)| a.minus(b)).collect(),
+        }
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero(self.degree() + other.degree());
+        for (j, a) in self.rows.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
+            for (k, b) in other.rows.iter().enumerate().filter(|(_, b)| !b.is_zero()) {
+                let sum = product.rows[j + k].plus(&a.times(b));
+                product.rows[j + k] = sum;
+            }
+        }
+        product
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Rational;
+    use crate::poly::SparsePolynomial;
+    use proptest::prelude::*;
+
+    fn form(degree: usize) -> impl Strategy<Value = TernaryForm> {
+        let all: Vec<[usize; 3]> = (0..=degree)
+            .flat_map(|i| (0..=degree - i).map(move |j| [i, j, degree - i - j]))
+            .collect();
+        prop::collection::vec(-9i64..10, all.len()).prop_map(move |values| {
+            let values = values.into_iter().map(Integer::from);
+            TernaryForm::from_terms(degree, all.iter().copied().zip(values))
+        })
+    }
+
+    fn sparse(f: &TernaryForm) -> SparsePolynomial<3> {
+        let narrow = |e: [usize; 3]| e.map(|k| u32::try_from(k).unwrap());
+        SparsePolynomial::from_terms(f.terms().map(|(e, c)| (narrow(e), Rational::from(c))))
+    }
+
+    proptest! {
+        /// Products, sums and values agree with those of sparse polynomials.
+        #[test]
+        fn forms_agree_with_sparse_polynomials(f in form(3), g in form(2), h in form(3), at in prop::array::uniform3(-9i64..10)) {
+            prop_assert_eq!(sparse(&f.times(&g)), sparse(&f).times(&sparse(&g)));
+            prop_assert_eq!(sparse(&f.plus(&h)), sparse(&f).plus(&sparse(&h)));
+            prop_assert_eq!(sparse(&f.minus(&h)), sparse(&f).minus(&sparse(&h)));
+            let value = sparse(&f).evaluate(&at.map(Rational::from));
+            prop_assert_eq!(Rational::from(f.evaluate(&at.map(Integer::from))), value);
+        }
+
+        /// Powers of x² + y² + z² come off exactly.
+        #[test]
+        fn powers_of_the_squared_length_come_off(f in form(3), e in 0usize..4) {
+            prop_assume!(f.divided_by_rho().is_none());
+            let product = (0..e).fold(f.clone(), |g, _| g.times(&TernaryForm::rho()));
+            prop_assert_eq!(product.strip_rho(), Some((e, f)));
+        }
+
+        /// On a meridian a form is the binary form with the same values.
+        #[test]
+        fn a_meridian_has_the_values_of_the_form(f in form(4), x in -9i64..10, y in -9i64..10) {
+            let on_meridian = f.on_meridian(&3.into(), &4.into(), &5.into());
+            let value = f.evaluate(&[3 * y, 4 * y, 5 * x].map(Integer::from));
+            prop_assert_eq!(on_meridian.evaluate(&x.into(), &y.into()), value);
+        }
+    }
+}
