@@ -159,9 +159,15 @@ pub(crate) enum Coordinates {
 
 #[derive(Debug, Args)]
 pub(crate) struct Parametrize {
-    /// An implicit polynomial, a Fourier radius, a superquadric or a contour
+    /// An implicit polynomial in x, y or in x, y, z, a Fourier radius, a superquadric or a contour
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
+    /// For a surface: the exact ranges of phi on the meridian with this angle; may be repeated
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub(crate) theta: Vec<String>,
+    /// For a surface: what is certain in every direction (theta, phi) with these angles; may be repeated
+    #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "theta")]
+    pub(crate) phi: Vec<String>,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
     /// The branch to fit a Fourier series to where there is no closed form [default: the outermost]

@@ -1,18 +1,22 @@
 //! `stellate parametrize`: back to r(θ).
 
-use stellate::document::{Format, write_parametrization};
+use stellate::document::{
+    Format, WrittenDirection, WrittenMeridian, write_parametrization, write_surface_parametrization,
+};
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::limits::Limits;
 use stellate::parametrize::{
     Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, Parametrization, PolarMethod, Radius,
-    fit_branch, parametrize, parametrize_superquadric,
+    fit_branch, parametrize, parametrize_superquadric, parametrize_surface,
 };
-use stellate::shape::{Form, FourierRadius};
+use stellate::sample::{RaySolver, SpaceDirection};
+use stellate::shape::{Form, FourierRadius, ImplicitSurface};
 
 use super::arguments::{FitFlags, Parametrize};
 use super::input;
 use super::output::{check_destination, write_result};
+use super::sample::angles;
 use super::session::Session;
 
 pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
@@ -29,6 +33,14 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
         input::exact_form(input, &verb.fit, session)?
     };
     let form = input::through_equation(fitted.form, session)?;
+    if let Form::Surface(surface) = &form {
+        return surface_form(surface, verb, format, session);
+    }
+    if !verb.theta.is_empty() {
+        return Err(Error::Usage(
+            "--theta and --phi are for surfaces: the ranges of a plane curve are over theta and given in full".into(),
+        ));
+    }
     let parametrization = session.stage("parametrize", |session| match &form {
         Form::Fourier(radius) => {
             session.check_degree(2 * radius.harmonics() + 2)?;
@@ -53,6 +65,63 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     let digits = session.common.digits;
     write_result(session, |out| {
         write_parametrization(&parametrization, fit.as_ref(), digits, format, out)
+    })
+}
+
+/// Theorem 6: R(θ, φ), and the exact answers on the meridians and in the directions that are asked for.
+fn surface_form(
+    surface: &ImplicitSurface,
+    verb: &Parametrize,
+    format: Format,
+    session: &mut Session,
+) -> Result<()> {
+    let given = [
+        ("--branch", verb.branch.is_some()),
+        ("--harmonics", verb.fit.harmonics.is_some()),
+        ("--samples", verb.fit.samples.is_some()),
+        ("--decimals", verb.fit.decimals.is_some()),
+    ];
+    if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
+        return Err(Error::Usage(format!(
+            "{name} belongs to Fourier series of plane radii; this is a surface"
+        )));
+    }
+    let degree = surface.polynomial().degree().unwrap_or(0);
+    session.check_degree(usize::try_from(degree).unwrap_or(usize::MAX))?;
+    let thetas = angles("--theta", &verb.theta)?;
+    let phis = angles("--phi", &verb.phi)?;
+    let spherical = session.stage("parametrize", |session| {
+        parametrize_surface(surface, &session.limits)
+    })?;
+    let (meridians, directions) = session.stage("ranges", |session| -> Result<_> {
+        if phis.is_empty() {
+            let meridians = thetas.iter().map(|theta| {
+                Ok(WrittenMeridian {
+                    branches: spherical.on_meridian(theta, &session.limits)?,
+                    theta: theta.clone(),
+                })
+            });
+            return Ok((meridians.collect::<Result<_>>()?, Vec::new()));
+        }
+        let pairs = thetas.iter().flat_map(|theta| {
+            let along = phis.iter();
+            along.map(|phi| SpaceDirection::new(theta.clone(), phi.clone()))
+        });
+        let answers = pairs.map(|direction| {
+            let factors = spherical.factors.iter();
+            WrittenDirection {
+                answer: spherical.in_direction(&direction),
+                rays: factors
+                    .map(|f| RaySolver::new(&f.polynomial).solve(&direction))
+                    .collect(),
+                direction,
+            }
+        });
+        Ok((Vec::new(), answers.collect()))
+    })?;
+    let digits = session.common.digits;
+    write_result(session, |out| {
+        write_surface_parametrization(&spherical, &meridians, &directions, digits, format, out)
     })
 }
 

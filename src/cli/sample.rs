@@ -160,12 +160,12 @@ fn meridian(steps: usize) -> Vec<Direction> {
     around
 }
 
-fn angles(flag: &str, texts: &[String]) -> Result<Vec<Direction>> {
+pub(super) fn angles(flag: &str, texts: &[String]) -> Result<Vec<Direction>> {
     texts.iter().map(|text| angle(flag, text)).collect()
 }
 
 /// Radians, or degrees with the suffix `deg`.
-pub(super) fn angle(flag: &str, text: &str) -> Result<Direction> {
+fn angle(flag: &str, text: &str) -> Result<Direction> {
     let wrong = || {
         Error::Usage(format!(
             "{flag} {text}: expected radians such as 0.5, or degrees such as 219.5deg"

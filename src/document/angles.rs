@@ -65,11 +65,16 @@ impl Range {
 
 /// Ranges as one phrase: `theta in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
 pub(super) fn ranges_text(ranges: &[Range]) -> String {
+    ranges_text_of("theta", ranges)
+}
+
+/// The same for the angle of the given name.
+pub(super) fn ranges_text_of(angle: &str, ranges: &[Range]) -> String {
     if ranges.is_empty() {
         return "no angle".into();
     }
     let parts: Vec<String> = ranges.iter().map(Range::text).collect();
-    format!("theta in {}", parts.join(" and "))
+    format!("{angle} in {}", parts.join(" and "))
 }
 
 pub(super) fn angle(angle: &ExactAngle, digits: u32) -> Angle {

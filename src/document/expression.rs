@@ -1,22 +1,24 @@
-//! Closed forms in θ, in several notations.
+//! Closed forms in θ, or in θ and φ, in several notations.
 
 use std::fmt::Write;
+
+use malachite::Integer;
 
 use super::Format;
 use crate::exact::Rational;
 use crate::parametrize::Expression;
-use crate::poly::BinaryForm;
+use crate::poly::{BinaryForm, Form};
 
 /// How tightly an expression binds: what it may stand in without parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Strength {
+pub(super) enum Strength {
     Sum,
     Product,
     Atom,
 }
 
 /// The expression in the given format: text (the input language's notation), LaTeX, SymPy or Maple.
-pub(super) fn expression_text(expression: &Expression, format: Format) -> String {
+pub(super) fn expression_text<F: Form>(expression: &Expression<F>, format: Format) -> String {
     written(expression, format).0
 }
 
@@ -42,8 +44,8 @@ pub(super) fn equation_text(forms: &[BinaryForm], step: usize, format: Format) -
     terms.collect::<Vec<_>>().join(" + ")
 }
 
-fn written(expression: &Expression, format: Format) -> (String, Strength) {
-    let inner = |e: &Expression, least: Strength| {
+fn written<F: Form>(expression: &Expression<F>, format: Format) -> (String, Strength) {
+    let inner = |e: &Expression<F>, least: Strength| {
         let (text, strength) = written(e, format);
         if strength >= least {
             text
@@ -141,7 +143,7 @@ fn pi_text(q: &Rational, format: Format) -> String {
     }
 }
 
-fn call(function: &str, argument: &Expression, format: Format) -> String {
+fn call<F: Form>(function: &str, argument: &Expression<F>, format: Format) -> String {
     let argument = written(argument, format).0;
     match (format, function) {
         (Format::Latex, _) => format!("\\{function}\\left({argument}\\right)"),
@@ -173,13 +175,33 @@ fn root_text(k: u32, a: &str, format: Format) -> String {
     }
 }
 
-/// A form at (cos θ, sin θ), expanded.
-fn form_text(form: &BinaryForm, format: Format) -> (String, Strength) {
-    let degree = form.degree();
+/// A form at (cos θ, sin θ) or (sin φ cos θ, sin φ sin θ, cos φ), expanded; θ falls out where
+/// cos² θ + sin² θ = 1 removes it.
+pub(super) fn form_text<F: Form>(form: &F, format: Format) -> (String, Strength) {
+    if let Some(terms) = form.of_revolution() {
+        let of_phi = |e: usize, k: usize| {
+            let powers = [
+                power("sin", "phi", 2 * e, format),
+                power("cos", "phi", k, format),
+            ];
+            powers.into_iter().flatten().collect()
+        };
+        let terms = terms.iter().map(|(e, k, c)| (c, of_phi(*e, *k)));
+        return sum_text(terms, format);
+    }
+    let terms = form.monomials().into_iter();
+    sum_text(terms.map(|(e, c)| (c, monomial::<F>(e, format))), format)
+}
+
+/// Σ coefficient · factors.
+fn sum_text<'a>(
+    all: impl Iterator<Item = (&'a Integer, Vec<String>)>,
+    format: Format,
+) -> (String, Strength) {
     let mut text = String::new();
     let mut terms = 0;
     let mut factors = 0;
-    for (k, coefficient) in form.terms() {
+    for (coefficient, mut parts) in all {
         let negative = *coefficient < 0;
         text.push_str(match (terms, negative) {
             (0, false) => "",
@@ -188,8 +210,6 @@ fn form_text(form: &BinaryForm, format: Format) -> (String, Strength) {
             (_, true) => " - ",
         });
         let magnitude = coefficient.unsigned_abs_ref();
-        let powers = [power("cos", degree - k, format), power("sin", k, format)];
-        let mut parts: Vec<String> = powers.into_iter().flatten().collect();
         if parts.is_empty() || *magnitude != 1u32 {
             parts.insert(0, magnitude.to_string());
         }
@@ -206,16 +226,32 @@ fn form_text(form: &BinaryForm, format: Format) -> (String, Strength) {
     }
 }
 
-fn power(function: &str, exponent: usize, format: Format) -> Option<String> {
+/// The powers of cosines and sines of one term.
+fn monomial<F: Form>([i, j, k]: [usize; 3], format: Format) -> Vec<String> {
+    let theta = [
+        power("cos", "theta", i, format),
+        power("sin", "theta", j, format),
+    ];
+    let phi = match F::VARIABLES {
+        2 => [None, None],
+        _ => [
+            power("sin", "phi", i + j, format),
+            power("cos", "phi", k, format),
+        ],
+    };
+    phi.into_iter().chain(theta).flatten().collect()
+}
+
+fn power(function: &str, angle: &str, exponent: usize, format: Format) -> Option<String> {
     let power = match format {
         Format::Sympy => "**",
         _ => "^",
     };
     match (exponent, format) {
         (0, _) => None,
-        (1, Format::Latex) => Some(format!("\\{function} \\theta")),
-        (_, Format::Latex) => Some(format!("\\{function}^{{{exponent}}} \\theta")),
-        (1, _) => Some(format!("{function}(theta)")),
-        _ => Some(format!("{function}(theta){power}{exponent}")),
+        (1, Format::Latex) => Some(format!("\\{function} \\{angle}")),
+        (_, Format::Latex) => Some(format!("\\{function}^{{{exponent}}} \\{angle}")),
+        (1, _) => Some(format!("{function}({angle})")),
+        _ => Some(format!("{function}({angle}){power}{exponent}")),
     }
 }

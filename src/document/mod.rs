@@ -18,6 +18,7 @@ mod numeric;
 mod parametric;
 mod rational;
 mod samples;
+mod spherical;
 mod superquadric;
 mod terms;
 
@@ -32,6 +33,7 @@ pub use intersection::write_intersection;
 pub use json::read_document;
 pub use parametric::write_parametrization;
 pub use samples::{NominalAngles, SampledRay, write_samples};
+pub use spherical::{WrittenDirection, WrittenMeridian, write_surface_parametrization};
 pub use superquadric::{write_superquadric, write_superquadric_description};
 
 use crate::error::{Error, Result};

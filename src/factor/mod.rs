@@ -33,7 +33,7 @@ pub use proof::{Irreducibility, Variable};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PlanePolynomial, SparsePolynomial, term_order};
+use crate::poly::{IntegerPolynomial, PlanePolynomial, SparsePolynomial, TernaryForm, term_order};
 use split::Found;
 use terms::Terms;
 
@@ -109,6 +109,41 @@ pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<P
     Ok(canonical::<3>(&quotient)
         .to_plane()
         .unwrap_or_else(|| f.clone()))
+}
+
+/// The squarefree decomposition of a ternary form that is not 0: pairwise coprime primitive forms with their
+/// multiplicities, without the content and the sign.
+///
+/// # Errors
+/// What `limits` returns.
+pub(crate) fn squarefree_form(
+    form: &TernaryForm,
+    limits: &Limits,
+) -> Result<Vec<(usize, TernaryForm)>> {
+    let narrow =
+        |e: [usize; 3]| -> Result<[u32; 3]> { Ok([narrow(e[0])?, narrow(e[1])?, narrow(e[2])?]) };
+    let terms = form.terms().map(|(e, c)| Ok((narrow(e)?, c.clone())));
+    let mut rest = Terms::new(terms.collect::<Result<_>>()?).primitive();
+    let mut parts = Vec::new();
+    // Whatever is free of the main variable is decomposed in the next one.
+    while let Some(&v) = rest.used().first() {
+        let (content, primitive) = gcd::content_in(&rest, v, limits)?;
+        parts.extend(gcd::squarefree_parts(&primitive, v, limits)?);
+        rest = content;
+    }
+    let wide = |e: &[u32; 3]| e.map(|k| k as usize);
+    let form = |part: Terms| {
+        let terms: Vec<_> = part.iter().map(|(e, c)| (wide(e), c.clone())).collect();
+        let degree = terms.first().map_or(0, |(e, _)| e.iter().sum());
+        let form = TernaryForm::from_terms(degree, terms);
+        let positive = form.terms().next().is_none_or(|(_, c)| *c > 0);
+        if positive {
+            form
+        } else {
+            form.scaled(&Integer::from(-1))
+        }
+    };
+    Ok(parts.into_iter().map(|(m, part)| (m, form(part))).collect())
 }
 
 fn primitive_terms<const V: usize>(f: &SparsePolynomial<V>) -> Terms {

@@ -1,5 +1,7 @@
 //! Angles known exactly, and ranges of them.
 
+use std::cmp::Ordering;
+
 use crate::exact::{Rational, arctangent, pi};
 use crate::poly::{IntegerPolynomial, RealRoot};
 use malachite::Integer;
@@ -42,6 +44,26 @@ impl ExactAngle {
     #[must_use]
     pub fn zero() -> Self {
         Self::Pi(Rational::zero())
+    }
+
+    /// π.
+    #[must_use]
+    pub fn pi() -> Self {
+        Self::Pi(Rational::one())
+    }
+
+    /// The exact order of the angle and π.
+    #[must_use]
+    pub fn cmp_pi(&self) -> Ordering {
+        match self {
+            Self::Pi(q) => q.cmp(&Rational::one()),
+            // times·arctan t is strictly between −π and π.
+            Self::Arctangent {
+                tangent,
+                half_turns,
+                ..
+            } => half_turns.cmp(&1).then(tangent.signum().cmp(&0)),
+        }
     }
 
     /// The angle in [0, π) with the given tangent.

@@ -120,7 +120,7 @@ impl Cells {
 }
 
 impl Place {
-    fn rational(forms: &[&BinaryForm], (u, v): Vector) -> Self {
+    pub(super) fn rational(forms: &[&BinaryForm], (u, v): Vector) -> Self {
         let sign = |form: &&BinaryForm| integer_sign(&form.evaluate(&u, &v));
         Self {
             signs: forms.iter().map(sign).collect(),

@@ -1,68 +1,73 @@
 //! Closed forms of r(θ), as exact expression trees.
 
-use crate::exact::Rational;
-use crate::poly::BinaryForm;
+use malachite::Integer;
 
-/// An expression in θ with exact coefficients.
+use crate::exact::Rational;
+use crate::poly::{BinaryForm, Form};
+
+/// An expression in the components of a unit vector, with exact coefficients: in θ for binary forms, in θ
+/// and φ for ternary ones.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Expression {
-    /// A form at (cos θ, sin θ).
-    Form(BinaryForm),
+pub enum Expression<F = BinaryForm> {
+    /// A form at (cos θ, sin θ), or at (sin φ cos θ, sin φ sin θ, cos φ).
+    Form(F),
     /// a + b
-    Sum(Box<Expression>, Box<Expression>),
+    Sum(Box<Self>, Box<Self>),
     /// a − b
-    Difference(Box<Expression>, Box<Expression>),
+    Difference(Box<Self>, Box<Self>),
     /// a · b
-    Product(Box<Expression>, Box<Expression>),
+    Product(Box<Self>, Box<Self>),
     /// a / b
-    Quotient(Box<Expression>, Box<Expression>),
+    Quotient(Box<Self>, Box<Self>),
     /// −a
-    Negative(Box<Expression>),
+    Negative(Box<Self>),
     /// A multiple of π.
     Pi(Rational),
     /// cos a
-    Cosine(Box<Expression>),
+    Cosine(Box<Self>),
     /// arccos a, in [0, π]
-    Arccosine(Box<Expression>),
+    Arccosine(Box<Self>),
     /// The real k-th root: for even k the non-negative one of a non-negative number.
-    Root(u32, Box<Expression>),
+    Root(u32, Box<Self>),
     /// A positive rational number.
     Constant(Rational),
     /// |a|
-    Absolute(Box<Expression>),
+    Absolute(Box<Self>),
     /// a^q of a non-negative a, q > 0
-    Power(Box<Expression>, Rational),
+    Power(Box<Self>, Rational),
 }
 
-impl Expression {
-    /// The value at θ in doubles, with no bound of its error: for drawing and comparing. NaN where an
-    /// even root of a negative number is taken.
+impl<F: Form> Expression<F> {
+    /// The value at a unit vector in doubles, with no bound of its error: for drawing and comparing. In the plane the
+    /// vector is [cos θ, sin θ, 0]. NaN where an even root of a negative number is taken.
     #[must_use]
     #[expect(
         clippy::cast_precision_loss,
         reason = "an approximate value; degrees are small"
     )]
-    pub fn approximate(&self, theta: f64) -> f64 {
+    pub fn approximate(&self, at: [f64; 3]) -> f64 {
         match self {
             Self::Form(form) => {
-                let (s, c) = theta.sin_cos();
-                let terms = form.terms().map(|(k, a)| {
-                    let exponents = [form.degree() - k, k].map(|e| e as f64);
-                    Rational::from(a).to_f64() * c.powf(exponents[0]) * s.powf(exponents[1])
+                let terms = form.monomials();
+                let terms = terms.into_iter().map(|(exponents, a)| {
+                    let powers = exponents.iter().zip(at);
+                    powers.fold(Rational::from(a).to_f64(), |product, (&e, x)| {
+                        product * x.powf(e as f64)
+                    })
                 });
                 terms.sum()
             }
-            Self::Sum(a, b) => a.approximate(theta) + b.approximate(theta),
-            Self::Difference(a, b) => a.approximate(theta) - b.approximate(theta),
-            Self::Product(a, b) => a.approximate(theta) * b.approximate(theta),
-            Self::Quotient(a, b) => a.approximate(theta) / b.approximate(theta),
-            Self::Negative(a) => -a.approximate(theta),
+            Self::Sum(a, b) => a.approximate(at) + b.approximate(at),
+            Self::Difference(a, b) => a.approximate(at) - b.approximate(at),
+            Self::Product(a, b) => a.approximate(at) * b.approximate(at),
+            Self::Quotient(a, b) => a.approximate(at) / b.approximate(at),
+            Self::Negative(a) => -a.approximate(at),
             Self::Pi(q) => q.to_f64() * std::f64::consts::PI,
-            Self::Cosine(a) => a.approximate(theta).cos(),
+            Self::Cosine(a) => a.approximate(at).cos(),
             // Rounding may carry the argument over the edge.
-            Self::Arccosine(a) => a.approximate(theta).clamp(-1.0, 1.0).acos(),
+            Self::Arccosine(a) => a.approximate(at).clamp(-1.0, 1.0).acos(),
             Self::Root(k, a) => {
-                let value = a.approximate(theta);
+                let value = a.approximate(at);
                 let root = value.abs().powf(1.0 / f64::from(*k));
                 match (value < 0.0, k.is_multiple_of(2)) {
                     (true, true) => f64::NAN,
@@ -71,17 +76,18 @@ impl Expression {
                 }
             }
             Self::Constant(q) => q.to_f64(),
-            Self::Absolute(a) => a.approximate(theta).abs(),
-            Self::Power(a, q) => a.approximate(theta).powf(q.to_f64()),
+            Self::Absolute(a) => a.approximate(at).abs(),
+            Self::Power(a, q) => a.approximate(at).powf(q.to_f64()),
         }
     }
 
-    pub(super) fn form(form: BinaryForm) -> Self {
+    pub(super) fn form(form: F) -> Self {
         Self::Form(form)
     }
 
     pub(super) fn root(self, k: u32) -> Self {
-        if k == 1 {
+        let one = || Self::Form(F::constant(Integer::from(1)));
+        if k == 1 || self == one() {
             self
         } else {
             Self::Root(k, Box::new(self))
@@ -96,16 +102,16 @@ impl Expression {
     }
 
     /// a / b, without a denominator 1.
-    pub(super) fn over(self, denominator: BinaryForm) -> Self {
-        if denominator.degree() == 0 && denominator.coefficient(0) == 1 {
+    pub(super) fn over(self, denominator: F) -> Self {
+        if denominator == F::constant(Integer::from(1)) {
             return self;
         }
         Self::Quotient(Box::new(self), Box::new(Self::Form(denominator)))
     }
 
     /// a · b, without a factor 1.
-    pub(super) fn times(self, factor: BinaryForm) -> Self {
-        if factor.degree() == 0 && factor.coefficient(0) == 1 {
+    pub(super) fn times(self, factor: F) -> Self {
+        if factor == F::constant(Integer::from(1)) {
             return self;
         }
         Self::Product(Box::new(Self::Form(factor)), Box::new(self))

@@ -6,20 +6,26 @@ mod cells;
 mod closed;
 mod expression;
 mod fourier;
+mod meridian;
 mod parametrization;
 mod ranges;
 mod rational;
 mod superquadric;
+mod surface;
 mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
 pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch, rounded_up};
 pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
+pub use meridian::{DirectionAnswer, MeridianBranch};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;
 pub use rational::{
     Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,
 };
 pub use superquadric::parametrize_superquadric;
+pub use surface::{
+    SurfaceBranch, SurfaceFactor, SurfaceMethod, SurfaceParametrization, parametrize_surface,
+};
 pub use traced::{RootArc, RootBranch};

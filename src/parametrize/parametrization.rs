@@ -6,7 +6,7 @@ use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::basic::traits::Zero;
 
 use super::angle::{AngleRange, ExactAngle};
-use super::closed::{ClosedBranch, lemma_2, lemma_3, lemma_4, lemma_5};
+use super::closed::{branches_of, ranges, solve};
 use super::expression::Expression;
 use super::fourier::{born_of_radius, fourier_branches};
 use super::ranges::positive_ranges;
@@ -204,24 +204,28 @@ fn add_factor(
     let k = u32::try_from(step).map_err(|_| Error::limit("the step of the degrees"))?;
     let part = |d: usize| f.part(d).cloned().unwrap_or_else(|| BinaryForm::zero(d));
     let degree = (top - low) / step;
-    let closed = match degree {
-        1 => lemma_2(&part(top), &part(low), k),
-        2 => lemma_3(&part(top), &part(top - step), &part(low), k),
-        3 => {
-            let (second, third) = (part(top - step), part(low + step));
-            lemma_4(&part(top), &second, &third, &part(low), k)
-        }
-        4 => {
-            let all = [0, 1, 2, 3, 4].map(|j| part(top - j * step));
-            lemma_5(all.each_ref(), k)
-        }
-        _ => return add_traced(f, index, step, result, limits),
+    let parts: Vec<BinaryForm> = (0..=degree).map(|j| part(top - j * step)).collect();
+    let Some(solved) = solve(&parts) else {
+        return add_traced(f, index, step, result, limits);
     };
     result.method = PolarMethod::Lemma(degree + 1);
     result.step = step;
+    let rules = solved.roots.iter().map(|(_, rule)| *rule);
+    let ranges = ranges(rules, &solved.critical, &parts, k);
+    let radii = solved
+        .roots
+        .iter()
+        .flat_map(|(root, _)| branches_of(root, k));
+    let branches = radii.zip(ranges).map(|(radius, ranges)| Branch {
+        factor: index,
+        radius: Radius::Closed(radius),
+        real: ranges.real,
+        positive: ranges.positive,
+    });
+    // Of the formulas of Lemmas 4 and 5 many hold nowhere.
     result
         .branches
-        .extend(closed.into_iter().map(|b| Branch::closed(index, b)));
+        .extend(branches.filter(|b| degree < 3 || !b.real.is_empty()));
     if degree > 2 && !directions(&part(top)).is_empty() {
         let tracing = Arc::new(Tracing::new(equation(f, step), limits)?);
         let points = tracing.finite_where_one_is_infinite();
@@ -294,7 +298,10 @@ impl Radius {
     pub fn approximate(&self, theta: f64) -> f64 {
         match self {
             Self::Fourier(radius) => radius.approximate(theta),
-            Self::Closed(expression) => expression.approximate(theta),
+            Self::Closed(expression) => {
+                let (s, c) = theta.sin_cos();
+                expression.approximate([c, s, 0.0])
+            }
             Self::Root(branch) => branch
                 .radius(&Direction::from_radians(theta))
                 .unwrap_or(f64::NAN),
@@ -319,15 +326,6 @@ impl Branch {
             real: branch.real.clone(),
             positive: branch.positive.clone(),
             radius: Radius::Root(branch),
-        }
-    }
-
-    fn closed(factor: usize, branch: ClosedBranch) -> Self {
-        Self {
-            factor,
-            radius: Radius::Closed(branch.radius),
-            real: branch.real,
-            positive: branch.positive,
         }
     }
 }

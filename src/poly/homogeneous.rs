@@ -11,6 +11,9 @@ use super::{BinaryForm, Ring, TernaryForm};
 /// The lemmas of §3 of the paper are the same in the plane and in space: Lemmas 7 to 10 are Lemmas 2 to
 /// 5 with forms in (α, β, γ) for forms in (cos θ, sin θ). So they are written once, for any form.
 pub trait Form: Ring + PartialEq + Debug {
+    /// 2 or 3.
+    const VARIABLES: usize;
+
     /// The constant as a form of degree 0.
     fn constant(value: Integer) -> Self;
 
@@ -35,11 +38,19 @@ pub trait Form: Ring + PartialEq + Debug {
     #[must_use]
     fn on_unit_vectors(&self) -> Self;
 
+    /// The terms as `Σ c (x² + y²)^e z^k`, (e, k, c), if it is a ternary form of this shape: one of a surface of
+    /// revolution about the z axis.
+    fn of_revolution(&self) -> Option<Vec<(usize, usize, Integer)>> {
+        None
+    }
+
     /// The non-zero terms as (exponents of x, y, z; coefficient).
     fn monomials(&self) -> Vec<([usize; 3], &Integer)>;
 }
 
 impl Form for BinaryForm {
+    const VARIABLES: usize = 2;
+
     fn constant(value: Integer) -> Self {
         Self::from_coefficients(vec![value])
     }
@@ -76,6 +87,8 @@ impl Form for BinaryForm {
 }
 
 impl Form for TernaryForm {
+    const VARIABLES: usize = 3;
+
     fn constant(value: Integer) -> Self {
         Self::from_rows(vec![BinaryForm::from_coefficients(vec![value])])
     }
@@ -103,6 +116,16 @@ impl Form for TernaryForm {
     fn on_unit_vectors(&self) -> Self {
         self.strip_rho()
             .map_or_else(|| self.clone(), |(_, rest)| rest)
+    }
+
+    fn of_revolution(&self) -> Option<Vec<(usize, usize, Integer)>> {
+        let rows = self.rows().iter().enumerate();
+        let terms = rows.filter_map(|(k, row)| {
+            let (e, rest) = row.strip_rho()?;
+            let constant = rest.degree() == 0;
+            Some(constant.then(|| (e, k, rest.coefficient(0))))
+        });
+        terms.collect()
     }
 
     fn monomials(&self) -> Vec<([usize; 3], &Integer)> {

@@ -4,6 +4,7 @@
 pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;
 pub(crate) mod program;
+pub(crate) mod sturm;
 
 use proptest::prelude::*;
 use stellate::exact::Rational;

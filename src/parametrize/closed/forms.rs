@@ -1,38 +1,82 @@
-//! Forms on the unit circle, simplified for printing.
+//! Forms on unit vectors, simplified for printing.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Abs, CheckedSqrt, DivRem, Gcd, Parity};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
-use crate::poly::{BinaryForm, IntegerPolynomial, Ring, squarefree_decomposition};
+use crate::factor::squarefree_form;
+use crate::limits::Limits;
+use crate::poly::{
+    BinaryForm, Form, IntegerPolynomial, Ring, TernaryForm, squarefree_decomposition,
+};
 
 /// Square factors of constants are taken out of roots up to this prime.
 const LARGEST_SQUARE_PRIME: u32 = 1000;
 
+/// Square factors are taken out of ternary forms up to this degree.
+const LARGEST_SQUARE_DEGREE: usize = 24;
+
+/// A form whose square factors can be taken out of a root.
+pub(in crate::parametrize) trait LemmaForm: Form {
+    /// (h, g) with `form = h² g` and g squarefree up to constants, as far as that is looked for.
+    fn squarefree_kernel(&self) -> (Self, Self);
+}
+
+impl LemmaForm for BinaryForm {
+    fn squarefree_kernel(&self) -> (Self, Self) {
+        squarefree_kernel(self)
+    }
+}
+
+impl LemmaForm for TernaryForm {
+    fn squarefree_kernel(&self) -> (Self, Self) {
+        let Some((_, first)) = self.terms().next() else {
+            return (Self::zero(0), Self::zero(0));
+        };
+        let whole = || (constant(1), self.clone());
+        if self.degree() > LARGEST_SQUARE_DEGREE {
+            return whole();
+        }
+        let signed_content = if *first < 0 {
+            -self.content()
+        } else {
+            self.content()
+        };
+        let Ok(parts) = squarefree_form(self, &Limits::none()) else {
+            return whole();
+        };
+        let (root, rest) = integer_square_part(signed_content);
+        let (mut outside, mut inside) = (Self::constant(root), Self::constant(rest));
+        for (multiplicity, part) in parts {
+            for _ in 0..multiplicity / 2 {
+                outside = outside.times(&part);
+            }
+            if multiplicity.odd() {
+                inside = inside.times(&part);
+            }
+        }
+        (outside, inside)
+    }
+}
+
 /// c · the product of some forms.
-pub(super) fn product(c: i64, forms: &[&BinaryForm]) -> BinaryForm {
-    let one = BinaryForm::from_coefficients(vec![Integer::from(c)]);
+pub(super) fn product<F: Form>(c: i64, forms: &[&F]) -> F {
+    let one = F::constant(Integer::from(c));
     forms.iter().fold(one, |product, form| product.times(form))
 }
 
 /// The constant form c.
-pub(super) fn constant(c: i64) -> BinaryForm {
+pub(super) fn constant<F: Form>(c: i64) -> F {
     product(c, &[])
 }
 
-/// A form without its powers of x² + y², which are 1 on the circle.
-pub(super) fn on_circle(form: &BinaryForm) -> BinaryForm {
-    form.strip_rho()
-        .map_or_else(|| form.clone(), |(_, rest)| rest)
-}
-
-pub(super) fn negative(form: &BinaryForm) -> BinaryForm {
+pub(super) fn negative<F: Form>(form: &F) -> F {
     form.scaled(&Integer::from(-1))
 }
 
 /// Forms divided by the gcd of all their coefficients, the last one with its first sign positive.
-pub(super) fn reduced<const N: usize>(forms: [BinaryForm; N]) -> [BinaryForm; N] {
+pub(super) fn reduced<F: Form, const N: usize>(forms: [F; N]) -> [F; N] {
     let mut content = Integer::ZERO;
     for form in &forms {
         content = Integer::from(
@@ -41,7 +85,10 @@ pub(super) fn reduced<const N: usize>(forms: [BinaryForm; N]) -> [BinaryForm; N]
                 .gcd(form.content().unsigned_abs_ref()),
         );
     }
-    let last_is_negative = forms[N - 1].terms().next().is_some_and(|(_, c)| *c < 0);
+    let last_is_negative = forms[N - 1]
+        .monomials()
+        .first()
+        .is_some_and(|(_, c)| **c < 0);
     if last_is_negative {
         content = -content;
     }
@@ -51,9 +98,9 @@ pub(super) fn reduced<const N: usize>(forms: [BinaryForm; N]) -> [BinaryForm; N]
     forms.map(|form| form.div_exact(&content))
 }
 
-/// (h, g) with `form = h² g (x²+y²)^e` and g squarefree up to constants.
-pub(super) fn square_part(form: &BinaryForm) -> (BinaryForm, BinaryForm) {
-    squarefree_kernel(&on_circle(form))
+/// (h, g) with `form = h² g` on unit vectors, and g squarefree up to constants.
+pub(super) fn square_part<F: LemmaForm>(form: &F) -> (F, F) {
+    form.on_unit_vectors().squarefree_kernel()
 }
 
 /// (h, g) with `form = h² g` and g squarefree up to constants.

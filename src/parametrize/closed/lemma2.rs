@@ -1,27 +1,26 @@
-//! Lemma 2: two homogeneous parts.
+//! Lemmas 2 and 7: two homogeneous parts.
 
-use super::forms::{negative, on_circle, reduced};
-use super::{ClosedBranch, branches_of};
-use crate::parametrize::cells::Cells;
+use super::forms::{LemmaForm, negative, reduced};
+use super::{Rule, Solved};
+use crate::parametrize::cells::Place;
 use crate::parametrize::expression::Expression;
-use crate::poly::BinaryForm;
 
 /// Eqs. (16)–(19): `top R + low = 0` with R = r^k.
 ///
 /// R = −low/top is finite where top ≠ 0, and for even k r is real where −low·top ≥ 0.
-pub(in crate::parametrize) fn lemma_2(
-    top: &BinaryForm,
-    low: &BinaryForm,
-    k: u32,
-) -> Vec<ClosedBranch> {
-    let (top, minus_low) = (on_circle(top), negative(&on_circle(low)));
-    let cells = Cells::cut(&[&top, &minus_low]);
+pub(super) fn lemma_2<F: LemmaForm>([top, low]: [&F; 2]) -> Solved<F> {
+    let (top, minus_low) = (top.on_unit_vectors(), negative(&low.on_unit_vectors()));
     let [numerator, denominator] = reduced([minus_low.clone(), top.clone()]);
-    let root = Expression::form(numerator).over(denominator);
-    branches_of(root, k, &cells, |at, _| {
-        let [top, minus_low] = at.signs[..] else {
-            return None;
-        };
-        (top != 0).then_some(minus_low * top)
-    })
+    Solved {
+        roots: vec![(Expression::form(numerator).over(denominator), Rule::Linear)],
+        critical: vec![top, minus_low],
+    }
+}
+
+/// The sign of the root; `None` where it is not finite.
+pub(super) fn sign(at: &Place) -> Option<i8> {
+    let [top, minus_low] = at.signs[..] else {
+        return None;
+    };
+    (top != 0).then_some(minus_low * top)
 }

@@ -1,59 +1,57 @@
-//! Lemma 3: three homogeneous parts.
+//! Lemmas 3 and 8: three homogeneous parts.
 
 use malachite::Integer;
 
-use super::forms::{negative, on_circle, reduced, square_part};
-use super::{ClosedBranch, branches_of};
-use crate::parametrize::cells::{Cells, Place};
+use super::forms::{LemmaForm, negative, reduced, square_part};
+use super::{Rule, Solved};
+use crate::parametrize::cells::Place;
 use crate::parametrize::expression::Expression;
-use crate::poly::{BinaryForm, Ring};
 
 /// Eqs. (21)–(32): `s R² + p R + q = 0` with R = r^k, so that
 /// `R = (−p ± √(p² − 4sq)) / 2s`.
 ///
 /// The square factors of the discriminant are taken out of the root with their sign, so a branch goes
 /// on smoothly where they vanish.
-pub(in crate::parametrize) fn lemma_3(
-    s: &BinaryForm,
-    p: &BinaryForm,
-    q: &BinaryForm,
-    k: u32,
-) -> Vec<ClosedBranch> {
-    let four = Integer::from(4);
-    let discriminant = p.squared().minus(&s.times(q).scaled(&four));
-    let (outside, inside) = square_part(&discriminant);
-    let (s, p, q) = (on_circle(s), on_circle(p), on_circle(q));
-    let cells = Cells::cut(&[&s, &p, &q, &inside, &outside]);
-    let roots = [1, -1].map(|sign| Quadratic {
-        s: &s,
-        p: &p,
-        inside: &inside,
-        outside: &outside,
-        sign,
+pub(super) fn lemma_3<F: LemmaForm>([s, p, q]: [&F; 3]) -> Solved<F> {
+    let (outside, inside) = square_part(&discriminant([s, p, q]));
+    let [s, p, q] = [s, p, q].map(F::on_unit_vectors);
+    let roots = [1, -1].map(|sign| {
+        let root = Quadratic {
+            s: &s,
+            p: &p,
+            inside: &inside,
+            outside: &outside,
+            sign,
+        };
+        (root.expression(), Rule::Quadratic(sign))
     });
-    let branches = roots
-        .iter()
-        .flat_map(|root| branches_of(root.expression(), k, &cells, |at, _| root.sign_at(at)));
-    branches.collect()
+    Solved {
+        roots: roots.into(),
+        critical: vec![s, p, q, inside, outside],
+    }
+}
+
+/// p² − 4sq
+pub(super) fn discriminant<F: LemmaForm>([s, p, q]: [&F; 3]) -> F {
+    p.squared().minus(&s.times(q).scaled(&Integer::from(4)))
 }
 
 /// One root of s R² + p R + q, with √(p² − 4sq) = outside·√inside and a choice of sign.
-struct Quadratic<'a> {
-    s: &'a BinaryForm,
-    p: &'a BinaryForm,
-    inside: &'a BinaryForm,
-    outside: &'a BinaryForm,
+struct Quadratic<'a, F> {
+    s: &'a F,
+    p: &'a F,
+    inside: &'a F,
+    outside: &'a F,
     sign: i8,
 }
 
-impl Quadratic<'_> {
+impl<F: LemmaForm> Quadratic<'_, F> {
     /// `(−p ± outside √inside) / 2s` without common constants.
-    fn expression(&self) -> Expression {
+    fn expression(&self) -> Expression<F> {
         let minus_p = negative(self.p);
         let twice = self.s.scaled(&Integer::from(2));
         let [minus_p, outside, twice] = reduced([minus_p, self.outside.clone(), twice]);
-        let one = self.inside.degree() == 0 && self.inside.coefficient(0) == 1;
-        let root = if one {
+        let root = if *self.inside == super::forms::constant(1) {
             Expression::form(outside)
         } else {
             Expression::form(self.inside.clone()).root(2).times(outside)
@@ -68,31 +66,31 @@ impl Quadratic<'_> {
         };
         numerator.over(twice)
     }
+}
 
-    /// The sign of the root; `None` where it is not real or not finite.
-    fn sign_at(&self, at: &Place) -> Option<i8> {
-        let [s, p, q, inside, outside] = at.signs[..] else {
-            return None;
-        };
-        if inside < 0 && outside != 0 {
-            return None;
-        }
-        // The signed square root has this sign.
-        let root = if inside == 0 { 0 } else { outside * self.sign };
-        if s == 0 {
-            // p R + q = 0 is the root that stays finite: there the numerator −p ± √… vanishes.
-            return (p != 0 && root == p).then(|| -q * p);
-        }
-        // −p + root with p² − root² = 4sq
-        let numerator = match (-p, root) {
-            (a, b) if a == b || b == 0 => a,
-            (0, b) => b,
-            (a, b) => match s * q {
-                0 => 0,
-                1 => a,
-                _ => b,
-            },
-        };
-        Some(numerator * s)
+/// The sign of the root with the given sign of √(p² − 4sq); `None` where it is not real or not finite.
+pub(super) fn sign(at: &Place, of_root: i8) -> Option<i8> {
+    let [s, p, q, inside, outside] = at.signs[..] else {
+        return None;
+    };
+    if inside < 0 && outside != 0 {
+        return None;
     }
+    // The signed square root has this sign.
+    let root = if inside == 0 { 0 } else { outside * of_root };
+    if s == 0 {
+        // p R + q = 0 is the root that stays finite: there the numerator −p ± √… vanishes.
+        return (p != 0 && root == p).then(|| -q * p);
+    }
+    // −p + root with p² − root² = 4sq
+    let numerator = match (-p, root) {
+        (a, b) if a == b || b == 0 => a,
+        (0, b) => b,
+        (a, b) => match s * q {
+            0 => 0,
+            1 => a,
+            _ => b,
+        },
+    };
+    Some(numerator * s)
 }

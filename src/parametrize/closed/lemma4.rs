@@ -1,13 +1,12 @@
-//! Lemma 4: four homogeneous parts.
+//! Lemmas 4 and 9: four homogeneous parts.
 
 use malachite::Integer;
 
-use super::forms::{constant, negative, on_circle, product, reduced, square_part};
-use super::{ClosedBranch, branches_of};
+use super::forms::{LemmaForm, constant, negative, product, reduced, square_part};
+use super::{Rule, Solved};
 use crate::exact::Rational;
-use crate::parametrize::cells::{Cells, Place};
+use crate::parametrize::cells::Place;
 use crate::parametrize::expression::Expression;
-use crate::poly::{BinaryForm, Ring};
 
 /// Eqs. (33)–(49): `s R³ + p R² + q R + u = 0` with R = r^k.
 ///
@@ -19,26 +18,14 @@ use crate::poly::{BinaryForm, Ring};
 ///
 /// DIFFERENCE (erratum Lemma 4): the printed roots lack the shift −p/(3s), and take cube roots
 /// independently, which is right for about half of all cubics only.
-pub(in crate::parametrize) fn lemma_4(
-    s: &BinaryForm,
-    p: &BinaryForm,
-    q: &BinaryForm,
-    u: &BinaryForm,
-    k: u32,
-) -> Vec<ClosedBranch> {
-    // 18spqu − 4p³u + p²q² − 4sq³ − 27s²u²
-    let discriminant = product(18, &[s, p, q, u])
-        .plus(&product(-4, &[p, p, p, u]))
-        .plus(&product(1, &[p, p, q, q]))
-        .plus(&product(-4, &[s, q, q, q]))
-        .plus(&product(-27, &[s, s, u, u]));
+pub(super) fn lemma_4<F: LemmaForm>([s, p, q, u]: [&F; 4]) -> Solved<F> {
+    let discriminant = discriminant([s, p, q, u]);
     let big_p = product(3, &[s, q]).minus(&p.squared());
     let big_b = product(2, &[p, p, p])
         .plus(&product(-9, &[s, p, q]))
         .plus(&product(27, &[s, s, u]));
     let [s, p, q, u, discriminant, big_p, big_b] =
-        [s, p, q, u, &discriminant, &big_p, &big_b].map(on_circle);
-    let cells = Cells::cut(&[&s, &p, &q, &u, &discriminant, &big_p]);
+        [s, p, q, u, &discriminant, &big_p, &big_b].map(F::on_unit_vectors);
     let cubic = Cubic {
         s,
         p,
@@ -46,29 +33,42 @@ pub(in crate::parametrize) fn lemma_4(
         big_p,
         big_b,
     };
-    let mut branches = branches_of(cubic.by_cube_roots(), k, &cells, |at, _| sign_of_one(at));
-    for index in 0..3 {
-        let root = cubic.by_cosine(index);
-        branches.extend(branches_of(root, k, &cells, |at, _| {
-            sign_of_three(at, index)
-        }));
+    let mut roots = vec![(cubic.by_cube_roots(), Rule::CubicOne)];
+    roots.extend((0..3).map(|index| (cubic.by_cosine(index), Rule::CubicThree(index))));
+    let Cubic {
+        s,
+        p,
+        discriminant,
+        big_p,
+        ..
+    } = cubic;
+    Solved {
+        roots,
+        critical: vec![s, p, q, u, discriminant, big_p],
     }
-    branches.retain(|branch| !branch.real.is_empty());
-    branches
 }
 
-/// The forms of the cubic on the unit circle.
-struct Cubic {
-    s: BinaryForm,
-    p: BinaryForm,
-    discriminant: BinaryForm,
-    big_p: BinaryForm,
-    big_b: BinaryForm,
+/// 18spqu − 4p³u + p²q² − 4sq³ − 27s²u²
+pub(super) fn discriminant<F: LemmaForm>([s, p, q, u]: [&F; 4]) -> F {
+    product(18, &[s, p, q, u])
+        .plus(&product(-4, &[p, p, p, u]))
+        .plus(&product(1, &[p, p, q, q]))
+        .plus(&product(-4, &[s, q, q, q]))
+        .plus(&product(-27, &[s, s, u, u]))
 }
 
-impl Cubic {
+/// The forms of the cubic on unit vectors.
+struct Cubic<F> {
+    s: F,
+    p: F,
+    discriminant: F,
+    big_p: F,
+    big_b: F,
+}
+
+impl<F: LemmaForm> Cubic<F> {
     /// (−p + y) / 3s
-    fn shifted(&self, y: Expression) -> Expression {
+    fn shifted(&self, y: Expression<F>) -> Expression<F> {
         let [minus_p, thrice] = [negative(&self.p), self.s.scaled(&Integer::from(3))];
         let numerator = if minus_p.is_zero() {
             y
@@ -78,20 +78,20 @@ impl Cubic {
         numerator.over(thrice)
     }
 
-    fn by_cube_roots(&self) -> Expression {
+    fn by_cube_roots(&self) -> Expression<F> {
         // B² + 4P³ = −27 s² Δ = (3s)² (−3Δ)
         let (outside, inside) = square_part(&self.discriminant.scaled(&Integer::from(-3)));
         let outside = outside.times(&self.s).scaled(&Integer::from(3));
         self.shifted(sum_of_cube_roots(&self.big_b, outside, inside))
     }
 
-    fn by_cosine(&self, j: usize) -> Expression {
+    fn by_cosine(&self, j: usize) -> Expression<F> {
         self.shifted(cosine_root(&self.big_p, &self.big_b, j))
     }
 }
 
 /// The sign of the root that the cube roots give: the only real one, or for Δ = 0 the simple one.
-fn sign_of_one(at: &Place) -> Option<i8> {
+pub(super) fn sign_of_one(at: &Place) -> Option<i8> {
     let [s, p, q, u, discriminant, _] = at.signs[..] else {
         return None;
     };
@@ -108,7 +108,7 @@ fn sign_of_one(at: &Place) -> Option<i8> {
 }
 
 /// The sign of the root with the j-th largest y where all three are real.
-fn sign_of_three(at: &Place, j: usize) -> Option<i8> {
+pub(super) fn sign_of_three(at: &Place, j: usize) -> Option<i8> {
     let [s, _, _, _, discriminant, big_p] = at.signs[..] else {
         return None;
     };
@@ -142,8 +142,8 @@ pub(super) fn rank_sign(rank: usize, positive: usize, zeros: usize) -> i8 {
 
 /// The real root of y³ + 3Py + B = 0 where it is the only one:
 /// ∛((−B + h√g)/2) + ∛((−B − h√g)/2) with h²g = B² + 4P³.
-pub(super) fn sum_of_cube_roots(b: &BinaryForm, h: BinaryForm, g: BinaryForm) -> Expression {
-    let [minus_b, h, two] = reduced([negative(b), h, constant(2)]);
+pub(super) fn sum_of_cube_roots<F: LemmaForm>(b: &F, h: F, g: F) -> Expression<F> {
+    let [minus_b, h, two] = reduced([negative(b), h, constant::<F>(2)]);
     let root = || Box::new(Expression::form(g.clone()).root(2).times(h.clone()));
     let minus_b = || Box::new(Expression::form(minus_b.clone()));
     let plus = Expression::Sum(minus_b(), root()).over(two.clone()).root(3);
@@ -153,7 +153,7 @@ pub(super) fn sum_of_cube_roots(b: &BinaryForm, h: BinaryForm, g: BinaryForm) ->
 
 /// The j-th largest root (j = 0, 1, 2) of y³ + 3Py + B = 0 where all are real and P < 0:
 /// 2√(−P) cos((arccos(−B / (2 (−P) √(−P))) − 2πj) / 3).
-pub(super) fn cosine_root(p: &BinaryForm, b: &BinaryForm, j: usize) -> Expression {
+pub(super) fn cosine_root<F: LemmaForm>(p: &F, b: &F, j: usize) -> Expression<F> {
     let minus_p = negative(p);
     let twice = minus_p.scaled(&Integer::from(2));
     let [minus_b, denominator] = reduced([negative(b), twice]);

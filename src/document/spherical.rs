@@ -1,0 +1,364 @@
+//! Parametric documents of surfaces: the branches R(θ, φ), and what is certain on meridians and in directions.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::angles::{Range, ranges, ranges_text_of};
+use super::expression::{expression_text, form_text};
+use super::{Format, SCHEMA};
+use crate::parametrize::{DirectionAnswer, MeridianBranch, SurfaceMethod, SurfaceParametrization};
+use crate::poly::{SpacePolynomial, TernaryForm};
+use crate::sample::{Direction, Ray, SpaceDirection};
+
+/// A meridian and the exact ranges of the branches on it.
+#[derive(Clone, Debug)]
+pub struct WrittenMeridian {
+    /// θ.
+    pub theta: Direction,
+    /// Where each branch is real.
+    pub branches: Vec<MeridianBranch>,
+}
+
+/// A direction, the certified answer there, and the certified points.
+#[derive(Clone, Debug)]
+pub struct WrittenDirection {
+    /// (θ, φ).
+    pub direction: SpaceDirection,
+    /// Which branches are real.
+    pub answer: DirectionAnswer,
+    /// All real roots, each factor's on its own.
+    pub rays: Vec<Ray<3>>,
+}
+
+#[derive(Serialize)]
+struct Document {
+    schema: &'static str,
+    kind: &'static str,
+    parameters: [&'static str; 2],
+    method: String,
+    step: usize,
+    lines: [String; 0],
+    cones: Vec<FormEntry>,
+    discriminants: Vec<FormEntry>,
+    branches: Vec<BranchEntry>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    meridians: Vec<MeridianEntry>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    directions: Vec<DirectionEntry>,
+    notes: Vec<String>,
+}
+
+/// A form in (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ).
+#[derive(Serialize)]
+struct FormEntry {
+    factor: usize,
+    degree: usize,
+    terms: Vec<Term>,
+}
+
+#[derive(Serialize)]
+struct Term {
+    exponents: [usize; 3],
+    coefficient: String,
+}
+
+#[derive(Serialize)]
+struct BranchEntry {
+    factor: usize,
+    radius: String,
+    latex: String,
+    sympy: String,
+    coordinates: Coordinates,
+    condition: String,
+}
+
+#[derive(Serialize)]
+struct Coordinates {
+    x: String,
+    y: String,
+    z: String,
+}
+
+#[derive(Serialize)]
+struct MeridianEntry {
+    theta: f64,
+    branches: Vec<MeridianBranchEntry>,
+}
+
+#[derive(Serialize)]
+struct MeridianBranchEntry {
+    factor: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    branch: Option<usize>,
+    ranges: Vec<Range>,
+    positive: Vec<Range>,
+}
+
+#[derive(Serialize)]
+struct DirectionEntry {
+    theta: f64,
+    phi: f64,
+    /// The sign of every factor's discriminant.
+    discriminants: Vec<Option<i8>>,
+    /// The sign of R on every branch, null where it is not real.
+    signs: Vec<Option<i8>>,
+    /// The certified radii of every factor; null where the whole line belongs to it.
+    radii: Vec<Option<Vec<f64>>>,
+}
+
+/// Writes the spherical form of a surface: expressions for R, x, y and z of every branch with the condition under
+/// which it is real, the discriminants as exact forms, and what was asked of meridians and directions.
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for CSV and Singular, and where there is no formula for the other formats.
+pub fn write_surface_parametrization(
+    surface: &SurfaceParametrization,
+    meridians: &[WrittenMeridian],
+    directions: &[WrittenDirection],
+    digits: u32,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let unsupported = |why: &str| Err(io::Error::new(io::ErrorKind::Unsupported, why.to_owned()));
+    match format {
+        Format::Text => write_text(surface, meridians, directions, digits, out),
+        Format::Json => {
+            let document = document(surface, meridians, directions, digits);
+            serde_json::to_writer(&mut *out, &document)?;
+            writeln!(out)
+        }
+        Format::Csv | Format::Singular => unsupported(
+            "the radii of a surface are written as text, json, latex, sympy or maple; stellate sample writes points",
+        ),
+        _ if surface.branches.is_empty() => {
+            unsupported("there is no formula for R; --format text or json describes the surface")
+        }
+        Format::Latex | Format::Sympy | Format::Maple => {
+            for branch in &surface.branches {
+                let radius = expression_text(&branch.radius, format);
+                match format {
+                    Format::Sympy => writeln!(out, "{radius}")?,
+                    Format::Maple => writeln!(out, "R = {radius};")?,
+                    _ => writeln!(out, "R = {radius}")?,
+                }
+            }
+            Ok(())
+        }
+    }
+}
+
+fn method(surface: &SurfaceParametrization) -> String {
+    match surface.method {
+        SurfaceMethod::Cones => "cones".into(),
+        SurfaceMethod::Lemma(n) => format!("lemma-{n}"),
+        SurfaceMethod::Factors => "factors".into(),
+        SurfaceMethod::Numeric => "numeric".into(),
+    }
+}
+
+fn write_text(
+    surface: &SurfaceParametrization,
+    meridians: &[WrittenMeridian],
+    directions: &[WrittenDirection],
+    digits: u32,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let step = if surface.step > 1 {
+        format!(" in R^{}", surface.step)
+    } else {
+        String::new()
+    };
+    writeln!(out, "# {}{step}", method(surface))?;
+    writeln!(
+        out,
+        "# x = R*sin(phi)*cos(theta), y = R*sin(phi)*sin(theta), z = R*cos(phi)"
+    )?;
+    for (index, factor) in surface.factors.iter().enumerate() {
+        if factor.is_cone() {
+            writeln!(
+                out,
+                "# factor {index} is a cone: {} = 0 for every R",
+                forms_text(&factor.polynomial)
+            )?;
+        }
+        if let Some(form) = &factor.discriminant {
+            writeln!(
+                out,
+                "# factor {index}: discriminant D = {}",
+                form_text(form, Format::Text).0
+            )?;
+        }
+    }
+    for note in &surface.notes {
+        writeln!(out, "# note: {note}")?;
+    }
+    for (index, branch) in surface.branches.iter().enumerate() {
+        writeln!(out, "# branch {index}: real {}", branch.condition)?;
+        let hidden = if index > 0 { "# " } else { "" };
+        writeln!(
+            out,
+            "{hidden}R = {}",
+            expression_text(&branch.radius, Format::Text)
+        )?;
+    }
+    for meridian in meridians {
+        write_meridian(meridian, digits, out)?;
+    }
+    for direction in directions {
+        write_direction(direction, out)?;
+    }
+    Ok(())
+}
+
+fn forms_text(polynomial: &SpacePolynomial) -> String {
+    let texts = polynomial
+        .parts()
+        .map(|form| form_text(form, Format::Text).0);
+    texts.collect::<Vec<_>>().join(" + ")
+}
+
+fn write_meridian(meridian: &WrittenMeridian, digits: u32, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "# on the meridian theta = {}:", meridian.theta.theta())?;
+    let real = meridian.branches.iter().filter(|b| !b.real.is_empty());
+    let mut shown = 0;
+    for branch in real {
+        let name = match branch.branch {
+            Some(index) => format!("branch {index}"),
+            None => format!("factor {}", branch.factor),
+        };
+        let [real, positive] =
+            [&branch.real, &branch.positive].map(|r| ranges_text_of("phi", &ranges(r, digits)));
+        writeln!(out, "#   {name}: R real for {real}; R > 0 for {positive}")?;
+        shown += 1;
+    }
+    if shown == 0 {
+        writeln!(out, "#   no branch is real")?;
+    }
+    Ok(())
+}
+
+fn write_direction(written: &WrittenDirection, out: &mut dyn Write) -> io::Result<()> {
+    let (theta, phi) = (&written.direction.theta(), written.direction.phi());
+    writeln!(
+        out,
+        "# in the direction theta = {}, phi = {}:",
+        theta.theta(),
+        phi.theta()
+    )?;
+    for (factor, sign) in written.answer.discriminants.iter().enumerate() {
+        let Some(sign) = sign else { continue };
+        let relation = match sign {
+            1 => "> 0",
+            0 => "= 0",
+            _ => "< 0",
+        };
+        writeln!(out, "#   factor {factor}: D {relation}")?;
+    }
+    let named = |sign: i8| match sign {
+        1 => "R > 0",
+        0 => "R = 0",
+        _ => "R < 0",
+    };
+    for (branch, sign) in written.answer.branches.iter().enumerate() {
+        if let Some(sign) = sign {
+            writeln!(out, "#   branch {branch}: real, {}", named(*sign))?;
+        }
+    }
+    for (factor, ray) in written.rays.iter().enumerate() {
+        let roots = match ray {
+            Ray::Line => "the whole line belongs to it".into(),
+            Ray::Points(points) if points.is_empty() => "no real root R other than 0".into(),
+            Ray::Points(points) => {
+                let list: Vec<String> = points.iter().map(|p| format!("{:?}", p.r)).collect();
+                format!("all real roots (nearest doubles) R = {}", list.join(", "))
+            }
+        };
+        writeln!(out, "#   factor {factor}: {roots}")?;
+    }
+    Ok(())
+}
+
+fn document(
+    surface: &SurfaceParametrization,
+    meridians: &[WrittenMeridian],
+    directions: &[WrittenDirection],
+    digits: u32,
+) -> Document {
+    let numbered = || surface.factors.iter().enumerate();
+    let cones = numbered().filter(|(_, f)| f.is_cone());
+    let discriminants = numbered().filter_map(|(i, f)| Some((i, f.discriminant.as_ref()?)));
+    let branches = surface.branches.iter().map(|branch| {
+        let sympy = expression_text(&branch.radius, Format::Sympy);
+        BranchEntry {
+            factor: branch.factor,
+            radius: expression_text(&branch.radius, Format::Text),
+            latex: expression_text(&branch.radius, Format::Latex),
+            coordinates: Coordinates {
+                x: format!("({sympy})*sin(phi)*cos(theta)"),
+                y: format!("({sympy})*sin(phi)*sin(theta)"),
+                z: format!("({sympy})*cos(phi)"),
+            },
+            sympy,
+            condition: branch.condition.clone(),
+        }
+    });
+    Document {
+        schema: SCHEMA,
+        kind: "parametric",
+        parameters: ["theta", "phi"],
+        method: method(surface),
+        step: surface.step,
+        lines: [],
+        cones: cones
+            .flat_map(|(i, f)| f.polynomial.parts().map(move |form| form_entry(i, form)))
+            .collect(),
+        discriminants: discriminants.map(|(i, form)| form_entry(i, form)).collect(),
+        branches: branches.collect(),
+        meridians: meridians
+            .iter()
+            .map(|meridian| meridian_entry(meridian, digits))
+            .collect(),
+        directions: directions.iter().map(direction_entry).collect(),
+        notes: surface.notes.clone(),
+    }
+}
+
+fn form_entry(factor: usize, form: &TernaryForm) -> FormEntry {
+    let terms = form.terms().map(|(exponents, c)| Term {
+        exponents,
+        coefficient: c.to_string(),
+    });
+    FormEntry {
+        factor,
+        degree: form.degree(),
+        terms: terms.collect(),
+    }
+}
+
+fn meridian_entry(meridian: &WrittenMeridian, digits: u32) -> MeridianEntry {
+    let branches = meridian.branches.iter().map(|b| MeridianBranchEntry {
+        factor: b.factor,
+        branch: b.branch,
+        ranges: ranges(&b.real, digits),
+        positive: ranges(&b.positive, digits),
+    });
+    MeridianEntry {
+        theta: meridian.theta.theta(),
+        branches: branches.collect(),
+    }
+}
+
+fn direction_entry(written: &WrittenDirection) -> DirectionEntry {
+    let radii = written.rays.iter().map(|ray| match ray {
+        Ray::Line => None,
+        Ray::Points(points) => Some(points.iter().map(|p| p.r).collect()),
+    });
+    DirectionEntry {
+        theta: written.direction.theta().theta(),
+        phi: written.direction.phi().theta(),
+        discriminants: written.answer.discriminants.clone(),
+        signs: written.answer.branches.clone(),
+        radii: radii.collect(),
+    }
+}

@@ -1,0 +1,175 @@
+//! Which root of a quartic a formula of Lemma 5 gives, and its sign, exactly.
+
+use malachite::Integer;
+use malachite::base::polynomial::Polynomial;
+
+use super::forms::product;
+use super::lemma4::{rank_sign, sign_of_rank};
+use super::lemma5::{Index, depressed};
+use crate::parametrize::cells::Place;
+use crate::poly::{BinaryForm, Form, IntegerPolynomial, Ring, integer_sign, real_roots};
+
+/// The signs of the critical forms at a place.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Signs {
+    s: i8,
+    p: i8,
+    u: i8,
+    v: i8,
+    a: i8,
+    b: i8,
+    c: i8,
+    inner: i8,
+    resolvent_p: i8,
+    discriminant: i8,
+}
+
+impl Signs {
+    /// In the order of the critical forms of Lemma 5.
+    pub(super) fn of(at: &Place) -> Self {
+        let [s, p, _, u, v, a, b, c, inner, resolvent_p, discriminant] = at.signs[..] else {
+            return Self::default();
+        };
+        Self {
+            s,
+            p,
+            u,
+            v,
+            a,
+            b,
+            c,
+            inner,
+            resolvent_p,
+            discriminant,
+        }
+    }
+
+    /// Where all four roots are real and the cosine form is defined.
+    pub(super) fn all_real(self) -> bool {
+        self.s != 0
+            && self.discriminant >= 0
+            && self.a < 0
+            && self.inner >= 0
+            && self.resolvent_p < 0
+    }
+
+    /// Where the cube roots give a real pair: the upper one for B < 0, the lower one for B > 0.
+    pub(super) fn pair_real(self, pair: i8) -> bool {
+        if self.s == 0 || self.discriminant > 0 || self.all_real() {
+            return false;
+        }
+        // A triple root belongs to both pairs.
+        let triple = self.discriminant == 0 && self.resolvent_p == 0;
+        self.b == -pair || (triple && self.b != 0)
+    }
+
+    /// Where m = 0 and two roots are real.
+    pub(super) fn biquadratic_real(self) -> bool {
+        self.s != 0
+            && self.b == 0
+            && !self.all_real()
+            && self.inner >= 0
+            && (self.a <= 0 || self.c <= 0)
+    }
+}
+
+/// The quartic as a polynomial in R, for signs.
+pub(super) struct QuarticRoots<'a> {
+    /// s, p, q, u, v
+    parts: &'a [BinaryForm],
+    /// A double root where it is the only one is y = n/d with d = 2A³ − 8AC + 9B² and n = −B(A² + 12C) (the
+    /// first subresultant): d, and n − pd.
+    double: [BinaryForm; 2],
+}
+
+impl<'a> QuarticRoots<'a> {
+    /// For five parts; `None` for another number of them.
+    pub(super) fn new(parts: &'a [BinaryForm]) -> Option<Self> {
+        let [s, p, q, u, v] = parts else {
+            return None;
+        };
+        let [a, b, c] = depressed([s, p, q, u, v]);
+        let below = product(2, &[&a, &a, &a])
+            .plus(&product(-8, &[&a, &c]))
+            .plus(&product(9, &[&b, &b]));
+        let above = product(-1, &[&b, &a, &a])
+            .plus(&product(-12, &[&b, &c]))
+            .minus(&product(1, &[p, &below]));
+        let double = [&below, &above].map(BinaryForm::on_unit_vectors);
+        Some(Self { parts, double })
+    }
+
+    /// The sign of a real root R = (y − p)/4s; `None` if exact root counting finds no such root.
+    pub(super) fn sign_of(&self, at: &Place, beside: &[&Place], index: Index) -> Option<i8> {
+        if let Some(vector) = &at.vector {
+            return self.sign_at(vector, index);
+        }
+        let signs = Signs::of(at);
+        let Signs { s, p, u, v, .. } = signs;
+        if index.pair == 0 && signs.discriminant == 0 {
+            // The double root y = 0.
+            return Some(-p * s);
+        }
+        if signs.all_real() {
+            return Some(sign_of_rank(position(index, 4, s), &at.signs[..5]));
+        }
+        if v == 0 {
+            // 0 is a root; the other real one is that of the cubic.
+            let other = -u * s;
+            let is_larger = (index.sign > 0) == (s > 0);
+            return Some(if is_larger {
+                other.max(0)
+            } else {
+                other.min(0)
+            });
+        }
+        // v ≠ 0: no root changes its sign here, and a cell beside, where it is real, knows it.
+        let known = beside.iter().find_map(|near| {
+            let signs = Signs::of(near);
+            let real = signs.all_real() || signs.pair_real(index.pair) || index.pair == 0;
+            let vector = near.vector.as_ref().filter(|_| real)?;
+            self.sign_at(vector, index)
+        });
+        // Else it is a double root, isolated between directions without it.
+        Some(known.unwrap_or_else(|| {
+            let [below, above] = self.double.each_ref().map(|form| at.sign_of(form));
+            above * below * s
+        }))
+    }
+
+    /// The sign in a rational direction, from the certified roots of the quartic there.
+    fn sign_at(&self, (x, y): &(Integer, Integer), index: Index) -> Option<i8> {
+        let values = self.parts.iter().map(|form| form.evaluate(x, y));
+        let mut values: Vec<Integer> = values.collect();
+        let s = integer_sign(&values[0]);
+        values.reverse();
+        let roots = real_roots(&IntegerPolynomial::from_coefficients_asc(values));
+        let count = |sign: i8| {
+            let those = roots.iter().filter(|r| r.signum() == sign);
+            those
+                .map(crate::poly::RealRoot::multiplicity)
+                .sum::<usize>()
+        };
+        let all = count(1) + count(0) + count(-1);
+        if all == 0 {
+            return None;
+        }
+        let rank = position(index, all, s);
+        Some(rank_sign(rank, count(1), count(0)))
+    }
+}
+
+/// The place of a root among `all` real roots R, from the largest (0) down.
+fn position(index: Index, all: usize, sign_of_s: i8) -> usize {
+    let second_of_pair = usize::from(index.sign < 0);
+    let by_y = if all > 2 && index.pair < 0 {
+        2 + second_of_pair
+    } else {
+        second_of_pair
+    };
+    if sign_of_s > 0 {
+        by_y
+    } else {
+        (all - 1).saturating_sub(by_y)
+    }
+}

@@ -1,0 +1,228 @@
+//! Theorem 6: the branches R(θ, φ) of a surface, by Lemmas 7 to 10.
+
+use malachite::base::num::arithmetic::traits::Gcd;
+
+use super::closed::{Rule, Solved, branches_of, discriminant, solve};
+use super::expression::Expression;
+use crate::error::{Error, Result};
+use crate::factor::factor_space;
+use crate::limits::Limits;
+use crate::poly::{SpacePolynomial, TernaryForm};
+use crate::shape::ImplicitSurface;
+
+/// A surface in spherical form: cones with their apex at the origin, and branches R(θ, φ) with
+/// `x = R sin φ cos θ`, `y = R sin φ sin θ`, `z = R cos φ`.
+#[derive(Clone, Debug)]
+pub struct SurfaceParametrization {
+    /// What gives the branches.
+    pub method: SurfaceMethod,
+    /// The k of R^k; 1 where there are several factors.
+    pub step: usize,
+    /// The irreducible factors, in the order that branches count them.
+    pub factors: Vec<SurfaceFactor>,
+    /// The branches of all factors.
+    pub branches: Vec<SurfaceBranch>,
+    /// What else a reader should know.
+    pub notes: Vec<String>,
+}
+
+/// What gives the branches of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceMethod {
+    /// There are only cones.
+    Cones,
+    /// One of Lemmas 7 to 10.
+    Lemma(usize),
+    /// The surface has several factors, each with its own lemma.
+    Factors,
+    /// Certified roots in each direction, since the degree in R^k is more than four.
+    Numeric,
+}
+
+/// An irreducible factor of the polynomial of a surface.
+#[derive(Clone, Debug)]
+pub struct SurfaceFactor {
+    /// The factor, by its homogeneous parts.
+    pub polynomial: SpacePolynomial,
+    /// The discriminant in R^k for the degrees 2 to 4: a form in (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ).
+    pub discriminant: Option<TernaryForm>,
+    /// The k of R^k; 0 for a form, whose zero set is a cone.
+    pub step: usize,
+    pub(super) parts: Vec<TernaryForm>,
+    pub(super) solved: Option<Solved<TernaryForm>>,
+}
+
+/// One branch of a surface.
+#[derive(Clone, Debug)]
+pub struct SurfaceBranch {
+    /// Which factor of the polynomial it belongs to, from 0.
+    pub factor: usize,
+    /// R(θ, φ).
+    pub radius: Expression<TernaryForm>,
+    /// In which directions the formula holds, in words.
+    pub condition: String,
+}
+
+impl SurfaceFactor {
+    /// Whether the factor is a form: then its zero set is a cone with its apex at the origin.
+    #[must_use]
+    pub fn is_cone(&self) -> bool {
+        self.step == 0
+    }
+
+    /// Whether there is no closed form, the degree in R^k being more than four.
+    #[must_use]
+    pub fn is_numeric(&self) -> bool {
+        !self.is_cone() && self.solved.is_none()
+    }
+}
+
+/// The spherical form of a surface (Theorem 6, Lemmas 7 to 10).
+///
+/// The polynomial is factored over Q. A factor that is a form is a cone. With two to five equally spaced homogeneous
+/// parts R is the root of a polynomial of degree at most four in R^k, and comes in closed form, by the formulas of
+/// Lemmas 2 to 5 over forms in (sin φ cos θ, sin φ sin θ, cos φ). A factor of higher degree in R^k has no branches here;
+/// [`SurfaceParametrization::on_meridian`] and sampling answer for it direction by direction.
+///
+/// ```
+/// use stellate::limits::Limits;
+/// use stellate::parametrize::{SurfaceMethod, parametrize_surface};
+/// use stellate::poly::{Ring, SparsePolynomial};
+/// use stellate::shape::ImplicitSurface;
+///
+/// // The sphere x² + y² + z² = 4x through the origin: R = 4 sin φ cos θ.
+/// let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+/// let f = x.squared().plus(&y.squared()).plus(&z.squared()).minus(&x.scaled(&4.into()));
+/// let sphere = parametrize_surface(&ImplicitSurface::new(f), &Limits::none())?;
+/// assert_eq!(sphere.method, SurfaceMethod::Lemma(7));
+/// assert_eq!(sphere.branches[0].radius.approximate([0.6, 0.8, 0.0]), 4.0 * 0.6);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] for a constant; those of [`factor_space`].
+pub fn parametrize_surface(
+    surface: &ImplicitSurface,
+    limits: &Limits,
+) -> Result<SurfaceParametrization> {
+    let f = surface.polynomial();
+    if f.degree().is_none_or(|degree| degree == 0) {
+        return Err(Error::Usage(
+            "a constant has no zero set with branches".into(),
+        ));
+    }
+    let mut result = SurfaceParametrization {
+        method: SurfaceMethod::Cones,
+        step: 1,
+        factors: Vec::new(),
+        branches: Vec::new(),
+        notes: Vec::new(),
+    };
+    for (index, found) in factor_space(f, limits)?.factors.iter().enumerate() {
+        limits.check()?;
+        if found.multiplicity > 1 {
+            let m = found.multiplicity;
+            result
+                .notes
+                .push(format!("factor {index} has multiplicity {m}"));
+        }
+        let factor = factor(SpacePolynomial::from(&found.polynomial));
+        add_branches(&factor, index, &mut result)?;
+        result.factors.push(factor);
+    }
+    if result.factors.len() > 1 && result.factors.iter().any(|f| !f.is_cone()) {
+        result.method = SurfaceMethod::Factors;
+        result.step = 1;
+    }
+    let lowest = SpacePolynomial::from(f).homogeneous_degrees().pop();
+    if let Some(multiplicity) = lowest.filter(|&m| m > 0) {
+        result.notes.push(format!(
+            "the origin belongs to the surface, with multiplicity {multiplicity}"
+        ));
+    }
+    Ok(result)
+}
+
+fn factor(polynomial: SpacePolynomial) -> SurfaceFactor {
+    let degrees = polynomial.homogeneous_degrees();
+    let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
+    let parts: Vec<TernaryForm> = match (degrees.first(), degrees.last()) {
+        (Some(&top), Some(&low)) if step > 0 => {
+            let all = (0..=(top - low) / step).map(|j| polynomial.part(top - j * step));
+            all.collect()
+        }
+        _ => polynomial.parts().cloned().collect(),
+    };
+    SurfaceFactor {
+        discriminant: discriminant(&parts),
+        solved: if step > 0 { solve(&parts) } else { None },
+        polynomial,
+        step,
+        parts,
+    }
+}
+
+fn add_branches(
+    factor: &SurfaceFactor,
+    index: usize,
+    result: &mut SurfaceParametrization,
+) -> Result<()> {
+    if factor.is_cone() {
+        return Ok(());
+    }
+    let k = u32::try_from(factor.step).map_err(|_| Error::limit("the step of the degrees"))?;
+    let degree = factor.parts.len() - 1;
+    result.step = factor.step;
+    let Some(solved) = &factor.solved else {
+        result.method = SurfaceMethod::Numeric;
+        result.notes.push(format!(
+            "factor {index} has degree {degree} in {}, and the lemmas give a closed form up to degree 4: its radii are certified root by root, on a meridian or in a direction, or by sampling",
+            power("R", factor.step)
+        ));
+        return Ok(());
+    };
+    result.method = SurfaceMethod::Lemma(degree + 6);
+    for (root, rule) in &solved.roots {
+        let even = k.is_multiple_of(2);
+        let condition = condition(*rule, even, &power("R", factor.step));
+        let branches = branches_of(root, k).into_iter();
+        result.branches.extend(branches.map(|radius| SurfaceBranch {
+            factor: index,
+            radius,
+            condition: condition.clone(),
+        }));
+    }
+    Ok(())
+}
+
+fn power(name: &str, k: usize) -> String {
+    if k == 1 {
+        name.into()
+    } else {
+        format!("{name}^{k}")
+    }
+}
+
+/// Where a formula holds. D is the discriminant.
+fn condition(rule: Rule, even: bool, power: &str) -> String {
+    let real = match rule {
+        Rule::Linear => "where the denominator is not 0",
+        Rule::Quadratic(_) => "where D >= 0",
+        Rule::CubicOne => "where D <= 0: the only real root",
+        Rule::CubicThree(0) => "where D >= 0: the first of three real roots",
+        Rule::CubicThree(1) => "where D >= 0: the second of three real roots",
+        Rule::CubicThree(_) => "where D >= 0: the third of three real roots",
+        Rule::Quartic { cosine: true, .. } => "where all four roots are real",
+        Rule::Quartic { .. } => {
+            "where D <= 0 and the inner square root is real: one of two real roots"
+        }
+        Rule::Biquadratic(_) => {
+            "where the depressed quartic has no linear term and not all roots are real"
+        }
+    };
+    if even {
+        format!("{real}, and {power} >= 0")
+    } else {
+        real.into()
+    }
+}
