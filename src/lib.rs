@@ -82,6 +82,7 @@ pub mod fit;
 pub mod implicitize;
 pub mod language;
 pub mod limits;
+pub mod mesh;
 pub mod parametrize;
 pub mod picture;
 pub mod poly;

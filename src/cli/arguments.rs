@@ -85,9 +85,10 @@ pub(crate) enum Verb {
   stellate implicitize outline.csv --harmonics 39 --format json -o f.json
   stellate implicitize f.json --format singular")]
     Implicitize(Implicitize),
-    /// Turn an implicit polynomial into its radius r(theta): closed forms (Lemmas 2 to 5), else certified roots and a Fourier fit (Lemma 6), with exact ranges
+    /// Turn an implicit polynomial into its radius r(theta), or R(theta, phi) in space: closed forms (Lemmas 2 to 5, 7 to 10), else certified roots and a Fourier fit (Lemma 6), with exact ranges
     #[command(after_help = "Examples:
   stellate parametrize 'x^6 + y^6 + x*y^3 = 1 + x' --harmonics 12
+  stellate parametrize 'x^2/4 + y^2/9 + z^2 = 1' --theta 30deg
   stellate parametrize '100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2'")]
     Parametrize(Parametrize),
     /// Fit a Fourier radius to a contour (Definition 1)
@@ -98,12 +99,19 @@ pub(crate) enum Verb {
     /// Certified points: exact directions, all real roots, each the nearest double
     #[command(after_help = "Examples:
   stellate sample 'x^4 - x^2 + y^2' --directions 8
-  stellate sample f.json --theta 0.5 --theta 219.5deg --positive")]
+  stellate sample f.json --theta 0.5 --theta 219.5deg --positive
+  stellate sample 'x^4 + y^4 + z^4 - 1' --theta 30deg --phi 45deg --phi 60deg")]
     Sample(Sample),
-    /// Draw forms over each other with equal axes, as SVG or PNG; space curves and patches in perspective
+    /// Triangles of a surface as OBJ, PLY or STL: every sheet, certified vertices
+    #[command(after_help = "Examples:
+  stellate mesh '(x^2+9/4*y^2+z^2-1)^3 - x^2*z^3 - 9/80*y^2*z^3' -o heart.ply
+  stellate mesh 'x^3 + y^3 + z^3 + 1 = (x+y+z+1)^3' --window=-4,4,-4,4,-4,4 -o clebsch.obj")]
+    Mesh(Mesh),
+    /// Draw forms over each other with equal axes, as SVG or PNG; curves and surfaces in space in perspective
     #[command(after_help = "Examples:
   stellate plot outline.csv radius.json f.json -o figure.svg
-  stellate plot 'x = (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)' -o torus.svg")]
+  stellate plot 'x = (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)' -o torus.svg
+  stellate plot 'x^2 + y^2 + 0z = 1' 'z = y^5' 'x = cos(t); y = sin(t); z = sin(t)^5' -o curve.png")]
     Plot(Plot),
 }
 
@@ -206,6 +214,22 @@ pub(crate) struct Sample {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Mesh {
+    /// A polynomial in x, y and z, or a patch; one in x and y is a cylinder
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) form: String,
+    /// The box that is covered [default: around the surface]
+    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true)]
+    pub(crate) window: Option<String>,
+    /// Cells along the longest side of the box
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=1024))]
+    pub(crate) resolution: u32,
+    /// Edges are split where the surface bends by more than this, in degrees
+    #[arg(long, value_name = "DEGREES", default_value_t = 20.0)]
+    pub(crate) angle: f64,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Plot {
     /// What to draw, from the lowest to the topmost
     #[arg(required = true)]
@@ -230,9 +254,12 @@ pub(crate) struct Plot {
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,
-    /// Cells along the larger side, for tracing implicit curves
-    #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(8..=4000))]
-    pub(crate) cells: u32,
+    /// Cells along the larger side: for tracing implicit curves [default: 240], for implicit surfaces [default: 36]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(8..=4000))]
+    pub(crate) cells: Option<u32>,
+    /// In space: a point to be marked; may be repeated
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) point: Vec<String>,
 }
 
 impl Default for FitFlags {

@@ -12,7 +12,8 @@ use stellate::fit::{
 };
 use stellate::implicitize::{implicitize_patch, implicitize_plane};
 use stellate::language::MAX_TEXT_BYTES;
-use stellate::shape::{Contour, Form, ImplicitCurve, Superquadric};
+use stellate::poly::SparsePolynomial;
+use stellate::shape::{Contour, Form, ImplicitCurve, ImplicitSurface, Superquadric};
 
 use super::arguments::FitFlags;
 use super::session::Session;
@@ -224,6 +225,12 @@ pub(crate) fn plane_only(verb: &str) -> Error {
     Error::Usage(format!(
         "this form is in space (it has z): {verb} takes plane curves, in x and y"
     ))
+}
+
+/// An equation in x and y is a cylinder in space.
+pub(crate) fn cylinder(curve: &ImplicitCurve) -> ImplicitSurface {
+    let original = curve.in_original_coordinates();
+    ImplicitSurface::new(SparsePolynomial::from(original.polynomial()))
 }
 
 /// The implicit curve of a superquadric, where it has one.

@@ -5,6 +5,7 @@ mod describe;
 mod fit;
 mod implicitize;
 mod input;
+mod mesh;
 mod output;
 mod parametrize;
 mod plot;
@@ -42,6 +43,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Parametrize(verb) => parametrize::run(&verb, &mut session),
             Verb::Fit(verb) => fit::run(&verb, &mut session),
             Verb::Sample(verb) => sample::run(&verb, &mut session),
+            Verb::Mesh(verb) => mesh::run(&verb, &mut session),
             Verb::Plot(verb) => plot::run(&verb, &mut session),
         }?;
         session.finish()

@@ -17,6 +17,9 @@ use super::session::Session;
 const POINTS_PER_HARMONIC: usize = 40;
 const MIN_POINTS: usize = 1440;
 
+/// Along the larger side of the window.
+const CELLS: u32 = 240;
+
 /// Points drawn of a parametric curve.
 const CURVE_POINTS: u32 = 2880;
 
@@ -46,7 +49,7 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     }
     let svg = if inputs.iter().any(plot_space::is_in_space) {
         input::refuse_fit_flags(&verb.fit)?;
-        session.stage("draw", |_| plot_space::scene(verb, inputs))?
+        plot_space::scene(verb, inputs, session)?
     } else {
         plane(verb, inputs, session)?
     };
@@ -61,6 +64,12 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
 fn plane(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<String> {
     let window = verb.window.as_deref().map(window).transpose()?;
     let ranges = plot_space::ranges(verb)?;
+    let cells = verb.cells.unwrap_or(CELLS);
+    if !verb.point.is_empty() {
+        return Err(Error::Usage(
+            "--point X,Y,Z marks a point in space; these forms are in the plane".into(),
+        ));
+    }
     let has_contour = inputs
         .iter()
         .any(|i| matches!(i.content, Content::Contour(_)));
@@ -98,7 +107,7 @@ fn plane(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<Strin
         let bar = session.progress(1, "tracing");
         session.stage("trace", |session| {
             let layer = &mut figure.layers[index];
-            trace(&curve, &shown, verb.cells, layer, session)
+            trace(&curve, &shown, cells, layer, session)
         })?;
         bar.finish_and_clear();
     }

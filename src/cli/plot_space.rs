@@ -1,15 +1,22 @@
-//! `stellate plot` in space: curves and patches in perspective.
+//! `stellate plot` in space: curves, patches and implicit surfaces in perspective.
 
 use stellate::error::{Error, Result};
+use stellate::mesh::Mesh;
 use stellate::picture::{Scene, SpaceLayer};
-use stellate::shape::{DRAWN_NUMBERS, Form, Parameter};
+use stellate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter};
 
 use super::arguments::Plot;
-use super::input::{Content, Input};
+use super::input::{self, Content, Input};
+use super::mesh;
+use super::session::Session;
 
 /// Points along a curve, and cells along each parameter of a patch.
 const CURVE_POINTS: u32 = 720;
 const PATCH_CELLS: u32 = 54;
+
+/// Cells along the longest side of the box of an implicit surface, and the angle by which edges may bend.
+const SURFACE_CELLS: u32 = 36;
+const SURFACE_ANGLE: f64 = 30.0;
 
 /// Whether a form is drawn in space.
 pub(crate) fn is_in_space(input: &Input) -> bool {
@@ -22,30 +29,103 @@ pub(crate) fn is_in_space(input: &Input) -> bool {
 }
 
 /// The scene of several forms, as SVG.
-pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>) -> Result<String> {
+pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<String> {
     let ranges = ranges(verb)?;
     let [azimuth, elevation] = view(&verb.view)?;
-    let bounds = verb.window.as_deref().map(bounds).transpose()?;
-    let mut layers = Vec::new();
-    let mut around: Option<Bounds> = None;
+    let window = verb.window.as_deref().map(bounds).transpose()?;
+    let points = verb.point.iter().map(|text| point(text));
+    let points = points.collect::<Result<Vec<_>>>()?;
+    let mut drawn: Vec<Drawn> = Vec::new();
+    let mut around = box_around(points.iter());
     for input in inputs {
-        let (layer, extent) = layer(input, &ranges)?;
-        layers.push(layer);
-        around = match (around, extent) {
-            (Some(a), Some(b)) => {
-                Some([0, 1, 2].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])]))
-            }
-            (a, b) => a.or(b),
-        };
+        let next = drawn_of(input, &ranges)?;
+        if let Drawn::Layer(_, extent) = &next {
+            around = joined(around, *extent);
+        }
+        drawn.push(next);
     }
-    Scene {
+    // Surfaces that are bounded have a box of their own; the others are drawn in that of the rest.
+    let cells = verb.cells.unwrap_or(SURFACE_CELLS);
+    let own = |surfaces: &[ImplicitSurface], session: &mut Session| -> Result<Option<Bounds>> {
+        let mut extent = None;
+        for surface in surfaces {
+            extent = joined(extent, mesh::closed_bounds(surface, session)?);
+        }
+        Ok(extent)
+    };
+    let mut shown = window;
+    if shown.is_none() {
+        for next in &drawn {
+            if let Drawn::Surfaces(_, surfaces) = next {
+                around = joined(around, own(surfaces, session)?);
+            }
+        }
+        shown = around;
+    }
+    let mut layers = Vec::new();
+    for next in drawn {
+        match next {
+            Drawn::Layer(layer, _) => layers.push(layer),
+            Drawn::Surfaces(label, surfaces) => {
+                let mut layer = SpaceLayer {
+                    label,
+                    ..SpaceLayer::default()
+                };
+                for surface in surfaces {
+                    let mesh = mesh::of_surface(&surface, shown, cells, SURFACE_ANGLE, session)?;
+                    shown = shown.or_else(|| box_around(mesh.vertices.iter()));
+                    add_mesh(&mesh, &mut layer);
+                }
+                layers.push(layer);
+            }
+        }
+    }
+    if !points.is_empty() {
+        layers.push(SpaceLayer {
+            label: "points".into(),
+            points,
+            ..SpaceLayer::default()
+        });
+    }
+    let scene = Scene {
         title: verb.title.clone(),
-        bounds: bounds.or(around),
+        bounds: shown,
         azimuth,
         elevation,
         layers,
+    };
+    session.stage("draw", |_| scene.to_svg())
+}
+
+/// What a form becomes.
+enum Drawn {
+    /// What is drawn already, and the box that shows it.
+    Layer(SpaceLayer, Option<Bounds>),
+    /// A label, and surfaces that are to be meshed in the box of everything.
+    Surfaces(String, Vec<ImplicitSurface>),
+}
+
+fn add_mesh(mesh: &Mesh, layer: &mut SpaceLayer) {
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        let normals = triangle.map(|v| mesh.normals[v as usize]);
+        layer.facets.push(corners.to_vec());
+        layer
+            .normals
+            .push([0, 1, 2].map(|i| normals.iter().map(|n| n[i]).sum()));
     }
-    .to_svg()
+}
+
+fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some([0, 1, 2].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])])),
+        (a, b) => a.or(b),
+    }
+}
+
+fn point(text: &str) -> Result<[f64; 3]> {
+    numbers_of::<3>(text)
+        .ok_or_else(|| Error::Usage(format!("--point {text}: expected X,Y,Z, such as 0.8,0.6,0")))
 }
 
 /// The sides of a box.
@@ -93,7 +173,7 @@ fn view(text: &str) -> Result<[f64; 2]> {
     })
 }
 
-fn bounds(text: &str) -> Result<[[f64; 2]; 3]> {
+pub(crate) fn bounds(text: &str) -> Result<[[f64; 2]; 3]> {
     let wrong = || {
         Error::Usage(format!(
             "--window {text}: expected X0,X1,Y0,Y1,Z0,Z1 with X0 < X1 and so on, such as -1,1,-1,1,0,2"
@@ -114,8 +194,7 @@ pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {
     numbers.iter().all(|v| v.is_finite()).then_some(numbers)
 }
 
-/// What is drawn of a form, and the box that shows it.
-fn layer(input: Input, ranges: &[Range]) -> Result<(SpaceLayer, Option<Bounds>)> {
+fn drawn_of(input: Input, ranges: &[Range]) -> Result<Drawn> {
     let name = input.short_name();
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
@@ -130,7 +209,7 @@ fn layer(input: Input, ranges: &[Range]) -> Result<(SpaceLayer, Option<Bounds>)>
                 lines: curve.polylines(range, CURVE_POINTS),
                 ..SpaceLayer::default()
             };
-            Ok((drawn, curve.extent(range)))
+            Ok(Drawn::Layer(drawn, curve.extent(range)))
         }
         Content::Exact(Form::Patch(patch)) => {
             let given = patch.parameters().each_ref().map(|p| range_of(p, ranges));
@@ -144,12 +223,22 @@ fn layer(input: Input, ranges: &[Range]) -> Result<(SpaceLayer, Option<Bounds>)>
                 facets: SpaceLayer::grid_facets(&grid),
                 ..SpaceLayer::default()
             };
-            let extent = around(drawn.facets.iter().flatten());
-            Ok((drawn, extent))
+            let extent = box_around(drawn.facets.iter().flatten());
+            Ok(Drawn::Layer(drawn, extent))
         }
-        Content::Exact(Form::Surface(_) | Form::Intersection(_)) => Err(Error::Usage(format!(
-            "{name}: plot draws curves and patches in space from their parameters; this form has only equations in x, y and z"
-        ))),
+        Content::Exact(Form::Surface(surface)) => {
+            let degree = surface.polynomial().degree().unwrap_or(0);
+            let label = label("zero set", vec![format!("degree {degree}")]);
+            Ok(Drawn::Surfaces(label, vec![surface]))
+        }
+        Content::Exact(Form::Curve(curve)) => Ok(Drawn::Surfaces(
+            label("cylinder", Vec::new()),
+            vec![input::cylinder(&curve)],
+        )),
+        Content::Exact(Form::Intersection(surfaces)) => Ok(Drawn::Surfaces(
+            label("surfaces of an intersection", Vec::new()),
+            surfaces,
+        )),
         _ => Err(Error::Usage(format!(
             "{name}: this form is in the plane and cannot be drawn with one in space"
         ))),
@@ -157,7 +246,7 @@ fn layer(input: Input, ranges: &[Range]) -> Result<(SpaceLayer, Option<Bounds>)>
 }
 
 /// The box around finite points.
-fn around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
+fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
     points
         .filter(|p| p.iter().all(|v| v.is_finite()))
         .fold(None, |bounds: Option<Bounds>, p| {

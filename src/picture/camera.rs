@@ -138,6 +138,19 @@ impl Camera {
         }
     }
 
+    /// The same for a point with a given normal.
+    pub(super) fn facing_normal(&self, at: [f64; 3], normal: [f64; 3]) -> f64 {
+        let center = (self.view * self.scaled(at)).coords;
+        let scaled = Vector3::from([0, 1, 2].map(|k| normal[k] / self.scale[k]));
+        let normal = self.view * scaled;
+        let length = normal.norm() * center.norm();
+        if length > 0.0 {
+            -normal.dot(&center) / length
+        } else {
+            0.0
+        }
+    }
+
     fn scaled(&self, point: [f64; 3]) -> Point3<f64> {
         let [x, y, z] = [0, 1, 2].map(|k| {
             let [low, high] = self.bounds[k];

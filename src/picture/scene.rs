@@ -23,6 +23,9 @@ const HEIGHT: f64 = 640.0;
 /// they are: so a curve on a surface is seen where the surface is.
 const PIECE: f64 = 0.012;
 
+/// What the colour of a surface is mixed with on its inside.
+const INSIDE: RGBColor = RGBColor(205, 200, 190);
+
 /// One thing drawn in space.
 #[derive(Clone, Debug, Default)]
 pub struct SpaceLayer {
@@ -32,6 +35,8 @@ pub struct SpaceLayer {
     pub lines: Vec<Vec<[f64; 3]>>,
     /// Small polygons, seen from both sides.
     pub facets: Vec<Vec<[f64; 3]>>,
+    /// A normal for every facet, by which it is shaded, and then drawn without its edges; or none at all.
+    pub normals: Vec<[f64; 3]>,
     /// Single points.
     pub points: Vec<[f64; 3]>,
 }
@@ -74,7 +79,8 @@ pub struct Scene {
 
 /// What is drawn in the order of its distance from the eye.
 enum Primitive {
-    Facet(Vec<(i32, i32)>, RGBColor),
+    /// Its corners, its colour, and that of its edges.
+    Facet(Vec<(i32, i32)>, [RGBColor; 2]),
     Piece([(i32, i32); 2], RGBColor),
     Dot((i32, i32), RGBColor),
 }
@@ -180,11 +186,10 @@ impl Scene {
         primitives.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         for (_, primitive) in primitives {
             match primitive {
-                Primitive::Facet(corners, color) => {
+                Primitive::Facet(corners, [color, edge]) => {
                     let mut outline = corners.clone();
                     outline.extend(corners.first());
                     area.draw(&Polygon::new(corners, color.filled()))?;
-                    let edge = mixed(color, RGBColor(0, 0, 0), 0.15);
                     let style = ShapeStyle::from(edge).stroke_width(FINER / 2);
                     area.draw(&PathElement::new(outline, style))?;
                 }
@@ -232,15 +237,33 @@ impl Scene {
         let bias = camera.diagonal() * PIECE;
         for (index, layer) in self.layers.iter().enumerate() {
             let base = color(index);
-            for facet in layer.facets.iter().filter(|f| f.iter().all(finite)) {
+            for (number, facet) in layer.facets.iter().enumerate() {
+                if !facet.iter().all(finite) {
+                    continue;
+                }
                 let corners = cut::polygon(facet, &camera.bounds);
                 if corners.is_empty() {
                     continue;
                 }
-                let shade = shaded(base, camera.facing(&corners));
+                let normal = layer.normals.get(number);
+                let facing = normal.map_or_else(
+                    || camera.facing(&corners),
+                    |&normal| camera.facing_normal(corners[0], normal),
+                );
+                // A surface with normals has an inside.
+                let side = if normal.is_some() && facing < 0.0 {
+                    mixed(base, INSIDE, 0.55)
+                } else {
+                    base
+                };
+                let shade = shaded(side, facing);
+                let edge = match normal {
+                    Some(_) => shade,
+                    None => mixed(shade, RGBColor(0, 0, 0), 0.15),
+                };
                 let seen: Vec<Seen> = corners.iter().map(|&p| camera.see(p)).collect();
                 let shown = seen.iter().map(|&s| place(s)).collect();
-                primitives.push((mean(&seen), Primitive::Facet(shown, shade)));
+                primitives.push((mean(&seen), Primitive::Facet(shown, [shade, edge])));
             }
             for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
                 if !pair.iter().all(finite) {

@@ -1,0 +1,137 @@
+//! Meshes as OBJ, PLY (binary) and STL (binary).
+
+use std::io::{self, Write};
+
+use crate::mesh::Mesh;
+
+/// A file format for meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshFormat {
+    /// Wavefront OBJ: text, doubles in full, normals, a group for every factor.
+    Obj,
+    /// Stanford PLY, binary little-endian, doubles and normals.
+    Ply,
+    /// STL, binary: single precision by the definition of the format.
+    Stl,
+}
+
+impl MeshFormat {
+    /// By the name's ending: obj, ply or stl.
+    #[must_use]
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        match extension.to_ascii_lowercase().as_str() {
+            "obj" => Some(Self::Obj),
+            "ply" => Some(Self::Ply),
+            "stl" => Some(Self::Stl),
+            _ => None,
+        }
+    }
+}
+
+/// Writes a mesh. `comment` is one line; STL has room for 80 bytes of it.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_mesh(
+    mesh: &Mesh,
+    comment: &str,
+    format: MeshFormat,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match format {
+        MeshFormat::Obj => write_obj(mesh, comment, out),
+        MeshFormat::Ply => write_ply(mesh, comment, out),
+        MeshFormat::Stl => write_stl(mesh, comment, out),
+    }
+}
+
+fn write_obj(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "# {comment}")?;
+    for [x, y, z] in &mesh.vertices {
+        writeln!(out, "v {x:?} {y:?} {z:?}")?;
+    }
+    for [x, y, z] in &mesh.normals {
+        writeln!(out, "vn {x:.6} {y:.6} {z:.6}")?;
+    }
+    for (index, triangle) in mesh.triangles.iter().enumerate() {
+        if mesh.factors.len() > 1 {
+            let factors = mesh.factors.iter().enumerate();
+            for (factor, _) in factors.filter(|(_, first)| **first == index) {
+                writeln!(out, "g factor{factor}")?;
+            }
+        }
+        let [a, b, c] = triangle.map(|v| v + 1);
+        writeln!(out, "f {a}//{a} {b}//{b} {c}//{c}")?;
+    }
+    Ok(())
+}
+
+fn write_ply(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> {
+    write!(
+        out,
+        "ply\nformat binary_little_endian 1.0\ncomment {comment}\nelement vertex {}\n",
+        mesh.vertices.len()
+    )?;
+    for (kind, name) in [("double", ""), ("float", "n")] {
+        for axis in ["x", "y", "z"] {
+            writeln!(out, "property {kind} {name}{axis}")?;
+        }
+    }
+    write!(
+        out,
+        "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+        mesh.triangles.len()
+    )?;
+    for (point, normal) in mesh.vertices.iter().zip(&mesh.normals) {
+        for value in point {
+            out.write_all(&value.to_le_bytes())?;
+        }
+        for value in normal {
+            out.write_all(&single(*value).to_le_bytes())?;
+        }
+    }
+    for triangle in &mesh.triangles {
+        out.write_all(&[3])?;
+        for vertex in triangle {
+            out.write_all(&vertex.to_le_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+fn write_stl(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> {
+    // A header that begins with "solid" would mean the text format.
+    let mut header = [b' '; 80];
+    for (slot, byte) in header.iter_mut().zip(comment.bytes()) {
+        *slot = byte;
+    }
+    out.write_all(&header)?;
+    let count = u32::try_from(mesh.triangles.len())
+        .map_err(|_| io::Error::other("an STL file holds at most 2^32 triangles"))?;
+    out.write_all(&count.to_le_bytes())?;
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        for point in std::iter::once(facet_normal(corners)).chain(corners) {
+            for value in point {
+                out.write_all(&single(value).to_le_bytes())?;
+            }
+        }
+        out.write_all(&[0, 0])?;
+    }
+    Ok(())
+}
+
+/// The unit normal of a triangle; 0 for one without area.
+fn facet_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let [a, b, c] = [a, b, c].map(nalgebra::Vector3::from);
+    let normal = (b - a).cross(&(c - a));
+    normal.try_normalize(0.0).unwrap_or_default().into()
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "these formats hold single precision"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
+}

@@ -1,0 +1,111 @@
+//! The cells of a grid that may hold zeros: an octree, cut off where a cube is proved empty.
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::field::{Field, Verdict};
+use crate::error::Result;
+use crate::limits::Limits;
+
+/// A grid of equal cubes.
+pub(super) struct Grid {
+    origin: [f64; 3],
+    /// The side of a cell.
+    pub(super) side: f64,
+    /// Cells along each axis.
+    counts: [u32; 3],
+}
+
+/// A cell that is not proved empty.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    pub(super) index: [u32; 3],
+    /// Whether it is proved to hold one sheet without singular points.
+    pub(super) is_regular: bool,
+}
+
+/// Parts of a cell's side by which the grid is moved off the corner of the box: round numbers are where surfaces like to
+/// touch grid points.
+const OFFSETS: [f64; 3] = [0.387, 0.206, 0.604];
+
+impl Grid {
+    /// Covers a box with `resolution` cells along its longest side, and one more on every side.
+    pub(super) fn covering(bounds: &[[f64; 2]; 3], resolution: u32) -> Self {
+        let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
+        let side = longest / f64::from(resolution);
+        let origin = std::array::from_fn(|i| bounds[i][0] - OFFSETS[i] * side);
+        let counts = bounds.map(|[a, b]| {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "at most the resolution and two"
+            )]
+            let count = ((b - a) / side + 0.61).ceil() as u32;
+            count.max(1)
+        });
+        Self {
+            origin,
+            side,
+            counts,
+        }
+    }
+
+    /// The grid point with the given numbers.
+    pub(super) fn point(&self, index: [u32; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| self.origin[i] + self.side * f64::from(index[i]))
+    }
+
+    /// The cells that are not proved empty, in order. `done` hears of the parts of 512 that are finished.
+    pub(super) fn cells(
+        &self,
+        field: &Field,
+        limits: &Limits,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Vec<Cell>> {
+        let most = self.counts.iter().fold(1, |m: u32, &c| m.max(c));
+        let size = most.next_power_of_two().max(8);
+        let block = size / 8;
+        let blocks: Vec<[u32; 3]> = (0..512u32).map(|n| [n / 64, n / 8 % 8, n % 8]).collect();
+        let found = blocks.into_par_iter().map(|n| -> Result<Vec<Cell>> {
+            let mut cells = Vec::new();
+            self.visit(field, n.map(|k| k * block), block, limits, &mut cells)?;
+            done();
+            Ok(cells)
+        });
+        let mut cells: Vec<Cell> = found.collect::<Result<Vec<_>>>()?.concat();
+        cells.sort_by_key(|cell| cell.index);
+        Ok(cells)
+    }
+
+    fn visit(
+        &self,
+        field: &Field,
+        first: [u32; 3],
+        size: u32,
+        limits: &Limits,
+        cells: &mut Vec<Cell>,
+    ) -> Result<()> {
+        if first.iter().zip(self.counts).any(|(&k, count)| k >= count) {
+            return Ok(());
+        }
+        let half = self.side * f64::from(size) / 2.0;
+        let middle = self.point(first).map(|x| x + half);
+        let verdict = field.verdict(middle, half);
+        if verdict == Verdict::Empty {
+            return Ok(());
+        }
+        if size == 1 {
+            cells.push(Cell {
+                index: first,
+                is_regular: verdict == Verdict::Regular,
+            });
+            return Ok(());
+        }
+        limits.check()?;
+        let step = size / 2;
+        for corner in 0..8u32 {
+            let next = [0, 1, 2].map(|i| first[i as usize] + (corner >> i & 1) * step);
+            self.visit(field, next, step, limits, cells)?;
+        }
+        Ok(())
+    }
+}

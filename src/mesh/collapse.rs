@@ -1,0 +1,118 @@
+//! Taking out short edges: marching tetrahedra leave slivers where the surface passes close by a grid point.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector3;
+
+use super::field::{Crossing, distance};
+use super::refine::edges;
+
+/// Triangles beside a collapsed edge turn by less than the angle with this cosine.
+const LEAST_COSINE: f64 = 0.3;
+
+/// Collapses edges shorter than `shortest`, the shortest first, to one of their ends, so that every vertex stays a
+/// certified one. An edge is collapsed only where the triangles around stay a surface (its ends have exactly the two
+/// neighbours in common that its triangles have: the link condition of Dey, Edelsbrunner, Guha & Nekhayev 1999), none turns
+/// over, and no end is on the rim: so pieces, holes and rims stay what they are.
+pub(super) fn collapse(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>, shortest: f64) {
+    let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertices.len()];
+    for (number, triangle) in (0u32..).zip(triangles.iter()) {
+        for vertex in triangle {
+            around[*vertex as usize].push(number);
+        }
+    }
+    let length =
+        |(a, b): (u32, u32)| distance(vertices[a as usize].point, vertices[b as usize].point);
+    let all: BTreeSet<(u32, u32)> = triangles.iter().flat_map(edges).collect();
+    let mut short: Vec<((u32, u32), f64)> = all
+        .into_iter()
+        .map(|edge| (edge, length(edge)))
+        .filter(|(_, length)| *length < shortest)
+        .collect();
+    short.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    for ((a, b), _) in short {
+        for (from, to) in [(b, a), (a, b)] {
+            if may_collapse(from, to, vertices, triangles, &around) {
+                merge(from, to, triangles, &mut around);
+                break;
+            }
+        }
+    }
+    compact(vertices, triangles);
+}
+
+/// A removed triangle has three equal corners.
+fn is_removed(triangle: [u32; 3]) -> bool {
+    triangle[0] == triangle[1]
+}
+
+fn neighbours(vertex: u32, triangles: &[[u32; 3]], around: &[Vec<u32>]) -> BTreeSet<u32> {
+    let corners = around[vertex as usize]
+        .iter()
+        .flat_map(|&t| triangles[t as usize]);
+    corners.filter(|&v| v != vertex).collect()
+}
+
+fn may_collapse(
+    from: u32,
+    to: u32,
+    vertices: &[Crossing],
+    triangles: &[[u32; 3]],
+    around: &[Vec<u32>],
+) -> bool {
+    let [of_from, of_to] = [from, to].map(|v| neighbours(v, triangles, around));
+    let valence = |v: u32| around[v as usize].len();
+    // Inside the surface there are as many triangles around a vertex as neighbours.
+    let inside = of_from.len() == valence(from) && of_to.len() == valence(to);
+    if !inside || !of_from.contains(&to) {
+        return false;
+    }
+    let common: Vec<u32> = of_from.intersection(&of_to).copied().collect();
+    if common.len() != 2 || common.iter().any(|&v| valence(v) <= 3) {
+        return false;
+    }
+    let normal = |t: [u32; 3]| {
+        let [a, b, c] = t.map(|v| Vector3::from(vertices[v as usize].point));
+        (b - a).cross(&(c - a))
+    };
+    around[from as usize].iter().all(|&t| {
+        let old = triangles[t as usize];
+        if old.contains(&to) {
+            return true;
+        }
+        let new = old.map(|v| if v == from { to } else { v });
+        let (old, new) = (normal(old), normal(new));
+        new.dot(&old) > LEAST_COSINE * new.norm() * old.norm()
+    })
+}
+
+fn merge(from: u32, to: u32, triangles: &mut [[u32; 3]], around: &mut [Vec<u32>]) {
+    for t in std::mem::take(&mut around[from as usize]) {
+        let triangle = triangles[t as usize];
+        if triangle.contains(&to) {
+            for vertex in triangle {
+                around[vertex as usize].retain(|&other| other != t);
+            }
+            triangles[t as usize] = [to; 3];
+        } else {
+            triangles[t as usize] = triangle.map(|v| if v == from { to } else { v });
+            around[to as usize].push(t);
+        }
+    }
+}
+
+/// Without removed triangles, and without vertices that belong to none.
+fn compact(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>) {
+    triangles.retain(|&t| !is_removed(t));
+    let mut numbers: Vec<Option<u32>> = vec![None; vertices.len()];
+    let mut kept = Vec::with_capacity(vertices.len());
+    for triangle in triangles.iter_mut() {
+        *triangle = triangle.map(|v| {
+            *numbers[v as usize].get_or_insert_with(|| {
+                kept.push(vertices[v as usize]);
+                u32::try_from(kept.len() - 1).unwrap_or(u32::MAX)
+            })
+        });
+    }
+    *vertices = kept;
+}

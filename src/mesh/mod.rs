@@ -1,0 +1,12 @@
+//! Triangle meshes of implicit surfaces: exact signs at grid points, certified vertices, every sheet.
+
+mod cells;
+mod collapse;
+mod field;
+mod refine;
+mod tetrahedra;
+mod topology;
+mod triangles;
+
+pub use topology::Topology;
+pub use triangles::{MAX_MESH_CELLS, Mesh, MeshOptions, mesh_bounds, mesh_surface};

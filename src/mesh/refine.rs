@@ -1,0 +1,141 @@
+//! Splitting edges where the surface bends.
+
+use std::collections::{BTreeSet, HashMap};
+
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+
+use super::field::{Crossing, Field, between, distance};
+
+/// How far from the middle of an edge the surface is looked for, in parts of the edge.
+const STEPS: [f64; 5] = [1.0 / 32.0, 1.0 / 16.0, 0.125, 0.25, 0.5];
+
+type Edge = (u32, u32);
+
+/// Unit normals, towards growing f; 0 where the gradient vanishes.
+pub(super) fn normals(field: &Field, vertices: &[Crossing]) -> Vec<[f64; 3]> {
+    let normal = |v: &Crossing| {
+        let gradient = field.gradient(v.point);
+        let length = distance(gradient, [0.0; 3]);
+        if length > 0.0 && length.is_finite() {
+            gradient.map(|g| g / length)
+        } else {
+            [0.0; 3]
+        }
+    };
+    vertices.par_iter().map(normal).collect()
+}
+
+/// Splits every edge whose normals differ by an angle with a cosine below `cosine`, at a certified point of the surface
+/// beside its middle. Edges shorter than `shortest` stay. A split edge is split in both of its triangles, so what was
+/// closed stays closed. Returns whether anything was split.
+pub(super) fn split(
+    field: &Field,
+    vertices: &mut Vec<Crossing>,
+    triangles: &mut Vec<[u32; 3]>,
+    cosine: f64,
+    shortest: f64,
+) -> bool {
+    let normals = normals(field, vertices);
+    let edges: BTreeSet<Edge> = triangles.iter().flat_map(edges).collect();
+    let candidates: Vec<(Edge, Crossing)> = edges
+        .into_iter()
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .filter_map(|(a, b)| {
+            let [m, n] = [a, b].map(|v| normals[v as usize]);
+            let [p, q] = [a, b].map(|v| vertices[v as usize].point);
+            let bends = dot(m, n) < cosine && distance(p, q) > shortest;
+            let found = if bends {
+                beside(field, p, q)?
+            } else {
+                return None;
+            };
+            Some(((a, b), found))
+        })
+        .collect();
+    if candidates.is_empty() {
+        return false;
+    }
+    let mut middles: HashMap<Edge, u32> = HashMap::new();
+    for (edge, crossing) in candidates {
+        let Ok(number) = u32::try_from(vertices.len()) else {
+            break;
+        };
+        middles.insert(edge, number);
+        vertices.push(crossing);
+    }
+    *triangles = triangles
+        .iter()
+        .flat_map(|t| divided(*t, &middles, vertices))
+        .collect();
+    true
+}
+
+pub(super) fn edges(triangle: &[u32; 3]) -> [Edge; 3] {
+    let [a, b, c] = *triangle;
+    [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)))
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// A certified point of the surface on the line along the gradient through the middle of p and q.
+fn beside(field: &Field, p: [f64; 3], q: [f64; 3]) -> Option<Crossing> {
+    let middle = between(p, q, 0.5);
+    let gradient = field.gradient(middle);
+    let scale = distance(p, q) / distance(gradient, [0.0; 3]);
+    if !scale.is_finite() {
+        return None;
+    }
+    let is_negative = field.sign(middle) < 0;
+    let towards = if is_negative { scale } else { -scale };
+    let mut last = middle;
+    for step in STEPS {
+        let next = std::array::from_fn(|i| middle[i] + towards * step * gradient[i]);
+        if (field.sign(next) < 0) != is_negative {
+            return Some(if is_negative {
+                field.crossing(last, next)
+            } else {
+                field.crossing(next, last)
+            });
+        }
+        last = next;
+    }
+    None
+}
+
+/// A triangle, divided at the middles of its split edges.
+fn divided(
+    triangle: [u32; 3],
+    middles: &HashMap<Edge, u32>,
+    vertices: &[Crossing],
+) -> Vec<[u32; 3]> {
+    let mut t = triangle;
+    let mut cut = edges(&t).map(|edge| middles.get(&edge).copied());
+    // Turned so that the first edge is split, and with two split edges the last one is not.
+    for _ in 0..3 {
+        let is_first = cut[0].is_some() && (cut[1].is_some() || cut[2].is_none());
+        if is_first {
+            break;
+        }
+        t.rotate_left(1);
+        cut.rotate_left(1);
+    }
+    let [a, b, c] = t;
+    match cut {
+        [Some(ab), Some(bc), Some(ca)] => vec![[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]],
+        [Some(ab), Some(bc), None] => {
+            let between =
+                |i: u32, j: u32| distance(vertices[i as usize].point, vertices[j as usize].point);
+            let corner = [ab, b, bc];
+            if between(a, bc) < between(ab, c) {
+                vec![corner, [a, ab, bc], [a, bc, c]]
+            } else {
+                vec![corner, [a, ab, c], [ab, bc, c]]
+            }
+        }
+        [Some(ab), None, None] => vec![[a, ab, c], [ab, b, c]],
+        _ => vec![t],
+    }
+}

@@ -1,0 +1,111 @@
+//! Marching tetrahedra: triangles from the signs at the corners of cells.
+
+use std::collections::HashMap;
+
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+
+use super::cells::{Cell, Grid};
+use super::field::{Crossing, Field};
+
+/// The corners of a cell as bits: x is 1, y is 2, z is 4. Kuhn's six tetrahedra all have the diagonal from 0 to 7,
+/// and the triangulations of neighbouring cells fit.
+const TETRAHEDRA: [[u8; 4]; 6] = [
+    [0, 1, 3, 7],
+    [0, 1, 5, 7],
+    [0, 2, 3, 7],
+    [0, 2, 6, 7],
+    [0, 4, 5, 7],
+    [0, 4, 6, 7],
+];
+
+type GridPoint = [u32; 3];
+/// From the negative end to the other one.
+type Edge = [GridPoint; 2];
+
+/// The vertices on the edges of the tetrahedra, and the triangles between them, with f < 0 behind them.
+pub(super) fn triangles(
+    field: &Field,
+    grid: &Grid,
+    cells: &[Cell],
+) -> (Vec<Crossing>, Vec<[u32; 3]>) {
+    let mut corners: Vec<GridPoint> = cells.iter().flat_map(|c| corners(c.index)).collect();
+    corners.par_sort_unstable();
+    corners.dedup();
+    let signs: Vec<bool> = corners
+        .par_iter()
+        .map(|&corner| field.sign(grid.point(corner)) < 0)
+        .collect();
+    let is_negative: HashMap<GridPoint, bool> = corners.into_iter().zip(signs).collect();
+    let cut: Vec<[Edge; 3]> = cells
+        .iter()
+        .flat_map(|cell| in_cell(cell.index, &is_negative))
+        .collect();
+    let mut edges: Vec<Edge> = cut.iter().flatten().copied().collect();
+    edges.par_sort_unstable();
+    edges.dedup();
+    let crossings: Vec<Crossing> = edges
+        .par_iter()
+        .map(|&[a, b]| field.crossing(grid.point(a), grid.point(b)))
+        .collect();
+    let number = |edge: &Edge| -> u32 {
+        let found = edges.binary_search(edge).unwrap_or_default();
+        u32::try_from(found).unwrap_or(u32::MAX)
+    };
+    let triangles = cut
+        .into_par_iter()
+        .map(|edges| edges.each_ref().map(number));
+    (crossings, triangles.collect())
+}
+
+fn corner([i, j, k]: GridPoint, bits: u8) -> GridPoint {
+    let bit = |n: u8| u32::from(bits >> n & 1);
+    [i + bit(0), j + bit(1), k + bit(2)]
+}
+
+fn corners(index: GridPoint) -> impl Iterator<Item = GridPoint> {
+    (0..8).map(move |bits| corner(index, bits))
+}
+
+fn in_cell(index: GridPoint, is_negative: &HashMap<GridPoint, bool>) -> Vec<[Edge; 3]> {
+    let mut found = Vec::new();
+    for tetrahedron in TETRAHEDRA {
+        let points = tetrahedron.map(|bits| corner(index, bits));
+        let negative = |p: &&GridPoint| is_negative.get(*p).copied().unwrap_or(false);
+        let (behind, before): (Vec<&GridPoint>, Vec<&GridPoint>) =
+            points.iter().partition(negative);
+        let edge = |i: usize, j: usize| [*behind[i], *before[j]];
+        match behind.len() {
+            1 => found.push([edge(0, 0), edge(0, 1), edge(0, 2)]),
+            2 => {
+                let [a, b, c, d] = [edge(0, 0), edge(0, 1), edge(1, 1), edge(1, 0)];
+                found.extend([[a, b, c], [a, c, d]]);
+            }
+            3 => found.push([edge(0, 0), edge(1, 0), edge(2, 0)]),
+            _ => {}
+        }
+    }
+    found.iter().map(oriented).collect()
+}
+
+/// The triangle with the negative ends of its edges behind it.
+fn oriented(triangle: &[Edge; 3]) -> [Edge; 3] {
+    // Twice the middles of the edges, in which everything is an integer.
+    let middle = |[a, b]: &Edge| [0, 1, 2].map(|i| i64::from(a[i]) + i64::from(b[i]));
+    let [p, q, r] = triangle.each_ref().map(middle);
+    let minus = |a: [i64; 3], b: [i64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
+    let (u, v) = (minus(q, p), minus(r, p));
+    let normal = [0, 1, 2].map(|i: usize| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        u[j] * v[k] - u[k] * v[j]
+    });
+    let outward: i64 = triangle
+        .iter()
+        .map(|[a, b]| {
+            let step = minus(b.map(i64::from), a.map(i64::from));
+            normal.iter().zip(step).map(|(n, s)| n * s).sum::<i64>()
+        })
+        .sum();
+    let [a, b, c] = *triangle;
+    if outward < 0 { [a, c, b] } else { [a, b, c] }
+}

@@ -1,0 +1,81 @@
+//! What the triangles of a mesh make: closed or not, in how many pieces, with how many holes.
+
+use std::collections::HashMap;
+
+use super::refine::edges;
+use super::triangles::Mesh;
+
+/// Counts that describe a mesh as a surface; all of them exact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Topology {
+    /// Edges with one triangle.
+    pub boundary_edges: usize,
+    /// Edges with more than two triangles, or with two that do not agree which side is out.
+    pub irregular_edges: usize,
+    /// Connected pieces.
+    pub components: usize,
+    /// Vertices − edges + triangles: 2 for a sphere, 0 for a torus.
+    pub euler_characteristic: i64,
+}
+
+impl Topology {
+    /// Whether every edge has exactly two triangles, which agree on the side that is out.
+    #[must_use]
+    pub fn is_watertight(&self) -> bool {
+        self.boundary_edges == 0 && self.irregular_edges == 0
+    }
+}
+
+impl Mesh {
+    /// Counts edges and pieces. Cost: linear in the number of triangles.
+    #[must_use]
+    pub fn topology(&self) -> Topology {
+        // How often an edge is run through upwards and downwards.
+        let mut uses: HashMap<(u32, u32), [usize; 2]> = HashMap::new();
+        for triangle in &self.triangles {
+            for (corner, edge) in edges(triangle).into_iter().enumerate() {
+                let downwards = triangle[corner] != edge.0;
+                uses.entry(edge).or_default()[usize::from(downwards)] += 1;
+            }
+        }
+        let boundary = uses.values().filter(|[up, down]| up + down == 1).count();
+        let regular = uses.values().filter(|counts| **counts == [1, 1]).count();
+        let signed = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
+        Topology {
+            boundary_edges: boundary,
+            irregular_edges: uses.len() - boundary - regular,
+            components: self.pieces().1,
+            euler_characteristic: signed(self.vertices.len()) - signed(uses.len())
+                + signed(self.triangles.len()),
+        }
+    }
+
+    /// The piece of every vertex, and how many pieces there are.
+    pub(super) fn pieces(&self) -> (Vec<usize>, usize) {
+        let mut parent: Vec<u32> = (0..u32::try_from(self.vertices.len()).unwrap_or(0)).collect();
+        for [a, b, c] in &self.triangles {
+            for other in [b, c] {
+                let (p, q) = (root(&mut parent, *a), root(&mut parent, *other));
+                parent[p.max(q) as usize] = p.min(q);
+            }
+        }
+        let mut names: HashMap<u32, usize> = HashMap::new();
+        let mut pieces = Vec::with_capacity(self.vertices.len());
+        for vertex in 0..u32::try_from(self.vertices.len()).unwrap_or(0) {
+            let next = names.len();
+            pieces.push(*names.entry(root(&mut parent, vertex)).or_insert(next));
+        }
+        (pieces, names.len())
+    }
+}
+
+/// The smallest vertex of a piece, with the path to it shortened.
+fn root(parent: &mut [u32], vertex: u32) -> u32 {
+    let mut at = vertex;
+    while parent[at as usize] != at {
+        let above = parent[parent[at as usize] as usize];
+        parent[at as usize] = above;
+        at = above;
+    }
+    at
+}

@@ -1,0 +1,251 @@
+//! From a surface to a mesh.
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::cells::Grid;
+use super::field::{Crossing, Field};
+use super::{collapse, refine, tetrahedra};
+use crate::error::{Error, Result};
+use crate::factor::factor_space;
+use crate::limits::Limits;
+use crate::poly::SpacePolynomial;
+use crate::sample::{Ray, RaySolver, SpaceDirection};
+use crate::shape::ImplicitSurface;
+
+/// At most so many cells of the grid may hold a part of the surface.
+pub const MAX_MESH_CELLS: usize = 4_000_000;
+/// Edges shorter than this part of a cell are taken out.
+const COLLAPSED: f64 = 0.35;
+/// Edges are split at most so many times one after the other.
+const ROUNDS: usize = 4;
+/// Split edges are no shorter than this part of a cell.
+const SHORTEST: f64 = 1.0 / 24.0;
+/// Directions in which the extent of a surface is looked for.
+const DIRECTIONS: usize = 400;
+/// A surface whose largest radius is more than this times the median goes on beyond what is shown.
+const LARGEST_OVER_MEDIAN: f64 = 4.0;
+
+/// How a surface is meshed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshOptions {
+    /// The box that is covered; the mesh ends less than two cells beyond it.
+    pub bounds: [[f64; 2]; 3],
+    /// Cells along the longest side of the box.
+    pub resolution: u32,
+    /// Edges are split where normals turn by more than this, in degrees.
+    pub angle: f64,
+}
+
+/// Triangles in space.
+#[derive(Clone, Debug, Default)]
+pub struct Mesh {
+    /// Points with a certified zero of the polynomial within [`Mesh::vertex_bound`] of each.
+    pub vertices: Vec<[f64; 3]>,
+    /// Unit normals at the vertices, in doubles; 0 at singular points.
+    pub normals: Vec<[f64; 3]>,
+    /// Vertices, counter-clockwise seen from outside (for a closed piece), or from where f > 0.
+    pub triangles: Vec<[u32; 3]>,
+    /// The first triangle of every factor of the polynomial.
+    pub factors: Vec<usize>,
+    /// The largest distance between a vertex and a zero that is proved to be beside it.
+    pub vertex_bound: f64,
+    /// The side of a cell.
+    pub cell: f64,
+    /// Cells that could not be proved empty, and how many of them could not be proved to hold a single smooth sheet: there,
+    /// and only there, the mesh may miss what is smaller than a cell.
+    pub cells: [usize; 2],
+}
+
+/// The triangle mesh of the zero set of a polynomial in a box.
+///
+/// The polynomial is factored, and every factor meshed on its own, so double sheets are not missed. An octree of
+/// cubes is cut off where a Taylor bound proves that f ≠ 0; the exact signs of f at the corners of the cells that
+/// remain give triangles by marching tetrahedra, which fit across cells; their slivers are collapsed: a surface that is closed inside the box gives a
+/// closed mesh. Every vertex is a point between two points at most 2·[`Mesh::vertex_bound`] apart at which f has
+/// exactly opposite signs. Then edges are split where the surface bends.
+///
+/// `progress` hears numbers from 0 to 1000.
+///
+/// Cost: a Taylor expansion for every cube of the octree, about resolution² times a constant.
+///
+/// ```
+/// use stellate::limits::Limits;
+/// use stellate::mesh::{MeshOptions, mesh_surface};
+/// use stellate::poly::{Ring, SparsePolynomial};
+/// use stellate::shape::ImplicitSurface;
+///
+/// let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+/// let one = SparsePolynomial::constant(1.into());
+/// let sphere = x.squared().plus(&y.squared()).plus(&z.squared()).minus(&one);
+/// let options = MeshOptions { bounds: [[-1.1, 1.1]; 3], resolution: 12, angle: 20.0 };
+/// let mesh = mesh_surface(&ImplicitSurface::new(sphere), &options, &Limits::none(), &|_| {})?;
+/// let topology = mesh.topology();
+/// assert!(topology.is_watertight());
+/// assert_eq!((topology.components, topology.euler_characteristic), (1, 2));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Limit`] for more than [`MAX_MESH_CELLS`] cells with a part of the surface; [`Error::Usage`] for a constant or a
+/// box that is not one; those of [`factor_space`].
+pub fn mesh_surface(
+    surface: &ImplicitSurface,
+    options: &MeshOptions,
+    limits: &Limits,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Mesh> {
+    let f = surface.polynomial();
+    if f.degree().is_none_or(|degree| degree == 0) {
+        return Err(Error::Usage("a constant has no surface".into()));
+    }
+    let is_box = |[a, b]: &[f64; 2]| a.is_finite() && b.is_finite() && a < b;
+    if !options.bounds.iter().all(is_box) || options.resolution == 0 {
+        return Err(Error::Usage(
+            "a mesh needs a box with positive sides and at least one cell".into(),
+        ));
+    }
+    let grid = Grid::covering(&options.bounds, options.resolution);
+    let mut mesh = Mesh {
+        cell: grid.side,
+        ..Mesh::default()
+    };
+    let factors = factor_space(f, limits)?.factors;
+    let share = 1000 / factors.len().max(1) as u64;
+    for (index, factor) in factors.iter().enumerate() {
+        let before = share * index as u64;
+        let heard = |part: u64| progress(before + share * part / 1000);
+        let field = Field::new(&factor.polynomial);
+        add_factor(&field, &grid, options, limits, &heard, &mut mesh)?;
+    }
+    mesh.turn_outward();
+    progress(1000);
+    Ok(mesh)
+}
+
+fn add_factor(
+    field: &Field,
+    grid: &Grid,
+    options: &MeshOptions,
+    limits: &Limits,
+    progress: &(dyn Fn(u64) + Sync),
+    mesh: &mut Mesh,
+) -> Result<()> {
+    let blocks = std::sync::atomic::AtomicU64::new(0);
+    let cells = grid.cells(field, limits, &|| {
+        let done = blocks.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        progress(done * 500 / 512);
+    })?;
+    if cells.len() > MAX_MESH_CELLS {
+        return Err(Error::limit(format!(
+            "{MAX_MESH_CELLS} cells with a part of the surface; a coarser --resolution or a smaller --window needs fewer"
+        )));
+    }
+    mesh.cells[0] += cells.len();
+    mesh.cells[1] += cells.iter().filter(|cell| !cell.is_regular).count();
+    let (mut vertices, mut triangles) = tetrahedra::triangles(field, grid, &cells);
+    collapse::collapse(&mut vertices, &mut triangles, COLLAPSED * grid.side);
+    progress(750);
+    let cosine = options.angle.to_radians().cos();
+    for round in 0..ROUNDS as u64 {
+        limits.check()?;
+        let shortest = SHORTEST * grid.side;
+        if !refine::split(field, &mut vertices, &mut triangles, cosine, shortest) {
+            break;
+        }
+        progress(750 + 60 * (round + 1));
+    }
+    let first = u32::try_from(mesh.vertices.len() + vertices.len())
+        .map_err(|_| Error::limit("2^32 vertices"))?
+        - u32::try_from(vertices.len()).unwrap_or(0);
+    mesh.factors.push(mesh.triangles.len());
+    mesh.normals.extend(refine::normals(field, &vertices));
+    let bounds = vertices.iter().map(|v: &Crossing| v.radius);
+    mesh.vertex_bound = bounds.fold(mesh.vertex_bound, f64::max);
+    mesh.vertices.extend(vertices.iter().map(|v| v.point));
+    let moved = triangles.into_iter().map(|t| t.map(|v| v + first));
+    mesh.triangles.extend(moved);
+    Ok(())
+}
+
+impl Mesh {
+    /// Turns closed pieces whose triangles look inward.
+    fn turn_outward(&mut self) {
+        let (pieces, count) = self.pieces();
+        let mut volumes = vec![0.0; count];
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|v| self.vertices[v as usize]);
+            let cross = [0, 1, 2].map(|i: usize| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                b[j] * c[k] - b[k] * c[j]
+            });
+            let volume: f64 = a.iter().zip(cross).map(|(a, n)| a * n).sum();
+            volumes[pieces[triangle[0] as usize]] += volume;
+        }
+        let mut is_open = vec![false; count];
+        for edge in self.boundary() {
+            is_open[pieces[edge.0 as usize]] = true;
+        }
+        let turned = |v: u32| {
+            let piece = pieces[v as usize];
+            !is_open[piece] && volumes[piece] < 0.0
+        };
+        for triangle in self.triangles.iter_mut().filter(|t| turned(t[0])) {
+            triangle.swap(1, 2);
+        }
+        for (vertex, normal) in (0..).zip(&mut self.normals) {
+            if turned(vertex) {
+                *normal = normal.map(|n| -n);
+            }
+        }
+    }
+
+    fn boundary(&self) -> Vec<(u32, u32)> {
+        let mut edges: Vec<(u32, u32)> = self.triangles.iter().flat_map(refine::edges).collect();
+        edges.sort_unstable();
+        let alone = edges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1);
+        alone.map(|same| same[0]).collect()
+    }
+}
+
+/// A box around the certified points of a surface in many directions from the origin, without those much farther out than
+/// most, with a margin; and whether none was left out. `None` if there are no points.
+///
+/// # Errors
+/// What `limits` returns.
+pub fn mesh_bounds(
+    surface: &ImplicitSurface,
+    limits: &Limits,
+) -> Result<Option<([[f64; 2]; 3], bool)>> {
+    let polynomial = SpacePolynomial::from(surface.polynomial());
+    let solver = RaySolver::new(&polynomial);
+    let rays = SpaceDirection::fibonacci(DIRECTIONS)
+        .into_par_iter()
+        .map(|direction| {
+            limits.check()?;
+            Ok(match solver.solve(&direction) {
+                Ray::Points(points) => points,
+                Ray::Line => Vec::new(),
+            })
+        });
+    let mut samples = rays.collect::<Result<Vec<_>>>()?.concat();
+    samples.sort_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
+    let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
+        return Ok(None);
+    };
+    let near: Vec<[f64; 3]> = samples
+        .iter()
+        .filter(|s| s.r.abs() <= LARGEST_OVER_MEDIAN * median)
+        .map(|s| s.position)
+        .collect();
+    let all = near.len() == samples.len();
+    let bounds = [0, 1, 2].map(|i: usize| {
+        let values = near.iter().map(|p| p[i]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+            [a.min(v), b.max(v)]
+        })
+    });
+    let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
+    // A point, or a surface in a plane through the origin, has a box too.
+    let margin = if longest > 0.0 { 0.08 * longest } else { 1.0 };
+    Ok(Some((bounds.map(|[a, b]| [a - margin, b + margin]), all)))
+}
