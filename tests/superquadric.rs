@@ -68,16 +68,20 @@ fn the_parameters_may_come_in_any_order_and_notation() {
 #[test]
 fn what_is_wrong_is_pointed_at() {
     for (text, message, at) in [
-        ("superquadric", "expected `2d` after `superquadric`", ""),
+        (
+            "superquadric",
+            "expected `2d` or `3d` after `superquadric`",
+            "",
+        ),
         (
             "superquadric a=1,2 e=1",
-            "expected `2d` after `superquadric`",
+            "expected `2d` or `3d` after `superquadric`",
             "a=1",
         ),
         (
-            "superquadric 3d a=1,1,2 e=1/2,1",
-            "superquadrics in space are not understood",
-            "3d",
+            "superquadric 3d a=1,2 e=1/2,1",
+            "expected three numbers in space, found 2",
+            "1,2 e",
         ),
         (
             "superquadric 2d e=1/2",
@@ -346,8 +350,8 @@ fn a_parametric_document_is_read_back() {
         ),
         (
             r#""dimension":2"#,
-            r#""dimension":3"#,
-            "superquadric.dimension: expected 2",
+            r#""dimension":4"#,
+            "superquadric.dimension: expected 2 or 3",
         ),
         (
             r#""a":["1","2"]"#,

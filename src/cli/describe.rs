@@ -3,7 +3,7 @@
 use stellate::describe::Description;
 use stellate::document::{
     Annotations, Coordinates, Format, write_description, write_space_curve_description,
-    write_superquadric_description,
+    write_space_superquadric_description, write_superquadric_description,
 };
 use stellate::error::{Error, Result};
 use stellate::shape::Form;
@@ -42,6 +42,11 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
     if let Form::Superquadric(shape) = &fitted.form {
         return write_result(session, |out| {
             write_superquadric_description(shape, format, out)
+        });
+    }
+    if let Form::SpaceSuperquadric(shape) = &fitted.form {
+        return write_result(session, |out| {
+            write_space_superquadric_description(shape, format, out)
         });
     }
     let form = session.stage("implicitize", |session| {

@@ -55,9 +55,14 @@ fn refuse_method(verb: &Implicitize, form: &Form) -> Result<()> {
         return Ok(());
     };
     let message = match (method, form) {
-        (_, Form::Curve(_) | Form::Surface(_) | Form::Intersection(_) | Form::Superquadric(_)) => {
-            "--method is for parametric forms; this one is implicit already"
-        }
+        (
+            _,
+            Form::Curve(_)
+            | Form::Surface(_)
+            | Form::Intersection(_)
+            | Form::Superquadric(_)
+            | Form::SpaceSuperquadric(_),
+        ) => "--method is for parametric forms; this one is implicit already",
         (ImplicitizeMethod::Resultant, Form::SpaceCurve(_) | Form::Patch(_)) => {
             "--method resultant is for plane curves; in space the default is certified linear algebra, and polar \
              the paper's way"
@@ -74,6 +79,10 @@ fn equation(form: Form, verb: &Implicitize, session: &Session) -> Result<(Form, 
     Ok(match form {
         Form::Fourier(radius) => of_radius(&radius, verb, session)?,
         Form::Superquadric(shape) => (Form::Curve(input::polynomial_of(&shape)?), plain),
+        Form::SpaceSuperquadric(shape) => {
+            let surface = ImplicitSurface::new(shape.polynomial()?);
+            (Form::Surface(surface), plain)
+        }
         Form::PlaneCurve(curve) => of_plane_curve(&curve, polar, session)?,
         Form::SpaceCurve(curve) => of_space_curve(&curve, polar, session)?,
         Form::Patch(patch) => of_patch(&patch, polar, session)?,

@@ -4,8 +4,8 @@ use std::ffi::OsStr;
 
 use stellate::document::{MeshFormat, write_mesh};
 use stellate::error::{Error, Result};
-use stellate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_surface};
-use stellate::shape::{Form, ImplicitSurface};
+use stellate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_superquadric, mesh_surface};
+use stellate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
 
 use super::arguments;
 use super::input;
@@ -39,15 +39,20 @@ pub(crate) fn run(verb: &arguments::Mesh, session: &mut Session) -> Result<()> {
     let name = input.short_name();
     let fitted = input::exact_form(input, &arguments::FitFlags::default(), session)?;
     let surface = match input::through_equation(fitted.form, session)? {
-        Form::Surface(surface) => surface,
-        Form::Curve(curve) => input::cylinder(&curve),
+        Form::Surface(surface) => Ok(surface),
+        Form::Curve(curve) => Ok(input::cylinder(&curve)),
+        Form::SpaceSuperquadric(shape) => Err(shape),
         _ => {
             return Err(Error::Usage(
-                "mesh takes a surface: a polynomial in x, y and z, or a patch".into(),
+                "mesh takes a surface: a polynomial in x, y and z, a patch, or a superquadric 3d"
+                    .into(),
             ));
         }
     };
-    let mesh = of_surface(&surface, window, verb.resolution, verb.angle, session)?;
+    let mesh = match &surface {
+        Ok(surface) => of_surface(surface, window, verb.resolution, verb.angle, session)?,
+        Err(shape) => of_superquadric(shape, verb.resolution, session)?,
+    };
     if mesh.triangles.is_empty() {
         return Err(Error::Usage(format!(
             "{name}: no part of the surface was found{}",
@@ -104,6 +109,23 @@ pub(crate) fn of_surface(
             });
         }
         once(surface, bounds, resolution, angle, session, &bar)
+    });
+    bar.finish_and_clear();
+    mesh
+}
+
+/// `resolution` is that of the longest side: so many cells from pole to pole.
+pub(crate) fn of_superquadric(
+    shape: &SpaceSuperquadric,
+    resolution: u32,
+    session: &mut Session,
+) -> Result<Mesh> {
+    let count = resolution.div_ceil(2).max(2) as usize;
+    let bar = session.progress(1000, "mesh");
+    let mesh = session.stage("mesh", |session| {
+        mesh_superquadric(shape, count, &session.limits, &|done| {
+            bar.set_position(done)
+        })
     });
     bar.finish_and_clear();
     mesh

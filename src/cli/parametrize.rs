@@ -8,7 +8,8 @@ use stellate::implicitize::SquaredForm;
 use stellate::limits::Limits;
 use stellate::parametrize::{
     Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, Parametrization, PolarMethod, Radius,
-    fit_branch, parametrize, parametrize_superquadric, parametrize_surface,
+    fit_branch, parametrize, parametrize_space_superquadric, parametrize_superquadric,
+    parametrize_surface,
 };
 use stellate::sample::{RaySolver, SpaceDirection};
 use stellate::shape::{Form, FourierRadius, ImplicitSurface};
@@ -35,6 +36,18 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     let form = input::through_equation(fitted.form, session)?;
     if let Form::Surface(surface) = &form {
         return surface_form(surface, verb, format, session);
+    }
+    if let Form::SpaceSuperquadric(shape) = &form {
+        if !verb.theta.is_empty() {
+            return Err(Error::Usage(
+                "--theta and --phi ask where R is real; that of a superquadric is real and positive in every direction".into(),
+            ));
+        }
+        let spherical = parametrize_space_superquadric(shape);
+        let digits = session.common.digits;
+        return write_result(session, |out| {
+            write_surface_parametrization(&spherical, &[], &[], digits, format, out)
+        });
     }
     if !verb.theta.is_empty() {
         return Err(Error::Usage(

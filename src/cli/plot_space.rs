@@ -23,7 +23,11 @@ pub(crate) fn is_in_space(input: &Input) -> bool {
     matches!(
         input.content,
         Content::Exact(
-            Form::SpaceCurve(_) | Form::Patch(_) | Form::Surface(_) | Form::Intersection(_)
+            Form::SpaceCurve(_)
+                | Form::Patch(_)
+                | Form::Surface(_)
+                | Form::SpaceSuperquadric(_)
+                | Form::Intersection(_)
         )
     )
 }
@@ -38,7 +42,7 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
     let mut drawn: Vec<Drawn> = Vec::new();
     let mut around = box_around(points.iter());
     for input in inputs {
-        let next = drawn_of(input, &ranges)?;
+        let next = drawn_of(input, &ranges, session)?;
         if let Drawn::Layer(_, extent) = &next {
             around = joined(around, *extent);
         }
@@ -194,7 +198,7 @@ pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {
     numbers.iter().all(|v| v.is_finite()).then_some(numbers)
 }
 
-fn drawn_of(input: Input, ranges: &[Range]) -> Result<Drawn> {
+fn drawn_of(input: Input, ranges: &[Range], session: &mut Session) -> Result<Drawn> {
     let name = input.short_name();
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
@@ -235,6 +239,16 @@ fn drawn_of(input: Input, ranges: &[Range]) -> Result<Drawn> {
             label("cylinder", Vec::new()),
             vec![input::cylinder(&curve)],
         )),
+        Content::Exact(Form::SpaceSuperquadric(shape)) => {
+            let [of_xy, _, of_z] = shape.exponents();
+            let mut layer = SpaceLayer {
+                label: format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}"),
+                ..SpaceLayer::default()
+            };
+            let mesh = mesh::of_superquadric(&shape, SURFACE_CELLS, session)?;
+            add_mesh(&mesh, &mut layer);
+            Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))
+        }
         Content::Exact(Form::Intersection(surfaces)) => Ok(Drawn::Surfaces(
             label("surfaces of an intersection", Vec::new()),
             surfaces,

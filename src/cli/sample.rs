@@ -6,7 +6,9 @@ use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
 use stellate::implicitize::SquaredForm;
 use stellate::poly::SpacePolynomial;
-use stellate::sample::{Direction, Ray, RaySolver, SpaceDirection, SuperquadricSolver};
+use stellate::sample::{
+    Direction, Ray, RaySolver, SpaceDirection, SpaceSuperquadricSolver, SuperquadricSolver,
+};
 use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
 use super::arguments::Sample;
@@ -34,12 +36,21 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
     let input = input::read(&verb.form, session)?;
     let fitted = input::exact_form(input, &verb.fit, session)?;
     let form = match fitted.form {
-        shape @ Form::Superquadric(_) => shape,
+        shape @ (Form::Superquadric(_) | Form::SpaceSuperquadric(_)) => shape,
         other => input::through_equation(other, session)?,
     };
     if let Form::Surface(surface) = &form {
         let directions = space_directions(verb.directions, &thetas, &phis)?;
         return sample_surface(surface, directions, verb.positive, format, session);
+    }
+    if let Form::SpaceSuperquadric(shape) = &form {
+        let directions = space_directions(verb.directions, &thetas, &phis)?;
+        let solver = SpaceSuperquadricSolver::new(shape);
+        let rays = session.stage("sample", |session| {
+            solve(|d| solver.solve(d), directions, verb.positive, session)
+        })?;
+        let origin = [Rational::zero(), Rational::zero()];
+        return write_result(session, |out| write_samples(&rays, &origin, format, out));
     }
     if !phis.is_empty() {
         return Err(Error::Usage(

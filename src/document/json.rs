@@ -55,7 +55,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
     match kind.string()? {
         "implicit" => read_implicit(&root, object, source_name),
         "fourier" => read_fourier(&root).map(Form::Fourier),
-        "superquadric" => read_superquadric(&root, object).map(Form::Superquadric),
+        "superquadric" => read_superquadric(&root, object),
         "intersection" => read_intersection(&root, object, |node| {
             read_implicit(node, node.object()?, source_name)
         }),
@@ -65,7 +65,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         "parametric" => {
             if object.contains_key("superquadric") {
                 let node = root.field(object, "superquadric")?;
-                return read_superquadric(&node, node.object()?).map(Form::Superquadric);
+                return read_superquadric(&node, node.object()?);
             }
             let radius = if object.contains_key("fit") {
                 // What was fitted to a curve without a closed form (Lemma 6).

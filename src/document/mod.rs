@@ -36,7 +36,10 @@ pub use mesh::{MeshFormat, write_mesh};
 pub use parametric::write_parametrization;
 pub use samples::{NominalAngles, SampledRay, write_samples};
 pub use spherical::{WrittenDirection, WrittenMeridian, write_surface_parametrization};
-pub use superquadric::{write_superquadric, write_superquadric_description};
+pub use superquadric::{
+    write_space_superquadric, write_space_superquadric_description, write_superquadric,
+    write_superquadric_description,
+};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -128,6 +131,7 @@ pub fn write_form(
         Form::Curve(curve) => write_implicit(curve, annotations, format, out),
         Form::Surface(surface) => write_surface(surface, annotations, format, out),
         Form::Superquadric(shape) => write_superquadric(shape, format, out),
+        Form::SpaceSuperquadric(shape) => write_space_superquadric(shape, format, out),
         Form::PlaneCurve(curve) => Coordinates::from(curve).write(format, out),
         Form::SpaceCurve(curve) => Coordinates::from(curve).write(format, out),
         Form::Patch(patch) => Coordinates::from(patch).write(format, out),

@@ -3,14 +3,15 @@
 use std::io::{self, Write};
 
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use super::node::Node;
 use super::{Format, SCHEMA};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::language::check_exponent;
-use crate::shape::Superquadric;
+use crate::language::{check_exponent, superquadric_of};
+use crate::poly::SparsePolynomial;
+use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 
 /// The document of kind `superquadric`.
 #[derive(Serialize)]
@@ -18,20 +19,51 @@ pub(super) struct Document {
     schema: &'static str,
     kind: &'static str,
     dimension: usize,
-    a: [String; 2],
-    e: [String; 1],
+    a: Vec<String>,
+    e: Vec<String>,
     level: String,
 }
 
 impl Document {
     pub(super) fn new(shape: &Superquadric) -> Self {
+        Self::of(shape.semi_axes(), &[shape.epsilon().clone()], shape.level())
+    }
+
+    pub(super) fn in_space(shape: &SpaceSuperquadric) -> Self {
+        Self::of(shape.semi_axes(), shape.epsilon(), shape.level())
+    }
+
+    fn of(axes: &[Rational], epsilon: &[Rational], level: &Rational) -> Self {
+        let strings = |list: &[Rational]| list.iter().map(ToString::to_string).collect();
         Self {
             schema: SCHEMA,
             kind: "superquadric",
-            dimension: 2,
-            a: shape.semi_axes().each_ref().map(ToString::to_string),
-            e: [shape.epsilon().to_string()],
-            level: shape.level().to_string(),
+            dimension: axes.len(),
+            a: strings(axes),
+            e: strings(epsilon),
+            level: level.to_string(),
+        }
+    }
+
+    /// As the row of the input language or as JSON.
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Text => {
+                let (a, e) = (self.a.join(","), self.e.join(","));
+                write!(out, "superquadric {}d a={a} e={e}", self.dimension)?;
+                if self.level != "1" {
+                    write!(out, " level={}", self.level)?;
+                }
+                writeln!(out)
+            }
+            Format::Json => {
+                serde_json::to_writer(&mut *out, self)?;
+                writeln!(out)
+            }
+            _ => Err(io::Error::new(
+                io::ErrorKind::Unsupported,
+                "a superquadric is written as text or json",
+            )),
         }
     }
 }
@@ -58,46 +90,40 @@ pub fn write_superquadric(
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    match format {
-        Format::Text => {
-            let [a1, a2] = shape.semi_axes();
-            write!(out, "superquadric 2d a={a1},{a2} e={}", shape.epsilon())?;
-            if *shape.level() != Rational::one() {
-                write!(out, " level={}", shape.level())?;
-            }
-            writeln!(out)
-        }
-        Format::Json => {
-            serde_json::to_writer(&mut *out, &Document::new(shape))?;
-            writeln!(out)
-        }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a superquadric is written as text or json",
-        )),
-    }
+    Document::new(shape).write(format, out)
+}
+
+/// The same for a superquadric in space.
+///
+/// # Errors
+/// As [`write_superquadric`].
+pub fn write_space_superquadric(
+    shape: &SpaceSuperquadric,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    Document::in_space(shape).write(format, out)
 }
 
 /// Reads the fields of a document of kind `superquadric`.
-pub(super) fn read_superquadric(
-    root: &Node<'_>,
-    object: &Map<String, Value>,
-) -> Result<Superquadric> {
+pub(super) fn read_superquadric(root: &Node<'_>, object: &Map<String, Value>) -> Result<Form> {
     let dimension = root.field(object, "dimension")?;
-    if dimension.natural()? != 2 {
-        return Err(dimension.wrong("expected 2: only superquadrics in the plane are understood"));
-    }
+    let count = match dimension.natural()? {
+        2 => 2,
+        3 => 3,
+        _ => return Err(dimension.wrong("expected 2 or 3")),
+    };
     let (a, e) = (root.field(object, "a")?, root.field(object, "e")?);
-    let axes = positive_list(&a, 2)?;
-    let epsilon = positive_list(&e, 1)?.swap_remove(0);
-    check_exponent(&epsilon).map_err(|limit| Error::limit(format!("{}: {limit}", e.place())))?;
+    let axes = positive_list(&a, count)?;
+    let epsilon = positive_list(&e, count - 1)?;
+    for value in &epsilon {
+        check_exponent(value).map_err(|limit| Error::limit(format!("{}: {limit}", e.place())))?;
+    }
     let level = match object.get("level") {
         None => Rational::one(),
         Some(_) => positive(&root.field(object, "level")?)?,
     };
-    let [a1, a2] = <[Rational; 2]>::try_from(axes).map_err(|_| a.wrong("expected 2 numbers"))?;
-    Superquadric::new([a1, a2], epsilon, level)
-        .ok_or_else(|| root.wrong("expected positive numbers"))
+    superquadric_of(axes, epsilon, level).ok_or_else(|| root.wrong("expected positive numbers"))
 }
 
 fn positive_list(node: &Node<'_>, count: usize) -> Result<Vec<Rational>> {
@@ -165,7 +191,9 @@ pub fn write_superquadric_description(
 
 fn write_text(d: &Description, out: &mut dyn Write) -> io::Result<()> {
     let n = &d.exponent;
-    let [a1, a2] = &d.superquadric.a;
+    let [a1, a2] = &d.superquadric.a[..] else {
+        return Ok(());
+    };
     let (level, power) = (&d.superquadric.level, grouped(n));
     let (x, y) = (divided("x", a1), divided("y", a2));
     writeln!(out, "superquadric: |{x}|^{power} + |{y}|^{power} = {level}")?;
@@ -189,6 +217,74 @@ fn write_text(d: &Description, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "note: {note}")?;
     }
     Ok(())
+}
+
+/// The same for a superquadric in space.
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for formats other than text and JSON.
+pub fn write_space_superquadric_description(
+    shape: &SpaceSuperquadric,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let [of_xy, of_sum, of_z] = shape.exponents().map(|q| q.to_string());
+    let polynomial = shape.polynomial();
+    let degree = polynomial.as_ref().ok().and_then(SparsePolynomial::degree);
+    let notes = polynomial.err().map(|why| why.to_string());
+    match format {
+        Format::Json => {
+            let mut description = json!({
+                "schema": SCHEMA,
+                "kind": "description",
+                "superquadric": Document::in_space(shape),
+                "method": "lemma-7",
+                "exponents": [of_xy, of_sum, of_z],
+                "degree": degree,
+                "star_shaped": true,
+                "convex": shape.is_convex(),
+            });
+            description["notes"] = notes.into_iter().collect();
+            serde_json::to_writer(&mut *out, &description)?;
+            writeln!(out)
+        }
+        Format::Text => {
+            let [a1, a2, a3] = shape.semi_axes().each_ref().map(ToString::to_string);
+            let [x, y, z] = [("x", &a1), ("y", &a2), ("z", &a3)].map(|(v, a)| divided(v, a));
+            let [m, k, n] = [&of_xy, &of_sum, &of_z].map(|q| grouped(q));
+            let sum = format!("|{x}|^{m} + |{y}|^{m}");
+            let sum = if of_sum == "1" {
+                sum
+            } else {
+                format!("[{sum}]^{k}")
+            };
+            writeln!(out, "superquadric: {sum} + |{z}|^{n} = {}", shape.level())?;
+            writeln!(
+                out,
+                "exponents 2/e2, e2/e1, 2/e1: {of_xy}, {of_sum}, {of_z}"
+            )?;
+            match degree {
+                Some(degree) => writeln!(out, "degree: {degree}")?,
+                None => writeln!(out, "degree: none (no polynomial)")?,
+            }
+            writeln!(out, "method: lemma-7")?;
+            writeln!(out, "star-shaped (R > 0 everywhere, certified): yes")?;
+            let convex = if shape.is_convex() {
+                "yes (2/e1 >= 1 and 2/e2 >= 1)"
+            } else {
+                "no (2/e1 < 1 or 2/e2 < 1)"
+            };
+            writeln!(out, "convex: {convex}")?;
+            if let Some(note) = notes {
+                writeln!(out, "note: {note}")?;
+            }
+            Ok(())
+        }
+        _ => Err(io::Error::new(
+            io::ErrorKind::Unsupported,
+            "a description is written as text or json",
+        )),
+    }
 }
 
 fn divided(name: &str, by: &str) -> String {

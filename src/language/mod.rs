@@ -73,7 +73,7 @@ pub use superquadric::MAX_SUPERQUADRIC_EXPONENT;
 
 pub(crate) use form::{constant_message, implicit};
 pub(crate) use number::{number_at, written_point};
-pub(crate) use superquadric::check_exponent;
+pub(crate) use superquadric::{check_exponent, of_numbers as superquadric_of};
 
 use crate::error::{Error, Result};
 use crate::shape::Form;
@@ -110,7 +110,7 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
         text,
     };
     if let Some(shape) = superquadric::superquadric(source, numbers)? {
-        return Ok(Form::Superquadric(shape));
+        return Ok(shape);
     }
     let tokens = token::tokenize(source)?;
     let equations = parser::parse(source, &tokens.tokens)?;

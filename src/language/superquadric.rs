@@ -1,10 +1,10 @@
-//! `superquadric 2d a=1,2 e=1/2 level=1`: a row of parameters, not an equation.
+//! `superquadric 2d a=1,2 e=1/2 level=1`, `superquadric 3d a=1,1,2 e=1/2,1`: rows of parameters, not equations.
 
 use super::number::{Numbers, written_number};
 use super::source::{Source, Span};
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::shape::Superquadric;
+use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 
 /// The word that such a form starts with.
 const KEYWORD: &str = "superquadric";
@@ -12,26 +12,47 @@ const KEYWORD: &str = "superquadric";
 /// The largest numerator and denominator of e: powers with larger exponents are of no use in exact arithmetic.
 pub const MAX_SUPERQUADRIC_EXPONENT: i32 = 1000;
 
-const EXAMPLE: &str =
-    "as in `superquadric 2d a=1,2 e=1/2`, or with `level=3` for a right-hand side other than 1";
+/// What the parameters of one kind of superquadric look like.
+struct Kind {
+    example: &'static str,
+    /// A parameter: its name, what it is for messages, and how many numbers it takes.
+    parameters: [(&'static str, &'static str, usize); 3],
+}
 
-/// A parameter: its name, what it is for messages, and how many numbers it takes.
-const PARAMETERS: [(&str, &str, usize); 3] = [
-    ("a", "`a=a1,a2`, the semi-axes", 2),
-    (
-        "e",
-        "`e=…`, the exponent in |x/a1|^(2/e) + |y/a2|^(2/e) = level",
-        1,
-    ),
-    ("level", "`level=…`, the right-hand side", 1),
-];
+const LEVEL: (&str, &str, usize) = ("level", "`level=…`, the right-hand side", 1);
+
+const IN_THE_PLANE: Kind = Kind {
+    example: "as in `superquadric 2d a=1,2 e=1/2`, or with `level=3` for a right-hand side other than 1",
+    parameters: [
+        ("a", "`a=a1,a2`, the semi-axes", 2),
+        (
+            "e",
+            "`e=…`, the exponent in |x/a1|^(2/e) + |y/a2|^(2/e) = level",
+            1,
+        ),
+        LEVEL,
+    ],
+};
+
+const IN_SPACE: Kind = Kind {
+    example: "as in `superquadric 3d a=1,1,2 e=1/2,1`",
+    parameters: [
+        ("a", "`a=a1,a2,a3`, the semi-axes", 3),
+        (
+            "e",
+            "`e=e1,e2`, the exponents in [|x/a1|^(2/e2) + |y/a2|^(2/e2)]^(e2/e1) + |z/a3|^(2/e1) = level",
+            2,
+        ),
+        LEVEL,
+    ],
+};
 
 /// The superquadric that a text says, `None` if it says another kind of form.
 ///
 /// # Errors
 /// A syntax error at the first character that is wrong; a limit for exponents beyond
 /// [`MAX_SUPERQUADRIC_EXPONENT`].
-pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Option<Superquadric>> {
+pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Option<Form>> {
     let mut words = Words { source, at: 0 }.peekable();
     match words.next() {
         Some(first) if source.slice(first) == KEYWORD => {}
@@ -40,34 +61,33 @@ pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Optio
     let end = u32::try_from(source.text.len()).unwrap_or(u32::MAX);
     let end = Span { start: end, end };
     let dimension = words.next().unwrap_or(end);
-    match source.slice(dimension) {
-        "2d" | "2D" => {}
-        "3d" | "3D" => {
-            let message = format!(
-                "superquadrics in space are not understood; those in the plane are, {EXAMPLE}"
-            );
-            return Err(source.error(dimension, message));
-        }
+    let kind = match source.slice(dimension) {
+        "2d" | "2D" => IN_THE_PLANE,
+        "3d" | "3D" => IN_SPACE,
         _ => {
             return Err(source.error(
                 dimension,
-                format!("expected `2d` after `{KEYWORD}`, {EXAMPLE}"),
+                format!(
+                    "expected `2d` or `3d` after `{KEYWORD}`, {}",
+                    IN_THE_PLANE.example
+                ),
             ));
         }
-    }
+    };
+    let (parameters, example) = (kind.parameters, kind.example);
     let mut values: [Option<Vec<(Span, Rational)>>; 3] = Default::default();
     while let Some(name) = words.next() {
-        let position = PARAMETERS
+        let position = parameters
             .iter()
             .position(|(n, ..)| *n == source.slice(name));
         let Some(index) = position else {
             let shown = source.quoted(name);
             return Err(source.error(
                 name,
-                format!("expected a parameter a, e or level, found {shown}; {EXAMPLE}"),
+                format!("expected a parameter a, e or level, found {shown}; {example}"),
             ));
         };
-        let (_, what, count) = PARAMETERS[index];
+        let (_, what, count) = parameters[index];
         let equals = words.next().unwrap_or(end);
         if source.slice(equals) != "=" {
             return Err(source.error(equals, format!("expected `=`: {what}")));
@@ -81,10 +101,11 @@ pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Optio
             }
         }
         if list.len() != count {
-            let numbers = if count == 1 {
-                "one number"
-            } else {
-                "two numbers in the plane"
+            let numbers = match count {
+                1 => "one number",
+                2 if index == 0 => "two numbers in the plane",
+                2 => "two numbers",
+                _ => "three numbers in space",
             };
             return Err(source.error(
                 list[0].0,
@@ -97,16 +118,39 @@ pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Optio
     }
     let [axes, epsilon, level] = values;
     let missing =
-        |index: usize| source.error(end, format!("missing {}; {EXAMPLE}", PARAMETERS[index].1));
-    let single = |list: Vec<(Span, Rational)>| list.into_iter().next();
-    let [a1, a2] = <[_; 2]>::try_from(axes.ok_or_else(|| missing(0))?).map_err(|_| missing(0))?;
-    let (at, epsilon) = epsilon.and_then(single).ok_or_else(|| missing(1))?;
-    check_exponent(&epsilon).map_err(|limit| source.limit(at, limit))?;
-    let level = level
-        .and_then(single)
-        .map_or_else(Rational::one, |(_, value)| value);
+        |index: usize| source.error(end, format!("missing {}; {example}", parameters[index].1));
+    let (axes, epsilon) = (
+        axes.ok_or_else(|| missing(0))?,
+        epsilon.ok_or_else(|| missing(1))?,
+    );
+    for (at, value) in &epsilon {
+        check_exponent(value).map_err(|limit| source.limit(*at, limit))?;
+    }
     refuse_center(source)?;
-    Ok(Superquadric::new([a1.1, a2.1], epsilon, level))
+    let numbers = |list: Vec<(Span, Rational)>| list.into_iter().map(|(_, value)| value);
+    let level = level.and_then(|list| numbers(list).next());
+    let level = level.unwrap_or_else(Rational::one);
+    let axes: Vec<Rational> = numbers(axes).collect();
+    let epsilon: Vec<Rational> = numbers(epsilon).collect();
+    // The counts were checked above.
+    Ok(of_numbers(axes, epsilon, level))
+}
+
+/// The form with so many semi-axes and exponents; `None` for other counts or numbers that are not positive.
+pub(crate) fn of_numbers(
+    axes: Vec<Rational>,
+    epsilon: Vec<Rational>,
+    level: Rational,
+) -> Option<Form> {
+    match (<[Rational; 2]>::try_from(axes), epsilon.as_slice()) {
+        (Ok(axes), [e]) => Superquadric::new(axes, e.clone(), level).map(Form::Superquadric),
+        (Err(axes), [e1, e2]) => {
+            let axes = <[Rational; 3]>::try_from(axes).ok()?;
+            let epsilon = [e1.clone(), e2.clone()];
+            SpaceSuperquadric::new(axes, epsilon, level).map(Form::SpaceSuperquadric)
+        }
+        _ => None,
+    }
 }
 
 /// The comment that gives a center has no meaning here.

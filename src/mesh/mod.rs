@@ -3,10 +3,12 @@
 mod cells;
 mod collapse;
 mod field;
+mod radial;
 mod refine;
 mod tetrahedra;
 mod topology;
 mod triangles;
 
+pub use radial::mesh_superquadric;
 pub use topology::Topology;
 pub use triangles::{MAX_MESH_CELLS, Mesh, MeshOptions, mesh_bounds, mesh_surface};

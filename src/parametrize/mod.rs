@@ -24,7 +24,7 @@ pub use ranges::positive_ranges;
 pub use rational::{
     Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,
 };
-pub use superquadric::parametrize_superquadric;
+pub use superquadric::{parametrize_space_superquadric, parametrize_superquadric};
 pub use surface::{
     SurfaceBranch, SurfaceFactor, SurfaceMethod, SurfaceParametrization, parametrize_surface,
 };

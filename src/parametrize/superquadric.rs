@@ -1,13 +1,15 @@
-//! Example 6: the radius of a superquadric, by Lemma 2 with real degrees.
+//! Examples 6 and 10: the radii of superquadrics, by Lemmas 2 and 7 with real degrees.
 
 use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Parity;
 
 use super::angle::AngleRange;
 use super::expression::Expression;
 use super::parametrization::{Branch, Parametrization, PolarMethod, Radius};
+use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization};
 use crate::exact::Rational;
-use crate::poly::BinaryForm;
-use crate::shape::Superquadric;
+use crate::poly::{BinaryForm, Form, TernaryForm};
+use crate::shape::{SpaceSuperquadric, Superquadric};
 
 /// `r(θ) = (c / (|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)))^(ε/2)` (Eq. (20)): real and positive for every θ.
 ///
@@ -73,14 +75,67 @@ pub fn parametrize_superquadric(shape: &Superquadric) -> Parametrization {
     }
 }
 
-/// a/q with the denominator of q multiplied up: `3*cos(theta)/2`.
-fn over(a: Expression, q: &Rational) -> Expression {
-    let constant = |c: Integer| BinaryForm::from_coefficients(vec![c]);
-    a.times(constant(q.denominator()))
-        .over(constant(q.numerator()))
+/// `R(θ, φ) = (c / ([|α/a1|^(2/ε2) + |β/a2|^(2/ε2)]^(ε2/ε1) + |γ/a3|^(2/ε1)))^(ε1/2)` (Eq. (77), corrected), with
+/// (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ): real and positive in every direction.
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::parametrize::parametrize_space_superquadric;
+/// use stellate::shape::SpaceSuperquadric;
+///
+/// let one = Rational::one;
+/// let shape = SpaceSuperquadric::new([one(), one(), 2.into()], [one(), one()], one()).unwrap();
+/// let ellipsoid = parametrize_space_superquadric(&shape);
+/// assert_eq!(ellipsoid.branches[0].radius.approximate([0.0, 0.0, 1.0]), 2.0);
+/// ```
+#[must_use]
+pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParametrization {
+    let [of_xy, of_sum, of_z] = shape.exponents();
+    let term = |axis: usize, exponent: &Rational| {
+        let mut exponents = [0; 3];
+        exponents[axis] = 1;
+        let form = TernaryForm::from_terms(1, [(exponents, Integer::from(1))]);
+        let scaled = over(Expression::form(form), &shape.semi_axes()[axis]);
+        let even = exponent.is_integer() && exponent.numerator().even();
+        let magnitude = if even {
+            scaled
+        } else {
+            Expression::Absolute(Box::new(scaled))
+        };
+        power(magnitude, exponent)
+    };
+    let sum = |a, b| Expression::Sum(Box::new(a), Box::new(b));
+    let around = power(sum(term(0, &of_xy), term(1, &of_xy)), &of_sum);
+    let quotient = Expression::Quotient(
+        Box::new(Expression::Constant(shape.level().clone())),
+        Box::new(sum(around, term(2, &of_z))),
+    );
+    let half = &shape.epsilon()[0] / &Rational::from(2);
+    let step = of_z
+        .is_integer()
+        .then(|| usize::try_from(&of_z.numerator()).ok());
+    SurfaceParametrization {
+        method: SurfaceMethod::Lemma(7),
+        step: step.flatten().unwrap_or(1),
+        factors: Vec::new(),
+        branches: vec![SurfaceBranch {
+            factor: 0,
+            radius: power(quotient, &half),
+            condition: "and positive in every direction".into(),
+        }],
+        notes: vec![format!(
+            "Lemma 7 for parts of the degrees {of_z} and 0; -R(theta, phi) has the same points"
+        )],
+    }
 }
 
-fn power(a: Expression, q: &Rational) -> Expression {
+/// a/q with the denominator of q multiplied up: `3*cos(theta)/2`.
+fn over<F: Form>(a: Expression<F>, q: &Rational) -> Expression<F> {
+    a.times(F::constant(q.denominator()))
+        .over(F::constant(q.numerator()))
+}
+
+fn power<F: Form>(a: Expression<F>, q: &Rational) -> Expression<F> {
     let inverse = u32::try_from(&q.denominator())
         .ok()
         .filter(|_| q.numerator() == 1);

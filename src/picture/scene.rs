@@ -251,7 +251,7 @@ impl Scene {
                     |&normal| camera.facing_normal(corners[0], normal),
                 );
                 // A surface with normals has an inside.
-                let side = if normal.is_some() && facing < 0.0 {
+                let side = if normal.is_some() && camera.facing(&corners) < 0.0 {
                     mixed(base, INSIDE, 0.55)
                 } else {
                     base

@@ -4,9 +4,11 @@ mod direction;
 mod guess;
 mod ray;
 mod space_direction;
+mod space_superquadric;
 mod superquadric;
 
 pub use direction::{Direction, UnitVector};
 pub use ray::{HomogeneousParts, Ray, RaySolver, Sample};
 pub use space_direction::SpaceDirection;
+pub use space_superquadric::SpaceSuperquadricSolver;
 pub use superquadric::{MAX_ROOT_BITS, SuperquadricSolver};

@@ -11,7 +11,7 @@ use crate::exact::{Rational, nearest_double};
 use crate::shape::Superquadric;
 
 /// The precision that a comparison begins with, in bits after the point.
-const FIRST_BITS: u64 = 128;
+pub(super) const FIRST_BITS: u64 = 128;
 
 /// The largest number, in bits, of which a root is taken before a comparison is given up.
 pub const MAX_ROOT_BITS: u64 = 1 << 22;
@@ -105,7 +105,7 @@ impl<'a> SuperquadricSolver<'a> {
         let radicands = bases.map(|base| base.pow(power).unwrap_or_default());
         let roots = radicands
             .each_ref()
-            .map(|radicand| self.exact_root(radicand));
+            .map(|radicand| exact_root(radicand, self.q));
         if let [Some(first), Some(second)] = roots {
             return Ok((first + second).cmp(level));
         }
@@ -141,13 +141,6 @@ impl<'a> SuperquadricSolver<'a> {
         )))
     }
 
-    /// The q-th root if it is rational.
-    fn exact_root(&self, radicand: &Rational) -> Option<Rational> {
-        let (above, below) = natural_parts(radicand);
-        let root = |n: Natural| n.checked_root(self.q).map(Integer::from);
-        Rational::new(root(above)?, root(below)?)
-    }
-
     /// ⌊radicand^(1/q) · 2^bits⌋
     fn scaled_root(&self, radicand: &Rational, bits: u64) -> Natural {
         let (above, below) = natural_parts(radicand);
@@ -156,12 +149,19 @@ impl<'a> SuperquadricSolver<'a> {
     }
 }
 
-fn natural_parts(q: &Rational) -> (Natural, Natural) {
+/// The q-th root if it is rational.
+pub(super) fn exact_root(radicand: &Rational, q: u64) -> Option<Rational> {
+    let (above, below) = natural_parts(radicand);
+    let root = |n: Natural| n.checked_root(q).map(Integer::from);
+    Rational::new(root(above)?, root(below)?)
+}
+
+pub(super) fn natural_parts(q: &Rational) -> (Natural, Natural) {
     let natural = |n: Integer| n.unsigned_abs_ref().clone();
     (natural(q.numerator()), natural(q.denominator()))
 }
 
 /// sign · value, where 0 has no sign.
-fn signed(sign: f64, value: f64) -> f64 {
+pub(super) fn signed(sign: f64, value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { sign * value }
 }

@@ -11,6 +11,7 @@ mod implicit;
 mod orientation;
 mod parameter;
 mod patch;
+mod space_superquadric;
 mod superquadric;
 mod swept_edge;
 
@@ -24,6 +25,7 @@ pub use implicit::{ImplicitCurve, ImplicitSurface};
 pub(crate) use orientation::orientation;
 pub use parameter::Parameter;
 pub use patch::{Patch, PatchFunction};
+pub use space_superquadric::SpaceSuperquadric;
 pub use superquadric::Superquadric;
 pub(crate) use swept_edge::SweptEdge;
 
@@ -38,6 +40,8 @@ pub enum Form {
     Surface(ImplicitSurface),
     /// `superquadric 2d …`
     Superquadric(Superquadric),
+    /// `superquadric 3d …`
+    SpaceSuperquadric(SpaceSuperquadric),
     /// `x = …; y = …` in one parameter
     PlaneCurve(PlaneCurve),
     /// `x = …; y = …; z = …` in one parameter

@@ -1,0 +1,111 @@
+//! Meshes of superquadrics in space, direction by direction.
+
+use nalgebra::Vector3;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::triangles::Mesh;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::sample::{Direction, Ray, SpaceDirection, SpaceSuperquadricSolver};
+use crate::shape::SpaceSuperquadric;
+
+/// The mesh of a superquadric: closed, each vertex correctly rounded from the exact point in an exact direction.
+///
+/// There are 4·`count` directions around and 2·`count` + 1 from pole to pole (fewer where they fall together), dense where
+/// the surface bends. It serves for any exponents, also where there is no polynomial.
+///
+/// # Errors
+/// Those of [`SpaceSuperquadricSolver::solve`]; what `limits` returns.
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::limits::Limits;
+/// use stellate::mesh::mesh_superquadric;
+/// use stellate::shape::SpaceSuperquadric;
+///
+/// let one = Rational::one;
+/// let shape = SpaceSuperquadric::new([one(), one(), one()], [3.into(), one()], one()).unwrap();
+/// let mesh = mesh_superquadric(&shape, 4, &Limits::none(), &|_| {})?;
+/// assert!(mesh.topology().is_watertight());
+/// assert_eq!(mesh.topology().euler_characteristic, 2);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+pub fn mesh_superquadric(
+    shape: &SpaceSuperquadric,
+    count: usize,
+    limits: &Limits,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Mesh> {
+    let [thetas, phis] = shape.angles(count.max(1));
+    let around = thetas.len();
+    let turned = thetas.iter().map(|&theta| Direction::from_radians(theta));
+    let thetas: Vec<Direction> = turned.collect();
+    // The poles once, then row by row.
+    let inner = &phis[1..phis.len() - 1];
+    let pole = |half_turns: i32| {
+        let phi = Direction::from_degrees(&Rational::from(180 * half_turns));
+        SpaceDirection::new(thetas[0].clone(), phi)
+    };
+    let mut directions = vec![pole(0), pole(1)];
+    for &phi in inner {
+        let phi = Direction::from_radians(phi);
+        let row = thetas.iter();
+        directions.extend(row.map(|theta| SpaceDirection::new(theta.clone(), phi.clone())));
+    }
+    let solver = SpaceSuperquadricSolver::new(shape);
+    let total = directions.len() as u64;
+    let done = std::sync::atomic::AtomicU64::new(0);
+    let solve = |direction: SpaceDirection| -> Result<[f64; 3]> {
+        limits.check()?;
+        let ray = solver.solve(&direction)?;
+        progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) * 1000 / total);
+        match ray {
+            Ray::Points(points) if !points.is_empty() => Ok(points[0].position),
+            _ => Err(Error::limit("a direction with a point of the superquadric")),
+        }
+    };
+    let vertices: Vec<[f64; 3]> = directions
+        .into_par_iter()
+        .map(solve)
+        .collect::<Result<_>>()?;
+    let at = |row: usize, column: usize| 2 + row * around + column % around;
+    let mut triangles: Vec<[usize; 3]> = Vec::new();
+    for column in 0..around {
+        triangles.push([0, at(0, column), at(0, column + 1)]);
+        for row in 1..inner.len() {
+            let [a, b] = [at(row - 1, column), at(row - 1, column + 1)];
+            let [c, d] = [at(row, column), at(row, column + 1)];
+            triangles.extend([[a, c, b], [b, c, d]]);
+        }
+        let last = inner.len() - 1;
+        triangles.push([1, at(last, column + 1), at(last, column)]);
+    }
+    let number = |v: usize| u32::try_from(v).unwrap_or(u32::MAX);
+    let triangles: Vec<[u32; 3]> = triangles.into_iter().map(|t| t.map(number)).collect();
+    let sizes = vertices.iter().flatten().map(|v| v.abs());
+    let largest = sizes.fold(0.0, f64::max);
+    Ok(Mesh {
+        normals: normals(&vertices, &triangles),
+        vertices,
+        triangles,
+        factors: vec![0],
+        // Three coordinates, each half a unit in the last place off.
+        vertex_bound: largest * f64::EPSILON,
+        ..Mesh::default()
+    })
+}
+
+/// The directions of the sums of the triangles' normals around each vertex.
+fn normals(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[f64; 3]> {
+    let mut sums = vec![Vector3::zeros(); vertices.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|v| Vector3::from(vertices[v as usize]));
+        let normal = (b - a).cross(&(c - a));
+        for vertex in triangle {
+            sums[*vertex as usize] += normal;
+        }
+    }
+    let unit = |sum: Vector3<f64>| sum.try_normalize(0.0).unwrap_or_default().into();
+    sums.into_iter().map(unit).collect()
+}

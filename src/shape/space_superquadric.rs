@@ -1,0 +1,202 @@
+//! [`SpaceSuperquadric`]: the superquadrics in space of Example 10, Eq. (77).
+
+use malachite::base::num::arithmetic::traits::Parity;
+
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::poly::{Ring, SparsePolynomial};
+
+/// The closed surface `[|x/a1|^(2/ε2) + |y/a2|^(2/ε2)]^(ε2/ε1) + |z/a3|^(2/ε1) = c` about the origin, with exact
+/// a1, a2, a3, ε1, ε2, c > 0; the paper has c = 1.
+///
+/// The left side is homogeneous of degree 2/ε1, so by Lemma 7
+/// `R(θ, φ) = (c / {[|α/a1|^(2/ε2) + |β/a2|^(2/ε2)]^(ε2/ε1) + |γ/a3|^(2/ε1)})^(ε1/2)` with
+/// (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ), positive in every direction.
+///
+/// DIFFERENCE (erratum Eq. (77)): printed is `a2` under cos φ, which is a3; the absolute values may be left out only for
+/// even integer exponents.
+///
+/// ```
+/// use stellate::exact::Rational;
+/// use stellate::shape::SpaceSuperquadric;
+///
+/// let one = Rational::one;
+/// let half: Rational = "1/2".parse()?;
+/// // (x⁴ + y⁴) + z⁴ = 1
+/// let cube = SpaceSuperquadric::new([one(), one(), one()], [half.clone(), half], one()).unwrap();
+/// assert_eq!(cube.polynomial()?.len(), 4);
+/// assert!(cube.is_convex());
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SpaceSuperquadric {
+    semi_axes: [Rational; 3],
+    epsilon: [Rational; 2],
+    level: Rational,
+}
+
+impl SpaceSuperquadric {
+    /// With a1, a2, a3, then ε1 (north–south), ε2 (around), and c; `None` unless all are positive.
+    #[must_use]
+    pub fn new(semi_axes: [Rational; 3], epsilon: [Rational; 2], level: Rational) -> Option<Self> {
+        let positive = |q: &Rational| q.signum() > 0;
+        let positive = semi_axes.iter().chain(&epsilon).all(positive) && positive(&level);
+        positive.then_some(Self {
+            semi_axes,
+            epsilon,
+            level,
+        })
+    }
+
+    /// a1, a2 and a3.
+    #[must_use]
+    pub fn semi_axes(&self) -> &[Rational; 3] {
+        &self.semi_axes
+    }
+
+    /// ε1 and ε2.
+    #[must_use]
+    pub fn epsilon(&self) -> &[Rational; 2] {
+        &self.epsilon
+    }
+
+    /// c.
+    #[must_use]
+    pub fn level(&self) -> &Rational {
+        &self.level
+    }
+
+    /// The exponents 2/ε2 of x and y, ε2/ε1 of their sum, and 2/ε1 of z.
+    #[must_use]
+    pub fn exponents(&self) -> [Rational; 3] {
+        let [e1, e2] = &self.epsilon;
+        let two = || Rational::from(2);
+        [two() / e2, e2 / e1, two() / e1]
+    }
+
+    /// Whether the body inside is convex. It is a ball of the norm of exponent 2/ε1 of (the norm of exponent 2/ε2 of
+    /// (x, y), z), stretched, and these are norms exactly for exponents of at least 1 (Minkowski).
+    #[must_use]
+    pub fn is_convex(&self) -> bool {
+        self.epsilon.iter().all(|e| *e <= Rational::from(2))
+    }
+
+    /// Whether all the exponents that stand over an absolute value are even integers.
+    #[must_use]
+    pub fn has_even_exponents(&self) -> bool {
+        let even = |q: &Rational| q.is_integer() && q.numerator().even();
+        let [of_xy, _, of_z] = &self.exponents();
+        even(of_xy) && even(of_z)
+    }
+
+    /// The primitive polynomial with the same zero set: for even integers 2/ε2 and 2/ε1, and ε2/ε1 = p/q with odd q, it is
+    /// `[(x/a1)^(2/ε2) + (y/a2)^(2/ε2)]^p − (c − (z/a3)^(2/ε1))^q`.
+    ///
+    /// # Errors
+    /// [`Error::Hypothesis`] with the reason if there is none: for other exponents the left side is not smooth enough, and
+    /// for even q the polynomial has a second sheet, where c − |z/a3|^(2/ε1) is negative.
+    pub fn polynomial(&self) -> Result<SparsePolynomial<3>> {
+        let none = |witness: String| Error::Hypothesis {
+            statement: "implicitization as a polynomial",
+            witness: format!(
+                "{witness}; describe, parametrize, sample, plot and mesh take any exponents"
+            ),
+        };
+        let [of_xy, of_sum, of_z] = self.exponents();
+        if !self.has_even_exponents() {
+            return Err(none(format!(
+                "the exponents 2/e2 of x and y and 2/e1 of z must be even integers, and here they are {of_xy} and {of_z}"
+            )));
+        }
+        let (p, q) = (of_sum.numerator(), of_sum.denominator());
+        if q.even() {
+            return Err(none(format!(
+                "with e2/e1 = {of_sum} the polynomial has a second sheet where 1 - |z/a3|^{of_z} is negative: its denominator must be odd"
+            )));
+        }
+        let small = |n: &malachite::Integer| {
+            u32::try_from(n).map_err(|_| Error::limit("exponents below 2^32"))
+        };
+        let (m, n) = (small(&of_xy.numerator())?, small(&of_z.numerator())?);
+        let power = |axis: usize, exponent: u32| {
+            let scale = self.semi_axes[axis]
+                .pow(-i64::from(exponent))
+                .unwrap_or_default();
+            let mut exponents = [0; 3];
+            exponents[axis] = exponent;
+            SparsePolynomial::from_terms([(exponents, scale)])
+        };
+        let sum = power(0, m).plus(&power(1, m));
+        let rest = SparsePolynomial::constant(self.level.clone()).minus(&power(2, n));
+        Ok(sum.pow(small(&p)?).minus(&rest.pow(small(&q)?)).primitive())
+    }
+}
+
+/// What is drawn: doubles, with no certificate.
+impl SpaceSuperquadric {
+    /// R in the direction of a unit vector, with no bound of its error.
+    #[must_use]
+    pub fn approximate_along(&self, direction: [f64; 3]) -> f64 {
+        let axes = self.semi_axes.each_ref().map(Rational::to_f64);
+        let [m, _, n] = self.exponents().map(|q| q.to_f64());
+        let scaled: [f64; 3] = std::array::from_fn(|i| (direction[i] / axes[i]).abs());
+        let around = norm(scaled[0], scaled[1], m);
+        self.level.to_f64().powf(1.0 / n) / norm(around, scaled[2], n)
+    }
+
+    /// The angles (θ, φ) of `4·count` directions around in `2·count + 1` rows from pole to pole, denser where the surface
+    /// bends: those of the points `cos^ε1 η cos^ε2 ω, …` and evenly spaced ones, half of each.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a count of points is small")]
+    pub fn angles(&self, count: usize) -> [Vec<f64>; 2] {
+        let axes = self.semi_axes.each_ref().map(Rational::to_f64);
+        let [e1, e2] = self.epsilon.each_ref().map(Rational::to_f64);
+        let quarter = |from: f64, to: f64, epsilon: f64| -> Vec<f64> {
+            // Angles in [0, π/2): half evenly spaced, half in the parameter of the superellipse.
+            let steps =
+                (0..count).map(|k| (k as f64 + 0.5) / count as f64 * std::f64::consts::FRAC_PI_2);
+            let mut all: Vec<f64> = steps
+                .enumerate()
+                .map(|(k, even)| {
+                    let (s, c) = even.sin_cos();
+                    if k % 2 == 0 {
+                        even
+                    } else {
+                        (to * s.powf(epsilon)).atan2(from * c.powf(epsilon))
+                    }
+                })
+                .collect();
+            all.push(0.0);
+            all.sort_by(f64::total_cmp);
+            all.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+            all.retain(|a| *a < std::f64::consts::FRAC_PI_2 - 1e-9);
+            all
+        };
+        let half = std::f64::consts::FRAC_PI_2;
+        let around = quarter(axes[0], axes[1], e2);
+        let mirrored = |list: &[f64]| -> Vec<f64> {
+            // [0, π/2) and (π/2, π], with π/2 between.
+            let upper = list.iter().rev().map(|a| 2.0 * half - a);
+            list.iter().copied().chain([half]).chain(upper).collect()
+        };
+        let mut thetas = mirrored(&around);
+        let below: Vec<f64> = thetas[1..thetas.len() - 1]
+            .iter()
+            .rev()
+            .map(|a| 4.0 * half - a)
+            .collect();
+        thetas.extend(below);
+        let wide = axes[0].max(axes[1]);
+        let phis = mirrored(&quarter(axes[2], wide, e1));
+        [thetas, phis]
+    }
+}
+
+/// (a^p + b^p)^(1/p) with the larger one taken out, so that no power overflows.
+fn norm(a: f64, b: f64, p: f64) -> f64 {
+    let largest = a.max(b);
+    if largest == 0.0 {
+        return 0.0;
+    }
+    largest * ((a / largest).powf(p) + (b / largest).powf(p)).powf(1.0 / p)
+}
