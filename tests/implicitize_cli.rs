@@ -217,18 +217,21 @@ fn mistakes_are_said_once_and_nothing_is_written() {
             &["implicitize", "x = t; y = 2t", "--method", "polar"],
             "line through the origin",
         ),
-        (&["sample", EXAMPLE_3], "sample takes plane curves"),
         (
-            &["parametrize", EXAMPLE_4],
-            "parametrize takes plane curves",
+            &["sample", EXAMPLE_3],
+            "sample takes plane curves and surfaces",
         ),
         (
-            &["plot", EXAMPLE_3, "x^2 + y^2 = 1", "-o", "f.svg"],
+            &["parametrize", EXAMPLE_3],
+            "parametrize takes plane curves, surfaces and intersections",
+        ),
+        (
+            &["plot", EXAMPLE_3, "r = 1 + cos(t)/3", "-o", "f.svg"],
             "cannot be drawn with one in space",
         ),
         (
-            &["plot", "x^2 + y^2 + z^2 = 1", "-o", "f.svg"],
-            "only equations in x, y and z",
+            &["plot", EXAMPLE_3, "--point", "1,2", "-o", "f.svg"],
+            "expected X,Y,Z",
         ),
         (
             &["plot", EXAMPLE_3, "--view", "30", "-o", "f.svg"],

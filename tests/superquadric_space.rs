@@ -49,8 +49,12 @@ fn points_are_those_of_the_polynomial() {
         );
         let grid = SpaceDirection::grid(8, 4).into_iter();
         for direction in grid.chain(SpaceDirection::fibonacci(20)) {
-            let found = points(solver.solve(&direction).unwrap());
-            assert_eq!(found, points(roots.solve(&direction)), "{text}");
+            // Multiplicities differ: ε2/ε1 = 1/3 makes the poles triple roots of the polynomial.
+            let places = |ray| -> Vec<(f64, [f64; 3])> {
+                points(ray).iter().map(|p| (p.r, p.position)).collect()
+            };
+            let found = places(solver.solve(&direction).unwrap());
+            assert_eq!(found, places(roots.solve(&direction)), "{text}");
         }
     }
 }

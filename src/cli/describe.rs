@@ -67,7 +67,10 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
         Form::Superquadric(shape) => {
             Description::of_curve(&input::polynomial_of(shape)?, &session.limits)
         }
-        _ => Err(input::plane_only("describe")),
+        _ => Err(input::not_taken(
+            "describe",
+            "plane curves, surfaces and space curves",
+        )),
     })?;
     let digits = session.common.digits;
     write_result(session, |out| {

@@ -220,11 +220,9 @@ pub(crate) fn through_equation(form: Form, session: &mut Session) -> Result<Form
     })
 }
 
-/// Why a form of space is not taken by a verb of the plane.
-pub(crate) fn plane_only(verb: &str) -> Error {
-    Error::Usage(format!(
-        "this form is in space (it has z): {verb} takes plane curves, in x and y"
-    ))
+/// Why a form is not taken by a verb that takes `these`.
+pub(crate) fn not_taken(verb: &str, these: &str) -> Error {
+    Error::Usage(format!("this is a curve in space: {verb} takes {these}"))
 }
 
 /// An equation in x and y is a cylinder in space.

@@ -1,15 +1,16 @@
 //! `stellate parametrize`: back to r(θ).
 
 use stellate::document::{
-    Format, WrittenDirection, WrittenMeridian, write_parametrization, write_surface_parametrization,
+    Format, WrittenDirection, WrittenMeridian, write_intersection_curves, write_parametrization,
+    write_surface_parametrization,
 };
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
 use stellate::limits::Limits;
 use stellate::parametrize::{
     Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, Parametrization, PolarMethod, Radius,
-    fit_branch, parametrize, parametrize_space_superquadric, parametrize_superquadric,
-    parametrize_surface,
+    fit_branch, parametrize, parametrize_intersection, parametrize_space_superquadric,
+    parametrize_superquadric, parametrize_surface,
 };
 use stellate::sample::{RaySolver, SpaceDirection};
 use stellate::shape::{Form, FourierRadius, ImplicitSurface};
@@ -36,6 +37,9 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     let form = input::through_equation(fitted.form, session)?;
     if let Form::Surface(surface) = &form {
         return surface_form(surface, verb, format, session);
+    }
+    if let Form::Intersection(surfaces) = &form {
+        return intersection(surfaces, format, session);
     }
     if let Form::SpaceSuperquadric(shape) = &form {
         if !verb.theta.is_empty() {
@@ -64,7 +68,10 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             parametrize(curve, &session.limits)
         }
         Form::Superquadric(shape) => Ok(parametrize_superquadric(shape)),
-        _ => Err(input::plane_only("parametrize")),
+        _ => Err(input::not_taken(
+            "parametrize",
+            "plane curves, surfaces and intersections of surfaces",
+        )),
     })?;
     let fit = branch_fit(verb, is_exact, &parametrization, session)?;
     let is_series = |b: &Branch| matches!(b.radius, Radius::Fourier(_));
@@ -135,6 +142,28 @@ fn surface_form(
     let digits = session.common.digits;
     write_result(session, |out| {
         write_surface_parametrization(&spherical, &meridians, &directions, digits, format, out)
+    })
+}
+
+/// Theorem 7: the curve where surfaces meet.
+fn intersection(surfaces: &[ImplicitSurface], format: Format, session: &mut Session) -> Result<()> {
+    let found = session.stage("parametrize", |session| {
+        parametrize_intersection(surfaces, &session.limits)
+    })?;
+    if found.curves.is_empty() {
+        let reasons = found.others.iter().map(|other| other.reason.as_str());
+        let reasons: Vec<&str> = reasons.collect();
+        return Err(Error::Hypothesis {
+            statement: "Theorem 7 with a rational or trigonometric relation",
+            witness: if reasons.is_empty() {
+                "the surfaces do not meet in a curve with a projection".into()
+            } else {
+                reasons.join("; ")
+            },
+        });
+    }
+    write_result(session, |out| {
+        write_intersection_curves(&found, format, out)
     })
 }
 

@@ -172,7 +172,7 @@ fn add(
             zero_set(curve, &name, layers, curves);
         }
         Content::Exact(Form::Superquadric(shape)) => layers.push(superquadric(&shape)),
-        Content::Exact(_) => return Err(input::plane_only("plot")),
+        Content::Exact(_) => return Err(input::not_taken("plot", "plane curves here")),
     }
     Ok(())
 }

@@ -207,7 +207,7 @@ fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
             Ok(curve)
         }
         Form::Superquadric(shape) => input::polynomial_of(&shape),
-        _ => Err(input::plane_only("sample")),
+        _ => Err(input::not_taken("sample", "plane curves and surfaces")),
     }
 }
 

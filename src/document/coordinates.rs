@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use malachite::Integer;
 use serde::Serialize;
 
+use super::powers::in_powers;
 use super::terms::Notation;
 use super::{Format, SCHEMA};
 use crate::exact::Rational;
@@ -60,7 +61,7 @@ impl Coordinates {
     /// let text = "x = tan(t/2); y = cos(t)^2";
     /// let Form::PlaneCurve(curve) = parse_form(text, "<form>", Numbers::Exact)? else { panic!() };
     /// let formulas = Coordinates::from(&curve).formulas(Format::Text);
-    /// assert_eq!(formulas, ["sin(t/2)/cos(t/2)", "1/2 + 1/2*cos(2*t)"]);
+    /// assert_eq!(formulas, ["sin(t/2)/cos(t/2)", "cos(t)^2"]);
     /// # Ok::<(), stellate::error::Error>(())
     /// ```
     #[must_use]
@@ -133,7 +134,11 @@ impl Coordinates {
         let whole = below.len() == 1 && below.contains_key(&constant);
         let text = |f: &Expansion| self.sum(f, format);
         if whole {
-            return text(&above);
+            let harmonics = text(&above);
+            let others = self.in_powers(&above, format);
+            // The shortest; harmonics where it makes no difference.
+            let all = std::iter::once(harmonics).chain(others);
+            return all.min_by_key(String::len).unwrap_or_default();
         }
         let (p, q) = (text(&above), text(&below));
         if format == Format::Latex {
@@ -157,12 +162,28 @@ impl Coordinates {
         )
     }
 
-    fn sum(&self, f: &Expansion, format: Format) -> String {
-        let notation = match format {
-            Format::Sympy => Notation::Python,
-            Format::Latex => Notation::LatexInline,
-            _ => Notation::Explicit,
+    /// A sum of harmonics of a single angle as powers of its cosine and sine, in two ways.
+    fn in_powers(&self, f: &Expansion, format: Format) -> Vec<String> {
+        let [parameter] = &self.parameters[..] else {
+            return Vec::new();
         };
+        let ways = in_powers(f).into_iter().flatten();
+        ways.map(|way| {
+            let terms = way.terms().map(|([i, j], c)| {
+                let factors = [(Basis::Cos(1), *i), (Basis::Sin(1), *j)];
+                let factors = factors.into_iter().filter(|(_, e)| *e > 0);
+                let factors: Vec<String> = factors
+                    .map(|(basis, e)| raised(&factor_text(basis, parameter, format), e, format))
+                    .collect();
+                let times = if format == Format::Latex { " " } else { "*" };
+                (c.clone(), factors.join(times))
+            });
+            written_sum(terms, format)
+        })
+        .collect()
+    }
+
+    fn sum(&self, f: &Expansion, format: Format) -> String {
         let times = if format == Format::Latex { " " } else { "*" };
         let terms = f.iter().map(|(basis, c)| {
             let factors = basis.iter().zip(&self.parameters);
@@ -172,10 +193,29 @@ impl Coordinates {
                 .collect();
             (c.clone(), factors.join(times))
         });
-        let mut text = Vec::new();
-        let written = notation.write_sum(terms, &mut text);
-        debug_assert!(written.is_ok(), "writing into memory succeeds");
-        String::from_utf8_lossy(&text).into_owned()
+        written_sum(terms, format)
+    }
+}
+
+fn written_sum(terms: impl Iterator<Item = (Rational, String)>, format: Format) -> String {
+    let notation = match format {
+        Format::Sympy => Notation::Python,
+        Format::Latex => Notation::LatexInline,
+        _ => Notation::Explicit,
+    };
+    let mut text = Vec::new();
+    let written = notation.write_sum(terms, &mut text);
+    debug_assert!(written.is_ok(), "writing into memory succeeds");
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+/// `sin(t)^5`; in LaTeX `{\sin t}^{5}`.
+fn raised(function: &str, exponent: u32, format: Format) -> String {
+    match (exponent, format) {
+        (1, _) => function.to_owned(),
+        (_, Format::Latex) => format!("{{{function}}}^{{{exponent}}}"),
+        (_, Format::Sympy) => format!("{function}**{exponent}"),
+        _ => format!("{function}^{exponent}"),
     }
 }
 
@@ -270,7 +310,7 @@ mod tests {
             ("x = sin(t/2); y = sin(t/3)", "sin(t/2) ; sin(t/3)"),
             (
                 "x = sin(2theta+pi/2)+sin(theta)^2+cos(theta)^2; y = sec(theta)",
-                "1 + cos(2*theta) ; 1/cos(theta)",
+                "2*cos(theta)^2 ; 1/cos(theta)",
             ),
             ("x = tan(t); y = cot(t)", "sin(t)/cos(t) ; cos(t)/sin(t)"),
             ("x = 0.1/t; y = t^-2; z = 3", "1/(10*t) ; 1/t^2 ; 3"),

@@ -7,7 +7,7 @@ use malachite::base::polynomial::Polynomial;
 use crate::poly::{
     IntegerPolynomial, RationalFunction, SparsePolynomial, inverse_mod, power_mod, reduce_integer,
 };
-use crate::shape::{ParametricCurve, Patch, PatchFunction};
+use crate::shape::{ParametricCurve, Patch, PatchFunction, SpaceCurve};
 
 /// A polynomial in at most two variables with integer coefficients.
 type Terms = Vec<([u32; 2], Integer)>;
@@ -91,6 +91,11 @@ impl RationalMap {
         let used = packed.len().min(3);
         substitute(&terms, used, degrees, &packed) == IntegerPolynomial::ZERO
     }
+}
+
+/// Whether a space curve satisfies f = 0 identically: exact substitution.
+pub(crate) fn lies_on(curve: &SpaceCurve, f: &SparsePolynomial<3>) -> bool {
+    RationalMap::of_curve(curve).annihilates(f)
 }
 
 /// The terms, which all have the same exponents from `variable` on, with the first variables put in.

@@ -17,6 +17,7 @@ mod vanishing;
 pub use beyond::{PointBeyond, point_beyond};
 pub use image::{Coverage, RealImage, real_image};
 pub use isolated::{Isolated, IsolatedPoint};
+pub(crate) use map::lies_on;
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
     PolarFactor, PolarInverse, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role,

@@ -303,8 +303,10 @@ mod tests {
         let f = Field::new(&x.minus(&y).squared().minus(&z.squared().scaled(&small)));
         assert_eq!(f.sign([1.0, 1.0, 1.0]), -1);
         assert_eq!(f.sign([1.0, 1.0, 0.0]), 0);
-        assert_eq!(f.sign([1.0, 1.0 + f64::EPSILON, 1.0]), 1);
-        assert_eq!(f.sign([1.0, 1.0 + f64::EPSILON, 3e15]), -1);
+        // (4·2⁻⁵²)² = 2⁻¹⁰⁰
+        for (ulps, sign) in [(3.0, -1), (4.0, 0), (5.0, 1)] {
+            assert_eq!(f.sign([1.0, 1.0 + ulps * f64::EPSILON, 1.0]), sign);
+        }
     }
 
     #[test]

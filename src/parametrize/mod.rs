@@ -6,6 +6,7 @@ mod cells;
 mod closed;
 mod expression;
 mod fourier;
+mod intersection;
 mod meridian;
 mod parametrization;
 mod ranges;
@@ -18,6 +19,9 @@ pub use angle::{AngleRange, ExactAngle};
 pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch, rounded_up};
 pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
+pub use intersection::{
+    IntersectionParametrization, UnparametrizedComponent, parametrize_intersection,
+};
 pub use meridian::{DirectionAnswer, MeridianBranch};
 pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
 pub use ranges::positive_ranges;

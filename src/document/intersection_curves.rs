@@ -1,0 +1,109 @@
+//! Documents of Theorem 7: parametric space curves for intersections of surfaces.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::implicit::polynomial_text;
+use super::{Coordinates, Format, SCHEMA};
+use crate::parametrize::IntersectionParametrization;
+
+/// The first curve as in any parametric document, which is what is read back; then all of them.
+#[derive(Serialize)]
+struct Document {
+    schema: &'static str,
+    kind: &'static str,
+    parameters: Vec<String>,
+    coordinates: BTreeMap<&'static str, String>,
+    method: &'static str,
+    projected_along: &'static str,
+    curves: Vec<Curve>,
+    others: Vec<Other>,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Curve {
+    parameters: Vec<String>,
+    coordinates: BTreeMap<&'static str, String>,
+}
+
+#[derive(Serialize)]
+struct Other {
+    projection: String,
+    reason: String,
+}
+
+/// Writes the curves, the first one so that it is read back, and what is known of components without a parametrization.
+/// There must be a curve.
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for CSV and Singular.
+pub fn write_intersection_curves(
+    found: &IntersectionParametrization,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let curves: Vec<Coordinates> = found.curves.iter().map(Coordinates::from).collect();
+    let axis = ["x", "y", "z"][found.axis];
+    let others = found.others.iter().map(|other| Other {
+        projection: polynomial_text(&other.projection),
+        reason: other.reason.clone(),
+    });
+    match format {
+        Format::Json => {
+            let curve = |c: &Coordinates| Curve {
+                parameters: c.parameters().into_iter().map(Into::into).collect(),
+                coordinates: c.fields(),
+            };
+            let all: Vec<Curve> = curves.iter().map(curve).collect();
+            let first = curves.first().map(curve);
+            let document = Document {
+                schema: SCHEMA,
+                kind: "parametric",
+                parameters: first
+                    .as_ref()
+                    .map(|c| c.parameters.clone())
+                    .unwrap_or_default(),
+                coordinates: first.map(|c| c.coordinates).unwrap_or_default(),
+                method: "theorem-7",
+                projected_along: axis,
+                curves: all,
+                others: others.collect(),
+                notes: found.notes.clone(),
+            };
+            serde_json::to_writer(&mut *out, &document)?;
+            writeln!(out)
+        }
+        Format::Text => {
+            writeln!(
+                out,
+                "# theorem-7: projected along {axis}; every curve satisfies all the equations, by exact substitution"
+            )?;
+            for other in others {
+                writeln!(
+                    out,
+                    "# component over {} = 0: {}",
+                    other.projection, other.reason
+                )?;
+            }
+            for note in &found.notes {
+                writeln!(out, "# note: {note}")?;
+            }
+            for (index, curve) in curves.iter().enumerate() {
+                let hidden = if index > 0 { "# " } else { "" };
+                if curves.len() > 1 {
+                    writeln!(out, "# curve {index}")?;
+                }
+                let mut text = Vec::new();
+                curve.write(Format::Text, &mut text)?;
+                for line in String::from_utf8_lossy(&text).lines() {
+                    writeln!(out, "{hidden}{line}")?;
+                }
+            }
+            Ok(())
+        }
+        _ => curves.iter().try_for_each(|curve| curve.write(format, out)),
+    }
+}

@@ -1,0 +1,388 @@
+//! Theorem 7: the curve where two surfaces meet, as a parametric space curve.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::polynomial::Polynomial;
+
+use super::fourier::fourier_branches;
+use super::rational::{RationalCurve, Rationality, rational_parametrization};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::factor::{factor_plane, greatest_common_divisor};
+use crate::implicitize::lies_on;
+use crate::limits::Limits;
+use crate::poly::{
+    IntegerPolynomial, PlanePolynomial, RationalFunction, SparsePolynomial, resultant,
+};
+use crate::shape::{ImplicitCurve, ImplicitSurface, Parameter, PlaneCurve, SpaceCurve};
+
+/// The curve common to some surfaces, component by component.
+#[derive(Clone, Debug)]
+pub struct IntersectionParametrization {
+    /// Components with an exact parametrization; each satisfies every equation identically.
+    pub curves: Vec<SpaceCurve>,
+    /// Components without one.
+    pub others: Vec<UnparametrizedComponent>,
+    /// The coordinate along which the curve was projected: 0, 1 or 2.
+    pub axis: usize,
+    /// What else a reader should know.
+    pub notes: Vec<String>,
+}
+
+/// A component for which no rational or trigonometric parametrization is known.
+#[derive(Clone, Debug)]
+pub struct UnparametrizedComponent {
+    /// The irreducible equation of its projection along the axis.
+    pub projection: SparsePolynomial<3>,
+    /// Why there is none, or that it was not found.
+    pub reason: String,
+}
+
+/// The parametric curve that Theorem 7 speaks of, where a rational or trigonometric relation gives one.
+///
+/// One coordinate is eliminated: the resultant of two equations, in irreducible factors, holds the projections of the
+/// components. A factor with a parametrization (x(t), y(t)) — a Fourier radius by Lemmas 2 and 3, or a rational
+/// curve — is put into the equations, which are then polynomials in z over Q(t): a linear factor of their greatest common
+/// divisor is z(t). Every curve is verified by substitution in all the equations.
+///
+/// Straight lines parallel to the axis of projection are not among the components.
+///
+/// ```
+/// use stellate::document::{Coordinates, Format};
+/// use stellate::language::{Numbers, parse_form};
+/// use stellate::limits::Limits;
+/// use stellate::parametrize::parametrize_intersection;
+/// use stellate::shape::Form;
+///
+/// // Example 11
+/// let Form::Intersection(surfaces) = parse_form("x^2 + y^2 = 1; z = y^5", "<form>", Numbers::Exact)? else { panic!() };
+/// let found = parametrize_intersection(&surfaces, &Limits::none())?;
+/// let formulas = Coordinates::from(&found.curves[0]).formulas(Format::Text);
+/// assert_eq!(formulas, ["cos(t)", "sin(t)", "sin(t)^5"]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] for fewer than two surfaces, or if the first two have a surface in common; [`Error::Limit`] if a
+/// resultant is too large; those of [`factor_plane`].
+pub fn parametrize_intersection(
+    surfaces: &[ImplicitSurface],
+    limits: &Limits,
+) -> Result<IntersectionParametrization> {
+    let [first, second, ..] = surfaces else {
+        return Err(Error::Usage("an intersection has two surfaces".into()));
+    };
+    let pair = [first.polynomial(), second.polynomial()];
+    if greatest_common_divisor(pair[0], pair[1], limits)?.degree() > Some(0) {
+        return Err(Error::Usage(
+            "the first two surfaces have a surface in common: they do not meet in a curve only"
+                .into(),
+        ));
+    }
+    let mut best: Option<IntersectionParametrization> = None;
+    let mut failure = None;
+    for axis in axes(pair) {
+        limits.check()?;
+        match along(axis, surfaces, pair, limits) {
+            Ok(found) => {
+                let is_better = best
+                    .as_ref()
+                    .is_none_or(|known| found.others.len() < known.others.len());
+                let is_whole = found.others.is_empty();
+                if is_better {
+                    best = Some(found);
+                }
+                if is_whole {
+                    break;
+                }
+            }
+            Err(error) => failure = Some(error),
+        }
+    }
+    let none = || Error::Usage("a constant is no surface".into());
+    best.ok_or_else(|| failure.unwrap_or_else(none))
+}
+
+/// The axes along which to project, the cheapest first: where the degrees in that coordinate are small, but not both 0.
+fn axes(pair: [&SparsePolynomial<3>; 2]) -> Vec<usize> {
+    let degrees = |axis: usize| pair.map(|f| degree_in(f, axis));
+    let mut axes: Vec<usize> = (0..3).filter(|&axis| degrees(axis) != [0, 0]).collect();
+    // z comes first among equals: the projection is then a curve in x and y.
+    axes.sort_by_key(|&axis| {
+        let [m, n] = degrees(axis);
+        (m * n, m + n, 2 - axis)
+    });
+    axes
+}
+
+fn degree_in(f: &SparsePolynomial<3>, axis: usize) -> u32 {
+    f.terms().map(|(e, _)| e[axis]).max().unwrap_or(0)
+}
+
+/// The two other coordinates, in order.
+fn others(axis: usize) -> [usize; 2] {
+    match axis {
+        0 => [1, 2],
+        1 => [0, 2],
+        _ => [0, 1],
+    }
+}
+
+fn along(
+    axis: usize,
+    surfaces: &[ImplicitSurface],
+    pair: [&SparsePolynomial<3>; 2],
+    limits: &Limits,
+) -> Result<IntersectionParametrization> {
+    let projection = match pair.map(|f| degree_in(f, axis)) {
+        [0, _] => pair[0].clone(),
+        [_, 0] => pair[1].clone(),
+        _ => resultant(pair[0], pair[1], axis, limits)?,
+    };
+    let [u, w] = others(axis);
+    let plane = PlanePolynomial::from_terms(
+        projection
+            .terms()
+            .map(|(e, c)| ((e[u] as usize, e[w] as usize), c.clone())),
+    );
+    let mut result = IntersectionParametrization {
+        curves: Vec::new(),
+        others: Vec::new(),
+        axis,
+        notes: Vec::new(),
+    };
+    if !pair.iter().any(|f| is_monic_in(f, axis)) {
+        let name = ["x", "y", "z"][axis];
+        result.notes.push(format!(
+            "straight lines parallel to the {name} axis are not looked for"
+        ));
+    }
+    for factor in factor_plane(&plane, limits)?.factors {
+        limits.check()?;
+        let in_space = || {
+            SparsePolynomial::from_terms(factor.polynomial.terms().map(|((i, j), c)| {
+                let mut exponents = [0; 3];
+                exponents[u] = u32::try_from(i).unwrap_or(u32::MAX);
+                exponents[w] = u32::try_from(j).unwrap_or(u32::MAX);
+                (exponents, c)
+            }))
+        };
+        let mut other = |reason: String| {
+            result.others.push(UnparametrizedComponent {
+                projection: in_space(),
+                reason,
+            });
+        };
+        match projected(&factor.polynomial) {
+            Err(reason) => other(reason),
+            Ok(below) => match lifted(&below, axis, pair, limits)? {
+                Lifted::Nothing => {}
+                Lifted::Irrational(degree) => other(format!(
+                    "its projection is rational, and above every point of it there are {degree} points, whose {} is no rational function of the parameter",
+                    ["x", "y", "z"][axis]
+                )),
+                Lifted::Curves(curves) => {
+                    let rest = &surfaces[2..];
+                    let on_all = curves
+                        .into_iter()
+                        .filter(|curve| rest.iter().all(|s| lies_on(curve, s.polynomial())));
+                    for curve in on_all {
+                        let is_known = |known: &SpaceCurve| {
+                            known.coordinates() == curve.coordinates()
+                                || half_a_turn_on(known).as_ref() == Some(curve.coordinates())
+                        };
+                        if !result.curves.iter().any(is_known) {
+                            result.curves.push(curve);
+                        }
+                    }
+                }
+            },
+        }
+    }
+    Ok(result)
+}
+
+/// The coordinates of a curve over an angle, for t + π/g instead of t: s = tan(g t/2) becomes −1/s.
+fn half_a_turn_on(curve: &SpaceCurve) -> Option<[RationalFunction; 3]> {
+    let turned = |f: &RationalFunction| {
+        let degree = f.degree();
+        let reversed = |p: &IntegerPolynomial| {
+            let mut coefficients = p.coefficients_asc().to_vec();
+            coefficients.resize(degree + 1, Integer::ZERO);
+            for c in coefficients.iter_mut().skip(1).step_by(2) {
+                *c = -std::mem::take(c);
+            }
+            coefficients.reverse();
+            IntegerPolynomial::from_coefficients_asc(coefficients)
+        };
+        RationalFunction::new(reversed(f.numerator()), reversed(f.denominator()))
+    };
+    if !curve.parameter().is_angle() {
+        return None;
+    }
+    let [x, y, z] = curve.coordinates().each_ref().map(turned);
+    Some([x?, y?, z?])
+}
+
+/// Whether the leading coefficient in a coordinate is constant: then no line parallel to its axis is on the surface.
+fn is_monic_in(f: &SparsePolynomial<3>, axis: usize) -> bool {
+    let degree = degree_in(f, axis);
+    let mut leading = f.terms().filter(|(e, _)| e[axis] == degree);
+    degree > 0 && leading.all(|(e, _)| e.iter().sum::<u32>() == degree)
+}
+
+/// A parametrization of an irreducible plane curve, or why there is none.
+fn projected(f: &PlanePolynomial) -> std::result::Result<PlaneCurve, String> {
+    if let Ok(found) = fourier_branches(&ImplicitCurve::new(f.clone()))
+        && let Some(radius) = found.radii.first()
+    {
+        return Ok(radius.to_plane_curve());
+    }
+    if let Some(line) = line(f) {
+        return Ok(rational(line));
+    }
+    match rational_parametrization(f) {
+        Some(Rationality::Parametrized(curve)) => Ok(rational(curve)),
+        Some(Rationality::PositiveGenus { genus, .. }) => Err(format!(
+            "its projection has genus {genus}, so neither has a rational parametrization, over any field"
+        )),
+        Some(Rationality::NoRationalPoint { field, .. }) => Err(format!(
+            "its projection has genus 0 but no rational parametrization over Q (there is one over Q(sqrt({field})))"
+        )),
+        Some(Rationality::Conjugates { count }) => Err(format!(
+            "its projection consists of {count} conjugate curves"
+        )),
+        _ => Err("no rational or trigonometric parametrization of its projection is known".into()),
+    }
+}
+
+fn rational(curve: RationalCurve) -> PlaneCurve {
+    PlaneCurve::new(Parameter::number("t"), [curve.x, curve.y])
+}
+
+/// A straight line a x + b y + c = 0, by the coordinate that it is a function of.
+fn line(f: &PlanePolynomial) -> Option<RationalCurve> {
+    if f.degree() != Some(1) {
+        return None;
+    }
+    let coefficient = |i: usize, j: usize| {
+        let term = f.terms().find(|(e, _)| *e == (i, j));
+        term.map_or_else(Rational::zero, |(_, c)| c)
+    };
+    let [a, b, c] = [(1, 0), (0, 1), (0, 0)].map(|(i, j)| coefficient(i, j));
+    let t = || linear(&Rational::one(), &Rational::zero());
+    if b.is_zero() {
+        let x = linear(&Rational::zero(), &(-c / a));
+        return Some(RationalCurve { x, y: t() });
+    }
+    let y = linear(&(-a / &b), &(-c / b));
+    Some(RationalCurve { x: t(), y })
+}
+
+/// a t + b
+fn linear(a: &Rational, b: &Rational) -> RationalFunction {
+    let denominator = a.denominator() * b.denominator();
+    let scaled = |q: &Rational| (q * &Rational::from(&denominator)).numerator();
+    let numerator = IntegerPolynomial::from_coefficients_asc(vec![scaled(b), scaled(a)]);
+    let below = IntegerPolynomial::from_coefficients_asc(vec![denominator]);
+    // No denominator is 0.
+    RationalFunction::new(numerator, below).unwrap_or_default()
+}
+
+/// What lies above a parametrized projection.
+enum Lifted {
+    /// Nothing: the factor belongs to points at infinity.
+    Nothing,
+    /// So many points above every one, that are not rational functions of the parameter.
+    Irrational(u32),
+    /// Curves that satisfy both equations.
+    Curves(Vec<SpaceCurve>),
+}
+
+fn lifted(
+    below: &PlaneCurve,
+    axis: usize,
+    pair: [&SparsePolynomial<3>; 2],
+    limits: &Limits,
+) -> Result<Lifted> {
+    let [f, g] = pair.map(|f| substituted(f, axis, below));
+    let common = greatest_common_divisor(&f, &g, limits)?;
+    let terms = common.terms();
+    let plane = PlanePolynomial::from_terms(
+        terms.map(|(e, c)| ((e[0] as usize, e[1] as usize), c.clone())),
+    );
+    let mut curves = Vec::new();
+    let mut irrational = None;
+    for factor in factor_plane(&plane, limits)?.factors {
+        // a(t) z^k + …: the coefficients of the powers of z.
+        let mut rows: Vec<Vec<Integer>> = Vec::new();
+        for ((i, k), c) in factor.polynomial.terms() {
+            rows.resize_with(rows.len().max(k + 1), Vec::new);
+            let row_length = rows[k].len().max(i + 1);
+            rows[k].resize(row_length, Integer::ZERO);
+            rows[k][i] = c.numerator();
+        }
+        match rows.len() {
+            0 | 1 => {}
+            2 => {
+                let mut rows = rows
+                    .into_iter()
+                    .map(IntegerPolynomial::from_coefficients_asc);
+                let [b, a] = [rows.next(), rows.next()].map(Option::unwrap_or_default);
+                let Some(height) = RationalFunction::new(-b, a) else {
+                    continue;
+                };
+                let [x, y] = below.coordinates().clone();
+                let coordinates = match axis {
+                    0 => [height, x, y],
+                    1 => [x, height, y],
+                    _ => [x, y, height],
+                };
+                let curve = SpaceCurve::new(below.parameter().clone(), coordinates);
+                // A proof of its own, whatever the way it was found.
+                if pair.iter().all(|f| lies_on(&curve, f)) {
+                    curves.push(curve);
+                }
+            }
+            more => irrational = u32::try_from(more - 1).ok(),
+        }
+    }
+    Ok(match (curves.is_empty(), irrational) {
+        (_, Some(degree)) => Lifted::Irrational(degree),
+        (true, None) => Lifted::Nothing,
+        (false, None) => Lifted::Curves(curves),
+    })
+}
+
+/// f with a plane curve in two of its variables, as a polynomial in the parameter s and the third variable, times a power of
+/// the denominators.
+fn substituted(f: &SparsePolynomial<3>, axis: usize, curve: &PlaneCurve) -> SparsePolynomial<2> {
+    let variables = others(axis);
+    let f = f.primitive();
+    // For both coordinates numerator^i · denominator^(d − i), i = 0 … d.
+    let powers = [0, 1].map(|n: usize| {
+        let degree = degree_in(&f, variables[n]);
+        let function = &curve.coordinates()[n];
+        let all = |base: &IntegerPolynomial| {
+            let mut list = vec![IntegerPolynomial::one()];
+            for k in 0..degree as usize {
+                let next = &list[k] * base;
+                list.push(next);
+            }
+            list
+        };
+        let (above, below) = (all(function.numerator()), all(function.denominator()));
+        let pairs = above.iter().zip(below.iter().rev());
+        pairs.map(|(a, b)| a * b).collect::<Vec<_>>()
+    });
+    let mut sum = SparsePolynomial::zero();
+    for (e, c) in f.terms() {
+        let [i, j] = variables.map(|v| e[v] as usize);
+        let product = &powers[0][i] * &powers[1][j];
+        for (k, value) in product.coefficients_asc().iter().enumerate() {
+            let power = u32::try_from(k).unwrap_or(u32::MAX);
+            sum.add_term([power, e[axis]], c * &Rational::from(value));
+        }
+    }
+    sum
+}
