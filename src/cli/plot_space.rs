@@ -110,6 +110,8 @@ enum Drawn {
 }
 
 fn add_mesh(mesh: &Mesh, layer: &mut SpaceLayer) {
+    let is_first = layer.facets.is_empty();
+    layer.closed = (is_first || layer.closed) && mesh.topology().is_watertight();
     for triangle in &mesh.triangles {
         let corners = triangle.map(|v| mesh.vertices[v as usize]);
         let normals = triangle.map(|v| mesh.normals[v as usize]);

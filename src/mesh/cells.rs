@@ -103,7 +103,12 @@ impl Grid {
         limits.check()?;
         let step = size / 2;
         for corner in 0..8u32 {
-            let next = [0, 1, 2].map(|i| first[i as usize] + (corner >> i & 1) * step);
+            let [i, j, k] = first;
+            let next = [
+                i + (corner & 1) * step,
+                j + (corner >> 1 & 1) * step,
+                k + (corner >> 2) * step,
+            ];
             self.visit(field, next, step, limits, cells)?;
         }
         Ok(())

@@ -243,9 +243,10 @@ impl Field {
                 0.5
             };
             let mut p = between(a, b, weight);
-            if p == a || p == b {
+            let is_end = |p: [f64; 3]| distance(p, a) <= 0.0 || distance(p, b) <= 0.0;
+            if is_end(p) {
                 p = between(a, b, 0.5);
-                if p == a || p == b {
+                if is_end(p) {
                     break;
                 }
             }

@@ -113,7 +113,6 @@ pub(super) fn draw_labels<B: DrawingBackend>(
             place(Seen {
                 x: x + out.0 * by,
                 y: y + out.1 * by,
-                depth: 0.0,
             })
         };
         let edge = ShapeStyle::from(RGBColor(60, 60, 60)).stroke_width(FINER);

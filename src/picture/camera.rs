@@ -24,13 +24,12 @@ pub(super) struct Camera {
     pub(super) size: [f64; 2],
 }
 
-/// A point on the picture, and how far from the eye it is.
+/// A point on the picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     pub(super) x: f64,
     /// Downwards.
     pub(super) y: f64,
-    pub(super) depth: f64,
 }
 
 impl Camera {
@@ -102,10 +101,27 @@ impl Camera {
         [0, 1, 2].map(|k| self.bounds[k][sides[k]])
     }
 
-    /// The length of the box's diagonal, in the unit of depths.
+    /// The length of the box's diagonal.
     pub(super) fn diagonal(&self) -> f64 {
         let side = |k: usize| (self.bounds[k][1] - self.bounds[k][0]) * self.scale[k];
         (0..3).map(|k| side(k).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Where the eye is.
+    pub(super) fn eye(&self) -> [f64; 3] {
+        let eye = self.view.inverse() * Point3::origin();
+        [0, 1, 2].map(|k| {
+            let [low, high] = self.bounds[k];
+            f64::midpoint(low, high) + eye[k] / self.scale[k]
+        })
+    }
+
+    /// A point, moved towards the eye by this part of the box's size.
+    pub(super) fn lifted(&self, point: [f64; 3], part: f64) -> [f64; 3] {
+        let eye = self.eye();
+        let towards = (self.scaled(eye) - self.scaled(point)).norm();
+        let share = part * self.diagonal() / towards;
+        [0, 1, 2].map(|k| point[k] + share * (eye[k] - point[k]))
     }
 
     /// Where a point is seen.
@@ -114,7 +130,6 @@ impl Camera {
         Seen {
             x: (p.x / -p.z - self.origin[0]) * self.unit,
             y: (-p.y / -p.z - self.origin[1]) * self.unit,
-            depth: -p.z,
         }
     }
 
@@ -185,7 +200,6 @@ mod tests {
             let seen = camera.see(inside);
             prop_assert!(seen.x >= -1e-6 && seen.x <= camera.size[0] + 1e-6);
             prop_assert!(seen.y >= -1e-6 && seen.y <= camera.size[1] + 1e-6);
-            prop_assert!(seen.depth > 0.0);
         }
 
         #[test]

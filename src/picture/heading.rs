@@ -123,6 +123,40 @@ pub(super) fn shown_in_units(svg: &str, height: u32) -> String {
     svg.replacen(&fine, &shown, 1)
 }
 
+/// The same picture in fewer characters: full opacity is not said, and an outline in the colour of its polygon becomes
+/// the polygon's stroke.
+pub(super) fn compacted(svg: &str) -> String {
+    let svg = svg.replace(" opacity=\"1\"", "");
+    let mut short = String::with_capacity(svg.len());
+    let mut lines = svg.lines().peekable();
+    while let Some(line) = lines.next() {
+        match lines.peek().and_then(|next| with_outline(line, next)) {
+            Some(both) => {
+                lines.next();
+                short.push_str(&both);
+            }
+            None => short.push_str(line),
+        }
+        short.push('\n');
+    }
+    short
+}
+
+/// A polygon and a closed line around it of the same colour as one polygon.
+fn with_outline(polygon: &str, line: &str) -> Option<String> {
+    let (fill, points) = polygon
+        .strip_prefix("<polygon fill=\"")?
+        .strip_suffix(" \"/>")?
+        .split_once("\" points=\"")?;
+    let (stroke, outline) = line
+        .strip_prefix("<polyline fill=\"none\" stroke=\"")?
+        .split_once("\" points=\"")?;
+    let (color, width) = stroke.split_once("\" stroke-width=\"")?;
+    (color == fill && outline.starts_with(points)).then(|| {
+        format!("<polygon fill=\"{fill}\" stroke=\"{fill}\" stroke-width=\"{width}\" points=\"{points}\"/>")
+    })
+}
+
 pub(super) fn load_font() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -7,6 +7,7 @@ mod cut;
 mod extent;
 mod figure;
 mod heading;
+mod order;
 mod raster;
 mod scene;
 mod trace;

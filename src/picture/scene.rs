@@ -8,8 +8,9 @@ use plotters::style::{Color, RGBColor, ShapeStyle, WHITE};
 
 use super::camera::{Camera, Seen};
 use super::heading::{
-    self, Drawn, FINER, MARGIN, Mark, Row, WIDTH, color, dot, load_font, shown_in_units,
+    self, Drawn, FINER, MARGIN, Mark, Row, WIDTH, color, compacted, dot, load_font, shown_in_units,
 };
+use super::order::{Piece, from_behind};
 use super::{axes, cut};
 use crate::error::{Error, Result};
 
@@ -37,6 +38,9 @@ pub struct SpaceLayer {
     pub facets: Vec<Vec<[f64; 3]>>,
     /// A normal for every facet, by which it is shaded, and then drawn without its edges; or none at all.
     pub normals: Vec<[f64; 3]>,
+    /// Whether the facets, which go round counterclockwise seen from outside, bound a body: then those that are seen from
+    /// inside are hidden by others and not drawn, if the whole body is shown.
+    pub closed: bool,
     /// Single points.
     pub points: Vec<[f64; 3]>,
 }
@@ -77,12 +81,12 @@ pub struct Scene {
     pub layers: Vec<SpaceLayer>,
 }
 
-/// What is drawn in the order of its distance from the eye.
-enum Primitive {
-    /// Its corners, its colour, and that of its edges.
-    Facet(Vec<(i32, i32)>, [RGBColor; 2]),
-    Piece([(i32, i32); 2], RGBColor),
-    Dot((i32, i32), RGBColor),
+/// How a piece is drawn.
+enum Paint {
+    /// The colours of the inside and of the edges that it had before it was cut: none if it is shaded smoothly.
+    Facet(RGBColor, Option<RGBColor>),
+    Line(RGBColor),
+    Dot(RGBColor),
 }
 
 impl Scene {
@@ -109,7 +113,7 @@ impl Scene {
             let drawn = self.draw(&area, &camera, heading, rows);
             drawn.map_err(|e| Error::data("figure", e.to_string()))?;
         }
-        Ok(shown_in_units(&svg, height))
+        Ok(compacted(&shown_in_units(&svg, height)))
     }
 
     /// The given box, or the one around everything that is finite.
@@ -182,21 +186,30 @@ impl Scene {
         if self.layers.iter().all(|layer| layer.facets.is_empty()) {
             self.draw_shadows(area, camera, &place)?;
         }
-        let mut primitives = self.primitives(camera, &place);
-        primitives.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-        for (_, primitive) in primitives {
-            match primitive {
-                Primitive::Facet(corners, [color, edge]) => {
-                    let mut outline = corners.clone();
-                    outline.extend(corners.first());
-                    area.draw(&Polygon::new(corners, color.filled()))?;
-                    let style = ShapeStyle::from(edge).stroke_width(FINER / 2);
+        let (pieces, paints) = self.pieces(camera);
+        for piece in from_behind(pieces, camera.eye()) {
+            let shown: Vec<(i32, i32)> = piece
+                .corners
+                .iter()
+                .map(|&p| place(camera.see(p)))
+                .collect();
+            match &paints[piece.item] {
+                Paint::Facet(color, edge) => {
+                    let mut outline = shown.clone();
+                    outline.extend(shown.first());
+                    area.draw(&Polygon::new(shown, color.filled()))?;
+                    // A line of the same colour covers the seam between neighbours.
+                    let style = ShapeStyle::from(edge.unwrap_or(*color)).stroke_width(FINER / 2);
                     area.draw(&PathElement::new(outline, style))?;
                 }
-                Primitive::Piece(ends, color) => {
-                    area.draw(&PathElement::new(ends.to_vec(), line_style(color)))?;
+                Paint::Line(color) => {
+                    area.draw(&PathElement::new(shown, line_style(*color)))?;
                 }
-                Primitive::Dot(at, color) => area.draw(&dot(at, color))?,
+                Paint::Dot(color) => {
+                    if let Some(&at) = shown.first() {
+                        area.draw(&dot(at, *color))?;
+                    }
+                }
             }
         }
         axes::draw_labels(area, camera, &place)?;
@@ -223,70 +236,74 @@ impl Scene {
         Ok(())
     }
 
-    fn primitives(
-        &self,
-        camera: &Camera,
-        place: &impl Fn(Seen) -> (i32, i32),
-    ) -> Vec<(f64, Primitive)> {
-        let mut primitives = Vec::new();
-        let finite = |p: &[f64; 3]| p.iter().all(|v| v.is_finite());
-        let mean = |seen: &[Seen]| {
-            let sum = seen.iter().map(|s| s.depth).sum::<f64>();
-            sum / f64::from(u32::try_from(seen.len()).unwrap_or(1))
+    /// Everything that is inside the box, and how it is painted. Lines and points are moved a little towards the eye: a curve
+    /// on a surface is seen where the surface is.
+    fn pieces(&self, camera: &Camera) -> (Vec<Piece>, Vec<Paint>) {
+        let (mut all, mut paints) = (Vec::new(), Vec::new());
+        let mut add = |corners: Vec<[f64; 3]>, paint: Paint| {
+            all.push(Piece {
+                corners,
+                item: paints.len(),
+            });
+            paints.push(paint);
         };
-        let bias = camera.diagonal() * PIECE;
+        let finite = |p: &[f64; 3]| p.iter().all(|v| v.is_finite());
         for (index, layer) in self.layers.iter().enumerate() {
             let base = color(index);
+            let inside = |p: &[f64; 3]| {
+                let mut sides = p.iter().zip(&camera.bounds);
+                sides.all(|(v, [a, b])| a <= v && v <= b)
+            };
+            let is_body = layer.closed && layer.facets.iter().flatten().all(inside);
             for (number, facet) in layer.facets.iter().enumerate() {
-                if !facet.iter().all(finite) {
+                if !facet.iter().all(finite) || (is_body && camera.facing(facet) < 0.0) {
                     continue;
                 }
                 let corners = cut::polygon(facet, &camera.bounds);
-                if corners.is_empty() {
-                    continue;
+                if !corners.is_empty() {
+                    let paint = facet_paint(base, &corners, layer.normals.get(number), camera);
+                    add(corners, paint);
                 }
-                let normal = layer.normals.get(number);
-                let facing = normal.map_or_else(
-                    || camera.facing(&corners),
-                    |&normal| camera.facing_normal(corners[0], normal),
-                );
-                // A surface with normals has an inside.
-                let side = if normal.is_some() && camera.facing(&corners) < 0.0 {
-                    mixed(base, INSIDE, 0.55)
-                } else {
-                    base
-                };
-                let shade = shaded(side, facing);
-                let edge = match normal {
-                    Some(_) => shade,
-                    None => mixed(shade, RGBColor(0, 0, 0), 0.15),
-                };
-                let seen: Vec<Seen> = corners.iter().map(|&p| camera.see(p)).collect();
-                let shown = seen.iter().map(|&s| place(s)).collect();
-                primitives.push((mean(&seen), Primitive::Facet(shown, [shade, edge])));
             }
             for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
                 if !pair.iter().all(finite) {
                     continue;
                 }
-                let Some(ends) = cut::segment([pair[0], pair[1]], &camera.bounds) else {
-                    continue;
-                };
-                for piece in pieces(ends, camera) {
-                    let seen = piece.map(|p| camera.see(p));
-                    let shown = seen.map(place);
-                    primitives.push((mean(&seen) - bias, Primitive::Piece(shown, base)));
+                if let Some(ends) = cut::segment([pair[0], pair[1]], &camera.bounds) {
+                    for piece in pieces(ends, camera) {
+                        let lifted = piece.map(|p| camera.lifted(p, PIECE));
+                        add(lifted.to_vec(), Paint::Line(base));
+                    }
                 }
             }
             for &point in layer.points.iter().filter(|p| finite(p)) {
                 if cut::segment([point, point], &camera.bounds).is_some() {
-                    let seen = camera.see(point);
-                    primitives.push((seen.depth - 2.0 * bias, Primitive::Dot(place(seen), base)));
+                    add(vec![camera.lifted(point, 2.0 * PIECE)], Paint::Dot(base));
                 }
             }
         }
-        primitives
+        (all, paints)
     }
+}
+
+/// The shade of a facet, by its own slope or by a given normal.
+fn facet_paint(
+    base: RGBColor,
+    corners: &[[f64; 3]],
+    normal: Option<&[f64; 3]>,
+    camera: &Camera,
+) -> Paint {
+    let Some(&normal) = normal else {
+        let shade = shaded(base, camera.facing(corners));
+        return Paint::Facet(shade, Some(mixed(shade, RGBColor(0, 0, 0), 0.15)));
+    };
+    // A surface with normals has an inside.
+    let side = if camera.facing(corners) < 0.0 {
+        mixed(base, INSIDE, 0.55)
+    } else {
+        base
+    };
+    Paint::Facet(shaded(side, camera.facing_normal(corners[0], normal)), None)
 }
 
 /// A segment in short pieces.

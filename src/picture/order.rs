@@ -1,0 +1,313 @@
+//! From the farthest to the nearest: what hides what, by a binary space partition.
+
+/// Up to so many pieces are ordered by the planes of the facets themselves; more are first divided by planes across an axis.
+const LEAF: usize = 100;
+/// Points nearer to a plane than this part of the scene's size are on it.
+const ON_PLANE: f64 = 1e-9;
+
+/// A facet (three corners or more, nearly in a plane), a segment (two) or a point, with what it is.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub(super) corners: Vec<[f64; 3]>,
+    pub(super) item: usize,
+}
+
+/// n·x = offset, with a unit vector n.
+struct Plane {
+    normal: [f64; 3],
+    offset: f64,
+}
+
+/// The pieces from the farthest to the nearest as seen from `eye`: none hides a later one. Facets and segments that pass
+/// through a plane of the partition are cut there, so surfaces that cut each other come out right.
+///
+/// Cost: for n pieces of usual scenes n log n, with some tenths more pieces at the end.
+pub(super) fn from_behind(pieces: Vec<Piece>, eye: [f64; 3]) -> Vec<Piece> {
+    let mut largest = 0.0_f64;
+    for value in pieces.iter().flat_map(|p| &p.corners).flatten().chain(&eye) {
+        largest = largest.max(value.abs());
+    }
+    let mut ordered = Vec::with_capacity(pieces.len() * 3 / 2);
+    order(pieces, eye, ON_PLANE * largest, &mut ordered);
+    ordered
+}
+
+fn order(pieces: Vec<Piece>, eye: [f64; 3], near: f64, ordered: &mut Vec<Piece>) {
+    if pieces.len() > LEAF
+        && let Some(plane) = across(&pieces)
+        && let Ok([behind, on, before]) = divided(&pieces, &plane, near)
+        && behind.len().max(before.len()) * 10 < pieces.len() * 9
+    {
+        let (far, close) = sides(&plane, eye, behind, before);
+        order(far, eye, near, ordered);
+        ordered.extend(lines_over_facets(on));
+        order(close, eye, near, ordered);
+        return;
+    }
+    let facets = pieces.iter().filter(|p| p.corners.len() > 2);
+    let count = facets.clone().count();
+    // One from the middle: neighbours in a list are neighbours on a surface.
+    let planes = facets.skip(count / 2).chain(pieces.iter());
+    let Some(plane) = planes
+        .filter(|p| p.corners.len() > 2)
+        .find_map(Piece::plane)
+    else {
+        return by_distance(pieces, eye, ordered);
+    };
+    let Ok([behind, on, before]) = divided(&pieces, &plane, near) else {
+        return by_distance(pieces, eye, ordered);
+    };
+    if on.is_empty() && (behind.len() == pieces.len() || before.len() == pieces.len()) {
+        // A plane that is not even that of its own facet.
+        return by_distance(pieces, eye, ordered);
+    }
+    let (far, close) = sides(&plane, eye, behind, before);
+    order(far, eye, near, ordered);
+    ordered.extend(lines_over_facets(on));
+    order(close, eye, near, ordered);
+}
+
+/// In one plane facets hide nothing but lines and points.
+fn lines_over_facets(mut on: Vec<Piece>) -> Vec<Piece> {
+    on.sort_by_key(|piece| std::cmp::Reverse(piece.corners.len().min(3)));
+    on
+}
+
+/// The side without the eye, then the other one.
+fn sides(
+    plane: &Plane,
+    eye: [f64; 3],
+    behind: Vec<Piece>,
+    before: Vec<Piece>,
+) -> (Vec<Piece>, Vec<Piece>) {
+    if plane.height(eye) > 0.0 {
+        (behind, before)
+    } else {
+        (before, behind)
+    }
+}
+
+fn by_distance(mut pieces: Vec<Piece>, eye: [f64; 3], ordered: &mut Vec<Piece>) {
+    let distance = |piece: &Piece| -> f64 {
+        let middle = piece.middle();
+        (0..3).map(|k| (middle[k] - eye[k]).powi(2)).sum()
+    };
+    pieces.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+    ordered.extend(pieces);
+}
+
+/// A plane across the axis in which the pieces spread most, through the median of their middles.
+fn across(pieces: &[Piece]) -> Option<Plane> {
+    let middles: Vec<[f64; 3]> = pieces.iter().map(Piece::middle).collect();
+    let spread = |k: usize| {
+        let values = || middles.iter().map(|m| m[k]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    let axis = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b)))?;
+    let mut values: Vec<f64> = middles.iter().map(|m| m[axis]).collect();
+    let middle = values.len() / 2;
+    let (_, median, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
+    let mut normal = [0.0; 3];
+    normal[axis] = 1.0;
+    Some(Plane {
+        normal,
+        offset: *median,
+    })
+}
+
+/// Pieces behind, on and before a plane, cut where they pass through; an error for what is not finite.
+fn divided(pieces: &[Piece], plane: &Plane, near: f64) -> Result<[Vec<Piece>; 3], ()> {
+    let mut parts: [Vec<Piece>; 3] = Default::default();
+    for piece in pieces {
+        let heights: Vec<f64> = piece.corners.iter().map(|p| plane.height(*p)).collect();
+        if heights.iter().any(|h| !h.is_finite()) {
+            return Err(());
+        }
+        let below = heights.iter().any(|h| *h < -near);
+        let above = heights.iter().any(|h| *h > near);
+        match (below, above) {
+            (true, true) => {
+                for (part, sign) in [(0, -1.0), (2, 1.0)] {
+                    parts[part].extend(piece.cut(&heights, sign));
+                }
+            }
+            (true, false) => parts[0].push(piece.clone()),
+            (false, true) => parts[2].push(piece.clone()),
+            (false, false) => parts[1].push(piece.clone()),
+        }
+    }
+    Ok(parts)
+}
+
+impl Plane {
+    fn height(&self, p: [f64; 3]) -> f64 {
+        let products = self.normal.iter().zip(p).map(|(n, x)| n * x);
+        products.sum::<f64>() - self.offset
+    }
+}
+
+impl Piece {
+    fn middle(&self) -> [f64; 3] {
+        let count = f64::from(u32::try_from(self.corners.len()).unwrap_or(1));
+        [0, 1, 2].map(|k| self.corners.iter().map(|p| p[k]).sum::<f64>() / count)
+    }
+
+    /// The plane of a facet by Newell's rule; `None` without an area.
+    fn plane(&self) -> Option<Plane> {
+        let n = self.corners.len();
+        let normal = [0, 1, 2].map(|i: usize| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let terms = (0..n).map(|a| {
+                let (p, q) = (self.corners[a], self.corners[(a + 1) % n]);
+                (p[j] - q[j]) * (p[k] + q[k])
+            });
+            terms.sum::<f64>()
+        });
+        let length = normal.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let normal = normal.map(|v| v / length);
+        let through = self.middle();
+        let offset = normal.iter().zip(through).map(|(n, x)| n * x).sum();
+        (length > 0.0 && normal.iter().all(|v| v.is_finite())).then_some(Plane { normal, offset })
+    }
+
+    /// The part on the side of a plane with the given sign.
+    fn cut(&self, heights: &[f64], sign: f64) -> Option<Self> {
+        let n = self.corners.len();
+        let mut corners = Vec::with_capacity(n + 1);
+        let steps = if n > 2 { n } else { n - 1 };
+        for a in 0..n {
+            let b = (a + 1) % n;
+            let (p, q) = (self.corners[a], self.corners[b]);
+            let (g, h) = (sign * heights[a], sign * heights[b]);
+            if g >= 0.0 {
+                corners.push(p);
+            }
+            if a < steps && g * h < 0.0 {
+                let t = g / (g - h);
+                corners.push([0, 1, 2].map(|k| p[k] + t * (q[k] - p[k])));
+            }
+        }
+        let least = n.min(3);
+        (corners.len() >= least).then_some(Self {
+            corners,
+            item: self.item,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn piece(corners: &[[f64; 3]], item: usize) -> Piece {
+        Piece {
+            corners: corners.to_vec(),
+            item,
+        }
+    }
+
+    fn area(piece: &Piece) -> f64 {
+        let [o, rest @ ..] = &piece.corners[..] else {
+            return 0.0;
+        };
+        let minus = |a: &[f64; 3]| nalgebra::Vector3::from(*a) - nalgebra::Vector3::from(*o);
+        let parts = rest
+            .windows(2)
+            .map(|w| minus(&w[0]).cross(&minus(&w[1])).norm());
+        parts.sum::<f64>() / 2.0
+    }
+
+    #[test]
+    fn crossing_squares_are_cut() {
+        let a = piece(
+            &[
+                [-1.0, -1.0, 0.0],
+                [1.0, -1.0, 0.0],
+                [1.0, 1.0, 0.0],
+                [-1.0, 1.0, 0.0],
+            ],
+            0,
+        );
+        let b = piece(
+            &[
+                [-1.0, 0.0, -1.0],
+                [1.0, 0.0, -1.0],
+                [1.0, 0.0, 1.0],
+                [-1.0, 0.0, 1.0],
+            ],
+            1,
+        );
+        let ordered = from_behind(vec![a, b], [0.0, 5.0, 5.0]);
+        assert_eq!(ordered.len(), 3);
+        // A half of one, all of the other, the other half.
+        assert_eq!(ordered[0].item, ordered[2].item);
+        assert_ne!(ordered[0].item, ordered[1].item);
+    }
+
+    #[test]
+    fn facets_in_one_plane_are_kept() {
+        let square = |x: f64, item| {
+            piece(
+                &[
+                    [x, 0.0, 0.0],
+                    [x + 1.0, 0.0, 0.0],
+                    [x + 1.0, 1.0, 0.0],
+                    [x, 1.0, 0.0],
+                ],
+                item,
+            )
+        };
+        let mut pieces: Vec<Piece> = (0..4000).map(|n| square(f64::from(n) * 0.01, 0)).collect();
+        pieces.push(piece(&[[0.0, 0.5, -1.0], [0.0, 0.5, 1.0]], 1));
+        let ordered = from_behind(pieces, [3.0, 4.0, 5.0]);
+        let total: f64 = ordered.iter().map(area).sum();
+        assert!((total - 4000.0).abs() < 1e-6);
+        assert_eq!(ordered.iter().filter(|p| p.item == 1).count(), 2);
+    }
+
+    proptest! {
+        /// Nothing is lost by cutting; and along any line of sight what is nearer comes later.
+        #[test]
+        fn nearer_is_later(corners in prop::collection::vec(prop::array::uniform9(-1.0f64..1.0), 1..60), at in prop::array::uniform2(-0.8f64..0.8)) {
+            let pieces: Vec<Piece> = corners.iter().enumerate().map(|(item, c)| {
+                piece(&[[c[0], c[1], c[2]], [c[3], c[4], c[5]], [c[6], c[7], c[8]]], item)
+            }).collect();
+            let before: f64 = pieces.iter().map(area).sum();
+            let eye = [0.0, 0.0, 9.0];
+            let ordered = from_behind(pieces, eye);
+            let after: f64 = ordered.iter().map(area).sum();
+            prop_assert!((before - after).abs() < 1e-6 * (1.0 + before));
+            // Where the line from the eye through (x, y, 0) meets each piece.
+            let mut last = f64::INFINITY;
+            for piece in &ordered {
+                let Some(plane) = piece.plane() else { continue };
+                let along = [at[0], at[1], -9.0];
+                let slope: f64 = plane.normal.iter().zip(along).map(|(n, d)| n * d).sum();
+                let t = -plane.height(eye) / slope;
+                if !t.is_finite() {
+                    continue;
+                }
+                let hit = [0, 1, 2].map(|k| eye[k] + t * along[k]);
+                let n = piece.corners.len();
+                let inside = (0..n).all(|a| {
+                    let (p, q) = (piece.corners[a], piece.corners[(a + 1) % n]);
+                    let edge = nalgebra::Vector3::from(q) - nalgebra::Vector3::from(p);
+                    let to = nalgebra::Vector3::from(hit) - nalgebra::Vector3::from(p);
+                    edge.cross(&to).dot(&nalgebra::Vector3::from(plane.normal)) * 1.0 > 1e-6
+                });
+                // Newell's normal goes with the sense of the corners here or against it; both are tried.
+                let outside = (0..n).all(|a| {
+                    let (p, q) = (piece.corners[a], piece.corners[(a + 1) % n]);
+                    let edge = nalgebra::Vector3::from(q) - nalgebra::Vector3::from(p);
+                    let to = nalgebra::Vector3::from(hit) - nalgebra::Vector3::from(p);
+                    edge.cross(&to).dot(&nalgebra::Vector3::from(plane.normal)) < -1e-6
+                });
+                if inside || outside {
+                    prop_assert!(t <= last + 1e-6, "{t} after {last}");
+                    last = t;
+                }
+            }
+        }
+    }
+}
