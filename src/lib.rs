@@ -45,17 +45,20 @@
 //! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
 //! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
-//! | superquadrics of the plane (Example 6, Eq. (20)) | [`shape::Superquadric`], [`parametrize::parametrize_superquadric`] |
+//! | Lemmas 7 to 10, Theorem 6: surfaces, on meridians and in directions | [`parametrize::parametrize_surface`] |
+//! | Theorem 7: intersections as curves | [`parametrize::parametrize_intersection`] |
+//! | superquadrics (Examples 6 and 10, Eqs. (20), (77)) | [`shape::Superquadric`], [`shape::SpaceSuperquadric`] |
 //! | factors (Example 8) | [`factor`] |
 //! | beyond the paper: genus and rational parametrizations | [`parametrize::rational_parametrization`] |
 //! | Lemma 6: branches of any degree, with exact ranges and a Fourier fit | [`parametrize`] ([`parametrize::RootBranch`], [`parametrize::fit_branch`]) |
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
+//! | triangles of a surface | [`mesh`] |
 //!
 //! # From below to above
 //!
 //! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`describe`] → [`document`], [`picture`] → the command line. A file imports
+//! [`parametrize`], [`sample`], [`mesh`], [`describe`] → [`document`], [`picture`] → the command line. A file imports
 //! only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
@@ -65,7 +68,7 @@
 //! - A canonical polynomial has coprime integer coefficients and its first term positive.
 //! - A parametric form is held as rational functions of s, which is the parameter t itself or tan(g·t/2) for an
 //!   angle of which all multiples that occur are multiples of g·t ([`shape::Parameter`]).
-//! - θ is in radians from +x towards +y.
+//! - θ is in radians from +x towards +y, φ from +z.
 //! - Fourier radii are `a0 + Σ a_n cos nθ + b_n sin nθ`: a0 is the mean, not twice it.
 //! - Ranges of angles lie in [0, 2π] and say at each end whether it belongs to them.
 //! - What is exact is a [`exact::Rational`]; what is certified is a [`poly::RealRoot`] or a

@@ -9,6 +9,8 @@ const ON_PLANE: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub(super) corners: Vec<[f64; 3]>,
+    /// For every corner whether the edge to the next one is an edge of the whole facet, not a cut.
+    pub(super) edges: Vec<bool>,
     pub(super) item: usize,
 }
 
@@ -170,10 +172,19 @@ impl Piece {
         (length > 0.0 && normal.iter().all(|v| v.is_finite())).then_some(Plane { normal, offset })
     }
 
+    /// A piece that was not cut.
+    pub(super) fn whole(corners: Vec<[f64; 3]>, item: usize) -> Self {
+        Self {
+            edges: vec![true; corners.len()],
+            corners,
+            item,
+        }
+    }
+
     /// The part on the side of a plane with the given sign.
     fn cut(&self, heights: &[f64], sign: f64) -> Option<Self> {
         let n = self.corners.len();
-        let mut corners = Vec::with_capacity(n + 1);
+        let (mut corners, mut edges) = (Vec::with_capacity(n + 1), Vec::with_capacity(n + 1));
         let steps = if n > 2 { n } else { n - 1 };
         for a in 0..n {
             let b = (a + 1) % n;
@@ -181,15 +192,19 @@ impl Piece {
             let (g, h) = (sign * heights[a], sign * heights[b]);
             if g >= 0.0 {
                 corners.push(p);
+                edges.push(self.edges[a] && (g > 0.0 || h >= 0.0));
             }
             if a < steps && g * h < 0.0 {
                 let t = g / (g - h);
                 corners.push([0, 1, 2].map(|k| p[k] + t * (q[k] - p[k])));
+                // What follows is the cut, or the rest of the edge.
+                edges.push(self.edges[a] && h > 0.0);
             }
         }
         let least = n.min(3);
         (corners.len() >= least).then_some(Self {
             corners,
+            edges,
             item: self.item,
         })
     }
@@ -201,10 +216,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn piece(corners: &[[f64; 3]], item: usize) -> Piece {
-        Piece {
-            corners: corners.to_vec(),
-            item,
-        }
+        Piece::whole(corners.to_vec(), item)
     }
 
     fn area(piece: &Piece) -> f64 {
@@ -240,6 +252,9 @@ mod tests {
         );
         let ordered = from_behind(vec![a, b], [0.0, 5.0, 5.0]);
         assert_eq!(ordered.len(), 3);
+        // The cut is no edge.
+        let edges = |p: &Piece| p.edges.iter().filter(|e| **e).count();
+        assert_eq!(ordered.iter().map(edges).collect::<Vec<_>>(), [3, 4, 3]);
         // A half of one, all of the other, the other half.
         assert_eq!(ordered[0].item, ordered[2].item);
         assert_ne!(ordered[0].item, ordered[1].item);

@@ -195,12 +195,25 @@ impl Scene {
                 .collect();
             match &paints[piece.item] {
                 Paint::Facet(color, edge) => {
-                    let mut outline = shown.clone();
-                    outline.extend(shown.first());
+                    let outline: Vec<_> = shown.iter().chain(shown.first()).copied().collect();
                     area.draw(&Polygon::new(shown, color.filled()))?;
                     // A line of the same colour covers the seam between neighbours.
-                    let style = ShapeStyle::from(edge.unwrap_or(*color)).stroke_width(FINER / 2);
-                    area.draw(&PathElement::new(outline, style))?;
+                    let line = |color: RGBColor| ShapeStyle::from(color).stroke_width(FINER / 2);
+                    let whole = piece.edges.iter().all(|edge| *edge);
+                    match edge {
+                        Some(edge) if whole => {
+                            area.draw(&PathElement::new(outline, line(*edge)))?;
+                        }
+                        _ => {
+                            area.draw(&PathElement::new(outline.clone(), line(*color)))?;
+                            let ends = outline.windows(2).zip(&piece.edges);
+                            for (ends, _) in ends.filter(|(_, drawn)| **drawn) {
+                                if let Some(edge) = edge {
+                                    area.draw(&PathElement::new(ends.to_vec(), line(*edge)))?;
+                                }
+                            }
+                        }
+                    }
                 }
                 Paint::Line(color) => {
                     area.draw(&PathElement::new(shown, line_style(*color)))?;
@@ -241,10 +254,7 @@ impl Scene {
     fn pieces(&self, camera: &Camera) -> (Vec<Piece>, Vec<Paint>) {
         let (mut all, mut paints) = (Vec::new(), Vec::new());
         let mut add = |corners: Vec<[f64; 3]>, paint: Paint| {
-            all.push(Piece {
-                corners,
-                item: paints.len(),
-            });
+            all.push(Piece::whole(corners, paints.len()));
             paints.push(paint);
         };
         let finite = |p: &[f64; 3]| p.iter().all(|v| v.is_finite());
