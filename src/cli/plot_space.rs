@@ -1,7 +1,9 @@
 //! `stellate plot` in space: curves, patches and implicit surfaces in perspective.
 
+use stellate::document::{Coordinates, Format};
 use stellate::error::{Error, Result};
 use stellate::mesh::Mesh;
+use stellate::parametrize::parametrize_intersection;
 use stellate::picture::{Scene, SpaceLayer};
 use stellate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter};
 
@@ -42,26 +44,20 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
     let mut drawn: Vec<Drawn> = Vec::new();
     let mut around = box_around(points.iter());
     for input in inputs {
-        let next = drawn_of(input, &ranges, session)?;
-        if let Drawn::Layer(_, extent) = &next {
-            around = joined(around, *extent);
+        for next in drawn_of(input, &ranges, session)? {
+            if let Drawn::Layer(_, extent) = &next {
+                around = joined(around, *extent);
+            }
+            drawn.push(next);
         }
-        drawn.push(next);
     }
     // Surfaces that are bounded have a box of their own; the others are drawn in that of the rest.
     let cells = verb.cells.unwrap_or(SURFACE_CELLS);
-    let own = |surfaces: &[ImplicitSurface], session: &mut Session| -> Result<Option<Bounds>> {
-        let mut extent = None;
-        for surface in surfaces {
-            extent = joined(extent, mesh::closed_bounds(surface, session)?);
-        }
-        Ok(extent)
-    };
     let mut shown = window;
     if shown.is_none() {
         for next in &drawn {
-            if let Drawn::Surfaces(_, surfaces) = next {
-                around = joined(around, own(surfaces, session)?);
+            if let Drawn::Surface(_, surface) = next {
+                around = joined(around, mesh::closed_bounds(surface, session)?);
             }
         }
         shown = around;
@@ -70,16 +66,11 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
     for next in drawn {
         match next {
             Drawn::Layer(layer, _) => layers.push(layer),
-            Drawn::Surfaces(label, surfaces) => {
-                let mut layer = SpaceLayer {
-                    label,
-                    ..SpaceLayer::default()
-                };
-                for surface in surfaces {
-                    let mesh = mesh::of_surface(&surface, shown, cells, SURFACE_ANGLE, session)?;
-                    shown = shown.or_else(|| box_around(mesh.vertices.iter()));
-                    add_mesh(&mesh, &mut layer);
-                }
+            Drawn::Surface(label, surface) => {
+                let mesh = mesh::of_surface(&surface, shown, cells, SURFACE_ANGLE, session)?;
+                shown = shown.or_else(|| box_around(mesh.vertices.iter()));
+                let mut layer = mesh_layer(&mesh);
+                layer.label = label;
                 layers.push(layer);
             }
         }
@@ -105,13 +96,15 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
 enum Drawn {
     /// What is drawn already, and the box that shows it.
     Layer(SpaceLayer, Option<Bounds>),
-    /// A label, and surfaces that are to be meshed in the box of everything.
-    Surfaces(String, Vec<ImplicitSurface>),
+    /// A label, and a surface that is to be meshed in the box of everything.
+    Surface(String, ImplicitSurface),
 }
 
-fn add_mesh(mesh: &Mesh, layer: &mut SpaceLayer) {
-    let is_first = layer.facets.is_empty();
-    layer.closed = (is_first || layer.closed) && mesh.topology().is_watertight();
+fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
+    let mut layer = SpaceLayer {
+        closed: mesh.topology().is_watertight(),
+        ..SpaceLayer::default()
+    };
     for triangle in &mesh.triangles {
         let corners = triangle.map(|v| mesh.vertices[v as usize]);
         let normals = triangle.map(|v| mesh.normals[v as usize]);
@@ -120,6 +113,7 @@ fn add_mesh(mesh: &Mesh, layer: &mut SpaceLayer) {
             .normals
             .push([0, 1, 2].map(|i| normals.iter().map(|n| n[i]).sum()));
     }
+    layer
 }
 
 fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
@@ -200,7 +194,43 @@ pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {
     numbers.iter().all(|v| v.is_finite()).then_some(numbers)
 }
 
-fn drawn_of(input: Input, ranges: &[Range], session: &mut Session) -> Result<Drawn> {
+fn drawn_of(input: Input, ranges: &[Range], session: &mut Session) -> Result<Vec<Drawn>> {
+    if let Content::Exact(Form::Intersection(surfaces)) = &input.content {
+        return intersection(surfaces, session);
+    }
+    Ok(vec![drawn_one(input, ranges, session)?])
+}
+
+/// The surfaces, each by itself, and the curve where they meet if Theorem 7 gives it.
+fn intersection(surfaces: &[ImplicitSurface], session: &mut Session) -> Result<Vec<Drawn>> {
+    let degree = |surface: &ImplicitSurface| surface.polynomial().degree().unwrap_or(0);
+    let all = surfaces.iter().map(|surface| {
+        let label = format!("surface of degree {}", degree(surface));
+        Drawn::Surface(label, surface.clone())
+    });
+    let mut all: Vec<Drawn> = all.collect();
+    let found = session.stage("parametrize", |session| {
+        parametrize_intersection(surfaces, &session.limits)
+    })?;
+    for other in &found.others {
+        session.note(&format!(
+            "a component of the curve is not drawn: {}",
+            other.reason
+        ));
+    }
+    for curve in &found.curves {
+        let formulas = Coordinates::from(curve).formulas(Format::Text).join(", ");
+        let layer = SpaceLayer {
+            label: format!("both: ({formulas})"),
+            lines: curve.polylines(None, CURVE_POINTS),
+            ..SpaceLayer::default()
+        };
+        all.push(Drawn::Layer(layer, curve.extent(None)));
+    }
+    Ok(all)
+}
+
+fn drawn_one(input: Input, ranges: &[Range], session: &mut Session) -> Result<Drawn> {
     let name = input.short_name();
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
@@ -235,26 +265,19 @@ fn drawn_of(input: Input, ranges: &[Range], session: &mut Session) -> Result<Dra
         Content::Exact(Form::Surface(surface)) => {
             let degree = surface.polynomial().degree().unwrap_or(0);
             let label = label("zero set", vec![format!("degree {degree}")]);
-            Ok(Drawn::Surfaces(label, vec![surface]))
+            Ok(Drawn::Surface(label, surface))
         }
-        Content::Exact(Form::Curve(curve)) => Ok(Drawn::Surfaces(
-            label("cylinder", Vec::new()),
-            vec![input::cylinder(&curve)],
-        )),
+        Content::Exact(Form::Curve(curve)) => {
+            let label = label("cylinder", Vec::new());
+            Ok(Drawn::Surface(label, input::cylinder(&curve)))
+        }
         Content::Exact(Form::SpaceSuperquadric(shape)) => {
             let [of_xy, _, of_z] = shape.exponents();
-            let mut layer = SpaceLayer {
-                label: format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}"),
-                ..SpaceLayer::default()
-            };
             let mesh = mesh::of_superquadric(&shape, SURFACE_CELLS, session)?;
-            add_mesh(&mesh, &mut layer);
+            let mut layer = mesh_layer(&mesh);
+            layer.label = format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}");
             Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))
         }
-        Content::Exact(Form::Intersection(surfaces)) => Ok(Drawn::Surfaces(
-            label("surfaces of an intersection", Vec::new()),
-            surfaces,
-        )),
         _ => Err(Error::Usage(format!(
             "{name}: this form is in the plane and cannot be drawn with one in space"
         ))),

@@ -67,6 +67,10 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
                 let node = root.field(object, "superquadric")?;
                 return read_superquadric(&node, node.object()?);
             }
+            if object.contains_key("implicit") {
+                let node = root.field(object, "implicit")?;
+                return read_implicit(&node, node.object()?, source_name);
+            }
             let radius = if object.contains_key("fit") {
                 // What was fitted to a curve without a closed form (Lemma 6).
                 let fit = root.field(object, "fit")?;
@@ -87,7 +91,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
             Err(kind.wrong(format!(
                 "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
                  \"fourier\", \"superquadric\", \"intersection\" and \"parametric\" with a Fourier radius, a \
-                 superquadric or coordinates are"
+                 superquadric, an implicit surface or coordinates are"
             )))
         }
     }

@@ -1,13 +1,17 @@
 //! Parametric documents of surfaces: the branches R(θ, φ), and what is certain on meridians and in directions.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::angles::{Range, ranges, ranges_text_of};
 use super::expression::{expression_text, form_text};
-use super::{Format, SCHEMA};
-use crate::parametrize::{DirectionAnswer, MeridianBranch, SurfaceMethod, SurfaceParametrization};
+use super::{Annotations, Format, SCHEMA, write_space_superquadric, write_surface};
+use crate::parametrize::{
+    DirectionAnswer, MeridianBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource,
+};
 use crate::poly::{SpacePolynomial, TernaryForm};
 use crate::sample::{Direction, Ray, SpaceDirection};
 
@@ -47,6 +51,9 @@ struct Document {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     directions: Vec<DirectionEntry>,
     notes: Vec<String>,
+    /// What it is the spherical form of, so that the document is read back: an implicit document, or a superquadric.
+    #[serde(flatten)]
+    of: BTreeMap<&'static str, Value>,
 }
 
 /// A form in (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ).
@@ -124,7 +131,7 @@ pub fn write_surface_parametrization(
     match format {
         Format::Text => write_text(surface, meridians, directions, digits, out),
         Format::Json => {
-            let document = document(surface, meridians, directions, digits);
+            let document = document(surface, meridians, directions, digits)?;
             serde_json::to_writer(&mut *out, &document)?;
             writeln!(out)
         }
@@ -284,7 +291,7 @@ fn document(
     meridians: &[WrittenMeridian],
     directions: &[WrittenDirection],
     digits: u32,
-) -> Document {
+) -> io::Result<Document> {
     let numbered = || surface.factors.iter().enumerate();
     let cones = numbered().filter(|(_, f)| f.is_cone());
     let discriminants = numbered().filter_map(|(i, f)| Some((i, f.discriminant.as_ref()?)));
@@ -303,7 +310,7 @@ fn document(
             condition: branch.condition.clone(),
         }
     });
-    Document {
+    Ok(Document {
         schema: SCHEMA,
         kind: "parametric",
         parameters: ["theta", "phi"],
@@ -321,7 +328,23 @@ fn document(
             .collect(),
         directions: directions.iter().map(direction_entry).collect(),
         notes: surface.notes.clone(),
-    }
+        of: BTreeMap::from([source(&surface.of)?]),
+    })
+}
+
+fn source(of: &SurfaceSource) -> io::Result<(&'static str, Value)> {
+    let mut text = Vec::new();
+    let name = match of {
+        SurfaceSource::Polynomial(surface) => {
+            write_surface(surface, &Annotations::default(), Format::Json, &mut text)?;
+            "implicit"
+        }
+        SurfaceSource::Superquadric(shape) => {
+            write_space_superquadric(shape, Format::Json, &mut text)?;
+            "superquadric"
+        }
+    };
+    Ok((name, serde_json::from_slice(&text)?))
 }
 
 fn form_entry(factor: usize, form: &TernaryForm) -> FormEntry {

@@ -6,7 +6,7 @@ use malachite::base::num::arithmetic::traits::Parity;
 use super::angle::AngleRange;
 use super::expression::Expression;
 use super::parametrization::{Branch, Parametrization, PolarMethod, Radius};
-use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization};
+use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource};
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, Form, TernaryForm};
 use crate::shape::{SpaceSuperquadric, Superquadric};
@@ -126,6 +126,7 @@ pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParam
         notes: vec![format!(
             "Lemma 7 for parts of the degrees {of_z} and 0; -R(theta, phi) has the same points"
         )],
+        of: SurfaceSource::Superquadric(shape.clone()),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::factor::factor_space;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, TernaryForm};
-use crate::shape::ImplicitSurface;
+use crate::shape::{ImplicitSurface, SpaceSuperquadric};
 
 /// A surface in spherical form: cones with their apex at the origin, and branches R(θ, φ) with
 /// `x = R sin φ cos θ`, `y = R sin φ sin θ`, `z = R cos φ`.
@@ -24,6 +24,17 @@ pub struct SurfaceParametrization {
     pub branches: Vec<SurfaceBranch>,
     /// What else a reader should know.
     pub notes: Vec<String>,
+    /// What it is the spherical form of.
+    pub of: SurfaceSource,
+}
+
+/// A surface that has a spherical form.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SurfaceSource {
+    /// The zero set of a polynomial.
+    Polynomial(ImplicitSurface),
+    /// A superquadric.
+    Superquadric(SpaceSuperquadric),
 }
 
 /// What gives the branches of a surface.
@@ -117,6 +128,7 @@ pub fn parametrize_surface(
         factors: Vec::new(),
         branches: Vec::new(),
         notes: Vec::new(),
+        of: SurfaceSource::Polynomial(surface.clone()),
     };
     for (index, found) in factor_space(f, limits)?.factors.iter().enumerate() {
         limits.check()?;
