@@ -9,8 +9,8 @@ use stellate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
 
 use super::arguments;
 use super::input;
+use super::numbers::{Bounds, space_window};
 use super::output::{check_destination, write_result};
-use super::plot_space;
 use super::session::Session;
 
 /// How often a box that was too small is made larger, and by how much.
@@ -34,7 +34,7 @@ pub(crate) fn run(verb: &arguments::Mesh, session: &mut Session) -> Result<()> {
             verb.angle
         )));
     }
-    let window = verb.window.as_deref().map(plot_space::bounds).transpose()?;
+    let window = verb.window.as_deref().map(space_window).transpose()?;
     let input = input::read(&verb.form, session)?;
     let name = input.short_name();
     let fitted = input::exact_form(input, &arguments::FitFlags::default(), session)?;
@@ -84,7 +84,7 @@ fn format(session: &Session) -> Result<MeshFormat> {
 /// The mesh in the window, or in a box around the surface that grows while a bounded surface does not fit in.
 pub(crate) fn of_surface(
     surface: &ImplicitSurface,
-    window: Option<[[f64; 2]; 3]>,
+    window: Option<Bounds>,
     resolution: u32,
     angle: f64,
     session: &mut Session,
@@ -133,7 +133,7 @@ pub(crate) fn of_superquadric(
 
 fn once(
     surface: &ImplicitSurface,
-    bounds: [[f64; 2]; 3],
+    bounds: Bounds,
     resolution: u32,
     angle: f64,
     session: &Session,
@@ -153,7 +153,7 @@ fn once(
 pub(crate) fn closed_bounds(
     surface: &ImplicitSurface,
     session: &mut Session,
-) -> Result<Option<[[f64; 2]; 3]>> {
+) -> Result<Option<Bounds>> {
     let found = session.stage("bounds", |session| mesh_bounds(surface, &session.limits))?;
     Ok(found.and_then(|(bounds, is_all)| is_all.then_some(bounds)))
 }

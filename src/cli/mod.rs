@@ -6,6 +6,7 @@ mod fit;
 mod implicitize;
 mod input;
 mod mesh;
+mod numbers;
 mod output;
 mod parametrize;
 mod plot;

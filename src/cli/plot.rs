@@ -9,6 +9,7 @@ use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, S
 
 use super::arguments::{FitFlags, Plot};
 use super::input::{self, Content, Input};
+use super::numbers::numbers_of;
 use super::output::{check_destination, write_result};
 use super::plot_space;
 use super::session::Session;
@@ -134,7 +135,7 @@ fn kind(session: &Session) -> Result<Kind> {
 }
 
 fn window(text: &str) -> Result<Window> {
-    match plot_space::numbers_of::<4>(text) {
+    match numbers_of::<4>(text) {
         Some([x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => Ok(Window {
             x: [x0, x1],
             y: [y0, y1],

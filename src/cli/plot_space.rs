@@ -10,6 +10,7 @@ use stellate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter};
 use super::arguments::Plot;
 use super::input::{self, Content, Input};
 use super::mesh;
+use super::numbers::{Bounds, numbers_of, space_window};
 use super::session::Session;
 
 /// Points along a curve, and cells along each parameter of a patch.
@@ -38,7 +39,7 @@ pub(crate) fn is_in_space(input: &Input) -> bool {
 pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<String> {
     let ranges = ranges(verb)?;
     let [azimuth, elevation] = view(&verb.view)?;
-    let window = verb.window.as_deref().map(bounds).transpose()?;
+    let window = verb.window.as_deref().map(space_window).transpose()?;
     let points = verb.point.iter().map(|text| point(text));
     let points = points.collect::<Result<Vec<_>>>()?;
     let mut drawn: Vec<Drawn> = Vec::new();
@@ -128,9 +129,6 @@ fn point(text: &str) -> Result<[f64; 3]> {
         .ok_or_else(|| Error::Usage(format!("--point {text}: expected X,Y,Z, such as 0.8,0.6,0")))
 }
 
-/// The sides of a box.
-type Bounds = [[f64; 2]; 3];
-
 /// A parameter's name and the part of it that is drawn.
 pub(crate) type Range = (String, [f64; 2]);
 
@@ -171,27 +169,6 @@ fn view(text: &str) -> Result<[f64; 2]> {
             "--view {text}: expected AZIMUTH,ELEVATION in degrees, such as 30,25, with the elevation between -90 and 90"
         ))
     })
-}
-
-pub(crate) fn bounds(text: &str) -> Result<[[f64; 2]; 3]> {
-    let wrong = || {
-        Error::Usage(format!(
-            "--window {text}: expected X0,X1,Y0,Y1,Z0,Z1 with X0 < X1 and so on, such as -1,1,-1,1,0,2"
-        ))
-    };
-    let [x0, x1, y0, y1, z0, z1] = numbers_of::<6>(text).ok_or_else(wrong)?;
-    if x0 < x1 && y0 < y1 && z0 < z1 {
-        Ok([[x0, x1], [y0, y1], [z0, z1]])
-    } else {
-        Err(wrong())
-    }
-}
-
-/// N finite numbers with commas between them.
-pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|t| t.trim().parse().ok()).collect();
-    let numbers: [f64; N] = numbers?.try_into().ok()?;
-    numbers.iter().all(|v| v.is_finite()).then_some(numbers)
 }
 
 fn drawn_of(input: Input, ranges: &[Range], session: &mut Session) -> Result<Vec<Drawn>> {

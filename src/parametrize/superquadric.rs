@@ -126,7 +126,7 @@ pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParam
         notes: vec![format!(
             "Lemma 7 for parts of the degrees {of_z} and 0; -R(theta, phi) has the same points"
         )],
-        of: SurfaceSource::Superquadric(shape.clone()),
+        of: SurfaceSource::Superquadric(Box::new(shape.clone())),
     }
 }
 

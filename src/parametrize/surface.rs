@@ -34,7 +34,7 @@ pub enum SurfaceSource {
     /// The zero set of a polynomial.
     Polynomial(ImplicitSurface),
     /// A superquadric.
-    Superquadric(SpaceSuperquadric),
+    Superquadric(Box<SpaceSuperquadric>),
 }
 
 /// What gives the branches of a surface.

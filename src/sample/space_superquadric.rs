@@ -5,10 +5,12 @@ use std::cmp::Ordering;
 use malachite::base::num::arithmetic::traits::{FloorRoot, Pow};
 use malachite::{Integer, Natural};
 
-use super::superquadric::{FIRST_BITS, MAX_ROOT_BITS, exact_root, natural_parts, signed};
+use super::superquadric::{
+    FIRST_BITS, MAX_ROOT_BITS, exact_root, natural_parts, nearest_multiple, signed,
+};
 use super::{Ray, Sample, SpaceDirection, UnitVector};
 use crate::error::{Error, Result};
-use crate::exact::{Rational, nearest_double};
+use crate::exact::Rational;
 use crate::shape::SpaceSuperquadric;
 
 /// Solves `[|x/a1|^m + |y/a2|^m]^k + |z/a3|^n = c` along directions, with rational m = 2/ε2, k = ε2/ε1, n = 2/ε1.
@@ -74,21 +76,10 @@ impl<'a> SpaceSuperquadricSolver<'a> {
         let guess = self
             .shape
             .approximate_along(unit.each_ref().map(Rational::to_f64));
-        // The factor·R nearest to a double: R = bound/factor is compared with the surface.
-        let nearest = |factor: &Rational| -> Result<f64> {
-            if factor.is_zero() {
-                return Ok(0.0);
-            }
-            let start = guess * factor.to_f64().abs();
-            let magnitude = nearest_double(start.max(0.0), |bound| {
-                let r = bound / &factor.abs();
-                if r.signum() <= 0 {
-                    return Ok(Ordering::Greater);
-                }
-                // The surface is beyond R where the point at R is inside.
-                Ok(self.compare(&unit.each_ref().map(|u| &r * u))?.reverse())
-            })?;
-            Ok(magnitude * f64::from(factor.signum()))
+        let nearest = |factor: &Rational| {
+            nearest_multiple(guess, factor, |r| {
+                self.compare(&unit.each_ref().map(|u| r * u))
+            })
         };
         let r = nearest(&Rational::one())?;
         let [x, y, z] = unit.each_ref().map(nearest);

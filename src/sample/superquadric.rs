@@ -66,21 +66,8 @@ impl<'a> SuperquadricSolver<'a> {
     pub fn solve(&self, direction: &Direction) -> Result<Ray> {
         let (u, v) = (direction.u(), direction.v());
         let guess = self.shape.approximate_along(u.to_f64(), v.to_f64());
-        // The factor·r nearest to a double: r = bound/factor is compared with the curve.
-        let nearest = |factor: &Rational| -> Result<f64> {
-            if factor.is_zero() {
-                return Ok(0.0);
-            }
-            let start = guess * factor.to_f64().abs();
-            let magnitude = nearest_double(start.max(0.0), |bound| {
-                let r = bound / &factor.abs();
-                if r.signum() <= 0 {
-                    return Ok(Ordering::Greater);
-                }
-                // The curve is beyond r where the point at r is inside.
-                Ok(self.compare(&(&r * &u), &(&r * &v))?.reverse())
-            })?;
-            Ok(magnitude * f64::from(factor.signum()))
+        let nearest = |factor: &Rational| {
+            nearest_multiple(guess, factor, |r| self.compare(&(r * &u), &(r * &v)))
         };
         let (r, x, y) = (nearest(&Rational::one())?, nearest(&u)?, nearest(&v)?);
         let sample = |branch: usize, sign: f64| Sample {
@@ -147,6 +134,28 @@ impl<'a> SuperquadricSolver<'a> {
         // ⌊⌊n⌋^(1/q)⌋ = ⌊n^(1/q)⌋
         ((above << (bits * self.q)) / below).floor_root(self.q)
     }
+}
+
+/// The double nearest to factor·r, for the r > 0 at which a point on a ray goes from inside to outside: `compare` gives the
+/// order of the point at r, `Less` inside. `guess` is near r.
+pub(super) fn nearest_multiple(
+    guess: f64,
+    factor: &Rational,
+    compare: impl Fn(&Rational) -> Result<Ordering>,
+) -> Result<f64> {
+    if factor.is_zero() {
+        return Ok(0.0);
+    }
+    let start = guess * factor.to_f64().abs();
+    let magnitude = nearest_double(start.max(0.0), |bound| {
+        let r = bound / &factor.abs();
+        if r.signum() <= 0 {
+            return Ok(Ordering::Greater);
+        }
+        // The boundary is beyond r where the point at r is inside.
+        Ok(compare(&r)?.reverse())
+    })?;
+    Ok(magnitude * f64::from(factor.signum()))
 }
 
 /// The q-th root if it is rational.
