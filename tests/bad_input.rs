@@ -353,12 +353,26 @@ fn flags_that_do_not_fit_are_refused() {
         (&["sample", EGG, "--format", "maple"], "csv or json"),
         (&["sample", EGG, "--directions", "0"], "at least one"),
         (&["sample", EGG, "--theta", "north"], "--theta north"),
-        (&["sample", "x + y + z"], "z"),
+        (
+            &["sample", "x = t; y = t; z = t^2"],
+            "this is a curve in space",
+        ),
         (
             &["implicitize", "superquadric 2d a=1,2 e=3"],
             "does not apply",
         ),
-        (&["plot", "x + y + z", "-o", "f.svg"], "z"),
+        (
+            &[
+                "plot",
+                "x = t; y = t; z = t^2",
+                "x + y + z",
+                "-o",
+                "f.svg",
+                "--point",
+                "1",
+            ],
+            "X,Y,Z",
+        ),
         (
             &["plot", EGG, "-o", "f.svg", "--window", "1,0,0,1"],
             "--window 1,0,0,1",

@@ -63,7 +63,7 @@ fn known_curves() {
         // Projected along x
         ("y^2 + z^2 = 1; x = y*z", &["1/2*sin(2*t), cos(t), sin(t)"]),
         // Parallel lines: two cylinders along one axis
-        ("x^2 = 1 + 0z; y = 0*z", &["-1, 0, t", "1, 0, t"]),
+        ("x^2 = 1 + 0z; y = 0*z", &["1, 0, t", "-1, 0, t"]),
         // A third surface takes a component away
         (
             "x^2 + y^2 = 1; y^2 + z^2 = 1; x = z",

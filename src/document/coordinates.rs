@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use malachite::Integer;
 use serde::Serialize;
 
-use super::powers::in_powers;
+use super::powers::{in_powers, units};
 use super::terms::Notation;
 use super::{Format, SCHEMA};
 use crate::exact::Rational;
@@ -167,10 +167,13 @@ impl Coordinates {
         let [parameter] = &self.parameters[..] else {
             return Vec::new();
         };
-        let ways = in_powers(f).into_iter().flatten();
-        ways.map(|way| {
+        let ways = units(f).into_iter().flat_map(|unit| {
+            let ways = in_powers(f, unit).into_iter().flatten();
+            ways.map(move |way| (unit, way))
+        });
+        ways.map(|(unit, way)| {
             let terms = way.terms().map(|([i, j], c)| {
-                let factors = [(Basis::Cos(1), *i), (Basis::Sin(1), *j)];
+                let factors = [(Basis::Cos(unit), *i), (Basis::Sin(unit), *j)];
                 let factors = factors.into_iter().filter(|(_, e)| *e > 0);
                 let factors: Vec<String> = factors
                     .map(|(basis, e)| raised(&factor_text(basis, parameter, format), e, format))

@@ -1,5 +1,7 @@
 //! Harmonics of one angle as powers of its cosine and sine: `sin(t)^5` for five harmonics.
 
+use malachite::base::num::arithmetic::traits::Gcd;
+
 use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::{Basis, Expansion};
@@ -7,18 +9,29 @@ use crate::shape::{Basis, Expansion};
 /// Powers up to here are tried: beyond, harmonics are shorter.
 const LARGEST_HARMONIC: usize = 16;
 
-/// A sum of harmonics in two ways: with cos to the first power at most, and with sin to the first power at most; terms
+/// The numbers that divide all the harmonics of a sum: cos and sin of that multiple of the angle may be raised to powers.
+pub(super) fn units(f: &Expansion) -> Vec<usize> {
+    let harmonics = f.keys().flatten().map(|basis| match basis {
+        Basis::Cos(n) | Basis::Sin(n) => *n,
+        Basis::Power(_) => 0,
+    });
+    let common = harmonics.fold(0, |gcd: usize, n| gcd.gcd(n));
+    let divides = |d: &usize| common.is_multiple_of(*d);
+    (1..=common.min(LARGEST_HARMONIC)).filter(divides).collect()
+}
+
+/// A sum of harmonics of multiples of `unit` in two ways: with cos to the first power at most, and with sin to the first power at most; terms
 /// (exponents of cos and sin, coefficient). `None` if there are other functions, or high harmonics.
-pub(super) fn in_powers(f: &Expansion) -> Option<[SparsePolynomial<2>; 2]> {
+pub(super) fn in_powers(f: &Expansion, unit: usize) -> Option<[SparsePolynomial<2>; 2]> {
     let mut sum = SparsePolynomial::zero();
     for (basis, c) in f {
         let harmonic = match basis {
             [Basis::Power(0), Basis::Power(0)] => SparsePolynomial::constant(Rational::one()),
-            [Basis::Cos(n), Basis::Power(0)] if *n <= LARGEST_HARMONIC => {
-                power_of_unit(*n)[0].clone()
+            [Basis::Cos(n), Basis::Power(0)] if *n / unit <= LARGEST_HARMONIC => {
+                power_of_unit(*n / unit)[0].clone()
             }
-            [Basis::Sin(n), Basis::Power(0)] if *n <= LARGEST_HARMONIC => {
-                power_of_unit(*n)[1].clone()
+            [Basis::Sin(n), Basis::Power(0)] if *n / unit <= LARGEST_HARMONIC => {
+                power_of_unit(*n / unit)[1].clone()
             }
             _ => return None,
         };
@@ -69,13 +82,13 @@ mod tests {
     fn known_identities() {
         // cos 2t = 1 − 2 sin² t = 2 cos² t − 1
         let f = Expansion::from([([Basis::Cos(2), Basis::Power(0)], Rational::one())]);
-        let [in_sines, in_cosines] = in_powers(&f).unwrap();
+        let [in_sines, in_cosines] = in_powers(&f, 1).unwrap();
         let [c, s] = [0, 1].map(SparsePolynomial::<2>::variable);
         let [one, two] = [1, 2].map(|n| SparsePolynomial::constant(Rational::from(n)));
         assert_eq!(in_sines, one.minus(&two.times(&s.squared())));
         assert_eq!(in_cosines, two.times(&c.squared()).minus(&one));
         // t cos t is not a sum of harmonics.
         let f = Expansion::from([([Basis::Cos(1), Basis::Power(1)], Rational::one())]);
-        assert!(in_powers(&f).is_none());
+        assert!(in_powers(&f, 1).is_none());
     }
 }
