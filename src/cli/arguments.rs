@@ -19,10 +19,11 @@ const FORMS: &str = "\
 A FORM is text, a file, or - for standard input:
   'r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)'   a Fourier radius (angle t or theta)
   'x = sin(t); y = sin(t)*cos(t)'         a parametric curve; with z = ... a space curve
-  'x = u*cos(v); y = u*sin(v); z = u^2'    a patch, in two parameters (t, theta, u, v, phi)
+  'x = u*cos(v); y = u*sin(v); z = u^2'   a patch, in two parameters (t, theta, u, v, phi)
   'x^4 - x^2 + y^2 = 0'                   an implicit curve in x, y, or a surface in x, y, z
   'x^2 + y^2 = 1; z = y^5'                a space curve as an intersection of surfaces
   'superquadric 2d a=1,2 e=1/2'           |x/a1|^(2/e) + |y/a2|^(2/e) = 1, or = c with level=c
+  'superquadric 3d a=1,1,2 e=1/2,1'       in space, with two exponents: Eq. (77) of the paper
   outline.csv  outline.png|.jpg|.bmp      a contour: rows x,y in order, or a silhouette
   document.json                           what another verb wrote
 Numbers are exact as written: 0.1 is 1/10.
