@@ -22,12 +22,6 @@ const MIN_ANGLE: f64 = 1.0;
 pub(crate) fn run(verb: &arguments::Mesh, session: &mut Session) -> Result<()> {
     check_destination(session)?;
     let format = format(session)?;
-    if verb.resolution < 2 {
-        return Err(Error::Usage(format!(
-            "--resolution {}: at least 2 cells",
-            verb.resolution
-        )));
-    }
     if !(MIN_ANGLE..=180.0).contains(&verb.angle) {
         return Err(Error::Usage(format!(
             "--angle {}: expected degrees between {MIN_ANGLE} and 180",
@@ -38,20 +32,19 @@ pub(crate) fn run(verb: &arguments::Mesh, session: &mut Session) -> Result<()> {
     let input = input::read(&verb.form, session)?;
     let name = input.short_name();
     let fitted = input::exact_form(input, &arguments::FitFlags::default(), session)?;
-    let surface = match input::through_equation(fitted.form, session)? {
-        Form::Surface(surface) => Ok(surface),
-        Form::Curve(curve) => Ok(input::cylinder(&curve)),
-        Form::SpaceSuperquadric(shape) => Err(shape),
+    let (resolution, angle) = (verb.resolution, verb.angle);
+    let mesh = match input::through_equation(fitted.form, session)? {
+        Form::Surface(surface) => of_surface(&surface, window, resolution, angle, session)?,
+        Form::Curve(curve) => {
+            of_surface(&input::cylinder(&curve), window, resolution, angle, session)?
+        }
+        Form::SpaceSuperquadric(shape) => of_superquadric(&shape, resolution, session)?,
         _ => {
             return Err(Error::Usage(
                 "mesh takes a surface: a polynomial in x, y and z, a patch, or a superquadric 3d"
                     .into(),
             ));
         }
-    };
-    let mesh = match &surface {
-        Ok(surface) => of_surface(surface, window, verb.resolution, verb.angle, session)?,
-        Err(shape) => of_superquadric(shape, verb.resolution, session)?,
     };
     if mesh.triangles.is_empty() {
         return Err(Error::Usage(format!(
