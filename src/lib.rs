@@ -76,11 +76,13 @@
 //!
 //! Departures from the paper are marked `DIFFERENCE` with the erratum.
 
+pub mod arcs;
 pub mod describe;
 pub mod document;
 pub mod error;
 pub mod exact;
 pub mod factor;
+mod field;
 pub mod fit;
 pub mod implicitize;
 pub mod language;

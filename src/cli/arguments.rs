@@ -178,6 +178,8 @@ pub(crate) struct Parametrize {
     #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "theta")]
     pub(crate) phi: Vec<String>,
     #[command(flatten)]
+    pub(crate) arcs: ArcFlags,
+    #[command(flatten)]
     pub(crate) fit: FitFlags,
     /// The branch to fit a Fourier series to where there is no closed form [default: the outermost]
     #[arg(long, value_name = "I")]
@@ -194,9 +196,12 @@ pub(crate) struct Fit {
 
 #[derive(Debug, Args)]
 pub(crate) struct Sample {
-    /// A Fourier radius, a contour, a superquadric, an implicit polynomial in x, y or x, y, z
+    /// A Fourier radius, a contour, a superquadric, an implicit polynomial in x, y or x, y, z, or two surfaces
+    /// that meet in a curve
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
+    #[command(flatten)]
+    pub(crate) arcs: ArcFlags,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
     /// This many directions around the circle, or spread over the sphere [default: 360 if no angle is given]; with
@@ -273,6 +278,17 @@ impl Default for FitFlags {
             decimals: None,
         }
     }
+}
+
+/// How the curve in which two surfaces meet is followed.
+#[derive(Debug, Args)]
+pub(crate) struct ArcFlags {
+    /// For an intersection: the box in which it is looked for [default: around the smaller surface]
+    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true)]
+    pub(crate) window: Option<String>,
+    /// For an intersection: steps along the longest side of the box, at least [default: 64]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=4096))]
+    pub(crate) resolution: Option<u32>,
 }
 
 /// How a contour becomes a Fourier radius.

@@ -1,5 +1,6 @@
 //! The command line: a file per verb; what all verbs share is here.
 
+mod arcs;
 mod arguments;
 mod describe;
 mod fit;

@@ -1,8 +1,8 @@
 //! `stellate parametrize`: back to r(θ).
 
 use stellate::document::{
-    Format, WrittenDirection, WrittenMeridian, write_intersection_curves, write_parametrization,
-    write_surface_parametrization,
+    Format, WrittenDirection, WrittenMeridian, write_arcs, write_intersection_curves,
+    write_parametrization, write_surface_parametrization,
 };
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
@@ -15,7 +15,8 @@ use stellate::parametrize::{
 use stellate::sample::{RaySolver, SpaceDirection};
 use stellate::shape::{Form, FourierRadius, ImplicitSurface};
 
-use super::arguments::{FitFlags, Parametrize};
+use super::arcs;
+use super::arguments::{ArcFlags, FitFlags, Parametrize};
 use super::input;
 use super::output::{check_destination, write_result};
 use super::sample::angles;
@@ -36,11 +37,13 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
     };
     let form = input::through_equation(fitted.form, session)?;
     if let Form::Surface(surface) = &form {
+        arcs::refuse(&verb.arcs)?;
         return surface_form(surface, verb, format, session);
     }
     if let Form::Intersection(surfaces) = &form {
-        return intersection(surfaces, format, session);
+        return intersection(surfaces, &verb.arcs, format, session);
     }
+    arcs::refuse(&verb.arcs)?;
     if let Form::SpaceSuperquadric(shape) = &form {
         if !verb.theta.is_empty() {
             return Err(Error::Usage(
@@ -145,12 +148,19 @@ fn surface_form(
     })
 }
 
-/// Theorem 7: the curve where surfaces meet.
-fn intersection(surfaces: &[ImplicitSurface], format: Format, session: &mut Session) -> Result<()> {
+/// Theorem 7: the curve where surfaces meet; certified arcs of the components that have no parametrization.
+fn intersection(
+    surfaces: &[ImplicitSurface],
+    flags: &ArcFlags,
+    format: Format,
+    session: &mut Session,
+) -> Result<()> {
+    let window = arcs::window(flags)?;
     let found = session.stage("parametrize", |session| {
         parametrize_intersection(surfaces, &session.limits)
     })?;
-    if found.curves.is_empty() {
+    let has_room = matches!(format, Format::Text | Format::Json | Format::Csv);
+    if found.curves.is_empty() && (!has_room || surfaces.len() > 2) {
         let reasons = found.others.iter().map(|other| other.reason.as_str());
         let reasons: Vec<&str> = reasons.collect();
         return Err(Error::Hypothesis {
@@ -162,9 +172,33 @@ fn intersection(surfaces: &[ImplicitSurface], format: Format, session: &mut Sess
             },
         });
     }
-    write_result(session, |out| {
-        write_intersection_curves(&found, format, out)
-    })
+    if found.others.is_empty() && !found.curves.is_empty() {
+        if flags.window.is_some() || flags.resolution.is_some() {
+            session.note("every component has an exact parametrization: --window and --resolution are for arcs of the others");
+        }
+        return write_result(session, |out| {
+            write_intersection_curves(&found, None, format, out)
+        });
+    }
+    let traced = if has_room && surfaces.len() == 2 {
+        let mut traced = arcs::arcs(surfaces, window, flags.resolution, session)?;
+        let over: Vec<_> = found.others.iter().map(|o| &o.projection).collect();
+        if !found.curves.is_empty() {
+            traced.retain_on(&over);
+        }
+        Some(traced)
+    } else {
+        session.note("components without a parametrization are left out: text, json and csv have arcs of them, for two surfaces");
+        None
+    };
+    match &traced {
+        Some(traced) if format == Format::Csv => {
+            write_result(session, |out| write_arcs(traced, format, out))
+        }
+        traced => write_result(session, |out| {
+            write_intersection_curves(&found, traced.as_ref(), format, out)
+        }),
+    }
 }
 
 /// The Fourier fit of a branch without a closed form, if there is one.

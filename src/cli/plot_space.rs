@@ -1,5 +1,6 @@
 //! `stellate plot` in space: curves, patches and implicit surfaces in perspective.
 
+use stellate::arcs::CurveArc;
 use stellate::document::{Coordinates, Format};
 use stellate::error::{Error, Result};
 use stellate::mesh::Mesh;
@@ -7,6 +8,7 @@ use stellate::parametrize::parametrize_intersection;
 use stellate::picture::{Scene, SpaceLayer};
 use stellate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter};
 
+use super::arcs;
 use super::arguments::Plot;
 use super::input::{self, Content, Input};
 use super::mesh;
@@ -45,7 +47,7 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
     let mut drawn: Vec<Drawn> = Vec::new();
     let mut around = box_around(points.iter());
     for input in inputs {
-        for next in drawn_of(input, &ranges, session)? {
+        for next in drawn_of(input, &ranges, window, session)? {
             if let Drawn::Layer(_, extent) = &next {
                 around = joined(around, *extent);
             }
@@ -171,15 +173,24 @@ fn view(text: &str) -> Result<[f64; 2]> {
     })
 }
 
-fn drawn_of(input: Input, ranges: &[Range], session: &mut Session) -> Result<Vec<Drawn>> {
+fn drawn_of(
+    input: Input,
+    ranges: &[Range],
+    window: Option<Bounds>,
+    session: &mut Session,
+) -> Result<Vec<Drawn>> {
     if let Content::Exact(Form::Intersection(surfaces)) = &input.content {
-        return intersection(surfaces, session);
+        return intersection(surfaces, window, session);
     }
     Ok(vec![drawn_one(input, ranges, session)?])
 }
 
 /// The surfaces, each by itself, and the curve where they meet if Theorem 7 gives it.
-fn intersection(surfaces: &[ImplicitSurface], session: &mut Session) -> Result<Vec<Drawn>> {
+fn intersection(
+    surfaces: &[ImplicitSurface],
+    window: Option<Bounds>,
+    session: &mut Session,
+) -> Result<Vec<Drawn>> {
     let degree = |surface: &ImplicitSurface| surface.polynomial().degree().unwrap_or(0);
     let all = surfaces.iter().map(|surface| {
         let label = format!("surface of degree {}", degree(surface));
@@ -189,11 +200,27 @@ fn intersection(surfaces: &[ImplicitSurface], session: &mut Session) -> Result<V
     let found = session.stage("parametrize", |session| {
         parametrize_intersection(surfaces, &session.limits)
     })?;
-    for other in &found.others {
-        session.note(&format!(
-            "a component of the curve is not drawn: {}",
-            other.reason
-        ));
+    if !found.others.is_empty() && surfaces.len() == 2 {
+        let mut traced = arcs::arcs(surfaces, window, None, session)?;
+        let over: Vec<_> = found.others.iter().map(|o| &o.projection).collect();
+        if !found.curves.is_empty() {
+            traced.retain_on(&over);
+        }
+        let lines: Vec<Vec<[f64; 3]>> = traced.arcs.iter().map(CurveArc::polyline).collect();
+        let around = box_around(lines.iter().flatten());
+        let layer = SpaceLayer {
+            label: format!("both: certified arcs ({})", lines.len()),
+            lines,
+            ..SpaceLayer::default()
+        };
+        all.push(Drawn::Layer(layer, around));
+    } else {
+        for other in &found.others {
+            session.note(&format!(
+                "a component of the curve is not drawn: {}",
+                other.reason
+            ));
+        }
     }
     for curve in &found.curves {
         let formulas = Coordinates::from(curve).formulas(Format::Text).join(", ");

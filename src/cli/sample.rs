@@ -1,7 +1,7 @@
 //! `stellate sample`: certified points.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use stellate::document::{Format, NominalAngles, SampledRay, write_samples};
+use stellate::document::{Format, NominalAngles, SampledRay, arcs_text, write_arcs, write_samples};
 use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
 use stellate::implicitize::SquaredForm;
@@ -11,6 +11,7 @@ use stellate::sample::{
 };
 use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
+use super::arcs;
 use super::arguments::Sample;
 use super::input;
 use super::output::{check_destination, write_result};
@@ -39,6 +40,10 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
         shape @ (Form::Superquadric(_) | Form::SpaceSuperquadric(_)) => shape,
         other => input::through_equation(other, session)?,
     };
+    if let Form::Intersection(surfaces) = &form {
+        return sample_intersection(surfaces, verb, format, session);
+    }
+    arcs::refuse(&verb.arcs)?;
     if let Form::Surface(surface) = &form {
         let directions = space_directions(verb.directions, &thetas, &phis)?;
         return sample_surface(surface, directions, verb.positive, format, session);
@@ -104,6 +109,32 @@ fn sample_surface(
     note_lines(&rays, "surface", session);
     let origin = [Rational::zero(), Rational::zero()];
     write_result(session, |out| write_samples(&rays, &origin, format, out))
+}
+
+/// The curve in which two surfaces meet, arc by arc.
+fn sample_intersection(
+    surfaces: &[ImplicitSurface],
+    verb: &Sample,
+    format: Format,
+    session: &mut Session,
+) -> Result<()> {
+    let given = [
+        ("--directions", verb.directions.is_some()),
+        ("--theta", !verb.theta.is_empty()),
+        ("--phi", !verb.phi.is_empty()),
+        ("--positive", verb.positive),
+    ];
+    if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
+        return Err(Error::Usage(format!(
+            "{name} is for rays from the origin; the curve in which two surfaces meet is followed along itself, in steps of --resolution"
+        )));
+    }
+    let window = arcs::window(&verb.arcs)?;
+    let found = arcs::arcs(surfaces, window, verb.arcs.resolution, session)?;
+    for line in arcs_text(&found) {
+        session.note(&line);
+    }
+    write_result(session, |out| write_arcs(&found, format, out))
 }
 
 fn note_lines<D: NominalAngles<V>, const V: usize>(
@@ -207,7 +238,10 @@ fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
             Ok(curve)
         }
         Form::Superquadric(shape) => input::polynomial_of(&shape),
-        _ => Err(input::not_taken("sample", "plane curves and surfaces")),
+        _ => Err(input::not_taken(
+            "sample",
+            "plane curves, surfaces and intersections of two surfaces",
+        )),
     }
 }
 

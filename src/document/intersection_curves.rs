@@ -5,8 +5,10 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::arcs::{Arcs, arcs_text};
 use super::implicit::polynomial_text;
 use super::{Coordinates, Format, SCHEMA};
+use crate::arcs::IntersectionArcs;
 use crate::parametrize::IntersectionParametrization;
 
 /// The first curve as in any parametric document, which is what is read back; then all of them.
@@ -20,6 +22,8 @@ struct Document {
     projected_along: &'static str,
     curves: Vec<Curve>,
     others: Vec<Other>,
+    #[serde(flatten)]
+    arcs: Option<Arcs>,
     notes: Vec<String>,
 }
 
@@ -36,12 +40,13 @@ struct Other {
 }
 
 /// Writes the curves, the first one so that it is read back, and what is known of components without a parametrization.
-/// There must be a curve.
+/// There must be a curve, or arcs of what has no parametrization; formats other than text and JSON have no room for arcs.
 ///
 /// # Errors
 /// Those of `out`; `Unsupported` for CSV and Singular.
 pub fn write_intersection_curves(
     found: &IntersectionParametrization,
+    arcs: Option<&IntersectionArcs>,
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -71,6 +76,7 @@ pub fn write_intersection_curves(
                 projected_along: axis,
                 curves: all,
                 others: others.collect(),
+                arcs: arcs.map(Arcs::from),
                 notes: found.notes.clone(),
             };
             serde_json::to_writer(&mut *out, &document)?;
@@ -90,6 +96,9 @@ pub fn write_intersection_curves(
             }
             for note in &found.notes {
                 writeln!(out, "# note: {note}")?;
+            }
+            for line in arcs.map(arcs_text).unwrap_or_default() {
+                writeln!(out, "# {line}")?;
             }
             for (index, curve) in curves.iter().enumerate() {
                 let hidden = if index > 0 { "# " } else { "" };

@@ -4,6 +4,7 @@
 //! without loss, the center included.
 
 mod angles;
+mod arcs;
 mod coordinates;
 mod csv;
 mod description;
@@ -27,6 +28,7 @@ mod terms;
 
 use std::{fmt, io};
 
+pub use arcs::{arcs_text, write_arcs};
 pub use coordinates::Coordinates;
 pub use csv::{read_coefficients_csv, read_fourier_csv};
 pub use description::{write_description, write_space_curve_description};

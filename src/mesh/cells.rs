@@ -2,8 +2,8 @@
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::field::{Field, Verdict};
 use crate::error::Result;
+use crate::field::{Field, Verdict};
 use crate::limits::Limits;
 
 /// A grid of equal cubes.
@@ -89,7 +89,7 @@ impl Grid {
         }
         let half = self.side * f64::from(size) / 2.0;
         let middle = self.point(first).map(|x| x + half);
-        let verdict = field.verdict(middle, half);
+        let verdict = field.on_box(middle, [half; 3]).verdict();
         if verdict == Verdict::Empty {
             return Ok(());
         }

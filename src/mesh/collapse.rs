@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 
-use super::field::{Crossing, distance};
 use super::refine::edges;
+use crate::field::{Crossing, distance};
 
 /// Triangles beside a collapsed edge turn by less than the angle with this cosine.
 const LEAST_COSINE: f64 = 0.3;

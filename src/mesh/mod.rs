@@ -2,7 +2,6 @@
 
 mod cells;
 mod collapse;
-mod field;
 mod radial;
 mod refine;
 mod tetrahedra;

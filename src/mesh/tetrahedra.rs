@@ -6,7 +6,7 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 use rayon::slice::ParallelSliceMut;
 
 use super::cells::{Cell, Grid};
-use super::field::{Crossing, Field};
+use crate::field::{Crossing, Field};
 
 /// The corners of a cell as bits: x is 1, y is 2, z is 4. Kuhn's six tetrahedra all have the diagonal from 0 to 7,
 /// and the triangulations of neighbouring cells fit.

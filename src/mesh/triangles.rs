@@ -3,10 +3,10 @@
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::cells::Grid;
-use super::field::{Crossing, Field};
 use super::{collapse, refine, tetrahedra};
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
+use crate::field::{Crossing, Field};
 use crate::limits::Limits;
 use crate::poly::SpacePolynomial;
 use crate::sample::{Ray, RaySolver, SpaceDirection};

@@ -1,0 +1,161 @@
+//! Following an arc from tube to tube.
+
+use super::tube::{Enclosed, Tube, enclose, newton, tube};
+use crate::field::{Field, between, distance};
+
+/// Beyond both ends of a step its tube goes on by this part of it, so that tubes overlap.
+const OVERLAP: f64 = 0.25;
+/// Half the width of a tube, in steps. An arc rises by at most 0.75 from the middle, where its slope is 1.
+const WIDTH: f64 = 1.25;
+/// A point is looked for this near to where it is expected, in steps.
+const REACH: f64 = 1e-3;
+/// The cosine of the angle by which neighbours may differ in direction (6°), unless the step is a small one.
+const COSINE: f64 = 0.9945;
+/// Steps down to this part of the longest are made where the arc bends.
+const SMALL: f64 = 1.0 / 64.0;
+
+/// Two surfaces, a box, and how far one step goes.
+pub(super) struct Path<'a> {
+    pub(super) fields: [&'a Field; 2],
+    pub(super) window: [[f64; 2]; 3],
+    pub(super) longest: f64,
+    pub(super) shortest: f64,
+}
+
+/// Where following an arc came to an end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// Back at its first point.
+    Closed,
+    Window,
+    /// No tube could be proved.
+    Unresolved,
+    /// On an arc that was known before.
+    Known,
+}
+
+/// A part of an arc, without the point that it started from.
+pub(super) struct Run {
+    pub(super) points: Vec<Enclosed>,
+    pub(super) tubes: Vec<Tube>,
+    pub(super) stop: Stop,
+}
+
+impl Path<'_> {
+    /// The direction of ∇f × ∇g, in doubles.
+    fn tangent(&self, p: [f64; 3]) -> Option<[f64; 3]> {
+        let [a, b] = self.fields.map(|f| f.gradient(p));
+        let cross = [0, 1, 2].map(|i: usize| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            a[j] * b[k] - a[k] * b[j]
+        });
+        let length = distance(cross, [0.0; 3]);
+        let is_usable = length.is_finite() && length > 0.0;
+        is_usable.then(|| cross.map(|c| c / length))
+    }
+
+    pub(super) fn is_inside(&self, p: [f64; 3]) -> bool {
+        let mut sides = p.iter().zip(&self.window);
+        sides.all(|(x, [a, b])| a <= x && x <= b)
+    }
+
+    /// The common zero beside a point that is near to both surfaces.
+    pub(super) fn seed(&self, start: [f64; 3], reach: f64) -> Option<Enclosed> {
+        let axis = largest(self.tangent(start)?);
+        let near = newton(self.fields, axis, start)?;
+        let found = enclose(self.fields, axis, near, REACH * reach)?;
+        self.is_inside(found.position).then_some(found)
+    }
+
+    /// Follows the arc through `seed` in the direction of ∇f × ∇g, or against it with `sense` −1.
+    pub(super) fn follow(&self, seed: &Enclosed, sense: f64, known: &[Tube]) -> Run {
+        let mut run = Run {
+            points: Vec::new(),
+            tubes: Vec::new(),
+            stop: Stop::Unresolved,
+        };
+        let mut at = *seed;
+        let mut step = self.longest / 4.0;
+        while step >= self.shortest {
+            let Some(tangent) = self.tangent(at.position) else {
+                break;
+            };
+            let tangent = tangent.map(|t| sense * t);
+            let found = self.step(&at, tangent, step);
+            let turns = |p: &Enclosed| {
+                let next = self.tangent(p.position).unwrap_or_default();
+                let cosine: f64 = tangent.iter().zip(next).map(|(a, b)| sense * a * b).sum();
+                cosine < COSINE && step > SMALL * self.longest
+            };
+            let Some((tube, next)) = found.filter(|(_, next)| !turns(next)) else {
+                step /= 2.0;
+                continue;
+            };
+            let ahead = tangent[tube.axis] * (seed.position[tube.axis] - at.position[tube.axis]);
+            if ahead > 0.0 && tube.holds_point(seed) {
+                run.tubes.push(tube);
+                run.stop = Stop::Closed;
+                break;
+            }
+            if known.iter().any(|old| old.holds_point(&next)) {
+                run.stop = Stop::Known;
+                break;
+            }
+            if !self.is_inside(next.position) {
+                let last = self.exit(&at, &next, &tube);
+                if last.is_none() && step / 2.0 >= self.shortest {
+                    step /= 2.0;
+                    continue;
+                }
+                run.points.extend(last);
+                run.tubes.push(tube);
+                run.stop = Stop::Window;
+                break;
+            }
+            run.points.push(next);
+            run.tubes.push(tube);
+            at = next;
+            step = (1.5 * step).min(self.longest);
+        }
+        run
+    }
+
+    /// A tube from a point on, and the point at the end of the step.
+    fn step(&self, at: &Enclosed, tangent: [f64; 3], step: f64) -> Option<(Tube, Enclosed)> {
+        let axis = largest(tangent);
+        let ahead = |part: f64| {
+            let length = part * step / tangent[axis].abs();
+            std::array::from_fn(|i| at.position[i] + length * tangent[i])
+        };
+        let middle = newton(self.fields, axis, ahead(0.5))?;
+        let mut halves = [WIDTH * step; 3];
+        halves[axis] = (0.5 + OVERLAP) * step;
+        let tube = tube(self.fields, axis, middle, halves).filter(|t| t.holds_point(at))?;
+        let near = newton(self.fields, axis, ahead(1.0))?;
+        let next = enclose(self.fields, axis, near, REACH * step)?;
+        tube.holds_point(&next).then_some((tube, next))
+    }
+
+    /// The point where the arc in a tube goes through a side of the window.
+    fn exit(&self, inside: &Enclosed, outside: &Enclosed, tube: &Tube) -> Option<Enclosed> {
+        let [p, q] = [inside.position, outside.position];
+        let crossed = (0..3).filter_map(|i| {
+            let bounds = self.window[i].into_iter();
+            let beyond = bounds.filter(|b| (p[i] <= *b) != (q[i] <= *b));
+            let parts = beyond.map(|b| ((b - p[i]) / (q[i] - p[i]), i, b));
+            parts.min_by(|a, b| a.0.total_cmp(&b.0))
+        });
+        let (part, axis, bound) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mut start = between(p, q, part);
+        start[axis] = bound;
+        let near = newton(self.fields, axis, start)?;
+        let last = enclose(self.fields, axis, near, REACH * tube.halves[tube.axis])?;
+        (tube.holds_point(&last) && self.is_inside(last.position)).then_some(last)
+    }
+}
+
+/// The axis of the largest component.
+fn largest(v: [f64; 3]) -> usize {
+    let better = |best: usize, i: usize| if v[i].abs() > v[best].abs() { i } else { best };
+    (0..3).fold(0, better)
+}

@@ -1,0 +1,158 @@
+//! Certified arcs as CSV rows, JSON and remarks.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::{Format, SCHEMA};
+use crate::arcs::{ArcEnd, CurveArc, IntersectionArcs};
+
+/// The arcs of a document.
+#[derive(Serialize)]
+pub(super) struct Arcs {
+    window: [[f64; 2]; 3],
+    arcs: Vec<Arc>,
+    unresolved: Vec<[[f64; 2]; 3]>,
+}
+
+#[derive(Serialize)]
+struct Arc {
+    closed: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ends: Option<[&'static str; 2]>,
+    points: Vec<Point>,
+}
+
+#[derive(Serialize)]
+struct Point {
+    x: f64,
+    y: f64,
+    z: f64,
+    bound: f64,
+    residuals: [String; 2],
+}
+
+#[derive(Serialize)]
+struct Document {
+    schema: &'static str,
+    kind: &'static str,
+    #[serde(flatten)]
+    arcs: Arcs,
+}
+
+impl From<&IntersectionArcs> for Arcs {
+    fn from(found: &IntersectionArcs) -> Self {
+        let arc = |arc: &CurveArc| Arc {
+            closed: arc.ends.is_none(),
+            ends: arc.ends.map(|ends| ends.map(name)),
+            points: arc
+                .points
+                .iter()
+                .map(|p| {
+                    let [x, y, z] = p.position;
+                    let residuals = p.residuals.each_ref().map(ToString::to_string);
+                    Point {
+                        x,
+                        y,
+                        z,
+                        bound: p.radius,
+                        residuals,
+                    }
+                })
+                .collect(),
+        };
+        Self {
+            window: found.bounds,
+            arcs: found.arcs.iter().map(arc).collect(),
+            unresolved: found.unresolved.clone(),
+        }
+    }
+}
+
+fn name(end: ArcEnd) -> &'static str {
+    match end {
+        ArcEnd::Window => "window",
+        ArcEnd::Unresolved => "unresolved",
+    }
+}
+
+/// Writes the points of arcs as CSV `arc,point,x,y,z,bound,residual1,residual2` (the residuals as the doubles nearest to
+/// the exact values), or as a JSON document of kind `arcs` with `window`, `arcs` (`closed`, `ends`, `points` with exact `residuals`)
+/// and `unresolved`.
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for other formats.
+pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write) -> io::Result<()> {
+    match format {
+        Format::Csv => {
+            writeln!(out, "arc,point,x,y,z,bound,residual1,residual2")?;
+            for (n, arc) in found.arcs.iter().enumerate() {
+                for (k, p) in arc.points.iter().enumerate() {
+                    let [x, y, z] = p.position;
+                    let [f, g] = p.residuals.each_ref().map(|r| r.to_f64());
+                    writeln!(out, "{n},{k},{x:?},{y:?},{z:?},{:?},{f:?},{g:?}", p.radius)?;
+                }
+            }
+            Ok(())
+        }
+        Format::Json => {
+            let document = Document {
+                schema: SCHEMA,
+                kind: "arcs",
+                arcs: Arcs::from(found),
+            };
+            serde_json::to_writer(&mut *out, &document)?;
+            writeln!(out)
+        }
+        _ => Err(io::Error::new(
+            io::ErrorKind::Unsupported,
+            "arcs are written as csv or json",
+        )),
+    }
+}
+
+/// One line for the box, for every arc, and for what is not resolved.
+#[must_use]
+pub fn arcs_text(found: &IntersectionArcs) -> Vec<String> {
+    let mut lines = vec![match found.arcs.len() {
+        0 => format!("no arcs in the box {}", box_text(&found.bounds)),
+        _ => format!(
+            "arcs in the box {}: neighbouring points are proved to lie on one smooth arc",
+            box_text(&found.bounds)
+        ),
+    }];
+    for (n, arc) in found.arcs.iter().enumerate() {
+        let ends = match arc.ends {
+            None => "closed".to_owned(),
+            Some([a, b]) if a == b => format!("both ends {}", end_text(a)),
+            Some([a, b]) => format!("from {} to {}", end_text(a), end_text(b)),
+        };
+        let bound = arc.points.iter().map(|p| p.radius).fold(0.0, f64::max);
+        let [x, y, z] = arc.points.first().map_or([0.0; 3], |p| p.position);
+        lines.push(format!(
+            "arc {n}: {ends}, {} points, each within {bound:.1e} of the curve, the first \u{2248} ({x:.6}, {y:.6}, {z:.6})",
+            arc.points.len()
+        ));
+    }
+    let all = match found.unresolved.len() {
+        0 => "every common point in the box lies on these arcs".to_owned(),
+        n => format!(
+            "every other common point in the box lies in one of {n} places that are not resolved (singular points, or the surfaces touch), such as {}",
+            box_text(&found.unresolved[0])
+        ),
+    };
+    lines.push(all);
+    lines
+}
+
+fn end_text(end: ArcEnd) -> &'static str {
+    match end {
+        ArcEnd::Window => "at the side of the box",
+        ArcEnd::Unresolved => "at a place that is not resolved",
+    }
+}
+
+fn box_text(bounds: &[[f64; 2]; 3]) -> String {
+    let sides = bounds.map(|[a, b]| format!("[{a:.5}, {b:.5}]"));
+    sides.join(" \u{d7} ")
+}
