@@ -46,7 +46,7 @@
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
 //! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
 //! | Lemmas 7 to 10, Theorem 6: surfaces, on meridians and in directions | [`parametrize::parametrize_surface`] |
-//! | Theorem 7: intersections as curves | [`parametrize::parametrize_intersection`] |
+//! | Theorem 7: intersections as curves | [`parametrize::parametrize_intersection`]; where there is no formula: [`arcs`] |
 //! | superquadrics (Examples 6 and 10, Eqs. (20), (77)) | [`shape::Superquadric`], [`shape::SpaceSuperquadric`] |
 //! | factors (Example 8) | [`factor`] |
 //! | beyond the paper: genus and rational parametrizations | [`parametrize::rational_parametrization`] |
@@ -58,7 +58,7 @@
 //! # From below to above
 //!
 //! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`mesh`], [`describe`] → [`document`], [`picture`] → the command line. A file imports
+//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`document`], [`picture`] → the command line. A file imports
 //! only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions

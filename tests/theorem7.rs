@@ -133,13 +133,8 @@ fn on_the_command_line() {
         piped(&["implicitize", "-"], &document),
         piped(&["implicitize", "-"], &text)
     );
-    for (form, said) in [
-        ("x^2 + y^2 + z^2 = 1; x^2 + y^2 = z^2", "does not apply"),
-        ("x*y = z*y; y = x*y", "a surface in common"),
-        ("x^2 + y^2 + 0z = 1; x + 0z = y", "2 conjugate curves"),
-    ] {
-        let run = run_in(std::path::Path::new("."), &["parametrize", form], "");
-        assert_eq!((run.code, run.out.as_str()), (2, ""), "{}", run.err);
-        assert!(run.err.contains(said), "{}", run.err);
-    }
+    let shared = ["parametrize", "x*y = z*y; y = x*y"];
+    let run = run_in(std::path::Path::new("."), &shared, "");
+    assert_eq!((run.code, run.out.as_str()), (2, ""), "{}", run.err);
+    assert!(run.err.contains("a surface in common"), "{}", run.err);
 }

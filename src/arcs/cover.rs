@@ -17,7 +17,7 @@ use crate::shape::ImplicitSurface;
 /// Cells along the longest side of the box to begin with.
 const FIRST_CELLS: f64 = 4.0;
 /// A cell is halved so many times at most.
-const LEVELS: u32 = 12;
+const LEVELS: u32 = 14;
 /// No more cells are divided where so many are neither empty nor covered.
 const MAX_OPEN_CELLS: usize = 40_000;
 /// Arcs with an unresolved end are at least this many shortest steps long.
@@ -107,7 +107,7 @@ impl IntersectionArcs {
 /// Every step along the curve is proved by interval Newton (Krawczyk's operator) with one coordinate as the parameter: in a
 /// box around the step, a tube, there is exactly one common point for every value of that coordinate. An octree over the
 /// whole box finds the starting points: a cell is done if a Taylor bound proves one of the polynomials ≠ 0 on it, or if
-/// it lies inside a tube; what is left after 12 halvings is [`IntersectionArcs::unresolved`].
+/// it lies inside a tube; what is left after 14 halvings is [`IntersectionArcs::unresolved`].
 ///
 /// The factors of both polynomials meet each other in pairs, so that double sheets and crossing components are regular.
 /// `progress` hears numbers from 0 to 1000.

@@ -8,6 +8,9 @@ const ROUNDING: f64 = 1e-15;
 /// Steps of Newton's method in doubles.
 const NEWTON_STEPS: usize = 12;
 
+/// Steps of Newton's method with exact values; each squares the error, down to half an ulp.
+const EXACT_STEPS: usize = 6;
+
 /// A box in which the two surfaces meet in exactly one smooth arc, from end to end of the box along one axis: for
 /// every value of that coordinate there is exactly one point.
 #[derive(Clone, Copy, Debug)]
@@ -152,7 +155,7 @@ pub(super) fn enclose(
     halves[v] = reach;
     let mut position = start;
     let mut best: Option<Enclosed> = None;
-    for _ in 0..3 {
+    for _ in 0..EXACT_STEPS {
         let slopes = fields.map(|f| f.on_box(position, halves).slopes);
         let system = preconditioned(slopes, axis)?;
         let exact = fields.map(|f| f.exact_value(position));

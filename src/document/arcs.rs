@@ -136,8 +136,12 @@ pub fn arcs_text(found: &IntersectionArcs) -> Vec<String> {
     }
     let all = match found.unresolved.len() {
         0 => "every common point in the box lies on these arcs".to_owned(),
+        1 => format!(
+            "every other common point in the box lies in {}, which is not resolved: a singular point, or the surfaces touch",
+            box_text(&found.unresolved[0])
+        ),
         n => format!(
-            "every other common point in the box lies in one of {n} places that are not resolved (singular points, or the surfaces touch), such as {}",
+            "every other common point in the box lies in one of {n} boxes that are not resolved (singular points, or the surfaces touch), the first {}",
             box_text(&found.unresolved[0])
         ),
     };

@@ -85,7 +85,12 @@ pub fn write_intersection_curves(
         Format::Text => {
             writeln!(
                 out,
-                "# theorem-7: projected along {axis}; every curve satisfies all the equations, by exact substitution"
+                "# theorem-7: projected along {axis}; {}",
+                if curves.is_empty() {
+                    "no rational or trigonometric parametrization was found"
+                } else {
+                    "every curve satisfies all the equations, by exact substitution"
+                }
             )?;
             for other in others {
                 writeln!(

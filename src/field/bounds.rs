@@ -170,7 +170,6 @@ impl Field {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::distance;
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 
