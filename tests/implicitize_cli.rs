@@ -219,7 +219,7 @@ fn mistakes_are_said_once_and_nothing_is_written() {
         ),
         (
             &["sample", EXAMPLE_3],
-            "sample takes plane curves and surfaces",
+            "sample takes plane curves, surfaces and intersections",
         ),
         (
             &["parametrize", EXAMPLE_3],

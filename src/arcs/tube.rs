@@ -6,10 +6,10 @@ use crate::field::Field;
 /// Rounding errors of the small matrix products below are less than this part of the sums of their sizes.
 const ROUNDING: f64 = 1e-15;
 /// Steps of Newton's method in doubles.
-const NEWTON_STEPS: usize = 12;
+const NEWTON_STEPS: usize = 40;
 
 /// Steps of Newton's method with exact values; each squares the error, down to half an ulp.
-const EXACT_STEPS: usize = 6;
+const EXACT_STEPS: usize = 8;
 
 /// A box in which the two surfaces meet in exactly one smooth arc, from end to end of the box along one axis: for
 /// every value of that coordinate there is exactly one point.
