@@ -3,6 +3,7 @@
 use stellate::arcs::{ArcOptions, IntersectionArcs, trace_intersection};
 use stellate::error::{Error, Result};
 use stellate::mesh::mesh_bounds;
+use stellate::parametrize::IntersectionParametrization;
 use stellate::shape::ImplicitSurface;
 
 use super::arguments::ArcFlags;
@@ -44,6 +45,22 @@ pub(crate) fn arcs(
     });
     bar.finish_and_clear();
     found
+}
+
+/// The arcs of the components that have no parametrization.
+pub(crate) fn arcs_of_others(
+    found: &IntersectionParametrization,
+    surfaces: &[ImplicitSurface],
+    window: Option<Bounds>,
+    resolution: Option<u32>,
+    session: &mut Session,
+) -> Result<IntersectionArcs> {
+    let mut traced = arcs(surfaces, window, resolution, session)?;
+    if !found.curves.is_empty() {
+        let over: Vec<_> = found.others.iter().map(|o| &o.projection).collect();
+        traced.retain_on(&over);
+    }
+    Ok(traced)
 }
 
 /// Of the boxes around the surfaces that of a bounded one, or the smaller one.

@@ -42,9 +42,9 @@ pub(crate) struct Common {
     /// How the result is written [default: text; sample: csv]
     #[arg(long, global = true, value_enum)]
     pub(crate) format: Option<Format>,
-    /// Decimals shown for algebraic numbers
-    #[arg(long, global = true, value_name = "D", default_value_t = 16, value_parser = clap::value_parser!(u32).range(0..=10_000))]
-    pub(crate) digits: u32,
+    /// Decimals shown for algebraic numbers [default: 16]; inspect: significant digits of the distances [default: 6]
+    #[arg(long, global = true, value_name = "D", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    pub(crate) digits: Option<u32>,
     /// Read decimals as written, or as the nearest double
     #[arg(long, global = true, value_enum, default_value_t = NumberReading::Exact)]
     pub(crate) numbers: NumberReading,
@@ -103,6 +103,14 @@ pub(crate) enum Verb {
   stellate sample f.json --theta 0.5 --theta 219.5deg --positive
   stellate sample 'x^4 + y^4 + z^4 - 1' --theta 30deg --phi 45deg --phi 60deg")]
     Sample(Sample),
+    /// Whether points are within a tolerance of a surface or plane curve, exactly (Theorem 8), and how far they are
+    #[command(after_help = "Examples:
+  stellate inspect 'x^2 + y^2 = 1' --tolerance 0.1 --point 0.8,0.6,0 --format text
+  stellate inspect '(x^2+y^2+z^2+3)^2 = 16*(x^2+y^2)' --tolerance 1/100 --points measured.csv -o verdicts.csv
+  stellate inspect 'x^4 + y^4 + z^4 = 1' --tolerance 0.01 --points - --plot deviations.png
+
+Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecided.")]
+    Inspect(Inspect),
     /// Triangles of a surface as OBJ, PLY or STL: every sheet, certified vertices
     #[command(after_help = "Examples:
   stellate mesh '(x^2+9/4*y^2+z^2-1)^3 - x^2*z^3 - 9/80*y^2*z^3' -o heart.ply
@@ -217,6 +225,57 @@ pub(crate) struct Sample {
     /// Only points with r > 0
     #[arg(long)]
     pub(crate) positive: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Inspect {
+    /// A surface in x, y, z or a plane curve in x, y (for points X,Y; for points X,Y,Z it is a cylinder), or what has such an
+    /// equation
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) form: String,
+    /// The largest distance that is inside, exactly as written: 0.1 is one tenth
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    pub(crate) tolerance: String,
+    /// A point; may be repeated
+    #[arg(
+        long,
+        value_name = "X,Y[,Z]",
+        allow_hyphen_values = true,
+        required_unless_present = "points"
+    )]
+    pub(crate) point: Vec<String>,
+    /// Rows x,y[,z] of any number, from a file or standard input; the header is optional
+    #[arg(long, value_name = "FILE.csv|-", conflicts_with = "point")]
+    pub(crate) points: Option<String>,
+    /// Distances are looked for up to here [default: the tolerance]
+    #[arg(long, value_name = "R")]
+    pub(crate) reach: Option<String>,
+    /// Count rows that are no points instead of stopping at the first
+    #[arg(long)]
+    pub(crate) skip_bad: bool,
+    /// Cubes that may be divided for one point before it is undecided
+    #[arg(long, value_name = "N", default_value_t = 50_000)]
+    pub(crate) budget: usize,
+    /// Draw the surface and the points, coloured by verdict, as .svg or .png
+    #[arg(long, value_name = "FIGURE")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Write the points, coloured by verdict and with their distances, as .ply
+    #[arg(long, value_name = "CLOUD.ply")]
+    pub(crate) cloud: Option<PathBuf>,
+    /// The part of space or of the plane that is drawn
+    #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true)]
+    pub(crate) window: Option<String>,
+    /// For a contour: number of harmonics N
+    #[arg(long, value_name = "N")]
+    pub(crate) harmonics: Option<usize>,
+    /// For a contour: where radii are measured from
+    #[arg(
+        long,
+        value_name = "centroid|X,Y",
+        default_value = "centroid",
+        allow_hyphen_values = true
+    )]
+    pub(crate) center: String,
 }
 
 #[derive(Debug, Args)]

@@ -10,7 +10,7 @@ use stellate::fit::{
     CenterChoice, CenterOrigin, ContourKind, Fit, FitOptions, FitSize, contour_from_reader,
     fit_within, read_contour,
 };
-use stellate::implicitize::{implicitize_patch, implicitize_plane};
+use stellate::implicitize::{SquaredForm, implicitize_patch, implicitize_plane};
 use stellate::language::MAX_TEXT_BYTES;
 use stellate::poly::SparsePolynomial;
 use stellate::shape::{Contour, Form, ImplicitCurve, ImplicitSurface, Superquadric};
@@ -223,6 +223,26 @@ pub(crate) fn through_equation(form: Form, session: &mut Session) -> Result<Form
 /// Why a form is not taken by a verb that takes `these`.
 pub(crate) fn not_taken(verb: &str, these: &str) -> Error {
     Error::Usage(format!("this is a curve in space: {verb} takes {these}"))
+}
+
+/// The plane curve that a form is or has; `verb` takes `these`.
+pub(crate) fn implicit_curve(
+    form: Form,
+    (verb, these): (&str, &str),
+    session: &Session,
+) -> Result<ImplicitCurve> {
+    match form {
+        Form::Fourier(radius) => {
+            session.check_degree(2 * radius.harmonics() + 2)?;
+            Ok(SquaredForm::new(&radius)?.expand())
+        }
+        Form::Curve(curve) => {
+            session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
+            Ok(curve)
+        }
+        Form::Superquadric(shape) => polynomial_of(&shape),
+        _ => Err(not_taken(verb, these)),
+    }
 }
 
 /// An equation in x and y is a cylinder in space.

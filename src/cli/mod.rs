@@ -6,6 +6,9 @@ mod describe;
 mod fit;
 mod implicitize;
 mod input;
+mod inspect;
+mod inspect_plot;
+mod inspect_rows;
 mod mesh;
 mod numbers;
 mod output;
@@ -24,6 +27,7 @@ use arguments::{Arguments, Verb};
 use session::Session;
 
 /// Exit codes of the contract.
+const ANSWER_IS_NO: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 const LIMIT_REACHED: u8 = 3;
 
@@ -45,13 +49,16 @@ pub(crate) fn main() -> ExitCode {
             Verb::Parametrize(verb) => parametrize::run(&verb, &mut session),
             Verb::Fit(verb) => fit::run(&verb, &mut session),
             Verb::Sample(verb) => sample::run(&verb, &mut session),
+            Verb::Inspect(verb) => inspect::run(&verb, &mut session),
             Verb::Mesh(verb) => mesh::run(&verb, &mut session),
             Verb::Plot(verb) => plot::run(&verb, &mut session),
         }?;
-        session.finish()
+        session.finish()?;
+        Ok(session.answer_is_no)
     });
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::SUCCESS,
+        Ok(true) => ExitCode::from(ANSWER_IS_NO),
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             session::report(&format!("stellate: {error}"));

@@ -1,6 +1,7 @@
 //! `stellate plot`: forms over each other.
 
 use std::ffi::OsStr;
+use std::path::Path;
 
 use stellate::error::{Error, Result};
 use stellate::implicitize::SquaredForm;
@@ -19,7 +20,7 @@ const POINTS_PER_HARMONIC: usize = 40;
 const MIN_POINTS: usize = 1440;
 
 /// Along the larger side of the window.
-const CELLS: u32 = 240;
+pub(super) const CELLS: u32 = 240;
 
 /// Points drawn of a parametric curve.
 const CURVE_POINTS: u32 = 2880;
@@ -30,8 +31,9 @@ const POINTS_PER_QUADRANT: usize = 90;
 /// PNG pixels per SVG unit.
 const PNG_SCALE: f32 = 2.0;
 
+/// What a figure is written as.
 #[derive(Clone, Copy)]
-enum Kind {
+pub(super) enum Kind {
     Svg,
     Png,
 }
@@ -54,10 +56,7 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     } else {
         plane(verb, inputs, session)?
     };
-    let bytes = session.stage("draw", |_| match kind {
-        Kind::Svg => Ok(svg.into_bytes()),
-        Kind::Png => png_from_svg(&svg, PNG_SCALE),
-    })?;
+    let bytes = session.stage("draw", |_| bytes(svg, kind))?;
     write_result(session, |out| out.write_all(&bytes))
 }
 
@@ -119,6 +118,11 @@ fn kind(session: &Session) -> Result<Kind> {
     let path = session.common.output.as_ref().ok_or_else(|| {
         Error::Usage("plot writes a file: give -o FIGURE.svg or -o FIGURE.png".into())
     })?;
+    kind_of("-o", path)
+}
+
+/// By the extension of the path that an option gives.
+pub(super) fn kind_of(option: &str, path: &Path) -> Result<Kind> {
     match path
         .extension()
         .and_then(OsStr::to_str)
@@ -128,13 +132,21 @@ fn kind(session: &Session) -> Result<Kind> {
         Some("svg") => Ok(Kind::Svg),
         Some("png") => Ok(Kind::Png),
         _ => Err(Error::Usage(format!(
-            "-o {}: a figure is a .svg or a .png file",
+            "{option} {}: a figure is a .svg or a .png file",
             path.display()
         ))),
     }
 }
 
-fn window(text: &str) -> Result<Window> {
+/// The figure as it is written.
+pub(super) fn bytes(svg: String, kind: Kind) -> Result<Vec<u8>> {
+    match kind {
+        Kind::Svg => Ok(svg.into_bytes()),
+        Kind::Png => png_from_svg(&svg, PNG_SCALE),
+    }
+}
+
+pub(super) fn window(text: &str) -> Result<Window> {
     match numbers_of::<4>(text) {
         Some([x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => Ok(Window {
             x: [x0, x1],
@@ -233,7 +245,7 @@ fn superquadric(shape: &Superquadric) -> Layer {
 }
 
 /// Around everything that has an extent of its own; else around certified points of the curves.
-fn fitting_window(
+pub(super) fn fitting_window(
     seen: Vec<[f64; 2]>,
     curves: &[(usize, ImplicitCurve)],
     session: &Session,
@@ -258,7 +270,7 @@ fn fitting_window(
     })
 }
 
-fn trace(
+pub(super) fn trace(
     curve: &ImplicitCurve,
     window: &Window,
     cells: u32,

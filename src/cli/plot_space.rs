@@ -20,8 +20,11 @@ const CURVE_POINTS: u32 = 720;
 const PATCH_CELLS: u32 = 54;
 
 /// Cells along the longest side of the box of an implicit surface, and the angle by which edges may bend.
-const SURFACE_CELLS: u32 = 36;
-const SURFACE_ANGLE: f64 = 30.0;
+pub(super) const SURFACE_CELLS: u32 = 36;
+pub(super) const SURFACE_ANGLE: f64 = 30.0;
+
+/// Where the eye is without `--view`, in degrees.
+pub(super) const VIEW: [f64; 2] = [30.0, 25.0];
 
 /// Whether a form is drawn in space.
 pub(crate) fn is_in_space(input: &Input) -> bool {
@@ -103,7 +106,7 @@ enum Drawn {
     Surface(String, ImplicitSurface),
 }
 
-fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
+pub(super) fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
     let mut layer = SpaceLayer {
         closed: mesh.topology().is_watertight(),
         ..SpaceLayer::default()
@@ -119,7 +122,7 @@ fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
     layer
 }
 
-fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
+pub(super) fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
     match (a, b) {
         (Some(a), Some(b)) => Some([0, 1, 2].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])])),
         (a, b) => a.or(b),
@@ -201,11 +204,7 @@ fn intersection(
         parametrize_intersection(surfaces, &session.limits)
     })?;
     if !found.others.is_empty() && surfaces.len() == 2 {
-        let mut traced = arcs::arcs(surfaces, window, None, session)?;
-        let over: Vec<_> = found.others.iter().map(|o| &o.projection).collect();
-        if !found.curves.is_empty() {
-            traced.retain_on(&over);
-        }
+        let traced = arcs::arcs_of_others(&found, surfaces, window, None, session)?;
         let lines: Vec<Vec<[f64; 3]>> = traced.arcs.iter().map(CurveArc::polyline).collect();
         let around = box_around(lines.iter().flatten());
         let layer = SpaceLayer {
@@ -289,7 +288,7 @@ fn drawn_one(input: Input, ranges: &[Range], session: &mut Session) -> Result<Dr
 }
 
 /// The box around finite points.
-fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
+pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
     points
         .filter(|p| p.iter().all(|v| v.is_finite()))
         .fold(None, |bounds: Option<Bounds>, p| {

@@ -4,12 +4,11 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use stellate::document::{Format, NominalAngles, SampledRay, arcs_text, write_arcs, write_samples};
 use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
-use stellate::implicitize::SquaredForm;
 use stellate::poly::SpacePolynomial;
 use stellate::sample::{
     Direction, Ray, RaySolver, SpaceDirection, SpaceSuperquadricSolver, SuperquadricSolver,
 };
-use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
+use stellate::shape::{Form, ImplicitSurface};
 
 use super::arcs;
 use super::arguments::Sample;
@@ -21,6 +20,12 @@ const DEFAULT_DIRECTIONS: usize = 360;
 /// Along a meridian, from pole to pole.
 const DEFAULT_POLAR_STEPS: usize = 180;
 const MAX_DIRECTIONS: usize = 10_000_000;
+
+/// What is taken.
+const SAMPLE: (&str, &str) = (
+    "sample",
+    "plane curves, surfaces and intersections of two surfaces",
+);
 
 pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
     check_destination(session)?;
@@ -75,7 +80,9 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
         let origin = [Rational::zero(), Rational::zero()];
         return write_result(session, |out| write_samples(&rays, &origin, format, out));
     }
-    let curve = session.stage("implicitize", |session| curve(form, session))?;
+    let curve = session.stage("implicitize", |session| {
+        input::implicit_curve(form, SAMPLE, session)
+    })?;
     let solver = RaySolver::new(curve.polynomial());
     let rays = session.stage("sample", |session| {
         solve(|d| Ok(solver.solve(d)), directions, verb.positive, session)
@@ -224,24 +231,6 @@ fn angle(flag: &str, text: &str) -> Result<Direction> {
         Ok(Direction::from_radians(radians))
     } else {
         Err(wrong())
-    }
-}
-
-fn curve(form: Form, session: &Session) -> Result<ImplicitCurve> {
-    match form {
-        Form::Fourier(radius) => {
-            session.check_degree(2 * radius.harmonics() + 2)?;
-            Ok(SquaredForm::new(&radius)?.expand())
-        }
-        Form::Curve(curve) => {
-            session.check_degree(curve.polynomial().degree().unwrap_or(0))?;
-            Ok(curve)
-        }
-        Form::Superquadric(shape) => input::polynomial_of(&shape),
-        _ => Err(input::not_taken(
-            "sample",
-            "plane curves, surfaces and intersections of two surfaces",
-        )),
     }
 }
 

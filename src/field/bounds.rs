@@ -2,6 +2,9 @@
 
 use super::{Field, UNIT};
 
+/// Steps towards the best bound of a distance.
+const HALVINGS: usize = 12;
+
 /// f on a box, as the polynomial g(s) = f(m + ρ∘s) over the cube [−1, 1]³.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxBounds {
@@ -13,13 +16,6 @@ pub(crate) struct BoxBounds {
     pub(crate) slopes: [[f64; 2]; 3],
     /// Bounds what g(s) has beside `value` and the linear terms, and all rounding errors of its coefficients.
     rest: f64,
-}
-
-/// The Taylor coefficients of f about the middle of a box, each times the powers of the half sides.
-struct Taylor {
-    coefficients: Vec<([usize; 3], f64)>,
-    /// More than all rounding errors of the coefficients together.
-    error: f64,
 }
 
 /// What is proved of f on a box.
@@ -62,6 +58,54 @@ impl BoxBounds {
         value.abs() > (spread + 16.0 * UNIT * size) * (1.0 + 1e-9)
     }
 
+    /// No zero of g in the cube is nearer than this to a point, in units of the (equal) half sides.
+    ///
+    /// All zeros are in the slab |g(0) + ∇g·s| ≤ rest. With h ≤ 0 for the side of it that looks at the point p, every λ ≥ 0
+    /// gives the bound min |s − p|² + λ h(s) over the cube, one coordinate at a time (weak duality); the best λ is bisected.
+    pub(crate) fn nearest_zero(&self, p: [f64; 3]) -> f64 {
+        let linear = self.slopes.map(|[m, _]| m);
+        let plane = |s: [f64; 3]| -> f64 {
+            self.value + linear.iter().zip(s).map(|(m, x)| m * x).sum::<f64>()
+        };
+        let sense = if plane(p) > 0.0 { 1.0 } else { -1.0 };
+        let side = |s: [f64; 3]| sense * plane(s) - self.rest * (1.0 + 1e-9);
+        let best = |weight: f64| -> [f64; 3] {
+            std::array::from_fn(|i| (p[i] - sense * weight * linear[i] / 2.0).clamp(-1.0, 1.0))
+        };
+        let square: f64 = linear.iter().map(|m| m * m).sum();
+        // Without the cube this is where the nearest point of the slab is.
+        let mut high = 2.0 * side(p).max(0.0) / square;
+        let mut low = 0.0;
+        let mut found = 0.0f64;
+        for step in 0..HALVINGS {
+            let weight = if step == 0 {
+                high
+            } else {
+                f64::midpoint(low, high)
+            };
+            let s = best(weight);
+            let away: f64 = s.iter().zip(p).map(|(x, p)| (x - p) * (x - p)).sum();
+            let beyond = weight * side(s);
+            let bound = away + beyond
+                - 1e-13
+                    * (away
+                        + weight
+                            * (self.value.abs()
+                                + self.rest
+                                + linear.iter().map(|m| m.abs()).sum::<f64>()));
+            found = found.max(bound);
+            if side(s) <= 0.0 {
+                high = weight;
+            } else if step == 0 {
+                low = weight;
+                high = 4.0 * weight;
+            } else {
+                low = weight;
+            }
+        }
+        found.sqrt() * (1.0 - 1e-14)
+    }
+
     /// What is certain of f on the box: the sheet is regular where the gradients, each component within its bounds, have
     /// positive products (the small normal variation of Plantinga & Vegter, SGP 2004).
     pub(crate) fn verdict(&self) -> Verdict {
@@ -84,84 +128,33 @@ impl BoxBounds {
     }
 }
 
-#[expect(
-    clippy::cast_precision_loss,
-    reason = "degrees and numbers of terms are small"
-)]
 impl Field {
     /// Bounds of f and its derivatives on the box with a given middle and half sides: Σ |g_α| ρ^α over the Taylor coefficients.
+    #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
     pub(crate) fn on_box(&self, middle: [f64; 3], halves: [f64; 3]) -> BoxBounds {
-        let taylor = self.taylor(middle, halves.map(|half| half * (1.0 + 1e-9)));
+        let taylor = self.taylor(middle);
+        let powers = self.powers(halves.map(|half| half * (1.0 + 1e-9)));
         let mut bounds = BoxBounds {
-            value: 0.0,
-            error: taylor.error,
-            slopes: [[0.0, taylor.error]; 3],
-            rest: taylor.error,
+            value: taylor.coefficients[0],
+            error: taylor.errors[0],
+            slopes: [[0.0; 2]; 3],
+            rest: taylor.errors[0],
         };
-        for (e, g) in &taylor.coefficients {
-            let order: usize = e.iter().sum();
-            if order == 0 {
-                bounds.value = *g;
-                continue;
-            }
-            if order > 1 {
-                bounds.rest += g.abs();
-            }
-            for (slope, exponent) in bounds.slopes.iter_mut().zip(e) {
-                match (*exponent, order) {
-                    (0, _) => {}
-                    (_, 1) => slope[0] = *g,
-                    (k, _) => slope[1] += k as f64 * (g.abs() + taylor.error),
+        let all = self.layout.exponents.iter().zip(&taylor.coefficients);
+        for ((e, g), error) in all.zip(&taylor.errors).skip(1) {
+            let scale = powers[0][e[0]] * powers[1][e[1]] * powers[2][e[2]];
+            let (g, error) = (g * scale, error * scale);
+            let is_linear = e.iter().sum::<usize>() == 1;
+            let size = if is_linear { error } else { g.abs() + error };
+            bounds.rest += size;
+            for (slope, k) in bounds.slopes.iter_mut().zip(e).filter(|(_, k)| **k > 0) {
+                if is_linear {
+                    slope[0] = g;
                 }
+                slope[1] += *k as f64 * size;
             }
         }
         bounds
-    }
-
-    fn taylor(&self, middle: [f64; 3], halves: [f64; 3]) -> Taylor {
-        let [dx, dy, dz] = self.degrees;
-        let [nx, ny, nz] = [dx + 1, dy + 1, dz + 1];
-        let at = |[i, j, k]: [usize; 3]| (i * ny + j) * nz + k;
-        let mut g = vec![0.0; nx * ny * nz];
-        for (e, c) in &self.terms {
-            g[at(*e)] = *c;
-        }
-        // x → middle + x, variable by variable, each by repeated synthetic division.
-        let strides = [ny * nz, nz, 1];
-        let counts = [nx, ny, nz];
-        for axis in 0..3 {
-            let (stride, count) = (strides[axis], counts[axis]);
-            for start in (0..g.len()).filter(|s| (s / stride).is_multiple_of(count)) {
-                for first in 0..count - 1 {
-                    for i in (first..count - 1).rev() {
-                        g[start + i * stride] += middle[axis] * g[start + (i + 1) * stride];
-                    }
-                }
-            }
-        }
-        let powers = self.powers(halves);
-        let mut coefficients = Vec::with_capacity(g.len());
-        for i in 0..nx {
-            for j in 0..ny {
-                for k in 0..nz {
-                    let value = g[at([i, j, k])];
-                    if value != 0.0 {
-                        coefficients.push((
-                            [i, j, k],
-                            value * powers[0][i] * powers[1][j] * powers[2][k],
-                        ));
-                    }
-                }
-            }
-        }
-        // Every coefficient is a sum of terms of |f| about |middle|, each rounded at most 2·degree times in every variable.
-        let far = std::array::from_fn(|i| middle[i].abs() + halves[i]);
-        let (_, size) = self.sums(far);
-        let roundings = 4 * (dx + dy + dz) + self.terms.len() + 16;
-        Taylor {
-            coefficients,
-            error: 1.01 * UNIT * roundings as f64 * size + self.tiny(far),
-        }
     }
 }
 
@@ -169,15 +162,9 @@ impl Field {
 mod tests {
     use super::*;
     use crate::exact::Rational;
+    use crate::field::tests::{cubic, sphere};
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
-
-    /// x² + y² + z² − c
-    fn sphere(c: i64) -> SparsePolynomial<3> {
-        let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
-        let squares = x.squared().plus(&y.squared()).plus(&z.squared());
-        squares.minus(&SparsePolynomial::constant(c.into()))
-    }
 
     #[test]
     fn verdicts_on_cubes() {
@@ -194,10 +181,9 @@ mod tests {
         /// both are built with a common zero at a known point.
         #[test]
         fn boxes_with_a_common_zero_are_not_excluded(c in prop::collection::vec(-9i64..10, 20), d in prop::collection::vec(-9i64..10, 20), small in 1u32..30, p in prop::array::uniform3(-8i64..9), off in prop::array::uniform3(-1.0f64..1.0), half in 0.001f64..0.5) {
-            let all = || (0..4u32).flat_map(|i| (0..4 - i).flat_map(move |j| (0..4 - i - j).map(move |k| [i, j, k])));
             let at = p.map(|k| Rational::from(k) / Rational::from(4));
             let through = |c: Vec<i64>| {
-                let f = SparsePolynomial::from_terms(all().zip(c.into_iter().map(Rational::from)));
+                let f = cubic(&c);
                 f.minus(&SparsePolynomial::constant(f.evaluate(&at)))
             };
             // g = f + 2^−k h: nearly tangent to f.

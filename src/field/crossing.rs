@@ -73,15 +73,8 @@ impl Field {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poly::{Ring, SparsePolynomial};
+    use crate::field::tests::sphere;
     use proptest::prelude::*;
-
-    /// x² + y² + z² − c
-    fn sphere(c: i64) -> SparsePolynomial<3> {
-        let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
-        let squares = x.squared().plus(&y.squared()).plus(&z.squared());
-        squares.minus(&SparsePolynomial::constant(c.into()))
-    }
 
     proptest! {
         /// A crossing of the unit sphere lies within its radius of it.

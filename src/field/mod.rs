@@ -2,19 +2,31 @@
 
 mod bounds;
 mod crossing;
+mod local;
+mod taylor;
 
-pub(crate) use bounds::Verdict;
+pub(crate) use bounds::{BoxBounds, Verdict};
 pub(crate) use crossing::Crossing;
+pub(crate) use local::Local;
+pub(crate) use taylor::Taylor;
+
+use malachite::Integer;
+use smallvec::SmallVec;
 
 use crate::exact::Rational;
 use crate::poly::SparsePolynomial;
+use taylor::Layout;
 
 /// Half of the distance from 1 to the next double.
 const UNIT: f64 = 1.11e-16;
 /// Below this products may lose digits to underflow.
 const TINY: f64 = 1e-280;
 
+/// 1, x, x², … Those of low degrees need no memory of their own.
+type Powers = SmallVec<[f64; 16]>;
+
 /// f, with its coefficients also as doubles, scaled so that the largest is 1.
+#[derive(Debug)]
 pub(crate) struct Field {
     exact: SparsePolynomial<3>,
     terms: Vec<([usize; 3], f64)>,
@@ -22,6 +34,7 @@ pub(crate) struct Field {
     degrees: [usize; 3],
     /// A relative error bound of a sum of terms in doubles.
     relative: f64,
+    layout: Layout,
 }
 
 #[expect(
@@ -44,15 +57,16 @@ impl Field {
         let roundings = terms.len() + degrees.iter().sum::<usize>() + 8;
         Self {
             relative: 1.01 * UNIT * roundings as f64,
+            layout: Layout::new(&terms),
             exact,
             terms,
             degrees,
         }
     }
 
-    fn powers(&self, p: [f64; 3]) -> [Vec<f64>; 3] {
+    fn powers(&self, p: [f64; 3]) -> [Powers; 3] {
         std::array::from_fn(|i| {
-            let mut list = Vec::with_capacity(self.degrees[i] + 1);
+            let mut list = Powers::new();
             let mut power = 1.0;
             for _ in 0..=self.degrees[i] {
                 list.push(power);
@@ -93,31 +107,87 @@ impl Field {
         self.exact.evaluate(&exact)
     }
 
+    /// f and its gradient, exactly.
+    pub(crate) fn exact_value_and_gradient(&self, p: &[Rational; 3]) -> (Rational, [Rational; 3]) {
+        let powers: [Vec<Rational>; 3] = std::array::from_fn(|i| {
+            let all = std::iter::successors(Some(Rational::one()), |power| Some(power * &p[i]));
+            all.take(self.degrees[i] + 1).collect()
+        });
+        let mut value = Rational::zero();
+        let mut gradient = std::array::from_fn(|_| Rational::zero());
+        for (e, c) in self.exact.terms() {
+            let e = e.map(|k| k as usize);
+            let product = |e: [usize; 3]| &(&powers[0][e[0]] * &powers[1][e[1]]) * &powers[2][e[2]];
+            value = &value + &(c * &product(e));
+            for (axis, slope) in gradient
+                .iter_mut()
+                .enumerate()
+                .filter(|(axis, _)| e[*axis] > 0)
+            {
+                let mut lower = e;
+                lower[axis] -= 1;
+                let factor = c * &Rational::from(Integer::from(e[axis]));
+                *slope = &*slope + &(factor * product(lower));
+            }
+        }
+        (value, gradient)
+    }
+
     /// f in doubles, with no bound of its error.
     pub(crate) fn value(&self, p: [f64; 3]) -> f64 {
         self.sums(p).0
     }
 
+    /// f and its gradient in doubles, with no bound of their errors.
+    pub(crate) fn value_and_gradient(&self, p: [f64; 3]) -> (f64, [f64; 3]) {
+        let [x, y, z] = self.powers(p);
+        // k x^(k−1)
+        let slope = |list: &Powers, k: usize| match k {
+            0 => 0.0,
+            k => k as f64 * list[k - 1],
+        };
+        let mut sum = 0.0;
+        let mut gradient = [0.0; 3];
+        for ([i, j, k], c) in &self.terms {
+            let (xy, zc) = (x[*i] * y[*j], c * z[*k]);
+            sum += xy * zc;
+            gradient[0] += slope(&x, *i) * y[*j] * zc;
+            gradient[1] += slope(&y, *j) * x[*i] * zc;
+            gradient[2] += slope(&z, *k) * xy * c;
+        }
+        (sum, gradient)
+    }
+
     /// The gradient in doubles, with no bound of its error.
     pub(crate) fn gradient(&self, p: [f64; 3]) -> [f64; 3] {
-        let powers = self.powers(p);
-        let mut gradient = [0.0; 3];
-        for (e, c) in &self.terms {
-            for axis in 0..3 {
-                if e[axis] > 0 {
-                    let factors = (0..3).map(|i| {
-                        if i == axis {
-                            e[i] as f64 * powers[i][e[i] - 1]
-                        } else {
-                            powers[i][e[i]]
-                        }
-                    });
-                    gradient[axis] += c * factors.product::<f64>();
-                }
-            }
-        }
-        gradient
+        self.value_and_gradient(p).1
     }
+
+    /// f does not depend on z.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.degrees[2] == 0
+    }
+
+    /// The sign of f at all points within a few units in the last place of p, if doubles tell.
+    pub(crate) fn sign_near(&self, p: [f64; 3]) -> Option<i8> {
+        let (value, _) = self.sums(p);
+        // Four units of each coordinate change a term by not much more than four times its degree.
+        let degree: usize = self.degrees.iter().sum();
+        let relative = self.relative + 10.0 * UNIT * degree as f64;
+        let largest = p.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let (_, size) = self.sums([largest; 3]);
+        let is_certain = value.abs() > size * relative + self.tiny(p);
+        is_certain.then_some(if value > 0.0 { 1 } else { -1 })
+    }
+
+    /// f with its largest coefficient 1: what the exact values and signs are those of.
+    pub(crate) fn polynomial(&self) -> &SparsePolynomial<3> {
+        &self.exact
+    }
+}
+
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -131,9 +201,23 @@ pub(crate) fn between(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::poly::Ring;
+
+    /// x² + y² + z² − c
+    pub(crate) fn sphere(c: i64) -> SparsePolynomial<3> {
+        let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+        let squares = x.squared().plus(&y.squared()).plus(&z.squared());
+        squares.minus(&SparsePolynomial::constant(c.into()))
+    }
+
+    /// The cubic with the given coefficients.
+    pub(crate) fn cubic(coefficients: &[i64]) -> SparsePolynomial<3> {
+        let all = (0..4u32)
+            .flat_map(|i| (0..4 - i).flat_map(move |j| (0..4 - i - j).map(move |k| [i, j, k])));
+        SparsePolynomial::from_terms(all.zip(coefficients.iter().map(|c| Rational::from(*c))))
+    }
 
     #[test]
     fn signs_are_exact_where_doubles_vanish() {

@@ -1,17 +1,14 @@
-//! Rows of points.
-//!
-//! Rows are split here and not by the `csv` crate because messages name rows: its positions do not
-//! count the blank lines and comments that it skips before a record.
+//! Rows of points in the plane.
 
-use std::io::{BufRead, Read};
+use std::io::BufRead;
 
 use crate::error::{Error, Result};
-use crate::exact::double_literal;
+use crate::rows::{RowReader, double, fields_of};
 
 /// The most rows with points in one file.
 pub(super) const MAX_ROWS: usize = 10_000_000;
-/// The longest row, in bytes.
-const MAX_ROW_BYTES: u64 = 1 << 16;
+/// What a row is.
+const COLUMNS: &str = "x,y";
 
 /// The points and, for each, its row in the file (counted from 1, every line counts).
 pub(super) fn read_rows(
@@ -19,104 +16,26 @@ pub(super) fn read_rows(
     place: &str,
 ) -> Result<(Vec<[f64; 2]>, Vec<usize>)> {
     let mut points = Vec::new();
-    let mut rows = Vec::new();
-    let mut may_be_header = true;
-    let mut line = Vec::new();
-    for row in 1.. {
-        line.clear();
-        let at_row = || format!("{place}, row {row}");
-        let length = reader
-            .take(MAX_ROW_BYTES)
-            .read_until(b'\n', &mut line)
-            .map_err(|source| Error::Io {
-                path: place.into(),
-                source,
-            })?;
-        if length == 0 {
-            break;
-        }
-        let text = std::str::from_utf8(&line)
-            .map_err(|_| Error::data(at_row(), "not text; each row must be x,y"))?;
-        if !text.ends_with('\n') && line.len() >= 1 << 16 {
-            return Err(Error::data(
-                at_row(),
-                format!("longer than {MAX_ROW_BYTES} bytes; each row must be x,y"),
-            ));
-        }
-        let text = text.trim_start_matches('\u{feff}').trim();
-        if text.is_empty() || text.starts_with('#') {
-            continue;
-        }
-        let fields: Vec<&str> = text.split(',').map(unquoted).collect();
-        let header = may_be_header && fields.iter().all(|field| is_word(field));
-        may_be_header = false;
-        if header {
-            continue;
-        }
-        let [x, y] = fields.as_slice() else {
-            let columns = match fields.len() {
-                1 => "1 column".into(),
-                n => format!("{n} columns"),
-            };
-            return Err(Error::data(
-                at_row(),
-                format!("found {columns}; each row must be x,y"),
-            ));
-        };
-        let value = |field: &str| number(field).map_err(|message| Error::data(at_row(), message));
-        points.push([value(x)?, value(y)?]);
-        rows.push(row);
+    let mut numbers = Vec::new();
+    let mut rows = RowReader::new(reader, place, COLUMNS);
+    while let Some((number, row)) = rows.next_row()? {
+        let point = fields_of(row, COLUMNS).and_then(|[x, y]| Ok([value(x)?, value(y)?]));
+        points.push(point.map_err(|message| rows.error(number, message))?);
+        numbers.push(number);
         if points.len() > MAX_ROWS {
             return Err(Error::limit(format!(
                 "{place} has more than {MAX_ROWS} rows"
             )));
         }
     }
-    Ok((points, rows))
+    Ok((points, numbers))
 }
 
-/// The field without white space and one pair of double quotes around it.
-fn unquoted(field: &str) -> &str {
-    let field = field.trim();
-    field
-        .strip_prefix('"')
-        .and_then(|rest| rest.strip_suffix('"'))
-        .map_or(field, str::trim)
-}
-
-/// Whether a field of the first row belongs to a header. Infinity, NaN and numbers too large are
-/// mistakes, not words.
-fn is_word(field: &str) -> bool {
-    number(field).is_err() && field.parse::<f64>().is_err()
-}
-
-/// The double nearest to the number written, or what is wrong with it.
-fn number(field: &str) -> std::result::Result<f64, String> {
-    let is_plain = field
-        .bytes()
-        .all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E'));
-    let value = if is_plain {
-        field.parse().ok()
-    } else {
-        double_literal(field).ok().map(|exact| exact.to_f64())
-    };
-    match value {
-        Some(value) if value.is_finite() => Ok(value),
-        Some(_) => Err(format!("{field} is too large for a double")),
-        None => Err(format!(
-            "{:?} is not a number; each row must be x,y",
-            shortened(field)
-        )),
-    }
-}
-
-/// At most 40 characters of a field, for messages.
-fn shortened(field: &str) -> String {
-    let mut short: String = field.chars().take(40).collect();
-    if short.len() < field.len() {
-        short.push('…');
-    }
-    short
+fn value(field: &str) -> std::result::Result<f64, String> {
+    double(field).map_err(|message| match message.ends_with("not a number") {
+        true => format!("{message}; each row must be {COLUMNS}"),
+        false => message,
+    })
 }
 
 #[cfg(test)]

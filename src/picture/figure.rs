@@ -122,10 +122,12 @@ impl Figure {
     /// The rows of the legend.
     fn rows(&self) -> Vec<Row> {
         let layers = self.layers.iter().enumerate();
+        let layers = layers.filter(|(_, layer)| !layer.label.is_empty());
         let row = |(index, layer): (usize, &Layer)| {
             let style = self.style(index);
             let has_points = !layer.points.is_empty();
-            let remark = if has_points {
+            let has_lines = !layer.lines.is_empty();
+            let remark = if has_points && has_lines {
                 " (dot: its isolated point)"
             } else {
                 ""
@@ -134,8 +136,10 @@ impl Figure {
                 label: format!("{}{remark}", layer.label),
                 mark: if layer.filled {
                     Mark::Area(style)
-                } else {
+                } else if has_lines || !has_points {
                     Mark::Line(style)
+                } else {
+                    Mark::None
                 },
                 dot: has_points.then(|| color(index)),
             }

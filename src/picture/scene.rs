@@ -145,6 +145,7 @@ impl Scene {
             .layers
             .iter()
             .enumerate()
+            .filter(|(_, layer)| !layer.label.is_empty())
             .map(|(index, layer)| Row {
                 label: layer.label.clone(),
                 mark: match (layer.facets.is_empty(), layer.lines.is_empty()) {

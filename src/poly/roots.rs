@@ -154,6 +154,17 @@ impl RealRoot {
         }
     }
 
+    /// Whether both are the same number: a root of the other's polynomial, in the other's enclosure.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        let (low, high) = other.bounds();
+        let is_inside = self.cmp_dyadic(low).is_ge() && self.cmp_dyadic(high).is_le();
+        match &other.place {
+            Place::Exact(point) => self.cmp_dyadic(point).is_eq(),
+            Place::Between { .. } => is_inside && self.is_root_of(&other.polynomial),
+        }
+    }
+
     /// The root as a fraction, if it is rational.
     #[must_use]
     pub fn as_rational(&self) -> Option<Rational> {

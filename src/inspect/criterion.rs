@@ -1,0 +1,90 @@
+//! The criterion of Theorem 8: whether the sphere (or circle) about a point meets the surface (or curve).
+
+use super::chart::{CircleSection, SphereSection};
+use super::exact;
+use super::foot::difference;
+use super::inspector::{Inspector, Known, Point};
+use super::sphere::{OnSphere, on_sphere};
+use crate::field::{Field, dot};
+
+/// Sections that are more work than this ([`SphereSection::work`]) are left undecided, or their angles unsaid.
+pub const MAX_SECTION_WORK: f64 = 1e11;
+/// Of the points that patches leave so many are tried.
+const CANDIDATES: usize = 24;
+
+impl Inspector {
+    /// Whether f has both signs on the line through p and its foot where that meets the sphere, as doubles tell.
+    pub(super) fn signs_differ(&self, field: &Field, p: &Point, known: &Known) -> bool {
+        let Some(away) = self.towards_foot(field, p, known) else {
+            return false;
+        };
+        let scale = self.around[0] / dot(away, away).sqrt();
+        let at = |s: f64| std::array::from_fn(|i| p.near[i] + s * away[i]);
+        let [a, b] = [scale, -scale].map(|s| field.sign_near(at(s)));
+        matches!((a, b), (Some(a), Some(b)) if a != b)
+    }
+
+    fn towards_foot(&self, field: &Field, p: &Point, known: &Known) -> Option<[f64; 3]> {
+        let foot = known.foot.map(|q| difference(q, p.near));
+        let is_usable = |v: &[f64; 3]| dot(*v, *v) > 1e-20 * self.around[0] * self.around[0];
+        let direction = foot
+            .filter(is_usable)
+            .unwrap_or_else(|| field.gradient(p.near));
+        (dot(direction, direction) > 0.0 && direction.iter().all(|x| x.is_finite()))
+            .then_some(direction)
+    }
+
+    /// Whether the sphere of radius d about p meets the surface, of which a point is inside.
+    pub(super) fn sphere_meets(&self, field: &Field, p: &Point, known: &Known) -> Option<bool> {
+        if self.signs_differ(field, p, known) {
+            return Some(true);
+        }
+        // Patches of the sphere about the doubles: enough where that is the sphere itself.
+        let is_same = p.slack <= 0.0 && self.around[0] >= self.around[1];
+        let patches = on_sphere(
+            field,
+            p.near,
+            self.around[0],
+            if is_same {
+                0.0
+            } else {
+                p.slack + self.around[1] - self.around[0]
+            },
+        );
+        let points = match patches {
+            OnSphere::Zeros => return Some(true),
+            OnSphere::NoZeros => return Some(false),
+            OnSphere::Unknown(points) => points,
+        };
+        let step = points.len().div_ceil(CANDIDATES).max(1);
+        let foot = self.towards_foot(field, p, known);
+        let starts = points.iter().step_by(step).map(|x| difference(*x, p.near));
+        let backwards = foot.map(|v| v.map(|x| -x));
+        let exact_sign = |v: [f64; 3]| {
+            let x = exact::on_sphere(p.exactly(), &self.tolerance, v);
+            field.polynomial().evaluate(&x).signum()
+        };
+        let mut signs = foot
+            .into_iter()
+            .chain(backwards)
+            .chain(starts)
+            .map(exact_sign);
+        let first = signs.next();
+        if first == Some(0) || signs.any(|sign| Some(sign) != first) {
+            return Some(true);
+        }
+        self.section(field, p)
+    }
+
+    pub(super) fn circle_meets(&self, field: &Field, p: &Point) -> bool {
+        CircleSection::new(field.polynomial(), p.exactly(), &self.tolerance).has_points()
+    }
+
+    /// By the exact angle ranges of the section; `None` beyond the limits of what is computed.
+    pub(super) fn section(&self, field: &Field, p: &Point) -> Option<bool> {
+        let section = SphereSection::new(field.polynomial(), p.exactly(), &self.tolerance);
+        (section.work() <= MAX_SECTION_WORK)
+            .then(|| section.has_points(&self.limits).ok())
+            .flatten()
+    }
+}

@@ -1,0 +1,280 @@
+//! What doubles leave open, in exact arithmetic: bounds of the distance at a refined foot, and zeros at rational points.
+
+use nalgebra::{Vector3, Vector4};
+
+use super::foot::{difference, lagrange};
+use crate::exact::Rational;
+use crate::field::{Field, dot};
+
+/// Bits after the point to which feet are refined, one after the other.
+const LEVELS: [i64; 3] = [128, 256, 640];
+/// Steps towards a foot: each gains some 40 bits.
+const STEPS: usize = 80;
+/// Rational points are looked for in an interval of so many bits less than the foot is known to.
+const GUARD_BITS: i64 = 32;
+
+/// What is exactly known of a point and the nearest zeros.
+#[derive(Clone, Debug)]
+pub(super) enum Answer {
+    /// There is no zero within d.
+    Outside {
+        /// The square of a distance within which there is none.
+        low: Rational,
+    },
+    /// There is one within d.
+    Inside {
+        /// The squares of bounds of the distance.
+        low: Rational,
+        /// …
+        high: Rational,
+        /// A zero exactly at the distance d.
+        touches: bool,
+    },
+}
+
+pub(super) fn squared_length(v: &[Rational; 3]) -> Rational {
+    v.iter().fold(Rational::zero(), |sum, x| sum + x * x)
+}
+
+pub(super) fn exact_difference(a: &[Rational; 3], b: &[Rational; 3]) -> [Rational; 3] {
+    std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+fn exact_dot(a: &[Rational; 3], b: &[Rational; 3]) -> Rational {
+    a.iter()
+        .zip(b)
+        .fold(Rational::zero(), |sum, (x, y)| sum + x * y)
+}
+
+/// A double as an exact number; the doubles here are finite.
+fn rational(x: f64) -> Rational {
+    Rational::try_from(x).unwrap_or_default()
+}
+
+/// The same for a point.
+pub(super) fn rationals(p: [f64; 3]) -> [Rational; 3] {
+    p.map(rational)
+}
+
+/// Rounded down to so many bits after the point.
+fn rounded(x: &Rational, bits: i64) -> Rational {
+    let scale = Rational::from(2).pow(bits).unwrap_or_default();
+    Rational::from_parts((x * &scale).floor(), -bits)
+}
+
+/// Whether there is a zero within d of p, from the expansion about the foot near `start`; f has the given sign at p. The
+/// rule is that of [`super::foot::enclose`], with everything but the bounds of the curvature exact.
+///
+/// With a radius only zeros so near to the foot are excluded.
+pub(super) fn decide(
+    field: &Field,
+    p: &[Rational; 3],
+    d: &Rational,
+    start: [f64; 3],
+    sign: i8,
+    radius: Option<f64>,
+) -> Option<Answer> {
+    let target = d * d;
+    let mut q = start.map(rational);
+    for bits in LEVELS {
+        q = refined_foot(field, p, &q, bits)?;
+        let (low, high) = squared_bounds(field, p, &q, sign, radius);
+        if let Some(low) = &low
+            && *low > target
+        {
+            return Some(Answer::Outside { low: low.clone() });
+        }
+        if let Some(high) = high
+            && high <= target
+        {
+            let low = low.unwrap_or_default();
+            let touches = false;
+            return Some(Answer::Inside { low, high, touches });
+        }
+        let width = Rational::from(2).pow(GUARD_BITS - bits).unwrap_or_default();
+        if let Some(zero) = rational_zero(field, &q, &width) {
+            let high = squared_length(&exact_difference(p, &zero));
+            if high <= target {
+                let touches = high == target;
+                // The foot is a strict minimum within reach if the rule gives any bound there.
+                let low = low.filter(|low| *low <= high).unwrap_or_default();
+                return Some(Answer::Inside { low, high, touches });
+            }
+        }
+    }
+    None
+}
+
+/// The foot near q to so many bits after the point: q + ν∇f(q) = p, f(q) = 0, by Newton's method with the inverse of
+/// the derivatives in doubles and exact residuals.
+fn refined_foot(
+    field: &Field,
+    p: &[Rational; 3],
+    start: &[Rational; 3],
+    bits: i64,
+) -> Option<[Rational; 3]> {
+    let near = start.each_ref().map(Rational::to_f64);
+    let local = field.exact_local(&near.map(rational));
+    let away = difference(p.each_ref().map(Rational::to_f64), near);
+    let gradient = local.gradient;
+    let nu = dot(away, gradient) / dot(gradient, gradient);
+    let inverse = lagrange(&local, nu).try_inverse()?;
+    let mut q = start.clone();
+    let mut nu = rational(if nu.is_finite() { nu } else { return None });
+    let goal = Rational::from(2).pow(-bits)?;
+    let mut last: Option<Rational> = None;
+    for _ in 0..STEPS {
+        let (value, gradient) = field.exact_value_and_gradient(&q);
+        let away = exact_difference(p, &q);
+        let first: [Rational; 3] = std::array::from_fn(|i| &away[i] - &(&nu * &gradient[i]));
+        // Residuals are scaled, so that they are doubles however small they are.
+        let largest = first.iter().chain([&value]).map(Rational::abs).max()?;
+        if largest.is_zero() {
+            return Some(q);
+        }
+        // From a good start the residuals only shrink.
+        if last.is_some_and(|last| largest >= last) {
+            return None;
+        }
+        let residual = |x: &Rational| (x / &largest).to_f64();
+        let [a, b, c] = first.each_ref().map(residual);
+        let step = -(inverse * Vector4::new(a, b, c, residual(&value)));
+        if !step.iter().all(|s| s.is_finite()) {
+            return None;
+        }
+        let steps = step.map(|s| rational(s) * &largest);
+        q = std::array::from_fn(|i| rounded(&(&q[i] + &steps[i]), bits + 16));
+        nu = rounded(&(&nu + &steps[3]), bits + 16);
+        if steps.iter().take(3).all(|s| s.abs() < goal) {
+            return Some(q);
+        }
+        last = Some(largest);
+    }
+    None
+}
+
+/// Squares of bounds of the distance from p, from the expansion at q; the lower one for zeros within a radius of q, if there is
+/// one.
+///
+/// Within a small radius R the curvature along a need not be small: with n = a/|a|, w = u + τn, and ρ ≤ |a| it is
+/// τ ≥ (|w|² + |a|² − ρ²)/(2|a|) ≥ 0, so a loss of kτ|w| ≤ kRτ only takes kR/|a| from λ.
+fn squared_bounds(
+    field: &Field,
+    p: &[Rational; 3],
+    q: &[Rational; 3],
+    sign: i8,
+    radius: Option<f64>,
+) -> (Option<Rational>, Option<Rational>) {
+    let (value, gradient) = field.exact_value_and_gradient(q);
+    let sign_factor = Rational::from(i32::from(sign));
+    let value = value * &sign_factor;
+    let gradient = gradient.map(|g| g * &sign_factor);
+    let away = exact_difference(p, q);
+    let square = squared_length(&away);
+    let slope = exact_dot(&gradient, &away);
+    if slope.signum() <= 0 {
+        return (None, None);
+    }
+    // Doubles from here on are bounds, or numbers that may be chosen at will.
+    let lambda = (&slope / &square).to_f64();
+    let length = square.to_f64().sqrt();
+    let near = q.each_ref().map(Rational::to_f64);
+    let off: f64 = near.iter().map(|x| x.abs()).sum::<f64>() * f64::EPSILON;
+    let local = field.exact_local(&rationals(near));
+    let reach = (2.0 * length).min(radius.unwrap_or(f64::INFINITY)) * (1.0 + 1e-9) + off;
+    let [least, most] = local.curvature(reach, true);
+    let [least, most] = if sign > 0 {
+        [least, most]
+    } else {
+        [-most, -least]
+    };
+    let normal = away.each_ref().map(|x| x.to_f64() / length);
+    let [across, along] = local.one_sided(f64::from(sign), normal, reach);
+    let reduced = (lambda - along * reach / length) * (1.0 - 1e-9);
+    // Either rule, with what it makes of λ.
+    let rules = [(lambda, least), (reduced, across)];
+    let low = rules.into_iter().filter_map(|(pull, curvature)| {
+        let convexity = (pull / 2.0 + curvature) - 1e-9 * (pull.abs() + curvature.abs());
+        (pull > 0.0 && convexity > 0.0 && convexity.is_finite()).then(|| {
+            let lambda = rational(lambda);
+            let rest: [Rational; 3] = std::array::from_fn(|i| &gradient[i] - &(&lambda * &away[i]));
+            let loss = squared_length(&rest) / (Rational::from(4) * rational(convexity));
+            let surplus = if value.signum() < 0 {
+                &value - &loss
+            } else {
+                -loss
+            };
+            &square + &(surplus * Rational::from(2) / rational(pull))
+        })
+    });
+    let low = low.max();
+    let two = Rational::from(2);
+    let above = if value.signum() > 0 {
+        value
+    } else {
+        Rational::zero()
+    };
+    let beyond = above * &two / &slope;
+    let is_within = (&beyond * &rational(length)).to_f64() < reach;
+    let bends = rational(most.max(0.0)) * &beyond * &square;
+    let fits = is_within && beyond <= Rational::one() && bends * &two <= slope;
+    let longer = Rational::one() + beyond;
+    let high = fits.then(|| &square * &(&longer * &longer));
+    (low, high)
+}
+
+/// A zero of f whose coordinates are the simplest fractions within `width` of those of q.
+pub(super) fn rational_zero(
+    field: &Field,
+    q: &[Rational; 3],
+    width: &Rational,
+) -> Option<[Rational; 3]> {
+    let simple = q
+        .each_ref()
+        .map(|x| Rational::simplest_between(&(x - width), &(x + width)));
+    field
+        .polynomial()
+        .evaluate(&simple)
+        .is_zero()
+        .then_some(simple)
+}
+
+/// A critical point of f near `start`, in doubles: Newton's method, along directions in which f does not bend not at all.
+pub(super) fn critical_point(field: &Field, start: [f64; 3]) -> Option<[f64; 3]> {
+    let mut x = start;
+    for _ in 0..50 {
+        let local = field.local(x);
+        let svd = local.hessian().svd(true, true);
+        let flat = 1e-7 * svd.singular_values.max();
+        let step = svd.solve(&Vector3::from(local.gradient), flat).ok()?;
+        x = difference(x, step.into());
+        if !x.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        if step.amax() <= 1e-15 * x.iter().fold(1e-3, |m: f64, x| m.max(x.abs())) {
+            break;
+        }
+    }
+    Some(x)
+}
+
+/// The point of the sphere of radius d about p next to a direction, exactly: by stereographic projection from the pole opposite
+/// to its largest component.
+pub(super) fn on_sphere(p: &[Rational; 3], d: &Rational, direction: [f64; 3]) -> [Rational; 3] {
+    let length = dot(direction, direction).sqrt();
+    let unit = direction.map(|x| x / length);
+    let axis = (0..3)
+        .max_by(|&i, &j| unit[i].abs().total_cmp(&unit[j].abs()))
+        .unwrap_or(0);
+    let side = if unit[axis] < 0.0 { -1 } else { 1 };
+    let others = [(axis + 1) % 3, (axis + 2) % 3];
+    let [s, t] = others.map(|i| rational(unit[i] / (1.0 + unit[axis].abs())));
+    let one = Rational::one();
+    let squares = &s * &s + &t * &t;
+    let weight = &one + &squares;
+    let mut vector: [Rational; 3] = std::array::from_fn(|_| Rational::zero());
+    vector[axis] = (one - squares) / &weight * Rational::from(side);
+    vector[others[0]] = s * Rational::from(2) / &weight;
+    vector[others[1]] = t * Rational::from(2) / weight;
+    std::array::from_fn(|i| &p[i] + &(d * &vector[i]))
+}

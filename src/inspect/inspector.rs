@@ -1,0 +1,369 @@
+//! One point after the other against one surface, each by the cheapest rule that decides it.
+
+use std::cell::OnceCell;
+
+use super::distance::{Goal, nearest};
+use super::exact::{self, Answer};
+use super::foot::{approach, enclose};
+use super::{DistanceBounds, Inspection, Verdict};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::factor::{factor_plane, factor_space};
+use crate::field::{Field, dot};
+use crate::limits::Limits;
+use crate::poly::SparsePolynomial;
+use crate::shape::{ImplicitCurve, ImplicitSurface};
+
+/// Half a unit in the last place, relatively.
+const HALF_ULP: f64 = f64::EPSILON / 2.0;
+/// Points nearer to the surface than this part of the reach are not left to doubles.
+const NEARLY_ON: f64 = 1e-6;
+
+/// How points are inspected.
+#[derive(Clone, Debug)]
+pub struct InspectOptions {
+    /// d > 0: the largest distance that counts as inside.
+    pub tolerance: Rational,
+    /// Distances are looked for up to here, or up to the tolerance if that is more.
+    pub reach: f64,
+    /// The goal for the distance: so many significant digits.
+    pub digits: u32,
+    /// At most so many cubes are divided for one point and one factor of the polynomial.
+    pub cubes: usize,
+}
+
+/// What is inspected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Surface,
+    /// An equation in x and y, for points in space: the sphere meets it if and only if the disc does.
+    Cylinder,
+    /// A curve in the plane of x and y: the circle takes the place of the sphere.
+    Plane,
+}
+
+/// A surface or plane curve that points are held against.
+#[derive(Debug)]
+pub struct Inspector {
+    pub(super) kind: Kind,
+    /// The irreducible factors, so that repeated ones change sign, too.
+    factors: Vec<Field>,
+    pub(super) tolerance: Rational,
+    /// Doubles that enclose the tolerance.
+    pub(super) around: [f64; 2],
+    /// What lies beyond is not told.
+    asked: f64,
+    pub(super) goal: Goal,
+    pub(super) limits: Limits,
+}
+
+/// A point, as doubles and exactly.
+pub(super) struct Point<'a> {
+    pub(super) near: [f64; 3],
+    /// The exact point is at most this far from the doubles.
+    pub(super) slack: f64,
+    exactly: OnceCell<[Rational; 3]>,
+    read: &'a dyn Fn() -> [Rational; 3],
+}
+
+impl Point<'_> {
+    pub(super) fn exactly(&self) -> &[Rational; 3] {
+        self.exactly.get_or_init(self.read)
+    }
+}
+
+/// What is known of one factor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known {
+    pub(super) bounds: DistanceBounds,
+    pub(super) inside: Option<bool>,
+    pub(super) curve: Option<bool>,
+    /// The nearest point that was found.
+    pub(super) foot: Option<[f64; 3]>,
+}
+
+impl Inspector {
+    /// For points in space.
+    ///
+    /// ```
+    /// use stellate::inspect::{InspectOptions, Inspector, Verdict};
+    /// use stellate::language::{Numbers, parse_form};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::Form;
+    ///
+    /// let Form::Surface(sphere) = parse_form("x^2 + y^2 + z^2 = 1", "<form>", Numbers::Exact)? else { panic!() };
+    /// let options = InspectOptions { tolerance: "1/10".parse()?, reach: 0.0, digits: 6, cubes: 50_000 };
+    /// let inspector = Inspector::surface(&sphere, &options, &Limits::none())?;
+    /// let at = |x: &str, y: &str| inspector.inspect(&[x, y, "0"].map(|q| q.parse().unwrap()));
+    /// // Exactly at the distance 1/10: the sphere about the point touches the surface.
+    /// assert_eq!(at("0.66", "0.88").verdict, Verdict::Inside);
+    /// assert_eq!(at("0.66", "0.88").curve, Some(true));
+    /// assert_eq!(at("0.66", "0.8800000000000000000000000001").verdict, Verdict::Outside);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a constant or a tolerance that is not positive; those of [`factor_space`].
+    pub fn surface(
+        surface: &ImplicitSurface,
+        options: &InspectOptions,
+        limits: &Limits,
+    ) -> Result<Self> {
+        let kind = match surface.polynomial().to_plane() {
+            Some(_) => Kind::Cylinder,
+            None => Kind::Surface,
+        };
+        let factors = factor_space(surface.polynomial(), limits)?.factors;
+        let factors = factors.into_iter().map(|f| f.polynomial).collect();
+        Self::new(kind, factors, options, limits)
+    }
+
+    /// For points (x, y, 0) of the plane.
+    ///
+    /// # Errors
+    /// Likewise, and those of [`factor_plane`].
+    pub fn plane(curve: &ImplicitCurve, options: &InspectOptions, limits: &Limits) -> Result<Self> {
+        let factors = factor_plane(curve.polynomial(), limits)?.factors;
+        let factors = factors
+            .iter()
+            .map(|f| SparsePolynomial::from(&f.polynomial))
+            .collect();
+        Self::new(Kind::Plane, factors, options, limits)
+    }
+
+    fn new(
+        kind: Kind,
+        factors: Vec<SparsePolynomial<3>>,
+        options: &InspectOptions,
+        limits: &Limits,
+    ) -> Result<Self> {
+        if factors.is_empty() {
+            return Err(Error::Usage("a constant has no surface".into()));
+        }
+        let tolerance = options.tolerance.to_f64();
+        if options.tolerance.signum() <= 0 || !tolerance.is_normal() {
+            return Err(Error::Usage(format!(
+                "the tolerance {}: expected a positive number, such as 0.1",
+                options.tolerance
+            )));
+        }
+        let is_exact = Rational::try_from(tolerance).is_ok_and(|d| d == options.tolerance);
+        let around = if is_exact {
+            [tolerance; 2]
+        } else {
+            [tolerance.next_down(), tolerance.next_up()]
+        };
+        Ok(Self {
+            kind,
+            factors: factors.iter().map(Field::new).collect(),
+            tolerance: options.tolerance.clone(),
+            around,
+            asked: options.reach.max(around[1]),
+            goal: Goal {
+                // A little more, so that what is not reached is surely outside.
+                reach: options.reach.max(around[1] * (1.0 + 1e-9)),
+                tolerance: around[1],
+                relative: 0.1f64
+                    .powi(i32::try_from(options.digits).unwrap_or(i32::MAX))
+                    .max(1e-14),
+                cubes: options.cubes,
+            },
+            limits: limits.clone(),
+        })
+    }
+
+    /// What is certain of a point.
+    ///
+    /// Cost: for a point whose distance is small against the radii of curvature some ten evaluations of f and a Taylor
+    /// expansion, in doubles; a search of cubes for other ones; exact arithmetic for points at the very tolerance.
+    #[must_use]
+    pub fn inspect(&self, point: &[Rational; 3]) -> Inspection {
+        let near = point.each_ref().map(Rational::to_f64);
+        let double = |i: usize| Rational::try_from(near[i]).unwrap_or_default();
+        let off = (0..3).map(|i| (&double(i) - &point[i]).abs().to_f64() * (1.0 + 1e-9));
+        let slack = off.sum();
+        self.of_point(&Point {
+            near,
+            slack,
+            exactly: OnceCell::from(point.clone()),
+            read: &|| point.clone(),
+        })
+    }
+
+    /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
+    #[must_use]
+    pub fn inspect_near(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Inspection {
+        let size: f64 = near.iter().map(|x| x.abs()).sum();
+        self.of_point(&Point {
+            near,
+            slack: size * HALF_ULP * (1.0 + 1e-9) + f64::MIN_POSITIVE,
+            exactly: OnceCell::new(),
+            read: exactly,
+        })
+    }
+
+    fn of_point(&self, p: &Point) -> Inspection {
+        let mut all = Inspection {
+            verdict: Verdict::Outside,
+            curve: Some(false),
+            distance: DistanceBounds {
+                low: f64::INFINITY,
+                high: f64::INFINITY,
+            },
+        };
+        for field in &self.factors {
+            let known = self.of_factor(field, p);
+            all.distance.low = all.distance.low.min(known.bounds.low);
+            all.distance.high = all.distance.high.min(known.bounds.high);
+            all.verdict = match (all.verdict, known.inside) {
+                (Verdict::Inside, _) | (_, Some(true)) => Verdict::Inside,
+                (Verdict::Undecided, _) | (_, None) => Verdict::Undecided,
+                (Verdict::Outside, Some(false)) => Verdict::Outside,
+            };
+            all.curve = match (all.curve, known.curve) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (None, _) | (_, None) => None,
+                (Some(false), Some(false)) => Some(false),
+            };
+        }
+        if all.distance.high > self.asked {
+            // Nothing was found within reach.
+            all.distance.high = f64::INFINITY;
+        }
+        all
+    }
+
+    fn of_factor(&self, field: &Field, p: &Point) -> Known {
+        let mut known = self.by_doubles(field, p);
+        if known.inside.is_none() || !self.is_close(&known.bounds) {
+            self.by_search(field, p, &mut known);
+        }
+        known.curve = match known.inside {
+            None => known.curve,
+            Some(false) => Some(false),
+            Some(true) if known.curve.is_some() => known.curve,
+            Some(true) => match self.kind {
+                Kind::Cylinder => Some(true),
+                Kind::Plane => {
+                    Some(self.signs_differ(field, p, &known) || self.circle_meets(field, p))
+                }
+                Kind::Surface => self.sphere_meets(field, p, &known),
+            },
+        };
+        known
+    }
+
+    /// Whether the bounds of the distance are as close as asked.
+    fn is_close(&self, bounds: &DistanceBounds) -> bool {
+        bounds.low >= self.goal.reach
+            || bounds.high - bounds.low <= self.goal.relative * bounds.high
+    }
+
+    /// A quick proof that all is far away, or the expansion at the foot.
+    fn by_doubles(&self, field: &Field, p: &Point) -> Known {
+        let mut known = Known {
+            bounds: DistanceBounds::UNKNOWN,
+            inside: None,
+            curve: None,
+            foot: None,
+        };
+        let (value, normal) = field.value_and_gradient(p.near);
+        let reach = self.goal.reach + p.slack;
+        let is_far = value.abs() > 2.0 * reach * dot(normal, normal).sqrt();
+        if is_far && field.local(p.near).excludes(reach) {
+            known.bounds.low = self.goal.reach;
+            known.inside = Some(false);
+            return known;
+        }
+        let sign = field.sign(p.near);
+        if sign == 0 && p.slack <= 0.0 {
+            known.bounds = DistanceBounds::ZERO;
+            known.inside = Some(true);
+            return known;
+        }
+        let goal = (self.goal.relative.sqrt() / 32.0).min(1e-3);
+        known.foot = approach(field, p.near, p.near, goal);
+        if let Some(q) = known.foot
+            && sign != 0
+        {
+            let found = enclose(field, p.near, q, sign);
+            self.learn(&mut known, found, p.slack);
+        }
+        known
+    }
+
+    /// Takes bounds that hold for the doubles.
+    fn learn(&self, known: &mut Known, found: DistanceBounds, slack: f64) {
+        known.bounds.low = known.bounds.low.max((found.low - slack) * (1.0 - HALF_ULP));
+        known.bounds.high = known
+            .bounds
+            .high
+            .min((found.high + slack) * (1.0 + 2.0 * HALF_ULP));
+        if known.bounds.high <= self.around[0] {
+            known.inside = Some(true);
+        } else if known.bounds.low > self.around[1] {
+            known.inside = Some(false);
+        }
+    }
+
+    /// What the expansion in doubles leaves open: cubes, and what can be proved of the rest.
+    fn by_search(&self, field: &Field, p: &Point, known: &mut Known) {
+        let sign = field.polynomial().evaluate(p.exactly()).signum();
+        if sign == 0 {
+            known.bounds = DistanceBounds::ZERO;
+            known.inside = Some(true);
+            return;
+        }
+        // Where doubles tell the distance but for their rounding, the exact expansion tells the rest.
+        let bounds = known.bounds;
+        let is_nearly_known =
+            bounds.low > 0.9 * bounds.high || bounds.high < NEARLY_ON * self.goal.reach;
+        if let Some(start) = known.foot.filter(|_| is_nearly_known) {
+            self.by_exact_foot(field, p, start, sign, known);
+            if known.inside.is_some() && self.is_close(&known.bounds) {
+                return;
+            }
+        }
+        let mut goal = self.goal;
+        goal.reach += p.slack;
+        goal.tolerance += p.slack;
+        let near_sign = field.sign(p.near);
+        let outer = DistanceBounds {
+            low: (known.bounds.low - p.slack).max(0.0),
+            high: known.bounds.high + p.slack,
+        };
+        let found = nearest(field, p.near, near_sign, outer, goal);
+        self.learn(known, found.bounds, p.slack);
+        if known.inside.is_none() {
+            self.by_proof(field, p, &found.left, sign, known);
+        }
+    }
+
+    /// The exact expansion at the foot.
+    fn by_exact_foot(
+        &self,
+        field: &Field,
+        p: &Point,
+        start: [f64; 3],
+        sign: i8,
+        known: &mut Known,
+    ) {
+        let root = |square: &Rational| square.to_f64().max(0.0).sqrt();
+        match exact::decide(field, p.exactly(), &self.tolerance, start, sign, None) {
+            Some(Answer::Outside { low }) => {
+                known.inside = Some(false);
+                let low = root(&low) * (1.0 - f64::EPSILON);
+                known.bounds.low = known.bounds.low.max(low.max(self.around[0]));
+            }
+            Some(Answer::Inside { low, high, touches }) => {
+                known.inside = Some(true);
+                known.curve = touches.then_some(true);
+                let low = root(&low) * (1.0 - f64::EPSILON);
+                let high = root(&high) * (1.0 + f64::EPSILON);
+                known.bounds.low = known.bounds.low.max(low);
+                known.bounds.high = known.bounds.high.min(high.min(self.around[1]));
+            }
+            None => {}
+        }
+    }
+}

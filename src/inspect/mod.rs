@@ -1,0 +1,69 @@
+//! Inspection (§4 of the paper): is a point within a tolerance of a surface or a plane curve, exactly?
+//!
+//! Theorem 8 asks whether the sphere of radius d about p and f = 0 meet in a real curve. That is sufficient for a distance of at
+//! most d, but not necessary: a whole component may lie inside the ball. Both questions are answered here
+//! ([`Inspection::curve`], [`Inspection::verdict`]), with certified bounds of the distance itself.
+//!
+//! Doubles with error bounds decide nearly all points ([`Inspector`]): an expansion at the foot of the point, else cubes and
+//! patches of the sphere. What they leave open is decided in exact arithmetic: at a refined foot, at rational points,
+//! by the exact angle ranges of the section ([`SphereSection`]), or by the gap between 0 and the smallest positive minimum. If
+//! that fails, too, the verdict is [`Verdict::Undecided`].
+
+mod chart;
+mod criterion;
+mod distance;
+mod exact;
+mod foot;
+mod gap;
+mod inspector;
+mod proof;
+mod sphere;
+
+pub use chart::{CircleSection, SphereSection, sphere_about};
+pub use criterion::MAX_SECTION_WORK;
+pub use inspector::{InspectOptions, Inspector};
+
+/// What is proved of a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceBounds {
+    /// No point of the surface is nearer.
+    pub low: f64,
+    /// Some point of the surface is at most this far away; ∞ where none was found within reach.
+    pub high: f64,
+}
+
+impl DistanceBounds {
+    /// What is known before anything is known.
+    pub(crate) const UNKNOWN: Self = Self {
+        low: 0.0,
+        high: f64::INFINITY,
+    };
+    /// A point of the surface.
+    const ZERO: Self = Self {
+        low: 0.0,
+        high: 0.0,
+    };
+}
+
+/// Whether the distance is at most the tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// It is.
+    Inside,
+    /// It is not.
+    Outside,
+    /// The stated work did not suffice to tell.
+    Undecided,
+}
+
+/// What is certain of one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inspection {
+    /// Whether the distance is at most the tolerance, exactly.
+    pub verdict: Verdict,
+    /// The paper's criterion, exactly: whether the sphere (for a plane curve: the circle) whose radius is the tolerance and the
+    /// surface have a real point in common. `None` where that is undecided.
+    pub curve: Option<bool>,
+    /// Bounds of the distance.
+    pub distance: DistanceBounds,
+}

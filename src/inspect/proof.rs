@@ -1,0 +1,200 @@
+//! Verdicts on what the search leaves: a few small cubes that may hold zeros within the tolerance.
+
+use super::distance::{Cube, holds_no_closed_piece};
+use super::exact::{self, Answer};
+use super::foot::{approach, stationary};
+use super::gap::zero_in_ball;
+use super::inspector::{Inspector, Kind, Known, Point};
+use crate::exact::Rational;
+use crate::field::{Field, distance};
+
+/// Of the cubes so many are tried as places of feet and of rational zeros.
+const CANDIDATES: usize = 24;
+
+impl Inspector {
+    /// All zeros within the tolerance, if any, are in the given cubes.
+    pub(super) fn by_proof(
+        &self,
+        field: &Field,
+        p: &Point,
+        left: &[Cube],
+        sign: i8,
+        known: &mut Known,
+    ) {
+        let step = left.len().div_ceil(CANDIDATES).max(1);
+        let starts: Vec<[f64; 3]> = left.iter().step_by(step).map(|c| c.middle).collect();
+        self.by_feet(field, p, left, &starts, sign, known);
+        if known.inside.is_some() {
+            return;
+        }
+        let Some(lonely) = self.by_rational_zero(field, p, &starts, known) else {
+            return;
+        };
+        known.curve = match self.kind {
+            Kind::Surface => self.section(field, p),
+            Kind::Plane | Kind::Cylinder => Some(self.circle_meets(field, p)),
+        };
+        if known.curve == Some(true) {
+            known.inside = Some(true);
+            known.bounds.high = known.bounds.high.min(self.around[1]);
+        } else if known.curve == Some(false)
+            && holds_no_closed_piece(&without(left, &lonely), p.near, field.is_flat())
+        {
+            known.inside = Some(false);
+            known.bounds.low = known.bounds.low.max(self.around[0]);
+        } else {
+            self.by_gap(field, p, &starts, known);
+        }
+    }
+
+    /// By the expansions at the feet near the cubes: one of them proves a zero, or each excludes those in the cubes around it.
+    fn by_feet(
+        &self,
+        field: &Field,
+        p: &Point,
+        left: &[Cube],
+        starts: &[[f64; 3]],
+        sign: i8,
+        known: &mut Known,
+    ) {
+        let mut feet: Vec<([f64; 3], f64)> = Vec::new();
+        for start in starts {
+            let quick = approach(field, p.near, *start, 1e-9);
+            if let Some(q) = quick.or_else(|| stationary(field, p.near, *start))
+                && !feet
+                    .iter()
+                    .any(|(x, _)| distance(*x, q) < 1e-6 * self.goal.reach)
+            {
+                feet.push((q, 0.0));
+            }
+        }
+        for cube in left {
+            let far = |q: [f64; 3]| distance(q, cube.middle) + 2.0 * cube.half;
+            let nearest = feet.iter_mut().min_by(|a, b| far(a.0).total_cmp(&far(b.0)));
+            if let Some((q, radius)) = nearest {
+                *radius = radius.max(far(*q));
+            }
+        }
+        let mut is_outside = !feet.is_empty();
+        for (q, radius) in feet {
+            let d = &self.tolerance;
+            match exact::decide(field, p.exactly(), d, q, sign, Some(radius)) {
+                Some(Answer::Outside { .. }) => {}
+                Some(Answer::Inside { high, touches, .. }) => {
+                    known.inside = Some(true);
+                    known.curve = touches.then_some(true);
+                    known.foot = Some(q);
+                    let high = high.to_f64().sqrt() * (1.0 + f64::EPSILON);
+                    known.bounds.high = known.bounds.high.min(high.min(self.around[1]));
+                    return;
+                }
+                None => is_outside = false,
+            }
+        }
+        if is_outside {
+            known.inside = Some(false);
+            known.bounds.low = known.bounds.low.max(self.around[0]);
+        }
+    }
+
+    /// Zeros at rational points: where the ball touches, or singular ones. If none of them is within the tolerance: balls
+    /// in which such a zero, farther away, is the only one, because it is critical and f convex there.
+    fn by_rational_zero(
+        &self,
+        field: &Field,
+        p: &Point,
+        starts: &[[f64; 3]],
+        known: &mut Known,
+    ) -> Option<Vec<([f64; 3], f64)>> {
+        let mut lonely: Vec<([f64; 3], f64)> = Vec::new();
+        let square = &self.tolerance * &self.tolerance;
+        let size = p
+            .near
+            .iter()
+            .fold(self.goal.reach, |m: f64, x| m.max(x.abs()));
+        let width = Rational::try_from(1e-9 * size).unwrap_or_default();
+        for start in starts {
+            if lonely
+                .iter()
+                .any(|(zero, radius)| distance(*zero, *start) < *radius)
+            {
+                continue;
+            }
+            let candidates = [
+                exact::critical_point(field, *start),
+                approach(field, p.near, *start, 1e-9),
+                Some(*start),
+            ];
+            for x in candidates.into_iter().flatten() {
+                let Some(mut zero) = exact::rational_zero(field, &exact::rationals(x), &width)
+                else {
+                    continue;
+                };
+                if field.is_flat() {
+                    zero[2] = p.exactly()[2].clone();
+                }
+                let away = exact::squared_length(&exact::exact_difference(p.exactly(), &zero));
+                if away <= square {
+                    known.inside = Some(true);
+                    known.curve = (away == square).then_some(true);
+                    known.foot = Some(zero.each_ref().map(Rational::to_f64));
+                    let high = away.to_f64().sqrt() * (1.0 + f64::EPSILON);
+                    known.bounds.high = known.bounds.high.min(high);
+                    known.bounds.low = known.bounds.low.min(known.bounds.high);
+                    return None;
+                }
+                lonely.extend(self.lonely(field, &zero));
+            }
+        }
+        Some(lonely)
+    }
+
+    /// A ball about a critical zero in which f is convex: there is no other zero in it.
+    fn lonely(&self, field: &Field, zero: &[Rational; 3]) -> Option<([f64; 3], f64)> {
+        let (_, gradient) = field.exact_value_and_gradient(zero);
+        let local = field.exact_local(zero);
+        let radii = (0..40).map(|k| self.goal.reach * 0.5f64.powi(k));
+        let mut radii = radii.filter(|radius| local.is_convex(*radius));
+        let radius = radii
+            .next()
+            .filter(|_| gradient.iter().all(Rational::is_zero))?;
+        Some((zero.each_ref().map(Rational::to_f64), radius))
+    }
+
+    /// Zeros at critical points that are not rational.
+    fn by_gap(&self, field: &Field, p: &Point, starts: &[[f64; 3]], known: &mut Known) {
+        let critical = starts
+            .iter()
+            .filter_map(|x| exact::critical_point(field, *x));
+        let inside = critical.filter(|x| distance(*x, p.near) < self.around[0]);
+        let mut tried: Vec<[f64; 3]> = Vec::new();
+        for x in inside {
+            let is_known = |y: &[f64; 3]| distance(*y, x) < 1e-6 * self.around[0];
+            if tried.iter().any(is_known) {
+                continue;
+            }
+            tried.push(x);
+            if let Some(zero) = zero_in_ball(field, p.exactly(), &self.tolerance, x) {
+                let away = exact::squared_length(&exact::exact_difference(p.exactly(), &zero));
+                known.inside = Some(true);
+                known.bounds.high = away.to_f64().sqrt() * (1.0 + 1e-12);
+                known.bounds.low = known.bounds.low.min(known.bounds.high);
+                return;
+            }
+        }
+    }
+}
+
+/// The cubes that are not inside one of the balls.
+fn without(cubes: &[Cube], balls: &[([f64; 3], f64)]) -> Vec<Cube> {
+    let is_inside = |cube: &Cube| {
+        balls
+            .iter()
+            .any(|(middle, radius)| distance(*middle, cube.middle) + 2.0 * cube.half < *radius)
+    };
+    cubes
+        .iter()
+        .filter(|cube| !is_inside(cube))
+        .copied()
+        .collect()
+}

@@ -1,0 +1,181 @@
+//! Rows of numbers, one after the other: tables of any length in bounded memory.
+//!
+//! Rows are split here and not by the `csv` crate because messages name rows: its positions do not
+//! count the blank lines and comments that it skips before a record.
+
+use std::io::{BufRead, Read};
+
+use crate::error::{Error, Result};
+use crate::exact::double_literal;
+
+/// The longest row, in bytes.
+const MAX_ROW_BYTES: u64 = 1 << 16;
+
+/// Reads rows of numbers with commas between them. The first row may be a header; blank rows and rows that begin with `#`
+/// are skipped.
+///
+/// ```
+/// use stellate::rows::{RowReader, double, fields};
+/// let mut rows = RowReader::new("x,y\n\n1,-0x1p-1\n".as_bytes(), "points.csv", "x,y");
+/// let (number, row) = rows.next_row()?.unwrap();
+/// assert_eq!((number, row), (3, "1,-0x1p-1"));
+/// assert_eq!(fields(row).map(double).collect::<Vec<_>>(), [Ok(1.0), Ok(-0.5)]);
+/// assert!(rows.next_row()?.is_none());
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct RowReader<'a, R> {
+    reader: R,
+    place: &'a str,
+    expected: &'a str,
+    row: usize,
+    may_be_header: bool,
+    line: Vec<u8>,
+}
+
+impl<'a, R: BufRead> RowReader<'a, R> {
+    /// `place` names the source, and `expected` the columns, in messages.
+    pub fn new(reader: R, place: &'a str, expected: &'a str) -> Self {
+        Self {
+            reader,
+            place,
+            expected,
+            row: 0,
+            may_be_header: true,
+            line: Vec::new(),
+        }
+    }
+
+    /// The next row with its number (counted from 1, every line counts), trimmed; `None` at the end.
+    ///
+    /// # Errors
+    /// [`Error::Data`] for what is not text or longer than 64 KiB; [`Error::Io`] if reading fails.
+    pub fn next_row(&mut self) -> Result<Option<(usize, &str)>> {
+        loop {
+            self.line.clear();
+            self.row += 1;
+            let length = (&mut self.reader)
+                .take(MAX_ROW_BYTES)
+                .read_until(b'\n', &mut self.line)
+                .map_err(|source| Error::Io {
+                    path: self.place.into(),
+                    source,
+                })?;
+            if length == 0 {
+                return Ok(None);
+            }
+            let row = self.text()?;
+            let is_content = !(row.is_empty() || row.starts_with('#'));
+            let is_header = is_content && self.may_be_header && fields(row).all(is_word);
+            if is_content {
+                self.may_be_header = false;
+                if !is_header {
+                    break;
+                }
+            }
+        }
+        Ok(Some((self.row, self.text()?)))
+    }
+
+    fn text(&self) -> Result<&str> {
+        let text = std::str::from_utf8(&self.line).map_err(|_| {
+            self.error(
+                self.row,
+                format!("not text; each row must be {}", self.expected),
+            )
+        })?;
+        if !text.ends_with('\n') && self.line.len() as u64 >= MAX_ROW_BYTES {
+            return Err(self.error(
+                self.row,
+                format!(
+                    "longer than {MAX_ROW_BYTES} bytes; each row must be {}",
+                    self.expected
+                ),
+            ));
+        }
+        Ok(text.trim_start_matches('\u{feff}').trim())
+    }
+
+    /// What is wrong with a row.
+    pub fn error(&self, row: usize, message: impl Into<String>) -> Error {
+        row_error(self.place, row, message)
+    }
+}
+
+/// What is wrong with a row of the source `place`.
+#[must_use]
+pub fn row_error(place: &str, row: usize, message: impl Into<String>) -> Error {
+    Error::data(format!("{place}, row {row}"), message)
+}
+
+/// The N fields of a row, or what is wrong.
+///
+/// # Errors
+/// The message for another number of fields.
+pub fn fields_of<'r, const N: usize>(
+    row: &'r str,
+    expected: &str,
+) -> std::result::Result<[&'r str; N], String> {
+    let mut all = fields(row);
+    let mut found = [""; N];
+    let mut count = 0;
+    for (slot, field) in found.iter_mut().zip(&mut all) {
+        *slot = field;
+        count += 1;
+    }
+    count += all.count();
+    if count == N {
+        return Ok(found);
+    }
+    let columns = match count {
+        1 => "1 column".into(),
+        n => format!("{n} columns"),
+    };
+    Err(format!("found {columns}; each row must be {expected}"))
+}
+
+/// The fields of a row, without white space and one pair of double quotes around each.
+pub fn fields(row: &str) -> impl Iterator<Item = &str> {
+    row.split(',').map(|field| {
+        let field = field.trim();
+        field
+            .strip_prefix('"')
+            .and_then(|rest| rest.strip_suffix('"'))
+            .map_or(field, str::trim)
+    })
+}
+
+/// Whether a field of the first row belongs to a header. Infinity, NaN and numbers too large are
+/// mistakes, not words.
+fn is_word(field: &str) -> bool {
+    double(field).is_err() && field.parse::<f64>().is_err()
+}
+
+/// The double nearest to the number written, or what is wrong with it.
+///
+/// # Errors
+/// The message for what is no finite number.
+pub fn double(field: &str) -> std::result::Result<f64, String> {
+    let is_plain = field
+        .bytes()
+        .all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E'));
+    let value = if is_plain {
+        field.parse().ok()
+    } else {
+        double_literal(field).ok().map(|exact| exact.to_f64())
+    };
+    match value {
+        Some(value) if value.is_finite() => Ok(value),
+        Some(_) => Err(format!("{field} is too large for a double")),
+        None => Err(format!("{:?} is not a number", shortened(field))),
+    }
+}
+
+/// At most 40 characters of a field, for messages.
+fn shortened(field: &str) -> String {
+    let mut short: String = field.chars().take(40).collect();
+    if short.len() < field.len() {
+        short.push('…');
+    }
+    short
+}
