@@ -77,6 +77,7 @@
 //! Departures from the paper are marked `DIFFERENCE` with the erratum.
 
 pub mod arcs;
+pub mod check;
 pub mod describe;
 pub mod document;
 pub mod error;

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
 
+use super::check_arguments::{CHECK_EXAMPLES, Check};
+
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 #[derive(Debug, Parser)]
 #[command(version, about, max_term_width = 100, after_help = FORMS)]
@@ -42,9 +44,9 @@ pub(crate) struct Common {
     /// How the result is written [default: text; sample: csv]
     #[arg(long, global = true, value_enum)]
     pub(crate) format: Option<Format>,
-    /// Decimals shown for algebraic numbers
-    #[arg(long, global = true, value_name = "D", default_value_t = 16, value_parser = clap::value_parser!(u32).range(0..=10_000))]
-    pub(crate) digits: u32,
+    /// Decimals shown for algebraic numbers [default: 16]; check: the digits that everything must have
+    #[arg(long, global = true, value_name = "D", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    pub(crate) digits: Option<u32>,
     /// Read decimals as written, or as the nearest double
     #[arg(long, global = true, value_enum, default_value_t = NumberReading::Exact)]
     pub(crate) numbers: NumberReading,
@@ -114,6 +116,9 @@ pub(crate) enum Verb {
   stellate plot 'x = (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)' -o torus.svg
   stellate plot 'x^2 + y^2 + 0z = 1' 'z = y^5' 'x = cos(t); y = sin(t); z = sin(t)^5' -o curve.png")]
     Plot(Plot),
+    /// How many digits of a float program's coefficients, points or radii are right, and which usual mistake explains the rest
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(Check),
 }
 
 #[derive(Debug, Args)]

@@ -72,7 +72,7 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
             "plane curves, surfaces and space curves",
         )),
     })?;
-    let digits = session.common.digits;
+    let digits = session.decimals();
     write_result(session, |out| {
         write_description(&description, &annotations, digits, format, out)
     })

@@ -2,6 +2,9 @@
 
 mod arcs;
 mod arguments;
+mod check;
+mod check_arguments;
+mod check_plot;
 mod describe;
 mod fit;
 mod implicitize;
@@ -24,6 +27,7 @@ use arguments::{Arguments, Verb};
 use session::Session;
 
 /// Exit codes of the contract.
+const ANSWER_IS_NO: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 const LIMIT_REACHED: u8 = 3;
 
@@ -47,11 +51,14 @@ pub(crate) fn main() -> ExitCode {
             Verb::Sample(verb) => sample::run(&verb, &mut session),
             Verb::Mesh(verb) => mesh::run(&verb, &mut session),
             Verb::Plot(verb) => plot::run(&verb, &mut session),
+            Verb::Check(verb) => check::run(&verb, &mut session),
         }?;
-        session.finish()
+        session.finish()?;
+        Ok(session.answer_is_no)
     });
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::SUCCESS,
+        Ok(true) => ExitCode::from(ANSWER_IS_NO),
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             session::report(&format!("stellate: {error}"));

@@ -25,6 +25,14 @@ pub(crate) fn write_result(
     })
 }
 
+/// Writes another file than the result, in the same way.
+pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &mut Session) -> Result<()> {
+    session.begin_writing();
+    session.stage("write", |session| {
+        write_file(path, session, |out| out.write_all(bytes))
+    })
+}
+
 /// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`) is written
 /// to instead: renaming would put a file in its place.
 fn write_file(
@@ -65,20 +73,25 @@ fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
 
 /// Refuses `-o` into a missing folder or onto a folder before any work is done.
 pub(crate) fn check_destination(session: &Session) -> Result<()> {
-    let Some(path) = &session.common.output else {
-        return Ok(());
-    };
+    match &session.common.output {
+        Some(path) => check_place("-o", path),
+        None => Ok(()),
+    }
+}
+
+/// The same for the file that another option names.
+pub(crate) fn check_place(option: &str, path: &Path) -> Result<()> {
     let folder = folder_of(path);
     if !folder.is_dir() {
         return Err(Error::Usage(format!(
-            "-o {}: there is no folder {}",
+            "{option} {}: there is no folder {}",
             path.display(),
             folder.display()
         )));
     }
     if path.is_dir() {
         return Err(Error::Usage(format!(
-            "-o {}: that is a folder",
+            "{option} {}: that is a folder",
             path.display()
         )));
     }

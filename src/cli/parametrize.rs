@@ -51,7 +51,7 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             ));
         }
         let spherical = parametrize_space_superquadric(shape);
-        let digits = session.common.digits;
+        let digits = session.decimals();
         return write_result(session, |out| {
             write_surface_parametrization(&spherical, &[], &[], digits, format, out)
         });
@@ -85,7 +85,7 @@ pub(crate) fn run(verb: &Parametrize, session: &mut Session) -> Result<()> {
             "--format csv: only a radius that is a Fourier series is a table of coefficients; text, json, latex, sympy and maple write closed forms".into(),
         ));
     }
-    let digits = session.common.digits;
+    let digits = session.decimals();
     write_result(session, |out| {
         write_parametrization(&parametrization, fit.as_ref(), digits, format, out)
     })
@@ -142,7 +142,7 @@ fn surface_form(
         });
         Ok((Vec::new(), answers.collect()))
     })?;
-    let digits = session.common.digits;
+    let digits = session.decimals();
     write_result(session, |out| {
         write_surface_parametrization(&spherical, &meridians, &directions, digits, format, out)
     })

@@ -16,6 +16,9 @@ use super::arguments::{Common, NumberReading};
 /// A checkpoint gets this long after the deadline to end the work in good order.
 const GRACE: Duration = Duration::from_millis(200);
 
+/// Decimals shown for algebraic numbers without `--digits`.
+const DEFAULT_DECIMALS: u32 = 16;
+
 /// A progress bar waits this long before it shows itself.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 
@@ -26,6 +29,8 @@ const MAX_THREADS: usize = 1024;
 pub(crate) struct Session {
     pub(crate) common: Common,
     pub(crate) limits: Limits,
+    /// Whether the work is done and its answer is "no".
+    pub(crate) answer_is_no: bool,
     stages: Vec<(&'static str, Duration)>,
     /// Set once output may have begun: from then on work ends at checkpoints only.
     writing: Arc<AtomicBool>,
@@ -68,9 +73,20 @@ impl Session {
         Ok(Self {
             common,
             limits,
+            answer_is_no: false,
             stages: Vec::new(),
             writing,
         })
+    }
+
+    /// Done, and the answer is "no".
+    pub(crate) fn answer_no(&mut self) {
+        self.answer_is_no = true;
+    }
+
+    /// Decimals shown for algebraic numbers.
+    pub(crate) fn decimals(&self) -> u32 {
+        self.common.digits.unwrap_or(DEFAULT_DECIMALS)
     }
 
     /// How numbers are read.

@@ -115,14 +115,16 @@ pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Resu
 }
 
 /// The rows of a CSV file, all equally long, each with its place.
-struct Table {
+pub(super) struct Table {
     header: Option<(String, Vec<String>)>,
-    rows: Vec<(String, Vec<String>)>,
+    pub(super) rows: Vec<(String, Vec<String>)>,
+    /// The line of each row, from 1.
+    pub(super) lines: Vec<usize>,
     center: Option<[Rational; 2]>,
 }
 
 impl Table {
-    fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
+    pub(super) fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
         check_size(text, source_name)?;
         let text = text.trim_start_matches('\u{feff}');
         let mut reader = ::csv::ReaderBuilder::new()
@@ -134,6 +136,7 @@ impl Table {
         let mut table = Table {
             header: None,
             rows: Vec::new(),
+            lines: Vec::new(),
             center: read_center(text, source_name, numbers)?,
         };
         for (n, record) in reader.records().enumerate() {
@@ -155,6 +158,9 @@ impl Table {
                 table.header = Some((place, row));
             } else {
                 table.rows.push((place, row));
+                table
+                    .lines
+                    .push(usize::try_from(line).unwrap_or(usize::MAX));
             }
         }
         if table.rows.is_empty() {
@@ -163,13 +169,13 @@ impl Table {
         Ok(table)
     }
 
-    fn width(&self) -> Option<usize> {
+    pub(super) fn width(&self) -> Option<usize> {
         let header = self.header.as_ref().map(|(_, row)| row.len());
         header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
     }
 
     /// Checks the names of the columns, if there are any.
-    fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
+    pub(super) fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
         let Some((place, names)) = &self.header else {
             return Ok(());
         };

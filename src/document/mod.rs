@@ -5,6 +5,8 @@
 
 mod angles;
 mod arcs;
+mod check;
+mod check_tables;
 mod coordinates;
 mod csv;
 mod description;
@@ -15,6 +17,7 @@ mod implicitization;
 mod intersection;
 mod intersection_curves;
 mod json;
+mod ladder;
 mod mesh;
 mod node;
 mod numeric;
@@ -29,6 +32,8 @@ mod terms;
 use std::{fmt, io};
 
 pub use arcs::{arcs_text, write_arcs};
+pub use check::write_check;
+pub use check_tables::{read_points_csv, read_radii_csv};
 pub use coordinates::Coordinates;
 pub use csv::{read_coefficients_csv, read_fourier_csv};
 pub use description::{write_description, write_space_curve_description};
@@ -37,6 +42,7 @@ pub use implicit::{Annotations, write_implicit, write_surface};
 pub use intersection::write_intersection;
 pub use intersection_curves::write_intersection_curves;
 pub use json::read_document;
+pub use ladder::write_ladder;
 pub use mesh::{MeshFormat, write_mesh};
 pub use parametric::write_parametrization;
 pub use samples::{NominalAngles, SampledRay, write_samples};

@@ -4,12 +4,14 @@
 //! `num-rational` convert to and from it.
 
 mod angle;
+mod circle;
 mod dyadic;
 mod literal;
 mod rational;
 mod rounding;
 
 pub use angle::{arctangent, pi};
+pub use circle::cosine_and_sine;
 pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal};
 pub use malachite::Integer;
