@@ -2,6 +2,9 @@
 
 use std::convert::Infallible;
 
+use malachite::base::num::arithmetic::traits::FloorSqrt;
+use malachite::base::num::logic::traits::SignificantBits;
+
 use crate::exact::{Rational, nearest_double};
 
 /// Where counting decimal digits ends: a double has no more of them.
@@ -115,6 +118,18 @@ pub(super) fn nearest_root(q: &Rational) -> f64 {
     root
 }
 
+/// A rational number within 2^−120 of √q, relatively, for q > 0.
+pub(super) fn close_root(q: &Rational) -> Rational {
+    const BITS: i64 = 124;
+    // √(p/d) = √(p d 4^k) / (d 2^k), with a k that leaves enough bits to the integer root.
+    let (p, d) = (q.numerator(), q.denominator());
+    let product = p * &d;
+    let bits = i64::try_from(product.significant_bits()).unwrap_or(i64::MAX);
+    let k = (BITS - bits / 2).max(0);
+    let root = (product << (2 * k)).floor_sqrt();
+    Rational::from_parts(root, -k) / Rational::from(d)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -158,6 +173,10 @@ mod tests {
             let q = Rational::try_from(v).unwrap();
             prop_assert_eq!(nearest_root(&(&q * &q)).to_bits(), v.to_bits());
             prop_assert_eq!(nearest_root(&q).to_bits(), v.sqrt().to_bits());
+            if v > 0.0 {
+                let square = close_root(&q).pow(2).unwrap();
+                prop_assert!((&square - &q).abs() <= q * Rational::from_parts(1.into(), -119));
+            }
         }
     }
 }

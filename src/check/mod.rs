@@ -7,6 +7,7 @@
 
 mod coefficients;
 mod comparison;
+mod condition;
 mod deviation;
 mod enclosed_ray;
 mod float_theorem2;
@@ -18,9 +19,11 @@ mod radii;
 mod reference;
 mod scale;
 mod series;
+mod vectors;
 
 pub use coefficients::compare_coefficients;
 pub use comparison::{Comparison, NOISE_DIGITS, Place, Residual, Row};
+pub use condition::{RootConditions, coefficient_conditions};
 pub use deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
 pub use float_theorem2::FloatTheorem2;
 pub use ladder::{DigitsKept, Rung, ladder};
@@ -30,3 +33,6 @@ pub use radii::GivenRadius;
 pub use reference::Reference;
 pub use scale::{Meaning, Scale};
 pub use series::SeriesValues;
+pub use vectors::{
+    CoefficientVector, InputsOf, PointVector, RadiusVector, TestVectors, VectorInput, test_vectors,
+};

@@ -6,7 +6,7 @@ use malachite::base::num::basic::traits::One;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::comparison::{Comparison, Place, Residual, Row};
-use super::deviation::{Deviation, nearest_root, unit_in_the_last_place};
+use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
 use super::mistakes::diagnose;
 use super::nearest::nearest_to_one;
 use super::reference::Reference;
@@ -97,11 +97,11 @@ impl Surface {
         let terms = along(&self.f, &vector, &w);
         let value = value(&terms, &self.f, &w);
         let square = p.iter().fold(Rational::zero(), |sum, v| sum + v * v);
-        let got = nearest_root(&square);
-        let (exact, deviation) = if value.is_zero() {
-            (Rational::try_from(got).ok(), Deviation::exact())
-        } else {
-            distance(&terms, got)
+        let radius = (!square.is_zero()).then(|| close_root(&square));
+        let (exact, deviation) = match radius {
+            radius if value.is_zero() => (radius, Deviation::exact()),
+            Some(radius) => distance(&terms, &radius),
+            None => (None, Deviation::infinite()),
         };
         let gradient = self.gradient.each_ref().map(|g| {
             let terms = along(g, &vector, &w);
@@ -112,7 +112,7 @@ impl Surface {
                 line: point.line,
                 position: point.position,
             },
-            got,
+            got: nearest_root(&square),
             exact,
             deviation,
             residual: Some(residual(&value, &gradient)),
@@ -120,16 +120,13 @@ impl Surface {
     }
 }
 
-/// The radius of the nearest branch on the ray of a point at the distance `got` from the origin, and how far it is.
-fn distance(terms: &[(usize, Integer)], got: f64) -> (Option<Rational>, Deviation) {
+/// The radius of the nearest branch on the ray of a point at this distance from the origin, and how far it is.
+fn distance(terms: &[(usize, Integer)], radius: &Rational) -> (Option<Rational>, Deviation) {
     let nearest = nearest_to_one(terms);
     let Some((offset, relative)) = nearest.and_then(|o| o.relative().map(|r| (o, r))) else {
         return (None, Deviation::infinite());
     };
-    let Ok(radius) = Rational::try_from(got) else {
-        return (None, Deviation::infinite());
-    };
-    let exact = (Rational::one() + &offset.high) * &radius;
+    let exact = (Rational::one() + &offset.high) * radius;
     let unit = unit_in_the_last_place(exact.to_f64());
     let ulps = (offset.high.abs() * radius / unit).to_f64();
     (Some(exact), Deviation::bounded(relative, ulps))

@@ -1,11 +1,17 @@
 //! A Fourier radius at an angle that is a double: a transcendental number, enclosed as closely as asked.
 
+use std::cmp::Ordering;
+use std::convert::Infallible;
+
 use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 
-use crate::exact::{Rational, cosine_and_sine};
+use crate::exact::{Rational, cosine_and_sine, nearest_double};
 use crate::shape::FourierRadius;
+
+/// The precision of a first look, in bits.
+const FIRST_BITS: u32 = 128;
 
 /// r(θ) for exact angles, over one common denominator.
 #[derive(Clone, Debug)]
@@ -54,24 +60,76 @@ impl SeriesValues {
         let count = Integer::from(self.cos.len());
         let more = u32::try_from(count.significant_bits()).unwrap_or(u32::MAX);
         let precision = bits.saturating_add(more).saturating_add(5);
-        let unit = Integer::ONE << precision;
-        let fixed = |v: Rational| (v * Rational::from(&unit)).floor();
-        let [c, s] = cosine_and_sine(theta, precision + 2).map(fixed);
-        let (mut re, mut im) = (unit.clone(), Integer::ZERO);
-        let mut sum = Integer::ZERO;
-        for (a, b) in self.cos.iter().zip(&self.sin) {
-            sum += a * &re + b * &im;
-            let next = (&re * &c - &im * &s) >> precision;
-            im = (re * &s + im * &c) >> precision;
-            re = next;
-        }
-        let below = &self.denominator * &unit;
+        let [sum, _] = self.sums(theta, precision);
+        let below = &self.denominator << precision;
         let over = |v: Integer| Rational::new(v, below.clone()).unwrap_or_default();
         if theta.is_zero() || self.cos.len() == 1 {
             return [over(sum.clone()), over(sum)];
         }
         let error = &self.size * Integer::from(6) * count;
         [over(&sum - &error), over(sum + error)]
+    }
+
+    /// The double nearest to r(θ), certified.
+    ///
+    /// ```
+    /// use stellate::check::SeriesValues;
+    /// use stellate::exact::Rational;
+    /// use stellate::shape::FourierRadius;
+    /// let radius = FourierRadius::new(vec![2.into(), 1.into()], vec![]);
+    /// let r = SeriesValues::new(&radius).nearest_double(&Rational::from(1));
+    /// assert_eq!(r, 2.54030230586814);
+    /// ```
+    #[must_use]
+    pub fn nearest_double(&self, theta: &Rational) -> f64 {
+        let [guess, _] = self.bounds(theta, FIRST_BITS);
+        let compare = |bound: &Rational| {
+            let mut bits = FIRST_BITS;
+            loop {
+                let [low, high] = self.bounds(theta, bits);
+                if low > *bound {
+                    return Ok::<_, Infallible>(Ordering::Greater);
+                }
+                if high < *bound {
+                    return Ok(Ordering::Less);
+                }
+                // Only a rational value can be equal, and it is its own enclosure.
+                if low == high {
+                    return Ok(Ordering::Equal);
+                }
+                bits *= 2;
+            }
+        };
+        let Ok(double) = nearest_double(guess.to_f64(), compare);
+        double
+    }
+
+    /// The condition of r(θ) with respect to relative errors of the coefficients, each its own: (Σ |a_n cos nθ| +
+    /// |b_n sin nθ|)/|r(θ)|, rounded; infinite where r(θ) = 0.
+    #[must_use]
+    pub fn condition(&self, theta: &Rational) -> f64 {
+        let [sum, sizes] = self.sums(theta, FIRST_BITS);
+        let sum = Integer::from(sum.unsigned_abs_ref().clone());
+        Rational::new(sizes, sum).map_or(f64::INFINITY, |q| q.to_f64())
+    }
+
+    /// D 2^precision times Σ a_n cos nθ + b_n sin nθ, and times the sum of the sizes of the terms, up to errors.
+    fn sums(&self, theta: &Rational, precision: u32) -> [Integer; 2] {
+        let unit = Integer::ONE << precision;
+        let fixed = |v: Rational| (v * Rational::from(&unit)).floor();
+        let [c, s] = cosine_and_sine(theta, precision + 2).map(fixed);
+        let (mut re, mut im) = (unit.clone(), Integer::ZERO);
+        let [mut sum, mut sizes] = [Integer::ZERO, Integer::ZERO];
+        for (a, b) in self.cos.iter().zip(&self.sin) {
+            for term in [a * &re, b * &im] {
+                sizes += Integer::from(term.unsigned_abs_ref().clone());
+                sum += term;
+            }
+            let next = (&re * &c - &im * &s) >> precision;
+            im = (re * &s + im * &c) >> precision;
+            re = next;
+        }
+        [sum, sizes]
     }
 }
 

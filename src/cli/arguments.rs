@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
 
-use super::check_arguments::{CHECK_EXAMPLES, Check};
+use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
 
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 #[derive(Debug, Parser)]
@@ -119,6 +119,9 @@ pub(crate) enum Verb {
     /// How many digits of a float program's coefficients, points or radii are right, and which usual mistake explains the rest
     #[command(after_help = CHECK_EXAMPLES)]
     Check(Check),
+    /// Test vectors for float programs: inputs, exact results, nearest doubles and condition numbers, as one JSON document
+    #[command(after_help = VECTORS_EXAMPLES)]
+    Vectors(Vectors),
 }
 
 #[derive(Debug, Args)]

@@ -30,7 +30,9 @@ pub(crate) fn run(verb: &Check, session: &mut Session) -> Result<()> {
     if verb.data.itself {
         return check_itself(verb, figure, format, session);
     }
-    let (reference, name) = reference(&verb.reference, &verb.fit, session)?;
+    let Given {
+        reference, name, ..
+    } = reference(&verb.reference, &verb.fit, session)?;
     let found = compared(&reference, &verb.data, session)?;
     if let Some(figure) = figure {
         let chart = digits_chart(&found, mark, &name);
@@ -65,12 +67,16 @@ fn check_itself(
     write_result(session, |out| write_ladder(&rungs, format, out))
 }
 
+/// The exact form of a verb that concerns float programs.
+pub(super) struct Given {
+    pub(super) reference: Reference,
+    pub(super) name: String,
+    /// Whether it was given by functions of parameters.
+    pub(super) is_parametric: bool,
+}
+
 /// The exact form to be compared with, and its name; of a contour its fit, and the fit with one harmonic more.
-pub(super) fn reference(
-    argument: &str,
-    flags: &FitFlags,
-    session: &mut Session,
-) -> Result<(Reference, String)> {
+pub(super) fn reference(argument: &str, flags: &FitFlags, session: &mut Session) -> Result<Given> {
     let input = input::read(argument, session)?;
     let name = input.short_name();
     let next = match (&input.content, flags.harmonics) {
@@ -78,6 +84,7 @@ pub(super) fn reference(
         _ => None,
     };
     let fitted = input::exact_form(input, flags, session)?;
+    let is_parametric = matches!(fitted.form, Form::PlaneCurve(_) | Form::Patch(_));
     let form = match fitted.form {
         Form::Superquadric(shape) => Form::Curve(input::polynomial_of(&shape)?),
         Form::SpaceSuperquadric(shape) => Form::Surface(ImplicitSurface::new(shape.polynomial()?)),
@@ -105,7 +112,11 @@ pub(super) fn reference(
         Some(next) => reference.with_next(next),
         None => reference,
     };
-    Ok((reference, name))
+    Ok(Given {
+        reference,
+        name,
+        is_parametric,
+    })
 }
 
 fn compared(

@@ -12,8 +12,15 @@ Examples:
   stellate check outline.csv --harmonics 39 --points mine.csv --plot digits.svg
   stellate check 'r = 1 + 1/5*cos(3*t)' --radii mine.csv --format json
 Numbers of the file are doubles, bit for bit: decimals, or hex floats such as 0x1.8p+1.
-The exit code is 1 if something has fewer than --digits D correct digits. Without --digits it is 1 if a
-term is missing, if one is there that is no rounding error, or if a usual mistake is recognised.";
+The exit code is 1 if something has fewer than --digits D correct digits. Without --digits it is
+1 if a term is missing, if one is there that is no rounding error, or if a usual mistake is
+recognised.";
+
+pub(crate) const VECTORS_EXAMPLES: &str = "\
+Examples:
+  stellate vectors 'r = 1 + 1/5*cos(3*t)' -o vectors.json
+  stellate vectors outline.csv --harmonics 10 --directions 360 -o vectors.json
+The inputs are rounded to doubles, and everything else follows from these doubles exactly.";
 
 #[derive(Debug, Args)]
 pub(crate) struct Check {

@@ -17,6 +17,7 @@ mod plot;
 mod plot_space;
 mod sample;
 mod session;
+mod vectors;
 
 use std::process::ExitCode;
 
@@ -52,6 +53,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Mesh(verb) => mesh::run(&verb, &mut session),
             Verb::Plot(verb) => plot::run(&verb, &mut session),
             Verb::Check(verb) => check::run(&verb, &mut session),
+            Verb::Vectors(verb) => vectors::run(&verb, &mut session),
         }?;
         session.finish()?;
         Ok(session.answer_is_no)

@@ -139,9 +139,14 @@ impl Table {
             lines: Vec::new(),
             center: read_center(text, source_name, numbers)?,
         };
+        let mut lines = Lines {
+            text,
+            at: 0,
+            before: 0,
+        };
         for (n, record) in reader.records().enumerate() {
             let record = record.map_err(|error| Error::data(source_name, error.to_string()))?;
-            let line = record.position().map_or(0, ::csv::Position::line);
+            let line = lines.of_record(record.position().map_or(0, ::csv::Position::byte));
             let place = format!("{source_name}, line {line}");
             let row: Vec<String> = record.iter().map(str::to_owned).collect();
             if let Some(width) = table.width()
@@ -158,9 +163,7 @@ impl Table {
                 table.header = Some((place, row));
             } else {
                 table.rows.push((place, row));
-                table
-                    .lines
-                    .push(usize::try_from(line).unwrap_or(usize::MAX));
+                table.lines.push(line);
             }
         }
         if table.rows.is_empty() {
@@ -192,6 +195,31 @@ impl Table {
         let wanted: Vec<String> = expected.iter().map(|names| names.join(",")).collect();
         let message = format!("expected the columns {}", wanted.join(" or "));
         Err(Error::data(place, message))
+    }
+}
+
+/// Counts lines as an editor does: the reader's own count leaves out the comments and blank lines before a record.
+struct Lines<'a> {
+    text: &'a str,
+    at: usize,
+    before: usize,
+}
+
+impl Lines<'_> {
+    /// The line, from 1, of the record that the reader found after so many bytes; records come in order.
+    fn of_record(&mut self, byte: u64) -> usize {
+        let byte = usize::try_from(byte).unwrap_or(usize::MAX);
+        let skipped = self.text.get(self.at..byte).unwrap_or("");
+        self.before += skipped.matches('\n').count();
+        self.at += skipped.len();
+        while let Some((line, _)) = self.text[self.at..].split_once('\n') {
+            if !line.trim_end_matches('\r').is_empty() && !line.starts_with('#') {
+                break;
+            }
+            self.before += 1;
+            self.at += line.len() + 1;
+        }
+        self.before + 1
     }
 }
 

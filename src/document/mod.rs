@@ -28,6 +28,7 @@ mod samples;
 mod spherical;
 mod superquadric;
 mod terms;
+mod vectors;
 
 use std::{fmt, io};
 
@@ -51,6 +52,7 @@ pub use superquadric::{
     write_space_superquadric, write_space_superquadric_description, write_superquadric,
     write_superquadric_description,
 };
+pub use vectors::write_vectors;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
