@@ -279,7 +279,10 @@ fn points_beside_a_circle_and_a_sphere() {
     assert!((outside.deviation.relative().unwrap().to_f64() - 0.125).abs() < 1e-15);
     assert!((outside.deviation.ulps - 0.125 * 2f64.powi(52)).abs() < 1.0);
     let bits = |v: [f64; 2]| v.map(f64::to_bits);
-    assert_eq!(bits([residual.value, residual.first_order]), bits([17.0 / 64.0, 17.0 / 144.0]));
+    assert_eq!(
+        bits([residual.value, residual.first_order]),
+        bits([17.0 / 64.0, 17.0 / 144.0])
+    );
     // The doubles 0.6 and 0.8 are not on the circle, but within half an ulp.
     assert!(near.deviation.ulps > 0.0 && near.deviation.ulps <= 0.5 && near.deviation.reaches(16));
     assert!(origin.exact.is_none() && !origin.deviation.reaches(0));
@@ -362,6 +365,47 @@ fn radii_at_angles_that_are_doubles() {
         .check_radii(&[given(1.0, 3.0), given(0.0, 3.0)], &limits)
         .unwrap();
     assert!(found.rows.iter().all(|row| row.exact.is_none()));
+}
+
+#[test]
+fn numbers_of_any_size_are_compared() {
+    let limits = Limits::none();
+    // r = 2 + cos t, and its polynomial: near 2.54 at theta = 1.
+    let radius = FourierRadius::new(vec![2.into(), 1.into()], vec![]);
+    let curve = SquaredForm::new(&radius).unwrap().expand();
+    for (theta, r) in [
+        (1.0, 1e300),
+        (1.0, 1e-300),
+        (1.0, 5e-324),
+        (1e300, 2.0),
+        (1e-300, 3.0),
+        (-0.0, 3.0),
+    ] {
+        let given = [GivenRadius { line: 1, theta, r }];
+        let by_series = Reference::of_radius(&radius)
+            .unwrap()
+            .check_radii(&given, &limits)
+            .unwrap();
+        let by_polynomial = Reference::of_curve(&curve)
+            .check_radii(&given, &limits)
+            .unwrap();
+        let exact = |found: &Comparison| found.rows[0].exact.as_ref().unwrap().to_significant(19);
+        // For tiny radii the other branch, on the other side, is nearer.
+        if r < 1.0 {
+            assert_eq!(exact(&by_polynomial), "-1.459697694131860283");
+        } else {
+            assert_eq!(exact(&by_series), exact(&by_polynomial), "{theta} {r}");
+        }
+    }
+    for x in [1e300, 5e-324, 1e-150] {
+        let point = [GivenPoint {
+            line: 1,
+            position: [x, x, 0.0],
+        }];
+        let found = circle(3).check_points(&point, &limits).unwrap();
+        let exact = found.rows[0].exact.as_ref().unwrap().to_f64().abs();
+        assert!((exact - 3.0).abs() < 1e-15, "{x}: {exact}");
+    }
 }
 
 #[test]

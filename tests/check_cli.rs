@@ -390,6 +390,67 @@ fn references_of_every_kind() {
 }
 
 #[test]
+fn coefficients_of_a_surface_and_of_a_curve_about_a_centre() {
+    let surface = "i,j,k,value\n2,0,0,0.5\n0,2,0,1\n0,0,1,-0.15\n";
+    let check = [
+        "check",
+        "x^2 + 2y^2 = 0.3z",
+        "--coefficients",
+        "data.csv",
+        "--digits",
+        "15",
+        "--format",
+        "csv",
+    ];
+    let run = with_data(surface, &check);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(
+        run.out
+            .starts_with("i,j,k,got,exact,digits,ulps\n2,0,0,0.5,0.5,17.00,0\n"),
+        "{}",
+        run.out
+    );
+    // About the fit's centre, said or unsaid; not about another one.
+    let butterfly = outline("butterfly");
+    let document = done(&[
+        "implicitize",
+        &butterfly,
+        "--harmonics",
+        "2",
+        "--format",
+        "json",
+        "--quiet",
+        "--decimals",
+        "1",
+    ]);
+    let check = [
+        "check",
+        &butterfly,
+        "--harmonics",
+        "2",
+        "--decimals",
+        "1",
+        "--coefficients",
+        "-",
+        "--digits",
+        "15",
+        "--quiet",
+    ];
+    let center = json(&document)["center"].clone();
+    assert_eq!(run_in(Path::new("."), &check, &document).code, 0);
+    let elsewhere = document.replace(&center.to_string(), "[\"1\",\"2\"]");
+    assert_ne!(elsewhere, document);
+    let run = run_in(Path::new("."), &check, &elsewhere);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err
+            .contains("the coefficients are relative to (1, 2), the reference to"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
 fn the_algorithm_in_doubles_is_a_table_and_a_picture() {
     let folder = TempDir::new().unwrap();
     let butterfly = outline("butterfly");

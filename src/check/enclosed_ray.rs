@@ -20,7 +20,7 @@ const FIRST_BITS: u32 = 192;
 /// … and the one at which the work is given up: the roots there cannot be told apart.
 const MOST_BITS: u32 = 1 << 14;
 
-/// The distance of a root from 1 is enclosed to 2^−this of itself …
+/// The distance of a root λ from 1 is enclosed to 2^−this of itself and of λ …
 const ROOT_BITS: i64 = 76;
 /// … and no root is nearer by more than 2^−this of it.
 const REACH_BITS: i64 = 24;
@@ -171,6 +171,7 @@ impl Enclosed {
     /// For coefficients without error.
     fn nearest_exact(&self) -> Option<Offset> {
         let mut coefficients = self.middle.clone();
+        // No root 0.
         let zeros = coefficients.iter().take_while(|c| **c == 0).count();
         coefficients.drain(..zeros);
         nearest_to_zero(&shift_by_one(Self::polynomial(&coefficients)))
@@ -188,9 +189,10 @@ impl Enclosed {
             (&offset.high, &offset.low)
         };
         // A little room around the root, so that signs differ.
-        let room = |bits: i64| inner * &Rational::from_parts(Integer::ONE, -bits);
-        let reach = (inner - &room(REACH_BITS)).abs();
-        let (inner, outer) = (inner - &room(ROOT_BITS), outer + &room(ROOT_BITS));
+        let part = |size: &Rational, bits: i64| size * &Rational::from_parts(Integer::ONE, -bits);
+        let reach = (inner - &part(inner, REACH_BITS)).abs();
+        let room = part(&offset.size(), ROOT_BITS) * Rational::from(i32::from(inner.signum()));
+        let (inner, outer) = (inner - &room, outer + &room);
         let error = self.error_within(&outer.abs());
         let [less, more] = bounds(&shifted, &error);
         let sign = |at: &Rational| {

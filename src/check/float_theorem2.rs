@@ -99,11 +99,10 @@ impl FloatTheorem2 {
         self.parts.iter().map(|(_, form)| value(form, x, y)).sum()
     }
 
-    /// The two roots of F(r cos θ, r sin θ) = 0 in doubles: the parts at (cos θ, sin θ) by their monomials, then the formula
-    /// of the quadratic, without cancellation. NaN where its discriminant is negative.
+    /// The two roots r of F(rx, ry) = 0 in doubles, for a direction (x, y) = (cos θ, sin θ): the parts at (x, y) by their
+    /// monomials, then the formula of the quadratic, without cancellation. NaN where its discriminant is negative.
     #[must_use]
-    pub fn radii(&self, theta: f64) -> [f64; 2] {
-        let (y, x) = theta.sin_cos();
+    pub fn radii(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let top = self.parts.first().map_or(0, |(d, _)| *d);
         let mut values = [0.0; 3];
         for (degree, form) in &self.parts {
@@ -117,11 +116,16 @@ impl FloatTheorem2 {
 
 /// The form at (x, y), monomial by monomial.
 fn value(form: &[f64], x: f64, y: f64) -> f64 {
-    let power = |base: f64, k: usize| base.powi(i32::try_from(k).unwrap_or(i32::MAX));
-    let terms = form.iter().enumerate();
-    terms
-        .map(|(k, c)| c * power(x, form.len() - 1 - k) * power(y, k))
-        .sum()
+    // By multiplication, which is the same on every machine.
+    let powers = |base: f64| -> Vec<f64> {
+        let next = |p: &f64| Some(p * base);
+        std::iter::successors(Some(1.0), next)
+            .take(form.len())
+            .collect()
+    };
+    let (xs, ys) = (powers(x), powers(y));
+    let terms = form.iter().zip(xs.iter().rev()).zip(&ys);
+    terms.map(|((c, x), y)| c * x * y).sum()
 }
 
 #[cfg(test)]
@@ -140,7 +144,7 @@ mod tests {
             f.polynomial().unwrap(),
             SparsePolynomial::from(exact.polynomial())
         );
-        let found = f.radii(1.0);
+        let found = f.radii([1f64.cos(), 1f64.sin()]);
         let near = |r: f64| found.iter().any(|v| (v - r).abs() < 1e-15);
         assert!(near(1.0 + 1f64.cos()) && near(1f64.cos() - 1.0));
         assert!(f.evaluate(2.0, 0.0).abs() < 1e-15);

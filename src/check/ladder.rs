@@ -12,7 +12,7 @@ use super::mistakes::truncated;
 use super::reference::Reference;
 use super::series::SeriesValues;
 use crate::error::Result;
-use crate::exact::Rational;
+use crate::exact::{Rational, cosine_and_sine};
 use crate::limits::Limits;
 use crate::poly::PlanePolynomial;
 use crate::shape::FourierRadius;
@@ -140,12 +140,15 @@ fn on_ray(
     values: &SeriesValues,
 ) -> OnRay {
     let at = |v: f64| Rational::try_from(v).ok();
-    let [r, _] = values.bounds(&at(theta).unwrap_or_default(), RADIUS_BITS);
+    let angle = at(theta).unwrap_or_default();
+    // Correctly rounded, and so the same on every machine.
+    let [c, s] = cosine_and_sine(&angle, RADIUS_BITS).map(|v| v.to_f64());
+    let [r, _] = values.bounds(&angle, RADIUS_BITS);
     let rounded = r.to_f64();
     // F in doubles and exactly, at the same point.
     let both = |outside: f64| {
         let radius = rounded * (1.0 + outside);
-        let (x, y) = (radius * theta.cos(), radius * theta.sin());
+        let (x, y) = (radius * c, radius * s);
         let value = exact.evaluate(&at(x).unwrap_or_default(), &at(y).unwrap_or_default());
         (at(float.evaluate(x, y)), value)
     };
@@ -159,7 +162,7 @@ fn on_ray(
     let digits = |got: Option<Rational>, exact: &Rational| {
         got.map_or(0.0, |got| Deviation::between(&got, exact).digits())
     };
-    let radii = float.radii(theta).map(|root| digits(at(root), &r));
+    let radii = float.radii([c, s]).map(|root| digits(at(root), &r));
     OnRay {
         right_signs,
         near: digits(got, &value),

@@ -22,6 +22,17 @@ impl Offset {
         self.low.abs().min(self.high.abs())
     }
 
+    /// A lower bound of |δ| and |1 + δ|, the smaller one of them.
+    pub(super) fn size(&self) -> Rational {
+        let one = Rational::one();
+        let [a, b] = [&one + &self.low, one + &self.high];
+        if a.signum() == b.signum() {
+            self.inner().min(a.abs()).min(b.abs())
+        } else {
+            Rational::zero()
+        }
+    }
+
     /// An upper bound of |δ|/|1 + δ|, the distance relative to the root.
     pub(super) fn relative(&self) -> Option<Rational> {
         let at = |delta: &Rational| {
@@ -33,7 +44,7 @@ impl Offset {
     }
 }
 
-/// The real root λ ≠ 0 of Σ c_d λ^d that is nearest to 1, as δ = λ − 1, exactly 0 or enclosed to 2⁻⁸⁰ of itself; `None` if there
+/// The real root λ ≠ 0 of Σ c_d λ^d that is nearest to 1, as δ = λ − 1, exactly 0 or enclosed to 2⁻⁸⁰ of itself and of λ; `None` if there
 /// is no real root but 0. Of two that are equally near (to 2⁻⁸⁰) it is either. The terms (d, c_d) descend in d.
 ///
 /// Cost: a Taylor shift, then the isolation of the real roots.
@@ -49,7 +60,7 @@ pub(super) fn nearest_to_one(terms: &[(usize, Integer)]) -> Option<Offset> {
     )))
 }
 
-/// The real root nearest to 0.
+/// The real root δ nearest to 0, where −1 is no root.
 pub(super) fn nearest_to_zero(f: &IntegerPolynomial) -> Option<Offset> {
     let roots = real_roots(f);
     let below = roots.iter().rev().find(|root| root.signum() < 0);
@@ -65,12 +76,21 @@ pub(super) fn nearest_to_zero(f: &IntegerPolynomial) -> Option<Offset> {
     sides.min_by(|a, b| a.inner().cmp(&b.inner()))
 }
 
+/// Bounds of δ, close enough for δ and for the root 1 + δ, neither of which is 0.
 fn enclosed(root: &RealRoot) -> Offset {
     let mut root = root.clone();
-    root.refine(DISTANCE_BITS);
-    let (low, high) = root.bounds();
-    Offset {
-        low: low.to_rational(),
-        high: high.to_rational(),
+    let mut bits = DISTANCE_BITS;
+    loop {
+        root.refine(bits);
+        let (low, high) = root.bounds();
+        let offset = Offset {
+            low: low.to_rational(),
+            high: high.to_rational(),
+        };
+        let width = &offset.high - &offset.low;
+        if width <= offset.size() * Rational::from_parts(Integer::from(1), -DISTANCE_BITS) {
+            return offset;
+        }
+        bits *= 2;
     }
 }

@@ -99,7 +99,7 @@ impl Surface {
         let square = p.iter().fold(Rational::zero(), |sum, v| sum + v * v);
         let radius = (!square.is_zero()).then(|| close_root(&square));
         let (exact, deviation) = match radius {
-            radius if value.is_zero() => (radius, Deviation::exact()),
+            radius if value.is_zero() => (Some(radius.unwrap_or_default()), Deviation::exact()),
             Some(radius) => distance(&terms, &radius),
             None => (None, Deviation::infinite()),
         };

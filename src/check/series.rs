@@ -78,7 +78,7 @@ impl SeriesValues {
     /// use stellate::shape::FourierRadius;
     /// let radius = FourierRadius::new(vec![2.into(), 1.into()], vec![]);
     /// let r = SeriesValues::new(&radius).nearest_double(&Rational::from(1));
-    /// assert_eq!(r, 2.54030230586814);
+    /// assert_eq!(r, 2.540_302_305_868_139_7);
     /// ```
     #[must_use]
     pub fn nearest_double(&self, theta: &Rational) -> f64 {

@@ -27,6 +27,14 @@ pub(crate) fn run(verb: &Check, session: &mut Session) -> Result<()> {
     }
     let mark = session.common.digits;
     let figure = verb.plot.as_deref().map(Picture::named).transpose()?;
+    let file = [&verb.data.coefficients, &verb.data.points, &verb.data.radii];
+    let file = file.into_iter().flatten().next();
+    if verb.reference == "-" && file.is_some_and(|file| file == "-") {
+        return Err(Error::Usage(
+            "standard input (-) is either the reference or the file that is checked, not both"
+                .into(),
+        ));
+    }
     if verb.data.itself {
         return check_itself(verb, figure, format, session);
     }

@@ -66,6 +66,24 @@ struct MistakeEntry<'a> {
 /// Writes what a check found, judged by the mark if there is one: text, JSON of kind `check`, or CSV with a row for every
 /// comparison.
 ///
+/// The fields of the JSON document: `what` (`coefficients`, `points` or `radii`), `compared`, the `worst` row (`digits`, `ulps`,
+/// `where`, `got`, `exact`; of points also `residual` and `first_order`), `median_digits`, `digits_lost` (at worst, of the
+/// 15.95 of a double), `mark`, `below` (how many `failures` there are), `passes`, the terms that are `missing` and `extra`,
+/// the common factor as `scale` and `scale_meaning`, `mistakes` (`name`, `explanation`, and how many numbers miss so many
+/// `digits` beside the reference, `faults`, and beside what the mistake gives, `faults_left`), `histogram` (how many
+/// numbers have 0, 1, …, 17 whole digits), `worst_rows`. Exact numbers are strings: p/q of coefficients, decimals of what
+/// is irrational. What is infinite or absent is null.
+///
+/// ```
+/// use stellate::check::compare_coefficients;
+/// use stellate::document::{Format, write_check};
+/// use stellate::poly::SparsePolynomial;
+/// let f = SparsePolynomial::from_terms([([2, 0, 0], 1.into()), ([0, 0, 0], (-2).into())]);
+/// let mut out = Vec::new();
+/// write_check(&compare_coefficients(&f, &f), Some(15), Format::Text, &mut out).unwrap();
+/// assert!(String::from_utf8(out).unwrap().ends_with("passes: everything has 15 digits\n"));
+/// ```
+///
 /// # Errors
 /// Those of `out`; `Unsupported` for other formats.
 pub fn write_check(
@@ -393,7 +411,10 @@ pub(super) fn tenths(digits: f64) -> String {
 /// About three digits.
 fn short(value: f64) -> String {
     let size = value.abs();
-    if size == 0.0 || (1e-2..1e5).contains(&size) {
+    if size == 0.0 {
+        return "0".into();
+    }
+    if (1e-2..1e5).contains(&size) {
         let text = format!("{value:.2}");
         return text.trim_end_matches('0').trim_end_matches('.').into();
     }
