@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use malachite::Integer;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::coefficients::compare_coefficients;
@@ -9,12 +10,13 @@ use super::comparison::Comparison;
 use super::deviation::Deviation;
 use super::float_theorem2::FloatTheorem2;
 use super::mistakes::truncated;
-use super::reference::Reference;
+use super::scale::nearest_power;
 use super::series::SeriesValues;
 use crate::error::Result;
 use crate::exact::{Rational, cosine_and_sine};
+use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
-use crate::poly::PlanePolynomial;
+use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::shape::FourierRadius;
 
 /// Where the ladder has rungs, besides the number of harmonics that there are.
@@ -58,11 +60,12 @@ pub struct Rung {
 
 /// The paper's algorithm in doubles, beside the exact one, for the first N harmonics of a radius and growing N.
 ///
-/// The radius is first multiplied by the power of two that brings a0 (or the largest coefficient, if a0 = 0) between 1
-/// and 2, which is exact: doubles have no trouble with the size then. Cost: dominated by exact values of F at some 700 points.
+/// The radius is first multiplied by the power of two that brings a0 (or the largest coefficient, if a0 = 0) near 1, so that
+/// doubles have no trouble with the size, and its coefficients are rounded to doubles: what is lost then is lost by the
+/// algorithm. Cost: dominated by exact values of F at some 700 points.
 ///
 /// # Errors
-/// As [`Reference::of_radius`]; what `limits` returns.
+/// As [`SquaredForm::new`]; what `limits` returns.
 pub fn ladder(radius: &FourierRadius, limits: &Limits) -> Result<Vec<Rung>> {
     let radius = of_unit_size(radius);
     let top = radius.harmonics();
@@ -74,6 +77,7 @@ pub fn ladder(radius: &FourierRadius, limits: &Limits) -> Result<Vec<Rung>> {
     radii.map(|(_, radius)| rung(&radius, limits)).collect()
 }
 
+/// The radius times a power of two, every coefficient rounded to a double.
 fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
     let all = || radius.cosines().iter().chain(radius.sines());
     let mean = radius.cos(0).abs();
@@ -82,15 +86,9 @@ fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
     } else {
         mean
     };
-    let mut factor = Rational::one();
-    let two = Rational::from(2);
-    while !size.is_zero() && &size * &factor < Rational::one() {
-        factor = factor * &two;
-    }
-    while &size * &factor >= two {
-        factor = factor / &two;
-    }
-    let scaled = |v: &[Rational]| v.iter().map(|c| c * &factor).collect();
+    let factor = Rational::from_parts(Integer::from(1), -nearest_power(&size));
+    let rounded = |c: &Rational| Rational::try_from((c * &factor).to_f64()).unwrap_or_default();
+    let scaled = |v: &[Rational]| v.iter().map(rounded).collect();
     FourierRadius::new(scaled(radius.cosines()), scaled(radius.sines()))
 }
 
@@ -105,21 +103,24 @@ struct OnRay {
 fn rung(radius: &FourierRadius, limits: &Limits) -> Result<Rung> {
     limits.check()?;
     let float = FloatTheorem2::new(radius);
-    let exact = Reference::of_radius(radius)?;
+    let exact = SquaredForm::new(radius)?
+        .expand_unreduced()
+        .polynomial()
+        .monic();
     let coefficients = match float.polynomial() {
-        Some(got) => kept_coefficients(&compare_coefficients(&got, exact.polynomial())),
+        Some(got) => {
+            kept_coefficients(&compare_coefficients(&got, &SparsePolynomial::from(&exact)))
+        }
         None => DigitsKept::default(),
     };
     let values = SeriesValues::new(radius);
-    let plane = exact.polynomial().to_plane();
-    let plane = plane.unwrap_or_else(|| PlanePolynomial::from_terms([]));
     let rays: Result<Vec<OnRay>> = (0..RAYS)
         .into_par_iter()
         .map(|k| {
             limits.check()?;
             // Off the axes, which are too kind.
             let theta = TAU * (f64::from(k) + 0.5) / f64::from(RAYS);
-            Ok(on_ray(theta, &float, &plane, &values))
+            Ok(on_ray(theta, &float, &exact, &values))
         })
         .collect();
     let rays = rays?;

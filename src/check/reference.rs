@@ -14,6 +14,8 @@ use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     polynomial: SparsePolynomial<3>,
+    /// F of Theorem 2 where the polynomial is its square root.
+    square: Option<SparsePolynomial<3>>,
     in_space: bool,
     /// The series that the curve comes from, found again if a polynomial was given.
     radius: Option<FourierRadius>,
@@ -24,14 +26,20 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// A Fourier radius, with the polynomial of Theorem 2 with first coefficient 1.
+    /// A Fourier radius, with the polynomial of Theorem 2 with first coefficient 1. Where that is a perfect square (only odd
+    /// harmonics) it is reduced; coefficients may be those of either.
     ///
     /// # Errors
     /// As [`SquaredForm::new`].
     pub fn of_radius(radius: &FourierRadius) -> Result<Self> {
-        let curve = SquaredForm::new(radius)?.expand();
+        let form = SquaredForm::new(radius)?;
+        let monic = |curve: ImplicitCurve| SparsePolynomial::from(&curve.polynomial().monic());
+        let square = form
+            .is_perfect_square()
+            .then(|| monic(form.expand_unreduced()));
         Ok(Self {
-            polynomial: SparsePolynomial::from(&curve.polynomial().monic()),
+            polynomial: monic(form.expand()),
+            square,
             in_space: false,
             radius: Some(radius.clone()),
             radius_is_given: true,
@@ -46,6 +54,7 @@ impl Reference {
         let radius = born_of_radius(curve).and_then(|found| found.radii.into_iter().next());
         Self {
             polynomial: SparsePolynomial::from(curve.polynomial()),
+            square: None,
             in_space: false,
             radius,
             radius_is_given: false,
@@ -59,6 +68,7 @@ impl Reference {
     pub fn of_surface(surface: &ImplicitSurface) -> Self {
         Self {
             polynomial: surface.polynomial().clone(),
+            square: None,
             in_space: true,
             radius: None,
             radius_is_given: false,
@@ -107,7 +117,9 @@ impl Reference {
     /// The coefficients of a float program beside the exact ones, with the usual mistakes looked for.
     #[must_use]
     pub fn check_coefficients(&self, got: &SparsePolynomial<3>) -> Comparison {
-        let mut found = compare_coefficients(got, &self.polynomial);
+        let square = self.square.as_ref().filter(|f| f.degree() == got.degree());
+        let exact = square.unwrap_or(&self.polynomial);
+        let mut found = compare_coefficients(got, exact);
         found.diagnoses = diagnose(&found, self.mistaken(), |polynomial| {
             Some(compare_coefficients(got, polynomial))
         });

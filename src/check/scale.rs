@@ -122,8 +122,8 @@ fn quartile(pairs: &[&[Rational; 2]], factor: &Rational) -> Rational {
     errors.select_nth_unstable_by(place, Ord::cmp).1.clone()
 }
 
-/// The k with 2^k nearest to |q|, up to a factor 2.
-fn nearest_power(q: &Rational) -> i64 {
+/// The k with 2^k nearest to |q|.
+pub(super) fn nearest_power(q: &Rational) -> i64 {
     let bits = |n: &Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
     let k = bits(&q.numerator()) - bits(&q.denominator());
     let one = Integer::from(1);
