@@ -71,6 +71,9 @@ pub fn compare_coefficients(got: &SparsePolynomial<3>, exact: &SparsePolynomial<
         row(*exponents, value.to_f64(), off, None)
     });
     Comparison {
+        in_space: [got, exact]
+            .iter()
+            .any(|f| f.terms().any(|(e, _)| e[2] > 0)),
         rows,
         missing,
         extra: extra.collect(),

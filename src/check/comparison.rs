@@ -57,6 +57,8 @@ pub struct Row {
 /// A float program's numbers beside the exact ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
+    /// Whether places have a z.
+    pub in_space: bool,
     /// What both have, in the order of the terms or of the file.
     pub rows: Vec<Row>,
     /// Terms that the float program lacks.

@@ -46,6 +46,7 @@ impl Reference {
     /// What `limits` returns.
     pub fn check_points(&self, points: &[GivenPoint], limits: &Limits) -> Result<Comparison> {
         let mut found = compare(points, self.polynomial(), limits)?;
+        found.in_space = self.in_space();
         let step = points.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
         let some: Vec<GivenPoint> = points.iter().step_by(step).copied().collect();
         let begun = compare(&some, self.polynomial(), limits)?;

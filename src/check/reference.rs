@@ -120,6 +120,7 @@ impl Reference {
         let square = self.square.as_ref().filter(|f| f.degree() == got.degree());
         let exact = square.unwrap_or(&self.polynomial);
         let mut found = compare_coefficients(got, exact);
+        found.in_space = self.in_space;
         found.diagnoses = diagnose(&found, self.mistaken(), |polynomial| {
             Some(compare_coefficients(got, polynomial))
         });

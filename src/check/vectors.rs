@@ -167,18 +167,19 @@ impl Rounding {
     }
 }
 
-/// The nearest double, which must not be infinite.
+/// The nearest double, which must not be infinite, nor 0 for another number.
 fn finite(exact: &Rational) -> Result<f64> {
     let double = exact.to_f64();
-    if double.is_finite() {
+    let beyond = if !double.is_finite() {
+        "is beyond the largest double; scale the form down"
+    } else if double == 0.0 && !exact.is_zero() {
+        "is below the smallest double; scale the form up"
+    } else {
         return Ok(double);
-    }
+    };
     Err(Error::Hypothesis {
         statement: "the use of doubles",
-        witness: format!(
-            "{} is beyond the largest double; scale the form down",
-            exact.to_significant(3)
-        ),
+        witness: format!("{} {beyond}", exact.to_significant(3)),
     })
 }
 

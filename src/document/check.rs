@@ -107,13 +107,17 @@ pub fn write_check(
 }
 
 fn document(found: &Comparison, mark: Option<u32>) -> Document<'_> {
-    let entries = |rows: Vec<&Row>| rows.into_iter().map(entry).collect::<Vec<_>>();
+    let entries = |rows: Vec<&Row>| {
+        rows.into_iter()
+            .map(|row| entry(row, found.in_space))
+            .collect::<Vec<_>>()
+    };
     Document {
         schema: SCHEMA,
         kind: "check",
         what: what(found),
         compared: found.rows.len(),
-        worst: found.worst(1).first().map(|row| entry(row)),
+        worst: found.worst(1).first().map(|row| entry(row, found.in_space)),
         median_digits: found.median_digits(),
         digits_lost: found.digits_lost(),
         mark,
@@ -130,11 +134,11 @@ fn document(found: &Comparison, mark: Option<u32>) -> Document<'_> {
     }
 }
 
-fn entry(row: &Row) -> Entry {
+fn entry(row: &Row, in_space: bool) -> Entry {
     Entry {
         digits: row.deviation.digits(),
         ulps: row.deviation.ulps,
-        r#where: place(&row.place),
+        r#where: place(row, in_space),
         got: format!("{:?}", row.got),
         exact: row.exact.as_ref().map(|q| match row.place {
             Place::Term(_) => q.to_string(),
@@ -163,19 +167,18 @@ fn what(found: &Comparison) -> &'static str {
     }
 }
 
-fn place(place: &Place) -> String {
-    match place {
+fn place(row: &Row, in_space: bool) -> String {
+    match &row.place {
         Place::Term(exponents) => match Notation::Text.monomial(exponents) {
             constant if constant.is_empty() => "1".into(),
             monomial => monomial,
         },
         Place::Point { line, position } => {
             let [x, y, z] = position;
-            // A point in the plane has z = 0, and so do some in space: the third number says no less than two.
-            if *z == 0.0 {
-                format!("line {line}: ({x:?}, {y:?})")
-            } else {
+            if in_space {
                 format!("line {line}: ({x:?}, {y:?}, {z:?})")
+            } else {
+                format!("line {line}: ({x:?}, {y:?})")
             }
         }
         Place::Radius { line, theta } => format!("line {line}: theta = {theta:?}"),
@@ -238,12 +241,12 @@ fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> io:
             let value = match &row.exact {
                 Some(exact) => format!("exact {}", shown(exact)),
                 None => format!(
-                    "got {:?}, ≈ {} digits below its degree",
+                    "got {:?}, ≈ {} digits smaller than the coefficients of its degree",
                     row.got,
                     tenths(row.deviation.digits())
                 ),
             };
-            writeln!(out, "{title}: {}: {value}", place(&row.place))?;
+            writeln!(out, "{title}: {}: {value}", place(row, found.in_space))?;
         }
         if rows.len() > WORST {
             writeln!(out, "{title}: and {} more", rows.len() - WORST)?;
@@ -274,7 +277,7 @@ fn write_worst(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
                 .exact
                 .as_ref()
                 .map_or_else(|| "nothing on this ray".into(), shown);
-            [place(&row.place), format!("{:?}", row.got), exact]
+            [place(row, found.in_space), format!("{:?}", row.got), exact]
         })
         .collect();
     let width = |k: usize| {
@@ -322,7 +325,17 @@ fn write_histogram(counts: &[usize], out: &mut dyn Write) -> io::Result<()> {
     let lowest = counts.iter().position(|&n| n > 0).unwrap_or(0);
     let highest = counts.iter().rposition(|&n| n > 0).unwrap_or(0);
     writeln!(out, "whole digits:")?;
-    for (digits, &count) in counts.iter().enumerate().take(highest + 1).skip(lowest) {
+    let shown = counts.iter().enumerate().take(highest + 1).skip(lowest);
+    let mut skipped = 0;
+    for (digits, &count) in shown {
+        if count == 0 {
+            skipped += 1;
+            continue;
+        }
+        if skipped > 0 {
+            writeln!(out, "   .")?;
+        }
+        skipped = 0;
         let bar = "#".repeat((count * BAR).div_ceil(most));
         writeln!(out, "  {digits:>2} |{bar} {count}")?;
     }
@@ -343,7 +356,7 @@ fn write_verdict(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> 
         writeln!(
             out,
             "  {}: digits ≈ {}",
-            place(&row.place),
+            place(row, found.in_space),
             tenths(row.deviation.digits())
         )?;
     }
@@ -351,11 +364,7 @@ fn write_verdict(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> 
 }
 
 fn write_table(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
-    let in_space = found.all().any(|row| match row.place {
-        Place::Term(e) => e[2] != 0,
-        Place::Point { position, .. } => position[2] != 0.0,
-        Place::Radius { .. } => false,
-    });
+    let in_space = found.in_space;
     let [third, z] = if in_space { [",k", ",z"] } else { ["", ""] };
     match what(found) {
         "points" => writeln!(
