@@ -35,6 +35,11 @@ pub(crate) fn run(verb: &Check, session: &mut Session) -> Result<()> {
                 .into(),
         ));
     }
+    if verb.data.itself && mark.is_some() {
+        return Err(Error::Usage(
+            "--digits is the mark for the numbers of a file; --self says what doubles keep".into(),
+        ));
+    }
     if verb.data.itself {
         return check_itself(verb, figure, format, session);
     }
