@@ -2,8 +2,25 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use std::fs;
+
+use tempfile::TempDir;
+
 mod common;
-use common::program::with_data;
+use common::program::{Run, run_in};
+
+/// Runs with a file `data.csv`, and checks that no other file is left.
+fn with_data(text: &str, arguments: &[&str]) -> Run {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("data.csv"), text).unwrap();
+    let run = run_in(folder.path(), arguments, "");
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        1,
+        "{arguments:?}"
+    );
+    run
+}
 
 /// What is refused, with code 2, one diagnosis, and nothing written.
 #[test]

@@ -82,12 +82,13 @@ impl Comparison {
     #[must_use]
     pub fn worst(&self, count: usize) -> Vec<&Row> {
         let mut rows: Vec<&Row> = self.rows.iter().collect();
-        let relative = |row: &Row| row.deviation.relative().cloned();
         // No relative distance is an infinite one.
-        rows.sort_by(|a, b| match (relative(a), relative(b)) {
-            (Some(a), Some(b)) => b.cmp(&a),
-            (a, b) => a.is_some().cmp(&b.is_some()),
-        });
+        rows.sort_by(
+            |a, b| match (a.deviation.relative(), b.deviation.relative()) {
+                (Some(a), Some(b)) => b.cmp(a),
+                (a, b) => a.is_some().cmp(&b.is_some()),
+            },
+        );
         rows.truncate(count);
         rows
     }

@@ -42,6 +42,14 @@ impl FloatForm {
 }
 
 /// F of a Fourier radius as the paper computes it, in doubles from end to end: its three parts.
+///
+/// ```
+/// use stellate::check::FloatTheorem2;
+/// use stellate::shape::FourierRadius;
+/// // r = 2: F = x² + y² − 4
+/// let f = FloatTheorem2::new(&FourierRadius::new(vec![2.into()], vec![]));
+/// assert_eq!((f.evaluate(1.0, 2.0), f.radii([1.0, 0.0])), (1.0, [-2.0, 2.0]));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct FloatTheorem2 {
     /// (degree, coefficients of x^d, x^(d−1) y, …), descending in the degree.

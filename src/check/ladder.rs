@@ -64,6 +64,18 @@ pub struct Rung {
 /// doubles have no trouble with the size, and its coefficients are rounded to doubles: what is lost then is lost by the
 /// algorithm. Cost: dominated by exact values of F at some 700 points.
 ///
+/// ```
+/// use stellate::check::ladder;
+/// use stellate::limits::Limits;
+/// use stellate::shape::FourierRadius;
+/// let radius = FourierRadius::new(vec![3.into(), 1.into(), 1.into()], vec![]);
+/// let rungs = ladder(&radius, &Limits::none())?;
+/// assert_eq!(rungs.iter().map(|rung| rung.harmonics).collect::<Vec<_>>(), [1, 2]);
+/// // Small integers are exact in doubles.
+/// assert!(rungs[1].coefficients.worst >= 17.0);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`SquaredForm::new`]; what `limits` returns.
 pub fn ladder(radius: &FourierRadius, limits: &Limits) -> Result<Vec<Rung>> {

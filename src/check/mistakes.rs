@@ -105,7 +105,7 @@ pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadi
         },
         Mistaken {
             name: "all coefficients doubled",
-            explanation: "2/Ns is the factor of an and bn only for sums over all samples, and 1/Ns that of a0",
+            explanation: "right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns; these are twice that",
             form: scaled(two(), two()),
         },
         Mistaken {

@@ -17,7 +17,7 @@ use crate::poly::{SpacePolynomial, SparsePolynomial};
 use crate::sample::along;
 
 /// Usual mistakes are looked for with so many rows, evenly chosen.
-pub(super) const ROWS_FOR_DIAGNOSIS: usize = 48;
+pub(super) const ROWS_FOR_DIAGNOSIS: usize = 24;
 
 /// A point of a float program, and the line of the file that it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +41,18 @@ impl Reference {
     /// to 1 is the nearest branch, and |λ − 1|/|λ| the distance along the ray relative to the exact radius. The residual
     /// f(p) and the first-order distance |f|/|∇f| are computed exactly and then rounded. Cost: per point the values of
     /// all homogeneous parts and of those of the gradient, and the real roots of one polynomial.
+    ///
+    /// ```
+    /// use stellate::check::{GivenPoint, Reference};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::FourierRadius;
+    /// let circle = Reference::of_radius(&FourierRadius::new(vec![5.into()], vec![]))?;
+    /// let points = [[3.0, 4.0, 0.0], [6.0, 8.0, 0.0]].map(|position| GivenPoint { line: 1, position });
+    /// let found = circle.check_points(&points, &Limits::none())?;
+    /// assert_eq!(found.rows[0].deviation.relative(), Some(&0.into()));
+    /// assert_eq!(found.rows[1].residual.unwrap().value, 75.0);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// What `limits` returns.

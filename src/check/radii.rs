@@ -39,7 +39,20 @@ impl Reference {
     /// Radii of a float program beside the certified ones. The angle is the double itself: (cos θ, sin θ) is enclosed,
     /// as closely as the answer needs it.
     ///
-    /// Beside a Fourier radius r(θ) is enclosed; beside a polynomial the nearest branch on the ray, r of either sign.
+    /// Beside a Fourier radius r(θ) is enclosed; beside a polynomial the nearest branch on the ray, r of either sign. Cost: per
+    /// radius that of [`SeriesValues::bounds`], or the forms at (cos θ, sin θ) in some 200 bits and the real roots of one
+    /// polynomial.
+    ///
+    /// ```
+    /// use stellate::check::{GivenRadius, Reference};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::FourierRadius;
+    /// let limacon = Reference::of_radius(&FourierRadius::new(vec![2.into(), 1.into()], vec![]))?;
+    /// let given = GivenRadius { line: 1, theta: 1.0, r: 2.0 + 1f64.cos() };
+    /// let found = limacon.check_radii(&[given], &Limits::none())?;
+    /// assert!(found.passes(Some(15)));
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Hypothesis`] for a surface; [`Error::Limit`] if the roots of a polynomial cannot be told apart; what

@@ -35,6 +35,10 @@ pub enum Meaning {
     LargestIsOne,
 }
 
+/// The longest fraction that is called simple: within 2⁻⁵¹ of any number there is one of about twice as many bits by
+/// accident.
+const SIMPLE_BITS: u64 = 32;
+
 struct Candidate {
     factor: Rational,
     bits: u64,
@@ -61,13 +65,14 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
     }];
     for unit in [Rational::one(), first.clone(), largest.clone()] {
         let value = &mode * &unit;
-        candidates.extend(WINDOWS.iter().map(|&k| {
+        let simple = WINDOWS.iter().map(|&k| {
             let reach = value.abs() * Rational::from_parts(Integer::from(1), -k);
-            let simple = Rational::simplest_between(&(&value - &reach), &(&value + &reach));
-            Candidate {
-                bits: simple.bits(),
-                factor: simple / &unit,
-            }
+            Rational::simplest_between(&(&value - &reach), &(&value + &reach))
+        });
+        let simple = simple.filter(|q| length(q) <= SIMPLE_BITS);
+        candidates.extend(simple.map(|q| Candidate {
+            bits: length(&q),
+            factor: q / &unit,
         }));
         let power = Rational::from_parts(Integer::from(value.signum()), nearest_power(&value));
         candidates.push(Candidate {
@@ -135,19 +140,21 @@ pub(super) fn nearest_power(q: &Rational) -> i64 {
     }
 }
 
-/// Bits of a fraction that a person would call simple.
-const SIMPLE_BITS: u64 = 40;
+/// The bits of a fraction, above and below.
+fn length(q: &Rational) -> u64 {
+    q.numerator().significant_bits() + q.denominator().significant_bits()
+}
 
 fn meaning(factor: &Rational, first: &Rational, largest: &Rational) -> Option<Meaning> {
     let power = nearest_power(factor);
     if factor.abs() == Rational::from_parts(Integer::from(1), power) {
         return Some(Meaning::PowerOfTwo(power));
     }
-    if factor.bits() <= SIMPLE_BITS {
+    if length(factor) <= SIMPLE_BITS {
         return Some(Meaning::Fraction);
     }
     let value = factor * first;
-    if value.bits() <= SIMPLE_BITS {
+    if length(&value) <= SIMPLE_BITS {
         return Some(Meaning::FirstCoefficient(value));
     }
     ((factor * largest).abs() == Rational::one()).then_some(Meaning::LargestIsOne)
@@ -195,6 +202,26 @@ mod tests {
                     .collect();
                 prop_assert_eq!(&scale(&pairs).factor, &factor);
             }
+        }
+
+        /// A factor that is nothing simple, as after dividing by a norm; nearly half of the coefficients are spoiled.
+        #[test]
+        fn any_factor_is_found_as_well_as_doubles_allow(
+            c in prop::collection::vec(1e-3f64..1e6, 20..60), factor in 0.1f64..10.0, spoil in prop::collection::vec(0.2f64..5.0, 60)
+        ) {
+            let factor = factor.sqrt() / 3.0;
+            let pairs: Vec<[Rational; 2]> = c
+                .iter()
+                .zip(&spoil)
+                .enumerate()
+                .map(|(i, (v, s))| {
+                    let got = v / 7.0 * factor;
+                    let got = if i % 9 < 4 { got * s } else { got };
+                    [rational(got), rational(*v) / Rational::from(7)]
+                })
+                .collect();
+            let found = scale(&pairs).factor.to_f64();
+            prop_assert!((found / factor - 1.0).abs() < 1e-14, "{} {}", found, factor);
         }
 
         #[test]

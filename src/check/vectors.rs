@@ -97,6 +97,19 @@ pub enum InputsOf {
 /// Test vectors from a reference. Its numbers are rounded to doubles first, because only those can be given to a float
 /// program; all else follows from these doubles exactly.
 ///
+/// ```
+/// use stellate::check::{InputsOf, Reference, test_vectors};
+/// use stellate::limits::Limits;
+/// use stellate::shape::FourierRadius;
+/// let fifth = stellate::exact::Rational::from(1) / stellate::exact::Rational::from(5);
+/// let reference = Reference::of_radius(&FourierRadius::new(vec![1.into(), fifth], vec![]))?;
+/// let vectors = test_vectors(&reference, InputsOf::Form, 4, &Limits::none())?;
+/// assert_eq!(vectors.rounded, 1);
+/// // r(0) = 1 + 0.2 of the doubles, correctly rounded.
+/// assert_eq!(vectors.radii[0].r, 1.2);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::Hypothesis`] if a number is beyond the doubles; [`Error::Usage`] without directions; what `limits` returns.
 pub fn test_vectors(

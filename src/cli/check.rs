@@ -26,6 +26,12 @@ pub(crate) fn run(verb: &Check, session: &mut Session) -> Result<()> {
         )));
     }
     let mark = session.common.digits;
+    if verb.plot.is_some() && verb.plot == session.common.output {
+        return Err(Error::Usage(
+            "--plot and -o name the same file: one is for the figure, the other for the report"
+                .into(),
+        ));
+    }
     let figure = verb.plot.as_deref().map(Picture::named).transpose()?;
     let file = [&verb.data.coefficients, &verb.data.points, &verb.data.radii];
     let file = file.into_iter().flatten().next();
