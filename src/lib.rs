@@ -54,11 +54,12 @@
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
 //! | triangles of a surface | [`mesh`] |
+//! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
 //!
 //! # From below to above
 //!
 //! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`document`], [`picture`] → the command line. A file imports
+//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`check`] → [`document`], [`picture`] → the command line. A file imports
 //! only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
@@ -77,6 +78,7 @@
 //! Departures from the paper are marked `DIFFERENCE` with the erratum.
 
 pub mod arcs;
+pub mod check;
 pub mod describe;
 pub mod document;
 pub mod error;

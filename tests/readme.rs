@@ -82,10 +82,9 @@ fn rewritten(file: &Path, folder: &Path) -> (String, usize) {
 
 fn check(file: &Path) -> usize {
     let folder = TempDir::new().unwrap();
-    copy_folder(
-        &root().join("paper-examples"),
-        &folder.path().join("paper-examples"),
-    );
+    for data in ["paper-examples", "tests/numpy"] {
+        copy_folder(&root().join(data), &folder.path().join(data));
+    }
     let (now, commands) = rewritten(file, folder.path());
     if std::env::var_os("UPDATE_README").is_some() {
         fs::write(file, &now).unwrap();

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
 
+use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
+
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 #[derive(Debug, Parser)]
 #[command(version, about, max_term_width = 100, after_help = FORMS)]
@@ -42,7 +44,8 @@ pub(crate) struct Common {
     /// How the result is written [default: text; sample: csv]
     #[arg(long, global = true, value_enum)]
     pub(crate) format: Option<Format>,
-    /// Decimals shown for algebraic numbers [default: 16]; inspect: significant digits of the distances [default: 6]
+    /// Decimals shown for algebraic numbers [default: 16]; inspect: significant digits of the distances [default: 6];
+    /// check: the digits that everything must have
     #[arg(long, global = true, value_name = "D", value_parser = clap::value_parser!(u32).range(0..=10_000))]
     pub(crate) digits: Option<u32>,
     /// Read decimals as written, or as the nearest double
@@ -122,6 +125,12 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
   stellate plot 'x = (2 + cos(v))*cos(u); y = (2 + cos(v))*sin(u); z = sin(v)' -o torus.svg
   stellate plot 'x^2 + y^2 + 0z = 1' 'z = y^5' 'x = cos(t); y = sin(t); z = sin(t)^5' -o curve.png")]
     Plot(Plot),
+    /// How many digits of a float program's coefficients, points or radii are right, and which usual mistake explains the rest
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(Check),
+    /// Test vectors for float programs: inputs, exact results, nearest doubles and condition numbers, as one JSON document
+    #[command(after_help = VECTORS_EXAMPLES)]
+    Vectors(Vectors),
 }
 
 #[derive(Debug, Args)]

@@ -13,7 +13,7 @@ use stellate::fit::{
 use stellate::implicitize::{SquaredForm, implicitize_patch, implicitize_plane};
 use stellate::language::MAX_TEXT_BYTES;
 use stellate::poly::SparsePolynomial;
-use stellate::shape::{Contour, Form, ImplicitCurve, ImplicitSurface, Superquadric};
+use stellate::shape::{Contour, Form, FourierRadius, ImplicitCurve, ImplicitSurface, Superquadric};
 
 use super::arguments::FitFlags;
 use super::session::Session;
@@ -135,6 +135,17 @@ fn read_table(text: &str, name: &str, session: &Session) -> Result<Content> {
         return Ok(Content::Exact(Form::Fourier(radius)));
     }
     contour_from_reader(text.as_bytes(), ContourKind::Rows, name).map(Content::Contour)
+}
+
+/// A data file of a verb, or standard input, as text with the name it has in messages.
+pub(crate) fn read_data(argument: &str) -> Result<(String, String)> {
+    if argument == "-" {
+        let name = "standard input";
+        let text = read_limited(std::io::stdin().lock(), Path::new(name))?;
+        return Ok((text, name.into()));
+    }
+    let path = Path::new(argument);
+    Ok((read_limited(open(path)?, path)?, argument.into()))
 }
 
 fn open(path: &Path) -> Result<std::fs::File> {
@@ -308,10 +319,7 @@ pub(crate) fn fit_contour(
     if let FitSize::Harmonics(n) = size {
         session.check_degree(n.saturating_mul(2).saturating_add(2))?;
     }
-    let mut options = FitOptions::new(size);
-    options.center = center(&flags.center)?;
-    options.samples = flags.samples;
-    options.decimals = flags.decimals;
+    let options = fit_options(flags, size)?;
     let fit = session.stage("fit", |session| {
         fit_within(contour, &options, &session.limits)
     })?;
@@ -327,6 +335,26 @@ pub(crate) fn fit_contour(
         ));
     }
     Ok(fit)
+}
+
+/// The fit with another number of harmonics, without notes; `None` if the contour has no such fit.
+pub(crate) fn fit_quietly(
+    contour: &Contour,
+    flags: &FitFlags,
+    harmonics: usize,
+    session: &Session,
+) -> Option<FourierRadius> {
+    let options = fit_options(flags, FitSize::Harmonics(harmonics)).ok()?;
+    let fit = fit_within(contour, &options, &session.limits).ok()?;
+    Some(fit.radius)
+}
+
+fn fit_options(flags: &FitFlags, size: FitSize) -> Result<FitOptions> {
+    let mut options = FitOptions::new(size);
+    options.center = center(&flags.center)?;
+    options.samples = flags.samples;
+    options.decimals = flags.decimals;
+    Ok(options)
 }
 
 /// The quality of a fit, as documents carry it.

@@ -29,7 +29,7 @@ const CIRCLE: u32 = 120;
 
 /// Whether the picture is SVG or PNG.
 pub(super) fn kind(path: &Path) -> Result<Kind> {
-    plot::kind_of("--plot", path)
+    Kind::of("--plot", path)
 }
 
 /// The picture.
@@ -44,7 +44,7 @@ pub(super) fn picture(
         Subject::Surface(surface) => in_space(task, surface, points, window, session)?,
         Subject::Curve(curve) => in_plane(task, curve, points, window, session)?,
     };
-    session.stage("draw", |_| plot::bytes(svg, kind))
+    session.stage("draw", |_| kind.bytes(svg))
 }
 
 /// The points of one verdict, at most [`MAX_DOTS`] of them, and what the legend says.

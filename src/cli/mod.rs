@@ -2,6 +2,9 @@
 
 mod arcs;
 mod arguments;
+mod check;
+mod check_arguments;
+mod check_plot;
 mod describe;
 mod fit;
 mod implicitize;
@@ -17,6 +20,7 @@ mod plot;
 mod plot_space;
 mod sample;
 mod session;
+mod vectors;
 
 use std::process::ExitCode;
 
@@ -52,6 +56,8 @@ pub(crate) fn main() -> ExitCode {
             Verb::Inspect(verb) => inspect::run(&verb, &mut session),
             Verb::Mesh(verb) => mesh::run(&verb, &mut session),
             Verb::Plot(verb) => plot::run(&verb, &mut session),
+            Verb::Check(verb) => check::run(&verb, &mut session),
+            Verb::Vectors(verb) => vectors::run(&verb, &mut session),
         }?;
         session.finish()?;
         Ok(session.answer_is_no)

@@ -31,7 +31,7 @@ const POINTS_PER_QUADRANT: usize = 90;
 /// PNG pixels per SVG unit.
 const PNG_SCALE: f32 = 2.0;
 
-/// What a figure is written as.
+/// The format of a figure.
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
     Svg,
@@ -56,7 +56,7 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     } else {
         plane(verb, inputs, session)?
     };
-    let bytes = session.stage("draw", |_| bytes(svg, kind))?;
+    let bytes = session.stage("draw", |_| kind.bytes(svg))?;
     write_result(session, |out| out.write_all(&bytes))
 }
 
@@ -118,31 +118,33 @@ fn kind(session: &Session) -> Result<Kind> {
     let path = session.common.output.as_ref().ok_or_else(|| {
         Error::Usage("plot writes a file: give -o FIGURE.svg or -o FIGURE.png".into())
     })?;
-    kind_of("-o", path)
+    Kind::of("-o", path)
 }
 
-/// By the extension of the path that an option gives.
-pub(super) fn kind_of(option: &str, path: &Path) -> Result<Kind> {
-    match path
-        .extension()
-        .and_then(OsStr::to_str)
-        .map(str::to_ascii_lowercase)
-        .as_deref()
-    {
-        Some("svg") => Ok(Kind::Svg),
-        Some("png") => Ok(Kind::Png),
-        _ => Err(Error::Usage(format!(
-            "{option} {}: a figure is a .svg or a .png file",
-            path.display()
-        ))),
+impl Kind {
+    /// What the extension of a file, given by an option, says.
+    pub(super) fn of(option: &str, path: &Path) -> Result<Self> {
+        match path
+            .extension()
+            .and_then(OsStr::to_str)
+            .map(str::to_ascii_lowercase)
+            .as_deref()
+        {
+            Some("svg") => Ok(Kind::Svg),
+            Some("png") => Ok(Kind::Png),
+            _ => Err(Error::Usage(format!(
+                "{option} {}: a figure is a .svg or a .png file",
+                path.display()
+            ))),
+        }
     }
-}
 
-/// The figure as it is written.
-pub(super) fn bytes(svg: String, kind: Kind) -> Result<Vec<u8>> {
-    match kind {
-        Kind::Svg => Ok(svg.into_bytes()),
-        Kind::Png => png_from_svg(&svg, PNG_SCALE),
+    /// The bytes of the file.
+    pub(super) fn bytes(self, svg: String) -> Result<Vec<u8>> {
+        match self {
+            Kind::Svg => Ok(svg.into_bytes()),
+            Kind::Png => png_from_svg(&svg, PNG_SCALE),
+        }
     }
 }
 

@@ -115,14 +115,16 @@ pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Resu
 }
 
 /// The rows of a CSV file, all equally long, each with its place.
-struct Table {
+pub(super) struct Table {
     header: Option<(String, Vec<String>)>,
-    rows: Vec<(String, Vec<String>)>,
+    pub(super) rows: Vec<(String, Vec<String>)>,
+    /// The line of each row, from 1.
+    pub(super) lines: Vec<usize>,
     center: Option<[Rational; 2]>,
 }
 
 impl Table {
-    fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
+    pub(super) fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
         check_size(text, source_name)?;
         let text = text.trim_start_matches('\u{feff}');
         let mut reader = ::csv::ReaderBuilder::new()
@@ -134,11 +136,17 @@ impl Table {
         let mut table = Table {
             header: None,
             rows: Vec::new(),
+            lines: Vec::new(),
             center: read_center(text, source_name, numbers)?,
+        };
+        let mut lines = Lines {
+            text,
+            at: 0,
+            before: 0,
         };
         for (n, record) in reader.records().enumerate() {
             let record = record.map_err(|error| Error::data(source_name, error.to_string()))?;
-            let line = record.position().map_or(0, ::csv::Position::line);
+            let line = lines.of_record(record.position().map_or(0, ::csv::Position::byte));
             let place = format!("{source_name}, line {line}");
             let row: Vec<String> = record.iter().map(str::to_owned).collect();
             if let Some(width) = table.width()
@@ -155,6 +163,7 @@ impl Table {
                 table.header = Some((place, row));
             } else {
                 table.rows.push((place, row));
+                table.lines.push(line);
             }
         }
         if table.rows.is_empty() {
@@ -163,13 +172,13 @@ impl Table {
         Ok(table)
     }
 
-    fn width(&self) -> Option<usize> {
+    pub(super) fn width(&self) -> Option<usize> {
         let header = self.header.as_ref().map(|(_, row)| row.len());
         header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
     }
 
     /// Checks the names of the columns, if there are any.
-    fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
+    pub(super) fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
         let Some((place, names)) = &self.header else {
             return Ok(());
         };
@@ -186,6 +195,31 @@ impl Table {
         let wanted: Vec<String> = expected.iter().map(|names| names.join(",")).collect();
         let message = format!("expected the columns {}", wanted.join(" or "));
         Err(Error::data(place, message))
+    }
+}
+
+/// Counts lines as an editor does: the reader's own count leaves out the comments and blank lines before a record.
+struct Lines<'a> {
+    text: &'a str,
+    at: usize,
+    before: usize,
+}
+
+impl Lines<'_> {
+    /// The line, from 1, of the record that the reader found after so many bytes; records come in order.
+    fn of_record(&mut self, byte: u64) -> usize {
+        let byte = usize::try_from(byte).unwrap_or(usize::MAX);
+        let skipped = self.text.get(self.at..byte).unwrap_or("");
+        self.before += skipped.matches('\n').count();
+        self.at += skipped.len();
+        while let Some((line, _)) = self.text[self.at..].split_once('\n') {
+            if !line.trim_end_matches('\r').is_empty() && !line.starts_with('#') {
+                break;
+            }
+            self.before += 1;
+            self.at += line.len() + 1;
+        }
+        self.before + 1
     }
 }
 

@@ -5,6 +5,8 @@
 
 mod angles;
 mod arcs;
+mod check;
+mod check_tables;
 mod coordinates;
 mod csv;
 mod description;
@@ -16,6 +18,7 @@ mod inspection;
 mod intersection;
 mod intersection_curves;
 mod json;
+mod ladder;
 mod mesh;
 mod node;
 mod numeric;
@@ -26,10 +29,13 @@ mod samples;
 mod spherical;
 mod superquadric;
 mod terms;
+mod vectors;
 
 use std::{fmt, io};
 
 pub use arcs::{arcs_text, write_arcs};
+pub use check::write_check;
+pub use check_tables::{read_points_csv, read_radii_csv};
 pub use coordinates::Coordinates;
 pub use csv::{read_coefficients_csv, read_fourier_csv};
 pub use description::{write_description, write_space_curve_description};
@@ -39,6 +45,7 @@ pub use inspection::{InspectedPoint, InspectionSummary, InspectionWriter, write_
 pub use intersection::write_intersection;
 pub use intersection_curves::write_intersection_curves;
 pub use json::read_document;
+pub use ladder::write_ladder;
 pub use mesh::{MeshFormat, write_mesh};
 pub use parametric::write_parametrization;
 pub use samples::{NominalAngles, SampledRay, write_samples};
@@ -47,6 +54,7 @@ pub use superquadric::{
     write_space_superquadric, write_space_superquadric_description, write_superquadric,
     write_superquadric_description,
 };
+pub use vectors::write_vectors;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;

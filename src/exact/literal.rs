@@ -54,6 +54,39 @@ pub fn double_literal(text: &str) -> Result<Rational> {
     })
 }
 
+/// A finite double as a hexadecimal float, bit for bit, as C's `%a` and Python's `float.fromhex` have it; `inf`, `-inf` or
+/// `nan` if it is not finite.
+///
+/// ```
+/// use stellate::exact::hex_literal;
+/// assert_eq!(hex_literal(0.1), "0x1.999999999999ap-4");
+/// assert_eq!([hex_literal(-3.0), hex_literal(0.0)], ["-0x1.8p+1", "0x0p+0"]);
+/// ```
+#[must_use]
+pub fn hex_literal(double: f64) -> String {
+    const FRACTION_BITS: u64 = 52;
+    let sign = if double.is_sign_negative() { "-" } else { "" };
+    if !double.is_finite() {
+        return if double.is_nan() {
+            "nan".into()
+        } else {
+            format!("{sign}inf")
+        };
+    }
+    let bits = double.abs().to_bits();
+    let fraction = bits & ((1 << FRACTION_BITS) - 1);
+    // Subnormal numbers have the exponent of the smallest normal ones, and no leading 1.
+    let (lead, exponent) = match bits >> FRACTION_BITS {
+        0 if fraction == 0 => (0, 0),
+        0 => (0, -1022),
+        biased => (1, i64::try_from(biased).unwrap_or(0) - 1023),
+    };
+    let digits = format!("{fraction:013x}");
+    let digits = digits.trim_end_matches('0');
+    let point = if digits.is_empty() { "" } else { "." };
+    format!("{sign}0x{lead}{point}{digits}p{exponent:+}")
+}
+
 fn simple(text: &str, whole: &str) -> Result<Rational> {
     let (negative, digits) = match text.strip_prefix(['-', '−']) {
         Some(rest) => (true, rest),
@@ -112,6 +145,7 @@ fn wrong(text: &str, message: &str) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn numbers_are_what_is_written() {
@@ -128,6 +162,17 @@ mod tests {
             ("-0xA.8P1", "-21"),
         ] {
             assert_eq!(exact_literal(text).unwrap().to_string(), value, "{text}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_hexadecimal_float_is_the_double_bit_for_bit(bits in any::<u64>()) {
+            let double = f64::from_bits(bits);
+            match Rational::try_from(double) {
+                Ok(exact) => prop_assert_eq!(exact_literal(&hex_literal(double)).unwrap(), exact),
+                Err(_) => prop_assert!(exact_literal(&hex_literal(double)).is_err()),
+            }
         }
     }
 

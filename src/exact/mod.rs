@@ -4,14 +4,16 @@
 //! `num-rational` convert to and from it.
 
 mod angle;
+mod circle;
 mod dyadic;
 mod literal;
 mod rational;
 mod rounding;
 
 pub use angle::{arctangent, pi};
+pub use circle::cosine_and_sine;
 pub use dyadic::Dyadic;
-pub use literal::{double_literal, exact_literal};
+pub use literal::{double_literal, exact_literal, hex_literal};
 pub use malachite::Integer;
 pub use rational::{NotANumber, NotAnInteger, Rational};
 pub(crate) use rounding::nearest_double;

@@ -4,7 +4,8 @@ use std::cmp::Ordering;
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Abs, DivRound, Pow};
-use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::num::conversion::traits::{FromStringBase, RoundingFrom};
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::Rational;
@@ -147,6 +148,63 @@ impl Rational {
         } else {
             format!("{sign}{whole}.{fraction}")
         }
+    }
+
+    /// Decimal text with `digits` significant digits, correctly rounded (ties to even), without zeros at the end; with an
+    /// exponent where it would be long without one.
+    ///
+    /// ```
+    /// use stellate::exact::Rational;
+    /// let shown = |text: &str| text.parse::<Rational>().unwrap().to_significant(5);
+    /// assert_eq!([shown("-2/3"), shown("1/4"), shown("1e30")], ["-0.66667", "0.25", "1e30"]);
+    /// assert_eq!([shown("99999.7"), shown("1/300000"), shown("0")], ["100000", "3.3333e-6", "0"]);
+    /// ```
+    #[must_use]
+    pub fn to_significant(&self, digits: u32) -> String {
+        let places = i64::from(digits.max(1)) - 1;
+        let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+        let Some(mut exponent) = self.decimal_exponent() else {
+            return "0".into();
+        };
+        let mut text = (self.abs() * ten(places - exponent)).to_decimal(0);
+        if i64::try_from(text.len()).unwrap_or(0) > places + 1 {
+            // Rounded up to the next power of ten.
+            exponent += 1;
+            text.pop();
+        }
+        let text = text.trim_end_matches('0');
+        let sign = if self.signum() < 0 { "-" } else { "" };
+        if (-5..16).contains(&exponent) {
+            let after = i64::try_from(text.len()).unwrap_or(0) - 1 - exponent;
+            let digits = Integer::from_string_base(10, text).unwrap_or_default();
+            let value = Rational::from(digits) * ten(-after);
+            let decimals = u32::try_from(after).unwrap_or(0);
+            return format!("{sign}{}", value.to_decimal(decimals));
+        }
+        let (first, rest) = text.split_at(1);
+        let point = if rest.is_empty() { "" } else { "." };
+        format!("{sign}{first}{point}{rest}e{exponent}")
+    }
+
+    /// ⌊log₁₀ |self|⌋, exactly; `None` for 0.
+    #[must_use]
+    pub fn decimal_exponent(&self) -> Option<i64> {
+        if self.is_zero() {
+            return None;
+        }
+        let size = self.abs();
+        let bits = |n: Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
+        // log₁₀ 2 ≈ 30103/100000: off by little, and the comparisons decide.
+        let binary = bits(size.numerator()) - bits(size.denominator());
+        let mut exponent = (binary * 30_103).div_euclid(100_000);
+        let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+        while ten(exponent) > size {
+            exponent -= 1;
+        }
+        while ten(exponent + 1) <= size {
+            exponent += 1;
+        }
+        Some(exponent)
     }
 
     /// ⌊self⌋.

@@ -144,6 +144,17 @@ impl SquaredForm {
         self.even.is_zero()
     }
 
+    /// The two sides of Eq. (7) or (8) before they are squared, without the factor r that one of them has: `r^N − odd`
+    /// (N even) or `r^(N+1) − odd` (N odd), and `even`; both times one integer.
+    #[must_use]
+    pub fn sides(&self) -> [PlanePolynomial; 2] {
+        let top = BinaryForm::rho_power(self.harmonics.div_ceil(2)).scaled(&self.unit);
+        let minus_odd = self.odd.as_ref().map(|odd| odd.scaled(&Integer::from(-1)));
+        let left = std::iter::once(top).chain(minus_odd);
+        let plane = |parts: Vec<BinaryForm>| PlanePolynomial::from_parts(parts, Integer::ONE);
+        [plane(left.collect()), plane(vec![self.even.clone()])]
+    }
+
     /// F itself, a primitive polynomial with positive first term, also where it is a square.
     #[must_use]
     pub fn expand_unreduced(&self) -> ImplicitCurve {

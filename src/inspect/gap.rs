@@ -30,10 +30,10 @@ pub(super) fn zero_in_ball(
     if bits > MAX_BITS {
         return None;
     }
-    let derivatives = [0, 1, 2].map(|i| derivative(&f, i));
+    let derivatives = [0, 1, 2].map(|i| f.derivative(i));
     let second = derivatives
         .each_ref()
-        .map(|g| [0, 1, 2].map(|i| derivative(g, i)));
+        .map(|g| [0, 1, 2].map(|i| g.derivative(i)));
     let bound = Rational::from(2).pow(-bits)?;
     let mut x = start.map(|x| Rational::try_from(x).unwrap_or_default());
     let mut precision = 64;
@@ -78,15 +78,6 @@ fn gap_bits(f: &SparsePolynomial<3>, p: &[Rational; 3], d: &Rational) -> i64 {
     let log = 64 - i64::from(even.leading_zeros());
     // n = 3: twice 3·2³·D³ times log₂(2^(5/2) H̃ D³), rounded up
     2 * 24 * even.saturating_pow(3).saturating_mul(3 + height + 3 * log)
-}
-
-fn derivative(f: &SparsePolynomial<3>, axis: usize) -> SparsePolynomial<3> {
-    let terms = f.terms().filter(|(e, _)| e[axis] > 0).map(|(e, c)| {
-        let mut lower = *e;
-        lower[axis] -= 1;
-        (lower, c * &Rational::from(i64::from(e[axis])))
-    });
-    SparsePolynomial::from_terms(terms)
 }
 
 /// A⁻¹ b by Cramer's rule, `None` if A is singular. A variable that does not occur gives a row and a column of zeros and stays.

@@ -2,6 +2,7 @@
 
 mod axes;
 mod camera;
+mod chart;
 mod clip;
 mod cut;
 mod extent;
@@ -12,6 +13,7 @@ mod raster;
 mod scene;
 mod trace;
 
+pub use chart::{Chart, Series};
 pub use extent::extent;
 pub use figure::{Figure, Layer};
 pub use raster::png_from_svg;

@@ -153,6 +153,17 @@ impl<const V: usize> SparsePolynomial<V> {
         })
     }
 
+    /// The derivative by the variable with this index.
+    #[must_use]
+    pub fn derivative(&self, variable: usize) -> Self {
+        let terms = self.terms.iter().filter(|(e, _)| e.0[variable] > 0);
+        Self::from_terms(terms.map(|(e, c)| {
+            let mut exponents = e.0;
+            exponents[variable] -= 1;
+            (exponents, c * &Rational::from(i64::from(e.0[variable])))
+        }))
+    }
+
     /// `factor · self`.
     #[must_use]
     pub fn scaled(&self, factor: &Rational) -> Self {

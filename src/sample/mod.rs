@@ -8,6 +8,7 @@ mod space_superquadric;
 mod superquadric;
 
 pub use direction::{Direction, UnitVector};
+pub(crate) use ray::along;
 pub use ray::{HomogeneousParts, Ray, RaySolver, Sample};
 pub use space_direction::SpaceDirection;
 pub use space_superquadric::SpaceSuperquadricSolver;

@@ -138,19 +138,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if it vanishes identically.
     fn restricted(&self, direction: &impl UnitVector<V>) -> Option<(u32, IntegerPolynomial)> {
         let (vector, w) = direction.over_common_denominator();
-        // f_d(U/W, V/W) W^top = f_d(U, V) W^(top − d)
-        let mut coefficients: Vec<(usize, Integer)> = Vec::new();
-        let mut w_power = Integer::ONE;
-        let mut above = self.polynomial.top_degree()?;
-        for (degree, value) in self.polynomial.values_at(&vector) {
-            for _ in degree..above {
-                w_power *= &w;
-            }
-            above = degree;
-            if value != 0 {
-                coefficients.push((above, value * &w_power));
-            }
-        }
+        let coefficients = along(self.polynomial, &vector, &w);
         let lowest = coefficients.last()?.0;
         let gap = coefficients
             .iter()
@@ -164,6 +152,29 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         let gap = u32::try_from(gap).ok()?;
         Some((gap, IntegerPolynomial::from_coefficients_asc(dense)))
     }
+}
+
+/// The non-zero coefficients (d, c_d), descending in d, of f(λ U/W, λ V/W) = Σ c_d λ^d, all times W to the degree of f; none
+/// if f vanishes identically on this line through the origin. The vector need not be a unit vector.
+pub(crate) fn along<P: HomogeneousParts<V>, const V: usize>(
+    polynomial: &P,
+    vector: &[Integer; V],
+    w: &Integer,
+) -> Vec<(usize, Integer)> {
+    // f_d(U/W, V/W) W^top = f_d(U, V) W^(top − d)
+    let mut coefficients: Vec<(usize, Integer)> = Vec::new();
+    let mut w_power = Integer::ONE;
+    let mut above = polynomial.top_degree().unwrap_or(0);
+    for (degree, value) in polynomial.values_at(vector) {
+        for _ in degree..above {
+            w_power *= w;
+        }
+        above = degree;
+        if value != 0 {
+            coefficients.push((above, value * &w_power));
+        }
+    }
+    coefficients
 }
 
 /// The roots of g, for k > 1 only the positive ones, with guesses tried.

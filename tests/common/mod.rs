@@ -1,6 +1,7 @@
 //! Shared inputs and oracles.
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 
+pub(crate) mod float_program;
 pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;
 pub(crate) mod program;

@@ -1,10 +1,12 @@
 //! Running the program and reading what it says.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
 use num_rational::BigRational;
 use serde_json::Value;
+use tempfile::TempDir;
 
 pub(crate) const EGG: &str = "r = 1 + 1/5*cos(t) + 0.1*sin(t)";
 
@@ -28,6 +30,13 @@ pub(crate) fn run_in(folder: &Path, arguments: &[&str], stdin: &str) -> Run {
         out: String::from_utf8(output.stdout).unwrap(),
         err: String::from_utf8(output.stderr).unwrap(),
     }
+}
+
+/// Runs with a file `data.csv` of this text.
+pub(crate) fn with_data(text: &str, arguments: &[&str]) -> Run {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("data.csv"), text).unwrap();
+    run_in(folder.path(), arguments, "")
 }
 
 /// What a successful run prints.

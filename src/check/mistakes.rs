@@ -1,0 +1,317 @@
+//! The usual mistakes of programs that convert a radius into a polynomial, each as the exact curve that it leads to.
+
+use super::comparison::Comparison;
+use crate::exact::Rational;
+use crate::implicitize::SquaredForm;
+use crate::poly::{Ring, SparsePolynomial};
+use crate::shape::FourierRadius;
+
+/// Marks, in digits, at which a mistaken reference has to do far better than the right one.
+const MARKS: [u32; 4] = [12, 9, 6, 3];
+
+/// Far better: at most this part of the faults is left.
+const LEFT: usize = 10;
+
+/// What a mistake leads to, instead of the reference.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Mistaken<T> {
+    /// A short name: `a0 halved`.
+    pub(super) name: &'static str,
+    /// What a program with this mistake does, and what would be right.
+    pub(super) explanation: &'static str,
+    /// The exact form that such a program computes.
+    pub(super) form: T,
+}
+
+/// A usual mistake that explains what is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnosis {
+    /// A short name: `a0 halved`.
+    pub name: &'static str,
+    /// What a program with this mistake does, and what would be right.
+    pub explanation: &'static str,
+    /// The mark, in digits, at which faults were counted.
+    pub mark: u32,
+    /// How many numbers miss the mark beside the reference, missing and extra ones included …
+    pub faults: usize,
+    /// … and how many beside what the mistake leads to.
+    pub faults_left: usize,
+}
+
+/// The mistakes that explain a comparison far better than the reference does: at the highest of some marks at which
+/// at most a tenth of the faults is left, those that leave the fewest. `compare` is the check with another reference, by
+/// the same code.
+pub(super) fn diagnose<T>(
+    found: &Comparison,
+    mistakes: impl IntoIterator<Item = Mistaken<T>>,
+    compare: impl Fn(&T) -> Option<Comparison>,
+) -> Vec<Diagnosis> {
+    let faults = |comparison: &Comparison| MARKS.map(|mark| comparison.below(mark).len());
+    let before = faults(found);
+    if before[0] == 0 {
+        return Vec::new();
+    }
+    let tried = mistakes.into_iter().filter_map(|mistake| {
+        let after = faults(&compare(&mistake.form)?);
+        Some((mistake, after))
+    });
+    let tried: Vec<(Mistaken<T>, [usize; MARKS.len()])> = tried.collect();
+    for (k, mark) in MARKS.into_iter().enumerate() {
+        let left = tried.iter().map(|(_, after)| after[k]).min();
+        let Some(left) = left.filter(|left| before[k] > 0 && left * LEFT <= before[k]) else {
+            continue;
+        };
+        let explain = tried.iter().filter(|(_, after)| after[k] == left);
+        return explain
+            .map(|(mistake, _)| Diagnosis {
+                name: mistake.name,
+                explanation: mistake.explanation,
+                mark,
+                faults: before[k],
+                faults_left: left,
+            })
+            .collect();
+    }
+    Vec::new()
+}
+
+/// Radii that come of mistakes with the series, without those that change nothing here.
+pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadius>> {
+    let half = || Rational::from_parts(1.into(), -1);
+    let (one, two) = (Rational::one, || Rational::from(2));
+    let scaled = |mean: Rational, others: Rational| {
+        mapped(radius, |n, a, b| {
+            let factor = if n == 0 { &mean } else { &others };
+            [a * factor, b * factor]
+        })
+    };
+    let sign = |n: usize| Rational::from(if n.is_multiple_of(2) { 1 } else { -1 });
+    let opposite = |n: usize, a: &Rational, b: &Rational| [a * &sign(n), b * &sign(n)];
+    let all = vec![
+        Mistaken {
+            name: "a0 halved",
+            explanation: "a0 is the mean of the radii, 1/Ns times their sum, and not half of it",
+            form: scaled(half(), one()),
+        },
+        Mistaken {
+            name: "a0 doubled",
+            explanation: "the series begins with a0, the mean of the radii; one that begins with a0/2 has twice that a0",
+            form: scaled(two(), one()),
+        },
+        Mistaken {
+            name: "all coefficients halved",
+            explanation: "Definition 1 as it is printed: right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns",
+            form: scaled(half(), half()),
+        },
+        Mistaken {
+            name: "all coefficients doubled",
+            explanation: "right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns; these are twice that",
+            form: scaled(two(), two()),
+        },
+        Mistaken {
+            name: "an and bn halved",
+            explanation: "the factor of an and bn is 2/Ns; 1/Ns is that of a0",
+            form: scaled(one(), half()),
+        },
+        Mistaken {
+            name: "an and bn doubled",
+            explanation: "an and bn are counted twice, as the amplitudes of a spectrum with two sides are",
+            form: scaled(one(), two()),
+        },
+        Mistaken {
+            name: "x and y swapped",
+            explanation: "x = r cos t and y = r sin t; with the two exchanged (rows and columns of an image) it is r(pi/2 - t)",
+            form: mapped(radius, |n, a, b| match n % 4 {
+                0 => [a.clone(), -b],
+                1 => [b.clone(), a.clone()],
+                2 => [-a, b.clone()],
+                _ => [-b, -a],
+            }),
+        },
+        Mistaken {
+            name: "sine sign flipped",
+            explanation: "r(-t): the contour runs clockwise, or y points down as in images, or bn has the sign of a transform with exp(-i n t)",
+            form: mapped(radius, |_, a, b| [a.clone(), -b]),
+        },
+        Mistaken {
+            name: "x mirrored",
+            explanation: "r(pi - t): the sign of x, or angles measured from -x the other way round",
+            form: mapped(radius, |n, a, b| [a * &sign(n), -(b * &sign(n))]),
+        },
+        Mistaken {
+            name: "curve reflected in the origin",
+            explanation: "r(t + pi): all odd harmonics, or the part of odd degree of F, have the wrong sign",
+            form: mapped(radius, opposite),
+        },
+        Mistaken {
+            name: "reflected branch",
+            explanation: "-r(t + pi), the other solution of F = 0 on the same line: the wrong sign before the root",
+            form: mapped(radius, |n, a, b| opposite(n, a, b).map(|v| -v)),
+        },
+        Mistaken {
+            name: "last harmonic dropped",
+            explanation: "N is one too small, and the degree 2(N + 1) two",
+            form: truncated(radius, radius.harmonics().saturating_sub(1)),
+        },
+    ];
+    let differs = |m: &Mistaken<FourierRadius>| m.form != *radius && !m.form.is_zero();
+    all.into_iter().filter(differs).collect()
+}
+
+/// The radius with other coefficients.
+fn mapped(
+    radius: &FourierRadius,
+    f: impl Fn(usize, &Rational, &Rational) -> [Rational; 2],
+) -> FourierRadius {
+    let pairs = radius.cosines().iter().zip(radius.sines()).enumerate();
+    let (cos, sin) = pairs
+        .map(|(n, (a, b))| {
+            let [a, b] = f(n, a, b);
+            (a, b)
+        })
+        .unzip();
+    FourierRadius::new(cos, sin).with_center(radius.center().clone())
+}
+
+/// The first harmonics of a radius.
+pub(super) fn truncated(radius: &FourierRadius, harmonics: usize) -> FourierRadius {
+    mapped(radius, |n, a, b| {
+        if n <= harmonics {
+            [a.clone(), b.clone()]
+        } else {
+            [Rational::zero(), Rational::zero()]
+        }
+    })
+}
+
+/// Polynomials that come of mistakes: with the series, if the curve has one, else with coordinates; and with the degree.
+pub(super) fn mistaken_polynomials(
+    polynomial: &SparsePolynomial<3>,
+    radius: Option<&FourierRadius>,
+    in_space: bool,
+) -> Vec<Mistaken<SparsePolynomial<3>>> {
+    let mut all = match radius {
+        Some(radius) => of_series(radius),
+        None => of_coordinates(polynomial, in_space),
+    };
+    let axes = if in_space { 3 } else { 2 };
+    let rho = SparsePolynomial::from_terms((0..axes).map(|axis| {
+        let exponents = std::array::from_fn(|i| if i == axis { 2 } else { 0 });
+        (exponents, Rational::one())
+    }));
+    all.push(Mistaken {
+        name: "degree too high by two",
+        explanation: "the polynomial times the squared radius: N was taken one too large, or a factor was not divided out",
+        form: polynomial.times(&rho),
+    });
+    if polynomial.len() <= LONGEST_SQUARED {
+        all.push(Mistaken {
+            name: "squared once too often",
+            explanation: "the polynomial squared has the same zeros, each twice",
+            form: polynomial.squared(),
+        });
+    }
+    all.retain(|m| m.form != *polynomial && m.form.as_constant().is_none());
+    all
+}
+
+/// Term by term squares of longer polynomials take too long to be tried.
+const LONGEST_SQUARED: usize = 400;
+
+fn of_series(radius: &FourierRadius) -> Vec<Mistaken<SparsePolynomial<3>>> {
+    let expanded = |radius: &FourierRadius| {
+        let form = SquaredForm::new(radius).ok()?;
+        Some(SparsePolynomial::from(form.expand().polynomial()))
+    };
+    let mut all: Vec<Mistaken<SparsePolynomial<3>>> = mistaken_radii(radius)
+        .into_iter()
+        .filter_map(|m| {
+            Some(Mistaken {
+                name: m.name,
+                explanation: m.explanation,
+                form: expanded(&m.form)?,
+            })
+        })
+        .collect();
+    let Ok(form) = SquaredForm::new(radius) else {
+        return all;
+    };
+    let [left, right] = form.sides().map(|side| SparsePolynomial::from(&side));
+    all.push(Mistaken {
+        name: "unsquared form",
+        explanation: "one side of Eq. (7) or (8) alone, without the square that removes the odd powers of r",
+        form: left.clone(),
+    });
+    all.push(Mistaken {
+        name: "unsquared form",
+        explanation: "the difference of the sides of Eq. (7) or (8) before they are squared, with the odd power of r left out",
+        form: left.minus(&right),
+    });
+    if left.len() <= LONGEST_SQUARED {
+        all.push(Mistaken {
+            name: "r^2 left out",
+            explanation: "the difference of the squares in Eq. (7) or (8) without the factor r^2 of one of them",
+            form: left.squared().minus(&right.squared()),
+        });
+    }
+    all
+}
+
+fn of_coordinates(
+    polynomial: &SparsePolynomial<3>,
+    in_space: bool,
+) -> Vec<Mistaken<SparsePolynomial<3>>> {
+    let swapped = |a: usize, b: usize| {
+        let terms = polynomial.terms().map(|(e, c)| {
+            let mut e = *e;
+            e.swap(a, b);
+            (e, c.clone())
+        });
+        SparsePolynomial::from_terms(terms)
+    };
+    // f(factor · x) for some of the coordinates
+    let scaled = |axes: &[usize], factor: Rational| {
+        let terms = polynomial.terms().map(|(e, c)| {
+            let power: i64 = axes.iter().map(|&axis| i64::from(e[axis])).sum();
+            (*e, c * &factor.pow(power).unwrap_or_default())
+        });
+        SparsePolynomial::from_terms(terms)
+    };
+    let minus = || Rational::from(-1);
+    let all_axes = [0, 1, 2];
+    let coordinates =
+        "the roles of two coordinates, or rows and columns of an image, are exchanged";
+    let mirrored = "one coordinate has the wrong sign";
+    let mut all = vec![
+        ("x and y swapped", coordinates, swapped(0, 1)),
+        ("x mirrored", mirrored, scaled(&[0], minus())),
+        ("y mirrored", mirrored, scaled(&[1], minus())),
+        (
+            "reflected in the origin",
+            "the parts of odd degree have the wrong sign",
+            scaled(&all_axes, minus()),
+        ),
+        (
+            "half the size",
+            "all coordinates are halved, as Definition 1 does as it is printed",
+            scaled(&all_axes, Rational::from(2)),
+        ),
+        (
+            "twice the size",
+            "all coordinates are doubled",
+            scaled(&all_axes, Rational::from_parts(1.into(), -1)),
+        ),
+    ];
+    if in_space {
+        all.push(("x and z swapped", coordinates, swapped(0, 2)));
+        all.push(("y and z swapped", coordinates, swapped(1, 2)));
+        all.push(("z mirrored", mirrored, scaled(&[2], minus())));
+    }
+    all.into_iter()
+        .map(|(name, explanation, form)| Mistaken {
+            name,
+            explanation,
+            form,
+        })
+        .collect()
+}

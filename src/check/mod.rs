@@ -1,0 +1,38 @@
+//! Float implementations against exact: how many digits of coefficients, points and radii are right, and which of the
+//! usual mistakes explains what is not.
+//!
+//! The numbers of a float program are doubles, taken bit for bit, and the reference is exact: what is compared is
+//! rational, or enclosed as closely as the answer needs it. Relative distances, pass marks and the choice of the
+//! common factor are decided in exact arithmetic; digits and ulps are then rounded for people.
+
+mod coefficients;
+mod comparison;
+mod condition;
+mod deviation;
+mod enclosed_ray;
+mod float_theorem2;
+mod ladder;
+mod mistakes;
+mod nearest;
+mod points;
+mod radii;
+mod reference;
+mod scale;
+mod series;
+mod vectors;
+
+pub use coefficients::compare_coefficients;
+pub use comparison::{Comparison, NOISE_DIGITS, Place, Residual, Row};
+pub use condition::{RootConditions, coefficient_conditions};
+pub use deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
+pub use float_theorem2::FloatTheorem2;
+pub use ladder::{DigitsKept, Rung, ladder};
+pub use mistakes::Diagnosis;
+pub use points::GivenPoint;
+pub use radii::GivenRadius;
+pub use reference::Reference;
+pub use scale::{Meaning, Scale};
+pub use series::SeriesValues;
+pub use vectors::{
+    CoefficientVector, InputsOf, PointVector, RadiusVector, TestVectors, VectorInput, test_vectors,
+};

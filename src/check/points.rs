@@ -1,0 +1,167 @@
+//! Points of a float program beside the exact curve or surface.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{Lcm, Pow};
+use malachite::base::num::basic::traits::One;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+use super::comparison::{Comparison, Place, Residual, Row};
+use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
+use super::mistakes::diagnose;
+use super::nearest::nearest_to_one;
+use super::reference::Reference;
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{SpacePolynomial, SparsePolynomial};
+use crate::sample::along;
+
+/// Usual mistakes are looked for with so many rows, evenly chosen.
+pub(super) const ROWS_FOR_DIAGNOSIS: usize = 24;
+
+/// A point of a float program, and the line of the file that it comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GivenPoint {
+    /// From 1.
+    pub line: usize,
+    /// x, y and z; z is 0 in the plane.
+    pub position: [f64; 3],
+}
+
+/// f and its gradient, ready for exact values.
+struct Surface {
+    f: SpacePolynomial,
+    gradient: [SpacePolynomial; 3],
+}
+
+impl Reference {
+    /// Points of a float program, relative to [`Reference::center`], beside the zero set.
+    ///
+    /// A point p lies on a rational line through the origin, and on it f(λp) is a polynomial in λ: its real root nearest
+    /// to 1 is the nearest branch, and |λ − 1|/|λ| the distance along the ray relative to the exact radius. The residual
+    /// f(p) and the first-order distance |f|/|∇f| are computed exactly and then rounded. Cost: per point the values of
+    /// all homogeneous parts and of those of the gradient, and the real roots of one polynomial.
+    ///
+    /// ```
+    /// use stellate::check::{GivenPoint, Reference};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::FourierRadius;
+    /// let circle = Reference::of_radius(&FourierRadius::new(vec![5.into()], vec![]))?;
+    /// let points = [[3.0, 4.0, 0.0], [6.0, 8.0, 0.0]].map(|position| GivenPoint { line: 1, position });
+    /// let found = circle.check_points(&points, &Limits::none())?;
+    /// assert_eq!(found.rows[0].deviation.relative(), Some(&0.into()));
+    /// assert_eq!(found.rows[1].residual.unwrap().value, 75.0);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What `limits` returns.
+    pub fn check_points(&self, points: &[GivenPoint], limits: &Limits) -> Result<Comparison> {
+        let mut found = compare(points, self.polynomial(), limits)?;
+        found.in_space = self.in_space();
+        let step = points.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
+        let some: Vec<GivenPoint> = points.iter().step_by(step).copied().collect();
+        let begun = compare(&some, self.polynomial(), limits)?;
+        found.diagnoses = diagnose(&begun, self.mistaken(), |polynomial| {
+            compare(&some, polynomial, limits).ok()
+        });
+        Ok(found)
+    }
+}
+
+fn compare(
+    points: &[GivenPoint],
+    polynomial: &SparsePolynomial<3>,
+    limits: &Limits,
+) -> Result<Comparison> {
+    let surface = Surface::new(polynomial);
+    let rows: Result<Vec<Row>> = points
+        .par_iter()
+        .map(|point| {
+            limits.check()?;
+            Ok(surface.row(point))
+        })
+        .collect();
+    Ok(Comparison {
+        rows: rows?,
+        ..Comparison::default()
+    })
+}
+
+impl Surface {
+    fn new(f: &SparsePolynomial<3>) -> Self {
+        Self {
+            f: SpacePolynomial::from(f),
+            gradient: [0, 1, 2].map(|axis| SpacePolynomial::from(&f.derivative(axis))),
+        }
+    }
+
+    fn row(&self, point: &GivenPoint) -> Row {
+        // A finite double has an exact value.
+        let p = point
+            .position
+            .map(|v| Rational::try_from(v).unwrap_or_default());
+        let w = p.iter().fold(Integer::ONE, |w, v| {
+            let other = v.denominator();
+            Integer::from(w.unsigned_abs_ref().lcm(other.unsigned_abs_ref()))
+        });
+        let scale = Rational::from(&w);
+        let vector = p.each_ref().map(|v| (v * &scale).numerator());
+        let terms = along(&self.f, &vector, &w);
+        let value = value(&terms, &self.f, &w);
+        let square = p.iter().fold(Rational::zero(), |sum, v| sum + v * v);
+        let radius = (!square.is_zero()).then(|| close_root(&square));
+        let (exact, deviation) = match radius {
+            radius if value.is_zero() => (Some(radius.unwrap_or_default()), Deviation::exact()),
+            Some(radius) => distance(&terms, &radius),
+            None => (None, Deviation::infinite()),
+        };
+        let gradient = self.gradient.each_ref().map(|g| {
+            let terms = along(g, &vector, &w);
+            self::value(&terms, g, &w)
+        });
+        Row {
+            place: Place::Point {
+                line: point.line,
+                position: point.position,
+            },
+            got: nearest_root(&square),
+            exact,
+            deviation,
+            residual: Some(residual(&value, &gradient)),
+        }
+    }
+}
+
+/// The radius of the nearest branch on the ray of a point at this distance from the origin, and how far it is.
+fn distance(terms: &[(usize, Integer)], radius: &Rational) -> (Option<Rational>, Deviation) {
+    let nearest = nearest_to_one(terms);
+    let Some((offset, relative)) = nearest.and_then(|o| o.relative().map(|r| (o, r))) else {
+        return (None, Deviation::infinite());
+    };
+    let exact = (Rational::one() + &offset.high) * radius;
+    let unit = unit_in_the_last_place(exact.to_f64());
+    let ulps = (offset.high.abs() * radius / unit).to_f64();
+    (Some(exact), Deviation::bounded(relative, ulps))
+}
+
+/// Σ c_d / (W^top · D): the value at the vector over W.
+fn value(terms: &[(usize, Integer)], f: &SpacePolynomial, w: &Integer) -> Rational {
+    let sum: Integer = terms.iter().map(|(_, c)| c.clone()).sum();
+    let top = f.degree().unwrap_or(0) as u64;
+    let below = w.pow(top) * f.denominator();
+    Rational::new(sum, below).unwrap_or_default()
+}
+
+fn residual(value: &Rational, gradient: &[Rational; 3]) -> Residual {
+    let steepness = gradient.iter().fold(Rational::zero(), |sum, g| sum + g * g);
+    let first_order = match steepness.recip() {
+        Some(inverse) => nearest_root(&(value * value * inverse)),
+        None if value.is_zero() => 0.0,
+        None => f64::INFINITY,
+    };
+    Residual {
+        value: value.to_f64(),
+        first_order,
+    }
+}

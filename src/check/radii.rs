@@ -1,0 +1,201 @@
+//! Radii of a float program beside the certified ones, at angles that are doubles.
+
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+use super::comparison::{Comparison, Place, Row};
+use super::deviation::{Deviation, unit_in_the_last_place};
+use super::enclosed_ray::EnclosedRays;
+use super::mistakes::{diagnose, mistaken_radii};
+use super::points::ROWS_FOR_DIAGNOSIS;
+use super::reference::Reference;
+use super::series::SeriesValues;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::factor::factor_plane;
+use crate::limits::Limits;
+use crate::poly::PlanePolynomial;
+
+/// The precision that a radius is first enclosed with, in bits.
+const FIRST_BITS: u32 = 128;
+
+/// The difference of two numbers is enclosed to 2^−this of itself.
+const DIFFERENCE_BITS: i64 = 20;
+
+/// The radius is enclosed to 2^−this of itself.
+const RADIUS_BITS: i64 = 64;
+
+/// A radius of a float program, and the line of the file that it comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GivenRadius {
+    /// From 1.
+    pub line: usize,
+    /// The angle in radians, exactly this double.
+    pub theta: f64,
+    /// The radius.
+    pub r: f64,
+}
+
+impl Reference {
+    /// Radii of a float program beside the certified ones. The angle is the double itself: (cos θ, sin θ) is enclosed,
+    /// as closely as the answer needs it.
+    ///
+    /// Beside a Fourier radius r(θ) is enclosed; beside a polynomial the nearest branch on the ray, r of either sign. Cost: per
+    /// radius that of [`SeriesValues::bounds`], or the forms at (cos θ, sin θ) in some 200 bits and the real roots of one
+    /// polynomial.
+    ///
+    /// ```
+    /// use stellate::check::{GivenRadius, Reference};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::FourierRadius;
+    /// let limacon = Reference::of_radius(&FourierRadius::new(vec![2.into(), 1.into()], vec![]))?;
+    /// let given = GivenRadius { line: 1, theta: 1.0, r: 2.0 + 1f64.cos() };
+    /// let found = limacon.check_radii(&[given], &Limits::none())?;
+    /// assert!(found.passes(Some(15)));
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Hypothesis`] for a surface; [`Error::Limit`] if the roots of a polynomial cannot be told apart; what
+    /// `limits` returns.
+    pub fn check_radii(&self, radii: &[GivenRadius], limits: &Limits) -> Result<Comparison> {
+        let Some(radius) = self.given_radius() else {
+            return self.beside_polynomial(radii, limits);
+        };
+        let mut found = beside_series(radii, &SeriesValues::new(radius), limits)?;
+        let step = radii.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
+        let some: Vec<GivenRadius> = radii.iter().step_by(step).copied().collect();
+        let begun = beside_series(&some, &SeriesValues::new(radius), limits)?;
+        found.diagnoses = diagnose(&begun, mistaken_radii(radius), |mistaken| {
+            beside_series(&some, &SeriesValues::new(mistaken), limits).ok()
+        });
+        Ok(found)
+    }
+
+    fn beside_polynomial(&self, radii: &[GivenRadius], limits: &Limits) -> Result<Comparison> {
+        let plane = (!self.in_space())
+            .then(|| self.polynomial().to_plane())
+            .flatten();
+        let plane = plane.ok_or_else(|| Error::Hypothesis {
+            statement: "the check of radii r(theta)",
+            witness:
+                "this is a surface, whose radius has two angles; check its points x,y,z instead"
+                    .into(),
+        })?;
+        let rays = EnclosedRays::new(&self.without_multiple_factors(plane, limits)?);
+        let rows: Result<Vec<Row>> = radii
+            .par_iter()
+            .map(|given| {
+                limits.check()?;
+                let [theta, got] = exact(given);
+                if got.is_zero() {
+                    return Ok(row(given, None, Deviation::infinite()));
+                }
+                let Some(offset) = rays.nearest(&theta, &got)? else {
+                    return Ok(row(given, None, Deviation::infinite()));
+                };
+                let root = |delta: &Rational| &got * &(Rational::one() + delta);
+                let radius = root(&offset.high);
+                let distance = offset.high.abs() * got.abs();
+                let ulps = (distance / unit_in_the_last_place(radius.to_f64())).to_f64();
+                let deviation = match offset.relative() {
+                    Some(relative) => Deviation::bounded(relative, ulps),
+                    None => Deviation::infinite(),
+                };
+                Ok(row(given, Some(radius), deviation))
+            })
+            .collect();
+        Ok(Comparison {
+            rows: rows?,
+            ..Comparison::default()
+        })
+    }
+}
+
+impl Reference {
+    /// The polynomial with every factor once: its roots on a ray are simple. What comes of a radius is irreducible.
+    fn without_multiple_factors(
+        &self,
+        f: PlanePolynomial,
+        limits: &Limits,
+    ) -> Result<PlanePolynomial> {
+        if self.radius().is_some() {
+            return Ok(f);
+        }
+        let factors = factor_plane(&f, limits)?.factors;
+        if factors.iter().all(|factor| factor.multiplicity == 1) {
+            return Ok(f);
+        }
+        let product = factors.into_iter().map(|factor| factor.polynomial);
+        Ok(product.reduce(|a, b| a.product(&b)).unwrap_or(f))
+    }
+}
+
+fn beside_series(
+    radii: &[GivenRadius],
+    values: &SeriesValues,
+    limits: &Limits,
+) -> Result<Comparison> {
+    let rows: Result<Vec<Row>> = radii
+        .par_iter()
+        .map(|given| {
+            limits.check()?;
+            let [theta, got] = exact(given);
+            let (radius, deviation) = deviation(&got, |bits| values.bounds(&theta, bits));
+            Ok(row(given, Some(radius), deviation))
+        })
+        .collect();
+    Ok(Comparison {
+        rows: rows?,
+        ..Comparison::default()
+    })
+}
+
+/// The angle and the radius; a finite double has an exact value.
+fn exact(given: &GivenRadius) -> [Rational; 2] {
+    [given.theta, given.r].map(|v| Rational::try_from(v).unwrap_or_default())
+}
+
+/// The distance of `got` from a number that is enclosed as closely as asked; the number is rational only if the
+/// enclosure is a point.
+fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational, Deviation) {
+    let mut bits = FIRST_BITS;
+    loop {
+        let [low, high] = bounds(bits);
+        if low == high {
+            let deviation = Deviation::between(got, &low);
+            return (low, deviation);
+        }
+        let width = &high - &low;
+        let is_close =
+            |size: &Rational, k: i64| width <= size * &Rational::from_parts(1.into(), -k);
+        let nearer = |a: Rational, b: Rational| {
+            if a.signum() == b.signum() {
+                a.abs().min(b.abs())
+            } else {
+                Rational::zero()
+            }
+        };
+        let difference = nearer(&low - got, &high - got);
+        let size = nearer(low.clone(), high.clone());
+        if is_close(&difference, DIFFERENCE_BITS) && is_close(&size, RADIUS_BITS) {
+            let most = difference + width;
+            let ulps = &most / &unit_in_the_last_place(low.to_f64());
+            let deviation = Deviation::bounded(most / size, ulps.to_f64());
+            return (low, deviation);
+        }
+        bits *= 2;
+    }
+}
+
+fn row(given: &GivenRadius, exact: Option<Rational>, deviation: Deviation) -> Row {
+    Row {
+        place: Place::Radius {
+            line: given.line,
+            theta: given.theta,
+        },
+        got: given.r,
+        exact,
+        deviation,
+        residual: None,
+    }
+}

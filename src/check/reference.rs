@@ -1,0 +1,141 @@
+//! The exact form that a float program is measured against.
+
+use super::coefficients::compare_coefficients;
+use super::comparison::Comparison;
+use super::mistakes::{Mistaken, diagnose, mistaken_polynomials};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::implicitize::SquaredForm;
+use crate::parametrize::born_of_radius;
+use crate::poly::SparsePolynomial;
+use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
+
+/// A curve or a surface with its exact polynomial, and with its radius where it has one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    polynomial: SparsePolynomial<3>,
+    /// F of Theorem 2 where the polynomial is its square root.
+    square: Option<SparsePolynomial<3>>,
+    in_space: bool,
+    /// The series that the curve comes from, found again if a polynomial was given.
+    radius: Option<FourierRadius>,
+    radius_is_given: bool,
+    /// The fit with one harmonic more, of a contour.
+    next: Option<FourierRadius>,
+    center: [Rational; 2],
+}
+
+impl Reference {
+    /// A Fourier radius, with the polynomial of Theorem 2 with first coefficient 1. Where that is a perfect square (only odd
+    /// harmonics) it is reduced; coefficients may be those of either.
+    ///
+    /// # Errors
+    /// As [`SquaredForm::new`].
+    pub fn of_radius(radius: &FourierRadius) -> Result<Self> {
+        let form = SquaredForm::new(radius)?;
+        let monic = |curve: ImplicitCurve| SparsePolynomial::from(&curve.polynomial().monic());
+        let square = form
+            .is_perfect_square()
+            .then(|| monic(form.expand_unreduced()));
+        Ok(Self {
+            polynomial: monic(form.expand()),
+            square,
+            in_space: false,
+            radius: Some(radius.clone()),
+            radius_is_given: true,
+            next: None,
+            center: radius.center().clone(),
+        })
+    }
+
+    /// A plane curve, with its polynomial as it is.
+    #[must_use]
+    pub fn of_curve(curve: &ImplicitCurve) -> Self {
+        let radius = born_of_radius(curve).and_then(|found| found.radii.into_iter().next());
+        Self {
+            polynomial: SparsePolynomial::from(curve.polynomial()),
+            square: None,
+            in_space: false,
+            radius,
+            radius_is_given: false,
+            next: None,
+            center: curve.center().clone(),
+        }
+    }
+
+    /// A surface.
+    #[must_use]
+    pub fn of_surface(surface: &ImplicitSurface) -> Self {
+        Self {
+            polynomial: surface.polynomial().clone(),
+            square: None,
+            in_space: true,
+            radius: None,
+            radius_is_given: false,
+            next: None,
+            center: [Rational::zero(), Rational::zero()],
+        }
+    }
+
+    /// Of a contour also the fit with one harmonic more is known, so that a degree off by two is recognised.
+    #[must_use]
+    pub fn with_next(mut self, next: FourierRadius) -> Self {
+        self.next = Some(next);
+        self
+    }
+
+    /// The exact polynomial; of a plane curve in x and y only.
+    #[must_use]
+    pub fn polynomial(&self) -> &SparsePolynomial<3> {
+        &self.polynomial
+    }
+
+    /// Whether it is a surface.
+    #[must_use]
+    pub fn in_space(&self) -> bool {
+        self.in_space
+    }
+
+    /// The Fourier radius of the curve, also where it was found from the polynomial.
+    #[must_use]
+    pub fn radius(&self) -> Option<&FourierRadius> {
+        self.radius.as_ref()
+    }
+
+    /// The Fourier radius if the reference was given by it.
+    #[must_use]
+    pub fn given_radius(&self) -> Option<&FourierRadius> {
+        self.radius.as_ref().filter(|_| self.radius_is_given)
+    }
+
+    /// Where x = y = 0 lies in the contour's coordinates.
+    #[must_use]
+    pub fn center(&self) -> &[Rational; 2] {
+        &self.center
+    }
+
+    /// The coefficients of a float program beside the exact ones, with the usual mistakes looked for.
+    #[must_use]
+    pub fn check_coefficients(&self, got: &SparsePolynomial<3>) -> Comparison {
+        let square = self.square.as_ref().filter(|f| f.degree() == got.degree());
+        let exact = square.unwrap_or(&self.polynomial);
+        let mut found = compare_coefficients(got, exact);
+        found.in_space = self.in_space;
+        found.diagnoses = diagnose(&found, self.mistaken(), |polynomial| {
+            Some(compare_coefficients(got, polynomial))
+        });
+        found
+    }
+
+    /// The polynomials of usual mistakes.
+    pub(super) fn mistaken(&self) -> Vec<Mistaken<SparsePolynomial<3>>> {
+        let mut all = mistaken_polynomials(&self.polynomial, self.radius.as_ref(), self.in_space);
+        let next = self.next.as_ref().and_then(|r| SquaredForm::new(r).ok());
+        all.extend(next.map(|form| Mistaken {
+            name: "one harmonic more",
+            explanation: "N is one too large, and the degree 2(N + 1) two",
+            form: SparsePolynomial::from(form.expand().polynomial()),
+        }));
+        all
+    }
+}

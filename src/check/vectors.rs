@@ -1,0 +1,318 @@
+//! Test vectors for float programs: inputs that are doubles, and everything that follows from them, certified.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use malachite::Integer;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::condition::{RootConditions, coefficient_conditions};
+use super::reference::Reference;
+use super::series::SeriesValues;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{SpacePolynomial, SparsePolynomial};
+use crate::sample::{Direction, Ray, RaySolver, Sample, SpaceDirection, UnitVector};
+use crate::shape::FourierRadius;
+
+/// What a float program is given: a double.
+#[derive(Clone, Debug, PartialEq)]
+pub enum VectorInput {
+    /// a_n of the radius.
+    Cosine(usize, f64),
+    /// b_n of the radius.
+    Sine(usize, f64),
+    /// The coefficient of a term, where the polynomial itself is given.
+    Coefficient([u32; 3], f64),
+}
+
+/// A coefficient that follows from the inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoefficientVector {
+    /// The exponents of x, y and z.
+    pub exponents: [u32; 3],
+    /// The coefficient.
+    pub exact: Rational,
+    /// The double nearest to it.
+    pub double: f64,
+    /// Its condition with respect to the inputs ([`coefficient_conditions`]); `None` where no inputs are known.
+    pub condition: Option<Rational>,
+}
+
+/// r(θ) at an angle that is a double.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RadiusVector {
+    /// The angle, exactly this double.
+    pub theta: f64,
+    /// The double nearest to r(θ).
+    pub r: f64,
+    /// The condition of r(θ) with respect to the inputs.
+    pub condition: f64,
+}
+
+/// A point of the zero set in an exact direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointVector {
+    /// The direction, a unit vector; its third component is 0 in the plane.
+    pub unit: [Rational; 3],
+    /// The double nearest to its distance from the origin, with the sign of the direction.
+    pub r: f64,
+    /// The doubles nearest to x, y and z.
+    pub position: [f64; 3],
+    /// The multiplicity of the root.
+    pub multiplicity: usize,
+    /// The condition of the root with respect to the coefficients ([`RootConditions`]).
+    pub condition: f64,
+}
+
+/// Inputs and what follows from them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TestVectors {
+    /// Whether it is a surface.
+    pub in_space: bool,
+    /// Where x = y = 0 lies in the contour's coordinates.
+    pub center: [Rational; 2],
+    /// What the float program is given; none for a parametric form.
+    pub inputs: Vec<VectorInput>,
+    /// How many of the numbers given were no doubles and were rounded to some first.
+    pub rounded: usize,
+    /// In canonical order; with first coefficient 1 where the inputs are those of a radius.
+    pub coefficients: Vec<CoefficientVector>,
+    /// At the doubles nearest to 2πk/K; none where the curve has no Fourier radius.
+    pub radii: Vec<RadiusVector>,
+    /// All points in K directions.
+    pub points: Vec<PointVector>,
+}
+
+/// What the inputs of a float program are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputsOf {
+    /// The coefficients of the radius, or else of the polynomial.
+    Form,
+    /// Neither: the polynomial comes from a parametric form.
+    Nothing,
+}
+
+/// Test vectors from a reference. Its numbers are rounded to doubles first, because only those can be given to a float
+/// program; all else follows from these doubles exactly.
+///
+/// ```
+/// use stellate::check::{InputsOf, Reference, test_vectors};
+/// use stellate::limits::Limits;
+/// use stellate::shape::FourierRadius;
+/// let fifth = stellate::exact::Rational::from(1) / stellate::exact::Rational::from(5);
+/// let reference = Reference::of_radius(&FourierRadius::new(vec![1.into(), fifth], vec![]))?;
+/// let vectors = test_vectors(&reference, InputsOf::Form, 4, &Limits::none())?;
+/// assert_eq!(vectors.rounded, 1);
+/// // r(0) = 1 + 0.2 of the doubles, correctly rounded.
+/// assert_eq!(vectors.radii[0].r, 1.2);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Hypothesis`] if a number is beyond the doubles; [`Error::Usage`] without directions; what `limits` returns.
+pub fn test_vectors(
+    reference: &Reference,
+    inputs_of: InputsOf,
+    directions: usize,
+    limits: &Limits,
+) -> Result<TestVectors> {
+    if directions == 0 {
+        return Err(Error::Usage(
+            "--directions 0: at least one is needed".into(),
+        ));
+    }
+    let mut rounding = Rounding::default();
+    let (polynomial, inputs, radius) = match (inputs_of, reference.radius()) {
+        (InputsOf::Nothing, radius) => {
+            (reference.polynomial().clone(), Vec::new(), radius.cloned())
+        }
+        (InputsOf::Form, Some(radius)) => {
+            let radius = rounding.radius(radius)?;
+            let polynomial = Reference::of_radius(&radius)?.polynomial().clone();
+            (polynomial, inputs_of_radius(&radius), Some(radius))
+        }
+        (InputsOf::Form, None) => {
+            let polynomial = rounding.polynomial(reference.polynomial())?;
+            let terms = polynomial.terms();
+            let inputs = terms.map(|(e, c)| VectorInput::Coefficient(*e, c.to_f64()));
+            (polynomial.clone(), inputs.collect(), None)
+        }
+    };
+    let given = radius.as_ref().filter(|_| inputs_of == InputsOf::Form);
+    Ok(TestVectors {
+        in_space: reference.in_space(),
+        center: reference.center().clone(),
+        coefficients: coefficients(&polynomial, given, inputs_of)?,
+        radii: radius.map_or_else(Vec::new, |radius| radii(&radius, directions)),
+        points: points(&polynomial, reference.in_space(), directions, limits)?,
+        rounded: rounding.count,
+        inputs,
+    })
+}
+
+/// Rounds numbers to doubles and counts those that change.
+#[derive(Default)]
+struct Rounding {
+    count: usize,
+}
+
+impl Rounding {
+    fn number(&mut self, exact: &Rational) -> Result<Rational> {
+        let double = finite(exact)?;
+        let rounded = Rational::try_from(double).unwrap_or_default();
+        self.count += usize::from(rounded != *exact);
+        Ok(rounded)
+    }
+
+    fn radius(&mut self, radius: &FourierRadius) -> Result<FourierRadius> {
+        let mut all = |numbers: &[Rational]| -> Result<Vec<Rational>> {
+            numbers.iter().map(|c| self.number(c)).collect()
+        };
+        let (cos, sin) = (all(radius.cosines())?, all(radius.sines())?);
+        Ok(FourierRadius::new(cos, sin).with_center(radius.center().clone()))
+    }
+
+    fn polynomial(&mut self, f: &SparsePolynomial<3>) -> Result<SparsePolynomial<3>> {
+        let terms: Result<Vec<_>> = f.terms().map(|(e, c)| Ok((*e, self.number(c)?))).collect();
+        Ok(SparsePolynomial::from_terms(terms?))
+    }
+}
+
+/// The nearest double, which must not be infinite, nor 0 for another number.
+fn finite(exact: &Rational) -> Result<f64> {
+    let double = exact.to_f64();
+    let beyond = if !double.is_finite() {
+        "is beyond the largest double; scale the form down"
+    } else if double == 0.0 && !exact.is_zero() {
+        "is below the smallest double; scale the form up"
+    } else {
+        return Ok(double);
+    };
+    Err(Error::Hypothesis {
+        statement: "the use of doubles",
+        witness: format!("{} {beyond}", exact.to_significant(3)),
+    })
+}
+
+fn inputs_of_radius(radius: &FourierRadius) -> Vec<VectorInput> {
+    let pairs = radius.cosines().iter().zip(radius.sines()).enumerate();
+    pairs
+        .flat_map(|(n, (a, b))| {
+            let cosine = VectorInput::Cosine(n, a.to_f64());
+            let sine = (n > 0).then(|| VectorInput::Sine(n, b.to_f64()));
+            std::iter::once(cosine).chain(sine)
+        })
+        .collect()
+}
+
+fn coefficients(
+    polynomial: &SparsePolynomial<3>,
+    radius: Option<&FourierRadius>,
+    inputs_of: InputsOf,
+) -> Result<Vec<CoefficientVector>> {
+    let conditions = radius.map(coefficient_conditions);
+    let conditions: Option<BTreeMap<[u32; 3], Rational>> =
+        conditions.map(|f| f.terms().map(|(e, c)| (*e, c.clone())).collect());
+    let condition = |exponents: &[u32; 3]| match (&conditions, inputs_of) {
+        (Some(all), _) => Some(all.get(exponents).cloned().unwrap_or_default()),
+        // A coefficient that is given itself.
+        (None, InputsOf::Form) => Some(Rational::one()),
+        (None, InputsOf::Nothing) => None,
+    };
+    polynomial
+        .terms()
+        .map(|(exponents, exact)| {
+            Ok(CoefficientVector {
+                exponents: *exponents,
+                double: finite(exact)?,
+                condition: condition(exponents),
+                exact: exact.clone(),
+            })
+        })
+        .collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "any double is an angle")]
+fn radii(radius: &FourierRadius, directions: usize) -> Vec<RadiusVector> {
+    let values = SeriesValues::new(radius);
+    let angles = (0..directions).into_par_iter();
+    angles
+        .map(|k| {
+            let theta = TAU * k as f64 / directions as f64;
+            let exact = Rational::try_from(theta).unwrap_or_default();
+            RadiusVector {
+                theta,
+                r: values.nearest_double(&exact),
+                condition: values.condition(&exact),
+            }
+        })
+        .collect()
+}
+
+fn points(
+    f: &SparsePolynomial<3>,
+    in_space: bool,
+    count: usize,
+    limits: &Limits,
+) -> Result<Vec<PointVector>> {
+    let conditions = RootConditions::new(f);
+    if in_space {
+        let surface = SpacePolynomial::from(f);
+        let solver = RaySolver::new(&surface);
+        let directions = SpaceDirection::fibonacci(count);
+        return all_points(directions, limits, |d| {
+            let (vector, w) = d.over_common_denominator();
+            on_ray(solver.solve(d), &vector, &w, &conditions)
+        });
+    }
+    let Some(plane) = f.to_plane() else {
+        return Ok(Vec::new());
+    };
+    let solver = RaySolver::new(&plane);
+    all_points(Direction::around(count), limits, |d| {
+        let ([u, v], w) = d.over_common_denominator();
+        on_ray(solver.solve(d), &[u, v, Integer::from(0)], &w, &conditions)
+    })
+}
+
+fn all_points<D: Send>(
+    directions: Vec<D>,
+    limits: &Limits,
+    solve: impl Fn(&D) -> Vec<PointVector> + Sync,
+) -> Result<Vec<PointVector>> {
+    let rays: Result<Vec<Vec<PointVector>>> = directions
+        .into_par_iter()
+        .map(|direction| {
+            limits.check()?;
+            Ok(solve(&direction))
+        })
+        .collect();
+    Ok(rays?.into_iter().flatten().collect())
+}
+
+/// A line that belongs to the zero set as a whole has no points to be checked.
+fn on_ray<const V: usize>(
+    ray: Ray<V>,
+    vector: &[Integer; 3],
+    w: &Integer,
+    conditions: &RootConditions,
+) -> Vec<PointVector> {
+    let Ray::Points(samples) = ray else {
+        return Vec::new();
+    };
+    let component = |v: &Integer| Rational::new(v.clone(), w.clone()).unwrap_or_default();
+    let point = |sample: Sample<V>| PointVector {
+        unit: vector.each_ref().map(component),
+        r: sample.r,
+        position: std::array::from_fn(|i| sample.position.get(i).copied().unwrap_or_default()),
+        multiplicity: sample.multiplicity,
+        condition: if sample.multiplicity > 1 {
+            f64::INFINITY
+        } else {
+            conditions.at(vector, w, sample.r)
+        },
+    };
+    samples.into_iter().map(point).collect()
+}

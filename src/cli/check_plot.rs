@@ -1,0 +1,122 @@
+//! Charts of checks: the digits of every number, and what doubles keep for growing N.
+
+use std::path::Path;
+
+use stellate::check::{Comparison, DigitsKept, MOST_DIGITS, Place, Row, Rung};
+use stellate::error::Result;
+use stellate::picture::{Chart, Series};
+
+use super::output::{check_place, write_beside};
+use super::plot::Kind;
+use super::session::Session;
+
+/// A figure to be written, its place checked before any work is done.
+pub(super) struct Picture<'a> {
+    path: &'a Path,
+    kind: Kind,
+}
+
+impl<'a> Picture<'a> {
+    /// What `--plot` names.
+    pub(super) fn named(path: &'a Path) -> Result<Self> {
+        check_place("--plot", path)?;
+        Ok(Self {
+            path,
+            kind: Kind::of("--plot", path)?,
+        })
+    }
+
+    pub(super) fn write(&self, chart: &Chart, session: &mut Session) -> Result<()> {
+        let bytes = session.stage("draw", |_| self.kind.bytes(chart.to_svg()?))?;
+        write_beside(self.path, &bytes, session)
+    }
+}
+
+/// The digits of every number over its place: of a coefficient among the terms, of a point or a radius the angle.
+pub(super) fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart {
+    let is_term = matches!(
+        found.all().next().map(|row| &row.place),
+        None | Some(Place::Term(_))
+    );
+    let series = |label: &str, rows: &[Row]| Series {
+        label: format!("{label}: {}", rows.len()),
+        points: rows
+            .iter()
+            .enumerate()
+            .map(|(k, row)| [across(k, row), row.deviation.digits()])
+            .collect(),
+        joined: false,
+    };
+    let mut all = vec![series("compared", &found.rows)];
+    for (label, rows) in [("missing", &found.missing), ("extra", &found.extra)] {
+        if !rows.is_empty() {
+            all.push(series(label, rows));
+        }
+    }
+    if let (Some(mark), Some([low, high])) = (mark, extent(&all)) {
+        let digits = f64::from(mark);
+        all.push(Series {
+            label: format!("{mark} digits asked for"),
+            points: vec![[low, digits], [high, digits]],
+            joined: true,
+        });
+    }
+    Chart {
+        title: format!("Correct digits, {name}"),
+        labels: [
+            if is_term { "term" } else { "angle" }.into(),
+            "correct digits".into(),
+        ],
+        y: [0.0, MOST_DIGITS + 0.5],
+        series: all,
+    }
+}
+
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "the place of a term on the axis of a picture"
+)]
+fn across(index: usize, row: &Row) -> f64 {
+    match &row.place {
+        Place::Term(_) => index as f64 + 1.0,
+        Place::Point { position, .. } => position[1].atan2(position[0]),
+        Place::Radius { theta, .. } => *theta,
+    }
+}
+
+fn extent(series: &[Series]) -> Option<[f64; 2]> {
+    let x = || series.iter().flat_map(|s| s.points.iter().map(|p| p[0]));
+    Some([x().reduce(f64::min)?, x().reduce(f64::max)?])
+}
+
+/// What doubles keep over N.
+pub(super) fn ladder_chart(rungs: &[Rung], name: &str) -> Chart {
+    let series = |label: &str, digits: &dyn Fn(&Rung) -> f64| Series {
+        label: label.into(),
+        points: rungs
+            .iter()
+            .map(|rung| [across_harmonics(rung), digits(rung)])
+            .collect(),
+        joined: true,
+    };
+    let worst = |kept: DigitsKept| kept.worst;
+    Chart {
+        title: format!("Theorem 2 in doubles, {name}"),
+        labels: ["N".into(), "correct digits".into()],
+        y: [0.0, MOST_DIGITS + 0.5],
+        series: vec![
+            series("coefficients, the worst", &|rung| worst(rung.coefficients)),
+            series("radii, the worst", &|rung| worst(rung.radii)),
+            series(
+                "F at points 1 % outside, from its monomials, the worst",
+                &|rung| worst(rung.near),
+            ),
+            series("the same, the median", &|rung| rung.near.median),
+        ],
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a number of harmonics is small")]
+fn across_harmonics(rung: &Rung) -> f64 {
+    rung.harmonics as f64
+}

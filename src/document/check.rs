@@ -1,0 +1,436 @@
+//! The report of a check: for people, as JSON, and as a table with a row for every comparison.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::terms::Notation;
+use super::{Format, SCHEMA};
+use crate::check::{Comparison, DOUBLE_DIGITS, Diagnosis, Meaning, Place, Row, Scale};
+use crate::exact::Rational;
+
+/// Significant decimals of exact numbers: three more than a double has.
+const SHOWN_DIGITS: u32 = 20;
+
+/// Rows shown in the table of the worst ones.
+const WORST: usize = 10;
+
+/// The longest bar of the histogram.
+const BAR: usize = 40;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    schema: &'static str,
+    kind: &'static str,
+    what: &'static str,
+    compared: usize,
+    worst: Option<Entry>,
+    median_digits: Option<f64>,
+    digits_lost: Option<f64>,
+    mark: Option<u32>,
+    below: usize,
+    passes: bool,
+    missing: Vec<Entry>,
+    extra: Vec<Entry>,
+    scale: Option<String>,
+    scale_meaning: Option<String>,
+    mistakes: Vec<MistakeEntry<'a>>,
+    histogram: Vec<usize>,
+    failures: Vec<Entry>,
+    worst_rows: Vec<Entry>,
+}
+
+/// A number of the float program, the exact one, and their distance; what is infinite is null.
+#[derive(Serialize)]
+struct Entry {
+    digits: f64,
+    ulps: f64,
+    r#where: String,
+    got: String,
+    exact: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    residual: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_order: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct MistakeEntry<'a> {
+    name: &'a str,
+    explanation: &'a str,
+    digits: u32,
+    faults: usize,
+    faults_left: usize,
+}
+
+/// Writes what a check found, judged by the mark if there is one: text, JSON of kind `check`, or CSV with a row for every
+/// comparison.
+///
+/// The fields of the JSON document: `what` (`coefficients`, `points` or `radii`), `compared`, the `worst` row (`digits`, `ulps`,
+/// `where`, `got`, `exact`; of points also `residual` and `first_order`), `median_digits`, `digits_lost` (at worst, of the
+/// 15.95 of a double), `mark`, `below` (how many `failures` there are), `passes`, the terms that are `missing` and `extra`,
+/// the common factor as `scale` and `scale_meaning`, `mistakes` (`name`, `explanation`, and how many numbers miss so many
+/// `digits` beside the reference, `faults`, and beside what the mistake gives, `faults_left`), `histogram` (how many
+/// numbers have 0, 1, …, 17 whole digits), `worst_rows`. Exact numbers are strings: p/q of coefficients, decimals of what
+/// is irrational. What is infinite or absent is null.
+///
+/// ```
+/// use stellate::check::compare_coefficients;
+/// use stellate::document::{Format, write_check};
+/// use stellate::poly::SparsePolynomial;
+/// let f = SparsePolynomial::from_terms([([2, 0, 0], 1.into()), ([0, 0, 0], (-2).into())]);
+/// let mut out = Vec::new();
+/// write_check(&compare_coefficients(&f, &f), Some(15), Format::Text, &mut out).unwrap();
+/// assert!(String::from_utf8(out).unwrap().ends_with("passes: everything has 15 digits\n"));
+/// ```
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for other formats.
+pub fn write_check(
+    found: &Comparison,
+    mark: Option<u32>,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match format {
+        Format::Text => write_text(found, mark, out),
+        Format::Csv => write_table(found, out),
+        Format::Json => {
+            serde_json::to_writer(&mut *out, &document(found, mark))?;
+            writeln!(out)
+        }
+        _ => Err(io::Error::new(
+            io::ErrorKind::Unsupported,
+            "a check is written as text, json or csv",
+        )),
+    }
+}
+
+fn document(found: &Comparison, mark: Option<u32>) -> Document<'_> {
+    let entries = |rows: Vec<&Row>| {
+        rows.into_iter()
+            .map(|row| entry(row, found.in_space))
+            .collect::<Vec<_>>()
+    };
+    Document {
+        schema: SCHEMA,
+        kind: "check",
+        what: what(found),
+        compared: found.rows.len(),
+        worst: found.worst(1).first().map(|row| entry(row, found.in_space)),
+        median_digits: found.median_digits(),
+        digits_lost: found.digits_lost(),
+        mark,
+        below: found.failures(mark).len(),
+        passes: found.passes(mark),
+        missing: entries(found.missing.iter().collect()),
+        extra: entries(found.extra.iter().collect()),
+        scale: found.scale.as_ref().map(|s| s.factor.to_string()),
+        scale_meaning: found.scale.as_ref().and_then(meaning),
+        mistakes: found.diagnoses.iter().map(mistake_entry).collect(),
+        histogram: found.histogram(),
+        failures: entries(found.failures(mark)),
+        worst_rows: entries(found.worst(WORST)),
+    }
+}
+
+fn entry(row: &Row, in_space: bool) -> Entry {
+    Entry {
+        digits: row.deviation.digits(),
+        ulps: row.deviation.ulps,
+        r#where: place(row, in_space),
+        got: format!("{:?}", row.got),
+        exact: row.exact.as_ref().map(|q| match row.place {
+            Place::Term(_) => q.to_string(),
+            _ => shown(q),
+        }),
+        residual: row.residual.map(|r| r.value),
+        first_order: row.residual.map(|r| r.first_order),
+    }
+}
+
+fn mistake_entry(diagnosis: &Diagnosis) -> MistakeEntry<'_> {
+    MistakeEntry {
+        name: diagnosis.name,
+        explanation: diagnosis.explanation,
+        digits: diagnosis.mark,
+        faults: diagnosis.faults,
+        faults_left: diagnosis.faults_left,
+    }
+}
+
+fn what(found: &Comparison) -> &'static str {
+    match found.all().next().map(|row| &row.place) {
+        Some(Place::Point { .. }) => "points",
+        Some(Place::Radius { .. }) => "radii",
+        _ => "coefficients",
+    }
+}
+
+fn place(row: &Row, in_space: bool) -> String {
+    match &row.place {
+        Place::Term(exponents) => match Notation::Text.monomial(exponents) {
+            constant if constant.is_empty() => "1".into(),
+            monomial => monomial,
+        },
+        Place::Point { line, position } => {
+            let [x, y, z] = position;
+            if in_space {
+                format!("line {line}: ({x:?}, {y:?}, {z:?})")
+            } else {
+                format!("line {line}: ({x:?}, {y:?})")
+            }
+        }
+        Place::Radius { line, theta } => format!("line {line}: theta = {theta:?}"),
+    }
+}
+
+/// What the common factor is, in words.
+fn meaning(scale: &Scale) -> Option<String> {
+    let factor = &scale.factor;
+    Some(match scale.meaning.as_ref()? {
+        Meaning::PowerOfTwo(0) if factor.signum() > 0 => "none is needed".into(),
+        Meaning::PowerOfTwo(0) => "the sign alone".into(),
+        Meaning::PowerOfTwo(k) => format!("a power of two, 2^{k}"),
+        Meaning::Fraction => "a simple fraction".into(),
+        Meaning::FirstCoefficient(value) => {
+            format!("it makes the first coefficient {value}")
+        }
+        Meaning::LargestIsOne => "it makes the largest coefficient 1".into(),
+    })
+}
+
+fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> io::Result<()> {
+    write!(out, "{}: {} compared", what(found), found.rows.len())?;
+    if found.scale.is_some() || !found.missing.is_empty() || !found.extra.is_empty() {
+        write!(
+            out,
+            ", {} missing, {} extra",
+            found.missing.len(),
+            found.extra.len()
+        )?;
+    }
+    writeln!(out)?;
+    if let Some(scale) = &found.scale {
+        let value = match &scale.meaning {
+            Some(Meaning::PowerOfTwo(_) | Meaning::Fraction) if scale.factor.bits() < 64 => {
+                scale.factor.to_string()
+            }
+            _ => format!("≈ {}", shown(&scale.factor)),
+        };
+        let said = meaning(scale).map_or_else(String::new, |text| format!(" ({text})"));
+        writeln!(out, "common factor: {value}{said}")?;
+    }
+    let digits = [
+        found.worst(1).first().map(|row| row.deviation.digits()),
+        found.median_digits(),
+        found.digits_lost(),
+    ];
+    if let [Some(worst), Some(median), Some(lost)] = digits {
+        writeln!(
+            out,
+            "correct digits: worst ≈ {}, median ≈ {}; lost at worst ≈ {lost:.1} of {DOUBLE_DIGITS}",
+            tenths(worst),
+            tenths(median)
+        )?;
+        write_worst(found, out)?;
+        write_histogram(&found.histogram(), out)?;
+    }
+    for (title, rows) in [("missing", &found.missing), ("extra", &found.extra)] {
+        for row in rows.iter().take(WORST) {
+            let value = match &row.exact {
+                Some(exact) => format!("exact {}", shown(exact)),
+                None => format!(
+                    "got {:?}, ≈ {} digits smaller than the coefficients of its degree",
+                    row.got,
+                    tenths(row.deviation.digits())
+                ),
+            };
+            writeln!(out, "{title}: {}: {value}", place(row, found.in_space))?;
+        }
+        if rows.len() > WORST {
+            writeln!(out, "{title}: and {} more", rows.len() - WORST)?;
+        }
+    }
+    for diagnosis in &found.diagnoses {
+        let Diagnosis {
+            name,
+            explanation,
+            mark,
+            faults,
+            faults_left,
+        } = diagnosis;
+        writeln!(
+            out,
+            "looks like: {name}: {explanation} (numbers that miss {mark} digits: {faults} beside the reference, {faults_left} beside what this mistake gives)"
+        )?;
+    }
+    write_verdict(found, mark, out)
+}
+
+fn write_worst(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+    let rows = found.worst(WORST);
+    let lines: Vec<[String; 3]> = rows
+        .iter()
+        .map(|row| {
+            let exact = row
+                .exact
+                .as_ref()
+                .map_or_else(|| "nothing on this ray".into(), shown);
+            [place(row, found.in_space), format!("{:?}", row.got), exact]
+        })
+        .collect();
+    let width = |k: usize| {
+        lines
+            .iter()
+            .map(|l| l[k].chars().count())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths = [0, 1, 2].map(width);
+    let title = if rows.len() < found.rows.len() {
+        "the worst"
+    } else {
+        "all"
+    };
+    writeln!(out, "{title}:")?;
+    for (row, line) in rows.iter().zip(&lines) {
+        write!(
+            out,
+            "  {:<a$}  got {:<b$}  exact {:<c$}  digits ≈ {}, ulps ≈ {}",
+            line[0],
+            line[1],
+            line[2],
+            tenths(row.deviation.digits()),
+            short(row.deviation.ulps),
+            a = widths[0],
+            b = widths[1],
+            c = widths[2],
+        )?;
+        if let Some(residual) = row.residual {
+            write!(
+                out,
+                ", f ≈ {}, |f|/|grad f| ≈ {}",
+                short(residual.value),
+                short(residual.first_order)
+            )?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+fn write_histogram(counts: &[usize], out: &mut dyn Write) -> io::Result<()> {
+    let most = counts.iter().copied().max().unwrap_or(1).max(1);
+    let lowest = counts.iter().position(|&n| n > 0).unwrap_or(0);
+    let highest = counts.iter().rposition(|&n| n > 0).unwrap_or(0);
+    writeln!(out, "whole digits:")?;
+    let shown = counts.iter().enumerate().take(highest + 1).skip(lowest);
+    let mut skipped = 0;
+    for (digits, &count) in shown {
+        if count == 0 {
+            skipped += 1;
+            continue;
+        }
+        if skipped > 0 {
+            writeln!(out, "   .")?;
+        }
+        skipped = 0;
+        let bar = "#".repeat((count * BAR).div_ceil(most));
+        writeln!(out, "  {digits:>2} |{bar} {count}")?;
+    }
+    Ok(())
+}
+
+fn write_verdict(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> io::Result<()> {
+    let failures = found.failures(mark);
+    match mark {
+        Some(digits) if failures.is_empty() => {
+            return writeln!(out, "passes: everything has {digits} digits");
+        }
+        Some(digits) => writeln!(out, "fails: {} below {digits} digits:", failures.len())?,
+        None if found.passes(None) => return Ok(()),
+        None => return writeln!(out, "fails: see above"),
+    }
+    for row in failures {
+        writeln!(
+            out,
+            "  {}: digits ≈ {}",
+            place(row, found.in_space),
+            tenths(row.deviation.digits())
+        )?;
+    }
+    Ok(())
+}
+
+fn write_table(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+    let in_space = found.in_space;
+    let [third, z] = if in_space { [",k", ",z"] } else { ["", ""] };
+    match what(found) {
+        "points" => writeln!(
+            out,
+            "line,x,y{z},r,exact_r,digits,ulps,residual,first_order"
+        )?,
+        "radii" => writeln!(out, "line,theta,got,exact,digits,ulps")?,
+        _ => writeln!(out, "i,j{third},got,exact,digits,ulps")?,
+    }
+    let doubles = |v: &[f64]| {
+        v.iter()
+            .map(|v| format!("{v:?}"))
+            .collect::<Vec<_>>()
+            .join(",")
+    };
+    for row in found.all() {
+        let axes = if in_space { 3 } else { 2 };
+        let place = match &row.place {
+            Place::Term(e) => e[..axes]
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .join(","),
+            Place::Point { line, position } => format!("{line},{}", doubles(&position[..axes])),
+            Place::Radius { line, theta } => format!("{line},{theta:?}"),
+        };
+        let exact = match (&row.exact, &row.place) {
+            (Some(exact), _) => shown(exact),
+            (None, Place::Term(_)) => "0".into(),
+            (None, _) => "nan".into(),
+        };
+        let off = &row.deviation;
+        write!(
+            out,
+            "{place},{:?},{exact},{:.2},{}",
+            row.got,
+            off.digits(),
+            short(off.ulps)
+        )?;
+        match row.residual {
+            Some(r) => writeln!(out, ",{:?},{:?}", r.value, r.first_order)?,
+            None => writeln!(out)?,
+        }
+    }
+    Ok(())
+}
+
+/// Digits, never more than there are.
+pub(super) fn tenths(digits: f64) -> String {
+    format!("{:.1}", (digits * 10.0).floor() / 10.0)
+}
+
+/// About three digits.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".into();
+    }
+    if (1e-2..1e5).contains(&size) {
+        let text = format!("{value:.2}");
+        return text.trim_end_matches('0').trim_end_matches('.').into();
+    }
+    format!("{value:.2e}")
+}
+
+/// A number to [`SHOWN_DIGITS`] significant decimals, correctly rounded.
+fn shown(value: &Rational) -> String {
+    value.to_significant(SHOWN_DIGITS)
+}

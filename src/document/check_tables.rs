@@ -1,0 +1,74 @@
+//! Tables of a float program: points and radii, every number a double, bit for bit.
+
+use super::csv::Table;
+use crate::check::{GivenPoint, GivenRadius};
+use crate::error::{Error, Result};
+use crate::language::{Numbers, number_at};
+
+/// Reads points `x,y` or `x,y,z` in rows; the header is optional. Decimals are the nearest doubles, `0x1.8p+1` is taken bit
+/// for bit.
+///
+/// ```
+/// use stellate::document::read_points_csv;
+/// let points = read_points_csv("x,y\n# the first one\n0.1,0x1.8p+1\n", "points.csv", false)?;
+/// assert_eq!((points[0].line, points[0].position), (3, [0.1, 3.0, 0.0]));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Data`] with the line if a row has another number of columns than it should in the plane or `in_space`, or a
+/// field is not a finite number.
+pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<Vec<GivenPoint>> {
+    let columns: &[&str] = if in_space {
+        &["x", "y", "z"]
+    } else {
+        &["x", "y"]
+    };
+    let rows = read_doubles(text, source_name, columns)?;
+    let point = |(line, row): (usize, Vec<f64>)| GivenPoint {
+        line,
+        position: std::array::from_fn(|i| row.get(i).copied().unwrap_or_default()),
+    };
+    Ok(rows.into_iter().map(point).collect())
+}
+
+/// Reads radii `theta,r` in rows, θ in radians; the header is optional. Numbers as in [`read_points_csv`].
+///
+/// ```
+/// use stellate::document::read_radii_csv;
+/// let radii = read_radii_csv("0.5,1.25\n", "radii.csv")?;
+/// assert_eq!((radii[0].line, radii[0].theta, radii[0].r), (1, 0.5, 1.25));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`read_points_csv`].
+pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>> {
+    let rows = read_doubles(text, source_name, &["theta", "r"])?;
+    let at = |row: &[f64], i: usize| row.get(i).copied().unwrap_or_default();
+    let radius = |(line, row): (usize, Vec<f64>)| GivenRadius {
+        line,
+        theta: at(&row, 0),
+        r: at(&row, 1),
+    };
+    Ok(rows.into_iter().map(radius).collect())
+}
+
+/// The rows with their lines.
+fn read_doubles(text: &str, source_name: &str, columns: &[&str]) -> Result<Vec<(usize, Vec<f64>)>> {
+    let table = Table::read(text, source_name, Numbers::F64)?;
+    if table.width() != Some(columns.len()) {
+        let message = format!("expected the columns {}", columns.join(","));
+        return Err(Error::data(source_name, message));
+    }
+    table.check_header(&[columns])?;
+    let rows = table.rows.iter().zip(&table.lines);
+    rows.map(|((place, fields), line)| {
+        let doubles = fields.iter().map(|field| {
+            let value = number_at(place, field, Numbers::F64)?;
+            Ok(value.to_f64())
+        });
+        Ok((*line, doubles.collect::<Result<Vec<f64>>>()?))
+    })
+    .collect()
+}
