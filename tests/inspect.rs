@@ -258,6 +258,15 @@ fn degenerate_surfaces() {
         ("x^2 + y^2 + 0z", "1/2", "0.3, 0.4000001, 7", OUTSIDE),
         ("(x^2 + y^2 - 1)^2 + z^2", "1/2", "1.25, 0, 0", INSIDE),
         ("(x^2 + y^2 - 1)^2 + z^2", "1/2", "1.75, 0, 0", OUTSIDE),
+        // A pipe inside the ball: every sphere that reaches the disc meets it. And a plane curve in the disc of its points.
+        ("x^2 + y^2 + 0z = 1/100", "1/2", "0.1, 0, 3", INSIDE),
+        ("(x^2 + y^2 - 1/100)*(z - 5)", "1/2", "0.1, 0, 3", INSIDE),
+        (
+            "(x^2 + y^2 + z^2 - 1/100)*(y - 5)",
+            "1/2",
+            "0.1, 0, 0",
+            (Verdict::Inside, Some(false)),
+        ),
         // Isolated points with irrational coordinates.
         (
             "(x^2 - 2)^2 + y^2 + z^2",

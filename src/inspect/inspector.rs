@@ -36,8 +36,6 @@ pub struct InspectOptions {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Surface,
-    /// An equation in x and y, for points in space: the sphere meets it if and only if the disc does.
-    Cylinder,
     /// A curve in the plane of x and y: the circle takes the place of the sphere.
     Plane,
 }
@@ -64,11 +62,37 @@ pub(super) struct Point<'a> {
     pub(super) slack: f64,
     exactly: OnceCell<[Rational; 3]>,
     read: &'a dyn Fn() -> [Rational; 3],
+    is_flat: bool,
 }
 
-impl Point<'_> {
+impl<'a> Point<'a> {
+    fn new(near: [f64; 3], slack: f64, read: &'a dyn Fn() -> [Rational; 3]) -> Self {
+        Self {
+            near,
+            slack,
+            exactly: OnceCell::new(),
+            read,
+            is_flat: false,
+        }
+    }
+
     pub(super) fn exactly(&self) -> &[Rational; 3] {
-        self.exactly.get_or_init(self.read)
+        self.exactly.get_or_init(|| {
+            let mut exactly = (self.read)();
+            if self.is_flat {
+                exactly[2] = Rational::zero();
+            }
+            exactly
+        })
+    }
+
+    /// The point below, in the plane of x and y: as near to a surface whose equation does not have z.
+    fn flattened(&self) -> Self {
+        let [x, y, _] = self.near;
+        Self {
+            is_flat: true,
+            ..Self::new([x, y, 0.0], self.slack, self.read)
+        }
     }
 }
 
@@ -109,13 +133,9 @@ impl Inspector {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        let kind = match surface.polynomial().to_plane() {
-            Some(_) => Kind::Cylinder,
-            None => Kind::Surface,
-        };
         let factors = factor_space(surface.polynomial(), limits)?.factors;
         let factors = factors.into_iter().map(|f| f.polynomial).collect();
-        Self::new(kind, factors, options, limits)
+        Self::new(Kind::Surface, factors, options, limits)
     }
 
     /// For points (x, y, 0) of the plane.
@@ -182,24 +202,15 @@ impl Inspector {
         let double = |i: usize| Rational::try_from(near[i]).unwrap_or_default();
         let off = (0..3).map(|i| (&double(i) - &point[i]).abs().to_f64() * (1.0 + 1e-9));
         let slack = off.sum();
-        self.of_point(&Point {
-            near,
-            slack,
-            exactly: OnceCell::from(point.clone()),
-            read: &|| point.clone(),
-        })
+        self.of_point(&Point::new(near, slack, &|| point.clone()))
     }
 
     /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
     #[must_use]
     pub fn inspect_near(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Inspection {
         let size: f64 = near.iter().map(|x| x.abs()).sum();
-        self.of_point(&Point {
-            near,
-            slack: size * HALF_ULP * (1.0 + 1e-9) + f64::MIN_POSITIVE,
-            exactly: OnceCell::new(),
-            read: exactly,
-        })
+        let slack = size * HALF_ULP * (1.0 + 1e-9) + f64::MIN_POSITIVE;
+        self.of_point(&Point::new(near, slack, exactly))
     }
 
     fn of_point(&self, p: &Point) -> Inspection {
@@ -212,7 +223,11 @@ impl Inspector {
             },
         };
         for field in &self.factors {
-            let known = self.of_factor(field, p);
+            let known = if field.is_flat() {
+                self.of_factor(field, &p.flattened())
+            } else {
+                self.of_factor(field, p)
+            };
             all.distance.low = all.distance.low.min(known.bounds.low);
             all.distance.high = all.distance.high.min(known.bounds.high);
             all.verdict = match (all.verdict, known.inside) {
@@ -238,17 +253,16 @@ impl Inspector {
         if known.inside.is_none() || !self.is_close(&known.bounds) {
             self.by_search(field, p, &mut known);
         }
-        known.curve = match known.inside {
-            None => known.curve,
-            Some(false) => Some(false),
-            Some(true) if known.curve.is_some() => known.curve,
-            Some(true) => match self.kind {
-                Kind::Cylinder => Some(true),
-                Kind::Plane => {
-                    Some(self.signs_differ(field, p, &known) || self.circle_meets(field, p))
-                }
-                Kind::Surface => self.sphere_meets(field, p, &known),
-            },
+        known.curve = match (known.inside, self.kind) {
+            (None, _) => known.curve,
+            (Some(false), _) => Some(false),
+            // The sphere meets a cylinder if and only if the disc does.
+            (Some(true), Kind::Surface) if field.is_flat() => Some(true),
+            (Some(true), _) if known.curve.is_some() => known.curve,
+            (Some(true), Kind::Plane) => {
+                Some(self.signs_differ(field, p, &known) || self.circle_meets(field, p))
+            }
+            (Some(true), Kind::Surface) => self.sphere_meets(field, p, &known),
         };
         known
     }

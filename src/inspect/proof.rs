@@ -4,7 +4,7 @@ use super::distance::{Cube, holds_no_closed_piece};
 use super::exact::{self, Answer};
 use super::foot::{approach, stationary};
 use super::gap::zero_in_ball;
-use super::inspector::{Inspector, Kind, Known, Point};
+use super::inspector::{Inspector, Known, Point};
 use crate::exact::Rational;
 use crate::field::{Field, distance};
 
@@ -30,9 +30,10 @@ impl Inspector {
         let Some(lonely) = self.by_rational_zero(field, p, &starts, known) else {
             return;
         };
-        known.curve = match self.kind {
-            Kind::Surface => self.section(field, p),
-            Kind::Plane | Kind::Cylinder => Some(self.circle_meets(field, p)),
+        known.curve = if field.is_flat() {
+            Some(self.circle_meets(field, p))
+        } else {
+            self.section(field, p)
         };
         if known.curve == Some(true) {
             known.inside = Some(true);
@@ -126,13 +127,9 @@ impl Inspector {
                 Some(*start),
             ];
             for x in candidates.into_iter().flatten() {
-                let Some(mut zero) = exact::rational_zero(field, &exact::rationals(x), &width)
-                else {
+                let Some(zero) = exact::rational_zero(field, &exact::rationals(x), &width) else {
                     continue;
                 };
-                if field.is_flat() {
-                    zero[2] = p.exactly()[2].clone();
-                }
                 let away = exact::squared_length(&exact::exact_difference(p.exactly(), &zero));
                 if away <= square {
                     known.inside = Some(true);
