@@ -5,6 +5,7 @@ use super::exact;
 use super::foot::difference;
 use super::inspector::{Inspector, Known, Point};
 use super::sphere::{OnSphere, on_sphere};
+use crate::exact::Rational;
 use crate::field::{Field, dot};
 
 /// Sections that are more work than this ([`SphereSection::work`]) are left undecided, or their angles unsaid.
@@ -57,17 +58,19 @@ impl Inspector {
             OnSphere::Unknown(points) => points,
         };
         let step = points.len().div_ceil(CANDIDATES).max(1);
-        let foot = self.towards_foot(field, p, known);
         let starts = points.iter().step_by(step).map(|x| difference(*x, p.near));
-        let backwards = foot.map(|v| v.map(|x| -x));
-        let exact_sign = |v: [f64; 3]| {
-            let x = exact::on_sphere(p.exactly(), &self.tolerance, v);
+        let foot = match &known.exact_foot {
+            Some(foot) => Some(exact::exact_difference(foot, p.exactly())),
+            None => self.towards_foot(field, p, known).map(exact::rationals),
+        };
+        let backwards = foot.clone().map(|v| v.map(|x| -x));
+        let exact_sign = |v: [Rational; 3]| {
+            let x = exact::on_sphere(p.exactly(), &self.tolerance, &v);
             field.polynomial().evaluate(&x).signum()
         };
-        let mut signs = foot
-            .into_iter()
-            .chain(backwards)
-            .chain(starts)
+        let directions = foot.into_iter().chain(backwards);
+        let mut signs = directions
+            .chain(starts.map(exact::rationals))
             .map(exact_sign);
         let first = signs.next();
         if first == Some(0) || signs.any(|sign| Some(sign) != first) {

@@ -10,6 +10,8 @@ use crate::field::{Field, dot};
 const LEVELS: [i64; 3] = [128, 256, 640];
 /// Steps towards a foot: each gains some 40 bits.
 const STEPS: usize = 80;
+/// Bits after the point of the coordinates of directions.
+const SPHERE_BITS: i64 = 320;
 /// Rational points are looked for in an interval of so many bits less than the foot is known to.
 const GUARD_BITS: i64 = 32;
 
@@ -29,6 +31,8 @@ pub(super) enum Answer {
         high: Rational,
         /// A zero exactly at the distance d.
         touches: bool,
+        /// A point near the zero.
+        foot: [Rational; 3],
     },
 }
 
@@ -88,8 +92,12 @@ pub(super) fn decide(
             && high <= target
         {
             let low = low.unwrap_or_default();
-            let touches = false;
-            return Some(Answer::Inside { low, high, touches });
+            return Some(Answer::Inside {
+                low,
+                high,
+                touches: false,
+                foot: q,
+            });
         }
         let width = Rational::from(2).pow(GUARD_BITS - bits).unwrap_or_default();
         if let Some(zero) = rational_zero(field, &q, &width) {
@@ -98,7 +106,12 @@ pub(super) fn decide(
                 let touches = high == target;
                 // The foot is a strict minimum within reach if the rule gives any bound there.
                 let low = low.filter(|low| *low <= high).unwrap_or_default();
-                return Some(Answer::Inside { low, high, touches });
+                return Some(Answer::Inside {
+                    low,
+                    high,
+                    touches,
+                    foot: zero,
+                });
             }
         }
     }
@@ -258,17 +271,23 @@ pub(super) fn critical_point(field: &Field, start: [f64; 3]) -> Option<[f64; 3]>
     Some(x)
 }
 
-/// The point of the sphere of radius d about p next to a direction, exactly: by stereographic projection from the pole opposite
-/// to its largest component.
-pub(super) fn on_sphere(p: &[Rational; 3], d: &Rational, direction: [f64; 3]) -> [Rational; 3] {
-    let length = dot(direction, direction).sqrt();
-    let unit = direction.map(|x| x / length);
+/// A point of the sphere of radius d about p next to a direction, exactly: by stereographic projection from the pole opposite
+/// to its largest component. It is off the direction by some 2^−300.
+pub(super) fn on_sphere(
+    p: &[Rational; 3],
+    d: &Rational,
+    direction: &[Rational; 3],
+) -> [Rational; 3] {
+    let near = direction.each_ref().map(Rational::to_f64);
+    let size = rational(dot(near, near).sqrt()).recip().unwrap_or_default();
+    let unit = direction.each_ref().map(|x| x * &size);
     let axis = (0..3)
-        .max_by(|&i, &j| unit[i].abs().total_cmp(&unit[j].abs()))
+        .max_by(|&i, &j| unit[i].abs().cmp(&unit[j].abs()))
         .unwrap_or(0);
-    let side = if unit[axis] < 0.0 { -1 } else { 1 };
+    let side = if unit[axis].signum() < 0 { -1 } else { 1 };
+    let below = length(&unit) + unit[axis].abs();
     let others = [(axis + 1) % 3, (axis + 2) % 3];
-    let [s, t] = others.map(|i| rational(unit[i] / (1.0 + unit[axis].abs())));
+    let [s, t] = others.map(|i| rounded(&(&unit[i] / &below), SPHERE_BITS));
     let one = Rational::one();
     let squares = &s * &s + &t * &t;
     let weight = &one + &squares;
@@ -277,4 +296,15 @@ pub(super) fn on_sphere(p: &[Rational; 3], d: &Rational, direction: [f64; 3]) ->
     vector[others[0]] = s * Rational::from(2) / &weight;
     vector[others[1]] = t * Rational::from(2) / weight;
     std::array::from_fn(|i| &p[i] + &(d * &vector[i]))
+}
+
+/// The length of a vector that is about 1, by Heron's rule: every step doubles the digits of the double.
+fn length(v: &[Rational; 3]) -> Rational {
+    let square = squared_length(v);
+    (0..4).fold(Rational::one(), |root, _| {
+        rounded(
+            &((&root + &(&square / &root)) / Rational::from(2)),
+            SPHERE_BITS,
+        )
+    })
 }

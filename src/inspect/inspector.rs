@@ -97,13 +97,15 @@ impl<'a> Point<'a> {
 }
 
 /// What is known of one factor.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Known {
     pub(super) bounds: DistanceBounds,
     pub(super) inside: Option<bool>,
     pub(super) curve: Option<bool>,
     /// The nearest point that was found.
     pub(super) foot: Option<[f64; 3]>,
+    /// The same, nearer to it than doubles are.
+    pub(super) exact_foot: Option<[Rational; 3]>,
 }
 
 impl Inspector {
@@ -280,6 +282,7 @@ impl Inspector {
             inside: None,
             curve: None,
             foot: None,
+            exact_foot: None,
         };
         let (value, normal) = field.value_and_gradient(p.near);
         let reach = self.goal.reach + p.slack;
@@ -369,8 +372,14 @@ impl Inspector {
                 let low = root(&low) * (1.0 - f64::EPSILON);
                 known.bounds.low = known.bounds.low.max(low.max(self.around[0]));
             }
-            Some(Answer::Inside { low, high, touches }) => {
+            Some(Answer::Inside {
+                low,
+                high,
+                touches,
+                foot,
+            }) => {
                 known.inside = Some(true);
+                known.exact_foot = Some(foot);
                 known.curve = touches.then_some(true);
                 let low = root(&low) * (1.0 - f64::EPSILON);
                 let high = root(&high) * (1.0 + f64::EPSILON);

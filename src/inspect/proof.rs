@@ -81,8 +81,14 @@ impl Inspector {
             let d = &self.tolerance;
             match exact::decide(field, p.exactly(), d, q, sign, Some(radius)) {
                 Some(Answer::Outside { .. }) => {}
-                Some(Answer::Inside { high, touches, .. }) => {
+                Some(Answer::Inside {
+                    high,
+                    touches,
+                    foot,
+                    ..
+                }) => {
                     known.inside = Some(true);
+                    known.exact_foot = Some(foot);
                     known.curve = touches.then_some(true);
                     known.foot = Some(q);
                     let high = high.to_f64().sqrt() * (1.0 + f64::EPSILON);
