@@ -54,13 +54,14 @@
 //! | Theorem 5 (which lemma applies) | [`describe`] |
 //! | roots in a direction | [`sample`] |
 //! | triangles of a surface | [`mesh`] |
+//! | Theorem 8, Example 12 (inspection) | [`inspect`] |
 //! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
 //!
 //! # From below to above
 //!
-//! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`check`] → [`document`], [`picture`] → the command line. A file imports
-//! only from below it, and [`error`] and [`limits`].
+//! [`exact`] numbers, [`rows`] of them → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
+//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`inspect`], [`check`] → [`document`], [`picture`] → the command
+//! line. A file imports only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
 //!

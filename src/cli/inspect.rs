@@ -8,7 +8,7 @@ use stellate::document::{
 use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
 use stellate::inspect::{
-    CircleSection, InspectOptions, Inspector, MAX_SECTION_WORK, SphereSection,
+    CircleSection, InspectOptions, Inspector, MAX_EXACT_MONOMIALS, MAX_SECTION_WORK, SphereSection,
 };
 use stellate::limits::Limits;
 use stellate::parametrize::AngleRange;
@@ -74,6 +74,11 @@ pub(crate) fn run(verb: &Inspect, session: &mut Session) -> Result<()> {
         Subject::Surface(surface) => Inspector::surface(surface, &options, &session.limits),
         Subject::Curve(curve) => Inspector::plane(curve, &options, &session.limits),
     })?;
+    if inspector.is_in_doubles_alone() {
+        session.note(&format!(
+            "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
+        ));
+    }
     let format = session.format_or(Format::Csv);
     let task = Task {
         writer: InspectionWriter::new(format, dimension, session.decimals())?,

@@ -295,9 +295,9 @@ impl Batch<'_> {
         is_first: bool,
         error: &(dyn Fn(usize, String) -> Error + Sync),
     ) -> Result<Part> {
-        self.task.limits.check()?;
         let mut part = Part::default();
         for (number, text) in rows {
+            self.task.limits.check()?;
             let row = match Row::new(text, self.dimension, self.reading.numbers) {
                 Ok(row) => row,
                 Err(_) if self.reading.skip_bad => {
@@ -307,6 +307,8 @@ impl Batch<'_> {
                 Err(message) => return Err(error(*number, message)),
             };
             let point = self.task.inspect(&row)?;
+            // What was cut short is no verdict.
+            self.task.limits.check()?;
             let is_first = is_first && part.summary.points() == 0;
             let written = self.task.writer.point(&point, is_first, &mut part.text);
             written.map_err(|source| Error::Io {

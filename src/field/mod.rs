@@ -140,6 +140,15 @@ impl Field {
 
     /// f and its gradient in doubles, with no bound of their errors.
     pub(crate) fn value_and_gradient(&self, p: [f64; 3]) -> (f64, [f64; 3]) {
+        self.value_and_gradient_of(p, |c| c)
+    }
+
+    /// The same for the polynomial whose coefficients are some function of those of f.
+    fn value_and_gradient_of(
+        &self,
+        p: [f64; 3],
+        coefficient: impl Fn(f64) -> f64,
+    ) -> (f64, [f64; 3]) {
         let [x, y, z] = self.powers(p);
         // k x^(k−1)
         let slope = |list: &Powers, k: usize| match k {
@@ -149,6 +158,7 @@ impl Field {
         let mut sum = 0.0;
         let mut gradient = [0.0; 3];
         for ([i, j, k], c) in &self.terms {
+            let c = coefficient(*c);
             let (xy, zc) = (x[*i] * y[*j], c * z[*k]);
             sum += xy * zc;
             gradient[0] += slope(&x, *i) * y[*j] * zc;
@@ -163,20 +173,29 @@ impl Field {
         self.value_and_gradient(p).1
     }
 
+    /// How many coefficients a Taylor expansion has.
+    pub(crate) fn monomials(&self) -> usize {
+        self.layout.exponents.len()
+    }
+
+    /// About how many operations an expansion takes.
+    pub(crate) fn work(&self) -> usize {
+        self.monomials() * self.degrees.iter().sum::<usize>().max(1)
+    }
+
     /// f does not depend on z.
     pub(crate) fn is_flat(&self) -> bool {
         self.degrees[2] == 0
     }
 
-    /// The sign of f at all points within a few units in the last place of p, if doubles tell.
+    /// The sign of f at all points that are off p by a few units in the last place of its largest coordinate, if doubles tell.
     pub(crate) fn sign_near(&self, p: [f64; 3]) -> Option<i8> {
         let (value, _) = self.sums(p);
-        // Four units of each coordinate change a term by not much more than four times its degree.
-        let degree: usize = self.degrees.iter().sum();
-        let relative = self.relative + 10.0 * UNIT * degree as f64;
-        let largest = p.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let (_, size) = self.sums([largest; 3]);
-        let is_certain = value.abs() > size * relative + self.tiny(p);
+        let off = 8.0 * UNIT * p.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        // What the sizes of the terms are at most nearby, and how fast they change.
+        let (size, slopes) = self.value_and_gradient_of(p.map(|x| x.abs() + off), f64::abs);
+        let spread = size * self.relative + 1.01 * off * slopes.iter().sum::<f64>();
+        let is_certain = value.abs() > spread + self.tiny(p);
         is_certain.then_some(if value > 0.0 { 1 } else { -1 })
     }
 

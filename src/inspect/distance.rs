@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use super::DistanceBounds;
 use super::foot::{approach, difference, enclose};
 use crate::field::{BoxBounds, Field, distance, dot};
+use crate::limits::Limits;
 
 /// Cubes are not divided below this part of the reach.
 const SMALLEST: f64 = 1e-11;
@@ -68,15 +69,17 @@ impl Ord for Cube {
 /// Bounds of the distance from p to the zeros of f, which has the given sign at p.
 ///
 /// Best first: of a cube with f(m + v) = f(m) + ∇f·v + rest, |rest| ≤ ρ, the surface is no nearer than the slab
-/// |f(m) + ∇f·v| ≤ ρ, nor than the cube. Above, the bound is that of a foot, or of any point where f has the other sign.
+/// |f(m) + ∇f·v| ≤ ρ, nor than the cube. It ends when `limits` say so, with what is known then. Above, the bound is that of a foot, or of any point where f has the other sign.
 pub(super) fn nearest(
     field: &Field,
     p: [f64; 3],
     sign: i8,
     known: DistanceBounds,
     goal: Goal,
+    limits: &Limits,
 ) -> Nearby {
     let mut search = Search {
+        limits,
         field,
         p,
         sign,
@@ -107,6 +110,7 @@ pub(super) fn nearest(
 }
 
 struct Search<'a> {
+    limits: &'a Limits,
     field: &'a Field,
     p: [f64; 3],
     sign: i8,
@@ -170,6 +174,9 @@ impl Search<'_> {
 
     fn divide(&mut self, cube: &Cube) {
         self.budget -= 1;
+        if self.budget.is_multiple_of(64) && self.limits.check().is_err() {
+            self.budget = 0;
+        }
         let half = cube.half / 2.0;
         let axes = if self.field.is_flat() { 2 } else { 3 };
         for corner in 0..1u32 << axes {

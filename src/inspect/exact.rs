@@ -32,7 +32,7 @@ pub(super) enum Answer {
         /// A zero exactly at the distance d.
         touches: bool,
         /// A point near the zero.
-        foot: [Rational; 3],
+        foot: Box<[Rational; 3]>,
     },
 }
 
@@ -96,7 +96,7 @@ pub(super) fn decide(
                 low,
                 high,
                 touches: false,
-                foot: q,
+                foot: Box::new(q),
             });
         }
         let width = Rational::from(2).pow(GUARD_BITS - bits).unwrap_or_default();
@@ -110,7 +110,7 @@ pub(super) fn decide(
                     low,
                     high,
                     touches,
-                    foot: zero,
+                    foot: Box::new(zero),
                 });
             }
         }

@@ -9,11 +9,17 @@ use super::{DistanceBounds, Inspection, Verdict};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
-use crate::field::{Field, dot};
+use crate::field::{Field, distance, dot};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 
+/// Polynomials with more monomials (and divisors of them) than this are inspected in doubles alone: those of degree 16 in space
+/// and of degree 43 in the plane have fewer. What doubles do not decide is undecided then.
+pub const MAX_EXACT_MONOMIALS: usize = 1000;
+/// The operations of an expansion for which the number of cubes is meant as it is given: those of a dense polynomial of
+/// degree 6. Where they are more, there are fewer cubes.
+const CUBE_WORK: usize = 84 * 18;
 /// Half a unit in the last place, relatively.
 const HALF_ULP: f64 = f64::EPSILON / 2.0;
 /// Points nearer to the surface than this part of the reach are not left to doubles.
@@ -28,7 +34,7 @@ pub struct InspectOptions {
     pub reach: f64,
     /// The goal for the distance: so many significant digits.
     pub digits: u32,
-    /// At most so many cubes are divided for one point and one factor of the polynomial.
+    /// At most so many cubes are divided for one point and one factor of the polynomial; fewer for degrees above 6.
     pub cubes: usize,
 }
 
@@ -194,6 +200,13 @@ impl Inspector {
         })
     }
 
+    /// Whether a factor is too large for exact expansions ([`MAX_EXACT_MONOMIALS`]).
+    #[must_use]
+    pub fn is_in_doubles_alone(&self) -> bool {
+        let mut sizes = self.factors.iter().map(Field::monomials);
+        sizes.any(|size| size > MAX_EXACT_MONOMIALS)
+    }
+
     /// What is certain of a point.
     ///
     /// Cost: for a point whose distance is small against the radii of curvature some ten evaluations of f and a Taylor
@@ -261,9 +274,9 @@ impl Inspector {
             // The sphere meets a cylinder if and only if the disc does.
             (Some(true), Kind::Surface) if field.is_flat() => Some(true),
             (Some(true), _) if known.curve.is_some() => known.curve,
-            (Some(true), Kind::Plane) => {
-                Some(self.signs_differ(field, p, &known) || self.circle_meets(field, p))
-            }
+            (Some(true), Kind::Plane) if self.signs_differ(field, p, &known) => Some(true),
+            (Some(true), _) if !self.is_exact_possible(field) => None,
+            (Some(true), Kind::Plane) => Some(self.circle_meets(field, p)),
             (Some(true), Kind::Surface) => self.sphere_meets(field, p, &known),
         };
         known
@@ -333,9 +346,12 @@ impl Inspector {
         }
         // Where doubles tell the distance but for their rounding, the exact expansion tells the rest.
         let bounds = known.bounds;
-        let is_nearly_known =
-            bounds.low > 0.9 * bounds.high || bounds.high < NEARLY_ON * self.goal.reach;
-        if let Some(start) = known.foot.filter(|_| is_nearly_known) {
+        let is_on = |q: [f64; 3]| distance(q, p.near) < NEARLY_ON * self.goal.reach;
+        let is_nearly_known = bounds.low > 0.9 * bounds.high || known.foot.is_some_and(is_on);
+        if let Some(start) = known
+            .foot
+            .filter(|_| is_nearly_known && self.is_exact_possible(field))
+        {
             self.by_exact_foot(field, p, start, sign, known);
             if known.inside.is_some() && self.is_close(&known.bounds) {
                 return;
@@ -344,16 +360,22 @@ impl Inspector {
         let mut goal = self.goal;
         goal.reach += p.slack;
         goal.tolerance += p.slack;
+        goal.cubes = (goal.cubes * CUBE_WORK / field.work()).clamp(goal.cubes.min(64), goal.cubes);
         let near_sign = field.sign(p.near);
         let outer = DistanceBounds {
             low: (known.bounds.low - p.slack).max(0.0),
             high: known.bounds.high + p.slack,
         };
-        let found = nearest(field, p.near, near_sign, outer, goal);
+        let found = nearest(field, p.near, near_sign, outer, goal, &self.limits);
         self.learn(known, found.bounds, p.slack);
-        if known.inside.is_none() {
+        if known.inside.is_none() && self.is_exact_possible(field) {
             self.by_proof(field, p, &found.left, sign, known);
         }
+    }
+
+    /// Exact expansions have as many coefficients as f has monomials, with ever longer numbers.
+    fn is_exact_possible(&self, field: &Field) -> bool {
+        field.monomials() <= MAX_EXACT_MONOMIALS && self.limits.check().is_ok()
     }
 
     /// The exact expansion at the foot.
@@ -379,7 +401,7 @@ impl Inspector {
                 foot,
             }) => {
                 known.inside = Some(true);
-                known.exact_foot = Some(foot);
+                known.exact_foot = Some(*foot);
                 known.curve = touches.then_some(true);
                 let low = root(&low) * (1.0 - f64::EPSILON);
                 let high = root(&high) * (1.0 + f64::EPSILON);

@@ -21,7 +21,7 @@ mod sphere;
 
 pub use chart::{CircleSection, SphereSection, sphere_about};
 pub use criterion::MAX_SECTION_WORK;
-pub use inspector::{InspectOptions, Inspector};
+pub use inspector::{InspectOptions, Inspector, MAX_EXACT_MONOMIALS};
 
 /// What is proved of a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]

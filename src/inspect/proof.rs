@@ -88,7 +88,7 @@ impl Inspector {
                     ..
                 }) => {
                     known.inside = Some(true);
-                    known.exact_foot = Some(foot);
+                    known.exact_foot = Some(*foot);
                     known.curve = touches.then_some(true);
                     known.foot = Some(q);
                     let high = high.to_f64().sqrt() * (1.0 + f64::EPSILON);

@@ -1,0 +1,112 @@
+//! Inspection (Theorem 8): points per second on surfaces of growing degree, beside the exact arithmetic that doubles save.
+//!
+//! `cargo bench --bench inspect`. Every answer is verified before it is timed.
+
+#![expect(clippy::unwrap_used, reason = "a bench fails by panicking")]
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use stellate::exact::Rational;
+use stellate::inspect::{InspectOptions, Inspector, SphereSection, Verdict};
+use stellate::language::{Numbers, parse_form};
+use stellate::limits::Limits;
+use stellate::shape::{Form, ImplicitSurface};
+
+const POINTS: u32 = 1000;
+
+fn surface(degree: u32) -> ImplicitSurface {
+    let text = format!("x^{degree} + y^{degree} + z^{degree} = 1");
+    let Form::Surface(surface) = parse_form(&text, "<form>", Numbers::Exact).unwrap() else {
+        panic!("{text}")
+    };
+    surface
+}
+
+/// Points within 0.02 of the surface along rays.
+fn points(degree: u32) -> Vec<[f64; 3]> {
+    let power = f64::from(degree);
+    let at = |k: u32| {
+        let (height, turn) = (
+            1.0 - (2.0 * f64::from(k) + 1.0) / f64::from(POINTS),
+            2.4 * f64::from(k),
+        );
+        let flat = (1.0 - height * height).sqrt();
+        let v = [flat * turn.cos(), flat * turn.sin(), height];
+        let radius = v
+            .iter()
+            .map(|x| x.abs().powf(power))
+            .sum::<f64>()
+            .powf(-1.0 / power);
+        let off = 0.02 * (7.3 * f64::from(k) + 1.0).sin();
+        v.map(|x| x * (radius + off))
+    };
+    (0..POINTS).map(at).collect()
+}
+
+fn inspector(degree: u32) -> Inspector {
+    let options = InspectOptions {
+        tolerance: "1/100".parse().unwrap(),
+        reach: 0.0,
+        digits: 6,
+        cubes: 50_000,
+    };
+    Inspector::surface(&surface(degree), &options, &Limits::none()).unwrap()
+}
+
+fn exactly(p: [f64; 3]) -> [Rational; 3] {
+    p.map(|x| Rational::try_from(x).unwrap())
+}
+
+/// The verdict is that of the criterion, decided by exact arithmetic alone, for some of the points.
+fn verify(degree: u32) {
+    let (inspector, surface) = (inspector(degree), surface(degree));
+    for p in points(degree).into_iter().step_by(100) {
+        let found = inspector.inspect(&exactly(p));
+        assert!(found.verdict != Verdict::Undecided);
+        if degree <= 4 {
+            let d = "1/100".parse().unwrap();
+            let section = SphereSection::new(surface.polynomial(), &exactly(p), &d);
+            assert_eq!(
+                found.curve,
+                Some(section.has_points(&Limits::none()).unwrap())
+            );
+        }
+    }
+}
+
+fn inspect(c: &mut Criterion) {
+    let mut group = c.benchmark_group("inspect");
+    group.sample_size(20);
+    for degree in [2, 4, 6, 8, 12] {
+        verify(degree);
+        let (inspector, points) = (inspector(degree), points(degree));
+        group.throughput(Throughput::Elements(u64::from(POINTS)));
+        group.bench_function(BenchmarkId::new("doubles_first", degree), |b| {
+            b.iter(|| {
+                let inside = points.iter().filter(|p| {
+                    let found = inspector.inspect_near(black_box(**p), &|| exactly(**p));
+                    found.verdict == Verdict::Inside
+                });
+                inside.count()
+            });
+        });
+    }
+    // The same question by exact arithmetic alone.
+    group.sample_size(10).throughput(Throughput::Elements(1));
+    for degree in [2, 4] {
+        let (surface, d) = (surface(degree), "1/100".parse().unwrap());
+        let p = exactly(points(degree)[10]);
+        group.bench_function(BenchmarkId::new("exact_section", degree), |b| {
+            b.iter(|| {
+                SphereSection::new(surface.polynomial(), black_box(&p), &d)
+                    .has_points(&Limits::none())
+                    .unwrap()
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, inspect);
+criterion_main!(benches);
