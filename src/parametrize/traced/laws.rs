@@ -128,7 +128,7 @@ fn check(equation: &Equation) -> Result<(), TestCaseError> {
     for (branch, shown) in branches.iter().zip(&shown) {
         for &angle in critical.iter().filter(|a| within(&shown.real, **a)) {
             let at = |theta: f64| branch.radius(&Direction::from_radians(theta));
-            if let (Some(a), Some(b)) = (at(angle - 1e-9), at(angle + 1e-9)) {
+            if let (Some(a), Some(b)) = (at(angle - 1e-12), at(angle + 1e-12)) {
                 let [low, high] = [a, b].map(|r| r.abs().powf(step).copysign(r));
                 prop_assert!(
                     (low - high).abs() < 5e-3 * (1.0 + low.abs()),
