@@ -55,11 +55,12 @@
 //! | roots in a direction | [`sample`] |
 //! | triangles of a surface | [`mesh`] |
 //! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
+//! | all of it, statement by statement, with its errata | [`paper`] |
 //!
 //! # From below to above
 //!
 //! [`exact`] numbers → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`check`] → [`document`], [`picture`] → the command line. A file imports
+//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`check`] → [`document`], [`picture`] → [`paper`] → the command line. A file imports
 //! only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
@@ -91,6 +92,7 @@ pub mod inspect;
 pub mod language;
 pub mod limits;
 pub mod mesh;
+pub mod paper;
 pub mod parametrize;
 pub mod picture;
 pub mod poly;

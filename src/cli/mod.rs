@@ -15,6 +15,7 @@ mod inspect_rows;
 mod mesh;
 mod numbers;
 mod output;
+mod paper;
 mod parametrize;
 mod plot;
 mod plot_space;
@@ -58,6 +59,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Plot(verb) => plot::run(&verb, &mut session),
             Verb::Check(verb) => check::run(&verb, &mut session),
             Verb::Vectors(verb) => vectors::run(&verb, &mut session),
+            Verb::Paper(verb) => paper::run(&verb, &mut session),
         }?;
         session.finish()?;
         Ok(session.answer_is_no)
