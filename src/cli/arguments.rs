@@ -135,6 +135,7 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
     #[command(after_help = "Examples:
   stellate paper
   stellate paper --only E9
+  stellate paper --out report
   stellate paper --format json -o paper.json
 
 Exit code: 1 if the outcome of a statement is not the recorded one.")]
@@ -146,6 +147,9 @@ pub(crate) struct Paper {
     /// One statement in full, with its formulas and the evidence: T2, L4, E9, Eq63, F12, AppB, ...
     #[arg(long, value_name = "ID")]
     pub(crate) only: Option<String>,
+    /// Write the report DIR/index.html, too: one page with all formulas, figures and errata
+    #[arg(long, value_name = "DIR", conflicts_with = "only")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

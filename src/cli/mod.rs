@@ -16,6 +16,7 @@ mod mesh;
 mod numbers;
 mod output;
 mod paper;
+mod paper_figures;
 mod parametrize;
 mod plot;
 mod plot_space;

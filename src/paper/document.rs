@@ -109,7 +109,7 @@ fn document<'a>(entry: &Entry<'a>, outcome: &Outcome) -> EntryDocument<'a> {
 }
 
 /// `printed, fails: …`
-fn line(finding: &Finding) -> String {
+pub(super) fn line(finding: &Finding) -> String {
     let part = match finding.part {
         TestPart::Printed => "printed, ",
         TestPart::Corrected => "corrected, ",
@@ -119,7 +119,8 @@ fn line(finding: &Finding) -> String {
     format!("{part}{holds}: {}", finding.evidence)
 }
 
-fn unexpected(entry: &Entry<'_>, outcome: &Outcome) -> String {
+/// What follows a verdict that is not the recorded one.
+pub(super) fn unexpected(entry: &Entry<'_>, outcome: &Outcome) -> String {
     if outcome.expected {
         String::new()
     } else {

@@ -146,6 +146,15 @@ impl Entry<'_> {
         })
     }
 
+    /// The definitions and the known squares, as equations.
+    pub(super) fn meanings(&self) -> Vec<[Formula; 2]> {
+        let texts = [self.definitions, self.squares];
+        let equations = texts.into_iter().flat_map(|text| text.split(';'));
+        equations
+            .filter_map(|text| Formula::parse_equation(text).ok())
+            .collect()
+    }
+
     fn finding(&self, test: &Test<'_>, limits: &Limits) -> Result<Finding> {
         match &test.kind {
             TestKind::Identity {

@@ -10,14 +10,19 @@
 //! the answer that is claimed. One code path evaluates the printed and the corrected part, and the verdict follows from what
 //! comes out: [`Verdict`].
 
+mod data;
 mod document;
 mod entry;
 mod formula;
 mod identity;
+mod mathml;
 mod question;
+mod report;
 mod statements;
 
+pub use data::EXAMPLE_DATA;
 pub use document::{write_entries, write_entry};
 pub use entry::{Entry, Finding, Outcome, Test, TestPart, Verdict};
 pub use formula::Formula;
+pub use report::{ReportFigure, write_report};
 pub use statements::{entries, read_entries};

@@ -10,22 +10,11 @@ use crate::implicitize::{
     parity_sums, polar_patch, polar_plane, polar_space_curve, square_away,
 };
 use crate::limits::Limits;
+use crate::paper::data::outline;
 use crate::paper::formula::Formula;
 use crate::paper::identity::{Comparison, Meanings};
 use crate::poly::{PlanePolynomial, Ring, SparsePolynomial};
 use crate::shape::{Form, FourierRadius, ImplicitCurve};
-
-/// The outlines of paper-examples.
-const CONTOURS: [(&str, &str); 2] = [
-    (
-        "butterfly",
-        include_str!("../../../paper-examples/e02-butterfly/butterfly.csv"),
-    ),
-    (
-        "jet",
-        include_str!("../../../paper-examples/e02-jet/jet.csv"),
-    ),
-];
 
 type Equation = SparsePolynomial<3>;
 
@@ -130,8 +119,7 @@ pub(super) fn degrees(subject: &str, claimed: &str, _: &Limits) -> Result<Answer
 
 pub(super) fn fitted_degrees(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let [name, harmonics] = parts(subject)?;
-    let known = CONTOURS.iter().find(|(known, _)| *known == name);
-    let (Some((_, rows)), Ok(harmonics)) = (known, harmonics.parse()) else {
+    let (Some(rows), Ok(harmonics)) = (outline(name), harmonics.parse()) else {
         return Err(not_asked(subject, "butterfly or jet, and a number"));
     };
     let contour = contour_from_reader(rows.as_bytes(), ContourKind::Rows, name)?;

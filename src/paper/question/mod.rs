@@ -10,8 +10,9 @@ use crate::document::{Annotations, Format, write_form};
 use crate::error::{Error, Result};
 use crate::language::{Numbers, parse_form};
 use crate::limits::Limits;
+use crate::paper::data::example;
 use crate::poly::SparsePolynomial;
-use crate::shape::{Form, ImplicitSurface};
+use crate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
 /// What the engine answered, and whether that is what was claimed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -139,7 +140,9 @@ impl Answer {
     }
 }
 
+/// A form as text, or a file of paper-examples.
 fn form(text: &str) -> Result<Form> {
+    let text = example(text).unwrap_or(text);
     parse_form(text, "<statement>", Numbers::Exact)
 }
 
@@ -154,7 +157,11 @@ fn polynomial(text: &str) -> Result<SparsePolynomial<3>> {
 
 /// The primitive part as text.
 fn text_of(f: &SparsePolynomial<3>) -> Result<String> {
-    let form = Form::Surface(ImplicitSurface::new(f.primitive()));
+    let f = f.primitive();
+    let form = match f.to_plane() {
+        Some(f) => Form::Curve(ImplicitCurve::new(f)),
+        None => Form::Surface(ImplicitSurface::new(f)),
+    };
     let mut text = Vec::new();
     written(write_form(
         &form,
