@@ -318,7 +318,7 @@ mod tests {
         let Comparison::Different(place) = compare("", "", "a/b = b/a") else {
             panic!("they differ")
         };
-        assert!(place.starts_with("at a = "), "{place}");
+        assert!(place.starts_with("at b = "), "{place}");
     }
 
     #[test]
