@@ -56,12 +56,13 @@
 //! | triangles of a surface | [`mesh`] |
 //! | Theorem 8, Example 12 (inspection) | [`inspect`] |
 //! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
+//! | all of it, statement by statement, with its errata | [`paper`] |
 //!
 //! # From below to above
 //!
 //! [`exact`] numbers, [`rows`] of them → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`inspect`], [`check`] → [`document`], [`picture`] → the command
-//! line. A file imports only from below it, and [`error`] and [`limits`].
+//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`inspect`], [`check`] → [`document`], [`picture`] →
+//! [`paper`] → the command line. A file imports only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
 //!
@@ -92,6 +93,7 @@ pub mod inspect;
 pub mod language;
 pub mod limits;
 pub mod mesh;
+pub mod paper;
 pub mod parametrize;
 pub mod picture;
 pub mod poly;

@@ -131,6 +131,25 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
     /// Test vectors for float programs: inputs, exact results, nearest doubles and condition numbers, as one JSON document
     #[command(after_help = VECTORS_EXAMPLES)]
     Vectors(Vectors),
+    /// The whole paper, statement by statement: what is printed, what is true, and the evidence, computed each time
+    #[command(after_help = "Examples:
+  stellate paper
+  stellate paper --only E9
+  stellate paper --out report
+  stellate paper --format json -o paper.json
+
+Exit code: 1 if the outcome of a statement is not the recorded one.")]
+    Paper(Paper),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Paper {
+    /// One statement in full, with its formulas and the evidence: T2, L4, E9, Eq63, F12, AppB, ...
+    #[arg(long, value_name = "ID")]
+    pub(crate) only: Option<String>,
+    /// Write the report DIR/index.html, too: one page with all formulas, figures and errata
+    #[arg(long, value_name = "DIR", conflicts_with = "only")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

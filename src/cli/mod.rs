@@ -15,6 +15,8 @@ mod inspect_rows;
 mod mesh;
 mod numbers;
 mod output;
+mod paper;
+mod paper_figures;
 mod parametrize;
 mod plot;
 mod plot_space;
@@ -58,6 +60,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Plot(verb) => plot::run(&verb, &mut session),
             Verb::Check(verb) => check::run(&verb, &mut session),
             Verb::Vectors(verb) => vectors::run(&verb, &mut session),
+            Verb::Paper(verb) => paper::run(&verb, &mut session),
         }?;
         session.finish()?;
         Ok(session.answer_is_no)

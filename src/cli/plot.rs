@@ -46,18 +46,23 @@ pub(crate) fn run(verb: &Plot, session: &mut Session) -> Result<()> {
     }
     let kind = kind(session)?;
     check_destination(session)?;
+    let svg = svg(verb, session)?;
+    let bytes = session.stage("draw", |_| kind.bytes(svg))?;
+    write_result(session, |out| out.write_all(&bytes))
+}
+
+/// The figure as SVG.
+pub(super) fn svg(verb: &Plot, session: &mut Session) -> Result<String> {
     let mut inputs = Vec::new();
     for form in &verb.forms {
         inputs.push(input::read(form, session)?);
     }
-    let svg = if inputs.iter().any(plot_space::is_in_space) {
+    if inputs.iter().any(plot_space::is_in_space) {
         input::refuse_fit_flags(&verb.fit)?;
-        plot_space::scene(verb, inputs, session)?
+        plot_space::scene(verb, inputs, session)
     } else {
-        plane(verb, inputs, session)?
-    };
-    let bytes = session.stage("draw", |_| kind.bytes(svg))?;
-    write_result(session, |out| out.write_all(&bytes))
+        plane(verb, inputs, session)
+    }
 }
 
 /// The figure of forms in the plane, as SVG.

@@ -1,0 +1,30 @@
+//! The data of the paper's examples, as in paper-examples: the program has them wherever it runs.
+
+/// Where a file stands in the repository, and its text.
+pub const EXAMPLE_DATA: [(&str, &str); 3] = [
+    (
+        "paper-examples/e02-butterfly/butterfly.csv",
+        include_str!("../../paper-examples/e02-butterfly/butterfly.csv"),
+    ),
+    (
+        "paper-examples/e02-jet/jet.csv",
+        include_str!("../../paper-examples/e02-jet/jet.csv"),
+    ),
+    (
+        "paper-examples/e09-sixth-degree/curve.txt",
+        include_str!("../../paper-examples/e09-sixth-degree/curve.txt"),
+    ),
+];
+
+/// The rows of an outline by its name, such as `jet`.
+pub(super) fn outline(name: &str) -> Option<&'static str> {
+    let file = format!("/{name}.csv");
+    let found = EXAMPLE_DATA.iter().find(|(path, _)| path.ends_with(&file));
+    found.map(|(_, text)| *text)
+}
+
+/// The text of a file by its place.
+pub(super) fn example(path: &str) -> Option<&'static str> {
+    let found = EXAMPLE_DATA.iter().find(|(known, _)| *known == path);
+    found.map(|(_, text)| *text)
+}

@@ -1,0 +1,160 @@
+//! What came of the statements, as a table, in full, and as JSON.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::entry::{Entry, Finding, Outcome, TestPart, Verdict};
+use crate::document::{Format, SCHEMA};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    schema: &'static str,
+    kind: &'static str,
+    entries: Vec<EntryDocument<'a>>,
+}
+
+#[derive(Serialize)]
+struct EntryDocument<'a> {
+    id: &'a str,
+    title: &'a str,
+    section: &'a str,
+    printed: &'a str,
+    correct: &'a str,
+    verdict: &'static str,
+    evidence: String,
+    expected: bool,
+    seconds: f64,
+}
+
+/// Writes a table by sections, or the JSON document of kind `paper`.
+///
+/// # Errors
+/// Those of `out`; `Unsupported` for formats other than text and JSON.
+pub fn write_entries(
+    entries: &[(Entry<'_>, Outcome)],
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match format {
+        Format::Text => write_table(entries, out),
+        Format::Json => {
+            let document = Document {
+                schema: SCHEMA,
+                kind: "paper",
+                entries: entries.iter().map(|(e, o)| document(e, o)).collect(),
+            };
+            serde_json::to_writer(&mut *out, &document)?;
+            writeln!(out)
+        }
+        _ => Err(unsupported()),
+    }
+}
+
+/// Writes one entry in full, or the JSON document of kind `paper` with this entry alone.
+///
+/// # Errors
+/// As [`write_entries`].
+pub fn write_entry(
+    entry: &Entry<'_>,
+    outcome: &Outcome,
+    format: Format,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    if format != Format::Text {
+        return write_entries(&[(entry.clone(), outcome.clone())], format, out);
+    }
+    writeln!(out, "{}: {}", entry.id, entry.title)?;
+    writeln!(out, "section: {}", entry.section)?;
+    writeln!(out, "printed: {}", entry.printed)?;
+    if entry.correct != entry.printed {
+        writeln!(out, "correct: {}", entry.correct)?;
+    }
+    for (what, text) in [("where", entry.definitions), ("with", entry.squares)] {
+        if !text.is_empty() {
+            writeln!(out, "{what}: {text}")?;
+        }
+    }
+    for finding in &outcome.findings {
+        writeln!(out, "{}", line(finding))?;
+    }
+    writeln!(
+        out,
+        "verdict: {}{}",
+        outcome.verdict,
+        unexpected(entry, outcome)
+    )
+}
+
+fn unsupported() -> io::Error {
+    io::Error::new(
+        io::ErrorKind::Unsupported,
+        "the paper's statements are written as text or json",
+    )
+}
+
+fn document<'a>(entry: &Entry<'a>, outcome: &Outcome) -> EntryDocument<'a> {
+    let lines: Vec<String> = outcome.findings.iter().map(line).collect();
+    EntryDocument {
+        id: entry.id,
+        title: entry.title,
+        section: entry.section,
+        printed: entry.printed,
+        correct: entry.correct,
+        verdict: outcome.verdict.name(),
+        evidence: lines.join("\n"),
+        expected: outcome.expected,
+        seconds: outcome.time.as_secs_f64(),
+    }
+}
+
+/// `printed, fails: …`
+pub(super) fn line(finding: &Finding) -> String {
+    let part = match finding.part {
+        TestPart::Printed => "printed, ",
+        TestPart::Corrected => "corrected, ",
+        TestPart::Always => "",
+    };
+    let holds = if finding.holds { "holds" } else { "fails" };
+    format!("{part}{holds}: {}", finding.evidence)
+}
+
+/// What follows a verdict that is not the recorded one.
+pub(super) fn unexpected(entry: &Entry<'_>, outcome: &Outcome) -> String {
+    if outcome.expected {
+        String::new()
+    } else {
+        format!(" (UNEXPECTED: recorded is \"{}\")", entry.expected)
+    }
+}
+
+fn write_table(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Result<()> {
+    let width = |text: &str| text.chars().count();
+    let of_id = entries.iter().map(|(e, _)| width(e.id)).max().unwrap_or(0);
+    let verdicts = entries.iter().map(|(_, o)| width(o.verdict.name()));
+    let of_verdict = verdicts.max().unwrap_or(0);
+    let mut section = "";
+    for (entry, outcome) in entries {
+        if entry.section != section {
+            section = entry.section;
+            writeln!(out, "{section}")?;
+        }
+        writeln!(
+            out,
+            "  {:of_id$}  {:of_verdict$}  {}{}",
+            entry.id,
+            outcome.verdict.name(),
+            entry.title,
+            unexpected(entry, outcome)
+        )?;
+    }
+    let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
+    let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
+    let parts = Verdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
+    writeln!(
+        out,
+        "{} statements: {}; {unexpected} not as expected",
+        entries.len(),
+        parts.join(", ")
+    )
+}

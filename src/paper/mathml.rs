@@ -1,0 +1,130 @@
+//! Formulas as MathML.
+
+use super::formula::Formula;
+
+/// How tightly a formula binds: what is looser than its place stands in parentheses.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Atom,
+}
+
+/// `<math>` of an equation `left = right`.
+pub(super) fn equation(left: &Formula, right: &Formula) -> String {
+    format!(
+        "<math><mrow>{}<mo>=</mo>{}</mrow></math>",
+        markup(left),
+        markup(right)
+    )
+}
+
+fn markup(formula: &Formula) -> String {
+    match formula {
+        Formula::Number(value) => number(&value.to_string()),
+        Formula::Symbol(name) => symbol(name),
+        Formula::Sum(parts) => {
+            let mut text = String::new();
+            for (index, (subtracted, part)) in parts.iter().enumerate() {
+                match (subtracted, index) {
+                    (true, _) => text.push_str("<mo>−</mo>"),
+                    (false, 0) => {}
+                    (false, _) => text.push_str("<mo>+</mo>"),
+                }
+                text.push_str(&within(part, Binding::Product));
+            }
+            text
+        }
+        Formula::Product(a, b) => format!(
+            "{}<mo>{}</mo>{}",
+            within(a, Binding::Product),
+            // Two numbers side by side would be one.
+            if matches!(**b, Formula::Number(_)) {
+                "·"
+            } else {
+                "&#x2062;"
+            },
+            within(b, Binding::Product)
+        ),
+        Formula::Quotient(a, b) => format!(
+            "<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>",
+            markup(a),
+            markup(b)
+        ),
+        Formula::Power(base, exponent) => format!(
+            "<msup><mrow>{}</mrow><mn>{exponent}</mn></msup>",
+            within(base, Binding::Atom)
+        ),
+    }
+}
+
+fn binding(formula: &Formula) -> Binding {
+    match formula {
+        Formula::Sum(_) => Binding::Sum,
+        Formula::Product(..) => Binding::Product,
+        Formula::Number(value) if !value.is_integer() => Binding::Product,
+        Formula::Quotient(..) | Formula::Power(..) => Binding::Product,
+        Formula::Number(_) | Formula::Symbol(_) => Binding::Atom,
+    }
+}
+
+fn within(formula: &Formula, place: Binding) -> String {
+    let inner = markup(formula);
+    if binding(formula) < place {
+        format!("<mrow><mo>(</mo>{inner}<mo>)</mo></mrow>")
+    } else {
+        inner
+    }
+}
+
+/// An integer, or a fraction p/q.
+fn number(text: &str) -> String {
+    match text.split_once('/') {
+        Some((p, q)) => format!("<mfrac><mn>{p}</mn><mn>{q}</mn></mfrac>"),
+        None => format!("<mn>{text}</mn>"),
+    }
+}
+
+/// Greek letters by their names; digits at the end are an index.
+fn symbol(name: &str) -> String {
+    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let index = &name[letters.len()..];
+    let shown = match letters {
+        "alpha" => "α",
+        "beta" => "β",
+        "gamma" => "γ",
+        "rho" => "ρ",
+        other => other,
+    };
+    if index.is_empty() {
+        format!("<mi>{shown}</mi>")
+    } else {
+        format!("<msub><mi>{shown}</mi><mn>{index}</mn></msub>")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parentheses_stand_where_they_must() {
+        let shown = |text| markup(&Formula::parse(text).unwrap());
+        assert_eq!(
+            shown("(a + b)^2"),
+            "<msup><mrow><mrow><mo>(</mo><mi>a</mi><mo>+</mo><mi>b</mi><mo>)</mo></mrow></mrow><mn>2</mn></msup>"
+        );
+        assert_eq!(
+            shown("a - (b - c)"),
+            "<mi>a</mi><mo>−</mo><mrow><mo>(</mo><mi>b</mi><mo>−</mo><mi>c</mi><mo>)</mo></mrow>"
+        );
+        assert_eq!(
+            shown("-p/(3*s1)"),
+            "<mo>−</mo><mfrac><mrow><mi>p</mi></mrow><mrow><mn>3</mn><mo>&#x2062;</mo><msub><mi>s</mi><mn>1</mn></msub></mrow></mfrac>"
+        );
+        assert_eq!(
+            shown("0.1*rho"),
+            "<mfrac><mn>1</mn><mn>10</mn></mfrac><mo>&#x2062;</mo><mi>ρ</mi>"
+        );
+    }
+}

@@ -1,0 +1,28 @@
+//! The paper, statement by statement: what is printed, what is true, and the evidence, computed each time.
+//!
+//! The statements are data: text files beside this one, read by [`entries`]. A statement has tests of three parts:
+//!
+//! - `test printed:` what the paper prints; it may fail, and then it must fail as stated;
+//! - `test corrected:` the same once corrected; it must hold;
+//! - `test:` what must hold in any case.
+//!
+//! A test is an identity between two formulas in any symbols (proved by expansion over Q), or a question to the engine with
+//! the answer that is claimed. One code path evaluates the printed and the corrected part, and the verdict follows from what
+//! comes out: [`Verdict`].
+
+mod data;
+mod document;
+mod entry;
+mod formula;
+mod identity;
+mod mathml;
+mod question;
+mod report;
+mod statements;
+
+pub use data::EXAMPLE_DATA;
+pub use document::{write_entries, write_entry};
+pub use entry::{Entry, Finding, Outcome, Test, TestPart, Verdict};
+pub use formula::Formula;
+pub use report::{ReportFigure, write_report};
+pub use statements::{entries, read_entries};

@@ -1,0 +1,178 @@
+//! Questions that certified roots and inspection answer: §3 in single directions, and §4.
+
+use super::polar::{Polar, polar};
+use super::{Answer, form, joined, not_asked, parts, polynomial};
+use crate::error::Result;
+use crate::exact::{Integer, Rational, exact_literal, pi};
+use crate::inspect::{InspectOptions, Inspector, SphereSection, Verdict};
+use crate::limits::Limits;
+use crate::parametrize::{AngleRange, Parametrization, Radius, SurfaceParametrization};
+use crate::poly::SpacePolynomial;
+use crate::sample::{Direction, Ray, RaySolver, Sample, SpaceDirection, UnitVector};
+use crate::shape::{Form, ImplicitSurface};
+
+/// How far a closed form in doubles may be from the certified root, relative to the largest root of the direction: its terms
+/// may cancel, and double roots lose half of the digits.
+const CLOSE: f64 = 1e-6;
+
+/// Bits of π, and decimals of what is a multiple of it.
+const PI_BITS: u32 = 128;
+const DECIMALS: u32 = 7;
+
+pub(super) fn positive_roots(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
+    let [equation, degrees] = parts(subject)?;
+    let curve = super::equations::curve(equation)?;
+    let solver = RaySolver::new(curve.polynomial());
+    let count = |degrees: &str| {
+        let direction = Direction::from_degrees(&exact_literal(degrees.trim())?);
+        Ok(match solver.solve(&direction) {
+            Ray::Points(points) => points.iter().filter(|p| p.r > 0.0).count().to_string(),
+            Ray::Line => "a line".into(),
+        })
+    };
+    let counts = degrees.split(',').map(count).collect::<Result<Vec<_>>>()?;
+    Ok(Answer::text(joined(counts), claimed))
+}
+
+pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
+    let [equation, directions] = parts(subject)?;
+    let Ok(directions) = directions.parse::<usize>() else {
+        return Err(not_asked(subject, "a number of directions"));
+    };
+    let mut roots = 0;
+    let mut worst = 0f64;
+    let mut refuted = 0;
+    let mut note = |values: Option<Vec<f64>>, found: &[f64]| {
+        let largest = found.iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+        roots += found.len();
+        match values {
+            Some(mut values) if values.len() == found.len() => {
+                values.sort_by(|a, b| b.total_cmp(a));
+                for (value, r) in values.iter().zip(found) {
+                    worst = worst.max((value - r).abs() / largest);
+                }
+            }
+            _ => refuted += 1,
+        }
+    };
+    match polar(equation, limits)? {
+        Polar::Plane(curve) => {
+            let f = super::equations::curve(equation)?;
+            for direction in beside_ends(directions) {
+                if let Some(found) = radii(RaySolver::new(f.polynomial()).solve(&direction)) {
+                    note(plane_values(&curve, &direction), &found);
+                }
+            }
+        }
+        Polar::Space(surface) => {
+            let f = SpacePolynomial::from(&polynomial(equation)?);
+            for direction in SpaceDirection::fibonacci(directions) {
+                if let Some(found) = radii(RaySolver::new(&f).solve(&direction)) {
+                    note(Some(space_values(&surface, &direction)), &found);
+                }
+            }
+        }
+    }
+    let agrees = refuted == 0 && roots > 0 && worst < CLOSE;
+    let count = format!("{roots} roots");
+    Ok(Answer {
+        agrees: agrees && count == claimed,
+        found: format!(
+            "{count} in {directions} directions, {refuted} directions with another number of real values, \
+             largest relative deviation of the doubles ≈ {worst:.1e}"
+        ),
+    })
+}
+
+/// Directions around, the first at 1°: no multiples of 15°, where branches like to end and doubles cannot tell on which side they are.
+fn beside_ends(count: usize) -> impl Iterator<Item = Direction> {
+    let integer = |n: usize| Rational::from(Integer::from(n));
+    let step = integer(360) / integer(count.max(1));
+    (0..count).map(move |k| Direction::from_degrees(&(&step * &integer(k) + Rational::one())))
+}
+
+/// The certified roots, largest first; `None` along a line of the zero set.
+fn radii<const V: usize>(ray: Ray<V>) -> Option<Vec<f64>> {
+    match ray {
+        Ray::Points(points) => Some(points.iter().map(|p: &Sample<V>| p.r).collect()),
+        Ray::Line => None,
+    }
+}
+
+/// The real values of the closed forms; `None` if there is a branch without one.
+fn plane_values(curve: &Parametrization, direction: &Direction) -> Option<Vec<f64>> {
+    let theta = direction.theta().rem_euclid(std::f64::consts::TAU);
+    let inside = |range: &AngleRange| {
+        let [from, to] = [&range.from, &range.to].map(|end| end.to_decimal(17).parse::<f64>());
+        matches!((from, to), (Ok(from), Ok(to)) if from <= theta && theta <= to)
+    };
+    let real = curve.branches.iter().filter(|b| b.real.iter().any(inside));
+    real.map(|branch| match &branch.radius {
+        Radius::Root(_) => None,
+        radius => Some(radius.approximate(theta)),
+    })
+    .collect()
+}
+
+/// Real by the exact signs.
+fn space_values(surface: &SurfaceParametrization, direction: &SpaceDirection) -> Vec<f64> {
+    let at = direction.components().map(|u| u.to_f64());
+    let signs = surface.in_direction(direction).branches;
+    let branches = surface.branches.iter().zip(signs);
+    let real = branches.filter(|(_, sign)| sign.is_some_and(|s| s != 0));
+    real.map(|(branch, _)| branch.radius.approximate(at))
+        .collect()
+}
+
+/// The surface, the point and the distance of `f | x, y, z | d`.
+fn inspected(subject: &str) -> Result<(ImplicitSurface, [Rational; 3], Rational)> {
+    let [equation, point, distance] = parts(subject)?;
+    let coordinates = point.split(',').map(|c| exact_literal(c.trim()));
+    let coordinates = coordinates.collect::<Result<Vec<_>>>()?;
+    let Ok(point) = coordinates.try_into() else {
+        return Err(not_asked(subject, "a point x, y, z"));
+    };
+    let surface = match form(equation)? {
+        Form::Surface(surface) => surface,
+        _ => ImplicitSurface::new(polynomial(equation)?),
+    };
+    Ok((surface, point, exact_literal(distance)?))
+}
+
+pub(super) fn section(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
+    let (surface, point, distance) = inspected(subject)?;
+    let section = SphereSection::new(surface.polynomial(), &point, &distance);
+    let (half_turn, _) = pi(PI_BITS);
+    // The angle is right to 30 decimals, and π to more.
+    let turns = |angle: &crate::parametrize::ExactAngle| -> Result<String> {
+        let angle = exact_literal(&angle.to_decimal(30))?;
+        Ok((angle / &half_turn).to_decimal(DECIMALS))
+    };
+    let mut found = Vec::new();
+    for range in section.theta_ranges(limits)? {
+        found.push(format!("[{}, {}]", turns(&range.from)?, turns(&range.to)?));
+    }
+    Ok(Answer::text(found.join(" and "), claimed))
+}
+
+pub(super) fn inspect(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
+    let (surface, point, tolerance) = inspected(subject)?;
+    let options = InspectOptions {
+        tolerance,
+        reach: 0.0,
+        digits: 6,
+        cubes: 50_000,
+    };
+    let found = Inspector::surface(&surface, &options, limits)?.inspect(&point);
+    let verdict = match found.verdict {
+        Verdict::Inside => "inside",
+        Verdict::Outside => "outside",
+        Verdict::Undecided => "undecided",
+    };
+    let curve = match found.curve {
+        Some(true) => "the sphere meets it",
+        Some(false) => "the sphere misses it",
+        None => "whether the sphere meets it is undecided",
+    };
+    Ok(Answer::text(format!("{verdict}, {curve}"), claimed))
+}
