@@ -114,6 +114,24 @@ pub(super) struct Known {
     pub(super) exact_foot: Option<[Rational; 3]>,
 }
 
+impl Known {
+    /// A zero within the tolerance, which the double `tolerance` is not below; `high` is the square of a bound of its distance.
+    pub(super) fn has_zero(
+        &mut self,
+        foot: [Rational; 3],
+        touches: bool,
+        high: &Rational,
+        tolerance: f64,
+    ) {
+        self.inside = Some(true);
+        self.curve = touches.then_some(true);
+        self.exact_foot = Some(foot);
+        let high = high.to_f64().sqrt() * (1.0 + f64::EPSILON);
+        self.bounds.high = self.bounds.high.min(high.min(tolerance));
+        self.bounds.low = self.bounds.low.min(self.bounds.high);
+    }
+}
+
 impl Inspector {
     /// For points in space.
     ///
@@ -400,13 +418,9 @@ impl Inspector {
                 touches,
                 foot,
             }) => {
-                known.inside = Some(true);
-                known.exact_foot = Some(*foot);
-                known.curve = touches.then_some(true);
+                known.has_zero(*foot, touches, &high, self.around[1]);
                 let low = root(&low) * (1.0 - f64::EPSILON);
-                let high = root(&high) * (1.0 + f64::EPSILON);
                 known.bounds.low = known.bounds.low.max(low);
-                known.bounds.high = known.bounds.high.min(high.min(self.around[1]));
             }
             None => {}
         }

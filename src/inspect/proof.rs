@@ -87,12 +87,7 @@ impl Inspector {
                     foot,
                     ..
                 }) => {
-                    known.inside = Some(true);
-                    known.exact_foot = Some(*foot);
-                    known.curve = touches.then_some(true);
-                    known.foot = Some(q);
-                    let high = high.to_f64().sqrt() * (1.0 + f64::EPSILON);
-                    known.bounds.high = known.bounds.high.min(high.min(self.around[1]));
+                    known.has_zero(*foot, touches, &high, self.around[1]);
                     return;
                 }
                 None => is_outside = false,
@@ -138,12 +133,7 @@ impl Inspector {
                 };
                 let away = exact::squared_length(&exact::exact_difference(p.exactly(), &zero));
                 if away <= square {
-                    known.inside = Some(true);
-                    known.curve = (away == square).then_some(true);
-                    known.foot = Some(zero.each_ref().map(Rational::to_f64));
-                    let high = away.to_f64().sqrt() * (1.0 + f64::EPSILON);
-                    known.bounds.high = known.bounds.high.min(high);
-                    known.bounds.low = known.bounds.low.min(known.bounds.high);
+                    known.has_zero(zero, away == square, &away, self.around[1]);
                     return None;
                 }
                 lonely.extend(self.lonely(field, &zero));
@@ -164,7 +154,7 @@ impl Inspector {
         Some((zero.each_ref().map(Rational::to_f64), radius))
     }
 
-    /// Zeros at critical points that are not rational.
+    /// Zeros at critical points that are not rational: that there are any, not where.
     fn by_gap(&self, field: &Field, p: &Point, starts: &[[f64; 3]], known: &mut Known) {
         let critical = starts
             .iter()
@@ -177,11 +167,10 @@ impl Inspector {
                 continue;
             }
             tried.push(x);
-            if let Some(zero) = zero_in_ball(field, p.exactly(), &self.tolerance, x) {
-                let away = exact::squared_length(&exact::exact_difference(p.exactly(), &zero));
-                known.inside = Some(true);
-                known.bounds.high = away.to_f64().sqrt() * (1.0 + 1e-12);
-                known.bounds.low = known.bounds.low.min(known.bounds.high);
+            if let Some(near) = zero_in_ball(field, p.exactly(), &self.tolerance, x) {
+                // There is a zero in the ball; how near it is to this point is not known.
+                let square = &self.tolerance * &self.tolerance;
+                known.has_zero(near, false, &square, self.around[1]);
                 return;
             }
         }
