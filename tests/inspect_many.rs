@@ -171,6 +171,26 @@ fn at_the_tolerance_and_an_ulp_beside_it() {
     }
 }
 
+/// Points at any distance outside random ellipsoids, on the normal of a known foot: the ellipsoid is convex.
+#[test]
+fn outside_of_ellipsoids() {
+    let mut random = Random(5);
+    for _ in 0..count(100) {
+        let found = feet("ellipsoid", &mut random);
+        let [d, t] =
+            [0; 2].map(|_| Rational::from(1 + random.integer(900).abs()) / Rational::from(1009));
+        let p = [0, 1, 2].map(|i| &found.foot[i] + &(&t * &found.normal[i]));
+        let answer = inspector(&found.surface, &d).inspect(&p);
+        let is_inside = answer.verdict == Verdict::Inside;
+        assert_eq!(is_inside, t <= d, "{} {p:?} {d} {answer:?}", found.surface);
+        assert!(answer.verdict != Verdict::Undecided);
+        let bounds = answer.distance;
+        assert!(
+            bounds.low <= t.to_f64() * (1.0 + 1e-15) && t.to_f64() * (1.0 - 1e-15) <= bounds.high
+        );
+    }
+}
+
 fn big(q: &Rational) -> BigRational {
     q.to_string().parse().unwrap()
 }
