@@ -12,7 +12,7 @@ use stellate::error::{Error, Result};
 use stellate::exact::{Rational, double_literal, exact_literal};
 use stellate::inspect::Inspection;
 use stellate::language::Numbers;
-use stellate::rows::{RowReader, double, fields, row_error};
+use stellate::rows::{RowReader, double, fields, fields_of, row_error};
 
 use super::arguments::Inspect;
 use super::inspect::Task;
@@ -63,22 +63,15 @@ pub(super) struct Row<'a> {
 impl<'a> Row<'a> {
     fn new(text: &'a str, dimension: usize, numbers: Numbers) -> std::result::Result<Self, String> {
         let expected = columns(dimension);
-        let mut found = [""; 3];
+        let found = if dimension == 2 {
+            let [x, y] = fields_of(text, expected)?;
+            [x, y, ""]
+        } else {
+            fields_of(text, expected)?
+        };
         let mut near = [0.0; 3];
-        let mut count = 0;
-        for field in fields(text) {
-            if count < dimension {
-                found[count] = field;
-                near[count] =
-                    double(field).map_err(|m| format!("{m}; each row must be {expected}"))?;
-            }
-            count += 1;
-        }
-        if count != dimension {
-            let plural = if count == 1 { "column" } else { "columns" };
-            return Err(format!(
-                "found {count} {plural}; each row must be {expected}"
-            ));
+        for (value, field) in near.iter_mut().zip(found).take(dimension) {
+            *value = double(field).map_err(|m| format!("{m}; each row must be {expected}"))?;
         }
         Ok(Self {
             fields: found,
