@@ -188,10 +188,9 @@ impl Field {
         self.degrees[2] == 0
     }
 
-    /// The sign of f at all points that are off p by a few units in the last place of its largest coordinate, if doubles tell.
-    pub(crate) fn sign_near(&self, p: [f64; 3]) -> Option<i8> {
+    /// The sign of f at all points whose coordinates are within `off` of those of p, if doubles tell.
+    pub(crate) fn sign_near(&self, p: [f64; 3], off: f64) -> Option<i8> {
         let (value, _) = self.sums(p);
-        let off = 8.0 * UNIT * p.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         // What the sizes of the terms are at most nearby, and how fast they change.
         let (size, slopes) = self.value_and_gradient_of(p.map(|x| x.abs() + off), f64::abs);
         let spread = size * self.relative + 1.01 * off * slopes.iter().sum::<f64>();

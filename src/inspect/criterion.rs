@@ -21,7 +21,13 @@ impl Inspector {
         };
         let scale = self.around[0] / dot(away, away).sqrt();
         let at = |s: f64| std::array::from_fn(|i| p.near[i] + s * away[i]);
-        let [a, b] = [scale, -scale].map(|s| field.sign_near(at(s)));
+        // The point may be near 0 where neither p nor d is.
+        let size = p
+            .near
+            .iter()
+            .fold(self.around[1], |m: f64, x| m.max(x.abs()));
+        let off = 8.0 * f64::EPSILON * size + p.slack;
+        let [a, b] = [scale, -scale].map(|s| field.sign_near(at(s), off));
         matches!((a, b), (Some(a), Some(b)) if a != b)
     }
 
