@@ -13,6 +13,25 @@ use common::program::{EGG, done, done_in, json, outline, piped, run_in};
 const EGG_EQUATION: &str =
     "100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2 = 0\n";
 
+/// `--stats` of `sample` says how many directions were decided in how many bits: together all of them.
+#[test]
+fn statistics_count_the_rays_of_each_precision() {
+    let sample = |form: &str| {
+        let arguments = ["sample", form, "--directions", "40", "--stats", "--quiet"];
+        let run = run_in(Path::new("."), &arguments, "");
+        json(&run.err)["stats"]["rays"].clone()
+    };
+    let count = |rays: &serde_json::Value, name: &str| rays[name].as_u64().unwrap();
+    let all = ["128_bits", "256_bits", "512_bits", "exact"];
+    for form in ["x^4 + y^4 = 1 + x", "x^2 + y^2 + 2z^2 = 3 + x"] {
+        let rays = sample(form);
+        assert_eq!(all.map(|name| count(&rays, name)).iter().sum::<u64>(), 40);
+        assert!(count(&rays, "128_bits") > 30, "{rays}");
+    }
+    // Double roots are beyond any bounded precision.
+    assert_eq!(count(&sample("(x^4 + y^4 - 1 - x)^2"), "exact"), 40);
+}
+
 #[test]
 fn statistics_are_one_line_of_json_on_standard_error() {
     let butterfly = outline("butterfly");

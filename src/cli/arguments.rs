@@ -60,7 +60,7 @@ pub(crate) struct Common {
     /// Threads to use [default: one per core]; the output does not depend on it
     #[arg(long, global = true, value_name = "N")]
     pub(crate) threads: Option<usize>,
-    /// Print one line of JSON with times and peak memory on standard error when done
+    /// Print one line of JSON with times, peak memory and how many rays needed how many bits on standard error when done
     #[arg(long, global = true)]
     pub(crate) stats: bool,
     /// No notes and no progress bar on standard error

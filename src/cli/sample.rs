@@ -6,7 +6,8 @@ use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
 use stellate::poly::SpacePolynomial;
 use stellate::sample::{
-    Direction, Ray, RaySolver, SpaceDirection, SpaceSuperquadricSolver, SuperquadricSolver,
+    Direction, Ray, RaySolver, SpaceDirection, SpaceSuperquadricSolver, StageCounts,
+    SuperquadricSolver,
 };
 use stellate::shape::{Form, ImplicitSurface};
 
@@ -87,6 +88,7 @@ pub(crate) fn run(verb: &Sample, session: &mut Session) -> Result<()> {
     let rays = session.stage("sample", |session| {
         solve(|d| Ok(solver.solve(d)), directions, verb.positive, session)
     })?;
+    record_stages(solver.stage_counts(), session);
     let [a, b] = curve.center();
     if !(a.is_zero() && b.is_zero()) {
         session.note(&format!(
@@ -113,6 +115,7 @@ fn sample_surface(
     let rays = session.stage("sample", |session| {
         solve(|d| Ok(solver.solve(d)), directions, positive, session)
     })?;
+    record_stages(solver.stage_counts(), session);
     note_lines(&rays, "surface", session);
     let origin = [Rational::zero(), Rational::zero()];
     write_result(session, |out| write_samples(&rays, &origin, format, out))
@@ -142,6 +145,15 @@ fn sample_intersection(
         session.note(&line);
     }
     write_result(session, |out| write_arcs(&found, format, out))
+}
+
+/// How many directions were decided in how many bits.
+fn record_stages(counts: StageCounts, session: &mut Session) {
+    let [short, middle, long] = counts.bounded;
+    session.record(
+        "rays",
+        serde_json::json!({"128_bits": short, "256_bits": middle, "512_bits": long, "exact": counts.exact}),
+    );
 }
 
 fn note_lines<D: NominalAngles<V>, const V: usize>(

@@ -32,6 +32,8 @@ pub(crate) struct Session {
     /// Whether the work is done and its answer is "no".
     pub(crate) answer_is_no: bool,
     stages: Vec<(&'static str, Duration)>,
+    /// What else `--stats` says.
+    facts: Vec<(&'static str, serde_json::Value)>,
     /// Set once output may have begun: from then on work ends at checkpoints only.
     writing: Arc<AtomicBool>,
 }
@@ -75,6 +77,7 @@ impl Session {
             limits,
             answer_is_no: false,
             stages: Vec::new(),
+            facts: Vec::new(),
             writing,
         })
     }
@@ -117,6 +120,11 @@ impl Session {
             None => self.stages.push((name, spent)),
         }
         result
+    }
+
+    /// A fact for `--stats`.
+    pub(crate) fn record(&mut self, name: &'static str, value: serde_json::Value) {
+        self.facts.push((name, value));
     }
 
     /// From here on the process is not ended from outside: a file is being written beside its place.
@@ -175,6 +183,9 @@ impl Session {
             let mut stats = serde_json::Map::new();
             for (name, time) in &self.stages {
                 stats.insert((*name).into(), time.as_secs_f64().into());
+            }
+            for (name, value) in &self.facts {
+                stats.insert((*name).into(), value.clone());
             }
             stats.insert("peak_rss_bytes".into(), peak_memory().into());
             report(&serde_json::json!({ "stats": stats }).to_string());

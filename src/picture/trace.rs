@@ -399,7 +399,12 @@ mod tests {
     #[test]
     fn a_square_and_its_root_have_the_same_picture() {
         let g = curve(&[(4, 0, 1), (2, 0, -1), (0, 2, 1)]);
-        assert_eq!(trace(&g), trace(&g.product(&g)));
+        let (once, twice) = (trace(&g), trace(&g.product(&g)));
+        let lengths = |lines: &[Vec<Point>]| lines.iter().map(Vec::len).collect::<Vec<_>>();
+        assert_eq!(lengths(&once), lengths(&twice));
+        for ([x, y], [u, v]) in once.iter().flatten().zip(twice.iter().flatten()) {
+            assert!((x - u).hypot(y - v) < 1e-5, "({x}, {y}) ({u}, {v})");
+        }
     }
 
     #[test]

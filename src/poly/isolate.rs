@@ -292,7 +292,7 @@ fn sign_changes(signs: impl Iterator<Item = i8>) -> usize {
     changes
 }
 
-enum Changes {
+pub(super) enum Changes {
     None,
     One,
     More,
@@ -301,7 +301,7 @@ enum Changes {
 impl Changes {
     /// The number of sign changes, where an unknown sign may be anything: `None` and `One` are
     /// certain, `More` is "two or more, or not known".
-    fn count(signs: impl Iterator<Item = Option<i8>>) -> Self {
+    pub(super) fn count(signs: impl Iterator<Item = Option<i8>>) -> Self {
         let mut last: Option<i8> = None;
         let mut unknown = 0;
         let mut changes = 0;

@@ -4,6 +4,7 @@
 //! polynomial *is* its homogeneous parts, and a binary form of degree d is the univariate
 //! polynomial f(1, t) together with d.
 
+mod bounded;
 mod circle;
 mod eliminate;
 mod evaluate;
@@ -27,6 +28,7 @@ mod subresultant;
 mod ternary;
 mod trig;
 
+pub(crate) use bounded::{BoundedRoot, Fixed, Fraction, Truncated, roots_of};
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
+use super::bounded::bounded_roots;
 use super::isolate::isolate;
 use super::{
     IntegerPolynomial, numerator_at, polynomial_gcd, sign_at, sign_at_rational,
@@ -48,6 +49,34 @@ enum Place {
 /// ```
 #[must_use]
 pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
+    if let Some(roots) = simple_real_roots(f) {
+        return roots;
+    }
+    exact_real_roots(f)
+}
+
+/// All real roots in bounded arithmetic, if it proves that they are simple.
+fn simple_real_roots(f: &IntegerPolynomial) -> Option<Vec<RealRoot>> {
+    let found = bounded_roots::<2>(f)
+        .or_else(|| bounded_roots::<4>(f))
+        .or_else(|| bounded_roots::<8>(f))?;
+    let polynomial = Arc::new(f.clone());
+    let roots = found.into_iter().map(|(low, high, sign_low)| RealRoot {
+        polynomial: Arc::clone(&polynomial),
+        place: Place::Between {
+            low,
+            high,
+            sign_low,
+        },
+        multiplicity: 1,
+    });
+    let mut roots: Vec<RealRoot> = roots.collect();
+    sort_distinct(&mut roots);
+    Some(roots)
+}
+
+/// All real roots in exact arithmetic: the squarefree parts one by one.
+fn exact_real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
     let mut roots = Vec::new();
     for (multiplicity, part) in squarefree_decomposition(f) {
         let isolated = isolate(&part);
@@ -477,4 +506,70 @@ fn root_f64(q: &Rational, k: u32) -> f64 {
     let root = mantissa.powf(1.0 / f64::from(k));
     let value = root * (whole as f64).exp2();
     if value.is_finite() { value } else { f64::MAX }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::base::num::basic::traits::One;
+    use malachite::base::polynomial::Polynomial;
+    use proptest::prelude::*;
+
+    /// What each precision says, if it says anything, is what exact arithmetic finds.
+    fn agrees<const W: usize>(f: &IntegerPolynomial, exact: &[RealRoot]) -> bool {
+        let Some(mut found) = bounded_roots::<W>(f) else {
+            return false;
+        };
+        found.sort_by(|a, b| a.0.cmp(&b.0));
+        assert_eq!(found.len(), exact.len());
+        for ((low, high, sign_low), root) in found.iter().zip(exact) {
+            assert_eq!(root.multiplicity(), 1);
+            assert!(root.cmp_dyadic(low).is_gt() && root.cmp_dyadic(high).is_lt());
+            assert_eq!(sign_at(f, low), *sign_low);
+            assert_eq!(sign_at(f, high), -sign_low);
+            let (width, size) = (high.minus(low).log2(), low.log2().max(high.log2()));
+            assert!(width.unwrap() < size.unwrap() - 67, "{width:?} {size:?}");
+        }
+        true
+    }
+
+    fn polynomial() -> impl Strategy<Value = IntegerPolynomial> {
+        let integers = |c: Vec<i64>| -> Vec<Integer> { c.into_iter().map(Integer::from).collect() };
+        let dense = prop::collection::vec(any::<i64>(), 2..40).prop_map(integers);
+        let roots = (
+            prop::collection::vec((-99i64..99, 1i64..99), 1..9),
+            -40i64..40,
+        );
+        // Known roots, times a power of two.
+        let backwards = roots.prop_map(|(roots, scale)| {
+            let mut f = IntegerPolynomial::from_coefficients_asc(vec![Integer::ONE]);
+            for (p, q) in roots {
+                f *= IntegerPolynomial::from_coefficients_asc(vec![
+                    Integer::from(-p) << u64::try_from(scale.max(0)).unwrap_or(0),
+                    Integer::from(q) << scale.min(0).unsigned_abs(),
+                ]);
+            }
+            f.into_coefficients_asc()
+        });
+        // Coefficients of very different sizes, of any sign.
+        let wild = prop::collection::vec((any::<i32>(), 0u64..400), 2..20);
+        let wild = wild.prop_map(|c| c.into_iter().map(|(m, e)| Integer::from(m) << e).collect());
+        prop_oneof![dense, backwards, wild].prop_map(IntegerPolynomial::from_coefficients_asc)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+        #[test]
+        fn bounded_roots_are_the_exact_ones(f in polynomial()) {
+            prop_assume!(f.coefficients_asc().len() > 1);
+            let exact = exact_real_roots(&f);
+            let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<8>(&f, &exact)];
+            // It does say something where it can: simple roots that are no points of bisection.
+            let is_plain = exact.iter().all(|r| r.multiplicity() == 1 && r.as_rational().is_none());
+            let c = f.coefficients_asc();
+            if is_plain && c[0] != 0 && c.iter().all(|c| c.significant_bits() <= 64) {
+                prop_assert!(said[2], "512 bits do not suffice for {}", f);
+            }
+        }
+    }
 }

@@ -1,5 +1,9 @@
 //! The points of a curve or a surface on one line through the origin.
 
+use std::sync::OnceLock;
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
+
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::basic::traits::One;
@@ -7,6 +11,7 @@ use malachite::base::polynomial::Polynomial;
 
 use super::direction::UnitVector;
 use super::guess::real_root_guesses;
+use super::truncated::TruncatedForms;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, PlanePolynomial, RealRoot, SpacePolynomial, real_roots};
 
@@ -36,10 +41,16 @@ pub enum Ray<const V: usize = 2> {
     Line,
 }
 
+/// The exponents of a monomial, and its coefficient.
+pub type Term<'a, const V: usize> = ([usize; V], &'a Integer);
+
 /// A polynomial in V variables by its homogeneous parts, as far as rays ask.
 pub trait HomogeneousParts<const V: usize> {
     /// The largest total degree, `None` for the zero polynomial.
     fn top_degree(&self) -> Option<usize>;
+
+    /// The degrees of the parts that are not 0, with their terms: exponents and coefficients.
+    fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, V>>)>;
 
     /// The degrees d of the parts, descending, with their values f_d at a vector.
     fn values_at(&self, vector: &[Integer; V]) -> Vec<(usize, Integer)>;
@@ -48,6 +59,15 @@ pub trait HomogeneousParts<const V: usize> {
 impl HomogeneousParts<2> for PlanePolynomial {
     fn top_degree(&self) -> Option<usize> {
         self.degree()
+    }
+
+    fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, 2>>)> {
+        let parts = self.parts().map(|part| {
+            let degree = part.degree();
+            let terms = part.terms().map(|(k, c)| ([degree - k, k], c));
+            (degree, terms.collect())
+        });
+        parts.collect()
     }
 
     fn values_at(&self, [u, v]: &[Integer; 2]) -> Vec<(usize, Integer)> {
@@ -59,6 +79,11 @@ impl HomogeneousParts<2> for PlanePolynomial {
 impl HomogeneousParts<3> for SpacePolynomial {
     fn top_degree(&self) -> Option<usize> {
         self.degree()
+    }
+
+    fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, 3>>)> {
+        let parts = self.parts();
+        parts.map(|p| (p.degree(), p.terms().collect())).collect()
     }
 
     fn values_at(&self, vector: &[Integer; 3]) -> Vec<(usize, Integer)> {
@@ -87,19 +112,112 @@ impl HomogeneousParts<3> for SpacePolynomial {
 #[derive(Debug)]
 pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
+    short: Stage<TruncatedForms<2, V>>,
+    middle: Stage<TruncatedForms<4, V>>,
+    long: Stage<TruncatedForms<8, V>>,
+    exact: AtomicU64,
+}
+
+/// One precision: made when first asked for, and how often it has succeeded and failed.
+#[derive(Debug)]
+struct Stage<F> {
+    forms: OnceLock<F>,
+    hits: AtomicU64,
+    misses: AtomicU64,
+}
+
+impl<F> Default for Stage<F> {
+    fn default() -> Self {
+        Self {
+            forms: OnceLock::new(),
+            hits: AtomicU64::new(0),
+            misses: AtomicU64::new(0),
+        }
+    }
+}
+
+impl<F> Stage<F> {
+    /// The answer of this precision, if it has one; it is not asked where it mostly had none.
+    fn solve<T>(&self, new: impl FnOnce() -> F, ask: impl FnOnce(&F) -> Option<T>) -> Option<T> {
+        /// So many failures more than successes are given.
+        const PATIENCE: u64 = 16;
+        let (hits, misses) = (self.hits.load(Relaxed), self.misses.load(Relaxed));
+        if misses > 2 * hits + PATIENCE {
+            return None;
+        }
+        let answer = ask(self.forms.get_or_init(new));
+        let count = if answer.is_some() {
+            &self.hits
+        } else {
+            &self.misses
+        };
+        count.fetch_add(1, Relaxed);
+        answer
+    }
+}
+
+/// In how many directions which precision decided.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StageCounts {
+    /// 128, 256 and 512 bits.
+    pub bounded: [u64; 3],
+    /// Exact arithmetic.
+    pub exact: u64,
 }
 
 impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     /// For the curve or surface `polynomial = 0`.
     #[must_use]
     pub fn new(polynomial: &'a P) -> Self {
-        Self { polynomial }
+        Self {
+            polynomial,
+            short: Stage::default(),
+            middle: Stage::default(),
+            long: Stage::default(),
+            exact: AtomicU64::new(0),
+        }
     }
 
-    /// The points in one direction. Cost: evaluating every form (its number of coefficients times
-    /// its degree times the bits of the direction), then the roots of one polynomial.
+    /// The points in one direction.
+    ///
+    /// Bounded arithmetic of 128, 256 and 512 bits is asked first, in that order: it proves all that it says, or says nothing. Cost: a
+    /// product for every coefficient of f, then d² for the roots of one polynomial. Where it cannot tell (a multiple root,
+    /// one that is a bound between two doubles, a line) exact arithmetic decides.
     #[must_use]
     pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
+        let (vector, w) = direction.over_common_denominator();
+        let f = self.polynomial;
+        let bounded = None
+            .or_else(|| {
+                self.short
+                    .solve(|| TruncatedForms::new(f), |f| f.solve(&vector, &w))
+            })
+            .or_else(|| {
+                self.middle
+                    .solve(|| TruncatedForms::new(f), |f| f.solve(&vector, &w))
+            })
+            .or_else(|| {
+                self.long
+                    .solve(|| TruncatedForms::new(f), |f| f.solve(&vector, &w))
+            });
+        bounded.map_or_else(|| self.solve_exactly(direction), Ray::Points)
+    }
+
+    /// In how many directions so far which precision decided.
+    #[must_use]
+    pub fn stage_counts(&self) -> StageCounts {
+        let hits = [&self.short.hits, &self.middle.hits, &self.long.hits];
+        StageCounts {
+            bounded: hits.map(|count| count.load(Relaxed)),
+            exact: self.exact.load(Relaxed),
+        }
+    }
+
+    /// The points in one direction, by exact arithmetic alone. Cost: evaluating every form (its number of coefficients times
+    /// its degree times the bits of the direction), then the roots of one polynomial.
+    #[must_use]
+    pub fn solve_exactly(&self, direction: &impl UnitVector<V>) -> Ray<V> {
+        self.exact.fetch_add(1, Relaxed);
         let Some((gap, in_power)) = self.restricted(direction) else {
             return Ray::Line;
         };
@@ -206,7 +324,7 @@ fn reflected(g: &IntegerPolynomial) -> IntegerPolynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::Direction;
+    use crate::sample::{Direction, SpaceDirection};
     use proptest::prelude::*;
 
     fn curve(terms: &[(usize, usize, i64)]) -> PlanePolynomial {
@@ -261,5 +379,59 @@ mod tests {
             let found: Vec<f64> = points(&f, &d).iter().map(|p| p.r).collect();
             prop_assert_eq!(found, expected);
         }
+    }
+
+    /// Terms of a random polynomial, of degree up to 9.
+    fn terms<const V: usize>() -> impl Strategy<Value = Vec<([u32; V], i64)>> {
+        let exponents = prop::array::uniform::<_, V>(0u32..4);
+        prop::collection::vec((exponents, -9i64..9), 1..12)
+    }
+
+    /// Bounded arithmetic says what exact arithmetic says, and mostly it does say something.
+    fn check_stages<P: HomogeneousParts<V>, const V: usize>(
+        f: &P,
+        directions: &[impl UnitVector<V>],
+    ) {
+        let solver = RaySolver::new(f);
+        for direction in directions {
+            assert_eq!(solver.solve(direction), solver.solve_exactly(direction));
+        }
+        let counts = solver.stage_counts();
+        let solved: u64 = counts.bounded.iter().sum();
+        assert_eq!(solved + counts.exact, 2 * directions.len() as u64);
+    }
+
+    proptest! {
+        #[test]
+        fn the_stages_agree_in_the_plane(terms in terms::<2>(), theta in -7.0f64..7.0, degrees in -720i64..720, gap in 1usize..4) {
+            let terms = terms.into_iter().map(|([i, j], c)| ((i as usize * gap, j as usize * gap), Rational::from(c)));
+            let f = PlanePolynomial::from_terms(terms);
+            let directions = [Direction::from_radians(theta), Direction::from_degrees(&Rational::from(degrees))];
+            check_stages(&f, &directions);
+        }
+
+        #[test]
+        fn the_stages_agree_in_space(terms in terms::<3>(), theta in -7.0f64..7.0, phi in 0.0f64..3.2, degrees in -720i64..720) {
+            let mut sum = crate::poly::SparsePolynomial::zero();
+            for (exponents, c) in terms {
+                sum.add_term(exponents, Rational::from(c));
+            }
+            let f = SpacePolynomial::from(&sum);
+            let angle = |a| Direction::from_radians(a);
+            let round = Direction::from_degrees(&Rational::from(degrees));
+            let directions = [SpaceDirection::new(angle(theta), angle(phi)), SpaceDirection::new(round, angle(phi))];
+            check_stages(&f, &directions);
+        }
+    }
+
+    #[test]
+    fn most_directions_need_no_exact_arithmetic() {
+        let f = curve(&[(6, 0, 1), (0, 6, 1), (1, 3, 1), (1, 0, -1), (0, 0, -1)]);
+        let solver = RaySolver::new(&f);
+        for direction in &Direction::around(100) {
+            assert_ne!(solver.solve(direction), Ray::Line);
+        }
+        let counts = solver.stage_counts();
+        assert!(counts.bounded[0] > 90, "{counts:?}");
     }
 }

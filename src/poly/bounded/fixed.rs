@@ -1,0 +1,412 @@
+//! Numbers of W limbs: fixed-point numbers with a sign, and fractions between 0 and 1.
+
+use malachite::Integer;
+use malachite::base::num::logic::traits::SignificantBits;
+
+/// Bits of a [`Fixed`] before the point, the sign among them.
+const WHOLE_BITS: u64 = 8;
+
+/// A number in (−128, 128), a multiple of the *ulp* 2^(8 − 64W), in two's complement: the lowest limb first.
+///
+/// Sums are exact as long as they stay in range, which is the caller's care (they wrap).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Fixed<const W: usize>([u64; W]);
+
+/// A multiple of 2^(−64W) in [0, 1), the lowest limb first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Fraction<const W: usize>([u64; W]);
+
+/// The low half.
+#[expect(clippy::cast_possible_truncation, reason = "that is what it is for")]
+fn low(wide: u128) -> u64 {
+    wide as u64
+}
+
+/// The high half.
+fn high(wide: u128) -> u64 {
+    low(wide >> 64)
+}
+
+/// a + b + carry, wrapping, with the carry out.
+fn sum<const W: usize>(a: &[u64; W], b: &[u64; W], carry: bool) -> ([u64; W], bool) {
+    let mut result = [0; W];
+    let mut carry = u128::from(carry);
+    for ((r, a), b) in result.iter_mut().zip(a).zip(b) {
+        let wide = u128::from(*a) + u128::from(*b) + carry;
+        *r = low(wide);
+        carry = wide >> 64;
+    }
+    (result, carry != 0)
+}
+
+fn complement<const W: usize>(a: &[u64; W]) -> [u64; W] {
+    a.map(|limb| !limb)
+}
+
+/// ⌊a b / 2^(64W)⌋
+fn high_product<const W: usize>(a: &[u64; W], b: &[u64; W]) -> [u64; W] {
+    let (mut below, mut above) = ([0; W], [0; W]);
+    for (i, a) in a.iter().enumerate() {
+        let mut carry = 0;
+        for (j, b) in b.iter().enumerate() {
+            let limb = if i + j < W {
+                &mut below[i + j]
+            } else {
+                &mut above[i + j - W]
+            };
+            let wide = u128::from(*a) * u128::from(*b) + u128::from(*limb) + u128::from(carry);
+            (*limb, carry) = (low(wide), high(wide));
+        }
+        above[i] = carry;
+    }
+    above
+}
+
+/// a · 2^(−shift), rounded down, or a · 2^(−shift) modulo 2^(64W) for a negative shift.
+fn shifted<const W: usize>(a: &[u64; W], shift: i64) -> [u64; W] {
+    let bits = shift.unsigned_abs();
+    let limbs = usize::try_from(bits / 64).unwrap_or(usize::MAX);
+    let bits = bits % 64;
+    let mut result = [0; W];
+    for (k, r) in result.iter_mut().enumerate() {
+        let at = |k: Option<usize>| k.and_then(|k| a.get(k)).copied().unwrap_or(0);
+        let pair = if shift >= 0 {
+            let above = at(k.checked_add(limbs).and_then(|k| k.checked_add(1)));
+            (u128::from(above) << 64) | u128::from(at(k.checked_add(limbs)))
+        } else {
+            let below = at(k.checked_sub(limbs).and_then(|k| k.checked_sub(1)));
+            (u128::from(at(k.checked_sub(limbs))) << 64) | u128::from(below)
+        };
+        *r = if shift >= 0 {
+            low(pair >> bits)
+        } else {
+            high(pair << bits)
+        };
+    }
+    result
+}
+
+fn significant_bits<const W: usize>(a: &[u64; W]) -> i64 {
+    let top = a.iter().enumerate().rev().find(|(_, limb)| **limb != 0);
+    top.map_or(0, |(k, limb)| {
+        i64::try_from(64 * k as u64 + limb.significant_bits()).unwrap_or(i64::MAX)
+    })
+}
+
+/// The nearest double or one of its neighbours of `limbs` · 2^(−64W).
+#[expect(clippy::cast_precision_loss, reason = "an approximation")]
+fn approximate<const W: usize>(limbs: &[u64; W]) -> f64 {
+    let mut value = 0.0;
+    for limb in limbs {
+        value = (value + *limb as f64) * (-64f64).exp2();
+    }
+    value
+}
+
+impl<const W: usize> Fixed<W> {
+    /// 0.
+    pub(crate) const ZERO: Self = Self([0; W]);
+
+    /// log₂ of one over the ulp.
+    pub(crate) fn fraction_bits() -> i64 {
+        64 * i64::try_from(W).unwrap_or(0) - 8
+    }
+
+    /// (m, e) with value = m · 2^e up to less than one ulp of m, towards 0, and |m| in [1/2, 1) unless the
+    /// value is 0.
+    pub(crate) fn normalized(value: &Integer) -> (Self, i64) {
+        let magnitude = value.unsigned_abs_ref();
+        let bits = i64::try_from(magnitude.significant_bits()).unwrap_or(i64::MAX);
+        let shift = bits - Self::fraction_bits();
+        let mut limbs = [0; W];
+        if shift > 0 {
+            let cut = magnitude >> shift.unsigned_abs();
+            for (limb, value) in limbs.iter_mut().zip(cut.limbs()) {
+                *limb = value;
+            }
+        } else {
+            for (limb, value) in limbs.iter_mut().zip(magnitude.limbs()) {
+                *limb = value;
+            }
+            limbs = shifted(&limbs, shift);
+        }
+        let value = if *value < 0 {
+            Self(limbs).negated()
+        } else {
+            Self(limbs)
+        };
+        (value, bits)
+    }
+
+    pub(crate) fn is_negative(self) -> bool {
+        self.0[W - 1] >> 63 != 0
+    }
+
+    /// |self|, in ulps.
+    fn magnitude(self) -> [u64; W] {
+        if self.is_negative() {
+            self.negated().0
+        } else {
+            self.0
+        }
+    }
+
+    /// The number of bits of |self| in ulps.
+    pub(crate) fn bits(self) -> i64 {
+        significant_bits(&self.magnitude())
+    }
+
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self(sum(&self.0, &other.0, false).0)
+    }
+
+    pub(crate) fn minus(self, other: Self) -> Self {
+        Self(sum(&self.0, &complement(&other.0), true).0)
+    }
+
+    pub(crate) fn negated(self) -> Self {
+        Self::ZERO.minus(self)
+    }
+
+    /// (self + other) / 2, rounded down to a multiple of the ulp.
+    pub(crate) fn mean(self, other: Self) -> Self {
+        let total = sum(&self.0, &other.0, false).0;
+        let mut result = [0; W];
+        for k in 0..W - 1 {
+            result[k] = (total[k] >> 1) | (total[k + 1] << 63);
+        }
+        // The sum is in range, so its top bit is its sign.
+        result[W - 1] = (total[W - 1] >> 1) | (total[W - 1] & (1 << 63));
+        Self(result)
+    }
+
+    /// self · fraction, rounded towards 0.
+    pub(crate) fn times(self, fraction: &Fraction<W>) -> Self {
+        let product = Self(high_product(&self.magnitude(), &fraction.0));
+        if self.is_negative() {
+            product.negated()
+        } else {
+            product
+        }
+    }
+
+    /// self · 2^(−shift), rounded towards 0.
+    pub(crate) fn shifted_down(self, shift: i64) -> Self {
+        let magnitude = Self(shifted(&self.magnitude(), shift));
+        if self.is_negative() {
+            magnitude.negated()
+        } else {
+            magnitude
+        }
+    }
+
+    /// The sign, if self is known up to `error` ulps; `None` if that leaves it open.
+    pub(crate) fn known_sign(self, error: u128) -> Option<i8> {
+        let magnitude = self.magnitude();
+        let small = magnitude[2..].iter().all(|limb| *limb == 0);
+        let ulps = (u128::from(magnitude[1]) << 64) | u128::from(magnitude[0]);
+        let known = !small || ulps > error;
+        known.then_some(if self.is_negative() { -1 } else { 1 })
+    }
+
+    /// About the value.
+    pub(crate) fn to_f64(self) -> f64 {
+        let size = approximate(&self.magnitude()) * f64::from(1u32 << WHOLE_BITS);
+        if self.is_negative() { -size } else { size }
+    }
+}
+
+impl<const W: usize> Fraction<W> {
+    /// 0.
+    pub(crate) const ZERO: Self = Self([0; W]);
+
+    /// The largest: 1 − 2^(−64W).
+    pub(crate) const LARGEST: Self = Self([u64::MAX; W]);
+
+    /// index · 2^(−depth), at most [`Fraction::LARGEST`], for depth < 64.
+    pub(crate) fn dyadic(index: u64, depth: u32) -> Self {
+        let mut result = Self::ZERO;
+        if depth == 0 || index >> depth != 0 {
+            return if index == 0 { result } else { Self::LARGEST };
+        }
+        result.0[W - 1] = index << (64 - depth);
+        result
+    }
+
+    /// |p| / |q|, rounded down, for |p| ≤ |q| ≠ 0 ([`Fraction::LARGEST`] if they are equal).
+    pub(crate) fn quotient(p: &Integer, q: &Integer) -> Self {
+        let (p, q) = (p.unsigned_abs_ref(), q.unsigned_abs_ref());
+        if p >= q {
+            return Self::LARGEST;
+        }
+        let mut limbs = [0; W];
+        let quotient = (p << (64 * W as u64)) / q;
+        for (limb, value) in limbs.iter_mut().zip(quotient.limbs()) {
+            *limb = value;
+        }
+        Self(limbs)
+    }
+
+    /// self · other, rounded down.
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        Self(high_product(&self.0, &other.0))
+    }
+
+    /// self · p / q, rounded down, for p ≤ q ≠ 0.
+    pub(crate) fn times_ratio(&self, p: u64, q: u64) -> Self {
+        // From the top, as by hand: (limb p + rest) / q fits a limb, since rest < q and p ≤ q; but the part of the
+        // product below is only known when the limbs below are: so multiply first.
+        let mut product = [0; W];
+        let mut carry = 0;
+        for (r, limb) in product.iter_mut().zip(&self.0) {
+            let wide = u128::from(*limb) * u128::from(p) + u128::from(carry);
+            (*r, carry) = (low(wide), high(wide));
+        }
+        let mut rest = carry;
+        for limb in product.iter_mut().rev() {
+            let wide = (u128::from(rest) << 64) | u128::from(*limb);
+            *limb = low(wide / u128::from(q));
+            rest = low(wide % u128::from(q));
+        }
+        Self(product)
+    }
+
+    /// self + other, `None` if that is 1 or more.
+    pub(crate) fn plus(&self, other: &Self) -> Option<Self> {
+        let (total, carry) = sum(&self.0, &other.0, false);
+        (!carry).then_some(Self(total))
+    }
+
+    /// self − other, `None` if that is negative.
+    pub(crate) fn minus(&self, other: &Self) -> Option<Self> {
+        let (total, carry) = sum(&self.0, &complement(&other.0), true);
+        carry.then_some(Self(total))
+    }
+
+    /// self · 2^(−shift), rounded down.
+    pub(crate) fn shifted_down(&self, shift: u32) -> Self {
+        Self(shifted(&self.0, i64::from(shift)))
+    }
+
+    /// self · 2^shift, at most [`Fraction::LARGEST`].
+    pub(crate) fn shifted_up(&self, shift: u32) -> Self {
+        let shift = i64::from(shift);
+        if significant_bits(&self.0) + shift > 64 * i64::try_from(W).unwrap_or(0) {
+            Self::LARGEST
+        } else {
+            Self(shifted(&self.0, -shift))
+        }
+    }
+
+    /// The number closest to `value` in [0, 1).
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the parts of a double in [0, 1)"
+    )]
+    pub(crate) fn from_f64(value: f64) -> Self {
+        let mut result = Self::ZERO;
+        let mut rest = value;
+        for limb in result.0.iter_mut().rev() {
+            rest *= 64f64.exp2();
+            *limb = rest as u64;
+            rest -= rest.trunc();
+        }
+        result
+    }
+
+    /// About the value.
+    pub(crate) fn to_f64(self) -> f64 {
+        approximate(&self.0)
+    }
+
+    /// As an integer times 2^(−64W).
+    pub(crate) fn to_integer(self) -> Integer {
+        Integer::from(malachite::Natural::from_limbs_asc(&self.0))
+    }
+
+    /// (m, e) with m in [2^127, 2^128) and m · 2^e ≤ self < (m + 1) · 2^e; (0, 0) for 0.
+    pub(crate) fn leading(&self) -> (u128, i64) {
+        let bits = significant_bits(&self.0);
+        if bits == 0 {
+            return (0, 0);
+        }
+        let whole = 64 * i64::try_from(W).unwrap_or(0);
+        let top = shifted(&self.0, bits - whole);
+        let m = (u128::from(top[W - 1]) << 64) | u128::from(top[W - 2]);
+        (m, bits - whole - 128)
+    }
+}
+
+impl<const W: usize> PartialOrd for Fraction<W> {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<const W: usize> Ord for Fraction<W> {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.iter().rev().cmp(other.0.iter().rev())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::base::num::arithmetic::traits::{DivRound, Pow};
+    use malachite::base::rounding_modes::RoundingMode;
+    use proptest::prelude::*;
+
+    const W: usize = 3;
+
+    /// In ulps.
+    fn integer(a: Fixed<W>) -> Integer {
+        let magnitude = Integer::from(malachite::Natural::from_limbs_asc(&a.magnitude()));
+        if a.is_negative() {
+            -magnitude
+        } else {
+            magnitude
+        }
+    }
+
+    fn fixed(limbs: [u64; W]) -> Fixed<W> {
+        // A few bits of headroom.
+        Fixed(limbs).shifted_down(3)
+    }
+
+    proptest! {
+        /// Against malachite's integers.
+        #[test]
+        fn arithmetic(a: [u64; W], b: [u64; W], p in 0u64..1000, q in 1u64..1000, shift in -300i64..300) {
+            let (x, y, f) = (fixed(a), fixed(b), Fraction(b));
+            let (i, j, g) = (integer(x), integer(y), f.to_integer());
+            let one = Integer::from(2).pow(64 * W as u64);
+            prop_assert_eq!(integer(x.plus(y)), &i + &j);
+            prop_assert_eq!(integer(x.minus(y)), &i - &j);
+            prop_assert_eq!(integer(x.mean(y)), (&i + &j).div_round(Integer::from(2), RoundingMode::Floor).0);
+            prop_assert_eq!(integer(x.times(&f)), &i * &g / &one);
+            prop_assert_eq!(f.times(&f).to_integer(), &g * &g / &one);
+            let (p, q) = (p.min(q), p.max(q));
+            prop_assert_eq!(f.times_ratio(p, q).to_integer(), &g * Integer::from(p) / Integer::from(q));
+            if shift >= 0 {
+                prop_assert_eq!(integer(x.shifted_down(shift)), &i / Integer::from(2).pow(shift.unsigned_abs()));
+            }
+            let sign = x.known_sign(u128::from(p));
+            prop_assert_eq!(sign.is_some(), i.unsigned_abs_ref() > &malachite::Natural::from(p));
+            let (m, e) = Fixed::<W>::normalized(&i);
+            let cut = i.significant_bits().saturating_sub(64 * W as u64 - 8);
+            prop_assert_eq!((integer(m) << e.unsigned_abs()) >> (64 * W as u64 - 8), (&i / Integer::from(2).pow(cut)) << cut);
+            let (m, e) = f.leading();
+            if g != 0 {
+                prop_assert_eq!(g >> ((64 * W as i64) + e).unsigned_abs(), Integer::from(m));
+            }
+        }
+
+        #[test]
+        fn doubles(a in 0.0f64..1.0, b: [u64; W]) {
+            prop_assert!((Fraction::<W>::from_f64(a).to_f64() - a).abs() <= a * f64::EPSILON);
+            let x = fixed(b).to_f64();
+            prop_assert!((x.abs() - fixed(b).negated().to_f64().abs()).abs() <= x.abs() * f64::EPSILON);
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! Certified real roots in a bounded number of bits.
+//!
+//! The coefficients are cut to fixed-point numbers of W limbs with a bound of their errors, and every sign that is used
+//! is larger than the error of the value. So what is found is proved: all real roots, simple, each between two bounds. Where
+//! W limbs do not suffice nothing is found, and the caller takes more or goes to exact arithmetic.
+//!
+//! With x = ±2^s y the axis is four intervals: y in (0, 1) and 1/y in (0, 1) for either sign, s such that the roots have
+//! mean size 1. On each of them Descartes' rule in the Bernstein basis isolates, Newton's method encloses.
+
+mod bernstein;
+mod fixed;
+mod newton;
+mod search;
+
+pub(crate) use fixed::{Fixed, Fraction};
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::DivRound;
+use malachite::base::rounding_modes::RoundingMode;
+use newton::OnUnitInterval;
+use search::Isolated;
+
+use super::IntegerPolynomial;
+use crate::exact::Dyadic;
+
+/// Beyond this degree the tables of weights and d² are too much.
+const MAX_DEGREE: usize = 256;
+
+/// A coefficient: mantissa · 2^exponent, known up to less than `error` ulps of the mantissa.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Truncated<const W: usize> {
+    pub(crate) mantissa: Fixed<W>,
+    pub(crate) exponent: i64,
+    pub(crate) error: u64,
+}
+
+impl<const W: usize> Truncated<W> {
+    /// An integer, cut.
+    pub(crate) fn new(value: &Integer) -> Self {
+        let (mantissa, exponent) = Fixed::normalized(value);
+        Self {
+            mantissa,
+            exponent,
+            error: 1,
+        }
+    }
+
+    /// 0.
+    pub(crate) const ZERO: Self = Self {
+        mantissa: Fixed::ZERO,
+        exponent: 0,
+        error: 0,
+    };
+
+    /// About log₂ |value|; `None` if it may be 0.
+    fn size(&self) -> Option<i64> {
+        self.mantissa.known_sign(self.error.into())?;
+        Some(self.mantissa.bits() - Fixed::<W>::fraction_bits() + self.exponent)
+    }
+}
+
+/// A simple root ±2^s y or ±2^s / y, with `low` < y < `high`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoundedRoot<const W: usize> {
+    pub(crate) is_negative: bool,
+    pub(crate) is_inverted: bool,
+    /// s.
+    pub(crate) scale: i64,
+    pub(crate) low: Fraction<W>,
+    pub(crate) high: Fraction<W>,
+    /// The sign of the polynomial towards smaller x.
+    sign_below: i8,
+}
+
+/// All real roots of Σ c_i x^i, c_0 and the last certainly not 0, if W limbs prove that they are simple, and enclose each to 70 bits and
+/// more; in no order.
+///
+/// Cost: d² products of W limbs, d²/2 means of W limbs for every interval of the search, some 10 d products for a root.
+pub(crate) fn roots_of<const W: usize>(
+    coefficients: &[Truncated<W>],
+) -> Option<Vec<BoundedRoot<W>>> {
+    let degree = coefficients.len().checked_sub(1)?;
+    let (first, last) = (coefficients[0].size()?, coefficients[degree].size()?);
+    if degree == 0 {
+        return Some(Vec::new());
+    }
+    if degree > MAX_DEGREE {
+        return None;
+    }
+    let scale = (first - last).div_euclid(i64::try_from(degree).ok()?);
+    let mut roots = Vec::new();
+    for is_inverted in [false, true] {
+        let both = Piece {
+            coefficients,
+            scale,
+            is_negative: false,
+            is_inverted,
+        };
+        let polynomial = both.polynomial()?;
+        let halves = bernstein::to_bernstein(&polynomial.coefficients);
+        let error = polynomial.error + 2 * (degree as u128 + 1);
+        for (is_negative, bernstein) in [false, true].into_iter().zip(halves) {
+            let mut places = search::isolate(bernstein, error)?;
+            if places.is_empty() {
+                continue;
+            }
+            if is_inverted && is_negative && !degree.is_multiple_of(2) {
+                // f(−2^s/y) y^d = Σ (−1)^i c_i y^(d−i), and the signs of Σ c_i (−y)^(d−i) are the opposite ones.
+                for place in &mut places {
+                    place.sign_low = -place.sign_low;
+                }
+            }
+            let piece = Piece {
+                is_negative,
+                ..both
+            };
+            let polynomial = piece.polynomial()?;
+            for place in &places {
+                roots.push(piece.enclose(&polynomial, place)?);
+            }
+        }
+    }
+    Some(roots)
+}
+
+/// A quarter of the axis: x = ±2^s y or x = ±2^s / y, with 0 < y < 1.
+#[derive(Clone, Copy)]
+struct Piece<'a, const W: usize> {
+    coefficients: &'a [Truncated<W>],
+    scale: i64,
+    is_negative: bool,
+    is_inverted: bool,
+}
+
+impl<const W: usize> Piece<'_, W> {
+    /// f as a polynomial in y, times a power of y, and of two that makes Σ |c_i| at most 64.
+    fn polynomial(&self) -> Option<OnUnitInterval<W>> {
+        let length = self.coefficients.len();
+        let exponent = |i: usize| {
+            let power = i64::try_from(i).unwrap_or(i64::MAX);
+            self.coefficients[i].exponent + self.scale * power
+        };
+        let sizes = (0..length).map(|i| self.coefficients[i].mantissa.bits() + exponent(i));
+        let room = 6 - i64::from(length.ilog2()) - 1;
+        let excess = sizes.max()? - Fixed::<W>::fraction_bits() - room;
+        let mut error = 0u128;
+        let mut result = Vec::with_capacity(length);
+        for k in 0..length {
+            let i = if self.is_inverted { length - 1 - k } else { k };
+            let c = &self.coefficients[i];
+            let down = excess - exponent(i);
+            let cut = c.mantissa.shifted_down(down);
+            let flipped = self.is_negative && !i.is_multiple_of(2);
+            result.push(if flipped { cut.negated() } else { cut });
+            error = error.saturating_add(error_after(c.error, down));
+        }
+        // Far from overflow, whatever is added to it.
+        (error < u128::MAX / 4).then_some(OnUnitInterval {
+            coefficients: result,
+            error,
+        })
+    }
+
+    /// The root in `place`; `polynomial` is this piece's.
+    fn enclose(&self, polynomial: &OnUnitInterval<W>, place: &Isolated) -> Option<BoundedRoot<W>> {
+        let guess = polynomial.guess(place);
+        // Near 0 the high powers would leave their limbs empty: y = 2^(−drop) z, with z between 1/4 and 1.
+        let drop = drop_to_quarter(guess);
+        let bounds = place.bounds().map(|end| end.shifted_up(drop));
+        let guess = Fraction::from_f64(guess * f64::from(drop).exp2());
+        let (low, high, scale) = if drop == 0 {
+            let [low, high] = polynomial.enclose(&guess, bounds, place.sign_low)?;
+            (low, high, self.scale)
+        } else {
+            let drop = i64::from(drop);
+            let sign = if self.is_inverted { 1 } else { -1 };
+            let scale = self.scale + sign * drop;
+            let local = Piece { scale, ..*self }.polynomial()?;
+            let [low, high] = local.enclose(&guess, bounds, place.sign_low)?;
+            (low, high, scale)
+        };
+        Some(BoundedRoot {
+            is_negative: self.is_negative,
+            is_inverted: self.is_inverted,
+            scale,
+            low,
+            high,
+            // x grows with y, or falls.
+            sign_below: if self.is_negative == self.is_inverted {
+                place.sign_low
+            } else {
+                -place.sign_low
+            },
+        })
+    }
+}
+
+/// The error, in ulps, of what was known up to `error` ulps and is shifted down, and cut.
+fn error_after(error: u64, down: i64) -> u128 {
+    let error = u128::from(error);
+    match u32::try_from(down.unsigned_abs()) {
+        Ok(bits) if down >= 0 => error.checked_shr(bits).unwrap_or(0) + 2,
+        Ok(bits) if bits < error.leading_zeros() => error << bits,
+        _ if error == 0 || down >= 0 => 2,
+        _ => u128::MAX,
+    }
+}
+
+/// The largest k ≥ 0 with 2^k y < 1/2, for a y between 0 and 1.
+fn drop_to_quarter(y: f64) -> u32 {
+    let mut drop = 0;
+    let mut y = 2.0 * y;
+    while y < 0.5 && drop < 1000 {
+        y *= 2.0;
+        drop += 1;
+    }
+    drop
+}
+
+/// All real roots of f, as (low, high, sign of f at low) with one simple root between, f ≠ 0 at both and the intervals
+/// disjoint, at most 2^−69 of its size wide; in no order. `None` if W limbs do not prove that.
+pub(crate) fn bounded_roots<const W: usize>(
+    f: &IntegerPolynomial,
+) -> Option<Vec<(Dyadic, Dyadic, i8)>> {
+    let coefficients = f.coefficients_asc();
+    if coefficients.len() > MAX_DEGREE + 1 {
+        return None;
+    }
+    let truncated: Vec<Truncated<W>> = coefficients.iter().map(Truncated::new).collect();
+    let roots = roots_of(&truncated)?.into_iter();
+    Some(roots.map(BoundedRoot::to_dyadic).collect())
+}
+
+impl<const W: usize> BoundedRoot<W> {
+    /// Bounds of the root itself, and the sign at the lower one.
+    fn to_dyadic(self) -> (Dyadic, Dyadic, i8) {
+        let width = 64 * W as u64;
+        let exponent = self.scale - i64::try_from(width).unwrap_or(0);
+        let (low, high) = (self.low.to_integer(), self.high.to_integer());
+        let (low, high) = if self.is_inverted {
+            // 1/y, rounded outwards: that moves y by less than 2^(−64W), for which there is room.
+            let one = Integer::from(1) << (2 * width);
+            (&one / high, one.div_round(low, RoundingMode::Ceiling).0)
+        } else {
+            (low, high)
+        };
+        let (low, high) = (Dyadic::new(low, exponent), Dyadic::new(high, exponent));
+        if self.is_negative {
+            (high.negated(), low.negated(), self.sign_below)
+        } else {
+            (low, high, self.sign_below)
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Descartes' rule by halving, in a bounded number of bits.
+
+use super::super::isolate::Changes;
+use super::fixed::{Fixed, Fraction};
+
+/// Halvings are numbered by a limb.
+const MAX_DEPTH: u32 = 60;
+
+/// An interval (index, index + 1) · 2^(−depth) with exactly one root, and the sign at its lower end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Isolated {
+    pub(super) index: u64,
+    pub(super) depth: u32,
+    pub(super) sign_low: i8,
+}
+
+impl Isolated {
+    /// The ends of the interval.
+    pub(super) fn bounds<const W: usize>(&self) -> [Fraction<W>; 2] {
+        [self.index, self.index + 1].map(|index| Fraction::dyadic(index, self.depth))
+    }
+}
+
+struct Node<const W: usize> {
+    index: u64,
+    depth: u32,
+    coefficients: Vec<Fixed<W>>,
+    error: u128,
+}
+
+/// All roots in (0, 1), each alone in its interval, from Bernstein coefficients known up to `error` ulps; `None` if
+/// that is not enough to tell (a root at 1 or at a point of bisection, multiple or close roots).
+///
+/// At most 4d + 64 intervals are looked at, each of d²/2 means.
+pub(super) fn isolate<const W: usize>(
+    coefficients: Vec<Fixed<W>>,
+    error: u128,
+) -> Option<Vec<Isolated>> {
+    let mut left = 4 * coefficients.len() + 64;
+    let mut found = Vec::new();
+    let mut stack = vec![Node {
+        index: 0,
+        depth: 0,
+        coefficients,
+        error,
+    }];
+    // The sign at 1 tells whether there is a root.
+    stack[0].coefficients.last()?.known_sign(error)?;
+    while let Some(node) = stack.pop() {
+        left = left.checked_sub(1)?;
+        let signs = node.coefficients.iter().map(|c| c.known_sign(node.error));
+        match Changes::count(signs) {
+            Changes::None => {}
+            Changes::One => found.push(Isolated {
+                index: node.index,
+                depth: node.depth,
+                sign_low: node.coefficients[0].known_sign(node.error)?,
+            }),
+            Changes::More => {
+                if node.depth == MAX_DEPTH {
+                    return None;
+                }
+                let (low, high) = halve(node);
+                high.coefficients[0].known_sign(high.error)?;
+                stack.push(high);
+                stack.push(low);
+            }
+        }
+    }
+    Some(found)
+}
+
+/// De Casteljau at the midpoint, every mean rounded down: the error grows by at most d ulps.
+fn halve<const W: usize>(node: Node<W>) -> (Node<W>, Node<W>) {
+    let mut high = node.coefficients;
+    let degree = high.len() - 1;
+    let mut low = Vec::with_capacity(degree + 1);
+    for step in 0..=degree {
+        low.push(high[0]);
+        let mut here = high[0];
+        for k in 0..degree - step {
+            let next = high[k + 1];
+            high[k] = here.mean(next);
+            here = next;
+        }
+    }
+    let error = node.error + degree as u128;
+    let child = |index, coefficients| Node {
+        index,
+        depth: node.depth + 1,
+        coefficients,
+        error,
+    };
+    (child(2 * node.index, low), child(2 * node.index + 1, high))
+}
