@@ -2,6 +2,7 @@
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
 
 use super::IntegerPolynomial;
 use crate::exact::{Dyadic, Rational};
@@ -35,7 +36,48 @@ pub fn numerator_at(f: &IntegerPolynomial, point: &Dyadic) -> Integer {
 /// The exact sign (−1, 0, 1) of f at a dyadic point.
 #[must_use]
 pub fn sign_at(f: &IntegerPolynomial, point: &Dyadic) -> i8 {
-    integer_sign(&numerator_at(f, point))
+    integer_sign(&leading_value(f, point, 1).0)
+}
+
+/// (m, e) with `f(point) ≈ m · 2^e` up to a factor of 1 ± 2^−`bits`, exactly where that is not much dearer.
+///
+/// The exact value at a point of b bits takes d²b/2 steps. If it is not tiny its leading bits come from fixed-point numbers, in d
+/// products of their length: 128 bits, then four times as many …
+pub(crate) fn leading_value(f: &IntegerPolynomial, point: &Dyadic, bits: u64) -> (Integer, i64) {
+    let degree = f.coefficients_asc().len().saturating_sub(1) as u64;
+    let exact_bits = point.exponent().min(0).unsigned_abs() * degree;
+    if point.log2().is_some_and(|size| size < 0) {
+        let mut fraction = 128.max(2 * bits);
+        while 4 * fraction < exact_bits {
+            let value = fixed_point_value(f, point, fraction);
+            // It is wrong by less than d units.
+            let error_bits = u64::from(degree.checked_ilog2().unwrap_or(0)) + 1;
+            if value.significant_bits() > error_bits + bits {
+                let exponent = i64::try_from(fraction).map_or(i64::MIN, |e| -e);
+                return (value, exponent);
+            }
+            fraction *= 4;
+        }
+    }
+    let exponent = i64::try_from(exact_bits).map_or(i64::MIN, |e| -e);
+    (numerator_at(f, point), exponent)
+}
+
+/// 2^`fraction` f(point), rounded down at every step of Horner's rule: for |point| < 1 less than d too small.
+fn fixed_point_value(f: &IntegerPolynomial, point: &Dyadic, fraction: u64) -> Integer {
+    let mut value = Integer::ZERO;
+    for c in f.coefficients_asc().iter().rev() {
+        value *= point.mantissa();
+        if point.exponent() < 0 {
+            value >>= point.exponent().unsigned_abs();
+        } else {
+            value <<= point.exponent().unsigned_abs();
+        }
+        if *c != 0 {
+            value += c << fraction;
+        }
+    }
+    value
 }
 
 /// The exact sign (−1, 0, 1) of f at a rational point.
@@ -57,4 +99,40 @@ pub fn sign_at_rational(f: &IntegerPolynomial, point: &Rational) -> i8 {
 /// The sign of an integer: −1, 0 or 1.
 pub(crate) fn integer_sign(value: &Integer) -> i8 {
     i8::from(*value > 0) - i8::from(*value < 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::base::num::arithmetic::traits::Abs;
+    use malachite::base::polynomial::Polynomial;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Signs and leading bits are those of the exact value, near roots, too.
+        #[test]
+        fn leading_bits_are_right(
+            c in prop::collection::vec(any::<i64>(), 1..30),
+            m in any::<i64>(),
+            exponent in -900i64..3,
+            bits in 1u64..100,
+            is_near in any::<bool>(),
+        ) {
+            let point = Dyadic::new(Integer::from(m), exponent);
+            let mut f = IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());
+            if is_near {
+                // A factor that vanishes beside the point.
+                let q = point.plus(&Dyadic::new(Integer::ONE, 3 * exponent.min(0))).to_rational();
+                f *= IntegerPolynomial::from_coefficients_asc(vec![-q.numerator(), q.denominator()]);
+            }
+            let exact = numerator_at(&f, &point);
+            prop_assert_eq!(sign_at(&f, &point), integer_sign(&exact));
+            let degree = f.coefficients_asc().len().saturating_sub(1) as i64;
+            let exact = Dyadic::new(exact, point.exponent().min(0) * degree);
+            let (m, e) = leading_value(&f, &point, bits);
+            let error = Dyadic::new(m, e).minus(&exact);
+            let size = Dyadic::new(exact.mantissa().abs(), exact.exponent() - bits as i64);
+            prop_assert!(Dyadic::new(error.mantissa().abs(), error.exponent()) <= size);
+        }
+    }
 }

@@ -15,6 +15,7 @@ use malachite::base::polynomial::Polynomial;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::evaluate::integer_sign as sign;
+use super::pair::separate;
 use super::shift::negate_odd;
 use super::{IntegerPolynomial, divide_exactly, shift_by_one, sign_at};
 use crate::exact::Dyadic;
@@ -221,6 +222,12 @@ impl Search<'_> {
                     let high = self.dyadic(&(&node.index + Integer::ONE), node.depth);
                     self.found.push((low, high));
                 }
+                Changes::More if let Some(convex) = convexity(&node) => {
+                    let low = self.dyadic(&node.index, node.depth);
+                    let high = self.dyadic(&(&node.index + Integer::ONE), node.depth);
+                    let found = separate(self.exact, (low, high), convex);
+                    self.found.extend(found.map_err(Stop::ExactRoot)?);
+                }
                 Changes::More => {
                     let (left, right) = halve(node);
                     let middle = &right.coefficients[0];
@@ -244,6 +251,22 @@ impl Search<'_> {
         let depth = i64::try_from(depth).unwrap_or(i64::MAX);
         Dyadic::new(index.clone(), self.exponent - depth)
     }
+}
+
+/// The sign of the second derivative, if it is certain that it has one, where halving has not helped for long.
+fn convexity(node: &Node) -> Option<i8> {
+    /// Roots that are not very close have been told apart by then.
+    const LONG: u64 = 24;
+    let b = &node.coefficients;
+    if node.depth < LONG || b.len() < 3 {
+        return None;
+    }
+    let error = &node.error << 2u64;
+    let mut signs = b
+        .windows(3)
+        .map(|b| known_sign(&(&b[0] + &b[2] - (&b[1] << 1u64)), &error));
+    let first = signs.next()??;
+    signs.all(|sign| sign == Some(first)).then_some(first)
 }
 
 /// De Casteljau at the midpoint, rounding every mean down: the error grows by at most d.

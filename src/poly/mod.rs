@@ -4,6 +4,7 @@
 //! polynomial *is* its homogeneous parts, and a binary form of degree d is the univariate
 //! polynomial f(1, t) together with d.
 
+mod all_roots;
 mod bounded;
 mod circle;
 mod eliminate;
@@ -15,6 +16,7 @@ mod homogeneous;
 mod isolate;
 mod kernel;
 mod modular;
+mod pair;
 mod plane;
 mod resultant;
 mod ring;
@@ -28,7 +30,9 @@ mod subresultant;
 mod ternary;
 mod trig;
 
-pub(crate) use bounded::{BoundedRoot, Fixed, Fraction, Truncated, roots_of};
+pub use all_roots::real_roots;
+pub(crate) use all_roots::sort_distinct;
+pub(crate) use bounded::{BoundedRoot, Fixed, Fraction, Truncated, Unproved, roots_of};
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;
@@ -44,8 +48,7 @@ pub use plane::PlanePolynomial;
 pub(crate) use resultant::resultant;
 pub use ring::Ring;
 pub(crate) use root_sign::constant_sign;
-pub(crate) use roots::sort_distinct;
-pub use roots::{RealRoot, real_roots};
+pub use roots::RealRoot;
 pub(crate) use shift::negate_odd;
 pub use shift::{shift_by_minus_one, shift_by_one};
 pub use space::SpacePolynomial;

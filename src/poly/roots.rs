@@ -7,13 +7,12 @@ use std::sync::Arc;
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
-use super::bounded::bounded_roots;
-use super::isolate::isolate;
-use super::{
-    IntegerPolynomial, numerator_at, polynomial_gcd, sign_at, sign_at_rational,
-    squarefree_decomposition,
-};
+use super::evaluate::leading_value;
+use super::{IntegerPolynomial, polynomial_gcd, sign_at, sign_at_rational};
 use crate::exact::{Dyadic, Rational, nearest_double};
+
+/// One step of refinement adds at most so many bits.
+const MAX_STEP: u32 = 1 << 16;
 
 /// A real root of a polynomial with integer coefficients: certified, and as precise as asked.
 #[derive(Clone, Debug)]
@@ -35,91 +34,38 @@ enum Place {
     },
 }
 
-/// All distinct real roots of f, ascending, with their multiplicities; none for a constant.
-///
-/// Every root is certified: the count is exact (Descartes' rule on the squarefree parts).
-///
-/// ```
-/// use std::str::FromStr;
-/// use stellate::poly::{IntegerPolynomial, real_roots};
-/// let f = IntegerPolynomial::from_str("x^5-2*x^3").unwrap(); // x³ (x² − 2)
-/// let roots = real_roots(&f);
-/// let shown: Vec<_> = roots.iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
-/// assert_eq!(shown, [(-2f64.sqrt(), 1), (0.0, 3), (2f64.sqrt(), 1)]);
-/// ```
-#[must_use]
-pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
-    if let Some(roots) = simple_real_roots(f) {
-        return roots;
-    }
-    exact_real_roots(f)
-}
-
-/// All real roots in bounded arithmetic, if it proves that they are simple.
-fn simple_real_roots(f: &IntegerPolynomial) -> Option<Vec<RealRoot>> {
-    let found = bounded_roots::<2>(f)
-        .or_else(|| bounded_roots::<4>(f))
-        .or_else(|| bounded_roots::<8>(f))?;
-    let polynomial = Arc::new(f.clone());
-    let roots = found.into_iter().map(|(low, high, sign_low)| RealRoot {
-        polynomial: Arc::clone(&polynomial),
-        place: Place::Between {
-            low,
-            high,
-            sign_low,
-        },
-        multiplicity: 1,
-    });
-    let mut roots: Vec<RealRoot> = roots.collect();
-    sort_distinct(&mut roots);
-    Some(roots)
-}
-
-/// All real roots in exact arithmetic: the squarefree parts one by one.
-fn exact_real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
-    let mut roots = Vec::new();
-    for (multiplicity, part) in squarefree_decomposition(f) {
-        let isolated = isolate(&part);
-        let polynomial = Arc::new(isolated.rest);
-        roots.extend(isolated.exact.into_iter().map(|point| RealRoot {
-            polynomial: Arc::clone(&polynomial),
+impl RealRoot {
+    /// A root that is known exactly.
+    pub(crate) fn exact(
+        polynomial: &Arc<IntegerPolynomial>,
+        point: Dyadic,
+        multiplicity: usize,
+    ) -> Self {
+        Self {
+            polynomial: Arc::clone(polynomial),
             place: Place::Exact(point),
             multiplicity,
-        }));
-        roots.extend(isolated.intervals.into_iter().map(|(low, high)| {
-            let sign_low = sign_at(&polynomial, &low);
-            RealRoot {
-                polynomial: Arc::clone(&polynomial),
-                place: Place::Between {
-                    low,
-                    high,
-                    sign_low,
-                },
-                multiplicity,
-            }
-        }));
-    }
-    sort_distinct(&mut roots);
-    roots
-}
-
-/// Sorts distinct roots, by insertion; overlapping enclosures are refined until they part, and they do: the roots are
-/// distinct.
-pub(crate) fn sort_distinct(roots: &mut [RealRoot]) {
-    for i in 1..roots.len() {
-        let mut j = i;
-        while j > 0 {
-            let (before, after) = roots.split_at_mut(j);
-            if before[j - 1].cmp_distinct(&mut after[0]) != Ordering::Greater {
-                break;
-            }
-            roots.swap(j - 1, j);
-            j -= 1;
         }
     }
-}
 
-impl RealRoot {
+    /// The one root between two numbers at which the polynomial has opposite signs, `sign_low` at the lower one.
+    pub(crate) fn between(
+        polynomial: &Arc<IntegerPolynomial>,
+        (low, high): (Dyadic, Dyadic),
+        sign_low: i8,
+        multiplicity: usize,
+    ) -> Self {
+        Self {
+            polynomial: Arc::clone(polynomial),
+            place: Place::Between {
+                low,
+                high,
+                sign_low,
+            },
+            multiplicity,
+        }
+    }
+
     /// How often the polynomial vanishes here.
     #[must_use]
     pub fn multiplicity(&self) -> usize {
@@ -302,7 +248,7 @@ impl RealRoot {
                 continue;
             }
             if self.secant(step) {
-                step = (step * 2).min(64);
+                step = (step * 2).min(MAX_STEP);
             } else {
                 step = (step / 2).max(1);
             }
@@ -317,7 +263,7 @@ impl RealRoot {
                 return;
             }
             step = if self.secant(step) {
-                (step * 2).min(64)
+                (step * 2).min(MAX_STEP)
             } else {
                 (step / 2).max(1)
             };
@@ -352,11 +298,10 @@ impl RealRoot {
             return true;
         };
         let (low, high) = (low.clone(), high.clone());
-        let (at_low, at_high) = (
-            scaled_value(&self.polynomial, &low),
-            scaled_value(&self.polynomial, &high),
-        );
-        let (numerator, denominator) = ratio_to_sum(&at_low, &at_high);
+        let bits = 64 + u64::from(step);
+        let at_low = leading_value(&self.polynomial, &low, bits);
+        let at_high = leading_value(&self.polynomial, &high, bits);
+        let (numerator, denominator) = ratio_to_sum(&at_low, &at_high, bits);
         let width = high.minus(&low);
         let unit = width.times_power_of_two(-i64::from(step));
         // index = round(2^step |f(low)| / (|f(low)| + |f(high)|))
@@ -469,16 +414,10 @@ fn side(sign_low: i8, sign: i8) -> Ordering {
     }
 }
 
-/// f at a dyadic point as `value · 2^exponent`.
-fn scaled_value(f: &IntegerPolynomial, point: &Dyadic) -> (Integer, i64) {
-    let degree = i64::try_from(f.coefficients_asc().len()).unwrap_or(1) - 1;
-    (numerator_at(f, point), point.exponent().min(0) * degree)
-}
-
-/// (|a|, |a| + |b|) to about 128 bits, up to a common factor.
-fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64)) -> (Integer, Integer) {
+/// (|a|, |a| + |b|) to about so many bits, up to a common factor.
+fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64), bits: u64) -> (Integer, Integer) {
     let top = |v: &(Integer, i64)| i64::try_from(v.0.significant_bits()).unwrap_or(0) + v.1;
-    let unit = top(a).max(top(b)) - 128;
+    let unit = top(a).max(top(b)) - i64::try_from(bits).unwrap_or(i64::MAX);
     let cut = |v: &(Integer, i64)| {
         let magnitude = Integer::from(v.0.unsigned_abs_ref().clone());
         let shift = v.1 - unit;
@@ -506,70 +445,4 @@ fn root_f64(q: &Rational, k: u32) -> f64 {
     let root = mantissa.powf(1.0 / f64::from(k));
     let value = root * (whole as f64).exp2();
     if value.is_finite() { value } else { f64::MAX }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use malachite::base::num::basic::traits::One;
-    use malachite::base::polynomial::Polynomial;
-    use proptest::prelude::*;
-
-    /// What each precision says, if it says anything, is what exact arithmetic finds.
-    fn agrees<const W: usize>(f: &IntegerPolynomial, exact: &[RealRoot]) -> bool {
-        let Some(mut found) = bounded_roots::<W>(f) else {
-            return false;
-        };
-        found.sort_by(|a, b| a.0.cmp(&b.0));
-        assert_eq!(found.len(), exact.len());
-        for ((low, high, sign_low), root) in found.iter().zip(exact) {
-            assert_eq!(root.multiplicity(), 1);
-            assert!(root.cmp_dyadic(low).is_gt() && root.cmp_dyadic(high).is_lt());
-            assert_eq!(sign_at(f, low), *sign_low);
-            assert_eq!(sign_at(f, high), -sign_low);
-            let (width, size) = (high.minus(low).log2(), low.log2().max(high.log2()));
-            assert!(width.unwrap() < size.unwrap() - 67, "{width:?} {size:?}");
-        }
-        true
-    }
-
-    fn polynomial() -> impl Strategy<Value = IntegerPolynomial> {
-        let integers = |c: Vec<i64>| -> Vec<Integer> { c.into_iter().map(Integer::from).collect() };
-        let dense = prop::collection::vec(any::<i64>(), 2..40).prop_map(integers);
-        let roots = (
-            prop::collection::vec((-99i64..99, 1i64..99), 1..9),
-            -40i64..40,
-        );
-        // Known roots, times a power of two.
-        let backwards = roots.prop_map(|(roots, scale)| {
-            let mut f = IntegerPolynomial::from_coefficients_asc(vec![Integer::ONE]);
-            for (p, q) in roots {
-                f *= IntegerPolynomial::from_coefficients_asc(vec![
-                    Integer::from(-p) << u64::try_from(scale.max(0)).unwrap_or(0),
-                    Integer::from(q) << scale.min(0).unsigned_abs(),
-                ]);
-            }
-            f.into_coefficients_asc()
-        });
-        // Coefficients of very different sizes, of any sign.
-        let wild = prop::collection::vec((any::<i32>(), 0u64..400), 2..20);
-        let wild = wild.prop_map(|c| c.into_iter().map(|(m, e)| Integer::from(m) << e).collect());
-        prop_oneof![dense, backwards, wild].prop_map(IntegerPolynomial::from_coefficients_asc)
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(1000))]
-        #[test]
-        fn bounded_roots_are_the_exact_ones(f in polynomial()) {
-            prop_assume!(f.coefficients_asc().len() > 1);
-            let exact = exact_real_roots(&f);
-            let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<8>(&f, &exact)];
-            // It does say something where it can: simple roots that are no points of bisection.
-            let is_plain = exact.iter().all(|r| r.multiplicity() == 1 && r.as_rational().is_none());
-            let c = f.coefficients_asc();
-            if is_plain && c[0] != 0 && c.iter().all(|c| c.significant_bits() <= 64) {
-                prop_assert!(said[2], "512 bits do not suffice for {}", f);
-            }
-        }
-    }
 }

@@ -13,7 +13,9 @@ use super::direction::UnitVector;
 use super::guess::real_root_guesses;
 use super::truncated::TruncatedForms;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, PlanePolynomial, RealRoot, SpacePolynomial, real_roots};
+use crate::poly::{
+    IntegerPolynomial, PlanePolynomial, RealRoot, SpacePolynomial, Unproved, real_roots,
+};
 
 /// A guess from floats is proved to this many bits or not used.
 const GUESS_BITS: i64 = 40;
@@ -137,16 +139,20 @@ impl<F> Default for Stage<F> {
 }
 
 impl<F> Stage<F> {
-    /// The answer of this precision, if it has one; it is not asked where it mostly had none.
-    fn solve<T>(&self, new: impl FnOnce() -> F, ask: impl FnOnce(&F) -> Option<T>) -> Option<T> {
+    /// The answer of this precision; it is not asked where it mostly had none.
+    fn solve<T>(
+        &self,
+        new: impl FnOnce() -> F,
+        ask: impl FnOnce(&F) -> Result<T, Unproved>,
+    ) -> Result<T, Unproved> {
         /// So many failures more than successes are given.
         const PATIENCE: u64 = 16;
         let (hits, misses) = (self.hits.load(Relaxed), self.misses.load(Relaxed));
         if misses > 2 * hits + PATIENCE {
-            return None;
+            return Err(Unproved::Bits);
         }
         let answer = ask(self.forms.get_or_init(new));
-        let count = if answer.is_some() {
+        let count = if answer.is_ok() {
             &self.hits
         } else {
             &self.misses
@@ -187,20 +193,19 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         let (vector, w) = direction.over_common_denominator();
         let f = self.polynomial;
-        let bounded = None
-            .or_else(|| {
-                self.short
-                    .solve(|| TruncatedForms::new(f), |f| f.solve(&vector, &w))
+        let short = || TruncatedForms::new(f);
+        let bounded = self
+            .short
+            .solve(short, |forms| forms.solve(&vector, &w))
+            .or_else(|why| {
+                let middle = || TruncatedForms::new(f);
+                why.with_more_bits(|| self.middle.solve(middle, |forms| forms.solve(&vector, &w)))
             })
-            .or_else(|| {
-                self.middle
-                    .solve(|| TruncatedForms::new(f), |f| f.solve(&vector, &w))
-            })
-            .or_else(|| {
-                self.long
-                    .solve(|| TruncatedForms::new(f), |f| f.solve(&vector, &w))
+            .or_else(|why| {
+                let long = || TruncatedForms::new(f);
+                why.with_more_bits(|| self.long.solve(long, |forms| forms.solve(&vector, &w)))
             });
-        bounded.map_or_else(|| self.solve_exactly(direction), Ray::Points)
+        bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
 
     /// In how many directions so far which precision decided.

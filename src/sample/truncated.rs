@@ -7,7 +7,7 @@ use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::ray::{HomogeneousParts, Sample};
 use super::wide::Wide;
-use crate::poly::{BoundedRoot, Fixed, Fraction, Truncated, roots_of};
+use crate::poly::{BoundedRoot, Fixed, Fraction, Truncated, Unproved, roots_of};
 
 /// Neighbouring doubles that are tried when the guess is not the nearest.
 const TRIES: usize = 4;
@@ -18,7 +18,7 @@ pub(super) struct TruncatedForms<const W: usize, const V: usize> {
     /// Ascending in degree.
     parts: Vec<Part<W, V>>,
     /// All degrees are the lowest one plus multiples of it.
-    gap: usize,
+    gap: u32,
 }
 
 /// Σ c x^e · 2^exponent over the terms, Σ |c| ≤ 64.
@@ -52,21 +52,29 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
             .fold(0, |gap: usize, part| gap.gcd(part.degree - lowest));
         Self {
             parts,
-            gap: gap.max(1),
+            // Degrees are small.
+            gap: u32::try_from(gap).unwrap_or(1).max(1),
         }
     }
 
-    /// All points on the line through the vector, of length w; `None` if W limbs do not prove that they are all, simple,
-    /// and what the nearest doubles are.
-    pub(super) fn solve(&self, vector: &[Integer; V], w: &Integer) -> Option<Vec<Sample<V>>> {
-        let highest = self.parts.last()?.degree;
+    /// All points on the line through the vector, of length w.
+    ///
+    /// # Errors
+    /// If W limbs do not prove that they are all, simple, and what the nearest doubles are.
+    pub(super) fn solve(
+        &self,
+        vector: &[Integer; V],
+        w: &Integer,
+    ) -> Result<Vec<Sample<V>>, Unproved> {
+        let degree = |part: Option<&Part<W, V>>| part.map_or(0, |part| part.degree);
+        let (lowest, highest) = (degree(self.parts.first()), degree(self.parts.last()));
         let line = Line::new(vector, highest);
-        let lowest = self.parts.first()?.degree;
-        let mut coefficients = vec![Truncated::ZERO; (highest - lowest) / self.gap + 1];
+        let gap = self.gap as usize;
+        let mut coefficients = vec![Truncated::ZERO; (highest - lowest) / gap + 1];
         for part in &self.parts {
-            coefficients[(part.degree - lowest) / self.gap] = part.value(&line);
+            coefficients[(part.degree - lowest) / gap] = part.value(&line);
         }
-        let gap = u32::try_from(self.gap).ok()?;
+        let gap = self.gap;
         let mut samples = Vec::new();
         for root in &roots_of(&coefficients)? {
             // λ^gap is the root.
@@ -77,14 +85,15 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
                 (false, false) => &[1],
             };
             for sign in signs {
-                samples.push(line.sample(root, gap, *sign, w)?);
+                let sample = line.sample(root, gap, *sign, w);
+                samples.push(sample.ok_or(Unproved::Bits)?);
             }
         }
         samples.sort_by(|a, b| b.r.total_cmp(&a.r));
         for (branch, sample) in samples.iter_mut().enumerate() {
             sample.branch = branch;
         }
-        Some(samples)
+        Ok(samples)
     }
 }
 

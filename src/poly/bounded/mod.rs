@@ -25,6 +25,28 @@ use crate::exact::Dyadic;
 /// Beyond this degree the tables of weights and d² are too much.
 const MAX_DEGREE: usize = 256;
 
+/// Why a number of bits proves nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unproved {
+    /// More bits may do.
+    Bits,
+    /// Roots are multiple or very close: no number of bits here does.
+    Close,
+}
+
+impl Unproved {
+    /// Tries again, if that may help.
+    pub(crate) fn with_more_bits<T>(
+        self,
+        retry: impl FnOnce() -> Result<T, Self>,
+    ) -> Result<T, Self> {
+        match self {
+            Self::Bits => retry(),
+            Self::Close => Err(self),
+        }
+    }
+}
+
 /// A coefficient: mantissa · 2^exponent, known up to less than `error` ulps of the mantissa.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Truncated<const W: usize> {
@@ -71,22 +93,25 @@ pub(crate) struct BoundedRoot<const W: usize> {
     sign_below: i8,
 }
 
-/// All real roots of Σ c_i x^i, c_0 and the last certainly not 0, if W limbs prove that they are simple, and enclose each to 70 bits and
-/// more; in no order.
+/// All real roots of Σ c_i x^i, each enclosed to 70 bits and more, in no order.
 ///
 /// Cost: d² products of W limbs, d²/2 means of W limbs for every interval of the search, some 10 d products for a root.
+///
+/// # Errors
+/// If W limbs do not prove that they are all and simple: for one if the first or the last coefficient may be 0.
 pub(crate) fn roots_of<const W: usize>(
     coefficients: &[Truncated<W>],
-) -> Option<Vec<BoundedRoot<W>>> {
-    let degree = coefficients.len().checked_sub(1)?;
-    let (first, last) = (coefficients[0].size()?, coefficients[degree].size()?);
+) -> Result<Vec<BoundedRoot<W>>, Unproved> {
+    let degree = coefficients.len().saturating_sub(1);
+    if coefficients.is_empty() || degree > MAX_DEGREE {
+        return Err(Unproved::Close);
+    }
+    let size = |i: usize| coefficients[i].size().ok_or(Unproved::Bits);
+    let (first, last) = (size(0)?, size(degree)?);
     if degree == 0 {
-        return Some(Vec::new());
+        return Ok(Vec::new());
     }
-    if degree > MAX_DEGREE {
-        return None;
-    }
-    let scale = (first - last).div_euclid(i64::try_from(degree).ok()?);
+    let scale = (first - last).div_euclid(i64::try_from(degree).unwrap_or(i64::MAX));
     let mut roots = Vec::new();
     for is_inverted in [false, true] {
         let both = Piece {
@@ -95,7 +120,7 @@ pub(crate) fn roots_of<const W: usize>(
             is_negative: false,
             is_inverted,
         };
-        let polynomial = both.polynomial()?;
+        let polynomial = both.polynomial().ok_or(Unproved::Bits)?;
         let halves = bernstein::to_bernstein(&polynomial.coefficients);
         let error = polynomial.error + 2 * (degree as u128 + 1);
         for (is_negative, bernstein) in [false, true].into_iter().zip(halves) {
@@ -113,13 +138,14 @@ pub(crate) fn roots_of<const W: usize>(
                 is_negative,
                 ..both
             };
-            let polynomial = piece.polynomial()?;
+            let polynomial = piece.polynomial().ok_or(Unproved::Bits)?;
             for place in &places {
-                roots.push(piece.enclose(&polynomial, place)?);
+                let root = piece.enclose(&polynomial, place);
+                roots.push(root.ok_or(Unproved::Bits)?);
             }
         }
     }
-    Some(roots)
+    Ok(roots)
 }
 
 /// A quarter of the axis: x = ±2^s y or x = ±2^s / y, with 0 < y < 1.
@@ -217,17 +243,20 @@ fn drop_to_quarter(y: f64) -> u32 {
 }
 
 /// All real roots of f, as (low, high, sign of f at low) with one simple root between, f ≠ 0 at both and the intervals
-/// disjoint, at most 2^−69 of its size wide; in no order. `None` if W limbs do not prove that.
+/// disjoint, at most 2^−69 of its size wide; in no order.
+///
+/// # Errors
+/// If W limbs do not prove that.
 pub(crate) fn bounded_roots<const W: usize>(
     f: &IntegerPolynomial,
-) -> Option<Vec<(Dyadic, Dyadic, i8)>> {
+) -> Result<Vec<(Dyadic, Dyadic, i8)>, Unproved> {
     let coefficients = f.coefficients_asc();
     if coefficients.len() > MAX_DEGREE + 1 {
-        return None;
+        return Err(Unproved::Close);
     }
     let truncated: Vec<Truncated<W>> = coefficients.iter().map(Truncated::new).collect();
     let roots = roots_of(&truncated)?.into_iter();
-    Some(roots.map(BoundedRoot::to_dyadic).collect())
+    Ok(roots.map(BoundedRoot::to_dyadic).collect())
 }
 
 impl<const W: usize> BoundedRoot<W> {

@@ -1,10 +1,11 @@
 //! Descartes' rule by halving, in a bounded number of bits.
 
 use super::super::isolate::Changes;
+use super::Unproved;
 use super::fixed::{Fixed, Fraction};
 
-/// Halvings are numbered by a limb.
-const MAX_DEPTH: u32 = 60;
+/// Roots closer than that are left to exact arithmetic.
+const MAX_DEPTH: u32 = 40;
 
 /// An interval (index, index + 1) · 2^(−depth) with exactly one root, and the sign at its lower end.
 #[derive(Clone, Copy, Debug)]
@@ -28,14 +29,15 @@ struct Node<const W: usize> {
     error: u128,
 }
 
-/// All roots in (0, 1), each alone in its interval, from Bernstein coefficients known up to `error` ulps; `None` if
+/// All roots in (0, 1), each alone in its interval, from Bernstein coefficients known up to `error` ulps; /// an error if
 /// that is not enough to tell (a root at 1 or at a point of bisection, multiple or close roots).
 ///
 /// At most 4d + 64 intervals are looked at, each of d²/2 means.
 pub(super) fn isolate<const W: usize>(
     coefficients: Vec<Fixed<W>>,
     error: u128,
-) -> Option<Vec<Isolated>> {
+) -> Result<Vec<Isolated>, Unproved> {
+    let known = |c: &Fixed<W>, error| c.known_sign(error).ok_or(Unproved::Bits);
     let mut left = 4 * coefficients.len() + 64;
     let mut found = Vec::new();
     let mut stack = vec![Node {
@@ -44,30 +46,34 @@ pub(super) fn isolate<const W: usize>(
         coefficients,
         error,
     }];
-    // The sign at 1 tells whether there is a root.
-    stack[0].coefficients.last()?.known_sign(error)?;
+    // There is no root at 1.
+    stack[0]
+        .coefficients
+        .last()
+        .map(|c| known(c, error))
+        .transpose()?;
     while let Some(node) = stack.pop() {
-        left = left.checked_sub(1)?;
+        left = left.checked_sub(1).ok_or(Unproved::Close)?;
         let signs = node.coefficients.iter().map(|c| c.known_sign(node.error));
         match Changes::count(signs) {
             Changes::None => {}
             Changes::One => found.push(Isolated {
                 index: node.index,
                 depth: node.depth,
-                sign_low: node.coefficients[0].known_sign(node.error)?,
+                sign_low: known(&node.coefficients[0], node.error)?,
             }),
             Changes::More => {
                 if node.depth == MAX_DEPTH {
-                    return None;
+                    return Err(Unproved::Close);
                 }
                 let (low, high) = halve(node);
-                high.coefficients[0].known_sign(high.error)?;
+                known(&high.coefficients[0], high.error)?;
                 stack.push(high);
                 stack.push(low);
             }
         }
     }
-    Some(found)
+    Ok(found)
 }
 
 /// De Casteljau at the midpoint, every mean rounded down: the error grows by at most d ulps.
