@@ -9,13 +9,15 @@ use plotters::prelude::DrawingBackend;
 use plotters::style::{FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, register_font};
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito), dark enough on white.
-const PALETTE: [RGBColor; 6] = [
+const PALETTE: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 120, 90),
     RGBColor(170, 60, 130),
     RGBColor(120, 94, 0),
     RGBColor(90, 90, 90),
+    RGBColor(0, 150, 190),
+    RGBColor(150, 20, 20),
 ];
 
 /// Width of the picture in units of the SVG.
