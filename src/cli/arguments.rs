@@ -360,7 +360,8 @@ pub(crate) struct Plot {
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,
-    /// Cells along the larger side: for tracing implicit curves [default: 240], for implicit surfaces [default: 36]
+    /// Cells along the larger side: for tracing implicit curves [default: 240], for surfaces [default: 36], along
+    /// each parameter of a patch [default: 54]
     #[arg(long, value_parser = clap::value_parser!(u32).range(8..=4000))]
     pub(crate) cells: Option<u32>,
     /// In space: a point to be marked; may be repeated

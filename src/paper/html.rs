@@ -28,11 +28,13 @@ pub(super) fn escaped(text: &str) -> String {
     result
 }
 
-/// An SVG text within a data address in double quotes.
+/// An SVG text within a data address in double quotes; its own quotes become single ones, which may stay as they are.
 fn in_an_address(svg: &str) -> String {
     let mut result = String::with_capacity(svg.len() * 5 / 4);
+    let may_change = !svg.contains('\'');
     for byte in svg.bytes() {
         match byte {
+            b'"' if may_change => result.push('\''),
             b'%' | b'#' | b'"' | b'<' | b'>' | b'&' | 0..=b' ' | 0x7f.. => {
                 // Writing to a string cannot fail.
                 let _ = write!(result, "%{byte:02X}");
@@ -51,8 +53,9 @@ mod tests {
     fn addresses_and_texts_are_escaped() {
         assert_eq!(
             in_an_address("<a b=\"#θ%\"/>"),
-            "%3Ca%20b=%22%23%CE%B8%25%22/%3E"
+            "%3Ca%20b='%23%CE%B8%25'/%3E"
         );
+        assert_eq!(in_an_address("<a b=\"'\"/>"), "%3Ca%20b=%22'%22/%3E");
         assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
     }
 }
