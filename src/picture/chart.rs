@@ -6,7 +6,7 @@ use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::element::{Circle, PathElement, Text};
+use plotters::element::{Circle, EmptyElement, PathElement, Text};
 use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
@@ -179,8 +179,9 @@ impl Chart {
             if let (Some(&at), false) = (points.last(), series.mark.is_empty()) {
                 let color = color(index);
                 let style = font(14).color(&color).pos(BESIDE);
-                let text = Text::new(format!(" {}", series.mark), at, style);
-                chart.draw_series([text])?;
+                let aside = (heading::int(2 * DOT * FINER), 0);
+                let text = Text::new(series.mark.clone(), aside, style);
+                chart.draw_series([EmptyElement::at(at) + text])?;
             }
         }
         Ok(())

@@ -35,26 +35,38 @@ pub(super) fn resultant(
     limits: &Limits,
 ) -> Result<RunOutcome> {
     let curve = radius.to_plane_curve();
-    let within = limits.for_at_most(time);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = match pool {
         Ok(pool) => pool,
         Err(error) => return Ok(RunOutcome::Failed(error.to_string())),
     };
-    let start = Instant::now();
-    let found =
-        pool.install(|| median(|| Ok(implicitize_plane(black_box(&curve), &within)?.curve)));
-    match found {
+    // Each of the runs has the whole time.
+    let once = || {
+        let within = limits.for_at_most(time);
+        let found = implicitize_plane(black_box(&curve), &within);
+        found.map(|found| found.curve).map_err(|error| Stopped {
+            is_over_time: within.check().is_err(),
+            error,
+        })
+    };
+    match pool.install(|| median(once)) {
         Ok((found, _)) if found != *expected => Ok(RunOutcome::Wrong),
         Ok((_, seconds)) => Ok(timed(seconds, time)),
-        Err(Error::Limit { .. }) if limits.check().is_ok() && start.elapsed() >= time => {
-            Ok(RunOutcome::OverLimit)
-        }
-        Err(error) => {
+        Err(stopped) => {
             limits.check()?;
-            Ok(RunOutcome::Failed(error.to_string()))
+            Ok(if stopped.is_over_time {
+                RunOutcome::OverLimit
+            } else {
+                RunOutcome::Failed(stopped.error.to_string())
+            })
         }
     }
+}
+
+/// Why there is no result.
+struct Stopped {
+    is_over_time: bool,
+    error: Error,
 }
 
 /// What a right answer counts for.
@@ -67,7 +79,9 @@ pub(super) fn timed(seconds: f64, limit: Duration) -> RunOutcome {
 }
 
 /// The result, and the median of the seconds.
-fn median<T>(mut compute: impl FnMut() -> Result<T>) -> Result<(T, f64)> {
+fn median<T, E>(
+    mut compute: impl FnMut() -> std::result::Result<T, E>,
+) -> std::result::Result<(T, f64), E> {
     let mut times = Vec::new();
     let mut spent = Duration::ZERO;
     loop {
@@ -96,7 +110,7 @@ mod tests {
             let seconds = median(|| {
                 runs += 1;
                 std::thread::sleep(time);
-                Ok(())
+                Ok::<(), Error>(())
             });
             (runs, seconds.unwrap().1)
         };

@@ -58,7 +58,7 @@ pub(in crate::paper) fn write_section(
 fn write_table(comparison: &TimeComparison, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "<p id=\"measured\">≈ seconds, {}. In parentheses: how many times as long as A.</p>\n\
+        "<p id=\"measured\">≈ seconds, {}. Below: how many times as long as A.</p>\n\
          <div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of times\">\n\
          <table class=\"grid\" aria-describedby=\"measured\">\n<thead><tr><th scope=\"col\">N</th>\
          <th scope=\"col\" class=\"number\">Degree</th>",
@@ -80,7 +80,9 @@ fn write_table(comparison: &TimeComparison, out: &mut dyn Write) -> io::Result<(
         )?;
         for (index, method) in comparison.methods.iter().enumerate() {
             let ratio = ratio(comparison, method, harmonics).filter(|_| index > 0);
-            let ratio = ratio.map_or_else(String::new, |r| format!(" ({})", shown(r)));
+            let ratio = ratio.map_or_else(String::new, |r| {
+                format!("<br/><small>× {}</small>", shown(r))
+            });
             let time = cell(comparison, method, harmonics);
             write!(out, "<td class=\"number\">{}{ratio}</td>", escaped(&time))?;
         }
