@@ -57,6 +57,7 @@
 //! | Theorem 8, Example 12 (inspection) | [`inspect`] |
 //! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
 //! | all of it, statement by statement, with its errata | [`paper`] |
+//! | the time comparison that it leaves to others | [`paper::compare`] |
 //!
 //! # From below to above
 //!

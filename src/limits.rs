@@ -34,6 +34,25 @@ impl Limits {
         self
     }
 
+    /// For one piece of the work, which has `time` from now at most.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    /// use stellate::limits::Limits;
+    /// let limits = Limits::none().with_time_limit(Duration::from_secs(60));
+    /// assert!(limits.for_at_most(Duration::ZERO).check().is_err());
+    /// assert!(limits.for_at_most(Duration::from_secs(1)).check().is_ok());
+    /// ```
+    #[must_use]
+    pub fn for_at_most(&self, time: Duration) -> Self {
+        let shorter = self.clone().with_time_limit(time);
+        match (self.deadline, shorter.deadline) {
+            (Some((whole, _)), Some((piece, _))) if piece < whole => shorter,
+            (None, _) => shorter,
+            _ => self.clone(),
+        }
+    }
+
     /// The flag that stops the work when it becomes true.
     #[must_use]
     pub fn cancellation(&self) -> Arc<AtomicBool> {

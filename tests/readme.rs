@@ -119,3 +119,56 @@ fn the_test_command_of_the_readme_is_what_ci_runs() {
     let ci = fs::read_to_string(root().join(".ci/run")).unwrap();
     assert!(ci.contains("cargo test"));
 }
+
+/// The commands that `--help` lists.
+fn verbs() -> Vec<String> {
+    let help = run("stellate --help", root());
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let listed = listed.take_while(|line| !line.is_empty());
+    // A description may go on in the next line, farther to the right.
+    let names = listed.filter_map(|line| line.strip_prefix("  "));
+    let names = names.filter(|line| !line.starts_with(' '));
+    let names = names.filter_map(|line| line.split_whitespace().next());
+    names
+        .filter(|name| *name != "help")
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+fn every_verb_and_every_example_has_its_place_in_the_readme() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let verbs = verbs();
+    assert!(verbs.len() >= 11, "{verbs:?}");
+    for verb in verbs {
+        assert!(readme.contains(&format!("\n| `{verb}` | ")), "{verb}");
+        assert!(readme.contains(&format!("\n$ stellate {verb} ")), "{verb}");
+    }
+    for folder in fs::read_dir(root().join("paper-examples")).unwrap() {
+        let name = folder.unwrap().file_name().into_string().unwrap();
+        let link = format!("](paper-examples/{name}/README.md)");
+        assert!(readme.contains(&link), "{name}");
+    }
+}
+
+#[test]
+fn the_links_of_the_readme_lead_somewhere() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let letters = |c: char| c.is_alphanumeric() || c == '-';
+    let anchors: Vec<String> = readme
+        .lines()
+        .filter_map(|line| line.trim_start_matches('#').strip_prefix(' '))
+        .map(|title| title.to_lowercase().replace(' ', "-"))
+        .map(|title| title.chars().filter(|c| letters(*c)).collect())
+        .collect();
+    let targets = readme.split("](").skip(1);
+    let targets: Vec<&str> = targets.filter_map(|rest| rest.split(')').next()).collect();
+    assert!(targets.len() > 20);
+    for target in targets {
+        match target.strip_prefix('#') {
+            Some(anchor) => assert!(anchors.iter().any(|a| a == anchor), "{target}"),
+            None if target.starts_with("https://") => {}
+            None => assert!(root().join(target).exists(), "{target}"),
+        }
+    }
+}

@@ -136,9 +136,10 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
   stellate paper
   stellate paper --only E9
   stellate paper --out report
+  stellate paper --out report --compare
   stellate paper --format json -o paper.json
 
-Exit code: 1 if the outcome of a statement is not the recorded one.")]
+Exit code: 1 if the outcome of a statement is not the recorded one, or if two methods of --compare disagree.")]
     Paper(Paper),
 }
 
@@ -150,6 +151,18 @@ pub(crate) struct Paper {
     /// Write the report DIR/index.html, too: one page with all formulas, figures and errata
     #[arg(long, value_name = "DIR", conflicts_with = "only")]
     pub(crate) out: Option<PathBuf>,
+    /// Measure Theorem 2 beside elimination, too, for N = 1, 2, 3, ... harmonics: by this program and, where they are
+    /// installed, by PARI/GP (gp), Singular and SymPy (python3); takes some minutes
+    #[arg(long)]
+    pub(crate) compare: bool,
+    /// A method of --compare stops where one run takes longer than this; there are at most 14 runs of each
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value_t = 10.0,
+        requires = "compare"
+    )]
+    pub(crate) compare_limit: f64,
 }
 
 #[derive(Debug, Args)]
@@ -347,7 +360,8 @@ pub(crate) struct Plot {
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,
-    /// Cells along the larger side: for tracing implicit curves [default: 240], for implicit surfaces [default: 36]
+    /// Cells along the larger side: for tracing implicit curves [default: 240], for surfaces [default: 36], along
+    /// each parameter of a patch [default: 54]
     #[arg(long, value_parser = clap::value_parser!(u32).range(8..=4000))]
     pub(crate) cells: Option<u32>,
     /// In space: a point to be marked; may be repeated

@@ -46,6 +46,7 @@ pub(super) fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) ->
             .map(|(k, row)| [across(k, row), row.deviation.digits()])
             .collect(),
         joined: false,
+        ..Series::default()
     };
     let mut all = vec![series("compared", &found.rows)];
     for (label, rows) in [("missing", &found.missing), ("extra", &found.extra)] {
@@ -59,6 +60,7 @@ pub(super) fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) ->
             label: format!("{mark} digits asked for"),
             points: vec![[low, digits], [high, digits]],
             joined: true,
+            ..Series::default()
         });
     }
     Chart {
@@ -68,6 +70,7 @@ pub(super) fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) ->
             "correct digits".into(),
         ],
         y: [0.0, MOST_DIGITS + 0.5],
+        logarithmic: false,
         series: all,
     }
 }
@@ -98,12 +101,14 @@ pub(super) fn ladder_chart(rungs: &[Rung], name: &str) -> Chart {
             .map(|rung| [across_harmonics(rung), digits(rung)])
             .collect(),
         joined: true,
+        ..Series::default()
     };
     let worst = |kept: DigitsKept| kept.worst;
     Chart {
         title: format!("Theorem 2 in doubles, {name}"),
         labels: ["N".into(), "correct digits".into()],
         y: [0.0, MOST_DIGITS + 0.5],
+        logarithmic: false,
         series: vec![
             series("coefficients, the worst", &|rung| worst(rung.coefficients)),
             series("radii, the worst", &|rung| worst(rung.radii)),

@@ -63,12 +63,16 @@ const FIGURES: [Drawn; 15] = [
             "--range=v=-1.2,1.2",
             "--range=u=-1.2,1.2",
             "--window=-1.2,1.2,-1.2,1.2,-0.5,1.2",
+            "--cells=28",
         ],
     ),
     (
         "F6",
         "The patch of Example 4: a surface in the cube from -1 to 1 that narrows to lines.",
-        &["x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)"],
+        &[
+            "x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)",
+            "--cells=36",
+        ],
     ),
     (
         "F7",
@@ -114,7 +118,7 @@ const FIGURES: [Drawn; 15] = [
             "x = cos(t); y = sin(t); z = sin(t)^5",
             "--window=-1.3,1.3,-1.3,1.3,-1.3,1.3",
             "--view=20,30",
-            "--cells=20",
+            "--cells=14",
         ],
     ),
     (
@@ -125,6 +129,7 @@ const FIGURES: [Drawn; 15] = [
             "--range=v=-1,1",
             "--point=0.8,0.6,0",
             "--view=60,25",
+            "--cells=32",
         ],
     ),
 ];

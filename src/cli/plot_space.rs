@@ -15,7 +15,7 @@ use super::mesh;
 use super::numbers::{Bounds, numbers_of, space_window};
 use super::session::Session;
 
-/// Points along a curve, and cells along each parameter of a patch.
+/// Points along a curve, and cells along each parameter of a patch without `--cells`.
 const CURVE_POINTS: u32 = 720;
 const PATCH_CELLS: u32 = 54;
 
@@ -50,7 +50,7 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
     let mut drawn: Vec<Drawn> = Vec::new();
     let mut around = box_around(points.iter());
     for input in inputs {
-        for next in drawn_of(input, &ranges, window, session)? {
+        for next in drawn_of(input, verb, &ranges, window, session)? {
             if let Drawn::Layer(_, extent) = &next {
                 around = joined(around, *extent);
             }
@@ -178,6 +178,7 @@ fn view(text: &str) -> Result<[f64; 2]> {
 
 fn drawn_of(
     input: Input,
+    verb: &Plot,
     ranges: &[Range],
     window: Option<Bounds>,
     session: &mut Session,
@@ -185,7 +186,7 @@ fn drawn_of(
     if let Content::Exact(Form::Intersection(surfaces)) = &input.content {
         return intersection(surfaces, window, session);
     }
-    Ok(vec![drawn_one(input, ranges, session)?])
+    Ok(vec![drawn_one(input, verb, ranges, session)?])
 }
 
 /// The surfaces, each by itself, and the curve where they meet if Theorem 7 gives it.
@@ -233,7 +234,7 @@ fn intersection(
     Ok(all)
 }
 
-fn drawn_one(input: Input, ranges: &[Range], session: &mut Session) -> Result<Drawn> {
+fn drawn_one(input: Input, verb: &Plot, ranges: &[Range], session: &mut Session) -> Result<Drawn> {
     let name = input.short_name();
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
@@ -256,7 +257,7 @@ fn drawn_one(input: Input, ranges: &[Range], session: &mut Session) -> Result<Dr
                 let numbers = (!p.is_angle()).then_some(DRAWN_NUMBERS);
                 range_text(p, range.or(numbers))
             });
-            let grid = patch.grid(given, [PATCH_CELLS; 2]);
+            let grid = patch.grid(given, [verb.cells.unwrap_or(PATCH_CELLS); 2]);
             let drawn = SpaceLayer {
                 label: label("patch", shown.flatten().collect()),
                 facets: SpaceLayer::grid_facets(&grid),
@@ -276,7 +277,8 @@ fn drawn_one(input: Input, ranges: &[Range], session: &mut Session) -> Result<Dr
         }
         Content::Exact(Form::SpaceSuperquadric(shape)) => {
             let [of_xy, _, of_z] = shape.exponents();
-            let mesh = mesh::of_superquadric(&shape, SURFACE_CELLS, session)?;
+            let cells = verb.cells.unwrap_or(SURFACE_CELLS);
+            let mesh = mesh::of_superquadric(&shape, cells, session)?;
             let mut layer = mesh_layer(&mesh);
             layer.label = format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}");
             Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))

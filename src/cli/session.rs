@@ -34,7 +34,7 @@ pub(crate) struct Session {
     stages: Vec<(&'static str, Duration)>,
     /// What else `--stats` says.
     facts: Vec<(&'static str, serde_json::Value)>,
-    /// Set once output may have begun: from then on work ends at checkpoints only.
+    /// Set once output may have begun, and while other processes work for us: then work ends at checkpoints only.
     writing: Arc<AtomicBool>,
 }
 
@@ -130,6 +130,14 @@ impl Session {
     /// From here on the process is not ended from outside: a file is being written beside its place.
     pub(crate) fn begin_writing(&self) {
         self.writing.store(true, Ordering::SeqCst);
+    }
+
+    /// Runs work that must not be ended from outside between its checkpoints, because other processes work for it.
+    pub(crate) fn ended_at_checkpoints<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+        let before = self.writing.swap(true, Ordering::SeqCst);
+        let result = work();
+        self.writing.store(before, Ordering::SeqCst);
+        result
     }
 
     /// A remark for the person at the terminal.

@@ -19,12 +19,7 @@ pub struct Annotations {
 
 /// A polynomial in x, y, z as the input language has it.
 pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
-    let terms = f.terms();
-    let terms = terms.map(|(e, c)| (c.clone(), Notation::Text.monomial(e)));
-    let mut text = Vec::new();
-    let written = Notation::Text.write_sum(terms, &mut text);
-    debug_assert!(written.is_ok(), "writing into memory succeeds");
-    String::from_utf8_lossy(&text).into_owned()
+    Notation::Text.polynomial(f)
 }
 
 /// Writes `f(x, y) = 0`, terms in canonical order, and the center if it is not the origin.

@@ -54,6 +54,7 @@ pub use superquadric::{
     write_space_superquadric, write_space_superquadric_description, write_superquadric,
     write_superquadric_description,
 };
+pub(crate) use terms::Notation;
 pub use vectors::write_vectors;
 
 use crate::error::{Error, Result};

@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 
 use crate::exact::Rational;
+use crate::poly::SparsePolynomial;
 
 /// A notation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Notation {
+pub(crate) enum Notation {
     /// `1/3x^2y`
     Text,
     /// `1/3*x^2*y`, which Maple and Singular read as well.
@@ -48,6 +49,16 @@ impl Notation {
             }
         }
         text
+    }
+
+    /// A polynomial in x, y, z.
+    pub(crate) fn polynomial(self, f: &SparsePolynomial<3>) -> String {
+        let terms = f.terms();
+        let terms = terms.map(|(e, c)| (c.clone(), self.monomial(e)));
+        let mut text = Vec::new();
+        let written = self.write_sum(terms, &mut text);
+        debug_assert!(written.is_ok(), "writing into memory succeeds");
+        String::from_utf8_lossy(&text).into_owned()
     }
 
     /// A number that is not negative.

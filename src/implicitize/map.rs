@@ -4,6 +4,8 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
+use crate::error::Result;
+use crate::limits::Limits;
 use crate::poly::{
     IntegerPolynomial, RationalFunction, SparsePolynomial, inverse_mod, power_mod, reduce_integer,
 };
@@ -69,7 +71,10 @@ impl RationalMap {
     ///
     /// With x = p1/q1 and so on, `f q1^deg_x q2^deg_y q3^deg_z` is expanded by Horner's rule, the two variables
     /// packed into one (Kronecker). Cost: about 2 deg_x deg_z products of polynomials for three coordinates.
-    pub(super) fn annihilates(&self, f: &SparsePolynomial<3>) -> bool {
+    ///
+    /// # Errors
+    /// Those of `limits`.
+    pub(super) fn annihilates(&self, f: &SparsePolynomial<3>, limits: &Limits) -> Result<bool> {
         let degrees = f.terms().fold([0; 3], |d: [u32; 3], (e, _)| {
             std::array::from_fn(|v| d[v].max(e[v]))
         });
@@ -89,13 +94,16 @@ impl RationalMap {
             .map(|(e, c)| (*e, c.numerator()))
             .collect();
         let used = packed.len().min(3);
-        substitute(&terms, used, degrees, &packed) == IntegerPolynomial::ZERO
+        let value = substitute(&terms, used, degrees, &packed, limits)?;
+        Ok(value == IntegerPolynomial::ZERO)
     }
 }
 
 /// Whether a space curve satisfies f = 0 identically: exact substitution.
 pub(crate) fn lies_on(curve: &SpaceCurve, f: &SparsePolynomial<3>) -> bool {
-    RationalMap::of_curve(curve).annihilates(f)
+    let map = RationalMap::of_curve(curve);
+    map.annihilates(f, &Limits::none())
+        .is_ok_and(|it_does| it_does)
 }
 
 /// The terms, which all have the same exponents from `variable` on, with the first variables put in.
@@ -104,15 +112,17 @@ fn substitute(
     variables: usize,
     degrees: [u32; 3],
     packed: &[[IntegerPolynomial; 2]],
-) -> IntegerPolynomial {
+    limits: &Limits,
+) -> Result<IntegerPolynomial> {
     let Some(last) = variables.checked_sub(1) else {
         let sum = terms.iter().fold(Integer::ZERO, |sum, (_, c)| sum + c);
-        return constant(sum);
+        return Ok(constant(sum));
     };
     let [p, q] = &packed[last];
     let mut value = IntegerPolynomial::ZERO;
     let mut q_power = constant(Integer::ONE);
     for k in (0..=degrees[last]).rev() {
+        limits.check()?;
         let here: Vec<([u32; 3], Integer)> = terms
             .iter()
             .filter(|(e, _)| e[last] == k)
@@ -122,13 +132,13 @@ fn substitute(
             value *= p;
         }
         if !here.is_empty() {
-            value += substitute(&here, last, degrees, packed) * &q_power;
+            value += substitute(&here, last, degrees, packed, limits)? * &q_power;
         }
         if k > 0 && *q != constant(Integer::ONE) {
             q_power *= q;
         }
     }
-    value
+    Ok(value)
 }
 
 fn constant(c: Integer) -> IntegerPolynomial {

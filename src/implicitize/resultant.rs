@@ -68,7 +68,8 @@ pub fn implicitize_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PlaneEqu
         };
         let [in_x, in_y] = degrees(&f);
         let fits = in_x * tracing_index == y.degree() && in_y * tracing_index == x.degree();
-        Ok((fits && map.annihilates(&SparsePolynomial::from(&f))).then_some(f))
+        let proved = fits && map.annihilates(&SparsePolynomial::from(&f), limits)?;
+        Ok(proved.then_some(f))
     })?;
     Ok(PlaneEquation {
         curve: ImplicitCurve::new(f),

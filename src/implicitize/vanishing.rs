@@ -131,7 +131,7 @@ pub(super) fn lift(
         };
         if let Some(integers) = reconstruction.add(image, prime) {
             let f = polynomial(&support, &integers);
-            if map.annihilates(&f) {
+            if map.annihilates(&f, limits)? {
                 return Ok(f);
             }
         }

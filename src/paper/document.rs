@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::compare::{ComparisonDocument, TimeComparison, write_text};
 use super::entry::{Entry, Finding, Outcome, TestPart, Verdict};
 use crate::document::{Format, SCHEMA};
 
@@ -12,6 +13,8 @@ struct Document<'a> {
     schema: &'static str,
     kind: &'static str,
     entries: Vec<EntryDocument<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    comparison: Option<ComparisonDocument<'a>>,
 }
 
 #[derive(Serialize)]
@@ -27,22 +30,27 @@ struct EntryDocument<'a> {
     seconds: f64,
 }
 
-/// Writes a table by sections, or the JSON document of kind `paper`.
+/// Writes a table by sections, or the JSON document of kind `paper`; then the comparison of times, if it was made.
 ///
 /// # Errors
 /// Those of `out`; `Unsupported` for formats other than text and JSON.
 pub fn write_entries(
     entries: &[(Entry<'_>, Outcome)],
+    comparison: Option<&TimeComparison>,
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match format {
-        Format::Text => write_table(entries, out),
+        Format::Text => {
+            write_table(entries, out)?;
+            write_comparison(comparison, out)
+        }
         Format::Json => {
             let document = Document {
                 schema: SCHEMA,
                 kind: "paper",
                 entries: entries.iter().map(|(e, o)| document(e, o)).collect(),
+                comparison: comparison.map(ComparisonDocument::new),
             };
             serde_json::to_writer(&mut *out, &document)?;
             writeln!(out)
@@ -58,11 +66,13 @@ pub fn write_entries(
 pub fn write_entry(
     entry: &Entry<'_>,
     outcome: &Outcome,
+    comparison: Option<&TimeComparison>,
     format: Format,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     if format != Format::Text {
-        return write_entries(&[(entry.clone(), outcome.clone())], format, out);
+        let one = [(entry.clone(), outcome.clone())];
+        return write_entries(&one, comparison, format, out);
     }
     writeln!(out, "{}: {}", entry.id, entry.title)?;
     writeln!(out, "section: {}", entry.section)?;
@@ -83,7 +93,19 @@ pub fn write_entry(
         "verdict: {}{}",
         outcome.verdict,
         unexpected(entry, outcome)
-    )
+    )?;
+    write_comparison(comparison, out)
+}
+
+/// The comparison below the statements.
+fn write_comparison(comparison: Option<&TimeComparison>, out: &mut dyn Write) -> io::Result<()> {
+    match comparison {
+        None => Ok(()),
+        Some(comparison) => {
+            writeln!(out)?;
+            write_text(comparison, out)
+        }
+    }
 }
 
 fn unsupported() -> io::Error {

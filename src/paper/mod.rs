@@ -9,17 +9,24 @@
 //! A test is an identity between two formulas in any symbols (proved by expansion over Q), or a question to the engine with
 //! the answer that is claimed. One code path evaluates the printed and the corrected part, and the verdict follows from what
 //! comes out: [`Verdict`].
+//!
+//! What the paper says of speed is measured: [`compare`].
 
+mod compare;
 mod data;
 mod document;
 mod entry;
 mod formula;
+mod html;
 mod identity;
 mod mathml;
 mod question;
 mod report;
 mod statements;
 
+pub use compare::{
+    AbsentProgram, MethodTimes, RUNGS, Run, RunOutcome, TimeComparison, compare, ladder_radius,
+};
 pub use data::EXAMPLE_DATA;
 pub use document::{write_entries, write_entry};
 pub use entry::{Entry, Finding, Outcome, Test, TestPart, Verdict};

@@ -1,11 +1,12 @@
 //! The whole paper as one page of HTML: no network, no script, readable on a phone, on paper, light and dark. It is
 //! well-formed XML, too.
 
-use std::fmt::Write as _;
 use std::io::{self, Write};
 
+use super::compare::{TimeComparison, write_section};
 use super::document::{line, unexpected};
 use super::entry::{Entry, Outcome, Test, TestKind, TestPart, Verdict};
+use super::html::{escaped, write_picture};
 use super::mathml;
 
 /// A figure of the report.
@@ -23,13 +24,14 @@ pub struct ReportFigure {
 
 const STYLE: &str = include_str!("report.css");
 
-/// Writes the report.
+/// Writes the report, with the comparison of times if it was made.
 ///
 /// # Errors
 /// Those of `out`.
 pub fn write_report(
     entries: &[(Entry<'_>, Outcome)],
     figures: &[ReportFigure],
+    comparison: Option<&TimeComparison>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
@@ -50,7 +52,7 @@ pub fn write_report(
         entries.len(),
         counts.join(", ")
     )?;
-    write_contents(entries, out)?;
+    write_contents(entries, comparison.is_some(), out)?;
     writeln!(out, "<main id=\"content\">")?;
     write_errata(entries, out)?;
     let mut section = "";
@@ -72,12 +74,19 @@ pub fn write_report(
     if !section.is_empty() {
         writeln!(out, "</section>")?;
     }
+    if let Some(comparison) = comparison {
+        write_section(comparison, out)?;
+    }
     write_times(entries, out)?;
     writeln!(out, "</main>\n</body>\n</html>")
 }
 
 /// The sections, each with links to its statements.
-fn write_contents(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Result<()> {
+fn write_contents(
+    entries: &[(Entry<'_>, Outcome)],
+    has_comparison: bool,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     writeln!(
         out,
         "<nav aria-label=\"Contents\">\n<ul>\n<li><a href=\"#errata\">Errata</a></li>"
@@ -100,6 +109,12 @@ fn write_contents(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::
             anchor(first.section),
             escaped(first.section),
             links.collect::<Vec<_>>().join(" ")
+        )?;
+    }
+    if has_comparison {
+        writeln!(
+            out,
+            "<li><a href=\"#comparison\">The time comparison</a></li>"
         )?;
     }
     writeln!(out, "<li><a href=\"#times\">Times</a></li>\n</ul>\n</nav>")
@@ -157,11 +172,10 @@ fn write_article(
     write_formulas(&entry.tests, TestPart::Always, out)?;
     write_meanings(entry, out)?;
     for figure in figures.iter().filter(|f| f.id == entry.id) {
+        write_picture(figure.caption, &figure.svg, out)?;
         writeln!(
             out,
-            "<figure>\n<img alt=\"{}\" src=\"data:image/svg+xml,{}\"/>\n<figcaption>{} <code>{}</code></figcaption>\n</figure>",
-            escaped(figure.caption),
-            in_an_address(&figure.svg),
+            "<figcaption>{} <code>{}</code></figcaption>\n</figure>",
             escaped(figure.caption),
             escaped(&figure.command)
         )?;
@@ -259,47 +273,12 @@ fn anchor(heading: &str) -> String {
     letters.collect()
 }
 
-/// Text within HTML.
-fn escaped(text: &str) -> String {
-    let mut result = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => result.push_str("&amp;"),
-            '<' => result.push_str("&lt;"),
-            '>' => result.push_str("&gt;"),
-            '"' => result.push_str("&quot;"),
-            c => result.push(c),
-        }
-    }
-    result
-}
-
-/// An SVG text within a data address in double quotes.
-fn in_an_address(svg: &str) -> String {
-    let mut result = String::with_capacity(svg.len() * 5 / 4);
-    for byte in svg.bytes() {
-        match byte {
-            b'%' | b'#' | b'"' | b'<' | b'>' | b'&' | 0..=b' ' | 0x7f.. => {
-                // Writing to a string cannot fail.
-                let _ = write!(result, "%{byte:02X}");
-            }
-            _ => result.push(char::from(byte)),
-        }
-    }
-    result
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn addresses_and_texts_are_escaped() {
-        assert_eq!(
-            in_an_address("<a b=\"#θ%\"/>"),
-            "%3Ca%20b=%22%23%CE%B8%25%22/%3E"
-        );
-        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
+    fn an_anchor_is_made_of_letters() {
         assert_eq!(anchor("Inspection (§4)"), "inspection---4-");
     }
 }

@@ -1,10 +1,14 @@
 //! A chart: numbers over numbers, each axis with a scale of its own.
 
-use plotters::chart::ChartBuilder;
+use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
+use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::element::{Circle, PathElement};
+use plotters::element::{Circle, EmptyElement, PathElement, Text};
 use plotters::prelude::{DrawingBackend, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
 
 use super::heading::{
@@ -16,6 +20,15 @@ use crate::error::{Error, Result};
 /// Units below the plotted part, and its height.
 const BELOW: u32 = 56;
 const HEIGHT: u32 = 460;
+
+/// Where the mark of a series is, seen from its last point.
+const BESIDE: Pos = Pos {
+    h_pos: HPos::Left,
+    v_pos: VPos::Center,
+};
+
+/// A logarithmic axis goes on by this factor beyond the points.
+const ROOM: f64 = 1.15;
 
 /// Half the width of a dot; the dots of many points are smaller.
 const DOT: u32 = 3;
@@ -31,6 +44,8 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
     /// Whether a line joins the points, in their order.
     pub joined: bool,
+    /// What is written beside the last point, possibly nothing.
+    pub mark: String,
 }
 
 /// Series over two axes.
@@ -42,6 +57,8 @@ pub struct Chart {
     pub labels: [String; 2],
     /// The ends of the y axis; the x axis fits the points.
     pub y: [f64; 2],
+    /// Whether both axes are logarithmic; then all numbers are positive.
+    pub logarithmic: bool,
     /// From the lowest to the topmost.
     pub series: Vec<Series>,
 }
@@ -51,9 +68,9 @@ impl Chart {
     ///
     /// ```
     /// use stellate::picture::{Chart, Series};
-    /// let series = Series { label: "digits".into(), points: vec![[1.0, 15.9], [2.0, 14.1]], joined: true };
+    /// let series = Series { label: "digits".into(), points: vec![[1.0, 15.9], [2.0, 14.1]], joined: true, ..Series::default() };
     /// let labels = ["N".into(), "digits".into()];
-    /// let chart = Chart { title: String::new(), labels, y: [0.0, 17.0], series: vec![series] };
+    /// let chart = Chart { title: String::new(), labels, y: [0.0, 17.0], logarithmic: false, series: vec![series] };
     /// assert!(chart.to_svg()?.starts_with("<svg"));
     /// # Ok::<(), stellate::error::Error>(())
     /// ```
@@ -82,10 +99,17 @@ impl Chart {
             if !(x.is_finite() && y.is_finite()) {
                 return Err(Error::data("chart", "there is a number that is not finite"));
             }
+            if self.logarithmic && !(*x > 0.0 && *y > 0.0) {
+                let message = "there is a number that is not positive, and no logarithm of it";
+                return Err(Error::data("chart", message));
+            }
             let [low, high] = range.unwrap_or([*x, *x]);
             range = Some([low.min(*x), high.max(*x)]);
         }
         let [low, high] = range.ok_or_else(|| Error::data("chart", "there is nothing to draw"))?;
+        if self.logarithmic {
+            return Ok([low / ROOM, high * ROOM]);
+        }
         let room = if high > low { 0.02 * (high - low) } else { 0.5 };
         Ok([low - room, high + room])
     }
@@ -95,13 +119,37 @@ impl Chart {
         let above = heading::height(&self.title, self.series.len());
         let (above, plot) = area.split_vertically(above * FINER);
         heading::draw(&above, &self.title, self.rows())?;
-        let mut chart = ChartBuilder::on(&plot)
+        let y = self.y;
+        let mut builder = ChartBuilder::on(&plot);
+        builder
             .margin_left(MARGIN / 2 * FINER)
             .margin_right(MARGIN * FINER)
             .x_label_area_size(BELOW * FINER)
-            .y_label_area_size((LEFT - MARGIN / 2) * FINER)
-            .build_cartesian_2d(x[0]..x[1], self.y[0]..self.y[1])?;
-        let label = |v: &f64| tick(*v);
+            .y_label_area_size((LEFT - MARGIN / 2) * FINER);
+        if self.logarithmic {
+            let axis = |ends: [f64; 2]| {
+                let scale = (ends[0]..ends[1]).log_scale();
+                scale.with_key_points(decades(ends))
+            };
+            let chart = builder.build_cartesian_2d(axis(x), axis(y))?;
+            self.draw_on(chart, |v| logarithmic_tick(*v))?;
+        } else {
+            let chart = builder.build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
+            self.draw_on(chart, |v| tick(*v))?;
+        }
+        plot.present()
+    }
+
+    /// The axes and the series.
+    fn draw_on<B: DrawingBackend, X, Y>(
+        &self,
+        mut chart: ChartContext<'_, B, Cartesian2d<X, Y>>,
+        label: impl Fn(&f64) -> String,
+    ) -> Drawn<B>
+    where
+        X: Ranged<ValueType = f64> + ValueFormatter<f64>,
+        Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    {
         let [x_label, y_label] = &self.labels;
         chart
             .configure_mesh()
@@ -125,11 +173,18 @@ impl Chart {
                 let style = ShapeStyle::from(color(index)).stroke_width(2 * FINER);
                 chart.draw_series([PathElement::new(points.clone(), style)])?;
             }
-            let dots = points.into_iter();
+            let dots = points.iter().copied();
             chart
                 .draw_series(dots.map(|at| Circle::new(at, size * FINER, color(index).filled())))?;
+            if let (Some(&at), false) = (points.last(), series.mark.is_empty()) {
+                let color = color(index);
+                let style = font(14).color(&color).pos(BESIDE);
+                let aside = (heading::int(2 * DOT * FINER), 0);
+                let text = Text::new(series.mark.clone(), aside, style);
+                chart.draw_series([EmptyElement::at(at) + text])?;
+            }
         }
-        plot.present()
+        Ok(())
     }
 
     /// The rows of the legend.
@@ -147,24 +202,73 @@ impl Chart {
     }
 }
 
+/// Ticks of a logarithmic axis: powers of ten, and 2 and 5 times those if they are few.
+fn decades([low, high]: [f64; 2]) -> Vec<f64> {
+    /// So many decades leave room for more.
+    const FEW: f64 = 4.0;
+    let steps: &[f64] = if high < low * 10f64.powf(FEW) {
+        &[1.0, 2.0, 5.0]
+    } else {
+        &[1.0]
+    };
+    let mut ticks = Vec::new();
+    let mut power = low.log10().floor();
+    while power <= high.log10() {
+        let within = steps.iter().map(|step| step * 10f64.powf(power));
+        ticks.extend(within.filter(|tick| (low..=high).contains(tick)));
+        power += 1.0;
+    }
+    ticks
+}
+
+/// The text of a tick of a logarithmic axis.
+fn logarithmic_tick(value: f64) -> String {
+    if (1e-3..1e5).contains(&value) {
+        tick(value)
+    } else {
+        format!("{value:.0e}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
+    fn logarithmic_ticks_are_round_numbers() {
+        let shown = |ends: [f64; 2]| -> Vec<String> {
+            decades(ends).into_iter().map(logarithmic_tick).collect()
+        };
+        assert_eq!(
+            shown([0.9, 120.0]),
+            ["1", "2", "5", "10", "20", "50", "100"]
+        );
+        assert_eq!(
+            shown([5e-6, 11.0]),
+            ["1e-5", "1e-4", "0.001", "0.01", "0.1", "1", "10"]
+        );
+    }
+
+    #[test]
     fn there_must_be_something_finite() {
-        let chart = |points: Vec<[f64; 2]>| Chart {
+        let chart = |points: Vec<[f64; 2]>, logarithmic: bool| Chart {
             title: String::new(),
             labels: ["x".into(), "y".into()],
-            y: [0.0, 1.0],
+            y: [0.1, 1.0],
+            logarithmic,
             series: vec![Series {
                 points,
                 ..Series::default()
             }],
         };
-        assert!(chart(vec![]).to_svg().is_err());
-        assert!(chart(vec![[0.0, f64::NAN]]).to_svg().is_err());
-        // One point, and one beyond the axis, are no fault.
-        assert!(chart(vec![[3.0, 2.0]]).to_svg().is_ok());
+        for logarithmic in [false, true] {
+            assert!(chart(vec![], logarithmic).to_svg().is_err());
+            assert!(chart(vec![[0.0, f64::NAN]], logarithmic).to_svg().is_err());
+            // One point, and one beyond the axis, are no fault.
+            assert!(chart(vec![[3.0, 2.0]], logarithmic).to_svg().is_ok());
+        }
+        // There is no logarithm of 0.
+        assert!(chart(vec![[0.0, 1.0]], false).to_svg().is_ok());
+        assert!(chart(vec![[0.0, 1.0]], true).to_svg().is_err());
     }
 }

@@ -9,13 +9,15 @@ use plotters::prelude::DrawingBackend;
 use plotters::style::{FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, register_font};
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito), dark enough on white.
-const PALETTE: [RGBColor; 6] = [
+const PALETTE: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 120, 90),
     RGBColor(170, 60, 130),
     RGBColor(120, 94, 0),
     RGBColor(90, 90, 90),
+    RGBColor(0, 150, 190),
+    RGBColor(150, 20, 20),
 ];
 
 /// Width of the picture in units of the SVG.
@@ -123,38 +125,57 @@ pub(super) fn shown_in_units(svg: &str, height: u32) -> String {
     svg.replacen(&fine, &shown, 1)
 }
 
-/// The same picture in fewer characters: full opacity is not said, and an outline in the colour of its polygon becomes
-/// the polygon's stroke.
+/// The same picture in fewer characters: full opacity and the usual width of a line are said once at most, a line around
+/// a polygon becomes its stroke, and nothing but a comma stands between numbers.
 pub(super) fn compacted(svg: &str) -> String {
+    let usual = format!(" stroke-width=\"{}\"", FINER / 2);
     let svg = svg.replace(" opacity=\"1\"", "");
     let mut short = String::with_capacity(svg.len());
     let mut lines = svg.lines().peekable();
     while let Some(line) = lines.next() {
-        match lines.peek().and_then(|next| with_outline(line, next)) {
-            Some(both) => {
-                lines.next();
-                short.push_str(&both);
-            }
-            None => short.push_str(line),
+        let both = lines.peek().and_then(|next| with_outline(line, next));
+        if both.is_some() {
+            lines.next();
         }
+        let line = both.as_deref().unwrap_or(line);
+        short.push_str(&with_short_points(line).replace(&usual, ""));
         short.push('\n');
     }
-    short
+    // What has no stroke is not changed by its width.
+    short.replacen("<svg ", &format!("<svg{usual} "), 1)
 }
 
-/// A polygon and a closed line around it of the same colour as one polygon.
+/// A polygon and the closed line around it as one polygon.
 fn with_outline(polygon: &str, line: &str) -> Option<String> {
-    let (fill, points) = polygon
-        .strip_prefix("<polygon fill=\"")?
+    let (style, points) = polygon
+        .strip_prefix("<polygon ")?
         .strip_suffix(" \"/>")?
         .split_once("\" points=\"")?;
     let (stroke, outline) = line
-        .strip_prefix("<polyline fill=\"none\" stroke=\"")?
+        .strip_prefix("<polyline fill=\"none\" ")?
+        .strip_suffix(" \"/>")?
         .split_once("\" points=\"")?;
-    let (color, width) = stroke.split_once("\" stroke-width=\"")?;
-    (color == fill && outline.starts_with(points)).then(|| {
-        format!("<polygon fill=\"{fill}\" stroke=\"{fill}\" stroke-width=\"{width}\" points=\"{points}\"/>")
-    })
+    let first = points.split(' ').next()?;
+    let closes = outline.strip_prefix(points)?.trim_start() == first;
+    // Each would have an opacity of its own.
+    let is_opaque = !style.contains("opacity") && !stroke.contains("opacity");
+    (closes && is_opaque).then(|| format!("<polygon {style}\" {stroke}\" points=\"{points}\"/>"))
+}
+
+/// `points="1,2 3,4 "` as `points="1,2,3,4"`; a line of two points has nothing to be filled.
+fn with_short_points(line: &str) -> String {
+    let Some((before, rest)) = line.split_once("points=\"") else {
+        return line.to_owned();
+    };
+    let Some((points, after)) = rest.split_once('"') else {
+        return line.to_owned();
+    };
+    let points = points.trim_end();
+    let before = match points.matches(' ').count() {
+        1 => before.replace(" fill=\"none\"", ""),
+        _ => before.to_owned(),
+    };
+    format!("{before}points=\"{}\"{after}", points.replace(' ', ","))
 }
 
 pub(super) fn load_font() {
@@ -168,6 +189,28 @@ pub(super) fn load_font() {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_compact_picture_has_the_same_shapes() {
+        let svg = concat!(
+            "<svg width=\"9\" height=\"9\">\n",
+            "<polygon opacity=\"1\" fill=\"#123456\" points=\"1,2 3,4 5,7 \"/>\n",
+            "<polyline fill=\"none\" opacity=\"1\" stroke=\"#654321\" stroke-width=\"4\" points=\"1,2 3,4 5,7 1,2 \"/>\n",
+            "<polygon opacity=\"1\" fill=\"#123456\" points=\"1,2 3,4 5,7 \"/>\n",
+            "<polyline fill=\"none\" opacity=\"1\" stroke=\"#654321\" stroke-width=\"8\" points=\"1,2 3,4 5,7 9,9 \"/>\n",
+            "<polyline fill=\"none\" opacity=\"1\" stroke=\"#654321\" stroke-width=\"4\" points=\"1,2 3,4 \"/>\n",
+            "<text>1 2</text>\n</svg>\n"
+        );
+        let expected = concat!(
+            "<svg stroke-width=\"4\" width=\"9\" height=\"9\">\n",
+            "<polygon fill=\"#123456\" stroke=\"#654321\" points=\"1,2,3,4,5,7\"/>\n",
+            "<polygon fill=\"#123456\" points=\"1,2,3,4,5,7\"/>\n",
+            "<polyline fill=\"none\" stroke=\"#654321\" stroke-width=\"8\" points=\"1,2,3,4,5,7,9,9\"/>\n",
+            "<polyline stroke=\"#654321\" points=\"1,2,3,4\"/>\n",
+            "<text>1 2</text>\n</svg>\n"
+        );
+        assert_eq!(compacted(svg), expected);
+    }
 
     #[test]
     fn ticks_are_short() {

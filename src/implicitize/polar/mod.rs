@@ -6,6 +6,7 @@ mod plane;
 mod space_curve;
 
 use super::map::RationalMap;
+use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 
 pub use patch::{PolarPatch, polar_patch};
@@ -83,9 +84,13 @@ impl Role {
             let odd = e.iter().sum::<u32>() % 2 == 1;
             (*e, if odd { -c.clone() } else { c.clone() })
         }));
-        if map.annihilates(g) {
+        let vanishes = |f| {
+            map.annihilates(f, &Limits::none())
+                .is_ok_and(|it_does| it_does)
+        };
+        if vanishes(g) {
             Role::Form
-        } else if map.annihilates(&reflected) {
+        } else if vanishes(&reflected) {
             Role::Reflection
         } else if g == squared_radius {
             Role::SquaredRadius
@@ -100,7 +105,6 @@ impl Role {
 /// Whether the irreducible g divides d.
 fn divides(g: &SparsePolynomial<3>, d: &SparsePolynomial<3>) -> bool {
     use crate::factor::greatest_common_divisor;
-    use crate::limits::Limits;
     greatest_common_divisor(g, d, &Limits::none()).is_ok_and(|common| common == *g)
 }
 

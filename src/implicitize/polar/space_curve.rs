@@ -184,6 +184,11 @@ fn common_components(
         None => b.clone(),
     };
     let factors = factor_space(&projected, limits)?.factors.into_iter();
-    let others = factors.filter(|f| !map.annihilates(&f.polynomial));
-    Ok(others.map(|f| [a.clone(), f.polynomial]).collect())
+    let mut others = Vec::new();
+    for factor in factors {
+        if !map.annihilates(&factor.polynomial, limits)? {
+            others.push([a.clone(), factor.polynomial]);
+        }
+    }
+    Ok(others)
 }

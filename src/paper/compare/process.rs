@@ -1,0 +1,244 @@
+//! Running a program with a script, within limits: whatever it does, it is over in the end, and so are its children.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, Write};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::error::Result;
+use crate::limits::Limits;
+
+/// Between two looks at the program.
+const LOOK_EVERY: Duration = Duration::from_millis(4);
+
+/// The longest output that is read.
+const MOST_BYTES: u64 = 256 << 20;
+
+/// So much of what a program said is repeated.
+const REPEATED: usize = 120;
+
+/// How a program ended.
+#[derive(Debug)]
+pub(super) enum Ended {
+    /// By itself, with success.
+    Done(Output),
+    /// It was ended, for it took longer than it may.
+    OverTime,
+    /// There is no such program.
+    Absent,
+    /// In another way, which is said here.
+    Failed(String),
+}
+
+/// What a program wrote.
+#[derive(Debug)]
+pub(super) struct Output {
+    /// On its standard output.
+    pub(super) text: String,
+    errors: String,
+}
+
+impl Output {
+    /// The last line that it wrote, of its errors if there are any.
+    pub(super) fn said(&self) -> String {
+        let lines = [&self.errors, &self.text].into_iter();
+        let last = lines.filter_map(|text| text.lines().rfind(|line| !line.trim().is_empty()));
+        match last.map(str::trim).next() {
+            None => "nothing".into(),
+            Some(line) if line.chars().count() <= REPEATED => format!("`{line}`"),
+            Some(line) => format!("`{}…`", line.chars().take(REPEATED).collect::<String>()),
+        }
+    }
+}
+
+/// Runs a program in an empty folder with a script on its standard input, for at most `time`.
+///
+/// # Errors
+/// Those of `limits`; the program is ended before.
+pub(super) fn run(
+    command: &str,
+    arguments: &[&str],
+    script: &str,
+    time: Duration,
+    limits: &Limits,
+) -> Result<Ended> {
+    limits.check()?;
+    match start(command, arguments, script) {
+        Ok(running) => running.wait(time, limits),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Ended::Absent),
+        Err(error) => Ok(Ended::Failed(format!("it cannot be run: {error}"))),
+    }
+}
+
+/// A program that runs. Its input and output are files without names: no pipe fills up, and nothing is left behind.
+struct Running {
+    child: Child,
+    output: File,
+    errors: File,
+    _folder: tempfile::TempDir,
+}
+
+fn start(command: &str, arguments: &[&str], script: &str) -> io::Result<Running> {
+    let mut input = tempfile::tempfile()?;
+    input.write_all(script.as_bytes())?;
+    input.rewind()?;
+    let [output, errors] = [tempfile::tempfile()?, tempfile::tempfile()?];
+    let folder = tempfile::tempdir()?;
+    let mut process = Command::new(command);
+    process
+        .args(arguments)
+        .current_dir(folder.path())
+        .stdin(Stdio::from(input))
+        .stdout(Stdio::from(output.try_clone()?))
+        .stderr(Stdio::from(errors.try_clone()?));
+    #[cfg(unix)]
+    {
+        use std::os::unix::process::CommandExt;
+        // A group of its own, so that its children end with it.
+        process.process_group(0);
+    }
+    Ok(Running {
+        child: process.spawn()?,
+        output,
+        errors,
+        _folder: folder,
+    })
+}
+
+impl Running {
+    fn wait(mut self, time: Duration, limits: &Limits) -> Result<Ended> {
+        let start = Instant::now();
+        let status = loop {
+            match self.child.try_wait() {
+                Ok(Some(status)) => break status,
+                Ok(None) => {}
+                Err(error) => {
+                    return Ok(Ended::Failed(format!("it cannot be waited for: {error}")));
+                }
+            }
+            limits.check()?;
+            if start.elapsed() > time {
+                return Ok(Ended::OverTime);
+            }
+            if self.written() > MOST_BYTES {
+                let reason = format!("it wrote more than {MOST_BYTES} bytes");
+                return Ok(Ended::Failed(reason));
+            }
+            std::thread::sleep(LOOK_EVERY);
+        };
+        let output = Output {
+            text: text(&mut self.output),
+            errors: text(&mut self.errors),
+        };
+        Ok(if status.success() {
+            Ended::Done(output)
+        } else {
+            Ended::Failed(format!("{} and said {}", ending(status), output.said()))
+        })
+    }
+
+    fn written(&self) -> u64 {
+        let files = [&self.output, &self.errors].into_iter();
+        let sizes = files.map(|file| file.metadata().map_or(0, |data| data.len()));
+        sizes.sum()
+    }
+}
+
+impl Drop for Running {
+    /// Whatever it started ends, too.
+    fn drop(&mut self) {
+        #[cfg(unix)]
+        if let Ok(group) = i32::try_from(self.child.id()) {
+            use nix::sys::signal::{Signal, killpg};
+            // An error says that nobody is left.
+            let _ = killpg(nix::unistd::Pid::from_raw(group), Signal::SIGKILL);
+        }
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// `it ended with exit code 3`, or the signal.
+fn ending(status: ExitStatus) -> String {
+    match status.code() {
+        Some(code) => format!("it ended with exit code {code}"),
+        None => format!("it ended by {status}"),
+    }
+}
+
+/// What was written to a file, up to [`MOST_BYTES`].
+fn text(file: &mut File) -> String {
+    let mut bytes = Vec::new();
+    let read = file
+        .rewind()
+        .and_then(|()| file.take(MOST_BYTES).read_to_end(&mut bytes));
+    debug_assert!(read.is_ok(), "a file of our own can be read");
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[cfg(test)]
+#[cfg(unix)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+
+    fn shell(script: &str, milliseconds: u64) -> Ended {
+        let time = Duration::from_millis(milliseconds);
+        run("sh", &[], script, time, &Limits::none()).unwrap()
+    }
+
+    #[test]
+    fn what_it_said_comes_back_and_how_it_ended() {
+        let Ended::Done(output) = shell("echo one; pwd; echo late >&2", 20_000) else {
+            panic!("it ends")
+        };
+        assert!(output.text.starts_with("one\n"));
+        assert_eq!(output.said(), "`late`");
+        let folder = output.text.lines().nth(1).unwrap();
+        assert!(!std::path::Path::new(folder).exists(), "{folder}");
+        let Ended::Failed(reason) = shell("echo bad >&2; exit 3", 20_000) else {
+            panic!("it fails")
+        };
+        assert_eq!(reason, "it ended with exit code 3 and said `bad`");
+        let absent = run("no-such-program", &[], "", Duration::ZERO, &Limits::none());
+        assert!(matches!(absent.unwrap(), Ended::Absent));
+    }
+
+    /// The processes that have this word in their command line.
+    #[cfg(target_os = "linux")]
+    fn with_word(word: &str) -> usize {
+        let processes = std::fs::read_dir("/proc").unwrap();
+        let lines = processes.filter_map(|p| std::fs::read(p.unwrap().path().join("cmdline")).ok());
+        lines
+            .filter(|line| String::from_utf8_lossy(line).contains(word))
+            .count()
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_program_that_hangs_is_ended_with_its_children() {
+        let start = Instant::now();
+        assert!(matches!(
+            shell("sleep 97.25 & sleep 97.25", 300),
+            Ended::OverTime
+        ));
+        assert!(start.elapsed() < Duration::from_secs(20));
+        // A child that is left behind by a program that ended.
+        assert!(matches!(shell("sleep 97.25 &", 20_000), Ended::Done(_)));
+        // The system takes a moment.
+        let patience = Instant::now() + Duration::from_secs(10);
+        while with_word("97.25") > 0 && Instant::now() < patience {
+            std::thread::sleep(LOOK_EVERY);
+        }
+        assert_eq!(with_word("97.25"), 0);
+    }
+
+    #[test]
+    fn limits_end_it() {
+        let limits = Limits::none().with_time_limit(Duration::from_millis(200));
+        let start = Instant::now();
+        let ended = run("sh", &[], "sleep 60", Duration::from_secs(60), &limits);
+        assert!(matches!(ended, Err(Error::Limit { .. })));
+        assert!(start.elapsed() < Duration::from_secs(30));
+    }
+}

@@ -1,0 +1,138 @@
+//! The radius that all methods are given, and how the other systems are told it.
+
+use malachite::Integer;
+
+use crate::exact::Rational;
+use crate::poly::{RationalFunction, SparsePolynomial, doubled_form_from_harmonics};
+use crate::shape::FourierRadius;
+
+/// The numbers of harmonics that are tried.
+pub const RUNGS: [usize; 14] = [1, 2, 3, 4, 6, 8, 10, 14, 20, 28, 39, 55, 78, 110];
+
+/// How the coefficients are chosen, for people.
+pub(super) const RADIUS_TEXT: &str =
+    "a0 = 1, a_n = (2 (7n mod 19) - 19)/200, b_n = (2 (11n mod 19) - 19)/200";
+
+/// The first N harmonics of one series with short coefficients, none of them 0:
+/// `a0 = 1, a_n = (2 (7n mod 19) − 19)/200, b_n = (2 (11n mod 19) − 19)/200`.
+///
+/// ```
+/// use stellate::paper::ladder_radius;
+/// let radius = ladder_radius(2);
+/// assert_eq!(radius.cosines(), ["1", "-1/40", "9/200"].map(|q| q.parse().unwrap()));
+/// ```
+#[must_use]
+pub fn ladder_radius(harmonics: usize) -> FourierRadius {
+    let numerator = |n: usize, factor: usize| {
+        let residue = i64::try_from(factor * n % 19).unwrap_or_default();
+        Rational::from(2 * residue - 19) / Rational::from(200)
+    };
+    let coefficients = |first: i64, factor: usize| {
+        let others = (1..=harmonics).map(|n| numerator(n, factor));
+        std::iter::once(Rational::from(first))
+            .chain(others)
+            .collect()
+    };
+    FourierRadius::new(coefficients(1, 7), coefficients(0, 11))
+}
+
+/// Two polynomials with integer coefficients whose resultant with respect to z is F up to a constant factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum System {
+    /// z is tan(θ/2): `(1 + z²)^(N+1) x = …` and the same for y.
+    HalfAngle,
+    /// z is r: `z² = x² + y²` and `z^(N+1) = Σ K_n z^(N−n)`, Eqs. (2) and (6).
+    Radius,
+}
+
+impl System {
+    pub(super) fn polynomials(self, radius: &FourierRadius) -> [SparsePolynomial<3>; 2] {
+        match self {
+            System::HalfAngle => {
+                let curve = radius.to_plane_curve();
+                let [x, y] = curve.coordinates();
+                [cleared(x, 0), cleared(y, 1)]
+            }
+            System::Radius => {
+                let square = |v: u32| {
+                    let mut exponents = [0; 3];
+                    exponents[v as usize] = 2;
+                    (exponents, Rational::from(if v == 2 { 1 } else { -1 }))
+                };
+                [
+                    SparsePolynomial::from_terms((0..3).map(square)),
+                    in_powers_of_r(radius),
+                ]
+            }
+        }
+    }
+}
+
+fn exponent(e: usize) -> u32 {
+    u32::try_from(e).unwrap_or(u32::MAX)
+}
+
+/// q(z) v − p(z) for the coordinate v = p/q.
+fn cleared(coordinate: &RationalFunction, variable: usize) -> SparsePolynomial<3> {
+    let below = coordinate.denominator().coefficients_asc().iter();
+    let above = coordinate.numerator().coefficients_asc().iter();
+    let below = below.enumerate().map(|(k, c)| {
+        let mut exponents = [0, 0, exponent(k)];
+        exponents[variable] = 1;
+        (exponents, Rational::from(c))
+    });
+    let above = above
+        .enumerate()
+        .map(|(k, c)| ([0, 0, exponent(k)], -Rational::from(c)));
+    SparsePolynomial::from_terms(below.chain(above))
+}
+
+/// `z^(N+1) − Σ K_n z^(N−n)` times an integer.
+fn in_powers_of_r(radius: &FourierRadius) -> SparsePolynomial<3> {
+    let harmonics = radius.harmonics();
+    let (denominator, cos, sin) = radius.over_common_denominator();
+    let twice = Rational::from(&(denominator * Integer::from(2)));
+    let mut sum = SparsePolynomial::from_terms([([0, 0, exponent(harmonics + 1)], twice)]);
+    for n in 0..=harmonics {
+        let form = doubled_form_from_harmonics(n, [(n, &cos[n], &sin[n])]);
+        for (k, c) in form.terms() {
+            let exponents = [n - k, k, harmonics - n].map(exponent);
+            sum.add_term(exponents, -Rational::from(c));
+        }
+    }
+    sum.primitive()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::implicitize::SquaredForm;
+
+    #[test]
+    fn no_coefficient_is_zero() {
+        let radius = ladder_radius(110);
+        assert_eq!(radius.harmonics(), 110);
+        let mut all = radius.cosines().iter().chain(&radius.sines()[1..]);
+        assert!(all.all(|c| !c.is_zero()));
+        assert!(!SquaredForm::new(&radius).unwrap().is_perfect_square());
+    }
+
+    #[test]
+    fn both_systems_vanish_on_the_curve() {
+        let radius = ladder_radius(5);
+        // θ with tan(θ/2) = 1/2: the direction (3/5, 4/5).
+        let t = Rational::from(1) / Rational::from(2);
+        let curve = radius.to_plane_curve();
+        let [x, y] = curve.point(&t).unwrap();
+        let [three, five] = [3, 5].map(Rational::from);
+        let r = &x * &five / three;
+        for (system, z) in [(System::HalfAngle, t), (System::Radius, r)] {
+            for polynomial in system.polynomials(&radius) {
+                let at = [x.clone(), y.clone(), z.clone()];
+                assert!(polynomial.evaluate(&at).is_zero(), "{system:?}");
+                let elsewhere = [x.clone(), y.clone(), &z + &Rational::from(1)];
+                assert!(!polynomial.evaluate(&elsewhere).is_zero(), "{system:?}");
+            }
+        }
+    }
+}

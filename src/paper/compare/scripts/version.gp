@@ -1,0 +1,2 @@
+release = version();
+print("VERSION ", release[1], ".", release[2], ".", release[3]);

@@ -1,0 +1,3 @@
+import sympy
+
+print("VERSION", sympy.__version__)

@@ -1,0 +1,61 @@
+//! Texts and pictures within the page.
+
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+/// Begins a figure with its picture, which the page contains, and the words for those who do not see it.
+pub(super) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "<figure>\n<img alt=\"{}\" src=\"data:image/svg+xml,{}\"/>",
+        escaped(words),
+        in_an_address(svg)
+    )
+}
+
+/// Text within HTML.
+pub(super) fn escaped(text: &str) -> String {
+    let mut result = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => result.push_str("&amp;"),
+            '<' => result.push_str("&lt;"),
+            '>' => result.push_str("&gt;"),
+            '"' => result.push_str("&quot;"),
+            c => result.push(c),
+        }
+    }
+    result
+}
+
+/// An SVG text within a data address in double quotes; its own quotes become single ones, which may stay as they are.
+fn in_an_address(svg: &str) -> String {
+    let mut result = String::with_capacity(svg.len() * 5 / 4);
+    let may_change = !svg.contains('\'');
+    for byte in svg.bytes() {
+        match byte {
+            b'"' if may_change => result.push('\''),
+            b'%' | b'#' | b'"' | b'<' | b'>' | b'&' | 0..=b' ' | 0x7f.. => {
+                // Writing to a string cannot fail.
+                let _ = write!(result, "%{byte:02X}");
+            }
+            _ => result.push(char::from(byte)),
+        }
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_and_texts_are_escaped() {
+        assert_eq!(
+            in_an_address("<a b=\"#θ%\"/>"),
+            "%3Ca%20b='%23%CE%B8%25'/%3E"
+        );
+        assert_eq!(in_an_address("<a b=\"'\"/>"), "%3Ca%20b=%22'%22/%3E");
+        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
+    }
+}
