@@ -21,7 +21,7 @@ fn outline(points: u32) -> Contour {
         let theta = TAU * f64::from(k) / f64::from(points);
         [radius(theta) * theta.cos(), radius(theta) * theta.sin()]
     };
-    Contour::new((0..points).map(vertex).collect()).unwrap()
+    Contour::new((0..points).map(vertex).collect(), "outline").unwrap()
 }
 
 /// The whole fit with 1000 harmonics.

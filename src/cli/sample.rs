@@ -149,10 +149,10 @@ fn sample_intersection(
 
 /// How many directions were decided in how many bits.
 fn record_stages(counts: StageCounts, session: &mut Session) {
-    let [short, middle, long] = counts.bounded;
+    let [short, middle, long, longest] = counts.bounded;
     session.record(
         "rays",
-        serde_json::json!({"128_bits": short, "256_bits": middle, "512_bits": long, "exact": counts.exact}),
+        serde_json::json!({"128_bits": short, "256_bits": middle, "384_bits": long, "512_bits": longest, "exact": counts.exact}),
     );
 }
 

@@ -9,7 +9,7 @@ use super::{IntegerPolynomial, RealRoot, sign_at, squarefree_decomposition};
 
 /// All distinct real roots of f, ascending, with their multiplicities; none for a constant.
 ///
-/// Every root is certified: the count is exact (Descartes' rule, in numbers of 128, 256 or 512 bits with bounds of their
+/// Every root is certified: the count is exact (Descartes' rule, in numbers of 128 to 512 bits with bounds of their
 /// errors, or on the squarefree parts with as many as it takes).
 ///
 /// ```
@@ -29,6 +29,7 @@ pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
 fn simple_real_roots(f: &IntegerPolynomial) -> Result<Vec<RealRoot>, Unproved> {
     let found = bounded_roots::<2>(f)
         .or_else(|why| why.with_more_bits(|| bounded_roots::<4>(f)))
+        .or_else(|why| why.with_more_bits(|| bounded_roots::<6>(f)))
         .or_else(|why| why.with_more_bits(|| bounded_roots::<8>(f)))?;
     let polynomial = Arc::new(f.clone());
     let roots = found.into_iter();
@@ -130,12 +131,12 @@ mod tests {
         fn bounded_roots_are_the_exact_ones(f in polynomial()) {
             prop_assume!(f.coefficients_asc().len() > 1);
             let exact = exact_real_roots(&f);
-            let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<8>(&f, &exact)];
+            let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<6>(&f, &exact), agrees::<8>(&f, &exact)];
             // It does say something where it can: simple roots that are no points of bisection.
             let is_plain = exact.iter().all(|r| r.multiplicity() == 1 && r.as_rational().is_none());
             let c = f.coefficients_asc();
             if is_plain && c[0] != 0 && c.iter().all(|c| c.significant_bits() <= 64) {
-                prop_assert!(said[2], "512 bits do not suffice for {}", f);
+                prop_assert!(said[3], "512 bits do not suffice for {}", f);
             }
         }
     }

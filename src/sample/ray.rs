@@ -116,7 +116,8 @@ pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
     short: Stage<TruncatedForms<2, V>>,
     middle: Stage<TruncatedForms<4, V>>,
-    long: Stage<TruncatedForms<8, V>>,
+    long: Stage<TruncatedForms<6, V>>,
+    longest: Stage<TruncatedForms<8, V>>,
     exact: AtomicU64,
 }
 
@@ -165,8 +166,8 @@ impl<F> Stage<F> {
 /// In how many directions which precision decided.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StageCounts {
-    /// 128, 256 and 512 bits.
-    pub bounded: [u64; 3],
+    /// 128, 256, 384 and 512 bits.
+    pub bounded: [u64; 4],
     /// Exact arithmetic.
     pub exact: u64,
 }
@@ -180,13 +181,14 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
             short: Stage::default(),
             middle: Stage::default(),
             long: Stage::default(),
+            longest: Stage::default(),
             exact: AtomicU64::new(0),
         }
     }
 
     /// The points in one direction.
     ///
-    /// Bounded arithmetic of 128, 256 and 512 bits is asked first, in that order: it proves all that it says, or says nothing. Cost: a
+    /// Bounded arithmetic of 128, 256, 384 and 512 bits is asked first, in that order: it proves all that it says, or says nothing. Cost: a
     /// product for every coefficient of f, then d² for the roots of one polynomial. Where it cannot tell (a multiple root,
     /// one that is a bound between two doubles, a line) exact arithmetic decides.
     #[must_use]
@@ -204,6 +206,13 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
             .or_else(|why| {
                 let long = || TruncatedForms::new(f);
                 why.with_more_bits(|| self.long.solve(long, |forms| forms.solve(&vector, &w)))
+            })
+            .or_else(|why| {
+                let longest = || TruncatedForms::new(f);
+                why.with_more_bits(|| {
+                    self.longest
+                        .solve(longest, |forms| forms.solve(&vector, &w))
+                })
             });
         bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
@@ -211,7 +220,12 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     /// In how many directions so far which precision decided.
     #[must_use]
     pub fn stage_counts(&self) -> StageCounts {
-        let hits = [&self.short.hits, &self.middle.hits, &self.long.hits];
+        let hits = [
+            &self.short.hits,
+            &self.middle.hits,
+            &self.long.hits,
+            &self.longest.hits,
+        ];
         StageCounts {
             bounded: hits.map(|count| count.load(Relaxed)),
             exact: self.exact.load(Relaxed),

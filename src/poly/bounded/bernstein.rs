@@ -37,7 +37,7 @@ fn new_weights<const W: usize>(degree: usize) -> Vec<Fraction<W>> {
 }
 
 /// The Bernstein coefficients on [0, 1] of Σ c_i y^i and of Σ c_i (−y)^i, each b_k = Σ_{i ≤ k} C(k, i)/C(d, i) (±1)^i c_i
-/// with an error of less than `2(d + 1)` ulps beyond those of the c_i, whose weights are at most 1.
+/// with an error of less than `3(d + 1)` ulps beyond those of the c_i, whose weights are at most 1.
 pub(super) fn to_bernstein<const W: usize>(coefficients: &[Fixed<W>]) -> [Vec<Fixed<W>>; 2] {
     let degree = coefficients.len().saturating_sub(1);
     let mut even = vec![Fixed::ZERO; degree + 1];

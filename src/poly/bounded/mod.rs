@@ -122,7 +122,7 @@ pub(crate) fn roots_of<const W: usize>(
         };
         let polynomial = both.polynomial().ok_or(Unproved::Bits)?;
         let halves = bernstein::to_bernstein(&polynomial.coefficients);
-        let error = polynomial.error + 2 * (degree as u128 + 1);
+        let error = polynomial.error + 3 * (degree as u128 + 1);
         for (is_negative, bernstein) in [false, true].into_iter().zip(halves) {
             let mut places = search::isolate(bernstein, error)?;
             if places.is_empty() {

@@ -24,9 +24,9 @@ impl<const W: usize> OnUnitInterval<W> {
         descending.fold(Fixed::ZERO, |sum, c| sum.times(y).plus(*c))
     }
 
-    /// Each product is rounded by less than an ulp.
+    /// Each product is rounded by less than two ulps.
     fn error_of_a_value(&self) -> u128 {
-        self.error + self.coefficients.len() as u128
+        self.error + 2 * self.coefficients.len() as u128
     }
 
     /// The value, and about the derivative.
