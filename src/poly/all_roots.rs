@@ -3,9 +3,12 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::bounded::{Unproved, bounded_roots};
+use malachite::base::polynomial::{DivPowerOfX, Polynomial};
+
+use super::bounded::bounded_roots;
 use super::isolate::isolate;
 use super::{IntegerPolynomial, RealRoot, sign_at, squarefree_decomposition};
+use crate::exact::Dyadic;
 
 /// All distinct real roots of f, ascending, with their multiplicities; none for a constant.
 ///
@@ -22,40 +25,68 @@ use super::{IntegerPolynomial, RealRoot, sign_at, squarefree_decomposition};
 /// ```
 #[must_use]
 pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
-    simple_real_roots(f).unwrap_or_else(|_| exact_real_roots(f))
-}
-
-/// All real roots in bounded arithmetic, if it proves that they are simple.
-fn simple_real_roots(f: &IntegerPolynomial) -> Result<Vec<RealRoot>, Unproved> {
-    let found = bounded_roots::<2>(f)
-        .or_else(|why| why.with_more_bits(|| bounded_roots::<4>(f)))
-        .or_else(|why| why.with_more_bits(|| bounded_roots::<6>(f)))
-        .or_else(|why| why.with_more_bits(|| bounded_roots::<8>(f)))?;
-    let polynomial = Arc::new(f.clone());
-    let roots = found.into_iter();
-    let mut roots: Vec<RealRoot> = roots
-        .map(|(low, high, sign_low)| RealRoot::between(&polynomial, (low, high), sign_low, 1))
-        .collect();
-    sort_distinct(&mut roots);
-    Ok(roots)
-}
-
-/// All real roots in exact arithmetic: the squarefree parts one by one.
-fn exact_real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
-    let mut roots = Vec::new();
-    for (multiplicity, part) in squarefree_decomposition(f) {
-        let isolated = isolate(&part);
-        let polynomial = Arc::new(isolated.rest);
-        let exact = isolated.exact.into_iter();
-        roots.extend(exact.map(|point| RealRoot::exact(&polynomial, point, multiplicity)));
-        let intervals = isolated.intervals.into_iter();
-        roots.extend(intervals.map(|(low, high)| {
-            let sign_low = sign_at(&polynomial, &low);
-            RealRoot::between(&polynomial, (low, high), sign_low, multiplicity)
-        }));
-    }
+    let mut roots = match bounded_roots::<2>(f) {
+        // Found without any gcd: they are simple.
+        Ok(found) => simple_roots(f.clone(), found, 1),
+        Err(_) => {
+            let parts = squarefree_decomposition(f).into_iter();
+            let roots = parts.flat_map(|(multiplicity, part)| roots_of_part(part, multiplicity));
+            roots.collect()
+        }
+    };
     sort_distinct(&mut roots);
     roots
+}
+
+/// The real roots of a squarefree polynomial, in no order.
+fn roots_of_part(part: IntegerPolynomial, multiplicity: usize) -> Vec<RealRoot> {
+    if part.coefficients_asc()[0] == 0 {
+        let rest = (&part).div_power_of_x(1);
+        let mut roots = if rest.coefficients_asc().len() > 1 {
+            roots_of_part(rest, multiplicity)
+        } else {
+            Vec::new()
+        };
+        roots.push(RealRoot::exact(
+            &Arc::new(part),
+            Dyadic::zero(),
+            multiplicity,
+        ));
+        return roots;
+    }
+    let bounded = bounded_roots::<2>(&part)
+        .or_else(|why| why.with_more_bits(|| bounded_roots::<4>(&part)))
+        .or_else(|why| why.with_more_bits(|| bounded_roots::<6>(&part)))
+        .or_else(|why| why.with_more_bits(|| bounded_roots::<8>(&part)));
+    match bounded {
+        Ok(found) => simple_roots(part, found, multiplicity),
+        Err(_) => exact_roots(&part, multiplicity),
+    }
+}
+
+/// What bounded arithmetic has found.
+fn simple_roots(
+    f: IntegerPolynomial,
+    found: Vec<(Dyadic, Dyadic, i8)>,
+    multiplicity: usize,
+) -> Vec<RealRoot> {
+    let f = Arc::new(f);
+    let roots = found.into_iter();
+    let root = |(low, high, sign)| RealRoot::between(&f, (low, high), sign, multiplicity);
+    roots.map(root).collect()
+}
+
+/// The real roots of a squarefree polynomial in exact arithmetic, in no order.
+fn exact_roots(part: &IntegerPolynomial, multiplicity: usize) -> Vec<RealRoot> {
+    let isolated = isolate(part);
+    let polynomial = Arc::new(isolated.rest);
+    let exact = isolated.exact.into_iter();
+    let exact = exact.map(|point| RealRoot::exact(&polynomial, point, multiplicity));
+    let intervals = isolated.intervals.into_iter().map(|(low, high)| {
+        let sign_low = sign_at(&polynomial, &low);
+        RealRoot::between(&polynomial, (low, high), sign_low, multiplicity)
+    });
+    exact.chain(intervals).collect()
 }
 
 /// Sorts distinct roots, by insertion; overlapping enclosures are refined until they part, and they do: the roots are
@@ -80,8 +111,17 @@ mod tests {
     use malachite::Integer;
     use malachite::base::num::basic::traits::One;
     use malachite::base::num::logic::traits::SignificantBits;
-    use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
+
+    /// In exact arithmetic alone: the slow twin.
+    fn exact_real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
+        let parts = squarefree_decomposition(f).into_iter();
+        let mut roots: Vec<RealRoot> = parts
+            .flat_map(|(multiplicity, part)| exact_roots(&part, multiplicity))
+            .collect();
+        sort_distinct(&mut roots);
+        roots
+    }
 
     /// What each precision says, if it says anything, is what exact arithmetic finds.
     fn agrees<const W: usize>(f: &IntegerPolynomial, exact: &[RealRoot]) -> bool {
@@ -131,6 +171,11 @@ mod tests {
         fn bounded_roots_are_the_exact_ones(f in polynomial()) {
             prop_assume!(f.coefficients_asc().len() > 1);
             let exact = exact_real_roots(&f);
+            let all = real_roots(&f);
+            prop_assert_eq!(all.len(), exact.len());
+            for (root, expected) in all.iter().zip(&exact) {
+                prop_assert!(root.is_same(expected) && root.multiplicity() == expected.multiplicity());
+            }
             let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<6>(&f, &exact), agrees::<8>(&f, &exact)];
             // It does say something where it can: simple roots that are no points of bisection.
             let is_plain = exact.iter().all(|r| r.multiplicity() == 1 && r.as_rational().is_none());
