@@ -32,7 +32,9 @@ mod trig;
 
 pub use all_roots::real_roots;
 pub(crate) use all_roots::sort_distinct;
-pub(crate) use bounded::{BoundedRoot, Fixed, Fraction, Truncated, Unproved, roots_of};
+pub(crate) use bounded::{
+    BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of,
+};
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;

@@ -7,7 +7,7 @@ use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::ray::{HomogeneousParts, Sample};
 use super::wide::Wide;
-use crate::poly::{BoundedRoot, Fixed, Fraction, Truncated, Unproved, roots_of};
+use crate::poly::{BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of};
 
 /// Neighbouring doubles that are tried when the guess is not the nearest.
 const TRIES: usize = 4;
@@ -76,7 +76,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
         }
         let gap = self.gap;
         let mut samples = Vec::new();
-        for root in &roots_of(&coefficients)? {
+        for root in &roots_of(&coefficients, FOR_DOUBLES)? {
             // λ^gap is the root.
             let signs: &[i8] = match (gap.is_multiple_of(2), root.is_negative) {
                 (true, true) => &[],

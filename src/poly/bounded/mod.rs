@@ -93,7 +93,12 @@ pub(crate) struct BoundedRoot<const W: usize> {
     sign_below: i8,
 }
 
-/// All real roots of Σ c_i x^i, each enclosed to 70 bits and more, in no order.
+/// Relative lengths of enclosures: a double is rounded from 70 bits.
+pub(crate) const FOR_DOUBLES: f64 = 8.470_329_472_543_003e-22;
+/// The same where an exact root goes on from there: 12 bits.
+const FOR_REFINEMENT: f64 = 2.441_406_25e-4;
+
+/// All real roots of Σ c_i x^i, each enclosed in an interval that is about `longest` times as long, in no order.
 ///
 /// Cost: d² products of W limbs, d²/2 means of W limbs for every interval of the search, some 10 d products for a root.
 ///
@@ -101,6 +106,7 @@ pub(crate) struct BoundedRoot<const W: usize> {
 /// If W limbs do not prove that they are all and simple: for one if the first or the last coefficient may be 0.
 pub(crate) fn roots_of<const W: usize>(
     coefficients: &[Truncated<W>],
+    longest: f64,
 ) -> Result<Vec<BoundedRoot<W>>, Unproved> {
     let degree = coefficients.len().saturating_sub(1);
     if coefficients.is_empty() || degree > MAX_DEGREE {
@@ -140,7 +146,7 @@ pub(crate) fn roots_of<const W: usize>(
             };
             let polynomial = piece.polynomial().ok_or(Unproved::Bits)?;
             for place in &places {
-                let root = piece.enclose(&polynomial, place);
+                let root = piece.enclose(&polynomial, place, longest);
                 roots.push(root.ok_or(Unproved::Bits)?);
             }
         }
@@ -187,21 +193,26 @@ impl<const W: usize> Piece<'_, W> {
     }
 
     /// The root in `place`; `polynomial` is this piece's.
-    fn enclose(&self, polynomial: &OnUnitInterval<W>, place: &Isolated) -> Option<BoundedRoot<W>> {
+    fn enclose(
+        &self,
+        polynomial: &OnUnitInterval<W>,
+        place: &Isolated,
+        longest: f64,
+    ) -> Option<BoundedRoot<W>> {
         let guess = polynomial.guess(place);
         // Near 0 the high powers would leave their limbs empty: y = 2^(−drop) z, with z between 1/4 and 1.
         let drop = drop_to_quarter(guess);
         let bounds = place.bounds().map(|end| end.shifted_up(drop));
         let guess = Fraction::from_f64(guess * f64::from(drop).exp2());
         let (low, high, scale) = if drop == 0 {
-            let [low, high] = polynomial.enclose(&guess, bounds, place.sign_low)?;
+            let [low, high] = polynomial.enclose(&guess, bounds, place.sign_low, longest)?;
             (low, high, self.scale)
         } else {
             let drop = i64::from(drop);
             let sign = if self.is_inverted { 1 } else { -1 };
             let scale = self.scale + sign * drop;
             let local = Piece { scale, ..*self }.polynomial()?;
-            let [low, high] = local.enclose(&guess, bounds, place.sign_low)?;
+            let [low, high] = local.enclose(&guess, bounds, place.sign_low, longest)?;
             (low, high, scale)
         };
         Some(BoundedRoot {
@@ -243,7 +254,7 @@ fn drop_to_quarter(y: f64) -> u32 {
 }
 
 /// All real roots of f, as (low, high, sign of f at low) with one simple root between, f ≠ 0 at both and the intervals
-/// disjoint, at most 2^−69 of its size wide; in no order.
+/// disjoint, short as W limbs tell, at most 2^−11 of its size; in no order.
 ///
 /// # Errors
 /// If W limbs do not prove that.
@@ -255,7 +266,7 @@ pub(crate) fn bounded_roots<const W: usize>(
         return Err(Unproved::Close);
     }
     let truncated: Vec<Truncated<W>> = coefficients.iter().map(Truncated::new).collect();
-    let roots = roots_of(&truncated)?.into_iter();
+    let roots = roots_of(&truncated, FOR_REFINEMENT)?.into_iter();
     Ok(roots.map(BoundedRoot::to_dyadic).collect())
 }
 

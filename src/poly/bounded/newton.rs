@@ -7,8 +7,8 @@ use super::search::Isolated;
 const DOUBLE_STEPS: usize = 40;
 /// Steps in fixed-point numbers: each one adds about 50 bits, after a few for what doubles could not see.
 const FIXED_STEPS: usize = 24;
-/// An enclosure is of use below this relative width: 2^−70.
-const USEFUL: f64 = 8.470_329_472_543_003e-22;
+/// Newton's method goes on until the enclosure is relatively that short, 2^−70, or rounding hides the value.
+const SHORT: f64 = 8.470_329_472_543_003e-22;
 
 /// The polynomial Σ c_i y^i on (0, 1), Σ |c_i| ≤ 64; the errors of the coefficients add up to less than `error` ulps.
 #[derive(Debug)]
@@ -42,12 +42,13 @@ impl<const W: usize> OnUnitInterval<W> {
     }
 
     /// Bounds of the root that lies between `low` and `high`, where it has the sign `sign_low` below: strictly inside, with
-    /// opposite certain signs. `None` if they would not be close.
+    /// opposite certain signs. `None` if they would be farther apart than twice `longest` times the root.
     pub(super) fn enclose(
         &self,
         guess: &Fraction<W>,
         [low, high]: [Fraction<W>; 2],
         sign_low: i8,
+        longest: f64,
     ) -> Option<[Fraction<W>; 2]> {
         let error = self.error_of_a_value();
         let (mut below, mut above) = (low, high);
@@ -63,13 +64,13 @@ impl<const W: usize> OnUnitInterval<W> {
             let step = value.to_f64() / slope;
             // The root is within twice the step, unless the rounding is larger.
             radius = 2.0 * (step.abs() + ulps(error) * ulp::<W>() / slope.abs());
-            if radius <= USEFUL * y.to_f64() {
+            if radius <= SHORT * y.to_f64() {
                 break;
             }
-            if value.known_sign(error)? == sign_low {
-                below = y;
-            } else {
-                above = y;
+            match value.known_sign(error) {
+                None => break,
+                Some(sign) if sign == sign_low => below = y,
+                Some(_) => above = y,
             }
             let size = Fraction::from_f64(step.abs().min(0.5));
             let next = if step < 0.0 {
@@ -83,7 +84,7 @@ impl<const W: usize> OnUnitInterval<W> {
             };
             last = above.minus(&below)?.to_f64().min(step.abs());
         }
-        if radius > USEFUL * y.to_f64() {
+        if radius.is_nan() || radius > longest * y.to_f64() {
             return None;
         }
         let margin = Fraction::from_f64(4.0 * ulp::<W>());
