@@ -1,0 +1,128 @@
+//! Theorem 2 in large integers: the parts of F, in lowest terms, from the sums over odd and over even harmonics.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{DivExactAssign, Gcd, Square};
+use malachite::base::num::basic::traits::Zero;
+
+use crate::poly::{BinaryForm, FlatPolynomial, binomials, form_bits};
+
+/// What [`square_away`](super::square_away) says of the two sums f(1, t), which are `unit` times those of the radius
+/// and have coefficients in the basis z^j w^(d−j) that add up to less than 2^`bits`: the parts `unit² ρ^(N+1)`,
+/// `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all their
+/// coefficients.
+///
+/// Cost: two squares of forms of degree N, and two products of half the length: ρ is a polynomial in t².
+pub(super) fn primitive_parts(
+    harmonics: usize,
+    unit: &Integer,
+    odd: Option<&FlatPolynomial>,
+    even: &FlatPolynomial,
+    bits: u64,
+) -> Vec<BinaryForm> {
+    let low = low_part(harmonics, odd, even, bits);
+    let middle = odd.map(|odd| middle_halves(harmonics, odd, bits));
+    // unit = 2^power · odd factor
+    let power = unit.trailing_zeros().unwrap_or(0);
+    let factor = unit >> power;
+    let halves = middle.iter().flatten();
+    let in_middle = halves.filter_map(FlatPolynomial::trailing_zeros).min();
+    let in_parts = [
+        Some(2 * power),
+        in_middle.map(|zeros| zeros + power + 1),
+        low.trailing_zeros(),
+    ];
+    let common = in_parts.into_iter().flatten().min().unwrap_or(0);
+    let by = |shift: u64| shift.cast_signed() - common.cast_signed();
+
+    let top = (&factor).square() << by(2 * power);
+    let mut parts = vec![(2 * harmonics + 2, top_part(harmonics, &top))];
+    if let Some([even_half, odd_half]) = middle {
+        let halves = [even_half, odd_half];
+        let halves = halves.each_ref().map(|h| h.to_integers(by(power + 1)));
+        let mut coefficients = interleaved(halves);
+        for c in &mut coefficients {
+            *c *= -&factor;
+        }
+        parts.push((2 * harmonics + 1, coefficients));
+    }
+    parts.push((2 * harmonics, low.to_integers(by(0)).collect()));
+    divide_by_common_factor(&(&factor).square(), &mut parts);
+    let parts = parts.into_iter();
+    parts
+        .map(|(degree, c)| {
+            debug_assert_eq!(c.len(), degree + 1);
+            BinaryForm::from_coefficients(c)
+        })
+        .collect()
+}
+
+/// `factor · ρ^(N+1)`.
+fn top_part(harmonics: usize, factor: &Integer) -> Vec<Integer> {
+    let mut coefficients = vec![Integer::ZERO; 2 * harmonics + 3];
+    for (k, binomial) in binomials(harmonics + 1).into_iter().enumerate() {
+        coefficients[2 * k] = binomial * factor;
+    }
+    coefficients
+}
+
+/// `ρ^⌊N/2+1⌋ · odd`: its coefficients of even and of odd powers of t.
+fn middle_halves(harmonics: usize, odd: &FlatPolynomial, bits: u64) -> [FlatPolynomial; 2] {
+    let power = harmonics / 2 + 1;
+    let degree = odd.len() - 1;
+    // At most the sum over C(power, k) times the largest C(degree, j).
+    let room = form_bits(degree, bits) + power as u64;
+    let rho = FlatPolynomial::from_integers(binomials(power).iter(), power as u64);
+    [0, 1].map(|parity| odd.every_second(parity, room).product(&rho, room))
+}
+
+/// The two sums have degrees N and N − 1: with a and b for them, the low part is `a² − ρ b²` for odd N and its negative
+/// for even N.
+fn low_part(
+    harmonics: usize,
+    odd: Option<&FlatPolynomial>,
+    even: &FlatPolynomial,
+    bits: u64,
+) -> FlatPolynomial {
+    // a² and ρ b² are forms of degree 2N, of which the coefficients in the other basis add up to at most the square.
+    let room = form_bits(2 * harmonics, 2 * bits) + 1;
+    let is_even = harmonics.is_multiple_of(2);
+    let (a, b) = match odd {
+        Some(odd) if !is_even => (odd, Some(even)),
+        odd => (even, odd),
+    };
+    let mut low = a.square(room);
+    if let Some(b) = b {
+        let square = b.square(room);
+        low.subtract(&square, 0);
+        low.subtract(&square, 2);
+    }
+    if is_even {
+        low.negate();
+    }
+    low
+}
+
+/// Even and odd powers in turn.
+fn interleaved([even, odd]: [impl Iterator<Item = Integer>; 2]) -> Vec<Integer> {
+    let mut odd = odd.fuse();
+    even.flat_map(|c| std::iter::once(c).chain(odd.next()))
+        .collect()
+}
+
+/// Divides by the gcd of `factor` and all coefficients.
+fn divide_by_common_factor(factor: &Integer, parts: &mut [(usize, Vec<Integer>)]) {
+    let mut common = factor.unsigned_abs_ref().clone();
+    // Those of the low part are the least alike.
+    for c in parts.iter().rev().flat_map(|(_, c)| c) {
+        if common == 1 {
+            return;
+        }
+        common = common.gcd(c.unsigned_abs_ref());
+    }
+    let common = Integer::from(common);
+    if common != 1 {
+        for c in parts.iter_mut().flat_map(|(_, c)| c) {
+            c.div_exact_assign(&common);
+        }
+    }
+}
