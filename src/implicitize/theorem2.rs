@@ -118,7 +118,7 @@ impl SquaredForm {
         }
         let n = radius.harmonics();
         let (denominator, cos, sin) = radius.over_common_denominator();
-        let bits = harmonic_bits(n, cos.iter().chain(&sin));
+        let bits = harmonic_bits(cos.iter().zip(&sin).map(|(a, b)| [a, b]));
         let sum = |parity: usize| {
             let degree = if n % 2 == parity { n } else { n - 1 };
             let harmonics = (parity..=degree).step_by(2).map(|m| (m, &cos[m], &sin[m]));

@@ -31,20 +31,21 @@ pub fn doubled_form_from_harmonics<'a>(
     harmonics: impl IntoIterator<Item = (usize, &'a Integer, &'a Integer)>,
 ) -> BinaryForm {
     let harmonics: Vec<_> = harmonics.into_iter().collect();
-    let numbers = harmonics.iter().flat_map(|&(_, a, b)| [a, b]);
-    let bits = harmonic_bits(degree, numbers);
+    let bits = harmonic_bits(harmonics.iter().map(|&(_, a, b)| [a, b]));
     let form = doubled_flat_form(degree, harmonics.into_iter(), bits);
     BinaryForm::from_dehomogenized(degree, form.to_polynomial())
 }
 
-/// An e with Σ |a_m + b_m| + |a_m − b_m| < 2^e over the harmonics of a form, of which these are the coefficients.
-pub(crate) fn harmonic_bits<'a>(
-    degree: usize,
-    coefficients: impl Iterator<Item = &'a Integer>,
-) -> u64 {
-    // |a + b| + |a − b| is twice the larger of |a| and |b|, and there are at most d/2 + 1 harmonics.
-    let largest = coefficients.map(SignificantBits::significant_bits).max();
-    largest.unwrap_or(0) + u64::from((degree + 2).ilog2()) + 1
+/// An e with Σ |a_m + b_m| + |a_m − b_m| < 2^e, over the harmonics [a_m, b_m]; at most 2 more than the least one.
+pub(crate) fn harmonic_bits<'a>(pairs: impl Iterator<Item = [&'a Integer; 2]> + Clone) -> u64 {
+    // Such a sum is twice the larger of |a| and |b|, which is below 2^size. Sums of 2^size are kept in units of
+    // 2^(largest − UNITS), each rounded up.
+    const UNITS: u64 = 32;
+    let sizes = pairs.map(|[a, b]| a.significant_bits().max(b.significant_bits()));
+    let largest = sizes.clone().max().unwrap_or(0);
+    let units = sizes.map(|size| 1_u64 << UNITS.saturating_sub(largest - size));
+    let sum: u64 = units.sum();
+    largest + 1 + sum.significant_bits().saturating_sub(UNITS)
 }
 
 /// The same form f(1, t) with coefficients of one width, which has room for integers below
@@ -140,6 +141,7 @@ fn twist(coefficients: &mut [Integer]) {
 mod tests {
     use super::*;
     use crate::poly::Ring;
+    use malachite::base::num::arithmetic::traits::Abs;
     use proptest::prelude::*;
 
     /// Re and Im of (x+iy)^n, by the recurrence of Appendix A.
@@ -181,6 +183,18 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn harmonics_add_up_to_less_than_is_said(pairs in prop::collection::vec((any::<i64>(), any::<i64>(), 0u64..90), 0..60)) {
+            let pairs: Vec<[Integer; 2]> = pairs
+                .iter()
+                .map(|(a, b, by)| [Integer::from(*a) >> *by, Integer::from(*b) << (90 - *by)])
+                .collect();
+            let sums = pairs.iter().flat_map(|[a, b]| [a + b, a - b]);
+            let sum = sums.fold(Integer::ZERO, |sum, c| sum + c.abs());
+            let said = harmonic_bits(pairs.iter().map(|[a, b]| [a, b]));
+            prop_assert!(sum < Integer::from(1) << said);
+        }
+
         #[test]
         fn harmonics_and_forms_are_inverse(c in prop::collection::vec((any::<i32>(), any::<i32>()), 1..40), odd in any::<bool>()) {
             let degree = 2 * (c.len() - 1) + usize::from(odd);
