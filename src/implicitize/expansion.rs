@@ -1,10 +1,12 @@
 //! Theorem 2 in large integers: the parts of F, in lowest terms, from the sums over odd and over even harmonics.
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExactAssign, Gcd, Square, UnsignedAbs};
+use malachite::base::num::arithmetic::traits::{
+    DivExactAssign, Gcd, NegAssign, Square, UnsignedAbs,
+};
 use malachite::base::num::basic::traits::Zero;
 
-use crate::poly::{BinaryForm, FlatPolynomial, binomials, form_bits};
+use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, form_bits};
 
 /// What [`square_away`](super::square_away) says of the two sums f(1, t), which are `unit` times those of the radius
 /// and have coefficients in the basis z^j w^(d−j) that add up to less than 2^`bits`: the parts `unit² ρ^(N+1)`,
@@ -19,8 +21,8 @@ pub(super) fn primitive_parts(
     even: &FlatPolynomial,
     bits: u64,
 ) -> Vec<BinaryForm> {
-    let low = low_part(harmonics, odd, even, bits);
     let middle = odd.map(|odd| middle_part(harmonics, odd, bits));
+    let low = low_part(harmonics, odd, even, bits);
     // unit = 2^power · factor, with an odd factor that is 1 for dyadic radii
     let power = unit.trailing_zeros().unwrap_or(0);
     let factor = unit >> power;
@@ -37,8 +39,11 @@ pub(super) fn primitive_parts(
     let mut parts = vec![top_part(harmonics, &(&square << by(2 * power)))];
     parts.extend(middle.map(|middle| {
         let mut coefficients: Vec<Integer> = middle.to_integers(by(power + 1)).collect();
-        if factor != 1 {
-            coefficients.iter_mut().for_each(|c| *c *= &factor);
+        for c in &mut coefficients {
+            if factor != 1 {
+                *c *= &factor;
+            }
+            c.neg_assign();
         }
         coefficients
     }));
@@ -60,24 +65,22 @@ fn top_part(harmonics: usize, factor: &Integer) -> Vec<Integer> {
 /// Up to this power of ρ as many additions for each coefficient are faster than two products: 12 to 28 µs at 50.
 const ADDITIONS_UP_TO: usize = 110;
 
-/// `−ρ^⌊N/2+1⌋ · odd`.
+/// `ρ^⌊N/2+1⌋ · odd`.
 fn middle_part(harmonics: usize, odd: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let power = harmonics / 2 + 1;
+    let len = odd.len() + 2 * power;
     // At most the sum over C(power, k) times the largest C(degree, j).
     let room = form_bits(odd.len() - 1, bits) + power as u64;
-    let mut middle = if power <= ADDITIONS_UP_TO {
-        let mut product = odd.part(0, 1, odd.len() + 2 * power, room);
-        product.multiply_by_rho(power);
-        product
-    } else {
-        let rho = FlatPolynomial::from_integers(binomials(power).iter(), power as u64);
-        let mut product = FlatPolynomial::zero(odd.len() + 2 * power, room);
-        for (half, at) in odd.halves(room).into_iter().zip(0..) {
-            product.add(&half.product(&rho, room), at, 2);
-        }
-        product
-    };
-    middle.negate();
+    if power <= ADDITIONS_UP_TO {
+        let mut middle = odd.part(0, 1, len, room);
+        middle.multiply_by_rho(power);
+        return middle;
+    }
+    let rho = FlatPolynomial::from_integers(binomials(power).iter(), power as u64);
+    let mut middle = FlatPolynomial::zero(len, room);
+    for (half, at) in odd.halves(room).iter().zip(0..) {
+        middle.add_product(half, &rho, room, &[Place::of_sum(at, 2)]);
+    }
     middle
 }
 
@@ -90,20 +93,23 @@ fn low_part(
     bits: u64,
 ) -> FlatPolynomial {
     // a² and ρ b² are forms of degree 2N, of which the coefficients in the other basis add up to at most the square.
-    let room = form_bits(2 * harmonics, 2 * bits) + 1;
-    let is_even = harmonics.is_multiple_of(2);
-    let (a, b) = match odd {
-        Some(odd) if !is_even => (odd, Some(even)),
-        odd => (even, odd),
+    let room = form_bits(2 * harmonics, 2 * bits);
+    let mut low = FlatPolynomial::zero(2 * harmonics + 1, room + 1);
+    let (plus, minus) = (Place::of_sum, Place::of_difference);
+    let squares = match odd {
+        Some(odd) if !harmonics.is_multiple_of(2) => [
+            (Some(odd), vec![plus(0, 1)]),
+            (Some(even), vec![minus(0, 1), minus(2, 1)]),
+        ],
+        odd => [
+            (Some(even), vec![minus(0, 1)]),
+            (odd, vec![plus(0, 1), plus(2, 1)]),
+        ],
     };
-    let mut low = a.square(room);
-    if let Some(b) = b {
-        let square = b.square(room);
-        low.subtract(&square, 0, 1);
-        low.subtract(&square, 2, 1);
-    }
-    if is_even {
-        low.negate();
+    for (sum, places) in squares {
+        if let Some(sum) = sum {
+            low.add_square(sum, room, &places);
+        }
     }
     low
 }

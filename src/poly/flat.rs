@@ -5,8 +5,8 @@ use malachite::base::num::arithmetic::traits::Square;
 
 use super::IntegerPolynomial;
 use super::limbs::{
-    add, add_integer, decrement, increment, is_negative, negate, subtract, to_integer,
-    trailing_zeros, widen, width_for,
+    add, add_integer, decrement, increment, is_negative, subtract, to_integer, trailing_zeros,
+    widen, width_for,
 };
 use malachite::base::polynomial::Polynomial;
 
@@ -85,19 +85,14 @@ impl FlatPolynomial {
         [0, 1].map(|start| self.part(start, 2, (self.len() + 1 - start) / 2, bits))
     }
 
-    /// `self += x^at · other(x^step)`, for another that is not narrower.
-    pub(crate) fn add(&mut self, other: &Self, at: usize, step: usize) {
-        let targets = self.coefficients_mut().skip(at).step_by(step);
-        for (target, c) in targets.zip(other.coefficients()) {
-            add(target, c);
-        }
-    }
-
-    /// `self −= x^at · other(x^step)`, for another that is not narrower.
-    pub(crate) fn subtract(&mut self, other: &Self, at: usize, step: usize) {
-        let targets = self.coefficients_mut().skip(at).step_by(step);
-        for (target, c) in targets.zip(other.coefficients()) {
-            subtract(target, c);
+    /// `self ± x^at · other(x^step)`, for another that is not narrower; what of it does not fit is cut off.
+    pub(crate) fn add(&mut self, other: &Self, place: Place) {
+        let targets = self.coefficients_mut().skip(place.at).step_by(place.step);
+        let pairs = targets.zip(other.coefficients());
+        if place.negative {
+            pairs.for_each(|(target, c)| subtract(target, c));
+        } else {
+            pairs.for_each(|(target, c)| add(target, c));
         }
     }
 
@@ -117,11 +112,6 @@ impl FlatPolynomial {
             6 => operation.run(self.limbs.as_chunks_mut::<6>().0),
             _ => operation.run(&mut self.coefficients_mut().collect::<Vec<_>>()),
         }
-    }
-
-    /// `−self`.
-    pub(crate) fn negate(&mut self) {
-        self.coefficients_mut().for_each(negate);
     }
 
     /// The number of low zero bits that all coefficients have; `None` for the zero polynomial.
@@ -163,44 +153,97 @@ impl OnNumbers for TimesRho {
     }
 }
 
-/// From this many limbs on a square is put together from three of half the length, which take half again as much time
-/// and half of the memory: a transform takes five to ten times as much as the number.
-const SQUARE_IN_HALVES_FROM: usize = 1 << 20;
+/// Where a polynomial f is added: `± x^at · f(x^step)`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    negative: bool,
+    at: usize,
+    step: usize,
+}
+
+impl Place {
+    /// `+ x^at · f(x^step)`
+    pub(crate) fn of_sum(at: usize, step: usize) -> Self {
+        let negative = false;
+        Self { negative, at, step }
+    }
+
+    /// `− x^at · f(x^step)`
+    pub(crate) fn of_difference(at: usize, step: usize) -> Self {
+        let negative = true;
+        Self { negative, at, step }
+    }
+
+    /// Where the products of halves go that are added to f: with `f = E + xO` and `g = G + xU`, all four polynomials in
+    /// x², `fg = EG + x²OU + x((E + O)(G + U) − EG − OU)`. In this order: EG, OU, (E + O)(G + U).
+    fn of_halves(places: &[Self]) -> [Vec<Self>; 3] {
+        let [mut even, mut odd, mut sum] = [const { Vec::new() }; 3];
+        for &Self { negative, at, step } in places {
+            let place = |negative, steps| Self {
+                negative,
+                at: at + steps * step,
+                step: 2 * step,
+            };
+            even.extend([place(negative, 0), place(!negative, 1)]);
+            odd.extend([place(negative, 2), place(!negative, 1)]);
+            sum.push(place(negative, 1));
+        }
+        [even, odd, sum]
+    }
+}
+
+/// A product of two integers of this many limbs takes ten times their memory; larger ones are put together from three of
+/// half the length, which takes half again as much time for each halving.
+const LARGEST_PRODUCT: usize = 1 << 20;
 
 /// Kronecker's substitution: a polynomial with coefficients below 2^(64·width − 1) is determined by its value at
 /// 2^(64·width). Quasi-linear in the size of the product.
 impl FlatPolynomial {
-    /// `self · other`, with room for integers below 2^`bits`, which its coefficients are.
-    pub(crate) fn product(&self, other: &Self, bits: u64) -> Self {
-        let width = width_for(bits);
-        let value = self.packed(width) * other.packed(width);
-        Self::unpacked(value, self.len() + other.len() - 1, width)
+    /// Adds `f · g` at all these places; every sum `Σ |f_j| |g_(k−j)|` is below 2^`bits`.
+    pub(crate) fn add_product(&mut self, f: &Self, g: &Self, bits: u64, places: &[Place]) {
+        self.add_products(f, Some(g), bits, places, LARGEST_PRODUCT);
     }
 
-    /// `self²`, with room for integers below 2^`bits`, which its coefficients are.
-    pub(crate) fn square(&self, bits: u64) -> Self {
-        let width = width_for(bits);
-        if self.len() * width >= SQUARE_IN_HALVES_FROM {
-            return self.square_in_halves(bits);
+    /// Adds `f²` at all these places; every sum `Σ |f_j| |f_(k−j)|` is below 2^`bits`.
+    pub(crate) fn add_square(&mut self, f: &Self, bits: u64, places: &[Place]) {
+        self.add_products(f, None, bits, places, LARGEST_PRODUCT);
+    }
+
+    /// The square of f if there is no g. Integers have at most `largest` limbs.
+    fn add_products(
+        &mut self,
+        f: &Self,
+        g: Option<&Self>,
+        bits: u64,
+        places: &[Place],
+        largest: usize,
+    ) {
+        let width = width_for(bits).max(self.width);
+        let longer = f.len().max(g.map_or(0, Self::len));
+        if longer * width <= largest || longer == 1 {
+            let value = match g {
+                Some(g) => f.packed(width) * g.packed(width),
+                None => f.packed(width).square(),
+            };
+            let len = f.len() + g.unwrap_or(f).len() - 1;
+            let product = Self::unpacked(value, len, width);
+            places.iter().for_each(|&place| self.add(&product, place));
+            return;
         }
-        Self::unpacked(self.packed(width).square(), 2 * self.len() - 1, width)
-    }
-
-    /// The same by `(E + xO)² = E² + x²O² + x((E + O)² − E² − O²)`, E and O polynomials in x².
-    fn square_in_halves(&self, bits: u64) -> Self {
-        // |E² + O² + 2EO| ≤ 4 · 2^bits: that the sum may be wider does no harm, it is cut off.
+        // Sums of two coefficients in each factor: four times as large.
         let room = bits + 2;
-        let [mut even, odd] = self.halves(room);
-        let mut square = Self::zero(2 * self.len() - 1, bits);
-        for (half, at) in [(&even, 0), (&odd, 2)] {
-            let part = half.square(room);
-            square.add(&part, at, 2);
-            square.subtract(&part, 1, 2);
+        let (f, g) = (f.halves_and_sum(room), g.map(|g| g.halves_and_sum(room)));
+        for (k, places) in Place::of_halves(places).iter().enumerate() {
+            self.add_products(&f[k], g.as_ref().map(|g| &g[k]), room, places, largest);
         }
-        even.add(&odd, 0, 1);
-        drop(odd);
-        square.add(&even.square(room), 1, 2);
-        square
+    }
+
+    /// E, O and E + O of `f = E + xO`, polynomials in x².
+    fn halves_and_sum(&self, bits: u64) -> [Self; 3] {
+        let [even, odd] = self.halves(bits);
+        let mut sum = even.clone();
+        sum.add(&odd, Place::of_sum(0, 1));
+        [even, odd, sum]
     }
 
     /// The value at 2^(64·width).
@@ -237,6 +280,7 @@ impl FlatPolynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use malachite::base::polynomial::{ComposePowerOfX, MulPowerOfX};
     use proptest::prelude::*;
 
     fn coefficients() -> impl Strategy<Value = Vec<Integer>> {
@@ -257,10 +301,17 @@ mod tests {
             let long = |c: &[Integer]| IntegerPolynomial::from_coefficients_asc(c.to_vec());
             let bits = 256 + 6 + spare;
             prop_assert_eq!(flat(&a).to_polynomial(), long(&a));
-            prop_assert_eq!(flat(&a).product(&flat(&b), bits).to_polynomial(), long(&a) * long(&b));
-            prop_assert_eq!(flat(&a).square(bits).to_polynomial(), long(&a).square());
-            if a.len() > 1 {
-                prop_assert_eq!(flat(&a).square_in_halves(bits), flat(&a).square(bits));
+            let expected = [long(&a) * long(&b), long(&a).square()];
+            // In one piece, and in as many as there can be.
+            for largest in [usize::MAX, 1, 12, 60] {
+                for (other, expected) in [Some(flat(&b)), None].iter().zip(&expected) {
+                    let len = a.len() + other.as_ref().map_or(a.len(), FlatPolynomial::len) - 1;
+                    let mut sum = FlatPolynomial::zero(3 * len + 1, bits + 2);
+                    let places = [Place::of_sum(1, 3), Place::of_difference(0, 1), Place::of_sum(0, 1)];
+                    sum.add_products(&flat(&a), other.as_ref(), bits, &places, largest);
+                    let spread = expected.clone().compose_power_of_x(3).mul_power_of_x(1);
+                    prop_assert_eq!(sum.to_polynomial(), spread);
+                }
             }
         }
 
@@ -271,12 +322,12 @@ mod tests {
             let flat = FlatPolynomial::from_integers(a.iter(), 128);
             let [even, odd] = flat.halves(bits);
             let mut joined = FlatPolynomial::zero(len + 2 * power, bits);
-            joined.add(&even, 0, 2);
-            joined.add(&odd, 1, 2);
+            joined.add(&even, Place::of_sum(0, 2));
+            joined.add(&odd, Place::of_sum(1, 2));
             prop_assert_eq!(joined.to_polynomial(), flat.to_polynomial());
             let mut cancelled = joined.clone();
-            cancelled.subtract(&even, 0, 2);
-            cancelled.subtract(&odd, 1, 2);
+            cancelled.add(&even, Place::of_difference(0, 2));
+            cancelled.add(&odd, Place::of_difference(1, 2));
             prop_assert!(cancelled.is_zero());
             joined.multiply_by_rho(power);
             let rho = IntegerPolynomial::from_coefficients_asc([1, 0, 1].map(Integer::from).to_vec());

@@ -37,7 +37,7 @@ pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
-pub(crate) use flat::FlatPolynomial;
+pub(crate) use flat::{FlatPolynomial, Place};
 pub use form::BinaryForm;
 pub use function::RationalFunction;
 pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
