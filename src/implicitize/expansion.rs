@@ -62,22 +62,38 @@ fn top_part(harmonics: usize, factor: &Integer) -> Vec<Integer> {
     coefficients
 }
 
-/// Up to this power of ρ as many additions for each coefficient are faster than two products: 12 to 28 µs at 50.
-const ADDITIONS_UP_TO: usize = 110;
+/// Up to this power of ρ, for numbers of `bits` bits, as many additions for each coefficient are faster than two products:
+/// 7 to 30 µs at the 51st and 43 to 103 µs at the 101st, where they are compiled for the width, and else 124 to 115 µs
+/// at the 111th.
+fn additions_up_to(bits: u64) -> usize {
+    if FlatPolynomial::is_compiled_for(bits) {
+        190
+    } else {
+        100
+    }
+}
 
 /// `ρ^⌊N/2+1⌋ · odd`.
 fn middle_part(harmonics: usize, odd: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let power = harmonics / 2 + 1;
-    let len = odd.len() + 2 * power;
     // At most the sum over C(power, k) times the largest C(degree, j).
     let room = form_bits(odd.len() - 1, bits) + power as u64;
-    if power <= ADDITIONS_UP_TO {
-        let mut middle = odd.part(0, 1, len, room);
-        middle.multiply_by_rho(power);
-        return middle;
+    if power <= additions_up_to(room) {
+        by_additions(odd, power, room)
+    } else {
+        by_products(odd, power, room)
     }
+}
+
+fn by_additions(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial {
+    let mut middle = odd.part(0, 1, odd.len() + 2 * power, room);
+    middle.multiply_by_rho(power);
+    middle
+}
+
+fn by_products(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial {
     let rho = FlatPolynomial::from_integers(binomials(power).iter(), power as u64);
-    let mut middle = FlatPolynomial::zero(len, room);
+    let mut middle = FlatPolynomial::zero(odd.len() + 2 * power, room);
     for (half, at) in odd.halves(room).iter().zip(0..) {
         middle.add_product(half, &rho, room, &[Place::of_sum(at, 2)]);
     }
@@ -128,6 +144,28 @@ fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
     if common != 1 {
         for c in parts.iter_mut().flatten() {
             c.div_exact_assign(&common);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Widths that are compiled and others.
+        #[test]
+        fn powers_of_rho_by_additions_and_by_products(
+            odd in prop::collection::vec(any::<i128>(), 1..60),
+            power in 1usize..60,
+            shift in prop_oneof![Just(0_u64), Just(900)],
+        ) {
+            let odd: Vec<Integer> = odd.into_iter().map(|c| Integer::from(c) << shift).collect();
+            let bits = 128 + shift;
+            let odd = FlatPolynomial::from_integers(odd.iter(), bits);
+            let room = bits + power as u64 + 6;
+            prop_assert_eq!(by_additions(&odd, power, room), by_products(&odd, power, room));
         }
     }
 }

@@ -238,6 +238,21 @@ mod tests {
         ]
     }
 
+    /// Where the ways to compute change, and beyond.
+    #[test]
+    fn hundreds_of_harmonics() {
+        for n in [377, 378, 379, 399, 400, 401, 520] {
+            let numbers = |by: i64| -> Vec<Rational> {
+                let number = |k: i64| Rational::from((k * k * by + 7 * k) % 1009 - 504);
+                (0..=n).map(|k| number(k) / Rational::from(1024)).collect()
+            };
+            let form = SquaredForm::new(&FourierRadius::new(numbers(3), numbers(5)));
+            let form = form.expect("the radius is not 0");
+            let expanded = form.expand();
+            assert!(*expanded.polynomial() == by_formulas(&form), "N = {n}");
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(96))]
         #[test]

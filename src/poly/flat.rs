@@ -101,6 +101,12 @@ impl FlatPolynomial {
         self.run(TimesRho { power });
     }
 
+    /// Whether operations are compiled for the width that holds integers below 2^`bits`: they take 0.25 ns per limb and
+    /// addition, and 0.6 ns for others.
+    pub(crate) fn is_compiled_for(bits: u64) -> bool {
+        width_for(bits) <= 12
+    }
+
     /// Runs an operation on the coefficients in place, compiled for their width if that is small.
     pub(super) fn run(&mut self, operation: impl OnNumbers) {
         match self.width {
@@ -110,6 +116,12 @@ impl FlatPolynomial {
             4 => operation.run(self.limbs.as_chunks_mut::<4>().0),
             5 => operation.run(self.limbs.as_chunks_mut::<5>().0),
             6 => operation.run(self.limbs.as_chunks_mut::<6>().0),
+            7 => operation.run(self.limbs.as_chunks_mut::<7>().0),
+            8 => operation.run(self.limbs.as_chunks_mut::<8>().0),
+            9 => operation.run(self.limbs.as_chunks_mut::<9>().0),
+            10 => operation.run(self.limbs.as_chunks_mut::<10>().0),
+            11 => operation.run(self.limbs.as_chunks_mut::<11>().0),
+            12 => operation.run(self.limbs.as_chunks_mut::<12>().0),
             _ => operation.run(&mut self.coefficients_mut().collect::<Vec<_>>()),
         }
     }
