@@ -77,15 +77,17 @@ fn theorem2(c: &mut Criterion) {
     group.sampling_mode(SamplingMode::Flat).sample_size(20);
     for n in [3, 10, 39, 100, 300, 1000, 3000] {
         let radius = spectrum(n);
-        verify(&radius);
-        if n >= 1000 {
+        // A point with a coordinate of thousands of digits, to powers of thousands, is slow; the twin is quick.
+        if n <= 300 {
+            verify(&radius);
+        } else {
             group.sample_size(10);
         }
+        let ours = SquaredForm::new(&radius).unwrap().expand();
+        assert!(*ours.polynomial() == on_forms(&radius));
         group.bench_with_input(BenchmarkId::new("stellate", n), &radius, |b, r| {
             b.iter(|| SquaredForm::new(black_box(r)).unwrap().expand());
         });
-        let ours = SquaredForm::new(&radius).unwrap().expand();
-        assert!(*ours.polynomial() == on_forms(&radius));
         group.bench_with_input(BenchmarkId::new("on_forms", n), &radius, |b, r| {
             b.iter(|| on_forms(black_box(r)));
         });
