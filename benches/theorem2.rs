@@ -1,5 +1,5 @@
-//! Fourier → implicit (Theorem 2): the ladder over N, beside the naive formula and beside general elimination,
-//! the comparison that the paper did not make.
+//! Fourier → implicit (Theorem 2): the ladder over N, beside the formulas on forms with coefficients of any size, the
+//! naive formula, and general elimination, the comparison that the paper did not make; and writing the result.
 //!
 //! `cargo bench --bench theorem2`. Every answer is verified before it is timed.
 
@@ -8,10 +8,19 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
+use malachite::Integer;
+use malachite::base::num::basic::traits::One;
+use mimalloc::MiMalloc;
+use stellate::document::{Annotations, Format, write_implicit};
 use stellate::exact::Rational;
-use stellate::implicitize::{SquaredForm, implicitize_plane};
+use stellate::implicitize::{SquaredForm, implicitize_plane, square_away};
 use stellate::limits::Limits;
+use stellate::poly::{BinaryForm, PlanePolynomial, doubled_form_from_harmonics};
 use stellate::shape::FourierRadius;
+
+/// As in the program.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -47,17 +56,42 @@ fn verify(radius: &FourierRadius) {
     assert!(f.polynomial().evaluate(&(&r * &c), &(&r * &s)).is_zero());
 }
 
+/// The slow twin: the same formulas on forms with coefficients of any size, then the primitive part.
+fn on_forms(radius: &FourierRadius) -> PlanePolynomial {
+    let n = radius.harmonics();
+    let (denominator, cos, sin) = radius.over_common_denominator();
+    let sum = |parity: usize| {
+        let degree = if n % 2 == parity { n } else { n - 1 };
+        let harmonics = (parity..=degree).step_by(2).map(|m| (m, &cos[m], &sin[m]));
+        doubled_form_from_harmonics(degree, harmonics)
+    };
+    let unit = BinaryForm::from_coefficients(vec![denominator << 1u64]);
+    let parts = square_away(n, &unit, BinaryForm::rho_power, Some(&sum(1)), &sum(0));
+    let minus_middle = parts.middle.map(|m| m.scaled(&Integer::from(-1)));
+    let parts = [Some(parts.top), minus_middle, Some(parts.low)];
+    PlanePolynomial::from_parts(parts.into_iter().flatten(), Integer::ONE).primitive()
+}
+
 fn theorem2(c: &mut Criterion) {
     let mut group = c.benchmark_group("fourier_to_implicit");
     group.sampling_mode(SamplingMode::Flat).sample_size(20);
-    for n in [3, 10, 39, 100, 300, 1000] {
+    for n in [3, 10, 39, 100, 300, 1000, 3000] {
         let radius = spectrum(n);
-        verify(&radius);
+        // A point with a coordinate of thousands of digits, to powers of thousands, is slow; the twin is quick.
+        if n <= 300 {
+            verify(&radius);
+        } else {
+            group.sample_size(10);
+        }
+        let ours = SquaredForm::new(&radius).unwrap().expand();
+        assert!(*ours.polynomial() == on_forms(&radius));
         group.bench_with_input(BenchmarkId::new("stellate", n), &radius, |b, r| {
             b.iter(|| SquaredForm::new(black_box(r)).unwrap().expand());
         });
+        group.bench_with_input(BenchmarkId::new("on_forms", n), &radius, |b, r| {
+            b.iter(|| on_forms(black_box(r)));
+        });
     }
-    group.sample_size(10);
     for n in [3, 10, 39] {
         let radius = spectrum(n);
         let ours = SquaredForm::new(&radius).unwrap().expand();
@@ -66,6 +100,23 @@ fn theorem2(c: &mut Criterion) {
         group.bench_with_input(BenchmarkId::new("naive", n), &radius, |b, r| {
             b.iter(|| theorem_2_oracle(black_box(r)));
         });
+    }
+    group.finish();
+}
+
+/// The result as text and as JSON: about as many bytes as bits of the coefficients times 0.3.
+fn writing(c: &mut Criterion) {
+    let mut group = c.benchmark_group("write_implicit");
+    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    for n in [100, 300, 1000, 3000] {
+        let curve = SquaredForm::new(&spectrum(n)).unwrap().expand();
+        for format in [Format::Text, Format::Json] {
+            let id = BenchmarkId::new(format.to_string(), n);
+            group.bench_with_input(id, &curve, |b, curve| {
+                let plain = Annotations::default();
+                b.iter(|| write_implicit(curve, &plain, format, &mut std::io::sink()).unwrap());
+            });
+        }
     }
     group.finish();
 }
@@ -90,5 +141,5 @@ fn elimination(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, theorem2, elimination);
+criterion_group!(benches, theorem2, writing, elimination);
 criterion_main!(benches);

@@ -284,3 +284,48 @@ fn limits_end_with_code_3_and_say_what_is_known() {
     );
     assert_eq!(run.code, 3, "{}", run.err);
 }
+
+/// Hundreds of kilobytes: more than one thread writes them.
+#[test]
+fn long_equations_are_the_same_for_any_number_of_threads_and_are_read_back() {
+    let folder = TempDir::new().unwrap();
+    let mut state = 1_u64;
+    let mut dyadic = |n: u32| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        let digits = i64::try_from(state >> 12).unwrap() - (1 << 51);
+        format!(
+            "{digits}/{}",
+            u128::from(1_u64 << 54) * u128::from(n.next_power_of_two())
+        )
+    };
+    let rows = (1..=200).map(|n| format!("{n},{},{}\n", dyadic(n), dyadic(n)));
+    let table = format!("n,cos,sin\n0,1,0\n{}", rows.collect::<String>());
+    std::fs::write(folder.path().join("radius.csv"), table).unwrap();
+    let mut documents = Vec::new();
+    for format in ["text", "json", "csv", "sympy"] {
+        let [one, three] = ["1", "3"].map(|threads| {
+            let arguments = [
+                "implicitize",
+                "radius.csv",
+                "--format",
+                format,
+                "--threads",
+                threads,
+            ];
+            done_in(folder.path(), &arguments, "")
+        });
+        assert!(one == three, "{format}");
+        assert!(one.len() > 100_000, "{format}: {} bytes", one.len());
+        documents.push(one);
+    }
+    for (text, name) in documents
+        .iter()
+        .zip(["equation.txt", "equation.json", "equation.csv"])
+    {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        let again = done_in(folder.path(), &["implicitize", name], "");
+        assert!(again == documents[0], "{name}");
+    }
+}

@@ -6,9 +6,7 @@ use stellate::implicitize::{
     SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve, point_beyond,
     polar_patch, polar_plane, polar_space_curve, real_image,
 };
-use stellate::shape::{
-    Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
-};
+use stellate::shape::{Form, FourierRadius, ImplicitSurface, Patch, PlaneCurve, SpaceCurve};
 
 use super::arguments::{Coordinates, Implicitize, ImplicitizeMethod, Scale};
 use super::input;
@@ -187,12 +185,10 @@ fn scaled(form: Form, verb: &Implicitize) -> Form {
                 Coordinates::Centre => curve,
                 Coordinates::Original => curve.in_original_coordinates(),
             };
-            let f = curve.polynomial();
-            let f = match verb.scale {
-                Scale::Integer => f.primitive(),
+            Form::Curve(curve.map_polynomial(|f| match verb.scale {
+                Scale::Integer => f.into_primitive(),
                 Scale::Monic => f.monic(),
-            };
-            Form::Curve(ImplicitCurve::new(f).with_center(curve.center().clone()))
+            }))
         }
         Form::Surface(s) => Form::Surface(surface(&s)),
         Form::Intersection(all) => Form::Intersection(all.iter().map(surface).collect()),

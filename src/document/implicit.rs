@@ -2,7 +2,8 @@
 
 use std::io::{self, Write};
 
-use super::terms::Notation;
+use super::in_order::write_in_order;
+use super::terms::{Notation, Number};
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
 use crate::poly::SparsePolynomial;
@@ -24,7 +25,8 @@ pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
 
 /// Writes `f(x, y) = 0`, terms in canonical order, and the center if it is not the origin.
 ///
-/// Cost: linear in the size of the output, up to the conversion of the coefficients to decimal.
+/// Cost: linear in the size of the output, up to the conversion of the coefficients to decimal, which goes on in
+/// parallel; some megabytes of text are in memory at a time.
 ///
 /// ```
 /// use stellate::document::{Annotations, Format, write_implicit};
@@ -53,9 +55,13 @@ pub fn write_implicit(
 ) -> io::Result<()> {
     let f = curve.polynomial();
     let exponent = |e: usize| u32::try_from(e).unwrap_or(u32::MAX);
-    let terms = f
-        .terms()
-        .map(|((i, j), c)| ([exponent(i), exponent(j), 0], c));
+    let terms = f.integer_terms().map(|((i, j), c)| {
+        let coefficient = match f.denominator() {
+            d if *d == 1 => Number::from(c),
+            d => Number::from(Rational::from(c) / Rational::from(d)),
+        };
+        ([exponent(i), exponent(j), 0], coefficient)
+    });
     let degrees: Vec<u64> = f.homogeneous_degrees().iter().map(|&d| d as u64).collect();
     Implicit {
         variables: &["x", "y"],
@@ -99,7 +105,7 @@ pub fn write_surface(
     degrees.dedup();
     Implicit {
         variables: &["x", "y", "z"],
-        terms: f.terms().map(|(e, c)| (*e, c.clone())),
+        terms: f.terms().map(|(e, c)| (*e, Number::from(c))),
         center: None,
         center_json: &[Rational::zero(), Rational::zero()],
         z_is_missing: f.terms().all(|(e, _)| e[2] == 0),
@@ -118,7 +124,7 @@ struct Implicit<'a, T> {
     annotations: &'a Annotations,
 }
 
-impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
+impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
     fn write(self, degrees: &[u64], format: Format, out: &mut dyn Write) -> io::Result<()> {
         match format {
             Format::Json => return self.write_json(degrees, out),
@@ -191,14 +197,14 @@ impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
             "i,j,coefficient"
         };
         writeln!(out, "{header}")?;
-        for ([i, j, k], c) in self.terms {
+        let append = |([i, j, k], c): &([u32; 3], Number<'a>), text: &mut Vec<u8>| {
             if in_space {
-                writeln!(out, "{i},{j},{k},{c}")?;
+                writeln!(text, "{i},{j},{k},{c}")
             } else {
-                writeln!(out, "{i},{j},{c}")?;
+                writeln!(text, "{i},{j},{c}")
             }
-        }
-        Ok(())
+        };
+        write_in_order(self.terms, |(_, c)| c.size(), append, out)
     }
 
     fn write_json(self, degrees: &[u64], out: &mut dyn Write) -> io::Result<()> {
@@ -225,14 +231,16 @@ impl<T: Iterator<Item = ([u32; 3], Rational)>> Implicit<'_, T> {
         }
         write!(out, ",\"terms\":[")?;
         let in_space = self.variables.len() == 3;
-        for (n, ([i, j, k], c)) in self.terms.enumerate() {
-            let separator = if n > 0 { "," } else { "" };
-            write!(out, "{separator}\n{{\"exponents\":[{i},{j}")?;
+        type Term<'a> = (usize, ([u32; 3], Number<'a>));
+        let append = |(n, ([i, j, k], c)): &Term<'a>, text: &mut Vec<u8>| {
+            let separator = if *n > 0 { "," } else { "" };
+            write!(text, "{separator}\n{{\"exponents\":[{i},{j}")?;
             if in_space {
-                write!(out, ",{k}")?;
+                write!(text, ",{k}")?;
             }
-            write!(out, "],\"coefficient\":\"{c}\"}}")?;
-        }
+            write!(text, "],\"coefficient\":\"{c}\"}}")
+        };
+        write_in_order(self.terms.enumerate(), |(_, (_, c))| c.size(), append, out)?;
         writeln!(out, "\n]}}")
     }
 }

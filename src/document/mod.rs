@@ -14,6 +14,7 @@ mod expression;
 mod fourier;
 mod implicit;
 mod implicitization;
+mod in_order;
 mod inspection;
 mod intersection;
 mod intersection_curves;

@@ -72,6 +72,16 @@ impl Rational {
         Integer::from(self.0.denominator_ref())
     }
 
+    /// |p|, lent.
+    pub(crate) fn magnitude_ref(&self) -> &Natural {
+        self.0.numerator_ref()
+    }
+
+    /// q, lent.
+    pub(crate) fn denominator_ref(&self) -> &Natural {
+        self.0.denominator_ref()
+    }
+
     /// Whether this is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {

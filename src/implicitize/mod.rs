@@ -1,6 +1,7 @@
 //! Parametric → implicit (§2 of the paper).
 
 mod beyond;
+mod expansion;
 mod fibre;
 mod image;
 mod inverse;

@@ -3,9 +3,12 @@
 use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 
+use super::expansion::primitive_parts;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, PlanePolynomial, Ring, doubled_form_from_harmonics};
+use crate::poly::{
+    BinaryForm, FlatPolynomial, PlanePolynomial, Ring, doubled_flat_form, harmonic_bits,
+};
 use crate::shape::{FourierRadius, ImplicitCurve};
 
 /// The three homogeneous parts of `F = top − middle + low`, of degrees 2N+2, 2N+1 and 2N.
@@ -93,8 +96,11 @@ pub fn square_away<R: Ring>(
 pub struct SquaredForm {
     harmonics: usize,
     unit: Integer,
-    odd: Option<BinaryForm>,
-    even: BinaryForm,
+    /// The sums over odd and over even harmonics, f(1, t); no odd one for N = 0.
+    odd: Option<FlatPolynomial>,
+    even: FlatPolynomial,
+    /// Their coefficients in the basis z^j w^(d−j) add up to less than 2 to this power.
+    bits: u64,
     center: [Rational; 2],
 }
 
@@ -112,16 +118,18 @@ impl SquaredForm {
         }
         let n = radius.harmonics();
         let (denominator, cos, sin) = radius.over_common_denominator();
+        let bits = harmonic_bits(cos.iter().zip(&sin).map(|(a, b)| [a, b]));
         let sum = |parity: usize| {
             let degree = if n % 2 == parity { n } else { n - 1 };
             let harmonics = (parity..=degree).step_by(2).map(|m| (m, &cos[m], &sin[m]));
-            doubled_form_from_harmonics(degree, harmonics)
+            doubled_flat_form(degree, harmonics, bits)
         };
         Ok(Self {
             harmonics: n,
             unit: denominator << 1u64,
             odd: (n > 0).then(|| sum(1)),
             even: sum(0),
+            bits,
             center: radius.center().clone(),
         })
     }
@@ -148,26 +156,29 @@ impl SquaredForm {
     /// (N even) or `r^(N+1) − odd` (N odd), and `even`; both times one integer.
     #[must_use]
     pub fn sides(&self) -> [PlanePolynomial; 2] {
-        let top = BinaryForm::rho_power(self.harmonics.div_ceil(2)).scaled(&self.unit);
-        let minus_odd = self.odd.as_ref().map(|odd| odd.scaled(&Integer::from(-1)));
-        let left = std::iter::once(top).chain(minus_odd);
         let plane = |parts: Vec<BinaryForm>| PlanePolynomial::from_parts(parts, Integer::ONE);
-        [plane(left.collect()), plane(vec![self.even.clone()])]
+        [plane(self.left_side()), plane(vec![form(&self.even)])]
+    }
+
+    /// `r^N − odd` or `r^(N+1) − odd`, times the unit.
+    fn left_side(&self) -> Vec<BinaryForm> {
+        let top = BinaryForm::rho_power(self.harmonics.div_ceil(2)).scaled(&self.unit);
+        let odd = self.odd.as_ref().map(form);
+        let minus_odd = odd.map(|odd| odd.scaled(&Integer::from(-1)));
+        std::iter::once(top).chain(minus_odd).collect()
     }
 
     /// F itself, a primitive polynomial with positive first term, also where it is a square.
     #[must_use]
     pub fn expand_unreduced(&self) -> ImplicitCurve {
-        let unit = BinaryForm::from_coefficients(vec![self.unit.clone()]);
-        let parts = square_away(
+        let parts = primitive_parts(
             self.harmonics,
-            &unit,
-            BinaryForm::rho_power,
+            &self.unit,
             self.odd.as_ref(),
             &self.even,
+            self.bits,
         );
-        let minus_middle = parts.middle.map(|m| m.scaled(&Integer::from(-1)));
-        self.curve([Some(parts.top), minus_middle, Some(parts.low)])
+        self.curve(PlanePolynomial::from_parts(parts, Integer::ONE))
     }
 
     /// The reduced implicit equation: F, or the G with F = G² if F is a perfect square.
@@ -176,18 +187,98 @@ impl SquaredForm {
     /// answer (about 4N coefficients of 2N + 2·(bits of a coefficient) bits each).
     #[must_use]
     pub fn expand(&self) -> ImplicitCurve {
-        match &self.odd {
-            Some(odd) if self.is_perfect_square() => {
-                // N is odd here: G = r^(N+1) − odd.
-                let top = BinaryForm::rho_power(self.harmonics.div_ceil(2)).scaled(&self.unit);
-                self.curve([Some(top), Some(odd.scaled(&Integer::from(-1)))])
-            }
-            _ => self.expand_unreduced(),
+        if self.harmonics > 0 && self.is_perfect_square() {
+            // N is odd here: G = r^(N+1) − odd.
+            let g = PlanePolynomial::from_parts(self.left_side(), Integer::ONE);
+            return self.curve(g.primitive());
+        }
+        self.expand_unreduced()
+    }
+
+    fn curve(&self, f: PlanePolynomial) -> ImplicitCurve {
+        ImplicitCurve::new(f).with_center(self.center.clone())
+    }
+}
+
+fn form(in_t: &FlatPolynomial) -> BinaryForm {
+    BinaryForm::from_dehomogenized(in_t.len() - 1, in_t.to_polynomial())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The slow twin: the formulas of [`square_away`] on forms with coefficients of any size, then the primitive part.
+    fn by_formulas(f: &SquaredForm) -> PlanePolynomial {
+        let unit = BinaryForm::from_coefficients(vec![f.unit.clone()]);
+        let (odd, even) = (f.odd.as_ref().map(form), form(&f.even));
+        let parts = square_away(
+            f.harmonics,
+            &unit,
+            BinaryForm::rho_power,
+            odd.as_ref(),
+            &even,
+        );
+        let minus_middle = parts.middle.map(|m| m.scaled(&Integer::from(-1)));
+        let parts = [Some(parts.top), minus_middle, Some(parts.low)];
+        PlanePolynomial::from_parts(parts.into_iter().flatten(), Integer::ONE).primitive()
+    }
+
+    /// Dyadic numbers, thirds and the like, whole numbers with a common factor, and zeros.
+    fn coefficient() -> impl Strategy<Value = Rational> {
+        prop_oneof![
+            Just(Rational::zero()),
+            (-1.0f64..1.0).prop_map(|x| Rational::try_from(x).unwrap_or_default()),
+            (any::<i32>(), 1i32..60).prop_map(|(p, q)| Rational::from(p) / Rational::from(q)),
+            (-20i64..20).prop_map(|n| Rational::from(60 * n)),
+            (any::<i64>(), 0i64..300).prop_map(|(n, e)| {
+                Rational::from(n) * Rational::from(2).pow(-e).unwrap_or_default()
+            }),
+        ]
+    }
+
+    /// Where the ways to compute change, and beyond.
+    #[test]
+    fn hundreds_of_harmonics() {
+        for n in [377, 378, 379, 399, 400, 401, 520] {
+            let numbers = |by: i64| -> Vec<Rational> {
+                let number = |k: i64| Rational::from((k * k * by + 7 * k) % 1009 - 504);
+                (0..=n).map(|k| number(k) / Rational::from(1024)).collect()
+            };
+            let form = SquaredForm::new(&FourierRadius::new(numbers(3), numbers(5)));
+            let form = form.expect("the radius is not 0");
+            let expanded = form.expand();
+            assert!(*expanded.polynomial() == by_formulas(&form), "N = {n}");
         }
     }
 
-    fn curve<const K: usize>(&self, parts: [Option<BinaryForm>; K]) -> ImplicitCurve {
-        let f = PlanePolynomial::from_parts(parts.into_iter().flatten(), Integer::ONE);
-        ImplicitCurve::new(f.primitive()).with_center(self.center.clone())
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(96))]
+        #[test]
+        fn large_integers_say_what_the_formulas_say(
+            cos in prop::collection::vec(coefficient(), 1..130),
+            sin in prop::collection::vec(coefficient(), 1..130),
+            kept in 0usize..4,
+        ) {
+            // All harmonics, the odd ones, the even ones, or the last pair alone.
+            let keep = |values: Vec<Rational>| {
+                let last = values.len() - 1;
+                let kept = |n: usize| match kept {
+                    0 => true,
+                    3 => n == last,
+                    parity => n % 2 == parity % 2,
+                };
+                let values = values.into_iter().enumerate();
+                values.map(|(n, c)| if kept(n) { c } else { Rational::zero() }).collect()
+            };
+            let radius = FourierRadius::new(keep(cos), keep(sin));
+            prop_assume!(!radius.is_zero());
+            let form = SquaredForm::new(&radius).map_err(|e| TestCaseError::fail(e.to_string()))?;
+            let expanded = form.expand_unreduced();
+            prop_assert!(expanded.polynomial().check_invariants());
+            prop_assert_eq!(expanded.polynomial(), &by_formulas(&form));
+            prop_assert_eq!(expanded.polynomial().degree(), Some(2 * radius.harmonics() + 2));
+        }
     }
 }

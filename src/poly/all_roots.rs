@@ -100,6 +100,7 @@ mod tests {
     use malachite::Integer;
     use malachite::base::num::basic::traits::One;
     use malachite::base::num::logic::traits::SignificantBits;
+    use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 
     /// In exact arithmetic alone: the slow twin.

@@ -5,6 +5,7 @@ use malachite::base::num::arithmetic::traits::{Content, DivExact, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::{MulPowerOfX, Polynomial};
 
+use super::binomials::binomials;
 use super::{IntegerPolynomial, Ring};
 
 /// A homogeneous polynomial `f(x, y) = Σ_k f_k x^(d−k) y^k` with integer coefficients.
@@ -64,10 +65,8 @@ impl BinaryForm {
     #[must_use]
     pub fn rho_power(power: usize) -> Self {
         let mut row = vec![Integer::ZERO; 2 * power + 1];
-        let mut binomial = Integer::ONE;
-        for k in 0..=power {
-            row[2 * k] = binomial.clone();
-            binomial = (binomial * Integer::from(power - k)).div_exact(Integer::from(k + 1));
+        for (k, binomial) in binomials(power).into_iter().enumerate() {
+            row[2 * k] = binomial;
         }
         Self::from_coefficients(row)
     }

@@ -5,16 +5,20 @@
 //! polynomial f(1, t) together with d.
 
 mod all_roots;
+mod binomials;
 mod bounded;
 mod circle;
 mod eliminate;
 mod evaluate;
+mod flat;
 mod form;
 mod function;
 mod gcd;
 mod homogeneous;
 mod isolate;
 mod kernel;
+mod limbs;
+mod mobius;
 mod modular;
 mod pair;
 mod plane;
@@ -32,19 +36,23 @@ mod trig;
 
 pub use all_roots::real_roots;
 pub(crate) use all_roots::sort_distinct;
+pub(crate) use binomials::binomials;
 pub(crate) use bounded::{
     BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of,
 };
+pub(crate) use circle::{doubled_flat_form, harmonic_bits};
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
+pub(crate) use flat::{FlatPolynomial, Place};
 pub use form::BinaryForm;
 pub use function::RationalFunction;
 pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
 pub use homogeneous::Form;
 pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
 pub use malachite::integer_polynomial::IntegerPolynomial;
+pub(crate) use mobius::form_bits;
 pub(crate) use modular::{SplitMix, gcd_mod, interpolate, inverse_mod, power_mod, reduce_integer};
 pub use plane::PlanePolynomial;
 pub(crate) use resultant::resultant;

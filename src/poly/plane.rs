@@ -138,12 +138,16 @@ impl PlanePolynomial {
     /// The non-zero terms `((i, j), c)` in canonical order: by total degree, then by the exponent
     /// of x, both descending.
     pub fn terms(&self) -> impl Iterator<Item = ((usize, usize), Rational)> {
-        self.parts().flat_map(|part| {
-            part.terms().map(|(k, c)| {
-                let coefficient = Rational::from(c) / Rational::from(&self.denominator);
-                ((part.degree() - k, k), coefficient)
-            })
+        self.integer_terms().map(|(exponents, c)| {
+            let coefficient = Rational::from(c) / Rational::from(&self.denominator);
+            (exponents, coefficient)
         })
+    }
+
+    /// D times the terms, lent, in the same order.
+    pub(crate) fn integer_terms(&self) -> impl Iterator<Item = ((usize, usize), &Integer)> {
+        self.parts()
+            .flat_map(|part| part.terms().map(|(k, c)| ((part.degree() - k, k), c)))
     }
 
     /// The number of non-zero terms.
@@ -161,6 +165,12 @@ impl PlanePolynomial {
     /// The primitive part with positive first term: the multiple with coprime integer coefficients.
     #[must_use]
     pub fn primitive(&self) -> Self {
+        self.clone().into_primitive()
+    }
+
+    /// The same in place: what is primitive already is returned as it is.
+    #[must_use]
+    pub fn into_primitive(mut self) -> Self {
         let mut content = Integer::ZERO;
         for part in self.parts.values() {
             content = gcd(content, &part.content());
@@ -168,20 +178,16 @@ impl PlanePolynomial {
                 break;
             }
         }
-        if self.first_coefficient().is_some_and(|c| c.signum() < 0) {
+        if self.integer_terms().next().is_some_and(|(_, c)| *c < 0) {
             content = -content;
         }
-        if content == 0 {
-            return self.clone();
+        if content != 0 && content != 1 {
+            for part in self.parts.values_mut() {
+                *part = part.div_exact(&content);
+            }
         }
-        Self {
-            parts: self
-                .parts
-                .iter()
-                .map(|(&d, p)| (d, p.div_exact(&content)))
-                .collect(),
-            denominator: Integer::ONE,
-        }
+        self.denominator = Integer::ONE;
+        self
     }
 
     /// The multiple whose first coefficient is 1.

@@ -1,8 +1,8 @@
 //! [`FourierRadius`]: a star-shaped curve given by a finite Fourier series of its radius.
 
-use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::arithmetic::traits::{DivExact, IsPowerOf2, LcmAssign};
 use malachite::base::num::basic::traits::One;
+use malachite::{Integer, Natural};
 
 use super::{Parameter, PlaneCurve};
 use crate::exact::Rational;
@@ -97,11 +97,24 @@ impl FourierRadius {
     /// (D, D·cosines, D·sines) with the least common denominator D of all coefficients.
     #[must_use]
     pub fn over_common_denominator(&self) -> (Integer, Vec<Integer>, Vec<Integer>) {
-        let all = self.cos.iter().chain(&self.sin);
-        let common = all.fold(Integer::ONE, |d, q| {
-            Integer::from(d.unsigned_abs_ref().lcm(q.denominator().unsigned_abs_ref()))
-        });
-        let integer = |q: &Rational| q.numerator() * (&common).div_exact(q.denominator());
+        // D = 2^power · odd: where all coefficients are dyadic, a gcd is never taken.
+        let (mut power, mut odd) = (0, Natural::ONE);
+        for q in self.cos.iter().chain(&self.sin) {
+            let denominator = q.denominator_ref();
+            power = power.max(denominator.trailing_zeros().unwrap_or(0));
+            if !denominator.is_power_of_2() {
+                let own = denominator >> denominator.trailing_zeros().unwrap_or(0);
+                odd.lcm_assign(own);
+            }
+        }
+        let common = Integer::from(&odd << power);
+        let integer = |q: &Rational| {
+            if odd == 1 {
+                let own = q.denominator_ref().trailing_zeros().unwrap_or(0);
+                return q.numerator() << (power - own);
+            }
+            q.numerator() * (&common).div_exact(q.denominator())
+        };
         let cos = self.cos.iter().map(integer).collect();
         let sin = self.sin.iter().map(integer).collect();
         (common, cos, sin)

@@ -36,6 +36,16 @@ impl ImplicitCurve {
         &self.polynomial
     }
 
+    /// The same curve with a multiple of f.
+    #[must_use]
+    pub fn map_polynomial(
+        mut self,
+        multiple: impl FnOnce(PlanePolynomial) -> PlanePolynomial,
+    ) -> Self {
+        self.polynomial = multiple(self.polynomial);
+        self
+    }
+
     /// Where x = y = 0 lies in the contour's coordinates.
     #[must_use]
     pub fn center(&self) -> &[Rational; 2] {

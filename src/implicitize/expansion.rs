@@ -1,0 +1,171 @@
+//! Theorem 2 in large integers: the parts of F, in lowest terms, from the sums over odd and over even harmonics.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{
+    DivExactAssign, Gcd, NegAssign, Square, UnsignedAbs,
+};
+use malachite::base::num::basic::traits::Zero;
+
+use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, form_bits};
+
+/// What [`square_away`](super::square_away) says of the two sums f(1, t), which are `unit` times those of the radius
+/// and have coefficients in the basis z^j w^(d−j) that add up to less than 2^`bits`: the parts `unit² ρ^(N+1)`,
+/// `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all their
+/// coefficients.
+///
+/// Cost: two squares of forms of degree N, and two products of half the length: ρ is a polynomial in t².
+pub(super) fn primitive_parts(
+    harmonics: usize,
+    unit: &Integer,
+    odd: Option<&FlatPolynomial>,
+    even: &FlatPolynomial,
+    bits: u64,
+) -> Vec<BinaryForm> {
+    let middle = odd.map(|odd| middle_part(harmonics, odd, bits));
+    let low = low_part(harmonics, odd, even, bits);
+    // unit = 2^power · factor, with an odd factor that is 1 for dyadic radii
+    let power = unit.trailing_zeros().unwrap_or(0);
+    let factor = unit >> power;
+    let in_middle = middle.as_ref().and_then(FlatPolynomial::trailing_zeros);
+    let in_parts = [
+        Some(2 * power),
+        in_middle.map(|zeros| zeros + power + 1),
+        low.trailing_zeros(),
+    ];
+    let common = in_parts.into_iter().flatten().min().unwrap_or(0);
+    let by = |shift: u64| shift.cast_signed() - common.cast_signed();
+
+    let square = (&factor).square();
+    let mut parts = vec![top_part(harmonics, &(&square << by(2 * power)))];
+    parts.extend(middle.map(|middle| {
+        let mut coefficients: Vec<Integer> = middle.to_integers(by(power + 1)).collect();
+        for c in &mut coefficients {
+            if factor != 1 {
+                *c *= &factor;
+            }
+            c.neg_assign();
+        }
+        coefficients
+    }));
+    parts.push(low.to_integers(by(0)).collect());
+    divide_by_common_factor(square, &mut parts);
+    let parts = parts.into_iter().map(BinaryForm::from_coefficients);
+    parts.collect()
+}
+
+/// `factor · ρ^(N+1)`.
+fn top_part(harmonics: usize, factor: &Integer) -> Vec<Integer> {
+    let mut coefficients = vec![Integer::ZERO; 2 * harmonics + 3];
+    for (k, binomial) in binomials(harmonics + 1).into_iter().enumerate() {
+        coefficients[2 * k] = binomial * factor;
+    }
+    coefficients
+}
+
+/// Up to this power of ρ, for numbers of `bits` bits, as many additions for each coefficient are faster than two products:
+/// 7 to 30 µs at the 51st and 43 to 103 µs at the 101st, where they are compiled for the width, and else 124 to 115 µs
+/// at the 111th.
+fn additions_up_to(bits: u64) -> usize {
+    if FlatPolynomial::is_compiled_for(bits) {
+        190
+    } else {
+        100
+    }
+}
+
+/// `ρ^⌊N/2+1⌋ · odd`.
+fn middle_part(harmonics: usize, odd: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+    let power = harmonics / 2 + 1;
+    // At most the sum over C(power, k) times the largest C(degree, j).
+    let room = form_bits(odd.len() - 1, bits) + power as u64;
+    if power <= additions_up_to(room) {
+        by_additions(odd, power, room)
+    } else {
+        by_products(odd, power, room)
+    }
+}
+
+fn by_additions(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial {
+    let mut middle = odd.part(0, 1, odd.len() + 2 * power, room);
+    middle.multiply_by_rho(power);
+    middle
+}
+
+fn by_products(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial {
+    let rho = FlatPolynomial::from_integers(binomials(power).iter(), power as u64);
+    let mut middle = FlatPolynomial::zero(odd.len() + 2 * power, room);
+    for (half, at) in odd.halves(room).iter().zip(0..) {
+        middle.add_product(half, &rho, room, &[Place::of_sum(at, 2)]);
+    }
+    middle
+}
+
+/// The two sums have degrees N and N − 1: with a and b for them, the low part is `a² − ρ b²` for odd N and its negative
+/// for even N.
+fn low_part(
+    harmonics: usize,
+    odd: Option<&FlatPolynomial>,
+    even: &FlatPolynomial,
+    bits: u64,
+) -> FlatPolynomial {
+    // a² and ρ b² are forms of degree 2N, of which the coefficients in the other basis add up to at most the square.
+    let room = form_bits(2 * harmonics, 2 * bits);
+    let mut low = FlatPolynomial::zero(2 * harmonics + 1, room + 1);
+    let (plus, minus) = (Place::of_sum, Place::of_difference);
+    let squares = match odd {
+        Some(odd) if !harmonics.is_multiple_of(2) => [
+            (Some(odd), vec![plus(0, 1)]),
+            (Some(even), vec![minus(0, 1), minus(2, 1)]),
+        ],
+        odd => [
+            (Some(even), vec![minus(0, 1)]),
+            (odd, vec![plus(0, 1), plus(2, 1)]),
+        ],
+    };
+    for (sum, places) in squares {
+        if let Some(sum) = sum {
+            low.add_square(sum, room, &places);
+        }
+    }
+    low
+}
+
+/// Divides by the gcd of `factor` and all coefficients.
+fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
+    let mut common = factor.unsigned_abs();
+    // Those of the low part are the least alike.
+    for c in parts.iter().rev().flatten() {
+        if common == 1 {
+            return;
+        }
+        common = common.gcd(c.unsigned_abs_ref());
+    }
+    let common = Integer::from(common);
+    if common != 1 {
+        for c in parts.iter_mut().flatten() {
+            c.div_exact_assign(&common);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Widths that are compiled and others.
+        #[test]
+        fn powers_of_rho_by_additions_and_by_products(
+            odd in prop::collection::vec(any::<i128>(), 1..60),
+            power in 1usize..60,
+            shift in prop_oneof![Just(0_u64), Just(900)],
+        ) {
+            let odd: Vec<Integer> = odd.into_iter().map(|c| Integer::from(c) << shift).collect();
+            let bits = 128 + shift;
+            let odd = FlatPolynomial::from_integers(odd.iter(), bits);
+            let room = bits + power as u64 + 6;
+            prop_assert_eq!(by_additions(&odd, power, room), by_products(&odd, power, room));
+        }
+    }
+}
