@@ -21,11 +21,17 @@ pub(crate) struct Kernel {
 }
 
 /// The kernel of the matrix with the given rows, all of length `columns`, modulo a prime below 2³¹. Gauss.
+///
+/// What is still to be eliminated is kept below p² and divided when it is looked at.
 pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel {
+    let square = p * p;
     let mut pivots: Vec<usize> = Vec::new();
     let mut free = Vec::new();
     for column in 0..columns {
         let rank = pivots.len();
+        for row in &mut rows[rank..] {
+            row[column] %= p;
+        }
         let Some(found) = (rank..rows.len()).find(|&i| rows[i][column] != 0) else {
             free.push(column);
             continue;
@@ -33,14 +39,17 @@ pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel 
         rows.swap(rank, found);
         let inverse = inverse_mod(rows[rank][column], p);
         for c in &mut rows[rank][column..] {
-            *c = *c * inverse % p;
+            *c = *c % p * inverse % p;
         }
         let (done, open) = rows.split_at_mut(rank + 1);
         let top = &done[rank];
         for row in open.iter_mut().filter(|row| row[column] != 0) {
             let factor = p - row[column];
             for (c, t) in row[column..].iter_mut().zip(&top[column..]) {
-                *c = (*c + factor * t) % p;
+                *c += factor * t;
+                if *c >= square {
+                    *c -= square;
+                }
             }
         }
         pivots.push(column);

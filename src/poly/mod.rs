@@ -18,6 +18,7 @@ mod kernel;
 mod modular;
 mod pair;
 mod plane;
+mod prime_field;
 mod resultant;
 mod ring;
 mod root_sign;
@@ -43,8 +44,11 @@ pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decompo
 pub use homogeneous::Form;
 pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
 pub use malachite::integer_polynomial::IntegerPolynomial;
-pub(crate) use modular::{SplitMix, gcd_mod, interpolate, inverse_mod, power_mod, reduce_integer};
+pub(crate) use modular::{
+    SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, power_mod, powers_mod, reduce_integer,
+};
 pub use plane::PlanePolynomial;
+pub(crate) use prime_field::PrimeField;
 pub(crate) use resultant::resultant;
 pub use ring::Ring;
 pub(crate) use root_sign::constant_sign;
