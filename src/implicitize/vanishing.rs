@@ -17,8 +17,11 @@ const MORE_ROWS: usize = 8;
 /// Primes after which the lifting is given up: coefficients of about a million bits.
 const MAX_PRIMES: usize = 30_000;
 
-/// The largest number of monomials: those of degree at most 18 in three variables.
+/// The largest number of monomials: those of degree at most [`LARGEST_DEGREE`] in three variables.
 const MAX_MONOMIALS: usize = 1330;
+
+/// The largest degree of an equation in three variables.
+pub(super) const LARGEST_DEGREE: usize = 18;
 
 /// The monomials of degree at most `degree` in the given ones of x, y, z, ascending in the order of terms.
 pub(super) fn monomials(degree: u32, variables: [bool; 3]) -> Vec<[u32; 3]> {

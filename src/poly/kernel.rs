@@ -95,7 +95,10 @@ impl Span {
     /// Whether the vector was not in the space; then it is added.
     pub(crate) fn add(&mut self, mut vector: Vec<u64>) -> bool {
         let p = self.prime;
+        let square = p * p;
+        // Kept below p², and divided when it is looked at.
         for column in 0..vector.len() {
+            vector[column] %= p;
             if vector[column] == 0 {
                 continue;
             }
@@ -103,13 +106,16 @@ impl Span {
                 Some(row) => {
                     let factor = p - vector[column];
                     for (c, r) in vector[column..].iter_mut().zip(&row[column..]) {
-                        *c = (*c + factor * r) % p;
+                        *c += factor * r;
+                        if *c >= square {
+                            *c -= square;
+                        }
                     }
                 }
                 None => {
                     let inverse = inverse_mod(vector[column], p);
                     for c in &mut vector[column..] {
-                        *c = *c * inverse % p;
+                        *c = *c % p * inverse % p;
                     }
                     self.rows[column] = Some(vector);
                     self.dimension += 1;
@@ -246,6 +252,31 @@ mod tests {
                 reconstruction.add(&image, p)
             });
             prop_assert_eq!(found, Some(expected));
+        }
+    }
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(12))]
+        #[test]
+        fn large_kernels_are_those_of_a_span(seed in 0u64..1000, rank in 1usize..190) {
+            let mut random = super::super::SplitMix(seed);
+            let columns = 200;
+            // In steps, so that other columns than the last ones are free.
+            let basis: Vec<Vec<u64>> = (0..rank).map(|k| {
+                (0..columns).map(|c| if c < k { 0 } else { random.next() % P }).collect()
+            }).collect();
+            let rows: Vec<Vec<u64>> = (0..columns + 8).map(|_| {
+                let weights: Vec<u64> = (0..rank).map(|_| random.next() % P).collect();
+                (0..columns).map(|c| weights.iter().zip(&basis).fold(0, |s, (a, b)| (s + a * b[c]) % P)).collect()
+            }).collect();
+            let mut span = Span::new(columns, P);
+            for row in &rows {
+                span.add(row.clone());
+            }
+            let kernel = kernel(rows.clone(), columns, P);
+            prop_assert_eq!(kernel.vectors.len(), columns - span.len());
+            for (vector, row) in kernel.vectors.iter().zip(rows.iter().cycle().skip(rank)) {
+                prop_assert_eq!(row.iter().zip(vector).fold(0, |s, (a, b)| (s + a * b) % P), 0);
+            }
         }
     }
 }
