@@ -5,12 +5,10 @@ use malachite::base::num::arithmetic::traits::{Gcd, Mod};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
-use super::modular::PrimeField;
 use super::terms::{Exponents, Terms};
 use crate::error::Result;
 use crate::limits::Limits;
-use crate::poly::SplitMix;
-use crate::poly::{IntegerPolynomial, polynomial_gcd};
+use crate::poly::{IntegerPolynomial, PrimeField, SplitMix, polynomial_gcd};
 
 /// The prime that quick tests are made with: 2³¹ − 1.
 pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;

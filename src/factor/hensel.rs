@@ -4,11 +4,10 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::polynomial::Polynomial;
 
-use super::modular::PrimeField;
 use super::truncated::TruncatedRing;
 use crate::error::Result;
 use crate::limits::Limits;
-use crate::poly::IntegerPolynomial;
+use crate::poly::{IntegerPolynomial, PrimeField};
 
 /// Lifts `target = ∏ factors` (monic in x) from Z/p to `ring` = (Z/p^k)[y, z]/(y^K, z^L).
 ///

@@ -11,7 +11,6 @@
 
 mod gcd;
 mod hensel;
-mod modular;
 mod multivariate;
 mod prime_field;
 mod proof;

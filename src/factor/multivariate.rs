@@ -9,7 +9,6 @@ use malachite::base::polynomial::Polynomial;
 
 use super::gcd::{QUICK_PRIME, content_in};
 use super::hensel::lift;
-use super::modular::PrimeField;
 use super::recombine::{Sieve, recombine};
 use super::specialize::{Best, Specialized, specialize};
 use super::terms::{Exponents, Terms};
@@ -18,8 +17,7 @@ use super::univariate::{fraction, power_above};
 use super::{Irreducibility, Variable, univariate};
 use crate::error::Result;
 use crate::limits::Limits;
-use crate::poly::IntegerPolynomial;
-use crate::poly::SplitMix;
+use crate::poly::{IntegerPolynomial, PrimeField, SplitMix};
 
 /// The irreducible factors of f, squarefree and primitive in v (no factor is free of v), with proofs.
 ///

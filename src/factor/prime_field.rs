@@ -1,9 +1,8 @@
 //! Factors modulo a prime: distinct degrees, then equal degrees.
 
-use super::modular::PrimeField;
 use crate::error::Result;
 use crate::limits::Limits;
-use crate::poly::SplitMix;
+use crate::poly::{PrimeField, SplitMix};
 
 /// Distinct-degree factorization of a monic squarefree f: pairs (d, product of the monic
 /// irreducible factors of degree d), ascending in d.

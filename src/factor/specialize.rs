@@ -3,14 +3,13 @@
 use malachite::Integer;
 
 use super::gcd::{QUICK_PRIME, image_modulo};
-use super::modular::PrimeField;
 use super::recombine::{degrees_of_products, intersect};
 use super::terms::Terms;
 use super::univariate::irreducible_factors;
 use super::{Irreducibility, Variable};
 use crate::error::Result;
 use crate::limits::Limits;
-use crate::poly::IntegerPolynomial;
+use crate::poly::{IntegerPolynomial, PrimeField};
 
 /// With so few factors two points are compared, otherwise [`POINTS`].
 const FEW_FACTORS: usize = 3;

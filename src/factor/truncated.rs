@@ -5,8 +5,7 @@ use malachite::base::num::arithmetic::traits::Mod;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::{MulPowerOfX, Polynomial};
 
-use super::modular::PrimeField;
-use crate::poly::IntegerPolynomial;
+use crate::poly::{IntegerPolynomial, PrimeField};
 
 /// The ring R = (Z/M)[y, z]/(y^K, z^L), with arithmetic of polynomials in x over it.
 ///

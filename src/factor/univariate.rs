@@ -8,14 +8,13 @@ use malachite::base::polynomial::Polynomial;
 use malachite::{Integer, Natural};
 
 use super::hensel::lift;
-use super::modular::PrimeField;
 use super::prime_field::{distinct_degrees, equal_degree};
 use super::recombine::{Sieve, degrees_of_products, intersect, recombine};
 use super::truncated::{TruncatedRing, balanced};
 use super::{Irreducibility, Variable};
 use crate::error::Result;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, divide_exactly, primitive_part};
+use crate::poly::{IntegerPolynomial, PrimeField, divide_exactly, primitive_part};
 
 /// Primes are tried from here on.
 const FIRST_PRIME: u64 = 13;

@@ -10,10 +10,13 @@ pub(crate) use crossing::Crossing;
 pub(crate) use local::Local;
 pub(crate) use taylor::Taylor;
 
+use std::cmp::Ordering;
+
 use malachite::Integer;
+use malachite::base::num::basic::traits::{One, Zero};
 use smallvec::SmallVec;
 
-use crate::exact::Rational;
+use crate::exact::{Dyadic, Rational};
 use crate::poly::SparsePolynomial;
 use taylor::Layout;
 
@@ -30,6 +33,8 @@ type Powers = SmallVec<[f64; 16]>;
 pub(crate) struct Field {
     exact: SparsePolynomial<3>,
     terms: Vec<([usize; 3], f64)>,
+    /// A positive multiple of f: the coefficients of its terms.
+    integers: Vec<Integer>,
     /// In each variable.
     degrees: [usize; 3],
     /// A relative error bound of a sum of terms in doubles.
@@ -58,6 +63,7 @@ impl Field {
         Self {
             relative: 1.01 * UNIT * roundings as f64,
             layout: Layout::new(&terms),
+            integers: integers(&exact),
             exact,
             terms,
             degrees,
@@ -98,7 +104,37 @@ impl Field {
         if value.abs() > size * self.relative + self.tiny(p) {
             return if value > 0.0 { 1 } else { -1 };
         }
-        self.exact_value(p).signum()
+        self.exact_sign(p)
+    }
+
+    /// The sign of f at a point with finite coordinates, in integers.
+    ///
+    /// With x = m/2^e, … and d the degree in x, `2^(d e) …` times f has the terms `c m^i 2^((d − i) e) …`: no
+    /// denominators, so no greatest common divisors.
+    fn exact_sign(&self, p: [f64; 3]) -> i8 {
+        let powers: [Vec<Integer>; 3] = std::array::from_fn(|axis| {
+            let x = Dyadic::from_f64(p[axis]).unwrap_or_else(Dyadic::zero);
+            let shift = x.exponent().unsigned_abs();
+            let degree = self.degrees[axis] as u64;
+            let (mantissa, missing) = match x.exponent() < 0 {
+                true => (x.mantissa().clone(), shift),
+                false => (x.mantissa() << shift, 0),
+            };
+            let powers = std::iter::successors(Some(Integer::ONE), |power| Some(power * &mantissa));
+            (0..=degree)
+                .zip(powers)
+                .map(|(i, power)| power << (missing * (degree - i)))
+                .collect()
+        });
+        let mut sum = Integer::ZERO;
+        for (([i, j, k], _), c) in self.terms.iter().zip(&self.integers) {
+            sum += c * &powers[0][*i] * (&powers[1][*j] * &powers[2][*k]);
+        }
+        match sum.cmp(&Integer::ZERO) {
+            Ordering::Less => -1,
+            Ordering::Equal => 0,
+            Ordering::Greater => 1,
+        }
     }
 
     /// f, exactly, at a point with finite coordinates.
@@ -204,6 +240,18 @@ impl Field {
     }
 }
 
+/// The coefficients times a positive number that makes them integers.
+fn integers(f: &SparsePolynomial<3>) -> Vec<Integer> {
+    let primitive = f.primitive();
+    let first = f.terms().next();
+    let negative = first.is_some_and(|(_, c)| c.signum() < 0);
+    let coefficients = primitive.terms().map(|(_, c)| c.numerator());
+    // The first one of a primitive polynomial is positive.
+    coefficients
+        .map(|c| if negative { -c } else { c })
+        .collect()
+}
+
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -222,6 +270,7 @@ pub(crate) fn between(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
 pub(crate) mod tests {
     use super::*;
     use crate::poly::Ring;
+    use proptest::prelude::*;
 
     /// x² + y² + z² − c
     pub(crate) fn sphere(c: i64) -> SparsePolynomial<3> {
@@ -248,6 +297,26 @@ pub(crate) mod tests {
         // (4·2⁻⁵²)² = 2⁻¹⁰⁰
         for (ulps, sign) in [(3.0, -1), (4.0, 0), (5.0, 1)] {
             assert_eq!(f.sign([1.0, 1.0 + ulps * f64::EPSILON, 1.0]), sign);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn signs_in_integers_are_those_of_fractions(
+            coefficients in prop::collection::vec((-9i64..=9, 1i64..9), 20),
+            p in prop::array::uniform3((-20i32..20, -60i32..20)),
+        ) {
+            let f = cubic(&[1; 20]);
+            let terms = f.terms().zip(&coefficients);
+            let f = SparsePolynomial::from_terms(terms.filter_map(|((e, _), (p, q))| {
+                Some((*e, Rational::new((*p).into(), (*q).into())?))
+            }));
+            prop_assume!(!f.is_empty());
+            let f = Field::new(&f);
+            // Small mantissas, so that zeros are met.
+            let p = p.map(|(m, e)| f64::from(m) * 2f64.powi(e / 3));
+            prop_assert_eq!(f.exact_sign(p), f.exact_value(p).signum());
+            prop_assert_eq!(f.sign(p), f.exact_sign(p));
         }
     }
 }

@@ -17,11 +17,11 @@ const TRIES: usize = 5;
 pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
     let prime = kernel_primes().next().unwrap_or(2);
     let mut random = SplitMix(1);
-    let map = RationalMap::of_patch(patch);
+    let map = RationalMap::of_patch(patch).modulo(prime);
     let mut tries = 0;
     while tries < TRIES {
         let s = [random.next() % prime, random.next() % prime];
-        if map.at(s, prime).is_none() {
+        if map.at(s).is_none() {
             continue;
         }
         tries += 1;

@@ -66,12 +66,12 @@ pub(super) fn isolated<const N: usize>(
     let [a, b] = [a, b].map(|f| in_sum_and_product(&divided_by_difference(&difference(f))));
     let eliminated = resultant(&a, &b, 1, limits)?;
     let mut found = none;
-    let mut product: Option<Fraction> = None;
+    let mut common: Option<CommonZero> = None;
     for sum in real_roots(&to_univariate(&eliminated, 0)) {
         limits.check()?;
         let Some(sum) = sum.as_rational() else {
-            let product = product.get_or_insert_with(|| common_zero(&a, &b));
-            match irrational_pair(coordinates, &sum, product, [&a, &b]) {
+            let common = common.get_or_insert_with(|| CommonZero::new(&a, &b));
+            match irrational_pair(coordinates, &sum, common) {
                 Some(point) => found.add(point),
                 None => found.complete = false,
             }
@@ -229,9 +229,42 @@ fn at_rational(f: &IntegerPolynomial, at: &Rational) -> Rational {
 /// above/below of two polynomials in s + σ.
 type Fraction = [IntegerPolynomial; 2];
 
+/// The common zero of a and b for a general zero s + σ of their resultant.
+struct CommonZero {
+    /// sσ
+    product: Fraction,
+    /// a and b there, cleared of denominators: the same polynomials for every zero s + σ.
+    values: [IntegerPolynomial; 2],
+}
+
+impl CommonZero {
+    fn new(a: &SparsePolynomial<3>, b: &SparsePolynomial<3>) -> Self {
+        let product = last_linear_remainder(a, b);
+        let values = [a, b].map(|f| at_product(f, &product));
+        Self { product, values }
+    }
+}
+
+/// `f(s + σ, above/below) below^degree`
+fn at_product(f: &SparsePolynomial<3>, [above, below]: &Fraction) -> IntegerPolynomial {
+    let degree = f.terms().map(|(e, _)| e[1]).max().unwrap_or(0);
+    let f = f.primitive();
+    let mut value = IntegerPolynomial::ZERO;
+    let mut power = IntegerPolynomial::one();
+    for k in (0..=degree).rev() {
+        let row = f.terms().filter(|(e, _)| e[1] == k);
+        let row = to_univariate_as_is(row.map(|(e, c)| (e[0], c.numerator())));
+        value = value * above + row * &power;
+        if k > 0 {
+            power *= below;
+        }
+    }
+    value
+}
+
 /// sσ where s + σ is a general zero of the resultant of a and b: from the last linear remainder of Euclid's
 /// algorithm in sσ, contents left out.
-fn common_zero(a: &SparsePolynomial<3>, b: &SparsePolynomial<3>) -> Fraction {
+fn last_linear_remainder(a: &SparsePolynomial<3>, b: &SparsePolynomial<3>) -> Fraction {
     let rows = |f: &SparsePolynomial<3>| -> Vec<IntegerPolynomial> {
         let f = f.primitive();
         let degree = f.terms().map(|(e, _)| e[1]).max().unwrap_or(0);
@@ -284,27 +317,11 @@ fn remainder(mut f: Vec<IntegerPolynomial>, g: &[IntegerPolynomial]) -> Vec<Inte
 fn irrational_pair<const N: usize>(
     coordinates: &[RationalFunction; N],
     sum: &RealRoot,
-    [above, below]: &Fraction,
-    equations: [&SparsePolynomial<3>; 2],
+    common: &CommonZero,
 ) -> Option<Option<IsolatedPoint<N>>> {
+    let [above, below] = &common.product;
     let is_zero = |p: &IntegerPolynomial| *p == IntegerPolynomial::ZERO || sum.is_root_of(p);
-    if sum.multiplicity() > 1 || is_zero(below) {
-        return None;
-    }
-    // f(s + σ, above/below), cleared.
-    let at = |f: &SparsePolynomial<3>| {
-        let degree = f.terms().map(|(e, _)| e[1]).max().unwrap_or(0);
-        let f = f.primitive();
-        let mut value = IntegerPolynomial::ZERO;
-        for k in (0..=degree).rev() {
-            let row = f.terms().filter(|(e, _)| e[1] == k);
-            let row = to_univariate_as_is(row.map(|(e, c)| (e[0], c.numerator())));
-            let power = (k..degree).fold(IntegerPolynomial::one(), |power, _| power * below);
-            value = value * above + row * power;
-        }
-        value
-    };
-    if !equations.iter().all(|f| is_zero(&at(f))) {
+    if sum.multiplicity() > 1 || is_zero(below) || !common.values.iter().all(is_zero) {
         return None;
     }
     // (s + σ)² < 4sσ
@@ -316,6 +333,6 @@ fn irrational_pair<const N: usize>(
     }
     let near = middle(sum);
     let product = at_rational(above, &near) * at_rational(below, &near).recip()?;
-    let vanishes = |f: &SparsePolynomial<3>| is_zero(&at(f));
+    let vanishes = |f: &SparsePolynomial<3>| is_zero(&at_product(f, &common.product));
     Some(conjugate_point(coordinates, vanishes, [near, product]))
 }

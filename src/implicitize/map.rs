@@ -1,22 +1,20 @@
-//! A parametric form as a rational map: its values modulo a prime, and exact substitution.
+//! A parametric form as a rational map, and its values modulo a prime.
 
 use malachite::Integer;
-use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::polynomial::Polynomial;
 
-use crate::error::Result;
-use crate::limits::Limits;
 use crate::poly::{
-    IntegerPolynomial, RationalFunction, SparsePolynomial, inverse_mod, power_mod, reduce_integer,
+    IntegerPolynomial, RationalFunction, SparsePolynomial, dot_mod, inverse_mod, powers_mod,
+    reduce_integer,
 };
-use crate::shape::{ParametricCurve, Patch, PatchFunction, SpaceCurve};
+use crate::shape::{ParametricCurve, Patch, PatchFunction};
 
 /// A polynomial in at most two variables with integer coefficients.
-type Terms = Vec<([u32; 2], Integer)>;
+pub(super) type Terms = Vec<([u32; 2], Integer)>;
 
 /// The coordinates as quotients of polynomials in s1 and s2.
 pub(super) struct RationalMap {
-    coordinates: Vec<[Terms; 2]>,
+    /// Numerator and denominator of each.
+    pub(super) coordinates: Vec<[Terms; 2]>,
 }
 
 impl RationalMap {
@@ -55,114 +53,72 @@ impl RationalMap {
         }
     }
 
-    /// The point at (s1, s2) modulo a prime below 2³¹; `None` at a pole.
-    pub(super) fn at(&self, s: [u64; 2], prime: u64) -> Option<Vec<u64>> {
+    /// Whether no denominator is 0 modulo the prime.
+    pub(super) fn is_defined_modulo(&self, prime: u64) -> bool {
+        let is_zero = |q: &Terms| q.iter().all(|(_, c)| reduce_integer(c, prime) == 0);
+        self.coordinates.iter().all(|[_, q]| !is_zero(q))
+    }
+
+    /// The map modulo a prime below 2³¹.
+    pub(super) fn modulo(&self, prime: u64) -> MapModulo {
         let coordinates = self.coordinates.iter();
-        coordinates
-            .map(|[p, q]| {
-                let below = value_modulo(q, s, prime);
-                let inverse = (below != 0).then(|| inverse_mod(below, prime))?;
-                Some(value_modulo(p, s, prime) * inverse % prime)
-            })
-            .collect()
-    }
-
-    /// Whether f vanishes identically on the form: exact substitution in integers.
-    ///
-    /// With x = p1/q1 and so on, `f q1^deg_x q2^deg_y q3^deg_z` is expanded by Horner's rule, the two variables
-    /// packed into one (Kronecker). Cost: about 2 deg_x deg_z products of polynomials for three coordinates.
-    ///
-    /// # Errors
-    /// Those of `limits`.
-    pub(super) fn annihilates(&self, f: &SparsePolynomial<3>, limits: &Limits) -> Result<bool> {
-        let degrees = f.terms().fold([0; 3], |d: [u32; 3], (e, _)| {
-            std::array::from_fn(|v| d[v].max(e[v]))
-        });
-        // The degree in s1 of everything that is added up.
-        let stride = self.coordinates.iter().zip(degrees).fold(1, |sum, (c, d)| {
-            let degree = c.iter().flatten().map(|(e, _)| e[0]).max().unwrap_or(0);
-            sum + degree as usize * d as usize
-        });
-        let packed: Vec<[IntegerPolynomial; 2]> = self
-            .coordinates
-            .iter()
-            .map(|both| both.each_ref().map(|terms| pack(terms, stride)))
+        let coordinates: Vec<[Vec<Vec<u64>>; 2]> = coordinates
+            .map(|both| both.each_ref().map(|terms| rows_modulo(terms, prime)))
             .collect();
-        let terms: Vec<([u32; 3], Integer)> = f
-            .primitive()
-            .terms()
-            .map(|(e, c)| (*e, c.numerator()))
-            .collect();
-        let used = packed.len().min(3);
-        let value = substitute(&terms, used, degrees, &packed, limits)?;
-        Ok(value == IntegerPolynomial::ZERO)
-    }
-}
-
-/// Whether a space curve satisfies f = 0 identically: exact substitution.
-pub(crate) fn lies_on(curve: &SpaceCurve, f: &SparsePolynomial<3>) -> bool {
-    let map = RationalMap::of_curve(curve);
-    map.annihilates(f, &Limits::none())
-        .is_ok_and(|it_does| it_does)
-}
-
-/// The terms, which all have the same exponents from `variable` on, with the first variables put in.
-fn substitute(
-    terms: &[([u32; 3], Integer)],
-    variables: usize,
-    degrees: [u32; 3],
-    packed: &[[IntegerPolynomial; 2]],
-    limits: &Limits,
-) -> Result<IntegerPolynomial> {
-    let Some(last) = variables.checked_sub(1) else {
-        let sum = terms.iter().fold(Integer::ZERO, |sum, (_, c)| sum + c);
-        return Ok(constant(sum));
-    };
-    let [p, q] = &packed[last];
-    let mut value = IntegerPolynomial::ZERO;
-    let mut q_power = constant(Integer::ONE);
-    for k in (0..=degrees[last]).rev() {
-        limits.check()?;
-        let here: Vec<([u32; 3], Integer)> = terms
-            .iter()
-            .filter(|(e, _)| e[last] == k)
-            .cloned()
-            .collect();
-        if value != IntegerPolynomial::ZERO {
-            value *= p;
-        }
-        if !here.is_empty() {
-            value += substitute(&here, last, degrees, packed, limits)? * &q_power;
-        }
-        if k > 0 && *q != constant(Integer::ONE) {
-            q_power *= q;
+        let rows = coordinates.iter().flatten().flatten();
+        MapModulo {
+            prime,
+            length: rows.map(Vec::len).max().unwrap_or(0),
+            coordinates,
         }
     }
-    Ok(value)
 }
 
-fn constant(c: Integer) -> IntegerPolynomial {
-    IntegerPolynomial::from_coefficients_asc(vec![c])
+/// A rational map modulo a prime.
+pub(super) struct MapModulo {
+    prime: u64,
+    /// One more than the largest exponent of s1.
+    length: usize,
+    /// Of each numerator and denominator the coefficients of the powers of s2, ascending in s1.
+    coordinates: Vec<[Vec<Vec<u64>>; 2]>,
 }
 
-/// s1 becomes s, s2 becomes s^stride.
-fn pack(terms: &Terms, stride: usize) -> IntegerPolynomial {
-    let mut coefficients = Vec::new();
+impl MapModulo {
+    /// The point at (s1, s2), `None` at a pole.
+    pub(super) fn at(&self, [s1, s2]: [u64; 2]) -> Option<Vec<u64>> {
+        let p = self.prime;
+        let powers = powers_mod(s1, self.length, p);
+        let value = |rows: &[Vec<u64>]| {
+            let rows = rows.iter().rev();
+            rows.fold(0, |v, row| (v * s2 + dot_mod(row, &powers, p)) % p)
+        };
+        // Neighbours often have one denominator.
+        let mut last: Option<(&Vec<Vec<u64>>, u64)> = None;
+        let mut point = Vec::with_capacity(self.coordinates.len());
+        for [above, below] in &self.coordinates {
+            let inverse = match last {
+                Some((known, inverse)) if known == below => inverse,
+                _ => match value(below) {
+                    0 => return None,
+                    1 => 1,
+                    other => inverse_mod(other, p),
+                },
+            };
+            last = Some((below, inverse));
+            point.push(value(above) * inverse % p);
+        }
+        Some(point)
+    }
+}
+
+fn rows_modulo(terms: &Terms, prime: u64) -> Vec<Vec<u64>> {
+    let mut rows: Vec<Vec<u64>> = Vec::new();
     for (e, c) in terms {
-        let index = e[0] as usize + e[1] as usize * stride;
-        if coefficients.len() <= index {
-            coefficients.resize(index + 1, Integer::ZERO);
-        }
-        coefficients[index] += c;
+        let [in_row, row] = e.map(|k| k as usize);
+        rows.resize(rows.len().max(row + 1), Vec::new());
+        let row = &mut rows[row];
+        row.resize(row.len().max(in_row + 1), 0);
+        row[in_row] = reduce_integer(c, prime);
     }
-    IntegerPolynomial::from_coefficients_asc(coefficients)
-}
-
-fn value_modulo(terms: &Terms, s: [u64; 2], prime: u64) -> u64 {
-    terms.iter().fold(0, |sum, (e, c)| {
-        let c = reduce_integer(c, prime);
-        let monomial =
-            power_mod(s[0], e[0].into(), prime) * power_mod(s[1], e[1].into(), prime) % prime;
-        (sum + c * monomial) % prime
-    })
+    rows
 }

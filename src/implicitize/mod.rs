@@ -3,6 +3,7 @@
 mod beyond;
 mod expansion;
 mod fibre;
+mod identity;
 mod image;
 mod inverse;
 mod isolated;
@@ -16,9 +17,9 @@ mod tracing;
 mod vanishing;
 
 pub use beyond::{PointBeyond, point_beyond};
+pub(crate) use identity::lies_on;
 pub use image::{Coverage, RealImage, real_image};
 pub use isolated::{Isolated, IsolatedPoint};
-pub(crate) use map::lies_on;
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
     PolarFactor, PolarInverse, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role,

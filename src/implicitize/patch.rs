@@ -2,10 +2,10 @@
 
 use super::fibre::{generic_fibre, sweeps_a_surface};
 use super::map::RationalMap;
-use super::vanishing::{kernel_modulo, lift, monomials};
+use super::vanishing::{LARGEST_DEGREE, kernel_modulo, lift, monomials};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
-use crate::poly::kernel_primes;
+use crate::poly::{SparsePolynomial, kernel_primes};
 use crate::shape::{ImplicitSurface, Patch};
 
 /// The equation of a parametric surface.
@@ -22,10 +22,10 @@ pub struct SurfaceEquation {
 
 /// The implicit equation of a patch.
 ///
-/// For d = 1, 2, … the values of all monomials of degree at most d at random points modulo a prime: full rank
-/// proves that no equation of degree d exists; the first kernel vector is lifted to Q by Chinese remainders
-/// and proved by exact substitution. The polynomials that vanish on a surface are the multiples of one
-/// irreducible polynomial, so an equation of least degree is that one.
+/// For growing d, those that divide the number of parameter values over a line, the values of all monomials of degree
+/// at most d at random points modulo a prime: full rank proves that no equation of degree d or less exists; the
+/// first kernel vector is lifted to Q by Chinese remainders and proved by substitution. The polynomials that vanish on
+/// a surface are the multiples of one irreducible polynomial, so an equation of least degree is that one.
 ///
 /// ```
 /// use stellate::implicitize::implicitize_patch;
@@ -42,8 +42,8 @@ pub struct SurfaceEquation {
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
-/// Cost: Gauss on C(d+3, 3) columns for every d up to the degree of the answer, once modulo each of the primes
-/// that its coefficients need.
+/// Cost: Gauss on C(d+3, 3) columns for these d up to the degree of the answer, and on as many as it has terms once
+/// modulo each of the primes that its coefficients need.
 ///
 /// # Errors
 /// [`Error::Hypothesis`] if the patch is only a curve or a point; [`Error::Limit`] for degrees above 18; those of
@@ -59,29 +59,80 @@ pub fn implicitize_patch(patch: &Patch, limits: &Limits) -> Result<SurfaceEquati
                     .into(),
         });
     }
+    // The degree divides this number, but for an improbable exception: then the largest one finds it.
+    let fibre = generic_fibre(patch, limits)?;
+    let likely = (1..).filter(|&d| fibre.is_multiple_of(d) || d >= LARGEST_DEGREE);
+    let f = least_equation(&map, likely, limits)?;
+    let degree = f.degree().and_then(|d| usize::try_from(d).ok());
+    let tracing_index = degree
+        .filter(|d| fibre.is_multiple_of(*d))
+        .map(|d| fibre / d);
+    Ok(SurfaceEquation {
+        surface: ImplicitSurface::new(f),
+        tracing_index,
+    })
+}
+
+/// The equation of least degree, which is at most the last one of the given ascending degrees.
+///
+/// The kernel of any degree that is large enough shows it: of the monomials, in ascending order, the first one that
+/// depends on those before it is its last one.
+fn least_equation(
+    map: &RationalMap,
+    degrees: impl Iterator<Item = usize>,
+    limits: &Limits,
+) -> Result<SparsePolynomial<3>> {
     let prime = kernel_primes().next().unwrap_or(2);
-    for degree in 1.. {
-        let monomials = monomials(degree, [true; 3]);
+    let mut none_up_to = 0;
+    for degree in degrees {
+        let monomials = monomials(u32::try_from(degree).unwrap_or(u32::MAX), [true; 3]);
         let kernel =
-            kernel_modulo(&map, &monomials, prime, limits).map_err(|error| match error {
+            kernel_modulo(map, &monomials, prime, limits).map_err(|error| match error {
                 Error::Limit { limit, .. } => Error::Limit {
                     limit,
-                    finished: format!("there is no equation of degree {} or less", degree - 1),
+                    finished: format!("there is no equation of degree {none_up_to} or less"),
                 },
                 other => other,
             })?;
         if let Some(vector) = kernel.vectors.first() {
-            let f = lift(&map, &monomials, vector, limits)?;
-            let degree = f.degree().and_then(|d| usize::try_from(d).ok());
-            let fibre = generic_fibre(patch, limits)?;
-            let tracing_index = degree
-                .filter(|d| fibre.is_multiple_of(*d))
-                .map(|d| fibre / d);
-            return Ok(SurfaceEquation {
-                surface: ImplicitSurface::new(f),
-                tracing_index,
-            });
+            return lift(map, &monomials, vector, limits);
         }
+        none_up_to = degree;
     }
     unreachable!("the number of monomials is limited")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::{Numbers, parse_form};
+    use crate::shape::Form;
+
+    #[test]
+    fn any_degree_that_is_large_enough_shows_the_least_one() {
+        let limits = Limits::none();
+        for (text, degree) in [
+            ("x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)", 4),
+            ("x = (2+cos(v))cos(u); y = (2+cos(v))sin(u); z = sin(v)", 4),
+            ("x = u*v; y = u; z = v^2", 3),
+            ("x = u + v; y = u - v; z = 3u + 1", 1),
+            (
+                "x = u - u^3/3 + u*v^2; y = v - v^3/3 + v*u^2; z = u^2 - v^2",
+                9,
+            ),
+        ] {
+            let Ok(Form::Patch(patch)) = parse_form(text, "<form>", Numbers::Exact) else {
+                panic!("{text}")
+            };
+            let map = RationalMap::of_patch(&patch);
+            let one_by_one = least_equation(&map, 1.., &limits).unwrap();
+            assert_eq!(one_by_one.degree(), Some(degree as u64));
+            for first in degree..degree + 3 {
+                let found = least_equation(&map, first.., &limits).unwrap();
+                assert_eq!(found, one_by_one, "{text} from {first}");
+            }
+            let found = implicitize_patch(&patch, &limits).unwrap();
+            assert_eq!(found.surface.polynomial(), &one_by_one);
+        }
+    }
 }

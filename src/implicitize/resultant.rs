@@ -23,8 +23,9 @@ pub struct PlaneEquation {
 /// With x = p1/q1 and y = p2/q2 in lowest terms, of degrees m and n in s: `Res_s(q1 X − p1, q2 Y − p2) = c f^k`
 /// with f irreducible over Q and k the tracing index, without extraneous factor (Sederberg; Sendra &
 /// Winkler, *Rational Algebraic Curves*, Theorem 4.41). f is what is returned, with three proofs: it vanishes
-/// identically on the curve (exact substitution); its degree in X is n/k', where k' bounds the index from
-/// above; so by degrees it is the minimal polynomial and k = k'.
+/// identically on the curve (what substitution gives is 0 modulo primes whose product is larger than it could be);
+/// its degree in X is n/k', where k' bounds the index from above; so by degrees it is the minimal polynomial and
+/// k = k'.
 ///
 /// ```
 /// use stellate::implicitize::implicitize_plane;
@@ -44,8 +45,8 @@ pub struct PlaneEquation {
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
-/// Cost: (m n)² products of residues for each of about (m + n)·(bits of a coefficient)/31 primes, and 2m
-/// products of polynomials of degree m n for the proof.
+/// Cost: m n³ products of residues for each of about (m + n)·(bits of a coefficient)/31 primes, and for the proof
+/// 2 m n (number of terms) for each of as many.
 ///
 /// # Errors
 /// [`Error::Hypothesis`] if both coordinates are constant; [`Error::Limit`] if the resultant is too large; those

@@ -90,6 +90,10 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
         let kernel = kernel_modulo(&map, &all, prime, limits)?;
         let mut span = Span::new(all.len(), prime);
         for vector in multiples(&below, &below_monomials, &all) {
+            // All of them vanish on the curve, so there is nothing beyond the kernel.
+            if span.len() == kernel.vectors.len() {
+                break;
+            }
             span.add(vector);
         }
         for variables in PREFERRED {
@@ -97,8 +101,10 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
                 break;
             }
             let some = monomials(degree_limit, variables);
-            let found = kernel_modulo(&map, &some, prime, limits)?;
-            for vector in &found.vectors {
+            let fewer = (variables != [true; 3])
+                .then(|| kernel_modulo(&map, &some, prime, limits))
+                .transpose()?;
+            for vector in &fewer.as_ref().unwrap_or(&kernel).vectors {
                 if span.add(spread(vector, &some, &all)) {
                     surfaces.push(lift(&map, &some, vector, limits)?);
                 }

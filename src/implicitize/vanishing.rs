@@ -7,7 +7,8 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
-    Kernel, Reconstruction, SparsePolynomial, SplitMix, kernel, kernel_primes, term_order,
+    Kernel, Reconstruction, SparsePolynomial, SplitMix, kernel, kernel_primes, powers_mod,
+    term_order,
 };
 
 /// More rows than columns: each one more makes an accidental kernel 2³¹ times less likely.
@@ -16,8 +17,11 @@ const MORE_ROWS: usize = 8;
 /// Primes after which the lifting is given up: coefficients of about a million bits.
 const MAX_PRIMES: usize = 30_000;
 
-/// The largest number of monomials: those of degree at most 18 in three variables.
+/// The largest number of monomials: those of degree at most [`LARGEST_DEGREE`] in three variables.
 const MAX_MONOMIALS: usize = 1330;
+
+/// The largest degree of an equation in three variables.
+pub(super) const LARGEST_DEGREE: usize = 18;
 
 /// The monomials of degree at most `degree` in the given ones of x, y, z, ascending in the order of terms.
 pub(super) fn monomials(degree: u32, variables: [bool; 3]) -> Vec<[u32; 3]> {
@@ -54,11 +58,12 @@ pub(super) fn kernel_modulo(
             monomials.len()
         )));
     }
+    let map = map.modulo(prime);
     let mut random = SplitMix(prime);
     let mut rows = Vec::with_capacity(monomials.len() + MORE_ROWS);
     while rows.len() < monomials.len() + MORE_ROWS {
         let s = [random.next() % prime, random.next() % prime];
-        if let Some(point) = map.at(s, prime) {
+        if let Some(point) = map.at(s) {
             rows.push(values(&point, monomials, prime));
         }
     }
@@ -72,8 +77,7 @@ fn values(point: &[u64], monomials: &[[u32; 3]], prime: u64) -> Vec<u64> {
     let powers: Vec<Vec<u64>> = (0..3)
         .map(|v| {
             let value = point.get(v).copied().unwrap_or(0);
-            let powers = std::iter::successors(Some(1), |p| Some(p * value % prime));
-            powers.take(degree as usize + 1).collect()
+            powers_mod(value, degree as usize + 1, prime)
         })
         .collect();
     let value = |e: &[u32; 3]| {

@@ -7,24 +7,25 @@ use rayon::prelude::*;
 
 use super::kernel::Reconstruction;
 use super::modular::{
-    ABOVE_PRIMES, Images, interpolate, inverse_mod, power_mod, previous_prime, reduce_integer,
+    ABOVE_PRIMES, Images, dot_mod, interpolate, inverse_mod, inverses_mod, power_mod,
+    previous_prime, reduce_integer,
 };
-use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
+use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, PrimeField, RationalFunction};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
 
-/// Products of residues beyond which the work is refused: about a minute.
+/// Products of residues beyond which the work is refused: some ten seconds.
 const MAX_WORK: f64 = 3e10;
 
 /// The resultant of `q1(s) x − p1(s)` and `q2(s) y − p2(s)` with respect to s, for two functions in lowest
 /// terms of which one is not constant: a power of the irreducible equation of the curve, times a constant.
 /// Its degree in x is the degree of y(s), and the other way round.
 ///
-/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation and Chinese remainders: of the resultant
-/// itself, and of the multiple of it in which one coefficient is 1, over fractions, because the constant in front
+/// By evaluation at values of y, a characteristic polynomial in x for each modulo 31-bit primes, interpolation and
+/// Chinese remainders: of the resultant itself, and of the multiple of it in which one coefficient is 1, over fractions, because the constant in front
 /// is often much longer than the equation. As soon as more primes change nothing the polynomial is given to
 /// `prove`; what that returns first is the result. Cost:
-/// for degrees m and n, (m n)² products of residues for each prime, of which (m + n) coefficients' lengths
+/// for degrees m and n, m n³ products of residues for each prime, of which (m + n) coefficients' lengths
 /// are needed.
 ///
 /// # Errors
@@ -129,29 +130,18 @@ fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<
         residues.resize(degree + 1, 0);
         residues
     };
-    // q(s) v − p(s) for v = 0, 1, 2, …
-    let pencil = |f: &RationalFunction, degree: usize, count: usize| -> Vec<Vec<u64>> {
-        let (p, q) = (
-            reduce(f.numerator(), degree),
-            reduce(f.denominator(), degree),
-        );
-        let at = |v: usize| {
-            let terms = q.iter().zip(&p);
-            terms
-                .map(|(q, p)| (q * v as u64 + prime - p) % prime)
-                .collect()
-        };
-        (0..count).map(at).collect()
+    let both = |f: &RationalFunction, degree: usize| {
+        [f.numerator(), f.denominator()].map(|p| reduce(p, degree))
     };
-    let (in_x, in_y) = (pencil(x, m, n + 1), pencil(y, n, m + 1));
+    let (in_x, in_y) = (both(x, m), both(y, n));
+    let inverses = inverses_mod(n + 1, prime);
     // For each y the coefficients of the powers of x, then for each of these the powers of y.
-    let rows: Vec<Vec<u64>> = in_y
-        .par_iter()
-        .map(|g| {
-            let values = in_x
-                .iter()
-                .map(|f| resultant_mod(f.clone(), g.clone(), prime));
-            interpolate(values.collect(), prime)
+    let rows: Vec<Vec<u64>> = (0..=m as u64)
+        .into_par_iter()
+        .map(|y| {
+            let g = pencil(&in_y, y, prime);
+            let row = in_traces(&in_x, &g, &inverses, prime);
+            row.unwrap_or_else(|| on_grid(&in_x, &g, prime))
         })
         .collect();
     (0..=n)
@@ -159,8 +149,74 @@ fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<
         .collect()
 }
 
+/// q v − p
+fn pencil([p, q]: &[Vec<u64>; 2], v: u64, prime: u64) -> Vec<u64> {
+    let terms = q.iter().zip(p);
+    terms.map(|(q, p)| (q * v + prime - p) % prime).collect()
+}
+
+/// The coefficients of the powers of X in `Res(q X − p, g)`, from its values at 0, 1, 2, …, by Euclid.
+fn on_grid(x: &[Vec<u64>; 2], g: &[u64], prime: u64) -> Vec<u64> {
+    let values = (0..g.len() as u64).map(|v| resultant_mod(pencil(x, v, prime), g.to_vec(), prime));
+    interpolate(values.collect(), prime)
+}
+
+/// The same as [`on_grid`] for all X at once, if the leading coefficient of g and `Res(q, g)` are not 0.
+///
+/// It is Res(q, g) times the characteristic polynomial of h = p/q modulo g. The sums of the k-th powers of h at
+/// the zeros of g are values of a linear form: of s^i it is the sum of the i-th powers of the zeros, and of
+/// `s^i h^k` that of `(s^i h) h^(k−1)`. Coefficients from power sums, for g and back, by Newton's identities (von zur
+/// Gathen & Gerhard, *Modern Computer Algebra*, Exercise 6.5; Shoup 1999). Cost: n³ products, n the degree of g,
+/// where the grid takes n inverses for each of n + 1 values of X besides.
+fn in_traces([p, q]: &[Vec<u64>; 2], g: &[u64], inverses: &[u64], prime: u64) -> Option<Vec<u64>> {
+    let field = PrimeField::new(prime);
+    let n = g.len() - 1;
+    let resultant = resultant_mod(q.clone(), g.to_vec(), prime);
+    if g[n] == 0 || n == 0 || resultant == 0 {
+        return None;
+    }
+    let g = field.monic(g.to_vec());
+    let mut h = field.product(p, &field.inverse_modulo(q, &g)?);
+    field.divide(&mut h, &g);
+    h.resize(n, 0);
+    // s^i h modulo g
+    let mut shifted = vec![h];
+    for i in 1..n {
+        let mut next = vec![0];
+        next.extend_from_slice(&shifted[i - 1]);
+        let minus = (prime - next.pop().unwrap_or(0)) % prime;
+        for (c, d) in next.iter_mut().zip(&g) {
+            *c = (*c + minus * d) % prime;
+        }
+        shifted.push(next);
+    }
+    // Of a monic polynomial the coefficients from above, and the power sums of its zeros.
+    let descending: Vec<u64> = g.iter().rev().copied().collect();
+    let mut form = vec![n as u64];
+    for k in 1..n {
+        // p_k + e_1 p_(k−1) + … + e_(k−1) p_1 + k e_k = 0
+        let earlier: Vec<u64> = form[1..].iter().rev().copied().collect();
+        let sum = dot_mod(&descending[1..], &earlier, prime) + descending[k] * k as u64 % prime;
+        form.push((2 * prime - sum) % prime);
+    }
+    let mut sums: Vec<u64> = Vec::with_capacity(n);
+    for _ in 0..n {
+        form = shifted.iter().map(|f| dot_mod(f, &form, prime)).collect();
+        sums.push(form[0]);
+    }
+    let mut row = vec![1];
+    for k in 1..=n {
+        let later: Vec<u64> = sums[..k].iter().rev().copied().collect();
+        let sum = dot_mod(&row, &later, prime);
+        row.push((prime - sum) % prime * inverses[k] % prime);
+    }
+    row.reverse();
+    Some(row.iter().map(|c| c * resultant % prime).collect())
+}
+
 /// The resultant of two polynomials modulo a prime below 2³¹ whose formal degrees are their lengths less one.
 pub(crate) fn resultant_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> u64 {
+    let field = PrimeField::new(p);
     let odd = |f: &[u64], g: &[u64]| (f.len() - 1) * (g.len() - 1) % 2 == 1;
     let mut value = 1;
     if g.last() == Some(&0) {
@@ -179,7 +235,7 @@ pub(crate) fn resultant_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> u64 {
         }
         let formal = f.len() - 1;
         let lead = g[g.len() - 1];
-        remainder(&mut f, &g, p);
+        field.divide(&mut f, &g);
         let Some(degree) = f.len().checked_sub(1) else {
             return 0;
         };
@@ -187,25 +243,6 @@ pub(crate) fn resultant_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> u64 {
         std::mem::swap(&mut f, &mut g);
     }
     value * power_mod(g[0], f.len() as u64 - 1, p) % p
-}
-
-/// f mod g in place, trimmed.
-fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
-    let n = g.len() - 1;
-    let inverse = inverse_mod(g[n], p);
-    while f.len() > n {
-        let top = f.pop().unwrap_or(0);
-        if top != 0 {
-            let factor = p - top * inverse % p;
-            let start = f.len() - n;
-            for (value, c) in f[start..].iter_mut().zip(g) {
-                *value = (*value + factor * c) % p;
-            }
-        }
-    }
-    while f.last() == Some(&0) {
-        f.pop();
-    }
 }
 
 /// log₂ of the sum of the absolute values of all coefficients, about.
@@ -271,6 +308,27 @@ mod tests {
             let swapped = resultant_mod(formal.clone(), f.clone(), P);
             let odd = (f.len() - 1) * (formal.len() - 1) % 2 == 1;
             prop_assert_eq!(swapped, if odd { (P - found) % P } else { found });
+        }
+
+        #[test]
+        fn traces_and_the_grid_agree(
+            p in prop::collection::vec(0..P, 0..9),
+            q in prop::collection::vec(0..P, 1..9),
+            g in prop::collection::vec(0..P, 1..9),
+            small in prop::bool::ANY,
+        ) {
+            // Small coefficients have common zeros and leading zeros now and then.
+            let reduce = |f: Vec<u64>| -> Vec<u64> { f.iter().map(|c| if small { c % 2 } else { *c }).collect() };
+            let [mut p, mut q, g] = [p, q, g].map(reduce);
+            let formal = p.len().max(q.len());
+            p.resize(formal, 0);
+            q.resize(formal, 0);
+            let x = [p, q];
+            let inverses = inverses_mod(g.len(), P);
+            match in_traces(&x, &g, &inverses, P) {
+                Some(row) => prop_assert_eq!(row, on_grid(&x, &g, P)),
+                None => prop_assert!(small || g.len() == 1),
+            }
         }
     }
 }

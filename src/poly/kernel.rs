@@ -21,11 +21,17 @@ pub(crate) struct Kernel {
 }
 
 /// The kernel of the matrix with the given rows, all of length `columns`, modulo a prime below 2³¹. Gauss.
+///
+/// What is still to be eliminated is kept below p² and divided when it is looked at.
 pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel {
+    let square = p * p;
     let mut pivots: Vec<usize> = Vec::new();
     let mut free = Vec::new();
     for column in 0..columns {
         let rank = pivots.len();
+        for row in &mut rows[rank..] {
+            row[column] %= p;
+        }
         let Some(found) = (rank..rows.len()).find(|&i| rows[i][column] != 0) else {
             free.push(column);
             continue;
@@ -33,14 +39,17 @@ pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel 
         rows.swap(rank, found);
         let inverse = inverse_mod(rows[rank][column], p);
         for c in &mut rows[rank][column..] {
-            *c = *c * inverse % p;
+            *c = *c % p * inverse % p;
         }
         let (done, open) = rows.split_at_mut(rank + 1);
         let top = &done[rank];
         for row in open.iter_mut().filter(|row| row[column] != 0) {
             let factor = p - row[column];
             for (c, t) in row[column..].iter_mut().zip(&top[column..]) {
-                *c = (*c + factor * t) % p;
+                *c += factor * t;
+                if *c >= square {
+                    *c -= square;
+                }
             }
         }
         pivots.push(column);
@@ -86,7 +95,10 @@ impl Span {
     /// Whether the vector was not in the space; then it is added.
     pub(crate) fn add(&mut self, mut vector: Vec<u64>) -> bool {
         let p = self.prime;
+        let square = p * p;
+        // Kept below p², and divided when it is looked at.
         for column in 0..vector.len() {
+            vector[column] %= p;
             if vector[column] == 0 {
                 continue;
             }
@@ -94,13 +106,16 @@ impl Span {
                 Some(row) => {
                     let factor = p - vector[column];
                     for (c, r) in vector[column..].iter_mut().zip(&row[column..]) {
-                        *c = (*c + factor * r) % p;
+                        *c += factor * r;
+                        if *c >= square {
+                            *c -= square;
+                        }
                     }
                 }
                 None => {
                     let inverse = inverse_mod(vector[column], p);
                     for c in &mut vector[column..] {
-                        *c = *c * inverse % p;
+                        *c = *c % p * inverse % p;
                     }
                     self.rows[column] = Some(vector);
                     self.dimension += 1;
@@ -237,6 +252,31 @@ mod tests {
                 reconstruction.add(&image, p)
             });
             prop_assert_eq!(found, Some(expected));
+        }
+    }
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(12))]
+        #[test]
+        fn large_kernels_are_those_of_a_span(seed in 0u64..1000, rank in 1usize..190) {
+            let mut random = super::super::SplitMix(seed);
+            let columns = 200;
+            // In steps, so that other columns than the last ones are free.
+            let basis: Vec<Vec<u64>> = (0..rank).map(|k| {
+                (0..columns).map(|c| if c < k { 0 } else { random.next() % P }).collect()
+            }).collect();
+            let rows: Vec<Vec<u64>> = (0..columns + 8).map(|_| {
+                let weights: Vec<u64> = (0..rank).map(|_| random.next() % P).collect();
+                (0..columns).map(|c| weights.iter().zip(&basis).fold(0, |s, (a, b)| (s + a * b[c]) % P)).collect()
+            }).collect();
+            let mut span = Span::new(columns, P);
+            for row in &rows {
+                span.add(row.clone());
+            }
+            let kernel = kernel(rows.clone(), columns, P);
+            prop_assert_eq!(kernel.vectors.len(), columns - span.len());
+            for (vector, row) in kernel.vectors.iter().zip(rows.iter().cycle().skip(rank)) {
+                prop_assert_eq!(row.iter().zip(vector).fold(0, |s, (a, b)| (s + a * b) % P), 0);
+            }
         }
     }
 }

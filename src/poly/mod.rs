@@ -22,6 +22,7 @@ mod mobius;
 mod modular;
 mod pair;
 mod plane;
+mod prime_field;
 mod resultant;
 mod ring;
 mod root_sign;
@@ -53,8 +54,11 @@ pub use homogeneous::Form;
 pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
 pub use malachite::integer_polynomial::IntegerPolynomial;
 pub(crate) use mobius::form_bits;
-pub(crate) use modular::{SplitMix, gcd_mod, interpolate, inverse_mod, power_mod, reduce_integer};
+pub(crate) use modular::{
+    SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, power_mod, powers_mod, reduce_integer,
+};
 pub use plane::PlanePolynomial;
+pub(crate) use prime_field::PrimeField;
 pub(crate) use resultant::resultant;
 pub use ring::Ring;
 pub(crate) use root_sign::constant_sign;

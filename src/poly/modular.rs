@@ -34,9 +34,45 @@ pub(crate) fn power_mod(base: u64, mut exponent: u64, p: u64) -> u64 {
     result
 }
 
-/// 1/a mod the prime p, by Fermat.
+/// 1/a mod the prime p, for a residue a ≠ 0, by Euclid.
 pub(crate) fn inverse_mod(a: u64, p: u64) -> u64 {
-    power_mod(a, p - 2, p)
+    let (mut r, mut next) = (p, a);
+    // The cofactors of a, whose signs alternate.
+    let (mut t, mut cofactor) = (0, 1);
+    let mut negative = false;
+    while next > 1 {
+        let quotient = r / next;
+        (r, next) = (next, r - quotient * next);
+        (t, cofactor) = (cofactor, t + quotient * cofactor);
+        negative = !negative;
+    }
+    if negative { p - cofactor } else { cofactor }
+}
+
+/// 1, a, a², …: so many powers of a residue modulo a prime below 2³¹.
+pub(crate) fn powers_mod(a: u64, count: usize, p: u64) -> Vec<u64> {
+    let mut powers = vec![1; count];
+    if let Some(first) = powers.get_mut(1) {
+        *first = a;
+    }
+    for k in 2..count {
+        // Shorter chains of products that wait for each other than one by one.
+        powers[k] = powers[k / 2] * powers[k - k / 2] % p;
+    }
+    powers
+}
+
+/// Σ f_i g_i of residues modulo a prime below 2³¹, as far as both go.
+pub(crate) fn dot_mod(f: &[u64], g: &[u64], p: u64) -> u64 {
+    const HALF: u64 = (1 << 32) - 1;
+    // Two sums of halves cannot overflow, and the processor takes several products at once.
+    let (mut low, mut high) = (0, 0);
+    for (a, b) in f.iter().zip(g) {
+        let product = (a & HALF) * (b & HALF);
+        low += product & HALF;
+        high += product >> 32;
+    }
+    (high % p * ((1 << 32) % p) + low) % p
 }
 
 /// The monic gcd of two non-zero polynomials (ascending, trimmed), by Euclid.
@@ -140,21 +176,36 @@ pub(super) fn previous_prime(from: u64) -> u64 {
 /// (Newton).
 pub(crate) fn interpolate(mut values: Vec<u64>, p: u64) -> Vec<u64> {
     let n = values.len();
-    for gap in 1..n {
-        let inverse = inverse_mod(gap as u64, p);
+    let inverses = inverses_mod(n, p);
+    for (gap, inverse) in inverses.iter().enumerate().skip(1) {
         for i in (gap..n).rev() {
-            values[i] = (values[i] + p - values[i - 1]) % p * inverse % p;
+            values[i] = (values[i] + p - values[i - 1]) * inverse % p;
         }
     }
     // Horner over (t − k), from the last difference down.
     let mut coefficients = vec![0; n];
     for k in (0..n).rev() {
-        for i in (1..n).rev() {
-            coefficients[i] = (coefficients[i - 1] + (p - k as u64 % p) * coefficients[i]) % p;
+        let minus = p - k as u64 % p;
+        for i in (1..n - k).rev() {
+            coefficients[i] = (coefficients[i - 1] + minus * coefficients[i]) % p;
         }
-        coefficients[0] = ((p - k as u64 % p) * coefficients[0] + values[k]) % p;
+        coefficients[0] = (minus * coefficients[0] + values[k]) % p;
     }
     coefficients
+}
+
+/// The inverses of the numbers below n modulo a prime p ≥ n, with 0 for 0.
+pub(super) fn inverses_mod(n: usize, p: u64) -> Vec<u64> {
+    let mut inverses = vec![0; n];
+    if let Some(one) = inverses.get_mut(1) {
+        *one = 1;
+    }
+    for k in 2..n {
+        // p = qk + r, so 1/k = −q/r.
+        let (quotient, rest) = (p / k as u64, usize::try_from(p % k as u64).unwrap_or(0));
+        inverses[k] = (p - quotient) * inverses[rest] % p;
+    }
+    inverses
 }
 
 /// A small generator of well-mixed numbers (Steele, Lea & Flood's SplitMix64).
@@ -167,5 +218,42 @@ impl SplitMix {
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const P: u64 = 2_147_483_647;
+
+    proptest! {
+        #[test]
+        fn inverses_are_those_of_fermat(a in 1..P, big in 1u64..(1 << 61) - 1) {
+            for (a, p) in [(a, P), (big, (1 << 61) - 1), (1, P), (P - 1, P)] {
+                prop_assert_eq!(inverse_mod(a, p), power_mod(a, p - 2, p));
+            }
+            let n = usize::try_from(a % 100).unwrap() + 2;
+            prop_assert_eq!(inverses_mod(n, 101)[n - 1], power_mod(n as u64 - 1, 99, 101));
+        }
+
+        #[test]
+        fn sums_and_powers_are_those_made_one_by_one(
+            f in prop::collection::vec(0..P, 0..20), g in prop::collection::vec(0..P, 0..20), a in 0..P,
+        ) {
+            let sum = f.iter().zip(&g).fold(0, |sum, (a, b)| (sum + mul_mod(*a, *b, P)) % P);
+            prop_assert_eq!(dot_mod(&f, &g, P), sum);
+            prop_assert_eq!(dot_mod(&[P - 1; 4000], &[P - 1; 4000], P), 4000);
+            for (k, power) in powers_mod(a, f.len(), P).into_iter().enumerate() {
+                prop_assert_eq!(power, power_mod(a, k as u64, P));
+            }
+        }
+
+        #[test]
+        fn interpolation_takes_values_back_to_coefficients(f in prop::collection::vec(0..P, 0..12)) {
+            let at = |t: u64| f.iter().rev().fold(0, |v, c| (v * t + c) % P);
+            prop_assert_eq!(interpolate((0..f.len() as u64).map(at).collect(), P), f);
+        }
     }
 }

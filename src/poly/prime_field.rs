@@ -1,63 +1,51 @@
 //! Polynomials over a prime field with fewer than 2³¹ elements.
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::Mod;
 
-use crate::poly::IntegerPolynomial;
+use super::IntegerPolynomial;
+use super::modular::{inverse_mod, reduce_integer};
 
 /// The integers modulo a prime p < 2³¹, and polynomials over them as ascending trimmed vectors.
 ///
 /// Products of residues fit 62 bits, so sums of products are kept below p² by a conditional
 /// subtraction and divided once.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PrimeField {
+pub(crate) struct PrimeField {
     p: u64,
     square: u64,
 }
 
 impl PrimeField {
     /// For a prime below 2³¹.
-    pub(super) fn new(p: u64) -> Self {
+    pub(crate) fn new(p: u64) -> Self {
         Self { p, square: p * p }
     }
 
     /// p.
-    pub(super) fn prime(&self) -> u64 {
+    pub(crate) fn prime(&self) -> u64 {
         self.p
     }
 
-    pub(super) fn mul(&self, a: u64, b: u64) -> u64 {
+    pub(crate) fn mul(&self, a: u64, b: u64) -> u64 {
         a * b % self.p
     }
 
-    pub(super) fn power(&self, base: u64, mut exponent: u64) -> u64 {
-        let (mut result, mut square) = (1, base);
-        while exponent > 0 {
-            if exponent & 1 == 1 {
-                result = self.mul(result, square);
-            }
-            square = self.mul(square, square);
-            exponent >>= 1;
-        }
-        result
+    /// 1/a for a ≠ 0.
+    pub(crate) fn inverse(&self, a: u64) -> u64 {
+        inverse_mod(a, self.p)
     }
 
-    /// 1/a for a ≠ 0, by Fermat.
-    pub(super) fn inverse(&self, a: u64) -> u64 {
-        self.power(a, self.p - 2)
+    pub(crate) fn reduce_integer(&self, value: &Integer) -> u64 {
+        reduce_integer(value, self.p)
     }
 
-    pub(super) fn reduce_integer(&self, value: &Integer) -> u64 {
-        u64::try_from(&value.mod_op(Integer::from(self.p))).unwrap_or(0)
-    }
-
-    pub(super) fn reduce(&self, f: &IntegerPolynomial) -> Vec<u64> {
+    pub(crate) fn reduce(&self, f: &IntegerPolynomial) -> Vec<u64> {
         let coefficients = f.coefficients_asc().iter();
         trimmed(coefficients.map(|c| self.reduce_integer(c)).collect())
     }
 
     /// The multiple with leading coefficient 1.
-    pub(super) fn monic(&self, mut f: Vec<u64>) -> Vec<u64> {
+    pub(crate) fn monic(&self, mut f: Vec<u64>) -> Vec<u64> {
         if let Some(&lead) = f.last()
             && lead != 1
         {
@@ -69,7 +57,7 @@ impl PrimeField {
         f
     }
 
-    pub(super) fn derivative(&self, f: &[u64]) -> Vec<u64> {
+    pub(crate) fn derivative(&self, f: &[u64]) -> Vec<u64> {
         let mut k = 0;
         let terms = f.iter().skip(1).map(|&c| {
             k = if k + 1 == self.p { 0 } else { k + 1 };
@@ -78,7 +66,7 @@ impl PrimeField {
         trimmed(terms.collect())
     }
 
-    pub(super) fn difference(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
+    pub(crate) fn difference(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
         let length = f.len().max(g.len());
         let at = |f: &[u64], k: usize| f.get(k).copied().unwrap_or(0);
         trimmed(
@@ -89,7 +77,7 @@ impl PrimeField {
     }
 
     /// f · g, classical.
-    pub(super) fn product(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
+    pub(crate) fn product(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
         if f.is_empty() || g.is_empty() {
             return Vec::new();
         }
@@ -108,14 +96,12 @@ impl PrimeField {
         trimmed(product)
     }
 
-    /// f modulo g ≠ 0 in place; the quotient is returned.
-    pub(super) fn divide(&self, f: &mut Vec<u64>, g: &[u64]) -> Vec<u64> {
+    /// f modulo g ≠ 0 in place, trimmed; the quotient is returned.
+    pub(crate) fn divide(&self, f: &mut Vec<u64>, g: &[u64]) -> Vec<u64> {
         let Some((&lead, low)) = g.split_last() else {
             return Vec::new();
         };
-        let Some(length) = (f.len() + 1).checked_sub(g.len()) else {
-            return Vec::new();
-        };
+        let length = (f.len() + 1).saturating_sub(g.len());
         let inverse = if lead == 1 { 1 } else { self.inverse(lead) };
         let mut quotient = vec![0; length];
         for k in (0..length).rev() {
@@ -143,12 +129,12 @@ impl PrimeField {
     }
 
     /// The quotient of f by a divisor.
-    pub(super) fn quotient(&self, mut f: Vec<u64>, g: &[u64]) -> Vec<u64> {
+    pub(crate) fn quotient(&self, mut f: Vec<u64>, g: &[u64]) -> Vec<u64> {
         self.divide(&mut f, g)
     }
 
     /// The monic gcd, by Euclid; empty if both are 0.
-    pub(super) fn gcd(&self, mut f: Vec<u64>, mut g: Vec<u64>) -> Vec<u64> {
+    pub(crate) fn gcd(&self, mut f: Vec<u64>, mut g: Vec<u64>) -> Vec<u64> {
         while !g.is_empty() {
             self.divide(&mut f, &g);
             std::mem::swap(&mut f, &mut g);
@@ -157,12 +143,12 @@ impl PrimeField {
     }
 
     /// Whether f has no repeated factor (and its derivative is not 0).
-    pub(super) fn is_squarefree(&self, f: &[u64]) -> bool {
+    pub(crate) fn is_squarefree(&self, f: &[u64]) -> bool {
         f.len() <= 1 || self.gcd(f.to_vec(), self.derivative(f)).len() == 1
     }
 
     /// The inverse of f modulo `modulus`, if the two are coprime: the extended Euclidean algorithm.
-    pub(super) fn inverse_modulo(&self, f: &[u64], modulus: &[u64]) -> Option<Vec<u64>> {
+    pub(crate) fn inverse_modulo(&self, f: &[u64], modulus: &[u64]) -> Option<Vec<u64>> {
         let (mut a, mut b) = (modulus.to_vec(), f.to_vec());
         self.divide(&mut b, modulus);
         let (mut u, mut v) = (Vec::new(), vec![1]);
@@ -179,7 +165,7 @@ impl PrimeField {
     }
 
     /// f^exponent modulo `modulus`, for exponent ≥ 1 and f already reduced.
-    pub(super) fn power_modulo(&self, f: &[u64], exponent: u64, modulus: &[u64]) -> Vec<u64> {
+    pub(crate) fn power_modulo(&self, f: &[u64], exponent: u64, modulus: &[u64]) -> Vec<u64> {
         let mut result = f.to_vec();
         for bit in (0..exponent.max(1).ilog2()).rev() {
             result = self.product(&result, &result);

@@ -1,0 +1,349 @@
+//! Whether a polynomial vanishes identically on a rational map, proved modulo primes.
+
+use malachite::base::num::arithmetic::traits::{CeilingLogBase2, FloorLogBase2, Mod, Pow};
+use malachite::base::num::basic::traits::One;
+use malachite::{Integer, Natural};
+use rayon::prelude::*;
+
+use super::map::{RationalMap, Terms};
+use crate::error::Result;
+use crate::limits::Limits;
+use crate::poly::{SparsePolynomial, kernel_primes, power_mod, powers_mod, reduce_integer};
+use crate::shape::SpaceCurve;
+
+/// Logarithms to the base 2 are rounded after multiplication by this.
+const UNIT: u64 = 16;
+
+/// So many primes share one division of the long coefficients.
+const GROUP: usize = 16;
+
+/// Polynomials in x, y and z with integer coefficients.
+type Equation = Vec<([u32; 3], Integer)>;
+
+impl RationalMap {
+    /// Whether f vanishes identically on the map.
+    ///
+    /// With x = p1/q1 and so on, `N = f q1^a q2^b q3^c` (a, b, c the degrees; equal denominators are multiplied by
+    /// once) is a polynomial in s1 and s2 with integer coefficients, none of them larger than
+    /// `Σ |c_ijk| ‖p1‖^i ‖q1‖^(a−i) …` with sums of absolute values as norms. So it is 0 if it is 0 modulo primes
+    /// whose product is larger. Modulo a prime it is 0 if it is at more points of the curve `s2 = s1^k` than its
+    /// degree there, and k is larger than its degree in s1. Cost: for each 31 bits of the bound, (degree of N) ·
+    /// (number of terms of f) products of residues; what does not vanish is found out modulo the first prime.
+    ///
+    /// # Errors
+    /// Those of `limits`.
+    pub(super) fn annihilates(&self, f: &SparsePolynomial<3>, limits: &Limits) -> Result<bool> {
+        let f: Equation = f
+            .primitive()
+            .terms()
+            .map(|(e, c)| (*e, c.numerator()))
+            .collect();
+        let cleared = Cleared::new(self, &f);
+        let mut usable = kernel_primes().filter(|&p| self.is_defined_modulo(p));
+        let Some(first) = usable.next() else {
+            return Ok(false);
+        };
+        limits.check()?;
+        if !vanishes_modulo(self, &f, &cleared, first) {
+            return Ok(false);
+        }
+        let mut known = floor_log(first);
+        let rest = usable.take_while(|&p| {
+            let more = known <= cleared.bound;
+            known += floor_log(p);
+            more
+        });
+        let rest: Vec<u64> = rest.collect();
+        let failure = rest.par_chunks(GROUP).find_map_any(|primes| {
+            let product = primes
+                .iter()
+                .fold(Integer::ONE, |m, &p| m * Integer::from(p));
+            let f: Equation = f.iter().map(|(e, c)| (*e, c.mod_op(&product))).collect();
+            let vanishes = primes.iter().try_fold(true, |vanishes, &p| {
+                limits.check()?;
+                Ok(vanishes && vanishes_modulo(self, &f, &cleared, p))
+            });
+            (!matches!(vanishes, Ok(true))).then_some(vanishes)
+        });
+        failure.unwrap_or(Ok(true))
+    }
+}
+
+/// Whether a space curve satisfies f = 0 identically.
+pub(crate) fn lies_on(curve: &SpaceCurve, f: &SparsePolynomial<3>) -> bool {
+    let map = RationalMap::of_curve(curve);
+    map.annihilates(f, &Limits::none())
+        .is_ok_and(|it_does| it_does)
+}
+
+/// The size of N.
+struct Cleared {
+    /// Bounds of the degrees of N in s1 and s2.
+    degrees: [u64; 2],
+    /// The k of the curve `s2 = s1^k`, on which no denominator is 0 everywhere either.
+    stride: u64,
+    /// No coefficient is larger than 2^(bound/[`UNIT`]).
+    bound: u64,
+}
+
+impl Cleared {
+    fn new(map: &RationalMap, f: &Equation) -> Self {
+        let coordinates = &map.coordinates[..map.coordinates.len().min(3)];
+        // The denominators, each once, and which coordinates have them.
+        let mut below: Vec<(&Terms, Vec<usize>)> = Vec::new();
+        for (v, [_, q]) in coordinates.iter().enumerate() {
+            match below.iter_mut().find(|(known, _)| *known == q) {
+                Some((_, shared)) => shared.push(v),
+                None => below.push((q, vec![v])),
+            }
+        }
+        let together = |e: &[u32; 3], shared: &[usize]| -> u64 {
+            shared.iter().map(|&v| u64::from(e[v])).sum()
+        };
+        let above: Vec<Size> = coordinates.iter().map(|[p, _]| Size::of(p)).collect();
+        let below: Vec<(Size, u64, Vec<usize>)> = below
+            .into_iter()
+            .map(|(q, shared)| {
+                let power = f.iter().map(|(e, _)| together(e, &shared)).max();
+                (Size::of(q), power.unwrap_or(0), shared)
+            })
+            .collect();
+        let all = map.coordinates.iter().flatten().flatten();
+        let in_s1 = all.map(|(e, _)| u64::from(e[0])).max();
+        let mut cleared = Self {
+            degrees: [0; 2],
+            stride: 0,
+            bound: 0,
+        };
+        for (e, c) in f {
+            let factors = above.iter().zip(e).map(|(size, &k)| (size, u64::from(k)));
+            let missing = below
+                .iter()
+                .map(|(size, power, shared)| (size, power - together(e, shared)));
+            let (mut degrees, mut bound) = ([0; 2], ceiling_log(c));
+            for (size, k) in factors.chain(missing) {
+                degrees = std::array::from_fn(|v| degrees[v] + k * size.degrees[v]);
+                bound += k * size.norm;
+            }
+            cleared.degrees = std::array::from_fn(|v| cleared.degrees[v].max(degrees[v]));
+            cleared.bound = cleared.bound.max(bound);
+        }
+        cleared.stride = 1 + cleared.degrees[0].max(in_s1.unwrap_or(0));
+        // The largest term, as often as there are terms.
+        cleared.bound += ceiling_log(&Integer::from(f.len()));
+        cleared
+    }
+}
+
+/// The degrees of a polynomial and the logarithm of the sum of its absolute coefficients.
+struct Size {
+    degrees: [u64; 2],
+    norm: u64,
+}
+
+impl Size {
+    fn of(terms: &Terms) -> Self {
+        let degree = |v: usize| terms.iter().map(|(e, _)| u64::from(e[v])).max();
+        let norm = terms
+            .iter()
+            .map(|(_, c)| c.unsigned_abs_ref())
+            .sum::<Natural>();
+        Self {
+            degrees: [0, 1].map(|v| degree(v).unwrap_or(0)),
+            norm: ceiling_log(&Integer::from(norm)),
+        }
+    }
+}
+
+/// ⌈16 log₂ |c|⌉, 0 for 0.
+fn ceiling_log(c: &Integer) -> u64 {
+    if *c == 0 {
+        return 0;
+    }
+    c.unsigned_abs_ref().pow(UNIT).ceiling_log_base_2()
+}
+
+/// ⌊16 log₂ p⌋
+fn floor_log(p: u64) -> u64 {
+    Natural::from(p).pow(UNIT).floor_log_base_2()
+}
+
+/// Whether N is 0 modulo a prime that keeps every denominator.
+fn vanishes_modulo(map: &RationalMap, f: &Equation, cleared: &Cleared, prime: u64) -> bool {
+    let (map, f) = (map.modulo(prime), EquationModulo::new(f, prime));
+    let [in_s1, in_s2] = cleared.degrees;
+    let degree = in_s1 + cleared.stride * in_s2;
+    let points = (0..prime).filter_map(|s1| map.at([s1, power_mod(s1, cleared.stride, prime)]));
+    let mut count = 0;
+    for point in points.take(usize::try_from(degree).unwrap_or(usize::MAX) + 1) {
+        if f.value(&point) != 0 {
+            return false;
+        }
+        count += 1;
+    }
+    count > degree
+}
+
+/// Exponents of x and their coefficients.
+type Row = Vec<(usize, u64)>;
+
+/// An equation modulo a prime.
+struct EquationModulo {
+    prime: u64,
+    /// By the exponents of y and z the coefficients of the powers of x.
+    rows: Vec<([u32; 2], Row)>,
+    degrees: [u32; 3],
+}
+
+impl EquationModulo {
+    fn new(f: &Equation, prime: u64) -> Self {
+        let mut rows = std::collections::BTreeMap::<[u32; 2], Row>::new();
+        let mut degrees = [0; 3];
+        for (e, c) in f {
+            let [x, y, z] = *e;
+            let row = rows.entry([y, z]).or_default();
+            row.push((x as usize, reduce_integer(c, prime)));
+            degrees = std::array::from_fn(|v| e[v].max(degrees[v]));
+        }
+        Self {
+            prime,
+            rows: rows.into_iter().collect(),
+            degrees,
+        }
+    }
+
+    /// The value at a point, whose missing coordinates do not occur.
+    fn value(&self, point: &[u64]) -> u64 {
+        let p = self.prime;
+        let square = p * p;
+        let [x, y, z] = [0, 1, 2].map(|v| {
+            let value = point.get(v).copied().unwrap_or(0);
+            powers_mod(value, self.degrees[v] as usize + 1, p)
+        });
+        let mut sum = 0;
+        for ([j, k], row) in &self.rows {
+            // Below p², as in every other sum of products here.
+            let mut in_x = 0;
+            for (i, c) in row {
+                in_x += c * x[*i];
+                if in_x >= square {
+                    in_x -= square;
+                }
+            }
+            let monomial = y[*j as usize] * z[*k as usize] % p;
+            sum = (sum + in_x % p * monomial) % p;
+        }
+        sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Rational;
+    use crate::poly::Ring;
+    use proptest::prelude::*;
+
+    /// Over Q: every term with the numerators and denominators multiplied out.
+    fn annihilates_exactly(map: &RationalMap, f: &SparsePolynomial<3>) -> bool {
+        let polynomial = |terms: &Terms| {
+            let terms = terms.iter().map(|(e, c)| (*e, Rational::from(c)));
+            SparsePolynomial::<2>::from_terms(terms)
+        };
+        let degrees = f.terms().fold([0; 3], |d: [u32; 3], (e, _)| {
+            std::array::from_fn(|v| d[v].max(e[v]))
+        });
+        let mut sum = SparsePolynomial::zero();
+        for (e, c) in f.terms() {
+            let mut term = SparsePolynomial::constant(c.clone());
+            for (v, [p, q]) in map.coordinates.iter().enumerate() {
+                term = term
+                    .times(&polynomial(p).pow(e[v]))
+                    .times(&polynomial(q).pow(degrees[v] - e[v]));
+            }
+            sum = sum.plus(&term);
+        }
+        sum.is_empty()
+    }
+
+    fn polynomial<const V: usize>() -> impl Strategy<Value = SparsePolynomial<V>> {
+        let term = (prop::array::uniform::<_, V>(0u32..3), -9i64..10);
+        let sum = |terms: Vec<([u32; V], i64)>| {
+            SparsePolynomial::from_terms(terms.into_iter().map(|(e, c)| (e, Rational::from(c))))
+        };
+        prop::collection::vec(term, 1..4).prop_map(sum)
+    }
+
+    fn terms(f: &SparsePolynomial<2>) -> Terms {
+        f.terms().map(|(e, c)| (*e, c.numerator())).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(60))]
+        #[test]
+        fn what_vanishes_modulo_primes_vanishes(
+            [a, b, y] in prop::array::uniform3(polynomial::<2>()),
+            [g, h, rest] in prop::array::uniform3(polynomial::<3>()),
+            [c, d] in prop::array::uniform2(-9i64..10),
+            shared in prop::bool::ANY,
+            scale in 0u64..200,
+        ) {
+            // x = a/b, y = y/b or y/1, z = (c x² + d)/y with a long coefficient now and then.
+            let below = if shared { b.clone() } else { SparsePolynomial::constant(Rational::one()) };
+            let c = Rational::from(c) * Rational::from(Integer::from(1) << scale);
+            let [long, short] = [c, Rational::from(d)];
+            let above = a.squared().scaled(&long).plus(&b.squared().scaled(&short)).times(&below);
+            let z_below = b.squared().times(&y);
+            prop_assume!(!b.is_empty() && !y.is_empty());
+            let map = RationalMap {
+                coordinates: vec![
+                    [terms(&a), terms(&b)],
+                    [terms(&y), terms(&below)],
+                    [terms(&above), terms(&z_below)],
+                ],
+            };
+            let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+            let relation = y.times(&z).minus(&x.squared().scaled(&long)).minus(&SparsePolynomial::constant(short));
+            let limits = Limits::none();
+            for (f, expected) in [
+                (relation.clone(), Some(true)),
+                (relation.times(&g), Some(true)),
+                (relation.times(&g).plus(&rest), None),
+                (h, None),
+            ] {
+                let found = map.annihilates(&f, &limits).unwrap();
+                prop_assert_eq!(found, annihilates_exactly(&map, &f));
+                prop_assert!(expected.is_none_or(|e| e == found));
+            }
+        }
+    }
+
+    #[test]
+    fn a_multiple_of_the_first_prime_is_not_taken_for_zero() {
+        let prime = kernel_primes().next().unwrap();
+        let constant = |c: u64| vec![([0, 0], Integer::from(c))];
+        let s = |c: u64| vec![([1, 0], Integer::from(c))];
+        let [x, y] = [0, 1].map(SparsePolynomial::<3>::variable);
+        let multiple = x.scaled(&Rational::from(Integer::from(prime)));
+        // (s, p s), and (s/p, s), whose denominator is 0 modulo p.
+        for ([first, second], f) in [
+            (
+                [[s(1), constant(1)], [s(prime), constant(1)]],
+                y.minus(&multiple),
+            ),
+            (
+                [[s(1), constant(prime)], [s(1), constant(1)]],
+                y.minus(&multiple),
+            ),
+        ] {
+            let map = RationalMap {
+                coordinates: vec![first, second],
+            };
+            let limits = Limits::none();
+            assert!(map.annihilates(&f, &limits).unwrap());
+            assert!(!map.annihilates(&y.minus(&x), &limits).unwrap());
+            assert!(!map.annihilates(&y, &limits).unwrap());
+            assert!(!map.annihilates(&multiple, &limits).unwrap());
+        }
+    }
+}
