@@ -93,8 +93,8 @@ pub(crate) struct BoundedRoot<const W: usize> {
     sign_below: i8,
 }
 
-/// Relative lengths of enclosures: a double is rounded from 70 bits.
-pub(crate) const FOR_DOUBLES: f64 = 8.470_329_472_543_003e-22;
+/// Relative lengths of enclosures: 58 bits, from which one in 32 cannot be rounded to a double of 53, and mostly there are more.
+pub(crate) const FOR_DOUBLES: f64 = 3.469_446_951_953_614e-18;
 /// The same where an exact root goes on from there: 12 bits.
 const FOR_REFINEMENT: f64 = 2.441_406_25e-4;
 
