@@ -18,38 +18,12 @@ use stellate::limits::Limits;
 use stellate::poly::{IntegerPolynomial, PlanePolynomial};
 use stellate::shape::Form;
 
-/// Reproducible integers of at most so many bits, either sign.
-struct Numbered(u64);
-
-impl Numbered {
-    fn word(&mut self) -> u64 {
-        // SplitMix64
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn integer(&mut self, bits: u64) -> Integer {
-        let words = (0..bits.div_ceil(64)).map(|_| self.word());
-        let value = words.fold(Integer::from(0), |v, w| (v << 64u64) + Integer::from(w));
-        let value = value >> ((64 - bits % 64) % 64);
-        if self.word() & 1 == 0 { value } else { -value }
-    }
-
-    /// Dense of the given total degree, so irreducible.
-    fn dense(&mut self, degree: usize, bits: u64) -> PlanePolynomial {
-        let monomials = (0..=degree).flat_map(|i| (0..=degree - i).map(move |j| (i, j)));
-        let terms: Vec<_> = monomials
-            .map(|e| (e, Rational::from(self.integer(bits))))
-            .collect();
-        PlanePolynomial::from_terms(terms)
-    }
-}
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::random::SplitMix;
 
 fn product(count: usize, degree: usize, bits: u64) -> PlanePolynomial {
-    let mut random = Numbered((count * 1000 + degree) as u64);
+    let mut random = SplitMix((count * 1000 + degree) as u64);
     let factors: Vec<_> = (0..count).map(|_| random.dense(degree, bits)).collect();
     let f = factors[1..]
         .iter()

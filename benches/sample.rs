@@ -15,38 +15,9 @@ use stellate::poly::{IntegerPolynomial, PlanePolynomial, real_roots};
 use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::FourierRadius;
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn limb(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// Between −2^bits and 2^bits.
-    fn integer(&mut self, bits: u64) -> Integer {
-        let mut value = Integer::from(0);
-        for _ in 0..bits.div_ceil(64) {
-            value = (value << 64u64) + Integer::from(self.limb());
-        }
-        value >>= bits.div_ceil(64) * 64 - bits;
-        if self.limb().is_multiple_of(2) {
-            -value
-        } else {
-            value
-        }
-    }
-
-    /// Between −size and size, a double with all its bits.
-    fn double(&mut self, size: f64) -> Rational {
-        let bits = (self.limb() >> 12) | 1.0f64.to_bits();
-        Rational::try_from((f64::from_bits(bits) - 1.5) * 2.0 * size).unwrap()
-    }
-}
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::random::SplitMix;
 
 const POLYNOMIALS: usize = 20;
 const DIRECTIONS: usize = 36;
@@ -57,7 +28,7 @@ fn roots(c: &mut Criterion) {
     group.sampling_mode(SamplingMode::Flat).sample_size(20);
     for bits in [50, 200] {
         for degree in [2, 6, 20, 40, 80] {
-            let mut random = Random(degree);
+            let mut random = SplitMix(degree);
             let mut polynomial = || {
                 let c = (0..=degree).map(|_| random.integer(bits)).collect();
                 IntegerPolynomial::from_coefficients_asc(c)
@@ -99,7 +70,7 @@ fn roots(c: &mut Criterion) {
         let next = &x * &chebyshev - &before;
         before = std::mem::replace(&mut chebyshev, next);
     }
-    let mut random = Random(7);
+    let mut random = SplitMix(7);
     let noisy = chebyshev.coefficients_asc().iter();
     let noisy = noisy.map(|c| (c << 100u64) + random.integer(60)).collect();
     let real = IntegerPolynomial::from_coefficients_asc(noisy);
@@ -115,21 +86,14 @@ fn roots(c: &mut Criterion) {
     group.finish();
 }
 
-/// A dense random plane polynomial.
-fn dense(degree: usize, bits: u64) -> PlanePolynomial {
-    let mut random = Random(degree as u64);
-    let exponents = (0..=degree).flat_map(|i| (0..=degree - i).map(move |j| (i, j)));
-    PlanePolynomial::from_terms(exponents.map(|e| (e, Rational::from(random.integer(bits)))))
-}
-
 /// The implicit curve of a radius with `harmonics` harmonics, moved by (1/10, 1/20).
 fn moved(harmonics: u32) -> PlanePolynomial {
-    let mut random = Random(1);
+    let mut random = SplitMix(1);
     let (mut cos, mut sin) = (vec![Rational::one()], vec![Rational::zero()]);
     for n in 1..=harmonics {
         let size = 0.2 / f64::from(n).powf(1.5);
-        cos.push(random.double(size));
-        sin.push(random.double(size));
+        cos.push(Rational::try_from(random.double(size)).unwrap());
+        sin.push(Rational::try_from(random.double(size)).unwrap());
     }
     let radius =
         FourierRadius::new(cos, sin).with_center(["1/10", "1/20"].map(|c| c.parse().unwrap()));
@@ -177,7 +141,7 @@ fn rays(c: &mut Criterion) {
     };
     for bits in [50, 200] {
         for degree in [2, 6, 20, 40, 80] {
-            let f = dense(degree, bits);
+            let f = SplitMix(degree as u64).dense(degree, bits);
             run(&format!("dense_{bits}_bits"), degree, &f, bits == 200);
         }
     }
