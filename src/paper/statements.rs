@@ -6,12 +6,13 @@ use super::question::Question;
 use crate::error::{Error, Result};
 
 /// The files, in the order of the paper.
-const FILES: [(&str, &str); 5] = [
+const FILES: [(&str, &str); 6] = [
     ("implicit.txt", include_str!("statements/implicit.txt")),
     ("polar.txt", include_str!("statements/polar.txt")),
     ("space.txt", include_str!("statements/space.txt")),
     ("inspection.txt", include_str!("statements/inspection.txt")),
     ("figures.txt", include_str!("statements/figures.txt")),
+    ("appendices.txt", include_str!("statements/appendices.txt")),
 ];
 
 /// All statements of the paper, in its order.
