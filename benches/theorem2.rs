@@ -25,21 +25,13 @@ static ALLOCATOR: MiMalloc = MiMalloc;
 #[path = "../tests/common/mod.rs"]
 mod common;
 use common::oracle_theorem_2::theorem_2 as theorem_2_oracle;
+use common::random::SplitMix;
 use common::value_at;
 
 /// Coefficients that are doubles of all 53 bits, of size about 0.3/n, a0 = 1: reproducible.
 fn spectrum(harmonics: u32) -> FourierRadius {
-    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-    let mut double = |size: f64| {
-        // SplitMix64
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^= z >> 31;
-        let bits = (z >> 12) | 1.0f64.to_bits();
-        Rational::try_from((f64::from_bits(bits) - 1.5) * 2.0 * size).unwrap()
-    };
+    let mut random = SplitMix(0x9E37_79B9_7F4A_7C15);
+    let mut double = |size: f64| Rational::try_from(random.double(size)).unwrap();
     let (mut cos, mut sin) = (vec![Rational::one()], vec![Rational::zero()]);
     for n in 1..=harmonics {
         cos.push(double(0.3 / f64::from(n)));

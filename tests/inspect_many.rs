@@ -5,12 +5,16 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
+
 use num_rational::BigRational;
 use stellate::exact::Rational;
 use stellate::inspect::{InspectOptions, Inspector, Verdict};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::shape::Form;
+
+use common::random::SplitMix;
 
 const TORUS: &str = "(x^2+y^2+z^2+3)^2 = 16*(x^2+y^2)";
 
@@ -32,21 +36,12 @@ fn inspector(text: &str, tolerance: &Rational) -> Inspector {
     Inspector::surface(&surface, &options, &Limits::none()).unwrap()
 }
 
-/// SplitMix64
-struct Random(u64);
+struct Random(SplitMix);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     /// In −n … n
     fn integer(&mut self, n: i64) -> i64 {
-        i64::try_from(self.next() >> 1).unwrap() % (2 * n + 1) - n
+        i64::try_from(self.0.word() >> 1).unwrap() % (2 * n + 1) - n
     }
 
     fn rational(&mut self, n: i64, over: i64) -> Rational {
@@ -140,7 +135,7 @@ fn feet(kind: &str, random: &mut Random) -> Foot {
 /// Points exactly at the distance d, and an ulp to either side of it.
 #[test]
 fn at_the_tolerance_and_an_ulp_beside_it() {
-    let mut random = Random(12);
+    let mut random = Random(SplitMix(12));
     for kind in ["sphere", "cylinder", "torus", "plane", "ellipsoid"] {
         for n in 0..count(60) {
             let found = feet(kind, &mut random);
@@ -174,7 +169,7 @@ fn at_the_tolerance_and_an_ulp_beside_it() {
 /// Points at any distance outside random ellipsoids, on the normal of a known foot: the ellipsoid is convex.
 #[test]
 fn outside_of_ellipsoids() {
-    let mut random = Random(5);
+    let mut random = Random(SplitMix(5));
     for _ in 0..count(100) {
         let found = feet("ellipsoid", &mut random);
         let [d, t] =
@@ -235,7 +230,7 @@ fn is_within(kind: &str, p: &[Rational; 3], d: &Rational) -> bool {
 /// Points anywhere in a box.
 #[test]
 fn anywhere() {
-    let mut random = Random(7);
+    let mut random = Random(SplitMix(7));
     let tolerances = ["1/10", "3/7", "1/1000"];
     for (kind, surface) in [
         ("sphere", "x^2 + y^2 + z^2 = 1"),
@@ -269,7 +264,7 @@ fn anywhere() {
 /// known zero is said to be outside.
 #[test]
 fn every_verdict_is_certified() {
-    let mut random = Random(3);
+    let mut random = Random(SplitMix(3));
     for surface in [
         "(x^2 + 9/4*y^2 + z^2 - 1)^3 = x^2*z^3 + 9/80*y^2*z^3",
         "x^12 + y^12 + z^12 + x^4*y^4*z^4 = 1",

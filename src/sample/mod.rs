@@ -2,6 +2,8 @@
 
 mod direction;
 mod guess;
+mod parts;
+mod point;
 mod ray;
 mod space_direction;
 mod space_superquadric;
@@ -10,8 +12,10 @@ mod truncated;
 mod wide;
 
 pub use direction::{Direction, UnitVector};
+pub use parts::{HomogeneousParts, Term};
+pub use point::{Ray, Sample};
 pub(crate) use ray::along;
-pub use ray::{HomogeneousParts, Ray, RaySolver, Sample, StageCounts, Term};
+pub use ray::{RaySolver, StageCounts};
 pub use space_direction::SpaceDirection;
 pub use space_superquadric::SpaceSuperquadricSolver;
 pub use superquadric::{MAX_ROOT_BITS, SuperquadricSolver};

@@ -11,88 +11,14 @@ use malachite::base::polynomial::Polynomial;
 
 use super::direction::UnitVector;
 use super::guess::real_root_guesses;
+use super::parts::HomogeneousParts;
+use super::point::{Ray, Sample, in_order};
 use super::truncated::TruncatedForms;
 use crate::exact::Rational;
-use crate::poly::{
-    IntegerPolynomial, PlanePolynomial, RealRoot, SpacePolynomial, Unproved, real_roots,
-};
+use crate::poly::{IntegerPolynomial, RealRoot, Unproved, real_roots};
 
 /// A guess from floats is proved to this many bits or not used.
 const GUESS_BITS: i64 = 40;
-
-/// A point r·(u, v) of a curve, or r·(u, v, w) of a surface. r and the coordinates are each the double nearest
-/// to the exact value (ties aside).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sample<const V: usize = 2> {
-    /// 0, 1, … from the largest r of the direction down.
-    pub branch: usize,
-    /// Signed distance from the origin along the direction.
-    pub r: f64,
-    /// x, y (and z).
-    pub position: [f64; V],
-    /// The multiplicity of r as a root of f(ru, rv).
-    pub multiplicity: usize,
-}
-
-/// What a curve or surface has on the line through the origin in some direction.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Ray<const V: usize = 2> {
-    /// All distinct real roots r ≠ 0 of f(ru, rv), exactly as many as there are, largest first.
-    Points(Vec<Sample<V>>),
-    /// f vanishes identically along the direction: the whole line belongs to the zero set.
-    Line,
-}
-
-/// The exponents of a monomial, and its coefficient.
-pub type Term<'a, const V: usize> = ([usize; V], &'a Integer);
-
-/// A polynomial in V variables by its homogeneous parts, as far as rays ask.
-pub trait HomogeneousParts<const V: usize> {
-    /// The largest total degree, `None` for the zero polynomial.
-    fn top_degree(&self) -> Option<usize>;
-
-    /// The degrees of the parts that are not 0, with their terms: exponents and coefficients.
-    fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, V>>)>;
-
-    /// The degrees d of the parts, descending, with their values f_d at a vector.
-    fn values_at(&self, vector: &[Integer; V]) -> Vec<(usize, Integer)>;
-}
-
-impl HomogeneousParts<2> for PlanePolynomial {
-    fn top_degree(&self) -> Option<usize> {
-        self.degree()
-    }
-
-    fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, 2>>)> {
-        let parts = self.parts().map(|part| {
-            let degree = part.degree();
-            let terms = part.terms().map(|(k, c)| ([degree - k, k], c));
-            (degree, terms.collect())
-        });
-        parts.collect()
-    }
-
-    fn values_at(&self, [u, v]: &[Integer; 2]) -> Vec<(usize, Integer)> {
-        let parts = self.parts();
-        parts.map(|p| (p.degree(), p.evaluate(u, v))).collect()
-    }
-}
-
-impl HomogeneousParts<3> for SpacePolynomial {
-    fn top_degree(&self) -> Option<usize> {
-        self.degree()
-    }
-
-    fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, 3>>)> {
-        let parts = self.parts();
-        parts.map(|p| (p.degree(), p.terms().collect())).collect()
-    }
-
-    fn values_at(&self, vector: &[Integer; 3]) -> Vec<(usize, Integer)> {
-        let parts = self.parts();
-        parts.map(|p| (p.degree(), p.evaluate(vector))).collect()
-    }
-}
 
 /// Solves f = 0 along directions.
 ///
@@ -114,45 +40,37 @@ impl HomogeneousParts<3> for SpacePolynomial {
 #[derive(Debug)]
 pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
-    short: Stage<TruncatedForms<2, V>>,
-    middle: Stage<TruncatedForms<4, V>>,
-    long: Stage<TruncatedForms<6, V>>,
-    longest: Stage<TruncatedForms<8, V>>,
+    short: Stage<2, V>,
+    middle: Stage<4, V>,
+    long: Stage<6, V>,
+    longest: Stage<8, V>,
     exact: AtomicU64,
 }
 
 /// One precision: made when first asked for, and how often it has succeeded and failed.
-#[derive(Debug)]
-struct Stage<F> {
-    forms: OnceLock<F>,
+#[derive(Debug, Default)]
+struct Stage<const W: usize, const V: usize> {
+    forms: OnceLock<TruncatedForms<W, V>>,
     hits: AtomicU64,
     misses: AtomicU64,
 }
 
-impl<F> Default for Stage<F> {
-    fn default() -> Self {
-        Self {
-            forms: OnceLock::new(),
-            hits: AtomicU64::new(0),
-            misses: AtomicU64::new(0),
-        }
-    }
-}
-
-impl<F> Stage<F> {
+impl<const W: usize, const V: usize> Stage<W, V> {
     /// The answer of this precision; it is not asked where it mostly had none.
-    fn solve<T>(
+    fn solve(
         &self,
-        new: impl FnOnce() -> F,
-        ask: impl FnOnce(&F) -> Result<T, Unproved>,
-    ) -> Result<T, Unproved> {
+        f: &impl HomogeneousParts<V>,
+        vector: &[Integer; V],
+        w: &Integer,
+    ) -> Result<Vec<Sample<V>>, Unproved> {
         /// So many failures more than successes are given.
         const PATIENCE: u64 = 16;
         let (hits, misses) = (self.hits.load(Relaxed), self.misses.load(Relaxed));
         if misses > 2 * hits + PATIENCE {
             return Err(Unproved::Bits);
         }
-        let answer = ask(self.forms.get_or_init(new));
+        let forms = self.forms.get_or_init(|| TruncatedForms::new(f));
+        let answer = forms.solve(vector, w);
         let count = if answer.is_ok() {
             &self.hits
         } else {
@@ -195,25 +113,12 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         let (vector, w) = direction.over_common_denominator();
         let f = self.polynomial;
-        let short = || TruncatedForms::new(f);
         let bounded = self
             .short
-            .solve(short, |forms| forms.solve(&vector, &w))
-            .or_else(|why| {
-                let middle = || TruncatedForms::new(f);
-                why.with_more_bits(|| self.middle.solve(middle, |forms| forms.solve(&vector, &w)))
-            })
-            .or_else(|why| {
-                let long = || TruncatedForms::new(f);
-                why.with_more_bits(|| self.long.solve(long, |forms| forms.solve(&vector, &w)))
-            })
-            .or_else(|why| {
-                let longest = || TruncatedForms::new(f);
-                why.with_more_bits(|| {
-                    self.longest
-                        .solve(longest, |forms| forms.solve(&vector, &w))
-                })
-            });
+            .solve(f, &vector, &w)
+            .or_else(|why| why.with_more_bits(|| self.middle.solve(f, &vector, &w)))
+            .or_else(|why| why.with_more_bits(|| self.long.solve(f, &vector, &w)))
+            .or_else(|why| why.with_more_bits(|| self.longest.solve(f, &vector, &w)));
         bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
 
@@ -253,7 +158,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
             roots.extend(signed(&reflected(&in_power), -1));
         }
         let unit = direction.components();
-        let mut samples: Vec<Sample<V>> = roots
+        let samples = roots
             .into_iter()
             .map(|(sign, mut root)| {
                 let sign = Rational::from(sign);
@@ -265,11 +170,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
                 }
             })
             .collect();
-        samples.sort_by(|a, b| b.r.total_cmp(&a.r));
-        for (branch, sample) in samples.iter_mut().enumerate() {
-            sample.branch = branch;
-        }
-        Ray::Points(samples)
+        Ray::Points(in_order(samples))
     }
 
     /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if it vanishes identically.
@@ -343,6 +244,7 @@ fn reflected(g: &IntegerPolynomial) -> IntegerPolynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::poly::{PlanePolynomial, SpacePolynomial};
     use crate::sample::{Direction, SpaceDirection};
     use proptest::prelude::*;
 

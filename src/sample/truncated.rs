@@ -5,7 +5,8 @@ use std::cmp::Ordering;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 
-use super::ray::{HomogeneousParts, Sample};
+use super::parts::HomogeneousParts;
+use super::point::{Sample, in_order};
 use super::wide::Wide;
 use crate::poly::{BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of};
 
@@ -89,11 +90,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
                 samples.push(sample.ok_or(Unproved::Bits)?);
             }
         }
-        samples.sort_by(|a, b| b.r.total_cmp(&a.r));
-        for (branch, sample) in samples.iter_mut().enumerate() {
-            sample.branch = branch;
-        }
-        Ok(samples)
+        Ok(in_order(samples))
     }
 }
 
@@ -102,8 +99,7 @@ impl<const W: usize, const V: usize> Part<W, V> {
         let cut = terms.iter().map(|(e, c)| (*e, Fixed::normalized(c)));
         let cut: Vec<_> = cut.collect();
         let largest = cut.iter().map(|(_, (_, exponent))| *exponent).max();
-        let room = 6 - i64::from(terms.len().max(1).ilog2()) - 1;
-        let exponent = largest.unwrap_or(0) - room;
+        let exponent = largest.unwrap_or(0) - Fixed::<W>::room_for(terms.len());
         let terms = cut.into_iter();
         let terms = terms.map(|(e, (c, own))| (e, c.shifted_down(exponent - own)));
         Self {

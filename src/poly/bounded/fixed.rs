@@ -115,6 +115,11 @@ impl<const W: usize> Fixed<W> {
         64 * i64::try_from(W).unwrap_or(0) - 8
     }
 
+    /// An r such that so many numbers below 2^r have sums of at most 64.
+    pub(crate) fn room_for(count: usize) -> i64 {
+        6 - i64::from(count.max(1).ilog2()) - 1
+    }
+
     /// (m, e) with value = m · 2^e up to less than one ulp of m, towards 0, and |m| in [1/2, 1) unless the
     /// value is 0.
     pub(crate) fn normalized(value: &Integer) -> (Self, i64) {

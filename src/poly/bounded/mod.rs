@@ -18,34 +18,13 @@ use malachite::base::num::arithmetic::traits::DivRound;
 use malachite::base::rounding_modes::RoundingMode;
 use newton::OnUnitInterval;
 use search::Isolated;
+pub(crate) use search::Unproved;
 
 use super::IntegerPolynomial;
 use crate::exact::Dyadic;
 
 /// Beyond this degree the tables of weights and d² are too much.
 const MAX_DEGREE: usize = 256;
-
-/// Why a number of bits proves nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unproved {
-    /// More bits may do.
-    Bits,
-    /// Roots are multiple or very close: no number of bits here does.
-    Close,
-}
-
-impl Unproved {
-    /// Tries again, if that may help.
-    pub(crate) fn with_more_bits<T>(
-        self,
-        retry: impl FnOnce() -> Result<T, Self>,
-    ) -> Result<T, Self> {
-        match self {
-            Self::Bits => retry(),
-            Self::Close => Err(self),
-        }
-    }
-}
 
 /// A coefficient: mantissa · 2^exponent, known up to less than `error` ulps of the mantissa.
 #[derive(Clone, Copy, Debug)]
@@ -172,8 +151,7 @@ impl<const W: usize> Piece<'_, W> {
             self.coefficients[i].exponent + self.scale * power
         };
         let sizes = (0..length).map(|i| self.coefficients[i].mantissa.bits() + exponent(i));
-        let room = 6 - i64::from(length.ilog2()) - 1;
-        let excess = sizes.max()? - Fixed::<W>::fraction_bits() - room;
+        let excess = sizes.max()? - Fixed::<W>::fraction_bits() - Fixed::<W>::room_for(length);
         let mut error = 0u128;
         let mut result = Vec::with_capacity(length);
         for k in 0..length {

@@ -1,11 +1,32 @@
 //! Descartes' rule by halving, in a bounded number of bits.
 
 use super::super::isolate::Changes;
-use super::Unproved;
 use super::fixed::{Fixed, Fraction};
 
 /// Roots closer than that are left to exact arithmetic.
 const MAX_DEPTH: u32 = 40;
+
+/// Why a number of bits proves nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unproved {
+    /// More bits may do.
+    Bits,
+    /// Roots are multiple or very close: no number of bits here does.
+    Close,
+}
+
+impl Unproved {
+    /// Tries again, if that may help.
+    pub(crate) fn with_more_bits<T>(
+        self,
+        retry: impl FnOnce() -> Result<T, Self>,
+    ) -> Result<T, Self> {
+        match self {
+            Self::Bits => retry(),
+            Self::Close => Err(self),
+        }
+    }
+}
 
 /// An interval (index, index + 1) · 2^(−depth) with exactly one root, and the sign at its lower end.
 #[derive(Clone, Copy, Debug)]

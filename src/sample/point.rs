@@ -1,0 +1,33 @@
+//! What there is on a line through the origin.
+
+/// A point r·(u, v) of a curve, or r·(u, v, w) of a surface. r and the coordinates are each the double nearest
+/// to the exact value (ties aside).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample<const V: usize = 2> {
+    /// 0, 1, … from the largest r of the direction down.
+    pub branch: usize,
+    /// Signed distance from the origin along the direction.
+    pub r: f64,
+    /// x, y (and z).
+    pub position: [f64; V],
+    /// The multiplicity of r as a root of f(ru, rv).
+    pub multiplicity: usize,
+}
+
+/// What a curve or surface has on the line through the origin in some direction.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ray<const V: usize = 2> {
+    /// All distinct real roots r ≠ 0 of f(ru, rv), exactly as many as there are, largest first.
+    Points(Vec<Sample<V>>),
+    /// f vanishes identically along the direction: the whole line belongs to the zero set.
+    Line,
+}
+
+/// The points of a line, largest r first and numbered.
+pub(super) fn in_order<const V: usize>(mut points: Vec<Sample<V>>) -> Vec<Sample<V>> {
+    points.sort_by(|a, b| b.r.total_cmp(&a.r));
+    for (branch, point) in points.iter_mut().enumerate() {
+        point.branch = branch;
+    }
+    points
+}
