@@ -7,7 +7,7 @@ use super::expansion::primitive_parts;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::poly::{
-    BinaryForm, FlatPolynomial, PlanePolynomial, Ring, doubled_flat_form, harmonic_bits,
+    BinaryForm, FlatPolynomial, PlanePolynomial, Ring, doubled_harmonics, flat_form, harmonic_bits,
 };
 use crate::shape::{FourierRadius, ImplicitCurve};
 
@@ -96,10 +96,10 @@ pub fn square_away<R: Ring>(
 pub struct SquaredForm {
     harmonics: usize,
     unit: Integer,
-    /// The sums over odd and over even harmonics, f(1, t); no odd one for N = 0.
+    /// The sums over odd and over even harmonics, in the basis z^j w^(d−j); no odd one for N = 0.
     odd: Option<FlatPolynomial>,
     even: FlatPolynomial,
-    /// Their coefficients in the basis z^j w^(d−j) add up to less than 2 to this power.
+    /// Their coefficients add up to less than 2 to this power.
     bits: u64,
     center: [Rational; 2],
 }
@@ -122,7 +122,7 @@ impl SquaredForm {
         let sum = |parity: usize| {
             let degree = if n % 2 == parity { n } else { n - 1 };
             let harmonics = (parity..=degree).step_by(2).map(|m| (m, &cos[m], &sin[m]));
-            doubled_flat_form(degree, harmonics, bits)
+            doubled_harmonics(degree, harmonics, bits)
         };
         Ok(Self {
             harmonics: n,
@@ -157,13 +157,13 @@ impl SquaredForm {
     #[must_use]
     pub fn sides(&self) -> [PlanePolynomial; 2] {
         let plane = |parts: Vec<BinaryForm>| PlanePolynomial::from_parts(parts, Integer::ONE);
-        [plane(self.left_side()), plane(vec![form(&self.even)])]
+        [plane(self.left_side()), plane(vec![self.form(&self.even)])]
     }
 
     /// `r^N − odd` or `r^(N+1) − odd`, times the unit.
     fn left_side(&self) -> Vec<BinaryForm> {
         let top = BinaryForm::rho_power(self.harmonics.div_ceil(2)).scaled(&self.unit);
-        let odd = self.odd.as_ref().map(form);
+        let odd = self.odd.as_ref().map(|odd| self.form(odd));
         let minus_odd = odd.map(|odd| odd.scaled(&Integer::from(-1)));
         std::iter::once(top).chain(minus_odd).collect()
     }
@@ -195,13 +195,15 @@ impl SquaredForm {
         self.expand_unreduced()
     }
 
+    /// One of the sums as a form.
+    fn form(&self, sum: &FlatPolynomial) -> BinaryForm {
+        let in_t = flat_form(sum, self.bits);
+        BinaryForm::from_dehomogenized(in_t.len() - 1, in_t.to_polynomial())
+    }
+
     fn curve(&self, f: PlanePolynomial) -> ImplicitCurve {
         ImplicitCurve::new(f).with_center(self.center.clone())
     }
-}
-
-fn form(in_t: &FlatPolynomial) -> BinaryForm {
-    BinaryForm::from_dehomogenized(in_t.len() - 1, in_t.to_polynomial())
 }
 
 #[cfg(test)]
@@ -212,7 +214,7 @@ mod tests {
     /// The slow twin: the formulas of [`square_away`] on forms with coefficients of any size, then the primitive part.
     fn by_formulas(f: &SquaredForm) -> PlanePolynomial {
         let unit = BinaryForm::from_coefficients(vec![f.unit.clone()]);
-        let (odd, even) = (f.odd.as_ref().map(form), form(&f.even));
+        let (odd, even) = (f.odd.as_ref().map(|odd| f.form(odd)), f.form(&f.even));
         let parts = square_away(
             f.harmonics,
             &unit,

@@ -58,6 +58,18 @@ pub(crate) fn doubled_flat_form<'a>(
     harmonics: impl Iterator<Item = (usize, &'a Integer, &'a Integer)>,
     bits: u64,
 ) -> FlatPolynomial {
+    flat_form(&doubled_harmonics(degree, harmonics, bits), bits)
+}
+
+/// The same in the basis z^j w^(d−j).
+///
+/// # Panics
+/// If an m is larger than d or of the other parity.
+pub(crate) fn doubled_harmonics<'a>(
+    degree: usize,
+    harmonics: impl Iterator<Item = (usize, &'a Integer, &'a Integer)>,
+    bits: u64,
+) -> FlatPolynomial {
     // 2 Σ = Σ_j g_j z^j w^(d−j) with g = a − ib at (d+m)/2 and its conjugate at (d−m)/2. Its
     // symmetric and antisymmetric halves give only even and only odd powers of y, so the one real
     // sequence P + Q carries both.
@@ -73,7 +85,12 @@ pub(crate) fn doubled_flat_form<'a>(
             g.add_at(k, b, negated);
         }
     }
-    let mut h = change_of_basis(&g, bits);
+    g
+}
+
+/// From the basis z^j w^(d−j) to f(1, t).
+pub(crate) fn flat_form(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+    let mut h = change_of_basis(g, bits);
     // i^k: signs + + − −
     for (k, c) in h.coefficients_mut().enumerate() {
         if k % 4 >= 2 {

@@ -44,6 +44,11 @@ impl FlatPolynomial {
         flat
     }
 
+    /// The coefficients, of `width` limbs each, one after the other.
+    pub(super) fn from_limbs(limbs: Vec<u64>, width: usize) -> Self {
+        Self { width, limbs }
+    }
+
     /// The number of coefficients, leading zeros included.
     pub(crate) fn len(&self) -> usize {
         self.limbs.len() / self.width

@@ -23,6 +23,7 @@ mod modular;
 mod pair;
 mod plane;
 mod prime_field;
+mod residues;
 mod resultant;
 mod ring;
 mod root_sign;
@@ -41,8 +42,8 @@ pub(crate) use binomials::binomials;
 pub(crate) use bounded::{
     BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of,
 };
-pub(crate) use circle::{doubled_flat_form, harmonic_bits};
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
+pub(crate) use circle::{doubled_harmonics, flat_form, harmonic_bits};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
@@ -59,6 +60,9 @@ pub(crate) use modular::{
 };
 pub use plane::PlanePolynomial;
 pub(crate) use prime_field::PrimeField;
+pub(crate) use residues::{
+    Bases, Lifting, Quad, QuadField, Quartet, f64_from, for_each_quartet, minus, plus, u64_from,
+};
 pub(crate) use resultant::resultant;
 pub use ring::Ring;
 pub(crate) use root_sign::constant_sign;

@@ -1,0 +1,18 @@
+//! Long polynomials with integer coefficients by their residues modulo many primes of 50 bits.
+//!
+//! Where a result is bounded by B, residues modulo primes with a product above 2B determine it, and modulo a prime all
+//! steps of a long computation are cheap: no number grows. Residues are held in doubles, four primes side by side
+//! ([`quad`]); products are products of values at roots of unity ([`transform`]); the end is one sum of large integers
+//! for each coefficient ([`chinese`]).
+
+mod chinese;
+mod primes;
+mod quad;
+mod quartet;
+mod shift;
+mod transform;
+
+pub(crate) use chinese::Lifting;
+pub(crate) use quad::{Quad, QuadField, f64_from, minus, plus, u64_from};
+pub(crate) use quartet::{Quartet, for_each_quartet};
+pub(crate) use shift::Bases;

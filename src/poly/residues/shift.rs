@@ -1,0 +1,157 @@
+//! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)` modulo four primes: two Taylor shifts, each a product with Σ x^t/t!.
+
+use super::quad::{Quad, QuadField, f64_from, negated, plus};
+use super::quartet::Quartet;
+use super::transform::{Transform, transform_len};
+use crate::poly::FlatPolynomial;
+
+/// What changes of basis of degree at most D have in common.
+pub(crate) struct Bases<'a> {
+    quartet: &'a Quartet,
+    field: QuadField,
+    transform: Transform,
+    len: usize,
+    /// k! and 1/k! for k ≤ D, of at most p/2.
+    factorials: Vec<Quad>,
+    inverse_factorials: Vec<Quad>,
+    /// The values of `Σ x^t/t!`, divided by `len`, of at most p/2.
+    exponential: Vec<Quad>,
+    /// 1/len.
+    scale: Quad,
+}
+
+impl<'a> Bases<'a> {
+    /// Up to degree D, with transforms of at least `len` > 2D numbers.
+    #[inline(always)]
+    pub(crate) fn new(quartet: &'a Quartet, degree: usize, len: usize) -> Self {
+        let len = transform_len(len);
+        let field = quartet.field;
+        let transform = quartet.transform(len);
+        let mut factorials = vec![[1.0; 4]; degree + 1];
+        let (mut last, mut k) = ([1.0; 4], 0.0);
+        for factorial in factorials.iter_mut().skip(1) {
+            k += 1.0;
+            last = field.reduced(field.times(last, [k; 4]));
+            *factorial = last;
+        }
+        let mut inverse_factorials = vec![[1.0; 4]; degree + 1];
+        last = field.reduced(field.inverse_of(last));
+        for inverse in inverse_factorials.iter_mut().rev() {
+            *inverse = last;
+            last = field.reduced(field.times(last, [k; 4]));
+            k -= 1.0;
+        }
+        let scale = field.inverse_of_divisor(f64_from(len as u64));
+        let by = field.factor(scale);
+        let mut exponential = vec![[0.0; 4]; len];
+        exponential[..=degree].copy_from_slice(&inverse_factorials);
+        transform.forward(&mut exponential);
+        for value in &mut exponential {
+            *value = field.reduced(field.times_factor(*value, by));
+        }
+        Self {
+            quartet,
+            field,
+            transform,
+            len,
+            factorials,
+            inverse_factorials,
+            exponential,
+            scale,
+        }
+    }
+
+    /// The coefficients of h(T), of at most p, followed by zeros.
+    ///
+    /// With c(x) = g(x − 1), `k! c_k = Σ_j j! g_j (−1)^(j−k) / (j−k)!` and `h = Σ_k 2^k c_k (1−T)^(d−k)`, of which the
+    /// same sum is made: with m = d − k, `i! (−1)^i h_i = Σ_m m! 2^k c_k / (m−i)!`.
+    #[inline(always)]
+    pub(crate) fn changed(&self, g: &FlatPolynomial) -> Vec<Quad> {
+        let Self {
+            field,
+            factorials,
+            inverse_factorials,
+            ..
+        } = self;
+        let degree = g.len() - 1;
+        let mut values = vec![[0.0; 4]; self.len];
+        for (j, limbs) in g.coefficients().enumerate() {
+            let value = field.times(self.quartet.residue(limbs), factorials[j]);
+            values[degree - j] = if j.is_multiple_of(2) {
+                value
+            } else {
+                negated(value)
+            };
+        }
+        self.times_exponential(&mut values);
+        // (−1)^k k! c_k at d − k.
+        values[..=degree].reverse();
+        values[degree + 1..].fill([0.0; 4]);
+        let mut power = [1.0; 4];
+        for (k, target) in values[..=degree].iter_mut().enumerate() {
+            let weight = field.times(factorials[degree - k], inverse_factorials[k]);
+            *target = field.times(*target, field.times(weight, power));
+            power = negated(field.reduced(plus(power, power)));
+        }
+        self.times_exponential(&mut values);
+        values[..=degree].reverse();
+        values[degree + 1..].fill([0.0; 4]);
+        for (i, target) in values[..=degree].iter_mut().enumerate() {
+            let value = field.times(*target, inverse_factorials[i]);
+            *target = if i.is_multiple_of(2) {
+                value
+            } else {
+                negated(value)
+            };
+        }
+        values
+    }
+
+    /// The values of the form f(1, t) = h(it), of at most p/2, at the points of the transform: i^k leaves the signs + + − −.
+    #[inline(always)]
+    pub(crate) fn values_of_form(&self, g: &FlatPolynomial) -> Vec<Quad> {
+        let mut values = self.changed(g);
+        for (k, value) in values.iter_mut().enumerate() {
+            if k % 4 >= 2 {
+                *value = negated(*value);
+            }
+        }
+        self.transform.forward(&mut values);
+        for value in &mut values {
+            *value = self.field.reduced(*value);
+        }
+        values
+    }
+
+    /// From values of at most 2p at the points of the transform to the first coefficients, of at most p.
+    #[inline(always)]
+    pub(crate) fn coefficients(&self, values: &mut Vec<Quad>, len: usize) {
+        self.transform.backward(values);
+        values.truncate(len);
+        let by = self.field.factor(self.scale);
+        for value in values {
+            *value = self.field.times_factor(*value, by);
+        }
+    }
+
+    /// The squares of the points: one for each pair of values.
+    #[inline(always)]
+    pub(crate) fn squared_points(&self) -> Vec<Quad> {
+        self.transform.squared_points()
+    }
+
+    #[inline(always)]
+    pub(crate) fn field(&self) -> QuadField {
+        self.field
+    }
+
+    /// The product with `Σ x^t/t!` modulo x^len − 1, in place: from at most 2p to at most 2p.
+    #[inline(always)]
+    fn times_exponential(&self, values: &mut [Quad]) {
+        self.transform.forward(values);
+        for (value, by) in values.iter_mut().zip(&self.exponential) {
+            *value = self.field.times(*value, *by);
+        }
+        self.transform.backward(values);
+    }
+}
