@@ -7,7 +7,9 @@ use malachite::base::num::arithmetic::traits::{
 use malachite::base::num::basic::traits::Zero;
 
 use super::residue_expansion::ResidueExpansion;
-use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_bits};
+use crate::poly::{
+    BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_bits, residues_are_quick,
+};
 
 /// What [`square_away`](super::square_away) says of the two sums, which are `unit` times those of the radius and have
 /// coefficients in the basis z^j w^(d−j), these ones, that add up to less than 2^`bits`: the parts `unit² ρ^(N+1)`,
@@ -54,11 +56,11 @@ pub(super) fn primitive_parts(
     parts.collect()
 }
 
-/// Whether residues modulo primes are faster than products of large integers, on one thread: 0.9 to 1.0 of their time at 60
-/// to 100 harmonics of 60 bits, 0.7 at 200, 0.45 at 1000, where it is the same time at 3500 bits; and at 16 000 harmonics
-/// the steps that are quadratic in the bits of a coefficient have caught up.
+/// Whether residues modulo primes are faster than products of large integers. On one thread they take 0.9 of the time at 100
+/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000, 0.9 at 4000 and as much at 10 000, where they take a third of it on two
+/// threads; and the same time at 1000 harmonics of 3500 bits: what is quadratic in the bits of a coefficient catches up.
 fn residues_are_faster(harmonics: usize, bits: u64) -> bool {
-    (75..16_000).contains(&harmonics) && bits / 4 <= harmonics as u64 - 75
+    residues_are_quick() && (75..16_000).contains(&harmonics) && bits / 4 <= harmonics as u64 - 75
 }
 
 /// `ρ^⌊N/2+1⌋ · odd` and the low part.

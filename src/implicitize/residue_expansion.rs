@@ -1,12 +1,10 @@
 //! Theorem 2 modulo many primes: the long parts of F from the values of the two sums at roots of unity.
 
-use std::ops::Range;
-
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::poly::{
-    Bases, FlatPolynomial, Lifting, Quad, QuadField, Quartet, f64_from, for_each_quartet,
-    form_bits, minus, plus, u64_from,
+    Bases, FlatPolynomial, FormSize, Lifting, Quad, QuadField, Quartet, for_each_quartet, minus,
+    plus,
 };
 
 /// The two sums over odd and over even harmonics, as coefficients in the basis z^j w^(d−j) that add up to less than
@@ -30,12 +28,12 @@ impl ResidueExpansion<'_> {
     /// Cost: for each prime, of 50 bits, that the largest coefficient needs, 13 transforms of the length of the parts; then
     /// for each coefficient the square of the number of primes that it needs.
     pub(super) fn middle_and_low(&self) -> [FlatPolynomial; 2] {
-        let middle = Size {
+        let middle = FormSize {
             power: self.rho_power(),
             degree: self.odd.len() - 1,
             bits: self.bits,
         };
-        let low = Size {
+        let low = FormSize {
             power: 0,
             degree: 2 * self.harmonics,
             bits: 2 * self.bits + 1,
@@ -53,44 +51,8 @@ impl ResidueExpansion<'_> {
         });
         let (in_middle, in_low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
         [(middle, in_middle), (low, in_low)].map(|(size, residues)| {
-            lifting.polynomial(&residues, size.len(), |range| size.of(range))
+            lifting.polynomial(&residues, size.len(), |range| size.largest_of(range))
         })
-    }
-}
-
-/// The size of the coefficients of `(1 + t²)^power f(1, t)`, f a form with coefficients in z^j w^(d−j) that add up to less
-/// than 2^`bits`: below those of `2^bits (1 + t²)^power (1 + t)^degree`.
-#[derive(Clone, Copy)]
-struct Size {
-    power: usize,
-    degree: usize,
-    bits: u64,
-}
-
-impl Size {
-    fn len(self) -> usize {
-        2 * self.power + self.degree + 1
-    }
-
-    /// All coefficients are below 2 to this power.
-    fn largest(self) -> u64 {
-        form_bits(self.degree, self.bits) + self.power as u64
-    }
-
-    /// Those in this range are below 2 to this power: as all are positive, the k-th is at most the value at any t > 0
-    /// divided by t^k.
-    fn of(self, range: Range<usize>) -> u64 {
-        let float = |n: usize| f64_from(n as u64);
-        let middle = float(range.start + range.end) / 2.0;
-        // Where the k-th term of (1 + t)^(len − 1) is the largest.
-        let t = middle / (float(self.len()) - middle);
-        let value = float(self.power) * (t * t).ln_1p() + float(self.degree) * t.ln_1p();
-        let last = range.end - 1;
-        let bits = |k: usize| (value - float(k) * t.ln()) / std::f64::consts::LN_2;
-        let bits = bits(range.start).max(bits(last));
-        // Far more than the errors of the logarithms.
-        let bits = u64_from(bits.ceil()) + 1 + self.bits;
-        bits.min(self.largest())
     }
 }
 
@@ -148,36 +110,6 @@ impl Parts<'_> {
             [rho, field.power(rho, self.sums.rho_power() as u64)]
         } else {
             [rho, rho]
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::poly::IntegerPolynomial;
-    use malachite::Integer;
-    use malachite::base::num::arithmetic::traits::Pow;
-    use malachite::base::polynomial::Polynomial;
-    use proptest::prelude::*;
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(32))]
-        #[test]
-        fn no_coefficient_is_larger_than_is_said(power in 0usize..60, degree in 0usize..200, bits in 0u64..9, start in 0usize..400, count in 1usize..70) {
-            let polynomial = |c: &[i32]| IntegerPolynomial::from_coefficients_asc(c.iter().map(|c| Integer::from(*c)).collect());
-            let largest = polynomial(&[1, 0, 1]).pow(power as u64) * polynomial(&[1, 1]).pow(degree as u64);
-            let size = Size { power, degree, bits };
-            let coefficients = largest.coefficients_asc();
-            prop_assert_eq!(coefficients.len(), size.len());
-            let start = start % size.len();
-            let range = start..size.len().min(start + count);
-            let said = size.of(range.clone());
-            prop_assert!(said <= size.largest());
-            for c in &coefficients[range] {
-                // Below 2^said even if it is just below 2^bits as large.
-                prop_assert!(c << bits <= Integer::from(1) << said);
-            }
         }
     }
 }

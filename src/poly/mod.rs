@@ -12,6 +12,7 @@ mod eliminate;
 mod evaluate;
 mod flat;
 mod form;
+mod form_size;
 mod function;
 mod gcd;
 mod homogeneous;
@@ -49,19 +50,19 @@ pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
 pub(crate) use flat::{FlatPolynomial, Place};
 pub use form::BinaryForm;
+pub(crate) use form_size::{FormSize, form_bits};
 pub use function::RationalFunction;
 pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
 pub use homogeneous::Form;
 pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
 pub use malachite::integer_polynomial::IntegerPolynomial;
-pub(crate) use mobius::form_bits;
 pub(crate) use modular::{
     SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, power_mod, powers_mod, reduce_integer,
 };
 pub use plane::PlanePolynomial;
 pub(crate) use prime_field::PrimeField;
 pub(crate) use residues::{
-    Bases, Lifting, Quad, QuadField, Quartet, f64_from, for_each_quartet, minus, plus, u64_from,
+    Bases, Lifting, Quad, QuadField, Quartet, for_each_quartet, minus, plus, residues_are_quick,
 };
 pub(crate) use resultant::resultant;
 pub use ring::Ring;

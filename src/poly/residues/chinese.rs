@@ -13,7 +13,6 @@ use super::quad::{Quad, f64_from, plus, u64_from};
 use super::quartet::Quartet;
 use crate::poly::FlatPolynomial;
 use crate::poly::limbs::{LIMB_BITS, is_negative, width_for};
-use crate::poly::modular::inverse_mod;
 
 /// So many products of 50 and 64 bits, and a carry, fit 128 bits.
 const MOST_PRIMES: usize = (1 << 14) - 8;
@@ -32,7 +31,7 @@ pub(crate) struct Lifting<'a> {
 impl<'a> Lifting<'a> {
     pub(crate) fn new(quartets: &'a [Quartet]) -> Self {
         /// Sets of primes to choose from.
-        const SETS: usize = 8;
+        const SETS: usize = 16;
         let step = quartets.len().div_ceil(SETS);
         let sets = quartets.chunks(step).map(|_| OnceLock::new()).collect();
         Self {
@@ -133,22 +132,42 @@ impl<'a> Remainders<'a> {
                 columns[k / 4 * across + i][k % 4] = limb;
             }
         };
-        let mut weights = Vec::with_capacity(primes.len());
+        let mut residues = Vec::with_capacity(primes.len());
         for (i, &p) in primes.iter().enumerate() {
             let others = (&product).div_exact(Natural::from(p));
-            let residue = u64::try_from(&(&others).mod_op(Natural::from(p))).unwrap_or(0);
-            weights.push(f64_from(inverse_mod(residue, p)));
+            let residue = (&others).mod_op(Natural::from(p));
+            residues.push(f64_from(u64::try_from(&residue).unwrap_or(0)));
             set_column(i, &others);
         }
         let negative = (Natural::from(1_u32) << (width as u64 * LIMB_BITS)) - product;
         set_column(primes.len(), &negative);
-        let weights = weights.as_chunks::<4>().0.to_vec();
+        let residues = residues.as_chunks::<4>().0;
+        let weights = Arch::new().dispatch(Inverses { quartets, residues });
         Self {
             quartets,
             weights,
             width,
             columns,
         }
+    }
+}
+
+/// The inverses of residues in [0, p).
+struct Inverses<'a> {
+    quartets: &'a [Quartet],
+    residues: &'a [Quad],
+}
+
+impl NullaryFnOnce for Inverses<'_> {
+    type Output = Vec<Quad>;
+
+    #[inline(always)]
+    fn call(self) -> Vec<Quad> {
+        let mut inverses = self.residues.to_vec();
+        for (inverse, quartet) in inverses.iter_mut().zip(self.quartets) {
+            *inverse = quartet.field.inverse_of(*inverse);
+        }
+        inverses
     }
 }
 

@@ -14,5 +14,5 @@ mod transform;
 
 pub(crate) use chinese::Lifting;
 pub(crate) use quad::{Quad, QuadField, f64_from, minus, plus, u64_from};
-pub(crate) use quartet::{Quartet, for_each_quartet};
-pub(crate) use shift::Bases;
+pub(crate) use quartet::{Quartet, for_each_quartet, residues_are_quick};
+pub(crate) use shift::{Bases, changed_by_residues};

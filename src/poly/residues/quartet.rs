@@ -1,5 +1,6 @@
 //! Four primes that are worked with side by side.
 
+use pulp::Arch;
 use rayon::prelude::*;
 
 use super::primes::fours_of_primes;
@@ -27,7 +28,7 @@ impl Quartet {
 
     /// How many they are.
     pub(crate) fn number_for(bits: u64) -> usize {
-        // Four of them have 199.96 bits.
+        // Four of them have more than 199.9 bits.
         usize::try_from((bits + 3).div_ceil(199)).unwrap_or(usize::MAX)
     }
 
@@ -56,6 +57,12 @@ impl Quartet {
         }
         value
     }
+}
+
+/// Whether the machine has the instructions: else every product is rounded by a function of the library, rightly and some
+/// fifty times slower.
+pub(crate) fn residues_are_quick() -> bool {
+    !matches!(Arch::new(), Arch::Scalar)
 }
 
 /// The work for each quartet and its number, on all threads where there are several quartets.

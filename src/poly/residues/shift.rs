@@ -1,9 +1,12 @@
 //! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)` modulo four primes: two Taylor shifts, each a product with Σ x^t/t!.
 
+use pulp::{Arch, NullaryFnOnce};
+
+use super::chinese::Lifting;
 use super::quad::{Quad, QuadField, f64_from, negated, plus};
-use super::quartet::Quartet;
+use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
-use crate::poly::FlatPolynomial;
+use crate::poly::{FlatPolynomial, FormSize};
 
 /// What changes of basis of degree at most D have in common.
 pub(crate) struct Bases<'a> {
@@ -153,5 +156,40 @@ impl<'a> Bases<'a> {
             *value = self.field.times(*value, *by);
         }
         self.transform.backward(values);
+    }
+}
+
+/// The change of basis of integers: h has room for those below 2^[`form_bits`](crate::poly::form_bits), if Σ |g_j| < 2^`bits`.
+///
+/// Cost: five transforms of twice the length for each prime that the largest coefficient needs; then for each coefficient
+/// the square of the number of primes that it needs.
+pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+    let size = FormSize {
+        power: 0,
+        degree: g.len() - 1,
+        bits,
+    };
+    let quartets = Quartet::enough_for(size.largest());
+    let residues = for_each_quartet(&quartets, |_, quartet| {
+        Arch::new().dispatch(Change { quartet, g })
+    });
+    let lifting = Lifting::new(&quartets);
+    lifting.polynomial(&residues, g.len(), |range| size.largest_of(range))
+}
+
+struct Change<'a> {
+    quartet: &'a Quartet,
+    g: &'a FlatPolynomial,
+}
+
+impl NullaryFnOnce for Change<'_> {
+    type Output = Vec<Quad>;
+
+    #[inline(always)]
+    fn call(self) -> Vec<Quad> {
+        let len = self.g.len();
+        let mut residues = Bases::new(self.quartet, len - 1, 2 * len).changed(self.g);
+        residues.truncate(len);
+        residues
     }
 }

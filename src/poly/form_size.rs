@@ -1,0 +1,89 @@
+//! How large the coefficients of a form can be, whose coefficients in another basis are known to be small.
+
+use std::ops::Range;
+
+use super::residues::{f64_from, u64_from};
+
+/// Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` is at most C(d, k) Σ |g_j|: below 2 to this power, if Σ |g_j| < 2^`bits`.
+pub(crate) fn form_bits(degree: usize, bits: u64) -> u64 {
+    // C(2m, m) < 4^m / √(3m), and the largest of the row before is half of it.
+    let degree = degree as u64;
+    bits + degree - u64::from(degree.max(1).ilog2()) / 2
+}
+
+/// The coefficients of `(1 + t²)^power f(1, t)`, f a form with coefficients in z^j w^(d−j) that add up to less than
+/// 2^`bits`: below those of `2^bits (1 + t²)^power (1 + t)^degree`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FormSize {
+    pub(crate) power: usize,
+    pub(crate) degree: usize,
+    pub(crate) bits: u64,
+}
+
+impl FormSize {
+    /// How many they are.
+    pub(crate) fn len(self) -> usize {
+        2 * self.power + self.degree + 1
+    }
+
+    /// All are below 2 to this power.
+    pub(crate) fn largest(self) -> u64 {
+        form_bits(self.degree, self.bits) + self.power as u64
+    }
+
+    /// Those in this range are below 2 to this power: the k-th of positive ones is at most the value at any t > 0 divided
+    /// by t^k.
+    pub(crate) fn largest_of(self, range: Range<usize>) -> u64 {
+        let float = |n: usize| f64_from(n as u64);
+        let middle = float(range.start + range.end) / 2.0;
+        // Where the k-th term of (1 + t)^(len − 1) is the largest.
+        let t = middle / (float(self.len()) - middle);
+        let value = float(self.power) * (t * t).ln_1p() + float(self.degree) * t.ln_1p();
+        let bits = |k: usize| (value - float(k) * t.ln()) / std::f64::consts::LN_2;
+        let bits = bits(range.start).max(bits(range.end - 1));
+        // Far more than the errors of the logarithms.
+        let bits = u64_from(bits.ceil()) + 1 + self.bits;
+        bits.min(self.largest())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::{IntegerPolynomial, binomials};
+    use malachite::Integer;
+    use malachite::base::num::arithmetic::traits::Pow;
+    use malachite::base::polynomial::Polynomial;
+    use proptest::prelude::*;
+
+    #[test]
+    fn binomials_have_the_bits_that_are_said() {
+        for n in 0..300 {
+            assert!(
+                binomials(n)[n / 2] <= Integer::from(1) << form_bits(n, 0),
+                "{n}"
+            );
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        #[test]
+        fn no_coefficient_is_larger_than_is_said(
+            power in 0usize..60, degree in 0usize..200, bits in 0u64..9, start in 0usize..400, count in 1usize..70,
+        ) {
+            let polynomial = |c: &[i32]| IntegerPolynomial::from_coefficients_asc(c.iter().map(|c| Integer::from(*c)).collect());
+            let largest = polynomial(&[1, 0, 1]).pow(power as u64) * polynomial(&[1, 1]).pow(degree as u64);
+            let size = FormSize { power, degree, bits };
+            let coefficients = largest.coefficients_asc();
+            prop_assert_eq!(coefficients.len(), size.len());
+            let start = start % size.len();
+            let range = start..size.len().min(start + count);
+            let said = size.largest_of(range.clone());
+            prop_assert!(said <= size.largest());
+            for c in &coefficients[range] {
+                prop_assert!(c << bits <= Integer::from(1) << said);
+            }
+        }
+    }
+}
