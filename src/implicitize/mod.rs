@@ -10,6 +10,7 @@ mod isolated;
 mod map;
 mod patch;
 mod polar;
+mod proper;
 mod residue_expansion;
 mod resultant;
 mod space_curve;

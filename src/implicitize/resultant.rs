@@ -1,6 +1,7 @@
 //! Plane curves by a resultant.
 
 use super::map::RationalMap;
+use super::proper::proper_parametrization;
 use super::tracing::tracing_index_bound;
 use crate::error::{Error, Result};
 use crate::factor::squarefree_plane;
@@ -22,7 +23,8 @@ pub struct PlaneEquation {
 ///
 /// With x = p1/q1 and y = p2/q2 in lowest terms, of degrees m and n in s: `Res_s(q1 X − p1, q2 Y − p2) = c f^k`
 /// with f irreducible over Q and k the tracing index, without extraneous factor (Sederberg; Sendra &
-/// Winkler, *Rational Algebraic Curves*, Theorem 4.41). f is what is returned, with three proofs: it vanishes
+/// Winkler, *Rational Algebraic Curves*, Theorem 4.41). A curve that is run over several times gets a parameter first that
+/// runs over it once: m/k and n/k are left. f is what is returned, with three proofs: it vanishes
 /// identically on the curve (what substitution gives is 0 modulo primes whose product is larger than it could be);
 /// its degree in X is n/k', where k' bounds the index from above; so by degrees it is the minimal polynomial and
 /// k = k'.
@@ -61,11 +63,17 @@ pub fn implicitize_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PlaneEqu
     }
     let tracing_index = tracing_index_bound(curve.coordinates());
     let map = RationalMap::of_curve(curve);
-    let f = eliminate(x, y, limits, |resultant| {
-        let f = if tracing_index > 1 {
-            squarefree_plane(resultant, limits)?
-        } else {
+    let proper = if tracing_index > 1 {
+        proper_parametrization(curve.coordinates(), tracing_index, limits)?
+    } else {
+        Some(curve.coordinates().clone())
+    };
+    let [x_once, y_once] = proper.as_ref().unwrap_or(curve.coordinates());
+    let f = eliminate(x_once, y_once, limits, |resultant| {
+        let f = if proper.is_some() {
             resultant.primitive()
+        } else {
+            squarefree_plane(resultant, limits)?
         };
         let [in_x, in_y] = degrees(&f);
         let fits = in_x * tracing_index == y.degree() && in_y * tracing_index == x.degree();

@@ -1,0 +1,125 @@
+//! Proper reparametrization: a curve that is run over several times, by a parameter that runs over it once.
+
+use super::inverse::{Inverse, invert};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
+
+/// Numbers at which the fibre is looked at: two of them must be in general position.
+const TRIES: i64 = 12;
+
+/// The coordinates as functions of another parameter, of degrees divided by `index`, the tracing index; `None` if none of
+/// the numbers that are tried is in general position.
+///
+/// By Lüroth's theorem the field of all functions of the point is Q(s) for a function s(t) of degree `index`. At a general
+/// number σ the numerator of s(t) − s(σ) is the gcd of those of x(t) − x(σ), y(t) − y(σ), …; the quotient of two such
+/// numerators is a Möbius transform of s, which does as well (Sendra, Winkler & Pérez-Díaz, *Rational Algebraic Curves*,
+/// §6.1).
+///
+/// Cost: two gcds of polynomials in t, then linear algebra in 2·degree/`index` + 2 unknowns for each coordinate.
+///
+/// # Errors
+/// Those of `limits`.
+pub(super) fn proper_parametrization<const N: usize>(
+    functions: &[RationalFunction; N],
+    index: usize,
+    limits: &Limits,
+) -> Result<Option<[RationalFunction; N]>> {
+    let Some(s) = generator(functions, index) else {
+        return Ok(None);
+    };
+    let mut proper = Vec::new();
+    for f in functions {
+        let Inverse::Function(fraction) = invert(f, &s, limits)? else {
+            return Ok(None);
+        };
+        proper.extend(fraction.to_function());
+    }
+    Ok(proper.try_into().ok())
+}
+
+/// A function of degree `index` of which all of these are functions, if there is one.
+fn generator(functions: &[RationalFunction], index: usize) -> Option<RationalFunction> {
+    let general = |f: &IntegerPolynomial| f.coefficients_asc().len() == index + 1;
+    let mut fibres = (1..=TRIES)
+        .filter_map(|sigma| fibre(functions, &Rational::from(sigma)))
+        .filter(general);
+    let first = fibres.next()?;
+    let mut quotients = fibres.filter_map(|f| RationalFunction::new(f, first.clone()));
+    // Of a smaller degree if both are the same points.
+    quotients.find(|s| s.degree() == index)
+}
+
+/// The parameters of the point at σ: the gcd of the numerators of x(t) − x(σ), y(t) − y(σ), …; `None` at a pole.
+fn fibre(functions: &[RationalFunction], sigma: &Rational) -> Option<IntegerPolynomial> {
+    let mut common: Option<IntegerPolynomial> = None;
+    for f in functions.iter().filter(|f| !f.is_constant()) {
+        let difference = f.plus_constant(&-f.evaluate(sigma)?);
+        common = Some(match common {
+            Some(other) => polynomial_gcd(&other, difference.numerator()),
+            None => difference.numerator().clone(),
+        });
+    }
+    common
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::Integer;
+    use malachite::base::polynomial::Polynomial;
+    use proptest::prelude::*;
+
+    /// Of degree up to 3.
+    fn function() -> impl Strategy<Value = RationalFunction> {
+        let polynomial = || {
+            let coefficients = prop::collection::vec(-9i64..10, 1..5);
+            coefficients.prop_map(|c| {
+                IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect())
+            })
+        };
+        (polynomial(), polynomial())
+            .prop_filter_map("a pole everywhere", |(p, q)| RationalFunction::new(p, q))
+    }
+
+    /// f(s(t)).
+    fn composed(f: &RationalFunction, s: &RationalFunction) -> Option<RationalFunction> {
+        let homogeneous = |p: &IntegerPolynomial| {
+            let mut sum = IntegerPolynomial::from_coefficients_asc(Vec::new());
+            for (k, c) in p.coefficients_asc().iter().enumerate() {
+                let power = |p: &IntegerPolynomial, e: usize| {
+                    (0..e).fold(IntegerPolynomial::one(), |power, _| power * p)
+                };
+                let term = power(s.numerator(), k) * power(s.denominator(), f.degree() - k);
+                sum += term * IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
+            }
+            sum
+        };
+        RationalFunction::new(homogeneous(f.numerator()), homogeneous(f.denominator()))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        /// Built backwards: functions of s(t), and of all functions of those that are once around.
+        #[test]
+        fn the_new_parameter_runs_over_the_curve_once(x in function(), y in function(), s in function()) {
+            prop_assume!(s.degree() > 1 && !(x.is_constant() && y.is_constant()));
+            let once = [x, y];
+            let index_of_once = super::super::tracing::tracing_index_bound(&once);
+            let [Some(x), Some(y)] = once.each_ref().map(|f| composed(f, &s)) else {
+                return Err(TestCaseError::reject("a pole everywhere"));
+            };
+            let functions = [x, y];
+            let index = index_of_once * s.degree();
+            let proper = proper_parametrization(&functions, index, &Limits::none()).unwrap();
+            let proper = proper.ok_or_else(|| TestCaseError::fail("no number was general"))?;
+            prop_assert_eq!(super::super::tracing::tracing_index_bound(&proper), 1);
+            let generator = generator(&functions, index).unwrap();
+            for (f, proper) in functions.iter().zip(&proper) {
+                prop_assert_eq!(proper.degree() * index, f.degree());
+                prop_assert_eq!(composed(proper, &generator), Some(f.clone()));
+            }
+        }
+    }
+}
