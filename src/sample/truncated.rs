@@ -124,9 +124,9 @@ impl<const W: usize, const V: usize> Part<W, V> {
             }
             sum = sum.plus(term);
         }
-        // Each coefficient is cut (2 ulps), each product rounded (V − 1 times 2); the powers t^e are wrong by at most
-        // (3e + 1) 2^(−64W), which is (3e + 1)/256 ulps, and Σ |c| ≤ 64.
-        let error = 2 * V * self.terms.len() + self.degree + V;
+        // Each coefficient is cut (2 ulps), each product rounded (V − 1 times W); the powers t^e are wrong by at most
+        // ((W + 1) e + 1) 2^(−64W), which is so many 256ths of an ulp, and Σ |c| ≤ 64.
+        let error = (2 + W * (V - 1)) * self.terms.len() + W * self.degree + V;
         Truncated {
             mantissa: sum,
             exponent: self.exponent,
