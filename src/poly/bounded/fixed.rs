@@ -179,6 +179,11 @@ impl<const W: usize> Fixed<W> {
         }
     }
 
+    /// |self|, in units of 2^8.
+    pub(super) fn size(self) -> Fraction<W> {
+        Fraction(self.magnitude())
+    }
+
     /// The number of bits of |self| in ulps.
     pub(crate) fn bits(self) -> i64 {
         significant_bits(&self.magnitude())
@@ -216,6 +221,19 @@ impl<const W: usize> Fixed<W> {
         } else {
             product
         }
+    }
+
+    /// self ± 2^8 a b, with an error of less than W ulps.
+    #[inline]
+    pub(super) fn plus_or_minus_product(
+        self,
+        a: &Fraction<W>,
+        b: &Fraction<W>,
+        is_negative: bool,
+    ) -> Self {
+        let mask = if is_negative { u64::MAX } else { 0 };
+        let product = high_product(&a.0, &b.0).map(|limb| limb ^ mask);
+        Self(sum(&self.0, &product, is_negative).0)
     }
 
     /// self · 2^(−shift), rounded towards 0.
@@ -362,7 +380,7 @@ impl<const W: usize> Ord for Fraction<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use malachite::base::num::arithmetic::traits::{DivRound, Pow, UnsignedAbs};
+    use malachite::base::num::arithmetic::traits::{Abs, DivRound, Pow, UnsignedAbs};
     use malachite::base::rounding_modes::RoundingMode;
     use proptest::prelude::*;
 
@@ -396,6 +414,9 @@ mod tests {
             let short = |product: Integer, cut: Integer| (product - cut).unsigned_abs() < W;
             prop_assert!(short(integer(x.times(&f)), &i * &g / &one));
             prop_assert!(short(f.times(&f).to_integer(), &g * &g / &one));
+            let product = (&j).abs() * &g / &one;
+            prop_assert!(short(integer(x.plus_or_minus_product(&y.size(), &f, false)), &i + &product));
+            prop_assert!(short(integer(x.plus_or_minus_product(&y.size(), &f, true)), &i - &product));
             if let Some(bits) = u32::try_from(shift).ok().filter(|bits| *bits < 64) {
                 let wide = [&[0], x.limbs().as_slice()].concat();
                 let floor = (&i).div_round(Integer::from(2).pow(bits.into()), RoundingMode::Floor).0;

@@ -11,17 +11,20 @@ mod bernstein;
 mod fixed;
 mod newton;
 mod search;
+mod signed;
 
 use std::cell::LazyCell;
 
 use bernstein::inverse_binomials;
-pub(crate) use fixed::{Fixed, Fraction};
+pub(crate) use fixed::Fixed;
+use fixed::Fraction;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::DivRound;
 use malachite::base::rounding_modes::RoundingMode;
 use newton::OnUnitInterval;
 pub(crate) use search::Unproved;
 use search::{Isolated, whole};
+pub(crate) use signed::{Signed, rotations};
 
 use super::IntegerPolynomial;
 use super::isolate::Changes;
