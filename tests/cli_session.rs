@@ -22,7 +22,9 @@ fn statistics_count_the_rays_of_each_precision() {
         json(&run.err)["stats"]["rays"].clone()
     };
     let count = |rays: &serde_json::Value, name: &str| rays[name].as_u64().unwrap();
-    let all = ["128_bits", "256_bits", "384_bits", "512_bits", "exact"];
+    let all = [
+        "128_bits", "192_bits", "256_bits", "384_bits", "512_bits", "768_bits", "exact",
+    ];
     for form in ["x^4 + y^4 = 1 + x", "x^2 + y^2 + 2z^2 = 3 + x"] {
         let rays = sample(form);
         assert_eq!(all.map(|name| count(&rays, name)).iter().sum::<u64>(), 40);

@@ -149,11 +149,12 @@ fn sample_intersection(
 
 /// How many directions were decided in how many bits.
 fn record_stages(counts: StageCounts, session: &mut Session) {
-    let [short, middle, long, longest] = counts.bounded;
-    session.record(
-        "rays",
-        serde_json::json!({"128_bits": short, "256_bits": middle, "384_bits": long, "512_bits": longest, "exact": counts.exact}),
-    );
+    let bounded = StageCounts::BITS.iter().zip(counts.bounded);
+    let mut rays: serde_json::Map<String, serde_json::Value> = bounded
+        .map(|(bits, count)| (format!("{bits}_bits"), count.into()))
+        .collect();
+    rays.insert("exact".into(), counts.exact.into());
+    session.record("rays", rays.into());
 }
 
 fn note_lines<D: NominalAngles<V>, const V: usize>(

@@ -8,13 +8,11 @@
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
-use malachite::base::polynomial::Polynomial;
 
+use super::BinaryForm;
 use super::flat::FlatPolynomial;
 use super::limbs::negate;
 use super::mobius::change_of_basis;
-use super::shift::negate_odd;
-use super::{BinaryForm, IntegerPolynomial, shift_by_one};
 use crate::exact::Rational;
 
 /// `2 Σ_m (a_m Re (x+iy)^m + b_m Im (x+iy)^m) (x²+y²)^((d−m)/2)`, a form of degree d = `degree`.
@@ -32,7 +30,7 @@ pub fn doubled_form_from_harmonics<'a>(
 ) -> BinaryForm {
     let harmonics: Vec<_> = harmonics.into_iter().collect();
     let bits = harmonic_bits(harmonics.iter().map(|&(_, a, b)| [a, b]));
-    let form = doubled_flat_form(degree, harmonics.into_iter(), bits);
+    let form = flat_form(&doubled_harmonics(degree, harmonics.into_iter(), bits), bits);
     BinaryForm::from_dehomogenized(degree, form.to_polynomial())
 }
 
@@ -48,20 +46,7 @@ pub(crate) fn harmonic_bits<'a>(pairs: impl Iterator<Item = [&'a Integer; 2]> + 
     largest + 1 + sum.significant_bits().saturating_sub(UNITS)
 }
 
-/// The same form f(1, t) with coefficients of one width, which has room for integers below
-/// 2^[`form_bits`](super::form_bits). `bits` is [`harmonic_bits`] or more.
-///
-/// # Panics
-/// If an m is larger than d or of the other parity.
-pub(crate) fn doubled_flat_form<'a>(
-    degree: usize,
-    harmonics: impl Iterator<Item = (usize, &'a Integer, &'a Integer)>,
-    bits: u64,
-) -> FlatPolynomial {
-    flat_form(&doubled_harmonics(degree, harmonics, bits), bits)
-}
-
-/// The same in the basis z^j w^(d−j).
+/// The same form in the basis z^j w^(d−j). `bits` is [`harmonic_bits`] or more.
 ///
 /// # Panics
 /// If an m is larger than d or of the other parity.
@@ -88,7 +73,7 @@ pub(crate) fn doubled_harmonics<'a>(
     g
 }
 
-/// From the basis z^j w^(d−j) to f(1, t).
+/// From the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](super::form_bits).
 pub(crate) fn flat_form(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let mut h = change_of_basis(g, bits);
     // i^k: signs + + − −
@@ -113,45 +98,35 @@ pub(crate) fn flat_form(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
 /// ```
 #[must_use]
 pub fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
-    let degree = form.degree();
-    let mut h = form.dehomogenized().coefficients_asc().to_vec();
-    h.resize(degree + 1, Integer::ZERO);
-    twist(&mut h);
-    let mut c = shift_by_one(IntegerPolynomial::from_coefficients_asc(h)).into_coefficients_asc();
-    c.resize(degree + 1, Integer::ZERO);
-    negate_odd(&mut c);
-    for (k, value) in c.iter_mut().enumerate() {
-        *value <<= k as u64;
-    }
-    c.reverse();
-    let g = shift_by_one(IntegerPolynomial::from_coefficients_asc(c)).into_coefficients_asc();
-    let at = |j: usize| g.get(j).cloned().unwrap_or(Integer::ZERO);
-    // g is 2^d (a + b) at (d+m)/2 and 2^d (a − b) at (d−m)/2 of half the form.
-    let shift = -i64::try_from(degree).unwrap_or(i64::MAX);
-    (0..=degree)
-        .filter(|m| (degree - m).is_multiple_of(2))
-        .map(|m| {
-            let (high, low) = (at(usize::midpoint(degree, m)), at((degree - m) / 2));
-            if m == 0 {
-                (m, Rational::from_parts(high, shift), Rational::zero())
-            } else {
-                (
-                    m,
-                    Rational::from_parts(&high + &low, shift),
-                    Rational::from_parts(high - low, shift),
-                )
-            }
-        })
-        .collect()
+    let exponent = -i64::try_from(form.degree()).unwrap_or(i64::MAX);
+    let over = |c| Rational::from_parts(c, exponent);
+    let harmonics = scaled_harmonics(form).into_iter();
+    harmonics.map(|(m, a, b)| (m, over(a), over(b))).collect()
 }
 
-/// Signs + + − − by k mod 4: what is left of the powers of i.
-fn twist(coefficients: &mut [Integer]) {
-    for (k, value) in coefficients.iter_mut().enumerate() {
-        if k % 4 >= 2 {
-            *value = -std::mem::take(value);
-        }
+/// The same times 2^d, which makes them integers.
+pub(crate) fn scaled_harmonics(form: &BinaryForm) -> Vec<(usize, Integer, Integer)> {
+    let degree = form.degree();
+    let largest = form.terms().map(|(_, c)| c.significant_bits()).max();
+    let bits = largest.unwrap_or(0) + (degree as u64 + 1).significant_bits();
+    // With h(T) = (1−T)^d g((1+T)/(1−T)) and S = (1+T)/(1−T): 2^d g(S) = Σ h_k (S−1)^k (S+1)^(d−k).
+    let mut h = FlatPolynomial::zero(degree + 1, bits);
+    for (k, c) in form.terms() {
+        // i^k: signs + + − −, and (−1)^k.
+        h.add_at(degree - k, c, k % 4 == 1 || k % 4 == 2);
     }
+    let g: Vec<Integer> = change_of_basis(&h, bits).to_integers(0).collect();
+    // g is 2^d (a + b) at (d+m)/2 and 2^d (a − b) at (d−m)/2 of half the form.
+    let indices = (0..=degree).filter(|m| (degree - m).is_multiple_of(2));
+    let harmonics = indices.map(|m| {
+        let (high, low) = (&g[usize::midpoint(degree, m)], &g[(degree - m) / 2]);
+        if m == 0 {
+            (m, high.clone(), Integer::ZERO)
+        } else {
+            (m, high + low, high - low)
+        }
+    });
+    harmonics.collect()
 }
 
 #[cfg(test)]

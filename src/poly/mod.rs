@@ -41,10 +41,10 @@ pub use all_roots::real_roots;
 pub(crate) use all_roots::sort_distinct;
 pub(crate) use binomials::binomials;
 pub(crate) use bounded::{
-    BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of,
+    BoundedRoot, FOR_DOUBLES, Fixed, Signed, Truncated, Unproved, roots_of, rotations,
 };
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
-pub(crate) use circle::{doubled_harmonics, flat_form, harmonic_bits};
+pub(crate) use circle::{doubled_harmonics, flat_form, harmonic_bits, scaled_harmonics};
 pub(crate) use eliminate::{eliminate, resultant_mod};
 pub(crate) use evaluate::integer_sign;
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};

@@ -2,6 +2,7 @@
 
 mod direction;
 mod guess;
+mod ladder;
 mod parts;
 mod point;
 mod ray;
@@ -12,7 +13,7 @@ mod truncated;
 mod wide;
 
 pub use direction::{Direction, UnitVector};
-pub use parts::{HomogeneousParts, Term};
+pub use parts::{Basis, ExpandedPart, Expansion, HomogeneousParts, Term};
 pub use point::{Ray, Sample};
 pub(crate) use ray::along;
 pub use ray::{RaySolver, StageCounts};

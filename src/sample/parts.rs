@@ -1,11 +1,43 @@
 //! Polynomials as rays see them: homogeneous parts.
 
-use malachite::Integer;
+use std::borrow::Cow;
 
-use crate::poly::{PlanePolynomial, SpacePolynomial};
+use malachite::Integer;
+use malachite::base::num::logic::traits::SignificantBits;
+
+use crate::poly::{BinaryForm, PlanePolynomial, SpacePolynomial, scaled_harmonics};
 
 /// The exponents of a monomial, and its coefficient.
 pub type Term<'a, const V: usize> = ([usize; V], &'a Integer);
+
+/// Functions on vectors in which homogeneous parts are sums.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// `[i, j]` is x^i y^j, and likewise in space.
+    Powers,
+    /// On unit vectors of the plane `[m, 0]` is cos mθ and `[0, m]` is sin mθ.
+    Harmonics,
+}
+
+/// 2^exponent Σ c b over functions b of a basis.
+#[derive(Clone, Debug)]
+pub struct ExpandedPart<'a, const V: usize> {
+    /// The degree of the part.
+    pub degree: usize,
+    /// A power of two before the sum.
+    pub exponent: i64,
+    /// Indices of b, and c.
+    pub terms: Vec<([usize; V], Cow<'a, Integer>)>,
+}
+
+/// The homogeneous parts of a polynomial as sums of few functions.
+#[derive(Clone, Debug)]
+pub struct Expansion<'a, const V: usize> {
+    /// In which basis.
+    pub basis: Basis,
+    /// The parts that are not 0.
+    pub parts: Vec<ExpandedPart<'a, V>>,
+}
 
 /// A polynomial in V variables by its homogeneous parts, as far as rays ask.
 pub trait HomogeneousParts<const V: usize> {
@@ -14,6 +46,11 @@ pub trait HomogeneousParts<const V: usize> {
 
     /// The degrees of the parts that are not 0, with their terms: exponents and coefficients.
     fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, V>>)>;
+
+    /// The parts that are not 0 in a basis in which their values lose few bits.
+    fn expanded(&self) -> Expansion<'_, V> {
+        in_powers(self.terms_by_degree())
+    }
 
     /// The degrees d of the parts, descending, with their values f_d at a vector.
     fn values_at(&self, vector: &[Integer; V]) -> Vec<(usize, Integer)>;
@@ -31,6 +68,10 @@ impl HomogeneousParts<2> for PlanePolynomial {
             (degree, terms.collect())
         });
         parts.collect()
+    }
+
+    fn expanded(&self) -> Expansion<'_, 2> {
+        in_harmonics(self).unwrap_or_else(|| in_powers(self.terms_by_degree()))
     }
 
     fn values_at(&self, [u, v]: &[Integer; 2]) -> Vec<(usize, Integer)> {
@@ -52,5 +93,120 @@ impl HomogeneousParts<3> for SpacePolynomial {
     fn values_at(&self, vector: &[Integer; 3]) -> Vec<(usize, Integer)> {
         let parts = self.parts();
         parts.map(|p| (p.degree(), p.evaluate(vector))).collect()
+    }
+}
+
+fn in_powers<const V: usize>(parts: Vec<(usize, Vec<Term<'_, V>>)>) -> Expansion<'_, V> {
+    let parts = parts.into_iter().map(|(degree, terms)| ExpandedPart {
+        degree,
+        exponent: 0,
+        terms: terms
+            .into_iter()
+            .map(|(e, c)| (e, Cow::Borrowed(c)))
+            .collect(),
+    });
+    Expansion {
+        basis: Basis::Powers,
+        parts: parts.collect(),
+    }
+}
+
+/// The parts as sums of harmonics, if that saves bits.
+///
+/// Powers of x and y near the unit circle have coefficients up to 2^d times as large as the sum, those of a radius with
+/// d/2 − 1 harmonics for one; harmonics are on average at most as large as the sum.
+fn in_harmonics(f: &PlanePolynomial) -> Option<Expansion<'static, 2>> {
+    /// Below this degree there is little to save.
+    const LEAST_DEGREE: usize = 16;
+    f.degree().filter(|degree| *degree >= LEAST_DEGREE)?;
+    let mut saved = 0;
+    let mut parts = Vec::new();
+    for form in f.parts() {
+        let harmonics = scaled_harmonics(form);
+        saved += saved_bits(form, &harmonics);
+        if saved <= 0 {
+            return None;
+        }
+        let terms = harmonics
+            .into_iter()
+            .flat_map(|(m, a, b)| [([m, 0], a), ([0, m], b)])
+            .filter(|(_, c)| *c != 0);
+        parts.push(ExpandedPart {
+            degree: form.degree(),
+            exponent: -exponent(form.degree()),
+            terms: terms.map(|(e, c)| (e, Cow::Owned(c))).collect(),
+        });
+    }
+    Some(Expansion {
+        basis: Basis::Harmonics,
+        parts,
+    })
+}
+
+/// About how many bits fewer a value loses, on average over the directions, as a sum of the harmonics, which are given
+/// times 2^d.
+fn saved_bits(form: &BinaryForm, harmonics: &[(usize, Integer, Integer)]) -> i64 {
+    let bits = |c: &Integer| i64::try_from(c.significant_bits()).unwrap_or(i64::MAX);
+    let powers = form.terms().map(|(_, c)| bits(c)).max();
+    let harmonics = harmonics.iter().map(|(_, a, b)| bits(a).max(bits(b))).max();
+    let degree = exponent(form.degree());
+    // Powers are seen from the larger coordinate, which to the d is 1 to 2^(d/2) times smaller than the length.
+    powers.unwrap_or(0) - (harmonics.unwrap_or(0) - degree) - degree / 4
+}
+
+fn exponent(degree: usize) -> i64 {
+    i64::try_from(degree).unwrap_or(i64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Rational;
+    use crate::poly::TrigPolynomial;
+    use crate::sample::Direction;
+    use proptest::prelude::*;
+
+    /// The value of a part at a unit vector.
+    fn value(part: &ExpandedPart<'_, 2>, basis: Basis, [x, y]: &[Rational; 2]) -> Rational {
+        let function = |[i, j]: [usize; 2]| {
+            let index = |k| i32::try_from(k).unwrap_or(i32::MAX);
+            match basis {
+                Basis::Powers => {
+                    x.pow(index(i).into()).unwrap_or_default()
+                        * y.pow(index(j).into()).unwrap_or_default()
+                }
+                Basis::Harmonics if j == 0 => TrigPolynomial::cosine(index(i)).evaluate(x, y),
+                Basis::Harmonics => TrigPolynomial::sine(index(j)).evaluate(x, y),
+            }
+        };
+        let terms = part.terms.iter();
+        let sum = terms.fold(Rational::zero(), |sum, (b, c)| {
+            sum + function(*b) * Rational::from(&**c)
+        });
+        sum * Rational::from(2).pow(part.exponent).unwrap_or_default()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        /// Powers of ρ, moved or not, save bits as harmonics; large powers of x do not.
+        #[test]
+        fn parts_are_their_expansions(k in 8usize..11, a in -3i64..4, high in 0usize..30, theta in -4.0f64..4.0) {
+            let rho = PlanePolynomial::from_parts([BinaryForm::rho_power(k)], 1.into());
+            let rho = rho.translated(&Rational::from(a), &Rational::one());
+            let power = ((high, 0), Rational::from(5));
+            let f = PlanePolynomial::from_terms(rho.terms().chain([power]));
+            let expansion = f.expanded();
+            let expected = if high > 2 * k { Basis::Powers } else { Basis::Harmonics };
+            prop_assert_eq!(expansion.basis, expected);
+            let direction = Direction::from_radians(theta);
+            let (u, v) = (direction.u(), direction.v());
+            prop_assert_eq!(expansion.parts.len(), f.parts().count());
+            for (part, form) in expansion.parts.iter().zip(f.parts()) {
+                let alone = PlanePolynomial::from_parts([form.clone()], 1.into());
+                prop_assert_eq!(part.degree, form.degree());
+                let found = value(part, expansion.basis, &[u.clone(), v.clone()]);
+                prop_assert_eq!(found, alone.evaluate(&u, &v));
+            }
+        }
     }
 }

@@ -11,11 +11,11 @@ use malachite::base::polynomial::Polynomial;
 
 use super::direction::UnitVector;
 use super::guess::real_root_guesses;
-use super::parts::HomogeneousParts;
+use super::ladder::{LEVELS, Ladder};
+use super::parts::{Expansion, HomogeneousParts};
 use super::point::{Ray, Sample, in_order};
-use super::truncated::TruncatedForms;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, RealRoot, Unproved, real_roots};
+use crate::poly::{IntegerPolynomial, RealRoot, real_roots};
 
 /// A guess from floats is proved to this many bits or not used.
 const GUESS_BITS: i64 = 40;
@@ -40,54 +40,23 @@ const GUESS_BITS: i64 = 40;
 #[derive(Debug)]
 pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
-    short: Stage<2, V>,
-    middle: Stage<4, V>,
-    long: Stage<6, V>,
-    longest: Stage<8, V>,
+    expansion: OnceLock<Expansion<'a, V>>,
+    ladder: Ladder<V>,
     exact: AtomicU64,
-}
-
-/// One precision: made when first asked for, and how often it has succeeded and failed.
-#[derive(Debug, Default)]
-struct Stage<const W: usize, const V: usize> {
-    forms: OnceLock<TruncatedForms<W, V>>,
-    hits: AtomicU64,
-    misses: AtomicU64,
-}
-
-impl<const W: usize, const V: usize> Stage<W, V> {
-    /// The answer of this precision; it is not asked where it mostly had none.
-    fn solve(
-        &self,
-        f: &impl HomogeneousParts<V>,
-        vector: &[Integer; V],
-        w: &Integer,
-    ) -> Result<Vec<Sample<V>>, Unproved> {
-        /// So many failures more than successes are given.
-        const PATIENCE: u64 = 16;
-        let (hits, misses) = (self.hits.load(Relaxed), self.misses.load(Relaxed));
-        if misses > 2 * hits + PATIENCE {
-            return Err(Unproved::Bits);
-        }
-        let forms = self.forms.get_or_init(|| TruncatedForms::new(f));
-        let answer = forms.solve(vector, w);
-        let count = if answer.is_ok() {
-            &self.hits
-        } else {
-            &self.misses
-        };
-        count.fetch_add(1, Relaxed);
-        answer
-    }
 }
 
 /// In how many directions which precision decided.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StageCounts {
-    /// 128, 256, 384 and 512 bits.
-    pub bounded: [u64; 4],
+    /// So many bits as [`StageCounts::BITS`] says.
+    pub bounded: [u64; LEVELS],
     /// Exact arithmetic.
     pub exact: u64,
+}
+
+impl StageCounts {
+    /// The precisions of bounded arithmetic.
+    pub const BITS: [u32; LEVELS] = [128, 192, 256, 384, 512, 768];
 }
 
 impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
@@ -96,43 +65,31 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     pub fn new(polynomial: &'a P) -> Self {
         Self {
             polynomial,
-            short: Stage::default(),
-            middle: Stage::default(),
-            long: Stage::default(),
-            longest: Stage::default(),
+            expansion: OnceLock::new(),
+            ladder: Ladder::default(),
             exact: AtomicU64::new(0),
         }
     }
 
     /// The points in one direction.
     ///
-    /// Bounded arithmetic of 128, 256, 384 and 512 bits is asked first, in that order: it proves all that it says, or says nothing. Cost: a
-    /// product for every coefficient of f, then d² for the roots of one polynomial. Where it cannot tell (a multiple root,
-    /// one that is a bound between two doubles, a line) exact arithmetic decides.
+    /// Bounded arithmetic of 128 to 768 bits is asked first, starting where the direction before was decided: it proves all
+    /// that it says, or says nothing. Cost: a product for every coefficient of f, then d² additions for the roots of one
+    /// polynomial. Where it cannot tell (a multiple root, one that is a bound between two doubles, a line) exact arithmetic
+    /// decides.
     #[must_use]
     pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         let (vector, w) = direction.over_common_denominator();
-        let f = self.polynomial;
-        let bounded = self
-            .short
-            .solve(f, &vector, &w)
-            .or_else(|why| why.with_more_bits(|| self.middle.solve(f, &vector, &w)))
-            .or_else(|why| why.with_more_bits(|| self.long.solve(f, &vector, &w)))
-            .or_else(|why| why.with_more_bits(|| self.longest.solve(f, &vector, &w)));
+        let expansion = self.expansion.get_or_init(|| self.polynomial.expanded());
+        let bounded = self.ladder.solve(expansion, &vector, &w);
         bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
 
     /// In how many directions so far which precision decided.
     #[must_use]
     pub fn stage_counts(&self) -> StageCounts {
-        let hits = [
-            &self.short.hits,
-            &self.middle.hits,
-            &self.long.hits,
-            &self.longest.hits,
-        ];
         StageCounts {
-            bounded: hits.map(|count| count.load(Relaxed)),
+            bounded: self.ladder.counts(),
             exact: self.exact.load(Relaxed),
         }
     }

@@ -1,14 +1,17 @@
 //! Rays in a bounded number of bits: forms cut to W limbs, the roots along a direction proved and rounded.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 
-use super::parts::HomogeneousParts;
+use super::parts::{Basis, ExpandedPart, Expansion};
 use super::point::{Sample, in_order};
 use super::wide::Wide;
-use crate::poly::{BoundedRoot, FOR_DOUBLES, Fixed, Fraction, Truncated, Unproved, roots_of};
+use crate::poly::{
+    BoundedRoot, FOR_DOUBLES, Fixed, Signed, Truncated, Unproved, roots_of, rotations,
+};
 
 /// Neighbouring doubles that are tried when the guess is not the nearest.
 const TRIES: usize = 4;
@@ -16,42 +19,77 @@ const TRIES: usize = 4;
 /// The homogeneous parts of a polynomial with coefficients of W limbs.
 #[derive(Debug)]
 pub(super) struct TruncatedForms<const W: usize, const V: usize> {
+    basis: Basis,
+    /// The functions of the basis that occur, each once, by their indices: as they are seen from each coordinate, which
+    /// is 1 then.
+    functions: [Functions<V>; V],
     /// Ascending in degree.
     parts: Vec<Part<W, V>>,
     /// All degrees are the lowest one plus multiples of it.
     gap: u32,
 }
 
-/// Σ c x^e · 2^exponent over the terms, Σ |c| ≤ 64.
+/// 2^(exponent + 8) Σ c b over functions b of the basis, Σ |c| ≤ 1/4.
 #[derive(Debug)]
 struct Part<const W: usize, const V: usize> {
     degree: usize,
     exponent: i64,
-    terms: Vec<([usize; V], Fixed<W>)>,
+    /// The number of the function, as seen from each coordinate, and c.
+    terms: Vec<([u32; V], Signed<W>)>,
 }
 
-/// The line through the origin and a vector, seen from its largest coordinate: x = λ·(v / v_pivot).
+/// Functions of a basis, numbered.
+#[derive(Debug, Default)]
+struct Functions<const V: usize> {
+    indices: Vec<[usize; V]>,
+    numbers: BTreeMap<[usize; V], u32>,
+}
+
+impl<const V: usize> Functions<V> {
+    /// The number of a function, which it has or gets.
+    fn number(&mut self, indices: [usize; V]) -> u32 {
+        *self.numbers.entry(indices).or_insert_with(|| {
+            self.indices.push(indices);
+            // There are fewer than terms.
+            u32::try_from(self.indices.len() - 1).unwrap_or(u32::MAX)
+        })
+    }
+}
+
+/// The line through the origin and a vector, x = λ·(v / unit): seen from its largest coordinate where the basis is
+/// that of powers, and from its length where it is that of harmonics.
 struct Line<'a, const W: usize, const V: usize> {
     vector: &'a [Integer; V],
+    unit: &'a Integer,
+    /// The coordinate from which functions are numbered.
     pivot: usize,
-    /// The powers of |v_i / v_pivot|; none for the pivot itself.
-    powers: [Vec<Fraction<W>>; V],
-    is_negative: [bool; V],
+    /// The values of the functions at v / unit.
+    values: Vec<Signed<W>>,
 }
 
 impl<const W: usize, const V: usize> TruncatedForms<W, V> {
-    pub(super) fn new(polynomial: &impl HomogeneousParts<V>) -> Self {
-        let mut parts: Vec<Part<W, V>> = polynomial
-            .terms_by_degree()
-            .into_iter()
-            .map(|(degree, terms)| Part::new(degree, &terms))
-            .collect();
+    pub(super) fn new(expansion: &Expansion<'_, V>) -> Self {
+        let basis = expansion.basis;
+        let mut functions = std::array::from_fn(|_| Functions::default());
+        let mut numbers = |indices: &[usize; V]| {
+            std::array::from_fn(|pivot| {
+                let mut seen = *indices;
+                if basis == Basis::Powers {
+                    seen[pivot] = 0;
+                }
+                functions[pivot].number(seen)
+            })
+        };
+        let parts = expansion.parts.iter();
+        let mut parts: Vec<Part<W, V>> = parts.map(|part| Part::new(part, &mut numbers)).collect();
         parts.sort_by_key(|part| part.degree);
         let lowest = parts.first().map_or(0, |part| part.degree);
         let gap = parts
             .iter()
             .fold(0, |gap: usize, part| gap.gcd(part.degree - lowest));
         Self {
+            basis,
+            functions,
             parts,
             // Degrees are small.
             gap: u32::try_from(gap).unwrap_or(1).max(1),
@@ -69,7 +107,10 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
     ) -> Result<Vec<Sample<V>>, Unproved> {
         let degree = |part: Option<&Part<W, V>>| part.map_or(0, |part| part.degree);
         let (lowest, highest) = (degree(self.parts.first()), degree(self.parts.last()));
-        let line = Line::new(vector, highest);
+        let line = match self.basis {
+            Basis::Powers => Line::from_largest(vector, &self.functions, highest),
+            Basis::Harmonics => Line::from_length(vector, w, &self.functions[0], highest),
+        };
         let gap = self.gap as usize;
         let mut coefficients = vec![Truncated::ZERO; (highest - lowest) / gap + 1];
         for part in &self.parts {
@@ -95,38 +136,30 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
 }
 
 impl<const W: usize, const V: usize> Part<W, V> {
-    fn new(degree: usize, terms: &[([usize; V], &Integer)]) -> Self {
-        let cut = terms.iter().map(|(e, c)| (*e, Fixed::normalized(c)));
-        let cut: Vec<_> = cut.collect();
+    fn new(part: &ExpandedPart<'_, V>, numbers: &mut impl FnMut(&[usize; V]) -> [u32; V]) -> Self {
+        let cut = part.terms.iter();
+        let cut: Vec<_> = cut
+            .map(|(b, c)| (numbers(b), Fixed::normalized(c)))
+            .collect();
         let largest = cut.iter().map(|(_, (_, exponent))| *exponent).max();
-        let exponent = largest.unwrap_or(0) - Fixed::<W>::room_for(terms.len());
+        let exponent = largest.unwrap_or(0) - Fixed::<W>::room_for(cut.len());
         let terms = cut.into_iter();
-        let terms = terms.map(|(e, (c, own))| (e, c.shifted_down(exponent - own)));
+        let terms = terms.map(|(b, (c, own))| (b, c.shifted_down(exponent - own).over_256()));
         Self {
-            degree,
-            exponent,
+            degree: part.degree,
+            exponent: exponent + part.exponent,
             terms: terms.collect(),
         }
     }
 
-    /// The value at v / v_pivot.
+    /// The value at v / unit.
     fn value(&self, line: &Line<'_, W, V>) -> Truncated<W> {
-        let mut sum = Fixed::ZERO;
-        for (exponents, c) in &self.terms {
-            let mut term = *c;
-            for (i, e) in exponents.iter().enumerate() {
-                if i != line.pivot && *e > 0 {
-                    term = term.times(&line.powers[i][*e]);
-                    if line.is_negative[i] && !e.is_multiple_of(2) {
-                        term = term.negated();
-                    }
-                }
-            }
-            sum = sum.plus(term);
-        }
-        // Each coefficient is cut (2 ulps), each product rounded (V − 1 times 2); the powers t^e are wrong by at most
-        // (3e + 1) 2^(−64W), which is (3e + 1)/256 ulps, and Σ |c| ≤ 64.
-        let error = 2 * V * self.terms.len() + self.degree + V;
+        let sum = self.terms.iter().fold(Fixed::ZERO, |sum, (b, c)| {
+            sum.plus_product(c, &line.values[b[line.pivot] as usize])
+        });
+        // Each coefficient is cut (2 ulps), each product rounded (W). The values of the functions are wrong by at most
+        // ((3W + 2) d + 1) 2^(−64W), that is by so many 256ths of an ulp, and Σ |c| ≤ 64 in these units: (W + 1) d + 1.
+        let error = (W + 2) * self.terms.len() + (W + 1) * self.degree + 1;
         Truncated {
             mantissa: sum,
             exponent: self.exponent,
@@ -136,38 +169,71 @@ impl<const W: usize, const V: usize> Part<W, V> {
 }
 
 impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
-    fn new(vector: &'a [Integer; V], degree: usize) -> Self {
+    fn from_largest(
+        vector: &'a [Integer; V],
+        functions: &[Functions<V>; V],
+        degree: usize,
+    ) -> Self {
         let size = |i: &usize| vector[*i].unsigned_abs_ref();
         let pivot = (0..V).max_by_key(size).unwrap_or(0);
-        let pivot_is_negative = vector[pivot] < 0;
-        let powers = std::array::from_fn(|i| {
+        let unit = &vector[pivot];
+        let powers: [Vec<Signed<W>>; V] = std::array::from_fn(|i| {
             if i == pivot {
                 return Vec::new();
             }
-            let ratio = Fraction::quotient(&vector[i], &vector[pivot]);
-            let first =
-                std::iter::successors(Some(Fraction::LARGEST), |power| Some(power.times(&ratio)));
-            first.take(degree + 1).collect()
+            let ratio = Signed::quotient(&vector[i], unit);
+            let powers =
+                std::iter::successors(Some(Signed::ONE), |power| Some(power.times(&ratio)));
+            powers.take(degree + 1).collect()
         });
+        // With the errors 1 of 1 and of the ratio, and W of a product, an x^e is wrong by at most (W + 1) e + 1 and a
+        // product of two or three of them, Σ e ≤ d, by 2W + 1 more: not more than (3W + 2) d + 1.
+        let value = |indices: &[usize; V]| {
+            let factors = powers.iter().zip(indices).filter(|(_, e)| **e > 0);
+            let product = factors
+                .map(|(powers, e)| powers[*e])
+                .reduce(|a, b| a.times(&b));
+            product.unwrap_or(Signed::ONE)
+        };
         Self {
             vector,
+            unit,
             pivot,
-            powers,
-            is_negative: std::array::from_fn(|i| (vector[i] < 0) != pivot_is_negative),
+            values: functions[pivot].indices.iter().map(value).collect(),
+        }
+    }
+
+    /// For a vector of length w in the plane.
+    fn from_length(
+        vector: &'a [Integer; V],
+        w: &'a Integer,
+        functions: &Functions<V>,
+        degree: usize,
+    ) -> Self {
+        let [cosines, sines] = rotations([0, 1].map(|i| Signed::quotient(&vector[i], w)), degree);
+        let value = |indices: &[usize; V]| match indices[1] {
+            0 => cosines[indices[0]],
+            m => sines[m],
+        };
+        Self {
+            vector,
+            unit: w,
+            pivot: 0,
+            values: functions.indices.iter().map(value).collect(),
         }
     }
 
     /// The point with λ = sign · |root|^(1/gap).
     fn sample(&self, root: &BoundedRoot<W>, gap: u32, sign: i8, w: &Integer) -> Option<Sample<V>> {
         let rounding = Rounding::new(root, gap);
-        let pivot = &self.vector[self.pivot];
+        let unit = self.unit;
         let along = |other: &Integer| -> Option<f64> {
-            // λ · other / pivot
+            // λ · other / unit
             if *other == 0 {
                 return Some(0.0);
             }
-            let is_negative = (sign < 0) != ((*other < 0) != (*pivot < 0));
-            let size = rounding.nearest(pivot, other)?;
+            let is_negative = (sign < 0) != ((*other < 0) != (*unit < 0));
+            let size = rounding.nearest(unit, other)?;
             Some(if is_negative { -size } else { size })
         };
         let mut position = [0.0; V];
@@ -218,9 +284,9 @@ impl Rounding {
         }
     }
 
-    /// The double nearest to |root|^(1/gap) · |other / pivot|.
-    fn nearest(&self, pivot: &Integer, other: &Integer) -> Option<f64> {
-        let inverse = Wide::quotient(pivot, other);
+    /// The double nearest to |root|^(1/gap) · |other / unit|.
+    fn nearest(&self, unit: &Integer, other: &Integer) -> Option<f64> {
+        let inverse = Wide::quotient(unit, other);
         let mut guess = self.guess / inverse.to_f64();
         for _ in 0..TRIES {
             if !(guess.is_normal() && guess.next_down().is_normal() && guess.next_up().is_finite())
@@ -228,9 +294,9 @@ impl Rounding {
                 return None;
             }
             let [below, above] = midpoints(guess);
-            if self.compare(above, inverse)? == Ordering::Greater {
+            if self.compare(above, inverse, Ordering::Less)? == Ordering::Greater {
                 guess = guess.next_up();
-            } else if self.compare(below, inverse)? == Ordering::Less {
+            } else if self.compare(below, inverse, Ordering::Greater)? == Ordering::Less {
                 guess = guess.next_down();
             } else {
                 return Some(guess);
@@ -239,21 +305,25 @@ impl Rounding {
         None
     }
 
-    /// How |root|^(1/gap) / inverse compares with a bound.
-    fn compare(&self, bound: Wide, inverse: Wide) -> Option<Ordering> {
+    /// How |root|^(1/gap) / inverse compares with a bound; what is likely is tried first.
+    fn compare(&self, bound: Wide, inverse: Wide, likely: Ordering) -> Option<Ordering> {
         // The root is 2^s y, or 2^s / y, and is compared with q 2^s.
         let q = bound.times(inverse).power(self.gap);
         let q = q.times_power_of_two(-self.scale);
-        let one = Wide::exact(1, 0);
-        let beside = |y: Wide| {
-            if self.is_inverted {
-                one.certain_order(q.times(y))
+        [likely, likely.reverse()].into_iter().find(|order| {
+            // It is larger if its lower end is, and smaller if the upper one is.
+            let y = if (*order == Ordering::Greater) == self.is_inverted {
+                self.high
+            } else {
+                self.low
+            };
+            let certain = if self.is_inverted {
+                Wide::exact(1, 0).certain_order(q.times(y))
             } else {
                 y.certain_order(q)
-            }
-        };
-        let (low, high) = (beside(self.low)?, beside(self.high)?);
-        (low == high).then_some(low)
+            };
+            certain == Some(*order)
+        })
     }
 }
 

@@ -53,6 +53,7 @@ impl Wide {
         }
     }
 
+    #[inline]
     pub(super) fn times(self, other: Self) -> Self {
         let low = |m: u128| m & u128::from(u64::MAX);
         let [a, b] = [low(self.mantissa), self.mantissa >> 64];

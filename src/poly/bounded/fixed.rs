@@ -30,6 +30,7 @@ fn high(wide: u128) -> u64 {
 }
 
 /// a + b + carry, wrapping, with the carry out.
+#[inline]
 fn sum<const W: usize>(a: &[u64; W], b: &[u64; W], carry: bool) -> ([u64; W], bool) {
     let mut result = [0; W];
     let mut carry = u128::from(carry);
@@ -45,24 +46,26 @@ fn complement<const W: usize>(a: &[u64; W]) -> [u64; W] {
     a.map(|limb| !limb)
 }
 
-/// ⌊a b / 2^(64W)⌋, or one less: the lowest limbs of the product, which add up to less than one, are left out.
+/// a b / 2^(64W), rounded down by less than W: the columns of the product that are entirely below, W(W−1)/2 products of
+/// limbs less than W − 1 together, are left out.
+#[inline]
 fn high_product<const W: usize>(a: &[u64; W], b: &[u64; W]) -> [u64; W] {
-    let (mut below, mut above) = ([0; W], [0; W]);
+    // The columns from 2^(64(W−1)) on, but for the last one.
+    let mut columns = [0; W];
+    let mut last = 0;
     for (i, a) in a.iter().enumerate() {
         let mut carry = 0;
-        let first = (W - 2).saturating_sub(i);
-        for (j, b) in b.iter().enumerate().skip(first) {
-            let limb = if i + j < W {
-                &mut below[i + j]
-            } else {
-                &mut above[i + j - W]
-            };
-            let wide = u128::from(*a) * u128::from(*b) + u128::from(*limb) + u128::from(carry);
-            (*limb, carry) = (low(wide), high(wide));
+        for (column, b) in columns.iter_mut().zip(&b[W - 1 - i..]) {
+            let wide = u128::from(*a) * u128::from(*b) + u128::from(*column) + u128::from(carry);
+            (*column, carry) = (low(wide), high(wide));
         }
-        above[i] = carry;
+        if i + 1 < W {
+            columns[i + 1] = carry;
+        } else {
+            last = carry;
+        }
     }
-    above
+    std::array::from_fn(|k| if k + 1 < W { columns[k + 1] } else { last })
 }
 
 /// a · 2^(−shift), rounded down, or a · 2^(−shift) modulo 2^(64W) for a negative shift.
@@ -146,17 +149,39 @@ impl<const W: usize> Fixed<W> {
         (value, bits)
     }
 
+    /// ⌊a / 2^shift⌋ ulps, for a number a in two's complement that is less than 2^(64W − 1 + shift).
+    pub(super) fn from_wide(a: &[u64], shift: u32) -> Self {
+        let (limbs, bits) = (shift as usize / 64, shift % 64);
+        let sign = a
+            .last()
+            .map_or(0, |top| if top >> 63 == 0 { 0 } else { u64::MAX });
+        let at = |k: usize| u128::from(a.get(k).copied().unwrap_or(sign));
+        Self(std::array::from_fn(|k| {
+            low((at(k + limbs + 1) << 64 | at(k + limbs)) >> bits)
+        }))
+    }
+
+    /// In two's complement, in ulps, the lowest limb first.
+    pub(super) fn limbs(&self) -> &[u64; W] {
+        &self.0
+    }
+
     pub(crate) fn is_negative(self) -> bool {
         self.0[W - 1] >> 63 != 0
     }
 
     /// |self|, in ulps.
-    fn magnitude(self) -> [u64; W] {
+    pub(super) fn magnitude(self) -> [u64; W] {
         if self.is_negative() {
             self.negated().0
         } else {
             self.0
         }
+    }
+
+    /// |self|, in units of 2^8.
+    pub(super) fn size(self) -> Fraction<W> {
+        Fraction(self.magnitude())
     }
 
     /// The number of bits of |self| in ulps.
@@ -188,7 +213,7 @@ impl<const W: usize> Fixed<W> {
         Self(result)
     }
 
-    /// self · fraction, rounded towards 0 by less than 2 ulps.
+    /// self · fraction, rounded towards 0 by less than W ulps.
     pub(crate) fn times(self, fraction: &Fraction<W>) -> Self {
         let product = Self(high_product(&self.magnitude(), &fraction.0));
         if self.is_negative() {
@@ -196,6 +221,19 @@ impl<const W: usize> Fixed<W> {
         } else {
             product
         }
+    }
+
+    /// self ± 2^8 a b, with an error of less than W ulps.
+    #[inline]
+    pub(super) fn plus_or_minus_product(
+        self,
+        a: &Fraction<W>,
+        b: &Fraction<W>,
+        is_negative: bool,
+    ) -> Self {
+        let mask = if is_negative { u64::MAX } else { 0 };
+        let product = high_product(&a.0, &b.0).map(|limb| limb ^ mask);
+        Self(sum(&self.0, &product, is_negative).0)
     }
 
     /// self · 2^(−shift), rounded towards 0.
@@ -255,28 +293,9 @@ impl<const W: usize> Fraction<W> {
         Self(limbs)
     }
 
-    /// self · other, rounded down by less than 2 · 2^(−64W).
+    /// self · other, rounded down by less than W 2^(−64W).
     pub(crate) fn times(&self, other: &Self) -> Self {
         Self(high_product(&self.0, &other.0))
-    }
-
-    /// self · p / q, rounded down, for p ≤ q ≠ 0.
-    pub(crate) fn times_ratio(&self, p: u64, q: u64) -> Self {
-        // From the top, as by hand: (limb p + rest) / q fits a limb, since rest < q and p ≤ q; but the part of the
-        // product below is only known when the limbs below are: so multiply first.
-        let mut product = [0; W];
-        let mut carry = 0;
-        for (r, limb) in product.iter_mut().zip(&self.0) {
-            let wide = u128::from(*limb) * u128::from(p) + u128::from(carry);
-            (*r, carry) = (low(wide), high(wide));
-        }
-        let mut rest = carry;
-        for limb in product.iter_mut().rev() {
-            let wide = (u128::from(rest) << 64) | u128::from(*limb);
-            *limb = low(wide / u128::from(q));
-            rest = low(wide % u128::from(q));
-        }
-        Self(product)
     }
 
     /// self + other, `None` if that is 1 or more.
@@ -361,7 +380,7 @@ impl<const W: usize> Ord for Fraction<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use malachite::base::num::arithmetic::traits::{DivRound, Pow, UnsignedAbs};
+    use malachite::base::num::arithmetic::traits::{Abs, DivRound, Pow, UnsignedAbs};
     use malachite::base::rounding_modes::RoundingMode;
     use proptest::prelude::*;
 
@@ -385,18 +404,24 @@ mod tests {
     proptest! {
         /// Against malachite's integers.
         #[test]
-        fn arithmetic(a: [u64; W], b: [u64; W], p in 0u64..1000, q in 1u64..1000, shift in -300i64..300) {
+        fn arithmetic(a: [u64; W], b: [u64; W], p in 0u64..1000, shift in -300i64..300) {
             let (x, y, f) = (fixed(a), fixed(b), Fraction(b));
             let (i, j, g) = (integer(x), integer(y), f.to_integer());
             let one = Integer::from(2).pow(64 * W as u64);
             prop_assert_eq!(integer(x.plus(y)), &i + &j);
             prop_assert_eq!(integer(x.minus(y)), &i - &j);
             prop_assert_eq!(integer(x.mean(y)), (&i + &j).div_round(Integer::from(2), RoundingMode::Floor).0);
-            let short = |product: Integer, cut: Integer| (product - cut).unsigned_abs() <= 1u32;
+            let short = |product: Integer, cut: Integer| (product - cut).unsigned_abs() < W;
             prop_assert!(short(integer(x.times(&f)), &i * &g / &one));
             prop_assert!(short(f.times(&f).to_integer(), &g * &g / &one));
-            let (p, q) = (p.min(q), p.max(q));
-            prop_assert_eq!(f.times_ratio(p, q).to_integer(), &g * Integer::from(p) / Integer::from(q));
+            let product = (&j).abs() * &g / &one;
+            prop_assert!(short(integer(x.plus_or_minus_product(&y.size(), &f, false)), &i + &product));
+            prop_assert!(short(integer(x.plus_or_minus_product(&y.size(), &f, true)), &i - &product));
+            if let Some(bits) = u32::try_from(shift).ok().filter(|bits| *bits < 64) {
+                let wide = [&[0], x.limbs().as_slice()].concat();
+                let floor = (&i).div_round(Integer::from(2).pow(bits.into()), RoundingMode::Floor).0;
+                prop_assert_eq!(integer(Fixed::from_wide(&wide, bits + 64)), floor);
+            }
             if shift >= 0 {
                 prop_assert_eq!(integer(x.shifted_down(shift)), &i / Integer::from(2).pow(shift.unsigned_abs()));
             }

@@ -5,26 +5,39 @@
 //! W limbs do not suffice nothing is found, and the caller takes more or goes to exact arithmetic.
 //!
 //! With x = ±2^s y the axis is four intervals: y in (0, 1) and 1/y in (0, 1) for either sign, s such that the roots have
-//! mean size 1. On each of them Descartes' rule in the Bernstein basis isolates, Newton's method encloses.
+//! mean size 1. On each of them Laguerre's rule or Descartes' rule in the Bernstein basis isolates, Newton's method encloses.
 
 mod bernstein;
 mod fixed;
 mod newton;
 mod search;
+mod signed;
 
-pub(crate) use fixed::{Fixed, Fraction};
+use std::cell::LazyCell;
+
+use bernstein::inverse_binomials;
+pub(crate) use fixed::Fixed;
+use fixed::Fraction;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::DivRound;
 use malachite::base::rounding_modes::RoundingMode;
 use newton::OnUnitInterval;
-use search::Isolated;
 pub(crate) use search::Unproved;
+use search::{Isolated, whole};
+pub(crate) use signed::{Signed, rotations};
 
 use super::IntegerPolynomial;
+use super::isolate::Changes;
 use crate::exact::Dyadic;
 
 /// Beyond this degree the tables of weights and d² are too much.
 const MAX_DEGREE: usize = 256;
+
+/// Errors are sums and products of positive doubles, less than 4d of them one after another, each right up to a factor of
+/// 1 ± 2^(−53): that times all of them is covered, 1 + 2^(−40).
+const SLACK: f64 = 1.000_000_000_000_909_5;
+/// 2^120 ulps: errors that leave nothing, but do not overflow either.
+const LARGEST_ERROR: f64 = 1.329_227_995_784_916e36;
 
 /// A coefficient: mantissa · 2^exponent, known up to less than `error` ulps of the mantissa.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +92,8 @@ const FOR_REFINEMENT: f64 = 2.441_406_25e-4;
 
 /// All real roots of Σ c_i x^i, each enclosed in an interval that is about `longest` times as long, in no order.
 ///
-/// Cost: d² products of W limbs, d²/2 means of W limbs for every interval of the search, some 10 d products for a root.
+/// Cost: 2d² additions of W limbs and d bits, less where Laguerre's rule decides, d²/2 means of W limbs for every interval
+/// of the search, some 10 d products for a root.
 ///
 /// # Errors
 /// If W limbs do not prove that they are all and simple: for one if the first or the last coefficient may be 0.
@@ -97,35 +111,33 @@ pub(crate) fn roots_of<const W: usize>(
         return Ok(Vec::new());
     }
     let scale = (first - last).div_euclid(i64::try_from(degree).unwrap_or(i64::MAX));
+    let inverses = LazyCell::new(|| inverse_binomials(degree));
     let mut roots = Vec::new();
     for is_inverted in [false, true] {
-        let both = Piece {
+        let mut piece = Piece {
             coefficients,
             scale,
             is_negative: false,
             is_inverted,
         };
-        let polynomial = both.polynomial().ok_or(Unproved::Bits)?;
-        let halves = bernstein::to_bernstein(&polynomial.coefficients);
-        let error = polynomial.error + 3 * (degree as u128 + 1);
-        for (is_negative, bernstein) in [false, true].into_iter().zip(halves) {
-            let mut places = search::isolate(bernstein, error)?;
-            if places.is_empty() {
-                continue;
+        let mut polynomial = piece.polynomial().ok_or(Unproved::Bits)?;
+        let mut errors = None;
+        for is_negative in [false, true] {
+            if is_negative {
+                piece.is_negative = true;
+                polynomial.reflect(is_inverted);
             }
-            if is_inverted && is_negative && !degree.is_multiple_of(2) {
-                // f(−2^s/y) y^d = Σ (−1)^i c_i y^(d−i), and the signs of Σ c_i (−y)^(d−i) are the opposite ones.
-                for place in &mut places {
-                    place.sign_low = -place.sign_low;
+            let places = match polynomial.changes_of_partial_sums() {
+                Changes::None => continue,
+                Changes::One => vec![polynomial.only_root()?],
+                Changes::More => {
+                    let errors =
+                        errors.get_or_insert_with(|| polynomial.bernstein_errors(&inverses));
+                    search::isolate(polynomial.to_bernstein(&inverses, errors))?
                 }
-            }
-            let piece = Piece {
-                is_negative,
-                ..both
             };
-            let polynomial = piece.polynomial().ok_or(Unproved::Bits)?;
-            for place in &places {
-                let root = piece.enclose(&polynomial, place, longest);
+            for place in places {
+                let root = piece.enclose(&polynomial, &place, longest);
                 roots.push(root.ok_or(Unproved::Bits)?);
             }
         }
@@ -152,7 +164,7 @@ impl<const W: usize> Piece<'_, W> {
         };
         let sizes = (0..length).map(|i| self.coefficients[i].mantissa.bits() + exponent(i));
         let excess = sizes.max()? - Fixed::<W>::fraction_bits() - Fixed::<W>::room_for(length);
-        let mut error = 0u128;
+        let mut errors = Vec::with_capacity(length);
         let mut result = Vec::with_capacity(length);
         for k in 0..length {
             let i = if self.is_inverted { length - 1 - k } else { k };
@@ -161,12 +173,14 @@ impl<const W: usize> Piece<'_, W> {
             let cut = c.mantissa.shifted_down(down);
             let flipped = self.is_negative && !i.is_multiple_of(2);
             result.push(if flipped { cut.negated() } else { cut });
-            error = error.saturating_add(error_after(c.error, down));
+            errors.push(error_after(c.error, down));
         }
+        let total: f64 = errors.iter().sum();
         // Far from overflow, whatever is added to it.
-        (error < u128::MAX / 4).then_some(OnUnitInterval {
+        (total < LARGEST_ERROR).then_some(OnUnitInterval {
             coefficients: result,
-            error,
+            errors,
+            error: whole(total * SLACK),
         })
     }
 
@@ -210,14 +224,14 @@ impl<const W: usize> Piece<'_, W> {
 }
 
 /// The error, in ulps, of what was known up to `error` ulps and is shifted down, and cut.
-fn error_after(error: u64, down: i64) -> u128 {
-    let error = u128::from(error);
-    match u32::try_from(down.unsigned_abs()) {
-        Ok(bits) if down >= 0 => error.checked_shr(bits).unwrap_or(0) + 2,
-        Ok(bits) if bits < error.leading_zeros() => error << bits,
-        _ if error == 0 || down >= 0 => 2,
-        _ => u128::MAX,
-    }
+#[expect(clippy::cast_precision_loss, reason = "SLACK covers it")]
+fn error_after(error: u64, down: i64) -> f64 {
+    error as f64 * power_of_two(-down) + 1.0
+}
+
+/// 2^k, or what is near enough to 0 or ∞.
+fn power_of_two(k: i64) -> f64 {
+    f64::from_bits(u64::try_from(k.clamp(-1000, 1000) + 1023).unwrap_or(0) << 52)
 }
 
 /// The largest k ≥ 0 with 2^k y < 1/2, for a y between 0 and 1.

@@ -10,23 +10,38 @@ const FIXED_STEPS: usize = 24;
 /// Newton's method goes on until the enclosure is relatively that short, 2^−70, or rounding hides the value.
 const SHORT: f64 = 8.470_329_472_543_003e-22;
 
-/// The polynomial Σ c_i y^i on (0, 1), Σ |c_i| ≤ 64; the errors of the coefficients add up to less than `error` ulps.
+/// The polynomial Σ c_i y^i on (0, 1), Σ |c_i| ≤ 64.
 #[derive(Debug)]
 pub(super) struct OnUnitInterval<const W: usize> {
     pub(super) coefficients: Vec<Fixed<W>>,
+    /// Bounds of the errors of the coefficients, in ulps.
+    pub(super) errors: Vec<f64>,
+    /// These add up to less than that.
     pub(super) error: u128,
 }
 
 impl<const W: usize> OnUnitInterval<W> {
+    /// From y to −y, up to the sign of all; the powers are those of 1/y if it `is_inverted`.
+    pub(super) fn reflect(&mut self, is_inverted: bool) {
+        let first = if is_inverted {
+            self.coefficients.len() % 2
+        } else {
+            1
+        };
+        for c in self.coefficients.iter_mut().skip(first).step_by(2) {
+            *c = c.negated();
+        }
+    }
+
     /// The value, with an error of less than [`OnUnitInterval::error_of_a_value`] ulps.
     fn value(&self, y: &Fraction<W>) -> Fixed<W> {
         let descending = self.coefficients.iter().rev();
         descending.fold(Fixed::ZERO, |sum, c| sum.times(y).plus(*c))
     }
 
-    /// Each product is rounded by less than two ulps.
+    /// Each product is rounded by less than W ulps.
     fn error_of_a_value(&self) -> u128 {
-        self.error + 2 * self.coefficients.len() as u128
+        self.error + (W * self.coefficients.len()) as u128
     }
 
     /// The value, and about the derivative.

@@ -1,0 +1,202 @@
+//! Precisions one above the other: which one to ask first, and the next one where it proves nothing.
+
+use std::fmt::Debug;
+use std::sync::OnceLock;
+use std::sync::atomic::Ordering::Relaxed;
+use std::sync::atomic::{AtomicU64, AtomicUsize};
+
+use malachite::Integer;
+
+use super::parts::Expansion;
+use super::point::Sample;
+use super::truncated::TruncatedForms;
+use crate::poly::Unproved;
+
+/// The number of precisions.
+pub(super) const LEVELS: usize = 6;
+
+/// So many failures of all levels more than answers are given, and then none is asked any more: multiple roots everywhere.
+const PATIENCE: u64 = 16;
+
+/// So many directions at most are answered before fewer bits are tried again.
+const LONGEST_WAIT: u64 = 32;
+
+/// The precisions, and where neighbouring directions were decided, which is where the next one is tried first.
+#[derive(Debug)]
+pub(super) struct Ladder<const V: usize> {
+    levels: [Box<dyn Level<V>>; LEVELS],
+    counts: [AtomicU64; LEVELS],
+    failures: AtomicU64,
+    /// The level that is asked first.
+    start: AtomicUsize,
+    /// So many answers of this level before the one below is asked again: more after each time that it had none.
+    wait: AtomicU64,
+    /// The answers of this level since then.
+    answers: AtomicU64,
+}
+
+impl<const V: usize> Default for Ladder<V> {
+    fn default() -> Self {
+        Self {
+            levels: [
+                Box::new(Forms::<2, V>::new()),
+                Box::new(Forms::<3, V>::new()),
+                Box::new(Forms::<4, V>::new()),
+                Box::new(Forms::<6, V>::new()),
+                Box::new(Forms::<8, V>::new()),
+                Box::new(Forms::<12, V>::new()),
+            ],
+            counts: Default::default(),
+            failures: AtomicU64::new(0),
+            start: AtomicUsize::new(0),
+            wait: AtomicU64::new(1),
+            answers: AtomicU64::new(0),
+        }
+    }
+}
+
+impl<const V: usize> Ladder<V> {
+    /// The points on a line, if one of the precisions proves them.
+    pub(super) fn solve(
+        &self,
+        expansion: &Expansion<'_, V>,
+        vector: &[Integer; V],
+        w: &Integer,
+    ) -> Result<Vec<Sample<V>>, Unproved> {
+        let answers: u64 = self.counts().iter().sum();
+        if self.failures.load(Relaxed) > 2 * answers + PATIENCE {
+            return Err(Unproved::Close);
+        }
+        // What other threads change meanwhile costs time at most.
+        let (start, wait) = (self.start.load(Relaxed), self.wait.load(Relaxed));
+        let first = if self.answers.load(Relaxed) < wait {
+            start
+        } else {
+            start.saturating_sub(1)
+        };
+        for (k, level) in self.levels.iter().enumerate().skip(first) {
+            match level.solve(expansion, vector, w) {
+                Err(Unproved::Bits) => {}
+                Err(Unproved::Close) => break,
+                Ok(samples) => {
+                    self.counts[k].fetch_add(1, Relaxed);
+                    if k != start {
+                        self.start.store(k, Relaxed);
+                        self.wait.store(1, Relaxed);
+                        self.answers.store(0, Relaxed);
+                    } else if first < start {
+                        self.wait.store((2 * wait).min(LONGEST_WAIT), Relaxed);
+                        self.answers.store(0, Relaxed);
+                    } else {
+                        self.answers.fetch_add(1, Relaxed);
+                    }
+                    return Ok(samples);
+                }
+            }
+        }
+        self.failures.fetch_add(1, Relaxed);
+        Err(Unproved::Close)
+    }
+
+    /// In how many directions so far which level decided.
+    pub(super) fn counts(&self) -> [u64; LEVELS] {
+        self.counts.each_ref().map(|count| count.load(Relaxed))
+    }
+}
+
+/// One precision.
+trait Level<const V: usize>: Debug + Send + Sync {
+    fn solve(
+        &self,
+        expansion: &Expansion<'_, V>,
+        vector: &[Integer; V],
+        w: &Integer,
+    ) -> Result<Vec<Sample<V>>, Unproved>;
+}
+
+/// Forms of W limbs, made when first asked for.
+#[derive(Debug)]
+struct Forms<const W: usize, const V: usize>(OnceLock<TruncatedForms<W, V>>);
+
+impl<const W: usize, const V: usize> Forms<W, V> {
+    fn new() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
+impl<const W: usize, const V: usize> Level<V> for Forms<W, V> {
+    fn solve(
+        &self,
+        expansion: &Expansion<'_, V>,
+        vector: &[Integer; V],
+        w: &Integer,
+    ) -> Result<Vec<Sample<V>>, Unproved> {
+        let forms = self.0.get_or_init(|| TruncatedForms::new(expansion));
+        forms.solve(vector, w)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::PlanePolynomial;
+    use crate::sample::{Direction, HomogeneousParts, UnitVector};
+
+    fn ask(ladder: &Ladder<2>, f: &PlanePolynomial, direction: &Direction) -> bool {
+        let (vector, w) = direction.over_common_denominator();
+        ladder.solve(&f.expanded(), &vector, &w).is_ok()
+    }
+
+    /// (x − 1)² + y² to the power k, minus 2^(−shift).
+    fn steep(k: usize, shift: u64) -> PlanePolynomial {
+        let term = |e, c: i64| (e, c.into());
+        let circle = [
+            term((2, 0), 1),
+            term((0, 2), 1),
+            term((1, 0), -2),
+            term((0, 0), 1),
+        ];
+        let circle = PlanePolynomial::from_terms(circle);
+        let one = PlanePolynomial::from_terms([term((0, 0), 1)]);
+        let power = (0..k).fold(one, |power, _| power.product(&circle));
+        let radius = crate::exact::Rational::from_parts(Integer::from(-1), -(shift as i64));
+        PlanePolynomial::from_terms(power.terms().chain([((0, 0), radius)]))
+    }
+
+    #[test]
+    fn neighbours_start_where_the_last_one_was_decided() {
+        let f = steep(20, 100);
+        let ladder = Ladder::default();
+        let far = Direction::from_radians(2.0);
+        assert!(ask(&ladder, &f, &far));
+        assert_eq!(ladder.start.load(Relaxed), 0);
+        // Through the circle, where values are as small as 2^(−100).
+        let near = Direction::from_radians(0.0);
+        assert!(ask(&ladder, &f, &near));
+        let level = ladder.start.load(Relaxed);
+        assert!(level > 0);
+        // Back to where few bits do: one level at a time.
+        for _ in 0..2 * LEVELS {
+            assert!(ask(&ladder, &f, &far));
+        }
+        assert_eq!(ladder.start.load(Relaxed), 0);
+        assert_eq!(ladder.counts().iter().sum::<u64>(), 2 + 2 * LEVELS as u64);
+        // Where fewer bits do not suffice it is asked less and less often.
+        for _ in 0..20 {
+            assert!(ask(&ladder, &f, &near));
+        }
+        assert_eq!(ladder.start.load(Relaxed), level);
+        assert!(ladder.wait.load(Relaxed) >= 8);
+    }
+
+    #[test]
+    fn multiple_roots_everywhere_are_left_to_exact_arithmetic() {
+        let f = steep(3, 4);
+        let ladder = Ladder::default();
+        let east = Direction::from_radians(0.0);
+        for k in 0..=PATIENCE + 5 {
+            assert!(!ask(&ladder, &f.product(&f), &east));
+            assert_eq!(ladder.failures.load(Relaxed), (k + 1).min(PATIENCE + 1));
+        }
+    }
+}
