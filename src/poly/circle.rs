@@ -19,7 +19,7 @@ use crate::exact::Rational;
 ///
 /// `harmonics` lists `(m, a_m, b_m)` with m ≡ d (mod 2) and m ≤ d (Definition 1's K_m, doubled so
 /// that everything stays an integer). Cost: about four products of forms of degree d/2, quasi-linear in the size of
-/// the answer; below degree 96, d² additions.
+/// the answer, or fewer modulo primes; of low degree, d² additions.
 ///
 /// # Panics
 /// If an m is larger than d or of the other parity.
@@ -30,8 +30,8 @@ pub fn doubled_form_from_harmonics<'a>(
 ) -> BinaryForm {
     let harmonics: Vec<_> = harmonics.into_iter().collect();
     let bits = harmonic_bits(harmonics.iter().map(|&(_, a, b)| [a, b]));
-    let form = flat_form(&doubled_harmonics(degree, harmonics.into_iter(), bits), bits);
-    BinaryForm::from_dehomogenized(degree, form.to_polynomial())
+    let g = doubled_harmonics(degree, harmonics.into_iter(), bits);
+    BinaryForm::from_dehomogenized(degree, flat_form(&g, bits).to_polynomial())
 }
 
 /// An e with Σ |a_m + b_m| + |a_m − b_m| < 2^e, over the harmonics [a_m, b_m]; at most 2 more than the least one.
