@@ -216,7 +216,8 @@ mod tests {
                 .enumerate()
                 .map(|(i, (v, s))| {
                     let got = v / 7.0 * factor;
-                    let got = if i % 9 < 4 { got * s } else { got };
+                    // However many they are, at most four of nine.
+                    let got = if i % 9 > 4 { got * s } else { got };
                     [rational(got), rational(*v) / Rational::from(7)]
                 })
                 .collect();
