@@ -57,11 +57,10 @@ pub(super) fn primitive_parts(
 }
 
 /// Whether residues modulo primes are faster than products of large integers. On one thread they take 0.9 of the time at 100
-/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000, 0.9 at 4000 and as much at 10 000, where they take a third of it on two
-/// threads and half at 15 000; and the same time at 1000 harmonics of 3500 bits: their steps that are quadratic in the bits
-/// of a coefficient catch up.
+/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000 and at 10 000; and the same time at 1000 harmonics of 3500 bits: their
+/// steps that are quadratic in the bits of a coefficient catch up.
 fn residues_are_faster(harmonics: usize, bits: u64) -> bool {
-    residues_are_quick() && (75..20_000).contains(&harmonics) && bits / 4 <= harmonics as u64 - 75
+    residues_are_quick() && (75..100_000).contains(&harmonics) && bits / 4 <= harmonics as u64 - 75
 }
 
 /// `ρ^⌊N/2+1⌋ · odd` and the low part.

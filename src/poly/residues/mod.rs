@@ -5,11 +5,13 @@
 //! ([`quad`]); products are products of values at roots of unity ([`transform`]); the end is one sum of large integers
 //! for each coefficient ([`chinese`]).
 
+mod blocks;
 mod chinese;
 mod primes;
 mod quad;
 mod quartet;
 mod shift;
+mod sums;
 mod transform;
 
 pub(crate) use chinese::Lifting;

@@ -96,6 +96,14 @@ impl QuadField {
         plus(fused(negated(q), self.p, h), l)
     }
 
+    /// `sum += value · by`, each product as [`QuadField::times`].
+    #[inline(always)]
+    pub(super) fn add_products(&self, sums: &mut [Quad], values: &[Quad], by: &[f64]) {
+        for ((sum, value), by) in sums.iter_mut().zip(values).zip(by) {
+            *sum = plus(*sum, self.times(*value, [*by; 4]));
+        }
+    }
+
     #[inline(always)]
     pub(super) fn factor(&self, w: Quad) -> Factor {
         let quotient = product(w, self.inverse);

@@ -37,6 +37,14 @@ impl Quartet {
         self.field.p.map(u64_from)
     }
 
+    /// The first of the primes, four times.
+    pub(super) fn first_prime(&self) -> Self {
+        Self {
+            field: QuadField::new([self.field.p[0]; 4]),
+            root: [self.root[0]; 4],
+        }
+    }
+
     /// Transforms of `len` numbers.
     #[inline(always)]
     pub(super) fn transform(&self, len: usize) -> Transform {
