@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use super::residues::{f64_from, u64_from};
-
 /// Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` is at most C(d, k) Σ |g_j|: below 2 to this power, if Σ |g_j| < 2^`bits`.
 pub(crate) fn form_bits(degree: usize, bits: u64) -> u64 {
     // C(2m, m) < 4^m / √(3m), and the largest of the row before is half of it.
@@ -34,17 +32,27 @@ impl FormSize {
     /// Those in this range are below 2 to this power: the k-th of positive ones is at most the value at any t > 0 divided
     /// by t^k.
     pub(crate) fn largest_of(self, range: Range<usize>) -> u64 {
-        let float = |n: usize| f64_from(n as u64);
+        // Degrees are small.
+        let float = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
         let middle = float(range.start + range.end) / 2.0;
         // Where the k-th term of (1 + t)^(len − 1) is the largest.
         let t = middle / (float(self.len()) - middle);
         let value = float(self.power) * (t * t).ln_1p() + float(self.degree) * t.ln_1p();
         let bits = |k: usize| (value - float(k) * t.ln()) / std::f64::consts::LN_2;
         let bits = bits(range.start).max(bits(range.end - 1));
-        // Far more than the errors of the logarithms.
-        let bits = u64_from(bits.ceil()) + 1 + self.bits;
-        bits.min(self.largest())
+        // One more is far more than the errors of the logarithms.
+        (whole(bits) + 1 + self.bits).min(self.largest())
     }
+}
+
+/// The least integer that is not below a number, which is small, and not negative but for rounding.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "it is small and not negative"
+)]
+fn whole(a: f64) -> u64 {
+    a.ceil() as u64
 }
 
 #[cfg(test)]

@@ -39,7 +39,6 @@ pub(super) struct Blocks {
 
 impl Blocks {
     /// For the primes of these quartets, whose product this is, and sums of at most `width` limbs.
-    #[inline(always)]
     pub(super) fn new(quartets: &[Quartet], product: &Natural, width: usize) -> Self {
         let one = quartets[0].first_prime();
         let groups = quartets.chunks(GROUP).map(|quartets| {
