@@ -195,6 +195,7 @@ fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::poly::bounded_integer;
     use proptest::prelude::*;
 
     proptest! {
@@ -207,12 +208,7 @@ mod tests {
             seed in prop::collection::vec(any::<i64>(), 1..300),
             extreme in any::<bool>(),
         ) {
-            let most = (Integer::from(1) << size) - Integer::from(1);
-            let coefficient = |k: usize| {
-                let value = seed[k % seed.len()];
-                let sign = Integer::from(if value < 0 { -1 } else { 1 });
-                if extreme { &most * sign } else { (Integer::from(value) * &most) >> 63u64 }
-            };
+            let coefficient = |k: usize| bounded_integer(seed[k % seed.len()], size, extreme);
             let bits = size + u64::from((harmonics + 1).ilog2()) + 1;
             let sum = |degree: usize, from: usize| {
                 let coefficients: Vec<Integer> = (from..=from + degree).map(coefficient).collect();

@@ -71,13 +71,18 @@ pub(super) fn is_negative(a: &[u64]) -> bool {
     a.last().is_some_and(|&top| top >> (LIMB_BITS - 1) != 0)
 }
 
+/// All further limbs of the number.
+#[inline]
+pub(super) fn sign_limb(a: &[u64]) -> u64 {
+    if is_negative(a) { u64::MAX } else { 0 }
+}
+
 /// `target = a`, for a target that is at least as wide.
 #[inline]
 pub(super) fn widen(target: &mut [u64], a: &[u64]) {
-    let sign = if is_negative(a) { u64::MAX } else { 0 };
     let (low, high) = target.split_at_mut(a.len());
     low.copy_from_slice(a);
-    high.fill(sign);
+    high.fill(sign_limb(a));
 }
 
 /// `a <<= bits`.

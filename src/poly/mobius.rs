@@ -109,9 +109,7 @@ struct ByShifts;
 
 impl OnNumbers for ByShifts {
     fn run<C: AsRef<[u64]> + AsMut<[u64]>>(self, g: &mut [C]) {
-        for start in (0..g.len().saturating_sub(1)).rev() {
-            add_neighbours(g[start..].iter_mut());
-        }
+        ShiftByOne.run(g);
         for (k, c) in g.iter_mut().enumerate() {
             shift_left(c.as_mut(), k as u64);
         }
@@ -120,6 +118,17 @@ impl OnNumbers for ByShifts {
             add_neighbours(g[..end].iter_mut().rev());
         }
         negate_odd(g);
+    }
+}
+
+/// The Taylor shift f(x + 1) in place: n²/2 additions.
+pub(super) struct ShiftByOne;
+
+impl OnNumbers for ShiftByOne {
+    fn run<C: AsRef<[u64]> + AsMut<[u64]>>(self, f: &mut [C]) {
+        for start in (0..f.len().saturating_sub(1)).rev() {
+            add_neighbours(f[start..].iter_mut());
+        }
     }
 }
 
@@ -144,12 +153,22 @@ fn add_neighbours<'a, C: AsRef<[u64]> + AsMut<[u64]> + 'a>(
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::poly::shift::negate_odd;
     use crate::poly::{IntegerPolynomial, shift_by_minus_one, shift_by_one};
     use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
+
+    /// Of absolute value below 2^size; as large as that allows if it is `extreme`.
+    pub(crate) fn bounded_integer(seed: i64, size: u64, extreme: bool) -> Integer {
+        let most = (Integer::from(1) << size) - Integer::from(1);
+        if extreme {
+            if seed < 0 { -most } else { most }
+        } else {
+            (Integer::from(seed) * most) >> 63u64
+        }
+    }
 
     /// The slow twin: two Taylor shifts of integers of any size.
     fn by_taylor_shifts(g: Vec<Integer>) -> IntegerPolynomial {
@@ -179,12 +198,7 @@ mod tests {
             seed in prop::collection::vec(any::<i64>(), 1..500),
             extreme in any::<bool>(),
         ) {
-            let most = (Integer::from(1) << size) - Integer::from(1);
-            let coefficient = |k: usize| {
-                let value = seed[k % seed.len()];
-                let sign = Integer::from(if value < 0 { -1 } else { 1 });
-                if extreme { &most * sign } else { (Integer::from(value) * &most) >> 63u64 }
-            };
+            let coefficient = |k: usize| bounded_integer(seed[k % seed.len()], size, extreme);
             let g: Vec<Integer> = (0..len).map(coefficient).collect();
             let bits = size + u64::from(len.ilog2()) + 1;
             let flat = FlatPolynomial::from_integers(g.iter(), bits);

@@ -56,6 +56,8 @@ pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decompo
 pub use homogeneous::Form;
 pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
 pub use malachite::integer_polynomial::IntegerPolynomial;
+#[cfg(test)]
+pub(crate) use mobius::tests::bounded_integer;
 pub(crate) use modular::{
     SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, power_mod, powers_mod, reduce_integer,
 };

@@ -9,9 +9,10 @@ use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::super::binomials::binomials;
-use super::super::flat::{FlatPolynomial, OnNumbers};
+use super::super::flat::FlatPolynomial;
 use super::super::form_bits;
-use super::super::limbs::{add, widen};
+use super::super::limbs::widen;
+use super::super::mobius::ShiftByOne;
 use super::SLACK;
 use super::fixed::{Fixed, Fraction};
 use super::newton::OnUnitInterval;
@@ -99,20 +100,6 @@ impl<const W: usize> OnUnitInterval<W> {
             *error = *error * by.nearest * SLACK + rounding;
         }
         errors
-    }
-}
-
-/// f(x + 1), in place.
-struct ShiftByOne;
-
-impl OnNumbers for ShiftByOne {
-    fn run<C: AsRef<[u64]> + AsMut<[u64]>>(self, numbers: &mut [C]) {
-        for start in (0..numbers.len().saturating_sub(1)).rev() {
-            for k in start..numbers.len() - 1 {
-                let (low, high) = numbers.split_at_mut(k + 1);
-                add(low[k].as_mut(), high[0].as_ref());
-            }
-        }
     }
 }
 

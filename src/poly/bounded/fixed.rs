@@ -3,6 +3,8 @@
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
+use super::super::limbs::sign_limb;
+
 /// Bits of a [`Fixed`] before the point, the sign among them.
 const WHOLE_BITS: u64 = 8;
 
@@ -152,9 +154,7 @@ impl<const W: usize> Fixed<W> {
     /// ⌊a / 2^shift⌋ ulps, for a number a in two's complement that is less than 2^(64W − 1 + shift).
     pub(super) fn from_wide(a: &[u64], shift: u32) -> Self {
         let (limbs, bits) = (shift as usize / 64, shift % 64);
-        let sign = a
-            .last()
-            .map_or(0, |top| if top >> 63 == 0 { 0 } else { u64::MAX });
+        let sign = sign_limb(a);
         let at = |k: usize| u128::from(a.get(k).copied().unwrap_or(sign));
         Self(std::array::from_fn(|k| {
             low((at(k + limbs + 1) << 64 | at(k + limbs)) >> bits)

@@ -97,9 +97,9 @@ impl Blocks {
             for (lane, y) in y.chunks_exact(across).enumerate() {
                 let mut limbs = [0; GROUP_LIMBS];
                 group.sum(&y[4 * GROUP * g..][..group.count()], &mut limbs);
-                for (digits, limb) in values.as_chunks_mut::<4>().0.iter_mut().zip(limbs) {
-                    for (d, digit) in digits.iter_mut().enumerate() {
-                        digit[lane] = f64_from(limb >> (16 * d) & 0xFFFF);
+                for (places, limb) in values.as_chunks_mut::<4>().0.iter_mut().zip(limbs) {
+                    for (place, digit) in places.iter_mut().zip(digits(limb)) {
+                        place[lane] = digit;
                     }
                 }
             }
@@ -127,6 +127,12 @@ impl Blocks {
             put_together(&sums, lane, y[across - 1], minus_p, target);
         }
     }
+}
+
+/// The digits of 16 bits.
+#[inline(always)]
+fn digits(limb: u64) -> [f64; 4] {
+    [0, 16, 32, 48].map(|shift| f64_from(limb >> shift & 0xFFFF))
 }
 
 /// Digits of blocks, which overlap, and q times −P, as limbs.
@@ -169,10 +175,8 @@ impl NullaryFnOnce for Tables<'_> {
             limbs.resize(self.blocks * BLOCK_LIMBS, 0);
             for block in limbs.chunks_exact(BLOCK_LIMBS) {
                 let mut values = [[0.0; 4]; LEN];
-                for (digits, limb) in values.as_chunks_mut::<4>().0.iter_mut().zip(block) {
-                    for (d, digit) in digits.iter_mut().enumerate() {
-                        *digit = [f64_from(limb >> (16 * d) & 0xFFFF); 4];
-                    }
+                for (places, limb) in values.as_chunks_mut::<4>().0.iter_mut().zip(block) {
+                    *places = digits(*limb).map(|digit| [digit; 4]);
                 }
                 transform.forward(&mut values);
                 for value in values {

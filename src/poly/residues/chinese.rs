@@ -14,7 +14,7 @@ use super::quad::{Quad, f64_from, plus, u64_from};
 use super::quartet::Quartet;
 use super::sums::Columns;
 use crate::poly::FlatPolynomial;
-use crate::poly::limbs::{LIMB_BITS, is_negative, width_for};
+use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
 
 /// So many products of 50 and 64 bits, and a carry, fit 128 bits.
 const MOST_PRIMES: usize = (1 << 14) - 8;
@@ -62,14 +62,15 @@ impl<'a> Lifting<'a> {
 
     /// How many of the quartets are asked for coefficients below 2^`bits`.
     pub(crate) fn quartets_for(&self, bits: u64) -> usize {
-        self.quartets.len().min((self.set(bits) + 1) * self.step)
+        self.quartets_in(self.set(bits)).len()
+    }
+
+    fn quartets_in(&self, set: usize) -> &'a [Quartet] {
+        &self.quartets[..self.quartets.len().min((set + 1) * self.step)]
     }
 
     fn remainders(&self, set: usize) -> &Remainders<'a> {
-        self.sets[set].get_or_init(|| {
-            let count = self.quartets.len().min((set + 1) * self.step);
-            Remainders::new(&self.quartets[..count], self.direct)
-        })
+        self.sets[set].get_or_init(|| Remainders::new(self.quartets_in(set), self.direct))
     }
 
     /// The polynomial with `len` coefficients of which these are the residues, of at most 2p: a list for each quartet.
@@ -251,7 +252,7 @@ impl NullaryFnOnce for Lift<'_> {
             if minus_p.len() < self.width {
                 for target in targets.chunks_exact_mut(self.width) {
                     let (target, above) = target.split_at_mut(minus_p.len());
-                    above.fill(if is_negative(target) { u64::MAX } else { 0 });
+                    above.fill(sign_limb(target));
                 }
             }
         }

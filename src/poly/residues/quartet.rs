@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::primes::fours_of_primes;
 use super::quad::{Quad, QuadField, f64_from, plus, u64_from};
 use super::transform::Transform;
+use crate::poly::limbs::is_negative;
 
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
@@ -56,8 +57,7 @@ impl Quartet {
     pub(super) fn residue(&self, limbs: &[u64]) -> Quad {
         // By Horner's rule in 2^32.
         let by = self.field.factor([f64_from(1 << 32); 4]);
-        let is_negative = limbs.last().is_some_and(|top| top >> 63 != 0);
-        let mut value = if is_negative { [-1.0; 4] } else { [0.0; 4] };
+        let mut value = [if is_negative(limbs) { -1.0 } else { 0.0 }; 4];
         for limb in limbs.iter().rev() {
             for half in [limb >> 32, limb & 0xFFFF_FFFF] {
                 value = plus(self.field.times_factor(value, by), [f64_from(half); 4]);
