@@ -5,15 +5,19 @@
 
 mod angle;
 mod circle;
+mod columns;
 mod dyadic;
 mod literal;
 mod rational;
 mod rounding;
+mod whole;
 
 pub use angle::{arctangent, pi};
 pub use circle::cosine_and_sine;
+pub(crate) use columns::{Columns, Sums, digits};
 pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal, hex_literal};
 pub use malachite::Integer;
 pub use rational::{NotANumber, NotAnInteger, Rational};
 pub(crate) use rounding::nearest_double;
+pub(crate) use whole::{f64_from, u64_from};

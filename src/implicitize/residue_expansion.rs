@@ -3,8 +3,7 @@
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::poly::{
-    Bases, FlatPolynomial, FormSize, Lifting, Quad, QuadField, Quartet, for_each_quartet, minus,
-    plus,
+    Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, for_each_quartet, minus, plus,
 };
 
 /// The two sums over odd and over even harmonics, as coefficients in the basis z^j w^(d−j) that add up to less than
@@ -41,12 +40,12 @@ impl ResidueExpansion<'_> {
         let quartets = Quartet::enough_for(low.largest());
         let lifting = Lifting::new(&quartets);
         let for_middle = lifting.quartets_for(middle.largest());
-        let residues = for_each_quartet(&quartets, |k, quartet| {
-            let has_middle = k < for_middle;
+        let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
             Arch::new().dispatch(Parts {
                 sums: self,
+                workspace,
                 quartet,
-                has_middle,
+                has_middle: k < for_middle,
             })
         });
         let (in_middle, in_low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
@@ -56,9 +55,19 @@ impl ResidueExpansion<'_> {
     }
 }
 
+/// What is computed for four primes.
+#[derive(Default)]
+struct Workspace {
+    bases: Bases,
+    squared_points: Vec<Quad>,
+    odd: Vec<Quad>,
+    even: Vec<Quad>,
+}
+
 /// The residues of both parts modulo four primes; of the middle one only if they are wanted.
 struct Parts<'a> {
     sums: &'a ResidueExpansion<'a>,
+    workspace: &'a mut Workspace,
     quartet: &'a Quartet,
     has_middle: bool,
 }
@@ -68,18 +77,31 @@ impl NullaryFnOnce for Parts<'_> {
 
     #[inline(always)]
     fn call(self) -> Self::Output {
-        let sums = self.sums;
+        let Self {
+            sums,
+            workspace,
+            quartet,
+            has_middle,
+        } = self;
+        let Workspace {
+            bases,
+            squared_points,
+            odd,
+            even,
+        } = workspace;
         // Degrees are at most 2N + 1.
-        let len = 2 * sums.harmonics + 2;
-        let bases = Bases::new(self.quartet, sums.harmonics, len);
+        bases.set(quartet, sums.harmonics, 2 * sums.harmonics + 2);
+        bases.values_of_form(sums.odd, odd);
+        bases.values_of_form(sums.even, even);
+        bases.set_squared_points(squared_points);
         let field = bases.field();
-        let mut odd = bases.values_of_form(sums.odd);
-        let mut even = bases.values_of_form(sums.even);
+        let rho_power = if has_middle { sums.rho_power() } else { 1 };
         // Values come in pairs at points t and −t.
         let pairs = odd.as_chunks_mut::<2>().0.iter_mut();
         let pairs = pairs.zip(even.as_chunks_mut::<2>().0);
-        for ((odd, even), square) in pairs.zip(bases.squared_points()) {
-            let [rho, to_power] = self.rho_and_power(&field, square);
+        for ((odd, even), square) in pairs.zip(squared_points) {
+            let rho = plus(*square, [1.0; 4]);
+            let to_power = field.power(rho, rho_power as u64);
             for (odd, even) in odd.iter_mut().zip(even) {
                 let (o, e) = (field.times(*odd, *odd), field.times(*even, *even));
                 let low = if sums.harmonics.is_multiple_of(2) {
@@ -91,25 +113,11 @@ impl NullaryFnOnce for Parts<'_> {
                 *odd = field.times(*odd, to_power);
             }
         }
-        if self.has_middle {
-            bases.coefficients(&mut odd, sums.odd.len() + 2 * sums.rho_power());
+        let middle = if has_middle {
+            bases.coefficients(odd, sums.odd.len() + 2 * rho_power)
         } else {
-            odd = Vec::new();
-        }
-        bases.coefficients(&mut even, 2 * sums.harmonics + 1);
-        (odd, even)
-    }
-}
-
-impl Parts<'_> {
-    /// ρ = 1 + t², of at most p, and the power of it that the odd sum is multiplied by.
-    #[inline(always)]
-    fn rho_and_power(&self, field: &QuadField, square: Quad) -> [Quad; 2] {
-        let rho = plus(square, [1.0; 4]);
-        if self.has_middle {
-            [rho, field.power(rho, self.sums.rho_power() as u64)]
-        } else {
-            [rho, rho]
-        }
+            Vec::new()
+        };
+        (middle, bases.coefficients(even, 2 * sums.harmonics + 1))
     }
 }

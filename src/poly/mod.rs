@@ -64,7 +64,7 @@ pub(crate) use modular::{
 pub use plane::PlanePolynomial;
 pub(crate) use prime_field::PrimeField;
 pub(crate) use residues::{
-    Bases, Lifting, Quad, QuadField, Quartet, for_each_quartet, minus, plus, residues_are_quick,
+    Bases, Lifting, Quad, Quartet, for_each_quartet, minus, plus, residues_are_quick,
 };
 pub(crate) use resultant::resultant;
 pub use ring::Ring;

@@ -8,20 +8,21 @@ use malachite::base::num::arithmetic::traits::{DivExact, Mod};
 use malachite::base::num::logic::traits::SignificantBits;
 use pulp::{Arch, NullaryFnOnce};
 use rayon::prelude::*;
+use smallvec::SmallVec;
 
-use super::blocks::Blocks;
-use super::quad::{Quad, f64_from, plus, u64_from};
+use super::blocks::{Blocks, LANES};
+use super::quad::{Quad, plus};
 use super::quartet::Quartet;
-use super::sums::Columns;
+use crate::exact::{Columns, Sums, digits, f64_from};
 use crate::poly::FlatPolynomial;
 use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
 
-/// So many products of 50 and 64 bits, and a carry, fit 128 bits.
-const MOST_PRIMES: usize = (1 << 14) - 8;
+/// So many products of 50 and 48 bits are summed up.
+const MOST_PRIMES: usize = 1 << 12;
 
-/// Up to so many primes sums are faster formed directly: blocks take 0.97 of all time at 5000 harmonics, with up to 200
-/// primes, and 0.66 at 10 000.
-const DIRECT: usize = 160;
+/// Up to so many primes sums are faster formed directly: of all time, blocks take 1.1 at 10 000 harmonics, with up to 420
+/// primes, 0.95 at 15 000 and 0.67 at 30 000.
+const DIRECT: usize = 480;
 
 /// Coefficients that are lifted with the same primes.
 const TOGETHER: usize = 32;
@@ -76,8 +77,8 @@ impl<'a> Lifting<'a> {
     /// The polynomial with `len` coefficients of which these are the residues, of at most 2p: a list for each quartet.
     /// The coefficients of a range are below 2 to the power `bits`, for which there are enough quartets.
     ///
-    /// Cost: for each coefficient, and for each set, the number of its primes squared, in products of words; for many primes
-    /// some thirty times less in [`Blocks`].
+    /// Cost: for each coefficient, and for each set, the number of its primes squared, in products of words, 0.11 ns
+    /// each; for many primes some ten times less in [`Blocks`].
     pub(crate) fn polynomial(
         &self,
         residues: &[Vec<Quad>],
@@ -124,8 +125,8 @@ struct Remainders<'a> {
     quartets: &'a [Quartet],
     /// (P/p)^(−1) mod p.
     weights: Vec<Quad>,
-    /// −P in two's complement.
-    minus_p: Vec<u64>,
+    /// How many limbs −P has in two's complement.
+    width: usize,
     sum: Sum,
 }
 
@@ -158,18 +159,24 @@ impl<'a> Remainders<'a> {
         let residues = residues.as_chunks::<4>().0;
         let weights = Arch::new().dispatch(Inverses { quartets, residues });
         let minus_p = (Natural::from(1_u32) << (width as u64 * LIMB_BITS)) - &product;
-        let mut limbs = minus_p.to_limbs_asc();
-        limbs.resize(width, 0);
         let sum = if primes.len() <= direct {
             numbers.push(minus_p);
-            Sum::Directly(Columns::new(&numbers, width))
+            let numbers: Vec<_> = numbers
+                .iter()
+                .map(|number| digits(number.limbs()))
+                .collect();
+            Sum::Directly(Columns::new(&numbers))
         } else {
-            Sum::InBlocks(Box::new(Blocks::new(quartets, &product, width)))
+            Sum::InBlocks(Box::new(Blocks::new(
+                quartets,
+                &product,
+                &minus_p.to_limbs_asc(),
+            )))
         };
         Self {
             quartets,
             weights,
-            minus_p: limbs,
+            width,
             sum,
         }
     }
@@ -209,53 +216,62 @@ impl NullaryFnOnce for Lift<'_> {
     #[inline(always)]
     fn call(self) {
         /// Coefficients whose sums are formed together.
-        const BATCH: usize = 4;
+        const BATCH: usize = 8;
         let Remainders {
             quartets,
             weights,
-            minus_p,
+            width,
             sum,
         } = self.remainders;
         let across = 4 * quartets.len() + 1;
-        let mut all_y = vec![0_u64; BATCH * across];
+        let mut all_y = vec![0.0; BATCH * across];
+        let mut sums = [(); BATCH].map(|()| Sums::default());
+        let mut limbs = vec![[0; LANES]; *width];
         let batches = self.target.chunks_mut(BATCH * self.width);
         for (start, targets) in (self.start..).step_by(BATCH).zip(batches) {
             let count = targets.len() / self.width;
-            let all_y = &mut all_y[..count * across];
-            for (k, y) in (start..).zip(all_y.chunks_exact_mut(across)) {
+            for (k, y) in (start..).zip(all_y.chunks_exact_mut(across)).take(count) {
                 let mut fractions = [0.0; 4];
                 let by_quartet = quartets.iter().zip(weights).zip(self.residues);
                 for (((quartet, weight), residues), y) in by_quartet.zip(y.as_chunks_mut::<4>().0) {
                     let field = &quartet.field;
-                    let value = field.canonical(field.times(residues[k], *weight));
-                    fractions = plus(fractions, field.fraction(value));
-                    *y = [
-                        u64_from(value[0]),
-                        u64_from(value[1]),
-                        u64_from(value[2]),
-                        u64_from(value[3]),
-                    ];
+                    *y = field.canonical(field.times(residues[k], *weight));
+                    fractions = plus(fractions, field.fraction(*y));
                 }
                 // Every fraction is wrong by 2^-52, the sum of them by far less than 1/4.
-                let nearest = fractions.iter().sum::<f64>().round_ties_even();
-                y[across - 1] = u64_from(nearest);
+                y[across - 1] = fractions.iter().sum::<f64>().round_ties_even();
             }
+            let y: SmallVec<[&[f64]; BATCH]> = all_y.chunks_exact(across).take(count).collect();
+            let mut targets = targets.chunks_exact_mut(self.width);
             match sum {
                 Sum::Directly(columns) => {
-                    let targets = targets.chunks_exact_mut(self.width);
-                    for (target, y) in targets.zip(all_y.chunks_exact(across)) {
-                        columns.sum(y, target);
+                    columns.sums(&y, &mut sums[..count]);
+                    for (target, sums) in targets.zip(&sums) {
+                        sums.limbs(&mut target[..(*width).min(self.width)]);
+                        extend_sign(target, *width);
                     }
                 }
-                Sum::InBlocks(blocks) => blocks.sum(all_y, minus_p, targets, self.width),
-            }
-            if minus_p.len() < self.width {
-                for target in targets.chunks_exact_mut(self.width) {
-                    let (target, above) = target.split_at_mut(minus_p.len());
-                    above.fill(sign_limb(target));
+                Sum::InBlocks(blocks) => {
+                    for y in y.chunks(LANES) {
+                        blocks.sum(y, &mut sums[..y.len()], &mut limbs);
+                        for (lane, target) in (0..y.len()).zip(&mut targets) {
+                            for (to, from) in target.iter_mut().zip(&limbs) {
+                                *to = from[lane];
+                            }
+                            extend_sign(target, *width);
+                        }
+                    }
                 }
             }
         }
+    }
+}
+
+/// All limbs from this one on those of the sign.
+fn extend_sign(target: &mut [u64], from: usize) {
+    if from < target.len() {
+        let (target, above) = target.split_at_mut(from);
+        above.fill(sign_limb(target));
     }
 }
 
@@ -284,7 +300,7 @@ mod tests {
             let flat = FlatPolynomial::from_integers(integers.iter(), bits);
             // The other representatives are residues as well.
             let residues: Vec<Vec<Quad>> = quartets.iter().map(|quartet| {
-                let residues = flat.coefficients().map(|limbs| quartet.residue(limbs));
+                let residues = flat.coefficients().map(|limbs| quartet.field.residue(limbs));
                 residues.map(|r| if random.next().is_multiple_of(2) { plus(r, quartet.field.p) } else { r }).collect()
             }).collect();
             let largest = |range: Range<usize>| range.map(size).max().unwrap_or(0);

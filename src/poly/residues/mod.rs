@@ -3,7 +3,7 @@
 //! Where a result is bounded by B, residues modulo primes with a product above 2B determine it, and modulo a prime all
 //! steps of a long computation are cheap: no number grows. Residues are held in doubles, four primes side by side
 //! ([`quad`], [`quartet`]); products are products of values at roots of unity ([`transform`]), and so is a change of basis
-//! ([`shift`]); the end is one sum of large integers for each coefficient ([`chinese`]), formed as it stands ([`sums`]) or,
+//! ([`shift`]); the end is one sum of large integers for each coefficient ([`chinese`]), formed as it stands ([`Columns`](crate::exact::Columns)) or,
 //! for many primes, by transforms again ([`blocks`]).
 
 mod blocks;
@@ -12,10 +12,9 @@ mod primes;
 mod quad;
 mod quartet;
 mod shift;
-mod sums;
 mod transform;
 
 pub(crate) use chinese::Lifting;
-pub(crate) use quad::{Quad, QuadField, minus, plus};
+pub(crate) use quad::{Quad, minus, plus};
 pub(crate) use quartet::{Quartet, for_each_quartet, residues_are_quick};
 pub(crate) use shift::{Bases, changed_by_residues};

@@ -4,7 +4,8 @@ use std::sync::{Mutex, PoisonError};
 
 use malachite::base::num::factorization::traits::IsPrime;
 
-use super::quad::{PRIME_BITS, Quad, f64_from};
+use super::quad::{PRIME_BITS, Quad};
+use crate::exact::f64_from;
 use crate::poly::modular::power_mod;
 
 /// There are roots of unity of the orders that divide 3 · 2^ORDER_BITS.
@@ -64,7 +65,7 @@ fn next_prime(above: u64) -> Prime {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poly::residues::quad::u64_from;
+    use crate::exact::u64_from;
 
     #[test]
     fn roots_have_the_order_that_is_said() {

@@ -1,5 +1,8 @@
 //! Residues modulo four primes at once, in doubles: exact, and four to an instruction where the machine has them.
 
+use crate::exact::{f64_from, u64_from};
+use crate::poly::limbs::is_negative;
+
 /// Four numbers side by side, one for each prime of a [`QuadField`]: integers below 2^53, which doubles hold exactly.
 pub(crate) type Quad = [f64; 4];
 
@@ -9,7 +12,7 @@ pub(super) const PRIME_BITS: u64 = 50;
 /// The integers modulo four primes. A residue is any integer of its class; how large it is, is said in multiples of p.
 ///
 /// Everything here is compiled into its caller, and with the instructions that are allowed there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct QuadField {
     pub(super) p: Quad,
     /// 1/p, rounded.
@@ -96,14 +99,6 @@ impl QuadField {
         plus(fused(negated(q), self.p, h), l)
     }
 
-    /// `sum += value · by`, each product as [`QuadField::times`].
-    #[inline(always)]
-    pub(super) fn add_products(&self, sums: &mut [Quad], values: &[Quad], by: &[f64]) {
-        for ((sum, value), by) in sums.iter_mut().zip(values).zip(by) {
-            *sum = plus(*sum, self.times(*value, [*by; 4]));
-        }
-    }
-
     #[inline(always)]
     pub(super) fn factor(&self, w: Quad) -> Factor {
         let quotient = product(w, self.inverse);
@@ -172,6 +167,20 @@ impl QuadField {
         pairwise(a, self.p, |a, p| if a < 0.0 { a + p } else { a })
     }
 
+    /// The residues of an integer in two's complement, of at most p.
+    #[inline(always)]
+    pub(super) fn residue(&self, limbs: &[u64]) -> Quad {
+        // By Horner's rule in 2^32.
+        let by = self.factor([f64_from(1 << 32); 4]);
+        let mut value = [if is_negative(limbs) { -1.0 } else { 0.0 }; 4];
+        for limb in limbs.iter().rev() {
+            for half in [limb >> 32, limb & 0xFFFF_FFFF] {
+                value = plus(self.times_factor(value, by), [f64_from(half); 4]);
+            }
+        }
+        value
+    }
+
     /// About a/p, for the sum of such fractions.
     #[inline(always)]
     pub(super) fn fraction(&self, a: Quad) -> Quad {
@@ -179,24 +188,8 @@ impl QuadField {
     }
 }
 
-/// 2^52: the last bits of 2^52 + a are a, for integers a below 2^52.
-const ABOVE: f64 = f64::from_bits((52 + 1023) << 52);
-
-/// An integer in [0, 2^52) that is held as a double.
-#[inline(always)]
-pub(crate) fn u64_from(a: f64) -> u64 {
-    (a + ABOVE).to_bits() - ABOVE.to_bits()
-}
-
-/// An integer below 2^52 as a double.
-#[inline(always)]
-pub(crate) fn f64_from(a: u64) -> f64 {
-    f64::from_bits(a | ABOVE.to_bits()) - ABOVE
-}
-
 #[cfg(test)]
 pub(super) mod tests {
-    use super::*;
     use crate::poly::residues::Quartet;
     use malachite::Integer;
     use malachite::base::num::arithmetic::traits::Mod;
@@ -253,12 +246,6 @@ pub(super) mod tests {
                 }
                 prop_assert!(congruent(&(integer(field.inverse_of_divisor(768.0)[i]) * Integer::from(768)), &Integer::from(1), p));
             }
-        }
-
-        #[test]
-        fn integers_are_doubles_and_back(a in 0u64..1 << 52) {
-            prop_assert_eq!(u64_from(f64_from(a)), a);
-            prop_assert_eq!(integer(f64_from(a)), a);
         }
     }
 }

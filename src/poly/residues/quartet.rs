@@ -4,9 +4,9 @@ use pulp::Arch;
 use rayon::prelude::*;
 
 use super::primes::fours_of_primes;
-use super::quad::{Quad, QuadField, f64_from, plus, u64_from};
+use super::quad::{Quad, QuadField};
 use super::transform::Transform;
-use crate::poly::limbs::is_negative;
+use crate::exact::u64_from;
 
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
@@ -46,24 +46,18 @@ impl Quartet {
         }
     }
 
-    /// Transforms of `len` numbers.
+    /// Makes it the transform of `len` numbers.
     #[inline(always)]
-    pub(super) fn transform(&self, len: usize) -> Transform {
-        Transform::new(self.field, self.root, len)
+    pub(super) fn set_transform(&self, transform: &mut Transform, len: usize) {
+        transform.set(self.field, self.root, len);
     }
 
-    /// The residues of an integer in two's complement, of at most p.
+    /// The transform of `len` numbers.
     #[inline(always)]
-    pub(super) fn residue(&self, limbs: &[u64]) -> Quad {
-        // By Horner's rule in 2^32.
-        let by = self.field.factor([f64_from(1 << 32); 4]);
-        let mut value = [if is_negative(limbs) { -1.0 } else { 0.0 }; 4];
-        for limb in limbs.iter().rev() {
-            for half in [limb >> 32, limb & 0xFFFF_FFFF] {
-                value = plus(self.field.times_factor(value, by), [f64_from(half); 4]);
-            }
-        }
-        value
+    pub(super) fn transform(&self, len: usize) -> Transform {
+        let mut transform = Transform::default();
+        self.set_transform(&mut transform, len);
+        transform
     }
 }
 
@@ -73,15 +67,18 @@ pub(crate) fn residues_are_quick() -> bool {
     !matches!(Arch::new(), Arch::Scalar)
 }
 
-/// The work for each quartet and its number, on all threads where there are several quartets.
-pub(crate) fn for_each_quartet<T: Send>(
+/// The work for each quartet and its number, on all threads where there are several quartets; each thread has its own
+/// `workspace`, in which the work for one leaves what the work for the next overwrites.
+pub(crate) fn for_each_quartet<W, T: Send>(
     quartets: &[Quartet],
-    work: impl Fn(usize, &Quartet) -> T + Sync + Send,
+    workspace: impl Fn() -> W + Sync + Send,
+    work: impl Fn(&mut W, usize, &Quartet) -> T + Sync + Send,
 ) -> Vec<T> {
-    let work = |(k, quartet)| work(k, quartet);
-    if quartets.len() < 4 {
-        quartets.iter().enumerate().map(work).collect()
-    } else {
-        quartets.par_iter().enumerate().map(work).collect()
-    }
+    /// So many quartets at least have one workspace.
+    const TOGETHER: usize = 4;
+    let items = quartets.par_iter().enumerate().with_min_len(TOGETHER);
+    let results = items.map_init(workspace, |workspace, (k, quartet)| {
+        work(workspace, k, quartet)
+    });
+    results.collect()
 }

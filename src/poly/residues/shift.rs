@@ -3,64 +3,58 @@
 use pulp::{Arch, NullaryFnOnce};
 
 use super::chinese::Lifting;
-use super::quad::{Quad, QuadField, f64_from, negated, plus};
+use super::quad::{Quad, QuadField, negated, plus};
 use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
+use crate::exact::f64_from;
 use crate::poly::{FlatPolynomial, FormSize};
 
 /// What changes of basis of degree at most D have in common.
-pub(crate) struct Bases<'a> {
-    quartet: &'a Quartet,
+#[derive(Debug, Default)]
+pub(crate) struct Bases {
     field: QuadField,
     transform: Transform,
-    len: usize,
     /// k! and 1/k! for k ≤ D, of at most p/2.
     factorials: Vec<Quad>,
     inverse_factorials: Vec<Quad>,
-    /// The values of `Σ x^t/t!`, divided by `len`, of at most p/2.
+    /// The values of `Σ x^t/t!`, divided by the length of the transform, of at most p/2.
     exponential: Vec<Quad>,
-    /// 1/len.
+    /// What the values are divided by, inverted.
     scale: Quad,
 }
 
-impl<'a> Bases<'a> {
-    /// Up to degree D, with transforms of at least `len` > 2D numbers.
+impl Bases {
+    /// Makes it one for these primes, up to degree D, with transforms of at least `len` > 2D numbers.
     #[inline(always)]
-    pub(crate) fn new(quartet: &'a Quartet, degree: usize, len: usize) -> Self {
+    pub(crate) fn set(&mut self, quartet: &Quartet, degree: usize, len: usize) {
         let len = transform_len(len);
         let field = quartet.field;
-        let transform = quartet.transform(len);
-        let mut factorials = vec![[1.0; 4]; degree + 1];
+        self.field = field;
+        quartet.set_transform(&mut self.transform, len);
         let (mut last, mut k) = ([1.0; 4], 0.0);
-        for factorial in factorials.iter_mut().skip(1) {
+        self.factorials.resize(degree + 1, last);
+        self.factorials[0] = last;
+        for factorial in self.factorials.iter_mut().skip(1) {
             k += 1.0;
             last = field.reduced(field.times(last, [k; 4]));
             *factorial = last;
         }
-        let mut inverse_factorials = vec![[1.0; 4]; degree + 1];
         last = field.reduced(field.inverse_of(last));
-        for inverse in inverse_factorials.iter_mut().rev() {
+        self.inverse_factorials.resize(degree + 1, last);
+        for inverse in self.inverse_factorials.iter_mut().rev() {
             *inverse = last;
             last = field.reduced(field.times(last, [k; 4]));
             k -= 1.0;
         }
-        let scale = field.inverse_of_divisor(f64_from(len as u64));
-        let by = field.factor(scale);
-        let mut exponential = vec![[0.0; 4]; len];
-        exponential[..=degree].copy_from_slice(&inverse_factorials);
-        transform.forward(&mut exponential);
-        for value in &mut exponential {
+        self.scale = field.inverse_of_divisor(f64_from(len as u64));
+        let by = field.factor(self.scale);
+        self.exponential.resize(len, [0.0; 4]);
+        let (values, zeros) = self.exponential.split_at_mut(degree + 1);
+        values.copy_from_slice(&self.inverse_factorials);
+        zeros.fill([0.0; 4]);
+        self.transform.forward(&mut self.exponential);
+        for value in &mut self.exponential {
             *value = field.reduced(field.times_factor(*value, by));
-        }
-        Self {
-            quartet,
-            field,
-            transform,
-            len,
-            factorials,
-            inverse_factorials,
-            exponential,
-            scale,
         }
     }
 
@@ -69,7 +63,7 @@ impl<'a> Bases<'a> {
     /// With c(x) = g(x − 1), `k! c_k = Σ_j j! g_j (−1)^(j−k) / (j−k)!` and `h = Σ_k 2^k c_k (1−T)^(d−k)`, of which the
     /// same sum is made: with m = d − k, `i! (−1)^i h_i = Σ_m m! 2^k c_k / (m−i)!`.
     #[inline(always)]
-    pub(crate) fn changed(&self, g: &FlatPolynomial) -> Vec<Quad> {
+    pub(crate) fn change(&self, g: &FlatPolynomial, values: &mut Vec<Quad>) {
         let Self {
             field,
             factorials,
@@ -77,16 +71,17 @@ impl<'a> Bases<'a> {
             ..
         } = self;
         let degree = g.len() - 1;
-        let mut values = vec![[0.0; 4]; self.len];
+        values.resize(self.transform.len(), [0.0; 4]);
+        values[degree + 1..].fill([0.0; 4]);
         for (j, limbs) in g.coefficients().enumerate() {
-            let value = field.times(self.quartet.residue(limbs), factorials[j]);
+            let value = field.times(field.residue(limbs), factorials[j]);
             values[degree - j] = if j.is_multiple_of(2) {
                 value
             } else {
                 negated(value)
             };
         }
-        self.times_exponential(&mut values);
+        self.times_exponential(values);
         // (−1)^k k! c_k at d − k.
         values[..=degree].reverse();
         values[degree + 1..].fill([0.0; 4]);
@@ -96,7 +91,7 @@ impl<'a> Bases<'a> {
             *target = field.times(*target, field.times(weight, power));
             power = negated(field.reduced(plus(power, power)));
         }
-        self.times_exponential(&mut values);
+        self.times_exponential(values);
         values[..=degree].reverse();
         values[degree + 1..].fill([0.0; 4]);
         for (i, target) in values[..=degree].iter_mut().enumerate() {
@@ -107,40 +102,39 @@ impl<'a> Bases<'a> {
                 negated(value)
             };
         }
-        values
     }
 
     /// The values of the form f(1, t) = h(it), of at most p/2, at the points of the transform: i^k leaves the signs + + − −.
     #[inline(always)]
-    pub(crate) fn values_of_form(&self, g: &FlatPolynomial) -> Vec<Quad> {
-        let mut values = self.changed(g);
+    pub(crate) fn values_of_form(&self, g: &FlatPolynomial, values: &mut Vec<Quad>) {
+        self.change(g, values);
         for (k, value) in values.iter_mut().enumerate() {
             if k % 4 >= 2 {
                 *value = negated(*value);
             }
         }
-        self.transform.forward(&mut values);
-        for value in &mut values {
+        self.transform.forward(values);
+        for value in values {
             *value = self.field.reduced(*value);
         }
-        values
     }
 
     /// From values of at most 2p at the points of the transform to the first coefficients, of at most p.
     #[inline(always)]
-    pub(crate) fn coefficients(&self, values: &mut Vec<Quad>, len: usize) {
+    pub(crate) fn coefficients(&self, values: &mut [Quad], len: usize) -> Vec<Quad> {
         self.transform.backward(values);
-        values.truncate(len);
         let by = self.field.factor(self.scale);
-        for value in values {
-            *value = self.field.times_factor(*value, by);
+        let mut coefficients = Vec::with_capacity(len);
+        for value in &values[..len] {
+            coefficients.push(self.field.times_factor(*value, by));
         }
+        coefficients
     }
 
     /// The squares of the points: one for each pair of values.
     #[inline(always)]
-    pub(crate) fn squared_points(&self) -> Vec<Quad> {
-        self.transform.squared_points()
+    pub(crate) fn set_squared_points(&self, points: &mut Vec<Quad>) {
+        self.transform.set_squared_points(points);
     }
 
     #[inline(always)]
@@ -170,14 +164,20 @@ pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomi
         bits,
     };
     let quartets = Quartet::enough_for(size.largest());
-    let residues = for_each_quartet(&quartets, |_, quartet| {
-        Arch::new().dispatch(Change { quartet, g })
+    let residues = for_each_quartet(&quartets, Default::default, |workspace, _, quartet| {
+        let change = Change {
+            workspace,
+            quartet,
+            g,
+        };
+        Arch::new().dispatch(change)
     });
     let lifting = Lifting::new(&quartets);
     lifting.polynomial(&residues, g.len(), |range| size.largest_of(range))
 }
 
 struct Change<'a> {
+    workspace: &'a mut (Bases, Vec<Quad>),
     quartet: &'a Quartet,
     g: &'a FlatPolynomial,
 }
@@ -187,9 +187,10 @@ impl NullaryFnOnce for Change<'_> {
 
     #[inline(always)]
     fn call(self) -> Vec<Quad> {
+        let (bases, values) = self.workspace;
         let len = self.g.len();
-        let mut residues = Bases::new(self.quartet, len - 1, 2 * len).changed(self.g);
-        residues.truncate(len);
-        residues
+        bases.set(self.quartet, len - 1, 2 * len);
+        bases.change(self.g, values);
+        values[..len].to_vec()
     }
 }

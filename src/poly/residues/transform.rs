@@ -8,23 +8,26 @@ use super::quad::{Quad, QuadField, minus, negated, plus};
 /// For n = 2^k the values are those at 1, −1, i, −i, √i, −√i, …: the n-th roots of unity in the order of reversed bits. A
 /// block of the transform works modulo x^m − c², and one root c serves the whole block. For n = 3 · 2^k they are followed
 /// by those at θ and at θ² times these points, θ of order n.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Transform {
     field: QuadField,
+    /// n.
+    len: usize,
     /// c for block after block: 1, i, √i, i√i, …, 2^(k − 1) of them. The first ones do not depend on k.
     roots: Vec<Quad>,
-    thirds: Option<Thirds>,
+    /// For n = 3 · 2^k.
+    thirds: Thirds,
 }
 
 /// The step from n = 3m to m: modulo x^m − 1, x^m − ω and x^m − ω², where ω = θ^m, the latter two in x/θ and x/θ².
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Thirds {
     /// ω.
     third: Quad,
     /// θ^j and θ^(2j) for j < m.
-    twists: Vec<[Quad; 2]>,
+    twists: [Vec<Quad>; 2],
     /// Their inverses.
-    untwists: Vec<[Quad; 2]>,
+    untwists: [Vec<Quad>; 2],
 }
 
 /// The least length of a transform, 2^k or 3 · 2^k, that is at least `len`.
@@ -40,15 +43,15 @@ pub(crate) fn transform_len(len: usize) -> usize {
 /// The residues 1, x, x², …, 2^bits of them if each x is given the one before squared; in the order in which they are
 /// given, the first bit last.
 #[inline(always)]
-fn products(field: &QuadField, factors: impl Iterator<Item = Quad>) -> Vec<Quad> {
-    let mut products = vec![[1.0; 4]];
+fn set_products(products: &mut Vec<Quad>, field: &QuadField, factors: impl Iterator<Item = Quad>) {
+    products.clear();
+    products.push([1.0; 4]);
     for factor in factors {
         let by = field.factor(factor);
         for j in 0..products.len() {
             products.push(field.reduced(field.times_factor(products[j], by)));
         }
     }
-    products
 }
 
 /// x, x², x⁴, …, so many of them.
@@ -64,61 +67,56 @@ fn squares(field: &QuadField, x: Quad, count: u32) -> Vec<Quad> {
 
 /// θ^j and θ^(2j) for j < 2^bits.
 #[inline(always)]
-fn twists(field: &QuadField, theta: Quad, bits: u32) -> Vec<[Quad; 2]> {
+fn set_twists(twists: &mut [Vec<Quad>; 2], field: &QuadField, theta: Quad, bits: u32) {
     let squares = squares(field, theta, bits + 1);
-    let once = products(field, squares[..bits as usize].iter().copied());
-    let twice = products(field, squares[1..].iter().copied());
-    once.into_iter().zip(twice).map(Into::into).collect()
+    let [once, twice] = twists;
+    set_products(once, field, squares[..bits as usize].iter().copied());
+    set_products(twice, field, squares[1..].iter().copied());
 }
 
 impl Thirds {
     #[inline(always)]
-    fn new(field: &QuadField, theta: Quad, bits: u32) -> Self {
+    fn set(&mut self, field: &QuadField, theta: Quad, bits: u32) {
+        self.third = field.reduced(field.power(theta, 1 << bits));
+        set_twists(&mut self.twists, field, theta, bits);
         let inverse = field.reduced(field.inverse_of(theta));
-        let third = field.reduced(field.power(theta, 1 << bits));
-        Self {
-            third,
-            twists: twists(field, theta, bits),
-            untwists: twists(field, inverse, bits),
-        }
+        set_twists(&mut self.untwists, field, inverse, bits);
     }
 }
 
 impl Transform {
-    /// For a length of [`transform_len`], with a root of unity of order 3 · 2^[`ORDER_BITS`].
+    /// Makes it one for a length of [`transform_len`], with a root of unity of order 3 · 2^[`ORDER_BITS`].
     #[inline(always)]
-    pub(super) fn new(field: QuadField, root: Quad, len: usize) -> Self {
+    pub(super) fn set(&mut self, field: QuadField, root: Quad, len: usize) {
         let bits = len.trailing_zeros();
         let above = squares(&field, root, ORDER_BITS - bits + 1);
         let theta = above[above.len() - 1];
         let cube = field.times(field.reduced(field.times(theta, theta)), theta);
         // Of orders 2^bits down to 4.
         let factors = squares(&field, field.reduced(cube), bits - 1);
-        let roots = products(&field, factors.into_iter().rev());
-        let thirds = (!len.is_power_of_two()).then(|| Thirds::new(&field, theta, bits));
-        Self {
-            field,
-            roots,
-            thirds,
+        set_products(&mut self.roots, &field, factors.into_iter().rev());
+        (self.field, self.len) = (field, len);
+        if self.has_thirds() {
+            self.thirds.set(&field, theta, bits);
         }
+    }
+
+    #[inline(always)]
+    fn has_thirds(&self) -> bool {
+        !self.len.is_power_of_two()
     }
 
     /// How many numbers are transformed.
     #[inline(always)]
     pub(super) fn len(&self) -> usize {
-        let power = 2 * self.roots.len();
-        if self.thirds.is_some() {
-            3 * power
-        } else {
-            power
-        }
+        self.len
     }
 
     /// From coefficients, of at most 2p, to values, of at most 3p.
     #[inline(always)]
     pub(crate) fn forward(&self, values: &mut [Quad]) {
-        if let Some(thirds) = &self.thirds {
-            thirds.forward(&self.field, values);
+        if self.has_thirds() {
+            self.thirds.forward(&self.field, values);
         }
         for part in values.chunks_exact_mut(2 * self.roots.len()) {
             self.forward_power_of_two(part);
@@ -131,29 +129,28 @@ impl Transform {
         for part in values.chunks_exact_mut(2 * self.roots.len()) {
             self.backward_power_of_two(part);
         }
-        if let Some(thirds) = &self.thirds {
-            thirds.backward(&self.field, values);
+        if self.has_thirds() {
+            self.thirds.backward(&self.field, values);
         }
     }
 
     /// The squares of the points: the values come in pairs, at a point and at minus that point.
     #[inline(always)]
-    pub(crate) fn squared_points(&self) -> Vec<Quad> {
+    pub(crate) fn set_squared_points(&self, points: &mut Vec<Quad>) {
         let field = &self.field;
-        let mut points = Vec::with_capacity(self.len() / 2);
+        points.clear();
         for c in &self.roots {
             points.push(field.times(*c, *c));
         }
-        if let Some(Thirds { twists, .. }) = &self.thirds {
-            for theta in twists[1] {
-                let square = field.times(theta, theta);
+        if self.has_thirds() {
+            for twists in &self.thirds.twists {
+                let square = field.times(twists[1], twists[1]);
                 let by = field.factor(field.reduced(square));
                 for j in 0..self.roots.len() {
                     points.push(field.times_factor(points[j], by));
                 }
             }
         }
-        points
     }
 
     /// Two steps at a time. If they are at most Ap before, x2 and x3 times c are at most (1/2 + 3/16 A) p, the first sums
@@ -166,7 +163,10 @@ impl Transform {
         while len >= 4 {
             for (b, block) in values.chunks_exact_mut(len).enumerate() {
                 let c = field.factor(self.roots[b]);
-                let below = [2 * b, 2 * b + 1].map(|b| field.factor(self.roots[b]));
+                let below = [
+                    field.factor(self.roots[2 * b]),
+                    field.factor(self.roots[2 * b + 1]),
+                ];
                 for [a0, a1, a2, a3] in quarters(block) {
                     let x0 = field.reduced(*a0);
                     let (x2, x3) = (field.times_factor(*a2, c), field.times_factor(*a3, c));
@@ -210,7 +210,11 @@ impl Transform {
         while len <= values.len() {
             for (b, block) in values.chunks_exact_mut(len).enumerate() {
                 let c = field.factor(self.inverse_root(b));
-                let below = [2 * b, 2 * b + 1].map(|b| field.factor(self.inverse_root(b)));
+                let below = self.inverse_root(2 * b);
+                let below = [
+                    field.factor(below),
+                    field.factor(self.inverse_root(2 * b + 1)),
+                ];
                 for [a0, a1, a2, a3] in quarters(block) {
                     let (s0, s1) = (plus(*a0, *a1), plus(*a2, *a3));
                     let d0 = field.times_factor(minus(*a0, *a1), below[0]);
@@ -246,13 +250,13 @@ impl Thirds {
     #[inline(always)]
     fn forward(&self, field: &QuadField, values: &mut [Quad]) {
         let third = field.factor(self.third);
-        for ([a0, a1, a2], twist) in thirds(values).zip(&self.twists) {
+        let [once, twice] = &self.twists;
+        for (([a0, a1, a2], once), twice) in thirds(values).zip(once).zip(twice) {
             let (x0, x1, x2) = (*a0, *a1, *a2);
             let t = field.times_factor(minus(x1, x2), third);
-            let twist = twist.map(|twist| field.factor(twist));
             *a0 = field.reduced(plus(plus(x0, x1), x2));
-            *a1 = field.times_factor(plus(minus(x0, x2), t), twist[0]);
-            *a2 = field.times_factor(minus(minus(x0, x1), t), twist[1]);
+            *a1 = field.times_factor(plus(minus(x0, x2), t), field.factor(*once));
+            *a2 = field.times_factor(minus(minus(x0, x1), t), field.factor(*twice));
         }
     }
 
@@ -260,13 +264,11 @@ impl Thirds {
     #[inline(always)]
     fn backward(&self, field: &QuadField, values: &mut [Quad]) {
         let third = field.factor(self.third);
-        for ([a0, a1, a2], untwist) in thirds(values).zip(&self.untwists) {
-            let untwist = untwist.map(|untwist| field.factor(untwist));
+        let [once, twice] = &self.untwists;
+        for (([a0, a1, a2], once), twice) in thirds(values).zip(once).zip(twice) {
             let x0 = *a0;
-            let (x1, x2) = (
-                field.times_factor(*a1, untwist[0]),
-                field.times_factor(*a2, untwist[1]),
-            );
+            let x1 = field.times_factor(*a1, field.factor(*once));
+            let x2 = field.times_factor(*a2, field.factor(*twice));
             let t = field.times_factor(minus(x1, x2), third);
             *a0 = field.reduced(plus(plus(x0, x1), x2));
             *a1 = field.reduced(minus(minus(x0, x1), t));
@@ -299,9 +301,9 @@ fn thirds(values: &mut [Quad]) -> impl Iterator<Item = [&mut Quad; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::{f64_from, u64_from};
     use crate::poly::residues::Quartet;
     use crate::poly::residues::quad::tests::{congruent, integer};
-    use crate::poly::residues::quad::{f64_from, u64_from};
     use malachite::Integer;
     use proptest::prelude::*;
 
@@ -333,7 +335,8 @@ mod tests {
             })).collect();
             let mut values = coefficients.clone();
             transform.forward(&mut values);
-            let squares = transform.squared_points();
+            let mut squares = Vec::new();
+            transform.set_squared_points(&mut squares);
             prop_assert_eq!(squares.len(), len / 2);
             for i in 0..4 {
                 let p = field.p[i];

@@ -1,0 +1,316 @@
+//! Sums Σ y C of large numbers C with words y, digit by digit, in doubles.
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::f64_from;
+
+/// Bits of the lower part of a sum, and of the digits of numbers that are not in another base.
+pub(crate) const DIGIT_BITS: u32 = 48;
+
+/// The last bits of a limb.
+const MASK: u64 = (1 << DIGIT_BITS) - 1;
+
+/// 2^100: the last bit of it, and of all doubles up to 2^101, is 2^48.
+const HIGH: f64 = f64::from_bits((100 + 1023) << 52);
+
+/// 2^52 + 2^51: the last bit of it, and of all doubles that are less than 2^51 away, is 1.
+const LOW: f64 = f64::from_bits((52 + 1023) << 52 | 1 << 51);
+
+/// Some numbers C, by their digits in any base: whole numbers, the least significant first.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns {
+    /// How many numbers they are.
+    count: usize,
+    /// How many digits stand side by side: as many as two registers of the machine have places.
+    across: usize,
+    panels: Vec<Panel>,
+}
+
+/// Digits of all numbers at so many places.
+#[derive(Clone, Debug)]
+struct Panel {
+    /// The first number that has one there.
+    first: usize,
+    /// Those of this number, of the next one, …
+    digits: Vec<f64>,
+}
+
+/// The sums for one place after the other, `Σ y c = 2^48 high + low` with a low part of at most half as many times 2^48 as
+/// there are numbers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sums {
+    pub(crate) high: Vec<u64>,
+    pub(crate) low: Vec<u64>,
+}
+
+impl Columns {
+    /// Numbers by their digits; later ones have as many as earlier ones or more.
+    pub(crate) fn new(numbers: &[Vec<f64>]) -> Self {
+        let across = Arch::new().dispatch(Across);
+        let len = numbers.iter().map(Vec::len).max().unwrap_or(0);
+        let panel = |start: usize| {
+            let is_short = |number: &&Vec<f64>| number.len() <= start;
+            let first = numbers.iter().take_while(is_short).count();
+            let digits = numbers[first..].iter().flat_map(|number| {
+                let digits = number.iter().skip(start).copied();
+                digits.chain(std::iter::repeat(0.0)).take(across)
+            });
+            Panel {
+                first,
+                digits: digits.collect(),
+            }
+        };
+        Self {
+            count: numbers.len(),
+            across,
+            panels: (0..len).step_by(across).map(panel).collect(),
+        }
+    }
+
+    /// How many numbers they are.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Digits of Σ y C for each list of y, as many of each as there are numbers or fewer, at most 2^12: products y c are to
+    /// be below 2^98.
+    pub(crate) fn sums(&self, y: &[&[f64]], sums: &mut [Sums]) {
+        let summation = Summation {
+            columns: self,
+            y,
+            sums,
+        };
+        Arch::new().dispatch(summation);
+    }
+}
+
+impl Sums {
+    /// Hands on the digits in base 2^48, carried, of Σ y C in that base.
+    #[inline(always)]
+    pub(crate) fn carried(&self, mut digit: impl FnMut(u64)) {
+        let (mut above, mut carry) = (0_u64, 0_i64);
+        for (high, low) in self.high.iter().zip(&self.low) {
+            let sum = low.wrapping_add(above).cast_signed() + carry;
+            digit(sum.cast_unsigned() & MASK);
+            carry = sum >> DIGIT_BITS;
+            above = *high;
+        }
+        let last = above.wrapping_add(carry.cast_unsigned());
+        digit(last & MASK);
+        digit(last >> DIGIT_BITS);
+    }
+
+    /// The number as limbs, as far as the target goes.
+    #[inline(always)]
+    pub(crate) fn limbs(&self, target: &mut [u64]) {
+        let mut targets = target.iter_mut();
+        let (mut kept, mut bits) = (0, 0);
+        self.carried(|digit| {
+            let limb = kept | digit << bits;
+            if bits + DIGIT_BITS < u64::BITS {
+                (kept, bits) = (limb, bits + DIGIT_BITS);
+                return;
+            }
+            if let Some(target) = targets.next() {
+                *target = limb;
+            }
+            bits = bits + DIGIT_BITS - u64::BITS;
+            kept = digit >> (DIGIT_BITS - bits);
+        });
+        for target in targets {
+            *target = std::mem::take(&mut kept);
+        }
+    }
+}
+
+/// The digits in base 2^48 of a number by its limbs.
+pub(crate) fn digits(limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
+    let mut digits = Vec::new();
+    let (mut kept, mut bits) = (0_u64, 0);
+    for limb in limbs {
+        digits.push(f64_from((kept | limb << bits) & MASK));
+        (kept, bits) = (limb >> (DIGIT_BITS - bits), bits + u64::BITS - DIGIT_BITS);
+        if bits == DIGIT_BITS {
+            digits.push(f64_from(kept));
+            (kept, bits) = (0, 0);
+        }
+    }
+    if bits > 0 {
+        digits.push(f64_from(kept));
+    }
+    digits
+}
+
+struct Across;
+
+impl WithSimd for Across {
+    type Output = usize;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> usize {
+        2 * S::F64_LANES
+    }
+}
+
+struct Summation<'a> {
+    columns: &'a Columns,
+    y: &'a [&'a [f64]],
+    sums: &'a mut [Sums],
+}
+
+impl WithSimd for Summation<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { columns, y, sums } = self;
+        let len = columns.panels.len() * columns.across;
+        for sums in sums.iter_mut() {
+            sums.high.resize(len, 0);
+            sums.low.resize(len, 0);
+        }
+        // One panel for all lists, as long as it is at hand; two lists at once for each digit that is read.
+        for (panel, start) in columns.panels.iter().zip((0..).step_by(columns.across)) {
+            let mut y = y.chunks_exact(2);
+            let mut sums = sums.chunks_exact_mut(2);
+            for (y, sums) in (&mut y).zip(&mut sums) {
+                panel.sums(simd, [y[0], y[1]], sums, start);
+            }
+            for (y, sums) in y
+                .remainder()
+                .iter()
+                .zip(sums.into_remainder().chunks_mut(1))
+            {
+                panel.sums(simd, [*y], sums, start);
+            }
+        }
+    }
+}
+
+impl Panel {
+    /// The sums at the places from `start` on, for as many lists as there are sums.
+    ///
+    /// `2^100 + y c` rounded to a multiple of 2^48 has y c / 2^48, rounded, in its last bits; what is left is at most 2^47,
+    /// and with [`LOW`] added it stands in the last bits. Bits are added as they are, those of the constants taken away at
+    /// the end.
+    #[inline(always)]
+    fn sums<S: Simd, const B: usize>(
+        &self,
+        simd: S,
+        y: [&[f64]; B],
+        sums: &mut [Sums],
+        start: usize,
+    ) {
+        let (both, above) = (simd.splat_f64s(HIGH + LOW), simd.splat_f64s(HIGH));
+        let mut high = [[simd.splat_u64s(0); 2]; B];
+        let mut low = [[simd.splat_u64s(0); 2]; B];
+        let digits = S::as_simd_f64s(&self.digits).0.as_chunks::<2>().0;
+        let count = y[0].len().saturating_sub(self.first).min(digits.len());
+        for (i, digits) in digits[..count].iter().enumerate() {
+            for b in 0..B {
+                let y = simd.splat_f64s(y[b][self.first + i]);
+                for half in 0..2 {
+                    let rounded = simd.mul_add_e_f64s(y, digits[half], above);
+                    let left = simd.sub_f64s(both, rounded);
+                    let left = simd.mul_add_e_f64s(y, digits[half], left);
+                    high[b][half] = simd.add_u64s(high[b][half], simd.transmute_u64s_f64s(rounded));
+                    low[b][half] = simd.add_u64s(low[b][half], simd.transmute_u64s_f64s(left));
+                }
+            }
+        }
+        let constants =
+            |constant: f64| simd.splat_u64s(constant.to_bits().wrapping_mul(count as u64));
+        let constants = [constants(HIGH), constants(LOW)];
+        for b in 0..B {
+            let into_high = S::as_mut_simd_u64s(&mut sums[b].high[start..]).0;
+            into_high[0] = simd.sub_u64s(high[b][0], constants[0]);
+            into_high[1] = simd.sub_u64s(high[b][1], constants[0]);
+            let into_low = S::as_mut_simd_u64s(&mut sums[b].low[start..]).0;
+            into_low[0] = simd.sub_u64s(low[b][0], constants[1]);
+            into_low[1] = simd.sub_u64s(low[b][1], constants[1]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Integer, u64_from};
+    use malachite::Natural;
+    use proptest::prelude::*;
+
+    /// Up to `most`, rather at the ends than between them.
+    fn word(most: u64) -> impl Strategy<Value = u64> {
+        prop_oneof![Just(0), Just(1), Just(most), Just(most - 1), 0..=most]
+    }
+
+    /// The number with these digits, some of which may be negative or too large.
+    fn number(digits: impl DoubleEndedIterator<Item = Integer>) -> Integer {
+        digits.rev().fold(Integer::from(0), |number, digit| {
+            (number << DIGIT_BITS) + digit
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn sums_are_those_of_products(
+            lens in prop::collection::vec(0usize..40, 1..30),
+            lists in 1usize..6,
+            words in prop::collection::vec((word((1 << 48) - 1), word((1 << 50) - 1)), 1..200),
+            fewer in 0usize..4,
+        ) {
+            let mut lens = lens;
+            lens.sort_unstable();
+            let mut words = words.iter().cycle();
+            let numbers: Vec<Vec<u64>> = lens.iter().map(|len| words.by_ref().take(*len).map(|w| w.0).collect()).collect();
+            let count = numbers.len().saturating_sub(fewer).max(1);
+            let y: Vec<Vec<u64>> = (0..lists).map(|_| words.by_ref().take(count).map(|w| w.1).collect()).collect();
+            let doubles = |words: &Vec<u64>| words.iter().copied().map(f64_from).collect::<Vec<f64>>();
+            let columns = Columns::new(&numbers.iter().map(doubles).collect::<Vec<_>>());
+            prop_assert_eq!(columns.count(), numbers.len());
+            let in_doubles: Vec<Vec<f64>> = y.iter().map(doubles).collect();
+            let in_doubles: Vec<&[f64]> = in_doubles.iter().map(Vec::as_slice).collect();
+            let mut sums = vec![Sums::default(); lists];
+            columns.sums(&in_doubles, &mut sums);
+            for (y, sums) in y.iter().zip(&sums) {
+                let terms = y.iter().zip(&numbers);
+                let expected: Integer = terms.map(|(y, c)| Integer::from(*y) * number(c.iter().map(|c| Integer::from(*c)))).sum();
+                let places = sums.high.iter().zip(&sums.low);
+                let found = number(places.map(|(high, low)| (Integer::from(*high) << DIGIT_BITS) + Integer::from(low.cast_signed())));
+                prop_assert_eq!(&found, &expected);
+                // As limbs: all of them, and modulo powers of 2.
+                let all = expected.into_twos_complement_limbs_asc();
+                let width = all.len();
+                for width in [width + 1, width, width / 2] {
+                    let mut limbs = vec![0; width];
+                    sums.limbs(&mut limbs);
+                    let mut expected = all.clone();
+                    expected.resize(width, 0);
+                    prop_assert_eq!(limbs, expected);
+                }
+            }
+        }
+
+        #[test]
+        fn digits_are_those_of_the_number(limbs in prop::collection::vec(word(u64::MAX), 0..20)) {
+            let digits = digits(limbs.iter().copied());
+            prop_assert_eq!(digits.len(), (64 * limbs.len()).div_ceil(48));
+            let found = number(digits.into_iter().map(|digit| Integer::from(u64_from(digit))));
+            prop_assert_eq!(found, Integer::from(Natural::from_limbs_asc(&limbs)));
+        }
+    }
+
+    /// As many as are allowed, as large as is allowed.
+    #[test]
+    fn the_largest_sums() {
+        let most = f64_from((1 << 48) - 1);
+        let columns = Columns::new(&vec![vec![most]; 1 << 12]);
+        let y = vec![f64_from((1 << 50) - 1); 1 << 12];
+        let mut sums = [Sums::default()];
+        columns.sums(&[&y], &mut sums);
+        let mut limbs = [0; 2];
+        sums[0].limbs(&mut limbs);
+        let expected = (((1 << 50) - 1) * ((1 << 48) - 1)) << 12_u128;
+        assert_eq!(u128::from(limbs[0]) | u128::from(limbs[1]) << 64, expected);
+    }
+}
