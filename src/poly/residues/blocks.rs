@@ -153,14 +153,14 @@ fn put_together(values: &[Quad], minus_p: &[f64], q: Quad, target: &mut [[u64; L
         .zip(minus_p.as_chunks::<4>().0)
     {
         *limb = [0; LANES];
-        for d in 0..4 {
+        for (d, minus_p) in minus_p.iter().enumerate() {
             let (block, at) = ((4 * k + d) / BLOCK_LEN, (4 * k + d) % BLOCK_LEN);
             let mut digit = values[block * LEN + at];
             if block > 0 && at < LEN - BLOCK_LEN {
                 digit = plus(digit, values[(block - 1) * LEN + BLOCK_LEN + at]);
             }
             for lane in 0..LANES {
-                let sum = u64_from(q[lane].mul_add(minus_p[d], digit[lane])) + carry[lane];
+                let sum = u64_from(q[lane].mul_add(*minus_p, digit[lane])) + carry[lane];
                 limb[lane] |= (sum & 0xFFFF) << (16 * d);
                 carry[lane] = sum >> 16;
             }
