@@ -5,6 +5,7 @@ use malachite::base::num::arithmetic::traits::{
     DivExactAssign, Gcd, NegAssign, Square, UnsignedAbs,
 };
 use malachite::base::num::basic::traits::Zero;
+use rayon::prelude::*;
 
 use super::residue_expansion::ResidueExpansion;
 use crate::poly::{
@@ -29,7 +30,7 @@ pub(super) fn primitive_parts(
     // unit = 2^power · factor, with an odd factor that is 1 for dyadic radii
     let power = unit.trailing_zeros().unwrap_or(0);
     let factor = unit >> power;
-    let in_middle = middle.as_ref().and_then(FlatPolynomial::trailing_zeros);
+    let in_middle = middle.as_ref().and_then(Part::trailing_zeros);
     let in_parts = [
         Some(2 * power),
         in_middle.map(|zeros| zeros + power + 1),
@@ -41,7 +42,7 @@ pub(super) fn primitive_parts(
     let square = (&factor).square();
     let mut parts = vec![top_part(harmonics, &(&square << by(2 * power)))];
     parts.extend(middle.map(|middle| {
-        let mut coefficients: Vec<Integer> = middle.to_integers(by(power + 1)).collect();
+        let mut coefficients = middle.into_integers(by(power + 1));
         for c in &mut coefficients {
             if factor != 1 {
                 *c *= &factor;
@@ -50,7 +51,7 @@ pub(super) fn primitive_parts(
         }
         coefficients
     }));
-    parts.push(low.to_integers(by(0)).collect());
+    parts.push(low.into_integers(by(0)));
     divide_by_common_factor(square, &mut parts);
     let parts = parts.into_iter().map(BinaryForm::from_coefficients);
     parts.collect()
@@ -63,13 +64,42 @@ fn residues_are_faster(harmonics: usize, bits: u64) -> bool {
     residues_are_quick() && (75..100_000).contains(&harmonics) && bits / 4 <= harmonics as u64 - 75
 }
 
+/// Coefficients of a part, as they were computed.
+enum Part {
+    Flat(FlatPolynomial),
+    Integers(Vec<Integer>),
+}
+
+impl Part {
+    /// The number of zero bits that all coefficients have at the low end; `None` if all are 0.
+    fn trailing_zeros(&self) -> Option<u64> {
+        match self {
+            Self::Flat(part) => part.trailing_zeros(),
+            Self::Integers(part) => part.iter().filter_map(Integer::trailing_zeros).min(),
+        }
+    }
+
+    /// The coefficients times 2^`shift`, which are integers.
+    fn into_integers(self, shift: i64) -> Vec<Integer> {
+        match self {
+            Self::Flat(part) => part.to_integers(shift).collect(),
+            Self::Integers(mut part) => {
+                if shift != 0 {
+                    part.par_iter_mut().for_each(|c| *c <<= shift);
+                }
+                part
+            }
+        }
+    }
+}
+
 /// `ρ^⌊N/2+1⌋ · odd` and the low part.
 fn middle_and_low(
     harmonics: usize,
     odd: Option<&FlatPolynomial>,
     even: &FlatPolynomial,
     bits: u64,
-) -> (Option<FlatPolynomial>, FlatPolynomial) {
+) -> (Option<Part>, Part) {
     match odd {
         Some(odd) if residues_are_faster(harmonics, bits) => {
             let [middle, low] = ResidueExpansion {
@@ -79,9 +109,12 @@ fn middle_and_low(
                 bits,
             }
             .middle_and_low();
-            (Some(middle), low)
+            (Some(Part::Integers(middle)), Part::Integers(low))
         }
-        _ => by_large_integers(harmonics, odd, even, bits),
+        _ => {
+            let (middle, low) = by_large_integers(harmonics, odd, even, bits);
+            (middle.map(Part::Flat), Part::Flat(low))
+        }
     }
 }
 
@@ -195,7 +228,7 @@ fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poly::bounded_integer;
+    use crate::poly::{IntegerPolynomial, bounded_integer};
     use proptest::prelude::*;
 
     proptest! {
@@ -217,7 +250,7 @@ mod tests {
             let degree = |parity: usize| if harmonics % 2 == parity { harmonics } else { harmonics - 1 };
             let (odd, even) = (sum(degree(1), 0), sum(degree(0), 1000));
             let residues = ResidueExpansion { harmonics, odd: &odd, even: &even, bits };
-            let [middle, low] = residues.middle_and_low().map(|part| part.to_polynomial());
+            let [middle, low] = residues.middle_and_low().map(IntegerPolynomial::from_coefficients_asc);
             let (middle_twin, low_twin) = by_large_integers(harmonics, Some(&odd), &even, bits);
             prop_assert_eq!(middle, middle_twin.map(|part| part.to_polynomial()).unwrap_or_default());
             prop_assert_eq!(low, low_twin.to_polynomial());

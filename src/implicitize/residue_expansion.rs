@@ -1,5 +1,6 @@
 //! Theorem 2 modulo many primes: the long parts of F from the values of the two sums at roots of unity.
 
+use malachite::Integer;
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::poly::{
@@ -26,7 +27,7 @@ impl ResidueExpansion<'_> {
     ///
     /// Cost: for each prime, of 50 bits, that the largest coefficient needs, 13 transforms of the length of the parts; then
     /// for each coefficient the square of the number of primes that it needs.
-    pub(super) fn middle_and_low(&self) -> [FlatPolynomial; 2] {
+    pub(super) fn middle_and_low(&self) -> [Vec<Integer>; 2] {
         let middle = FormSize {
             power: self.rho_power(),
             degree: self.odd.len() - 1,
@@ -50,7 +51,7 @@ impl ResidueExpansion<'_> {
         });
         let (in_middle, in_low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
         [(middle, in_middle), (low, in_low)].map(|(size, residues)| {
-            lifting.polynomial(&residues, size.len(), |range| size.largest_of(range))
+            lifting.integers(&residues, size.len(), |range| size.largest_of(range))
         })
     }
 }

@@ -3,9 +3,10 @@
 use std::ops::Range;
 use std::sync::OnceLock;
 
-use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{DivExact, Mod};
+use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Integer, Natural};
 use pulp::{Arch, NullaryFnOnce};
 use rayon::prelude::*;
 use smallvec::SmallVec;
@@ -15,7 +16,7 @@ use super::quad::{Quad, plus};
 use super::quartet::Quartet;
 use crate::exact::{Columns, Sums, digits, f64_from};
 use crate::poly::FlatPolynomial;
-use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
+use crate::poly::limbs::{LIMB_BITS, sign_limb, to_integer, width_for};
 
 /// So many products of 50 and 48 bits are summed up.
 const MOST_PRIMES: usize = 1 << 12;
@@ -78,42 +79,73 @@ impl<'a> Lifting<'a> {
     /// The coefficients of a range are below 2 to the power `bits`, for which there are enough quartets.
     ///
     /// Cost: for each coefficient, and for each set, the number of its primes squared, in products of words, 0.11 ns
-    /// each; for many primes some ten times less in [`Blocks`].
+    /// each; for many primes some times less in [`Blocks`].
     pub(crate) fn polynomial(
         &self,
         residues: &[Vec<Quad>],
         len: usize,
         bits: impl Fn(Range<usize>) -> u64,
     ) -> FlatPolynomial {
-        /// Fewer limbs are sooner done than given to threads.
-        const SMALL: usize = 10_000;
-        let ranges = (0..len).step_by(TOGETHER);
-        let sizes: Vec<u64> = ranges.map(|k| bits(k..len.min(k + TOGETHER))).collect();
+        let sizes = sizes(len, bits);
         let width = width_for(sizes.iter().copied().max().unwrap_or(0));
         let mut limbs = vec![0; len * width];
-        let lift = |(k, target): (usize, &mut [u64])| {
-            let remainders = self.remainders(self.set(sizes[k]));
-            let start = k * TOGETHER;
-            Arch::new().dispatch(Lift {
-                remainders,
-                residues,
-                start,
-                target,
-                width,
-            });
-        };
-        if limbs.len() < SMALL {
-            limbs
-                .chunks_mut(TOGETHER * width)
-                .enumerate()
-                .for_each(lift);
-        } else {
-            limbs
-                .par_chunks_mut(TOGETHER * width)
-                .enumerate()
-                .for_each(lift);
-        }
+        for_each_part(&mut limbs, TOGETHER * width, |(k, target)| {
+            self.lift(residues, k, sizes[k], target, width);
+        });
         FlatPolynomial::from_limbs(limbs, width)
+    }
+
+    /// The same, each coefficient in as much memory as it needs.
+    pub(crate) fn integers(
+        &self,
+        residues: &[Vec<Quad>],
+        len: usize,
+        bits: impl Fn(Range<usize>) -> u64,
+    ) -> Vec<Integer> {
+        let sizes = sizes(len, bits);
+        let mut integers = vec![Integer::ZERO; len];
+        for_each_part(&mut integers, TOGETHER, |(k, target)| {
+            let width = width_for(sizes[k]);
+            let mut limbs = vec![0; target.len() * width];
+            self.lift(residues, k, sizes[k], &mut limbs, width);
+            let mut scratch = Vec::with_capacity(width);
+            for (target, limbs) in target.iter_mut().zip(limbs.chunks_exact(width)) {
+                *target = to_integer(limbs, 0, &mut scratch);
+            }
+        });
+        integers
+    }
+
+    /// The k-th coefficients that are lifted together, which are below 2^`bits`, in limbs.
+    fn lift(&self, residues: &[Vec<Quad>], k: usize, bits: u64, target: &mut [u64], width: usize) {
+        Arch::new().dispatch(Lift {
+            remainders: self.remainders(self.set(bits)),
+            residues,
+            start: k * TOGETHER,
+            target,
+            width,
+        });
+    }
+}
+
+/// The bits of all coefficients that are lifted together.
+fn sizes(len: usize, bits: impl Fn(Range<usize>) -> u64) -> Vec<u64> {
+    let starts = (0..len).step_by(TOGETHER);
+    starts.map(|k| bits(k..len.min(k + TOGETHER))).collect()
+}
+
+/// The work for each part of the target and its number, on all threads if it is long.
+fn for_each_part<T: Send>(
+    target: &mut [T],
+    part: usize,
+    work: impl Fn((usize, &mut [T])) + Sync + Send,
+) {
+    /// Fewer parts are sooner done than given to threads.
+    const FEW: usize = 16;
+    if target.len() < FEW * part {
+        target.chunks_mut(part).enumerate().for_each(work);
+    } else {
+        target.par_chunks_mut(part).enumerate().for_each(work);
     }
 }
 
@@ -278,7 +310,6 @@ fn extend_sign(target: &mut [u64], from: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use malachite::Integer;
     use malachite::base::num::arithmetic::traits::Pow;
     use proptest::prelude::*;
 
@@ -311,6 +342,7 @@ mod tests {
                 let lifted = lifting.polynomial(&residues, len, largest);
                 let lifted: Vec<Integer> = lifted.to_integers(0).collect();
                 prop_assert_eq!(&lifted, &integers);
+                prop_assert_eq!(&lifting.integers(&residues, len, largest), &integers);
             }
         }
     }

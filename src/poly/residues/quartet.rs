@@ -76,6 +76,13 @@ pub(crate) fn for_each_quartet<W, T: Send>(
 ) -> Vec<T> {
     /// So many quartets at least have one workspace.
     const TOGETHER: usize = 4;
+    if quartets.len() < 2 * TOGETHER {
+        let mut workspace = workspace();
+        let items = quartets.iter().enumerate();
+        return items
+            .map(|(k, quartet)| work(&mut workspace, k, quartet))
+            .collect();
+    }
     let items = quartets.par_iter().enumerate().with_min_len(TOGETHER);
     let results = items.map_init(workspace, |workspace, (k, quartet)| {
         work(workspace, k, quartet)
