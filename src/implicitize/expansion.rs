@@ -229,6 +229,7 @@ fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
 mod tests {
     use super::*;
     use crate::poly::{IntegerPolynomial, bounded_integer};
+    use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 
     proptest! {

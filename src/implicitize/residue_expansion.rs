@@ -1,10 +1,13 @@
 //! Theorem 2 modulo many primes: the long parts of F from the values of the two sums at roots of unity.
 
+use std::ops::Range;
+
 use malachite::Integer;
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::poly::{
-    Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, for_each_quartet, minus, plus,
+    Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet,
+    minus, plus,
 };
 
 /// The two sums over odd and over even harmonics, as coefficients in the basis z^j w^(d−j) that add up to less than
@@ -40,19 +43,22 @@ impl ResidueExpansion<'_> {
         };
         let quartets = Quartet::enough_for(low.largest());
         let lifting = Lifting::new(&quartets);
-        let for_middle = lifting.quartets_for(middle.largest());
+        let sizes =
+            [middle, low].map(|size| Sizes::new(size.len(), |range| size.largest_of(range)));
         let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
+            let [middle, low] = sizes.each_ref().map(|sizes| lifting.asked(sizes, k));
             Arch::new().dispatch(Parts {
                 sums: self,
                 workspace,
                 quartet,
-                has_middle: k < for_middle,
+                middle,
+                low,
             })
         });
-        let (in_middle, in_low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
-        [(middle, in_middle), (low, in_low)].map(|(size, residues)| {
-            lifting.integers(&residues, size.len(), |range| size.largest_of(range))
-        })
+        let (middle, low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
+        let [for_middle, for_low] = sizes;
+        let middle = lifting.integers(&for_middle, middle);
+        [middle, lifting.integers(&for_low, low)]
     }
 }
 
@@ -60,21 +66,24 @@ impl ResidueExpansion<'_> {
 #[derive(Default)]
 struct Workspace {
     bases: Bases,
-    squared_points: Vec<Quad>,
+    /// ρ = 1 + t², for one of t and −t, and powers of it.
+    rho: Vec<Quad>,
+    rho_powers: Vec<Quad>,
     odd: Vec<Quad>,
     even: Vec<Quad>,
 }
 
-/// The residues of both parts modulo four primes; of the middle one only if they are wanted.
+/// The residues modulo four primes that are asked for of both parts: of the middle one there may be none.
 struct Parts<'a> {
     sums: &'a ResidueExpansion<'a>,
     workspace: &'a mut Workspace,
     quartet: &'a Quartet,
-    has_middle: bool,
+    middle: Range<usize>,
+    low: Range<usize>,
 }
 
 impl NullaryFnOnce for Parts<'_> {
-    type Output = (Vec<Quad>, Vec<Quad>);
+    type Output = (Residues, Residues);
 
     #[inline(always)]
     fn call(self) -> Self::Output {
@@ -82,11 +91,13 @@ impl NullaryFnOnce for Parts<'_> {
             sums,
             workspace,
             quartet,
-            has_middle,
+            middle,
+            low,
         } = self;
         let Workspace {
             bases,
-            squared_points,
+            rho,
+            rho_powers,
             odd,
             even,
         } = workspace;
@@ -94,31 +105,38 @@ impl NullaryFnOnce for Parts<'_> {
         bases.set(quartet, sums.harmonics, 2 * sums.harmonics + 2);
         bases.values_of_form(sums.odd, odd);
         bases.values_of_form(sums.even, even);
-        bases.set_squared_points(squared_points);
+        bases.set_squared_points(rho);
         let field = bases.field();
-        let rho_power = if has_middle { sums.rho_power() } else { 1 };
+        for rho in &mut *rho {
+            *rho = field.reduced(plus(*rho, [1.0; 4]));
+        }
+        let rho_power = if middle.is_empty() {
+            1
+        } else {
+            sums.rho_power()
+        };
+        rho_powers.clone_from(rho);
+        field.raise(rho_powers, rho_power as u64);
         // Values come in pairs at points t and −t.
         let pairs = odd.as_chunks_mut::<2>().0.iter_mut();
         let pairs = pairs.zip(even.as_chunks_mut::<2>().0);
-        for ((odd, even), square) in pairs.zip(squared_points) {
-            let rho = plus(*square, [1.0; 4]);
-            let to_power = field.power(rho, rho_power as u64);
+        for (((odd, even), rho), rho_power) in pairs.zip(rho).zip(rho_powers) {
             for (odd, even) in odd.iter_mut().zip(even) {
                 let (o, e) = (field.times(*odd, *odd), field.times(*even, *even));
                 let low = if sums.harmonics.is_multiple_of(2) {
-                    minus(field.times(o, rho), e)
+                    minus(field.times(o, *rho), e)
                 } else {
-                    minus(o, field.times(e, rho))
+                    minus(o, field.times(e, *rho))
                 };
                 *even = field.reduced(low);
-                *odd = field.times(*odd, to_power);
+                *odd = field.times(*odd, *rho_power);
             }
         }
-        let middle = if has_middle {
-            bases.coefficients(odd, sums.odd.len() + 2 * rho_power)
+        let in_middle = if middle.is_empty() {
+            Residues::default()
         } else {
-            Vec::new()
+            bases.coefficients(odd, middle)
         };
-        (middle, bases.coefficients(even, 2 * sums.harmonics + 1))
+        (in_middle, bases.coefficients(even, low))
     }
 }

@@ -8,13 +8,14 @@
 
 mod blocks;
 mod chinese;
+mod lifting;
 mod primes;
 mod quad;
 mod quartet;
 mod shift;
 mod transform;
 
-pub(crate) use chinese::Lifting;
+pub(crate) use lifting::{Lifting, Residues, Sizes};
 pub(crate) use quad::{Quad, minus, plus};
 pub(crate) use quartet::{Quartet, for_each_quartet, residues_are_quick};
 pub(crate) use shift::{Bases, changed_by_residues};

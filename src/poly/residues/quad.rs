@@ -118,19 +118,35 @@ impl QuadField {
 
     /// a^exponent, for a of at most p: of at most 7/8 p.
     #[inline(always)]
-    pub(crate) fn power(&self, a: Quad, mut exponent: u64) -> Quad {
-        let (mut result, mut square) = ([1.0; 4], a);
-        while exponent > 1 {
-            if exponent & 1 == 1 {
-                result = self.times(result, square);
+    pub(super) fn power(&self, a: Quad, exponent: u64) -> Quad {
+        let mut power = [a];
+        self.raise(&mut power, exponent);
+        power[0]
+    }
+
+    /// a^exponent in the place of each a of at most p: of at most 7/8 p, or a itself. Some at a time: one would wait for each
+    /// product.
+    #[inline(always)]
+    pub(crate) fn raise(&self, values: &mut [Quad], exponent: u64) {
+        const TOGETHER: usize = 16;
+        let mut bases = [[1.0; 4]; TOGETHER];
+        for powers in values.chunks_mut(TOGETHER) {
+            let bases = &mut bases[..powers.len()];
+            bases.copy_from_slice(powers);
+            if exponent == 0 {
+                powers.fill([1.0; 4]);
             }
-            square = self.times(square, square);
-            exponent >>= 1;
+            for bit in (0..exponent.checked_ilog2().unwrap_or(0)).rev() {
+                for power in &mut *powers {
+                    *power = self.times(*power, *power);
+                }
+                if exponent >> bit & 1 == 1 {
+                    for (power, base) in powers.iter_mut().zip(&*bases) {
+                        *power = self.times(*power, *base);
+                    }
+                }
+            }
         }
-        if exponent == 1 {
-            result = self.times(result, square);
-        }
-        result
     }
 
     /// a^(p − 2) = 1/a, for a of at most p: of at most 7/8 p. The exponents are different: where a bit is 0, the product is

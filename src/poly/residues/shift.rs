@@ -1,9 +1,11 @@
 //! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)` modulo four primes: two Taylor shifts, each a product with Σ x^t/t!.
 
+use std::ops::Range;
+
 use pulp::{Arch, NullaryFnOnce};
 
-use super::chinese::Lifting;
-use super::quad::{Quad, QuadField, negated, plus};
+use super::lifting::{Lifting, Residues, Sizes};
+use super::quad::{Quad, QuadField, negated};
 use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
 use crate::exact::f64_from;
@@ -14,9 +16,10 @@ use crate::poly::{FlatPolynomial, FormSize};
 pub(crate) struct Bases {
     field: QuadField,
     transform: Transform,
-    /// k! and 1/k! for k ≤ D, of at most p/2.
+    /// k!, 1/k! and (−2)^k / k! for k ≤ D, of at most (1/2 + 2^-20) p.
     factorials: Vec<Quad>,
     inverse_factorials: Vec<Quad>,
+    powers: Vec<Quad>,
     /// The values of `Σ x^t/t!`, divided by the length of the transform, of at most p/2.
     exponential: Vec<Quad>,
     /// What the values are divided by, inverted.
@@ -31,21 +34,7 @@ impl Bases {
         let field = quartet.field;
         self.field = field;
         quartet.set_transform(&mut self.transform, len);
-        let (mut last, mut k) = ([1.0; 4], 0.0);
-        self.factorials.resize(degree + 1, last);
-        self.factorials[0] = last;
-        for factorial in self.factorials.iter_mut().skip(1) {
-            k += 1.0;
-            last = field.reduced(field.times(last, [k; 4]));
-            *factorial = last;
-        }
-        last = field.reduced(field.inverse_of(last));
-        self.inverse_factorials.resize(degree + 1, last);
-        for inverse in self.inverse_factorials.iter_mut().rev() {
-            *inverse = last;
-            last = field.reduced(field.times(last, [k; 4]));
-            k -= 1.0;
-        }
+        self.set_factorials(degree);
         self.scale = field.inverse_of_divisor(f64_from(len as u64));
         let by = field.factor(self.scale);
         self.exponential.resize(len, [0.0; 4]);
@@ -55,6 +44,34 @@ impl Bases {
         self.transform.forward(&mut self.exponential);
         for value in &mut self.exponential {
             *value = field.reduced(field.times_factor(*value, by));
+        }
+    }
+
+    /// A product with a number k < 2^29 is of at most (1/2 + 2^-20) p: there A is less than 1, and B less than 2^-20.
+    #[inline(always)]
+    fn set_factorials(&mut self, degree: usize) {
+        let field = self.field;
+        for numbers in [
+            &mut self.factorials,
+            &mut self.inverse_factorials,
+            &mut self.powers,
+        ] {
+            numbers.resize(degree + 1, [1.0; 4]);
+        }
+        let (mut last, mut k, mut power) = ([1.0; 4], 0.0, [1.0; 4]);
+        for (factorial, to) in self.factorials.iter_mut().zip(&mut self.powers) {
+            (*factorial, *to) = (last, power);
+            k += 1.0;
+            last = field.times(last, [k; 4]);
+            power = field.times(power, [-2.0; 4]);
+        }
+        last = field.reduced(field.inverse_of(last));
+        let inverses = self.inverse_factorials.iter_mut().rev();
+        for (inverse, power) in inverses.zip(self.powers.iter_mut().rev()) {
+            last = field.times(last, [k; 4]);
+            k -= 1.0;
+            *inverse = last;
+            *power = field.reduced(field.times(*power, last));
         }
     }
 
@@ -68,6 +85,7 @@ impl Bases {
             field,
             factorials,
             inverse_factorials,
+            powers,
             ..
         } = self;
         let degree = g.len() - 1;
@@ -85,11 +103,9 @@ impl Bases {
         // (−1)^k k! c_k at d − k.
         values[..=degree].reverse();
         values[degree + 1..].fill([0.0; 4]);
-        let mut power = [1.0; 4];
-        for (k, target) in values[..=degree].iter_mut().enumerate() {
-            let weight = field.times(factorials[degree - k], inverse_factorials[k]);
-            *target = field.times(*target, field.times(weight, power));
-            power = negated(field.reduced(plus(power, power)));
+        let factors = factorials[..=degree].iter().rev().zip(powers);
+        for (target, (factorial, power)) in values.iter_mut().zip(factors) {
+            *target = field.times(*target, field.times(*factorial, *power));
         }
         self.times_exponential(values);
         values[..=degree].reverse();
@@ -119,16 +135,20 @@ impl Bases {
         }
     }
 
-    /// From values of at most 2p at the points of the transform to the first coefficients, of at most p.
+    /// From values of at most 2p at the points of the transform to some of the coefficients, of at most p.
     #[inline(always)]
-    pub(crate) fn coefficients(&self, values: &mut [Quad], len: usize) -> Vec<Quad> {
+    pub(crate) fn coefficients(&self, values: &mut [Quad], range: Range<usize>) -> Residues {
         self.transform.backward(values);
         let by = self.field.factor(self.scale);
-        let mut coefficients = Vec::with_capacity(len);
-        for value in &values[..len] {
+        let start = range.start;
+        let mut coefficients = Vec::with_capacity(range.len());
+        for value in &values[range] {
             coefficients.push(self.field.times_factor(*value, by));
         }
-        coefficients
+        Residues {
+            start,
+            values: coefficients,
+        }
     }
 
     /// The squares of the points: one for each pair of values.
@@ -164,33 +184,39 @@ pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomi
         bits,
     };
     let quartets = Quartet::enough_for(size.largest());
-    let residues = for_each_quartet(&quartets, Default::default, |workspace, _, quartet| {
+    let lifting = Lifting::new(&quartets);
+    let sizes = Sizes::new(g.len(), |range| size.largest_of(range));
+    let residues = for_each_quartet(&quartets, Default::default, |workspace, k, quartet| {
         let change = Change {
             workspace,
             quartet,
             g,
+            asked: lifting.asked(&sizes, k),
         };
         Arch::new().dispatch(change)
     });
-    let lifting = Lifting::new(&quartets);
-    lifting.polynomial(&residues, g.len(), |range| size.largest_of(range))
+    lifting.polynomial(&sizes, &residues)
 }
 
 struct Change<'a> {
     workspace: &'a mut (Bases, Vec<Quad>),
     quartet: &'a Quartet,
     g: &'a FlatPolynomial,
+    asked: Range<usize>,
 }
 
 impl NullaryFnOnce for Change<'_> {
-    type Output = Vec<Quad>;
+    type Output = Residues;
 
     #[inline(always)]
-    fn call(self) -> Vec<Quad> {
+    fn call(self) -> Residues {
         let (bases, values) = self.workspace;
         let len = self.g.len();
         bases.set(self.quartet, len - 1, 2 * len);
         bases.change(self.g, values);
-        values[..len].to_vec()
+        Residues {
+            start: self.asked.start,
+            values: values[self.asked].to_vec(),
+        }
     }
 }
