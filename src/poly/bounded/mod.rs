@@ -110,7 +110,9 @@ pub(crate) fn roots_of<const W: usize>(
     if degree == 0 {
         return Ok(Vec::new());
     }
-    let scale = (first - last).div_euclid(i64::try_from(degree).unwrap_or(i64::MAX));
+    let by = i64::try_from(degree).unwrap_or(i64::MAX);
+    // To the nearest: else roots of size 1 are found as those of size 1/2, which takes d bits more.
+    let scale = (first - last + by / 2).div_euclid(by);
     let inverses = LazyCell::new(|| inverse_binomials(degree));
     let mut roots = Vec::new();
     for is_inverted in [false, true] {
