@@ -7,26 +7,20 @@ use malachite::base::num::arithmetic::traits::{
 use malachite::base::num::basic::traits::Zero;
 use rayon::prelude::*;
 
-use super::residue_expansion::ResidueExpansion;
+use super::residue_expansion::middle_and_low_by_residues;
+use super::summed::SummedHarmonics;
 use crate::poly::{
     BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_bits, residues_are_quick,
 };
 
-/// What [`square_away`](super::square_away) says of the two sums, which are `unit` times those of the radius and have
-/// coefficients in the basis z^j w^(d−j), these ones, that add up to less than 2^`bits`: the parts `unit² ρ^(N+1)`,
-/// `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all their
-/// coefficients.
+/// What [`square_away`](super::square_away) says of the sums, which are `unit` times those of the radius: the parts
+/// `unit² ρ^(N+1)`, `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all
+/// their coefficients.
 ///
 /// Cost: two changes of basis and two squares of forms of degree N, and two products of half the length (ρ is a polynomial
 /// in t²), of large integers or modulo primes.
-pub(super) fn primitive_parts(
-    harmonics: usize,
-    unit: &Integer,
-    odd: Option<&FlatPolynomial>,
-    even: &FlatPolynomial,
-    bits: u64,
-) -> Vec<BinaryForm> {
-    let (middle, low) = middle_and_low(harmonics, odd, even, bits);
+pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<BinaryForm> {
+    let (middle, low) = middle_and_low(sums);
     // unit = 2^power · factor, with an odd factor that is 1 for dyadic radii
     let power = unit.trailing_zeros().unwrap_or(0);
     let factor = unit >> power;
@@ -40,7 +34,7 @@ pub(super) fn primitive_parts(
     let by = |shift: u64| shift.cast_signed() - common.cast_signed();
 
     let square = (&factor).square();
-    let mut parts = vec![top_part(harmonics, &(&square << by(2 * power)))];
+    let mut parts = vec![top_part(sums.harmonics, &(&square << by(2 * power)))];
     parts.extend(middle.map(|middle| {
         let mut coefficients = middle.into_integers(by(power + 1));
         for c in &mut coefficients {
@@ -60,8 +54,11 @@ pub(super) fn primitive_parts(
 /// Whether residues modulo primes are faster than products of large integers. On one thread they take 0.9 of the time at 100
 /// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000 and at 10 000; and the same time at 1000 harmonics of 3500 bits: their
 /// steps that are quadratic in the bits of a coefficient catch up.
-fn residues_are_faster(harmonics: usize, bits: u64) -> bool {
-    residues_are_quick() && (75..100_000).contains(&harmonics) && bits / 4 <= harmonics as u64 - 75
+fn residues_are_faster(sums: &SummedHarmonics) -> bool {
+    let harmonics = sums.harmonics;
+    residues_are_quick()
+        && (75..100_000).contains(&harmonics)
+        && sums.bits / 4 <= harmonics as u64 - 75
 }
 
 /// Coefficients of a part, as they were computed.
@@ -94,40 +91,24 @@ impl Part {
 }
 
 /// `ρ^⌊N/2+1⌋ · odd` and the low part.
-fn middle_and_low(
-    harmonics: usize,
-    odd: Option<&FlatPolynomial>,
-    even: &FlatPolynomial,
-    bits: u64,
-) -> (Option<Part>, Part) {
-    match odd {
-        Some(odd) if residues_are_faster(harmonics, bits) => {
-            let [middle, low] = ResidueExpansion {
-                harmonics,
-                odd,
-                even,
-                bits,
-            }
-            .middle_and_low();
+fn middle_and_low(sums: &SummedHarmonics) -> (Option<Part>, Part) {
+    match &sums.odd {
+        Some(odd) if residues_are_faster(sums) => {
+            let [middle, low] = middle_and_low_by_residues(sums, odd);
             (Some(Part::Integers(middle)), Part::Integers(low))
         }
         _ => {
-            let (middle, low) = by_large_integers(harmonics, odd, even, bits);
+            let (middle, low) = by_large_integers(sums);
             (middle.map(Part::Flat), Part::Flat(low))
         }
     }
 }
 
-fn by_large_integers(
-    harmonics: usize,
-    odd: Option<&FlatPolynomial>,
-    even: &FlatPolynomial,
-    bits: u64,
-) -> (Option<FlatPolynomial>, FlatPolynomial) {
-    let odd = odd.map(|odd| flat_form(odd, bits));
-    let even = flat_form(even, bits);
-    let middle = odd.as_ref().map(|odd| middle_part(harmonics, odd, bits));
-    (middle, low_part(harmonics, odd.as_ref(), &even, bits))
+fn by_large_integers(sums: &SummedHarmonics) -> (Option<FlatPolynomial>, FlatPolynomial) {
+    let odd = sums.odd.as_ref().map(|odd| flat_form(odd, sums.bits));
+    let even = flat_form(&sums.even, sums.bits);
+    let middle = odd.as_ref().map(|odd| middle_part(odd, sums));
+    (middle, low_part(odd.as_ref(), &even, sums))
 }
 
 /// `factor · ρ^(N+1)`.
@@ -150,11 +131,11 @@ fn additions_up_to(bits: u64) -> usize {
     }
 }
 
-/// `ρ^⌊N/2+1⌋ · odd`.
-fn middle_part(harmonics: usize, odd: &FlatPolynomial, bits: u64) -> FlatPolynomial {
-    let power = harmonics / 2 + 1;
+/// `ρ^⌊N/2+1⌋ · odd`, of the form f(1, t).
+fn middle_part(odd: &FlatPolynomial, sums: &SummedHarmonics) -> FlatPolynomial {
+    let power = sums.rho_power();
     // At most the sum over C(power, k) times the largest C(degree, j).
-    let room = form_bits(odd.len() - 1, bits) + power as u64;
+    let room = form_bits(odd.len() - 1, sums.bits) + power as u64;
     if power <= additions_up_to(room) {
         by_additions(odd, power, room)
     } else {
@@ -180,13 +161,13 @@ fn by_products(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial 
 /// The two sums have degrees N and N − 1: with a and b for them, the low part is `a² − ρ b²` for odd N and its negative
 /// for even N.
 fn low_part(
-    harmonics: usize,
     odd: Option<&FlatPolynomial>,
     even: &FlatPolynomial,
-    bits: u64,
+    sums: &SummedHarmonics,
 ) -> FlatPolynomial {
+    let harmonics = sums.harmonics;
     // a² and ρ b² are forms of degree 2N, of which the coefficients in the other basis add up to at most the square.
-    let room = form_bits(2 * harmonics, 2 * bits);
+    let room = form_bits(2 * harmonics, 2 * sums.bits);
     let mut low = FlatPolynomial::zero(2 * harmonics + 1, room + 1);
     let (plus, minus) = (Place::of_sum, Place::of_difference);
     let squares = match odd {
@@ -250,9 +231,9 @@ mod tests {
             };
             let degree = |parity: usize| if harmonics % 2 == parity { harmonics } else { harmonics - 1 };
             let (odd, even) = (sum(degree(1), 0), sum(degree(0), 1000));
-            let residues = ResidueExpansion { harmonics, odd: &odd, even: &even, bits };
-            let [middle, low] = residues.middle_and_low().map(IntegerPolynomial::from_coefficients_asc);
-            let (middle_twin, low_twin) = by_large_integers(harmonics, Some(&odd), &even, bits);
+            let sums = SummedHarmonics { harmonics, odd: Some(odd.clone()), even, bits };
+            let [middle, low] = middle_and_low_by_residues(&sums, &odd).map(IntegerPolynomial::from_coefficients_asc);
+            let (middle_twin, low_twin) = by_large_integers(&sums);
             prop_assert_eq!(middle, middle_twin.map(|part| part.to_polynomial()).unwrap_or_default());
             prop_assert_eq!(low, low_twin.to_polynomial());
         }

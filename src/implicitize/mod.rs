@@ -14,6 +14,7 @@ mod proper;
 mod residue_expansion;
 mod resultant;
 mod space_curve;
+mod summed;
 mod theorem2;
 mod tracing;
 mod vanishing;

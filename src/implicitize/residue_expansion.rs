@@ -5,61 +5,48 @@ use std::ops::Range;
 use malachite::Integer;
 use pulp::{Arch, NullaryFnOnce};
 
+use super::summed::SummedHarmonics;
 use crate::poly::{
     Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet,
     minus, plus,
 };
 
-/// The two sums over odd and over even harmonics, as coefficients in the basis z^j w^(d−j) that add up to less than
-/// 2^`bits`.
-#[derive(Clone, Copy)]
-pub(super) struct ResidueExpansion<'a> {
-    pub(super) harmonics: usize,
-    pub(super) odd: &'a FlatPolynomial,
-    pub(super) even: &'a FlatPolynomial,
-    pub(super) bits: u64,
-}
-
-impl ResidueExpansion<'_> {
-    /// The power of ρ that the odd sum is multiplied by.
-    fn rho_power(&self) -> usize {
-        self.harmonics / 2 + 1
-    }
-
-    /// `ρ^⌊N/2+1⌋ · odd` and the low part, f(1, t).
-    ///
-    /// Cost: for each prime, of 50 bits, that the largest coefficient needs, 13 transforms of the length of the parts; then
-    /// for each coefficient the square of the number of primes that it needs.
-    pub(super) fn middle_and_low(&self) -> [Vec<Integer>; 2] {
-        let middle = FormSize {
-            power: self.rho_power(),
-            degree: self.odd.len() - 1,
-            bits: self.bits,
-        };
-        let low = FormSize {
-            power: 0,
-            degree: 2 * self.harmonics,
-            bits: 2 * self.bits + 1,
-        };
-        let quartets = Quartet::enough_for(low.largest());
-        let lifting = Lifting::new(&quartets);
-        let sizes =
-            [middle, low].map(|size| Sizes::new(size.len(), |range| size.largest_of(range)));
-        let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
-            let [middle, low] = sizes.each_ref().map(|sizes| lifting.asked(sizes, k));
-            Arch::new().dispatch(Parts {
-                sums: self,
-                workspace,
-                quartet,
-                middle,
-                low,
-            })
-        });
-        let (middle, low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
-        let [for_middle, for_low] = sizes;
-        let middle = lifting.integers(&for_middle, middle);
-        [middle, lifting.integers(&for_low, low)]
-    }
+/// `ρ^⌊N/2+1⌋ · odd` and the low part, f(1, t); the odd sum is given.
+///
+/// Cost: for each prime, of 50 bits, that the largest coefficient needs, 13 transforms of the length of the parts; then
+/// for each coefficient the square of the number of primes that it needs.
+pub(super) fn middle_and_low_by_residues(
+    sums: &SummedHarmonics,
+    odd: &FlatPolynomial,
+) -> [Vec<Integer>; 2] {
+    let middle = FormSize {
+        power: sums.rho_power(),
+        degree: odd.len() - 1,
+        bits: sums.bits,
+    };
+    let low = FormSize {
+        power: 0,
+        degree: 2 * sums.harmonics,
+        bits: 2 * sums.bits + 1,
+    };
+    let quartets = Quartet::enough_for(low.largest());
+    let lifting = Lifting::new(&quartets);
+    let sizes = [middle, low].map(|size| Sizes::new(size.len(), |range| size.largest_of(range)));
+    let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
+        let [middle, low] = sizes.each_ref().map(|sizes| lifting.asked(sizes, k));
+        Arch::new().dispatch(Parts {
+            sums,
+            odd,
+            workspace,
+            quartet,
+            middle,
+            low,
+        })
+    });
+    let (middle, low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
+    let [for_middle, for_low] = sizes;
+    let middle = lifting.integers(&for_middle, middle);
+    [middle, lifting.integers(&for_low, low)]
 }
 
 /// What is computed for four primes.
@@ -75,7 +62,8 @@ struct Workspace {
 
 /// The residues modulo four primes that are asked for of both parts: of the middle one there may be none.
 struct Parts<'a> {
-    sums: &'a ResidueExpansion<'a>,
+    sums: &'a SummedHarmonics,
+    odd: &'a FlatPolynomial,
     workspace: &'a mut Workspace,
     quartet: &'a Quartet,
     middle: Range<usize>,
@@ -89,6 +77,7 @@ impl NullaryFnOnce for Parts<'_> {
     fn call(self) -> Self::Output {
         let Self {
             sums,
+            odd: odd_sum,
             workspace,
             quartet,
             middle,
@@ -103,8 +92,8 @@ impl NullaryFnOnce for Parts<'_> {
         } = workspace;
         // Degrees are at most 2N + 1.
         bases.set(quartet, sums.harmonics, 2 * sums.harmonics + 2);
-        bases.values_of_form(sums.odd, odd);
-        bases.values_of_form(sums.even, even);
+        bases.values_of_form(odd_sum, odd);
+        bases.values_of_form(&sums.even, even);
         bases.set_squared_points(rho);
         let field = bases.field();
         for rho in &mut *rho {

@@ -4,6 +4,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 
 use super::expansion::primitive_parts;
+use super::summed::SummedHarmonics;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::poly::{
@@ -94,13 +95,9 @@ pub fn square_away<R: Ring>(
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SquaredForm {
-    harmonics: usize,
+    /// The sums are so many times those of the radius.
     unit: Integer,
-    /// The sums over odd and over even harmonics, in the basis z^j w^(d−j); no odd one for N = 0.
-    odd: Option<FlatPolynomial>,
-    even: FlatPolynomial,
-    /// Their coefficients add up to less than 2 to this power.
-    bits: u64,
+    sums: SummedHarmonics,
     center: [Rational; 2],
 }
 
@@ -124,12 +121,15 @@ impl SquaredForm {
             let harmonics = (parity..=degree).step_by(2).map(|m| (m, &cos[m], &sin[m]));
             doubled_harmonics(degree, harmonics, bits)
         };
-        Ok(Self {
+        let sums = SummedHarmonics {
             harmonics: n,
-            unit: denominator << 1u64,
             odd: (n > 0).then(|| sum(1)),
             even: sum(0),
             bits,
+        };
+        Ok(Self {
+            unit: denominator << 1u64,
+            sums,
             center: radius.center().clone(),
         })
     }
@@ -137,7 +137,7 @@ impl SquaredForm {
     /// N.
     #[must_use]
     pub fn harmonics(&self) -> usize {
-        self.harmonics
+        self.sums.harmonics
     }
 
     /// Whether F is the square of a polynomial: exactly when a0 and all even harmonics are 0.
@@ -149,7 +149,7 @@ impl SquaredForm {
     /// which does not divide the low part as the N-th harmonic is not 0.
     #[must_use]
     pub fn is_perfect_square(&self) -> bool {
-        self.even.is_zero()
+        self.sums.even.is_zero()
     }
 
     /// The two sides of Eq. (7) or (8) before they are squared, without the factor r that one of them has: `r^N − odd`
@@ -157,13 +157,16 @@ impl SquaredForm {
     #[must_use]
     pub fn sides(&self) -> [PlanePolynomial; 2] {
         let plane = |parts: Vec<BinaryForm>| PlanePolynomial::from_parts(parts, Integer::ONE);
-        [plane(self.left_side()), plane(vec![self.form(&self.even)])]
+        [
+            plane(self.left_side()),
+            plane(vec![self.form(&self.sums.even)]),
+        ]
     }
 
     /// `r^N − odd` or `r^(N+1) − odd`, times the unit.
     fn left_side(&self) -> Vec<BinaryForm> {
-        let top = BinaryForm::rho_power(self.harmonics.div_ceil(2)).scaled(&self.unit);
-        let odd = self.odd.as_ref().map(|odd| self.form(odd));
+        let top = BinaryForm::rho_power(self.sums.harmonics.div_ceil(2)).scaled(&self.unit);
+        let odd = self.sums.odd.as_ref().map(|odd| self.form(odd));
         let minus_odd = odd.map(|odd| odd.scaled(&Integer::from(-1)));
         std::iter::once(top).chain(minus_odd).collect()
     }
@@ -171,13 +174,7 @@ impl SquaredForm {
     /// F itself, a primitive polynomial with positive first term, also where it is a square.
     #[must_use]
     pub fn expand_unreduced(&self) -> ImplicitCurve {
-        let parts = primitive_parts(
-            self.harmonics,
-            &self.unit,
-            self.odd.as_ref(),
-            &self.even,
-            self.bits,
-        );
+        let parts = primitive_parts(&self.sums, &self.unit);
         self.curve(PlanePolynomial::from_parts(parts, Integer::ONE))
     }
 
@@ -187,7 +184,7 @@ impl SquaredForm {
     /// answer (about 4N coefficients of 2N + 2·(bits of a coefficient) bits each).
     #[must_use]
     pub fn expand(&self) -> ImplicitCurve {
-        if self.harmonics > 0 && self.is_perfect_square() {
+        if self.sums.harmonics > 0 && self.is_perfect_square() {
             // N is odd here: G = r^(N+1) − odd.
             let g = PlanePolynomial::from_parts(self.left_side(), Integer::ONE);
             return self.curve(g.primitive());
@@ -197,7 +194,7 @@ impl SquaredForm {
 
     /// One of the sums as a form.
     fn form(&self, sum: &FlatPolynomial) -> BinaryForm {
-        let in_t = flat_form(sum, self.bits);
+        let in_t = flat_form(sum, self.sums.bits);
         BinaryForm::from_dehomogenized(in_t.len() - 1, in_t.to_polynomial())
     }
 
@@ -214,9 +211,12 @@ mod tests {
     /// The slow twin: the formulas of [`square_away`] on forms with coefficients of any size, then the primitive part.
     fn by_formulas(f: &SquaredForm) -> PlanePolynomial {
         let unit = BinaryForm::from_coefficients(vec![f.unit.clone()]);
-        let (odd, even) = (f.odd.as_ref().map(|odd| f.form(odd)), f.form(&f.even));
+        let (odd, even) = (
+            f.sums.odd.as_ref().map(|odd| f.form(odd)),
+            f.form(&f.sums.even),
+        );
         let parts = square_away(
-            f.harmonics,
+            f.sums.harmonics,
             &unit,
             BinaryForm::rho_power,
             odd.as_ref(),
