@@ -52,13 +52,13 @@ pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<Bin
 }
 
 /// Whether residues modulo primes are faster than products of large integers. On one thread they take 0.9 of the time at 100
-/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000 and at 10 000; and the same time at 1000 harmonics of 3500 bits: their
+/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000 and less at 10 000; and the same time at 1000 harmonics of 5000 bits: their
 /// steps that are quadratic in the bits of a coefficient catch up.
 fn residues_are_faster(sums: &SummedHarmonics) -> bool {
     let harmonics = sums.harmonics;
     residues_are_quick()
         && (75..100_000).contains(&harmonics)
-        && sums.bits / 4 <= harmonics as u64 - 75
+        && sums.bits / 6 <= harmonics as u64 - 75
 }
 
 /// Coefficients of a part, as they were computed.

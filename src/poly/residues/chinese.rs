@@ -1,7 +1,7 @@
 //! Chinese remainders: an integer from its residues modulo many primes.
 
 use malachite::Natural;
-use malachite::base::num::arithmetic::traits::{DivExact, Mod};
+use malachite::base::num::arithmetic::traits::{DivExact, Mod, Square};
 use malachite::base::num::logic::traits::SignificantBits;
 use pulp::{Arch, NullaryFnOnce};
 use smallvec::SmallVec;
@@ -12,8 +12,8 @@ use super::quartet::Quartet;
 use crate::exact::{Columns, Sums, digits, f64_from};
 use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
 
-/// So many products of 50 and 48 bits are summed up.
-const MOST_PRIMES: usize = 1 << 12;
+/// So many primes are less than 2^9 groups of [`Blocks`].
+const MOST_PRIMES: usize = 28_000;
 
 /// The way from residues modulo some primes to integers.
 ///
@@ -36,7 +36,8 @@ enum Sum {
 }
 
 impl<'a> Remainders<'a> {
-    /// Sums of more than `direct` primes are formed in blocks. Cost: the number of primes squared.
+    /// Sums of more than `direct` primes are formed in blocks. Cost: the number of primes squared, in time, and in space
+    /// where sums are formed directly.
     pub(super) fn new(quartets: &'a [Quartet], direct: usize) -> Self {
         let primes: Vec<u64> = quartets.iter().flat_map(Quartet::primes).collect();
         assert!(
@@ -45,24 +46,22 @@ impl<'a> Remainders<'a> {
         );
         let product: Natural = primes.iter().map(|p| Natural::from(*p)).product();
         let width = width_for(product.significant_bits());
-        let mut numbers: Vec<Natural> = primes
-            .iter()
-            .map(|p| (&product).div_exact(Natural::from(*p)))
-            .collect();
-        let residue = |(others, p): (&Natural, &u64)| {
-            let residue = others.mod_op(Natural::from(*p));
-            f64_from(u64::try_from(&residue).unwrap_or(0))
+        // P/p modulo p is the quotient by p of P modulo p².
+        let residue = |p: &u64| {
+            let p = Natural::from(*p);
+            let quotient = (&product).mod_op((&p).square()) / p;
+            f64_from(u64::try_from(&quotient).unwrap_or(0))
         };
-        let residues: Vec<f64> = numbers.iter().zip(&primes).map(residue).collect();
+        let residues: Vec<f64> = primes.iter().map(residue).collect();
         let residues = residues.as_chunks::<4>().0;
         let weights = Arch::new().dispatch(Inverses { quartets, residues });
         let minus_p = (Natural::from(1_u32) << (width as u64 * LIMB_BITS)) - &product;
         let sum = if primes.len() <= direct {
-            numbers.push(minus_p);
-            let numbers: Vec<_> = numbers
+            let numbers = primes
                 .iter()
-                .map(|number| digits(number.limbs()))
-                .collect();
+                .map(|p| (&product).div_exact(Natural::from(*p)));
+            let numbers = numbers.chain([minus_p]);
+            let numbers: Vec<_> = numbers.map(|number| digits(number.limbs())).collect();
             Sum::Directly(Columns::new(&numbers))
         } else {
             Sum::InBlocks(Box::new(Blocks::new(
