@@ -34,7 +34,7 @@ pub(super) struct Blocks {
     transform: Transform,
     /// For each group P_G/p.
     groups: Vec<Columns>,
-    /// For each [`UNREDUCED`] groups, block after block of all P/P_G, their values, divided by `LEN`, of at most p/2.
+    /// For each [`UNREDUCED`] groups, block after block of all P/P_G, their values, scaled for the way back, of at most p/2.
     tables: Vec<f64>,
     /// −P in two's complement, in short digits, as many as there are limbs.
     minus_p: Vec<f64>,
@@ -189,7 +189,7 @@ impl NullaryFnOnce for Tables<'_> {
     fn call(self) -> Self::Output {
         let field = self.prime.field;
         let transform = self.prime.transform(LEN);
-        let scale = field.factor(field.inverse_of_divisor(f64_from(LEN as u64)));
+        let scale = field.factor(transform.scale());
         let mut tables = Vec::with_capacity(self.others.len() * self.blocks * LEN);
         for others in self.others.chunks(UNREDUCED) {
             for block in 0..self.blocks {

@@ -8,7 +8,6 @@ use super::lifting::{Lifting, Residues, Sizes};
 use super::quad::{Quad, QuadField, negated};
 use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
-use crate::exact::f64_from;
 use crate::poly::{FlatPolynomial, FormSize};
 
 /// What changes of basis of degree at most D have in common.
@@ -20,9 +19,9 @@ pub(crate) struct Bases {
     factorials: Vec<Quad>,
     inverse_factorials: Vec<Quad>,
     powers: Vec<Quad>,
-    /// The values of `Σ x^t/t!`, divided by the length of the transform, of at most p/2.
+    /// The values of `Σ x^t/t!`, scaled for the way back, of at most p/2.
     exponential: Vec<Quad>,
-    /// What the values are divided by, inverted.
+    /// That of the transform.
     scale: Quad,
 }
 
@@ -35,7 +34,7 @@ impl Bases {
         self.field = field;
         quartet.set_transform(&mut self.transform, len);
         self.set_factorials(degree);
-        self.scale = field.inverse_of_divisor(f64_from(len as u64));
+        self.scale = self.transform.scale();
         let by = field.factor(self.scale);
         self.exponential.resize(len, [0.0; 4]);
         let (values, zeros) = self.exponential.split_at_mut(degree + 1);

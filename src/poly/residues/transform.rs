@@ -2,50 +2,60 @@
 
 use super::primes::ORDER_BITS;
 use super::quad::{Quad, QuadField, minus, negated, plus};
+use crate::exact::f64_from;
 
-/// The transforms of n = 2^k or 3 · 2^k numbers modulo four primes, k ≥ 2.
+/// The transforms of n = m, 3/2 m or 5/4 m numbers modulo four primes, m = 2^k ≥ 4.
 ///
-/// For n = 2^k the values are those at 1, −1, i, −i, √i, −√i, …: the n-th roots of unity in the order of reversed bits. A
-/// block of the transform works modulo x^m − c², and one root c serves the whole block. For n = 3 · 2^k they are followed
-/// by those at θ and at θ² times these points, θ of order n.
+/// For n = m the values are those at 1, −1, i, −i, √i, −√i, …: the m-th roots of unity in the order of reversed bits. A
+/// block of the transform works modulo x^l − c², and one root c serves the whole block. For n = m + m' they are followed
+/// by those at θ times the m'-th roots of unity, θ of order 3m': polynomials modulo (x^m − 1) (x^m' − ω), ω of order 3.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Transform {
     field: QuadField,
-    /// n.
-    len: usize,
-    /// c for block after block: 1, i, √i, i√i, …, 2^(k − 1) of them. The first ones do not depend on k.
+    /// m.
+    power: usize,
+    /// c for block after block: 1, i, √i, i√i, …, m/2 of them. The first ones do not depend on m.
     roots: Vec<Quad>,
-    /// For n = 3 · 2^k.
-    thirds: Thirds,
+    /// For n > m.
+    more: Option<More>,
 }
 
-/// The step from n = 3m to m: modulo x^m − 1, x^m − ω and x^m − ω², where ω = θ^m, the latter two in x/θ and x/θ².
+/// The values at points beyond the m-th roots of unity.
 #[derive(Clone, Debug, Default)]
-struct Thirds {
+struct More {
     /// ω.
     third: Quad,
-    /// θ^j and θ^(2j) for j < m.
-    twists: [Vec<Quad>; 2],
-    /// Their inverses.
-    untwists: [Vec<Quad>; 2],
+    /// θ^j for j < m'.
+    twists: Vec<Quad>,
+    /// m/m' κ θ^(−j) with κ = 1/(ω^(m/m') − 1).
+    untwists: Vec<Quad>,
+    /// κ and κω.
+    weights: [Quad; 2],
 }
 
-/// The least length of a transform, 2^k or 3 · 2^k, that is at least `len`.
+/// The least length of a transform that is at least `len`.
 pub(crate) fn transform_len(len: usize) -> usize {
     let power = len.next_power_of_two().max(4);
-    if power >= 16 && power / 4 * 3 >= len {
-        power / 4 * 3
-    } else {
-        power
-    }
+    let below = power / 2;
+    let more = [4, 2].map(|parts| below / parts);
+    let lens = more
+        .into_iter()
+        .filter(|more| *more >= 4)
+        .map(|more| below + more);
+    lens.filter(|n| *n >= len).min().unwrap_or(power)
 }
 
-/// The residues 1, x, x², …, 2^bits of them if each x is given the one before squared; in the order in which they are
+/// The residues a, ax, ax², …, 2^bits of them if each x is given the one before squared; in the order in which they are
 /// given, the first bit last.
 #[inline(always)]
-fn set_products(products: &mut Vec<Quad>, field: &QuadField, factors: impl Iterator<Item = Quad>) {
+fn set_products(
+    products: &mut Vec<Quad>,
+    field: &QuadField,
+    first: Quad,
+    factors: impl Iterator<Item = Quad>,
+) {
     products.clear();
-    products.push([1.0; 4]);
+    products.push(first);
     for factor in factors {
         let by = field.factor(factor);
         for j in 0..products.len() {
@@ -65,22 +75,24 @@ fn squares(field: &QuadField, x: Quad, count: u32) -> Vec<Quad> {
     squares
 }
 
-/// θ^j and θ^(2j) for j < 2^bits.
-#[inline(always)]
-fn set_twists(twists: &mut [Vec<Quad>; 2], field: &QuadField, theta: Quad, bits: u32) {
-    let squares = squares(field, theta, bits + 1);
-    let [once, twice] = twists;
-    set_products(once, field, squares[..bits as usize].iter().copied());
-    set_products(twice, field, squares[1..].iter().copied());
-}
-
-impl Thirds {
+impl More {
+    /// For θ of order 3m', with m' = 2^bits; m/m' is 2 or 4.
     #[inline(always)]
-    fn set(&mut self, field: &QuadField, theta: Quad, bits: u32) {
+    fn set(&mut self, field: &QuadField, theta: Quad, bits: u32, parts: f64) {
         self.third = field.reduced(field.power(theta, 1 << bits));
-        set_twists(&mut self.twists, field, theta, bits);
+        // ω² or ω⁴.
+        let mut power = field.reduced(field.times(self.third, self.third));
+        if parts > 2.0 {
+            power = self.third;
+        }
+        let weight = field.reduced(field.inverse_of(field.reduced(minus(power, [1.0; 4]))));
+        self.weights = [weight, field.reduced(field.times(weight, self.third))];
+        let factors = squares(field, theta, bits).into_iter();
+        set_products(&mut self.twists, field, [1.0; 4], factors);
+        let first = field.reduced(field.times(weight, [parts; 4]));
         let inverse = field.reduced(field.inverse_of(theta));
-        set_twists(&mut self.untwists, field, inverse, bits);
+        let factors = squares(field, inverse, bits).into_iter();
+        set_products(&mut self.untwists, field, first, factors);
     }
 }
 
@@ -88,49 +100,62 @@ impl Transform {
     /// Makes it one for a length of [`transform_len`], with a root of unity of order 3 · 2^[`ORDER_BITS`].
     #[inline(always)]
     pub(super) fn set(&mut self, field: QuadField, root: Quad, len: usize) {
-        let bits = len.trailing_zeros();
-        let above = squares(&field, root, ORDER_BITS - bits + 1);
-        let theta = above[above.len() - 1];
-        let cube = field.times(field.reduced(field.times(theta, theta)), theta);
+        let bits = len.ilog2();
+        let thirds = squares(&field, root, ORDER_BITS + 1);
+        // Of order 3 · 2^bits.
+        let theta = |bits: u32| thirds[(ORDER_BITS - bits) as usize];
+        let cube = field.times(field.times(theta(bits), theta(bits)), theta(bits));
         // Of orders 2^bits down to 4.
         let factors = squares(&field, field.reduced(cube), bits - 1);
-        set_products(&mut self.roots, &field, factors.into_iter().rev());
-        (self.field, self.len) = (field, len);
-        if self.has_thirds() {
-            self.thirds.set(&field, theta, bits);
+        set_products(&mut self.roots, &field, [1.0; 4], factors.into_iter().rev());
+        self.field = field;
+        self.power = 1 << bits;
+        let more = len - self.power;
+        if more == 0 {
+            self.more = None;
+        } else {
+            let parts = f64_from((self.power / more) as u64);
+            let more_bits = more.ilog2();
+            let more = self.more.get_or_insert_default();
+            more.set(&field, theta(more_bits), more_bits, parts);
         }
-    }
-
-    #[inline(always)]
-    fn has_thirds(&self) -> bool {
-        !self.len.is_power_of_two()
     }
 
     /// How many numbers are transformed.
     #[inline(always)]
     pub(super) fn len(&self) -> usize {
-        self.len
+        self.power + self.more.as_ref().map_or(0, |more| more.twists.len())
+    }
+
+    /// 1/m: [`Transform::backward`] multiplies by m.
+    #[inline(always)]
+    pub(super) fn scale(&self) -> Quad {
+        self.field.inverse_of_divisor(f64_from(self.power as u64))
     }
 
     /// From coefficients, of at most 2p, to values, of at most 3p.
     #[inline(always)]
     pub(crate) fn forward(&self, values: &mut [Quad]) {
-        if self.has_thirds() {
-            self.thirds.forward(&self.field, values);
+        if let Some(more) = &self.more {
+            more.forward(&self.field, values);
         }
-        for part in values.chunks_exact_mut(2 * self.roots.len()) {
-            self.forward_power_of_two(part);
+        let (values, beyond) = values.split_at_mut(self.power);
+        self.forward_power_of_two(values);
+        if !beyond.is_empty() {
+            self.forward_power_of_two(beyond);
         }
     }
 
-    /// From values, of at most 2p, to n times the coefficients, of at most 2p.
+    /// From values, of at most 2p, to m times the coefficients, of at most 2p.
     #[inline(always)]
     pub(crate) fn backward(&self, values: &mut [Quad]) {
-        for part in values.chunks_exact_mut(2 * self.roots.len()) {
-            self.backward_power_of_two(part);
+        let (first, beyond) = values.split_at_mut(self.power);
+        self.backward_power_of_two(first);
+        if !beyond.is_empty() {
+            self.backward_power_of_two(beyond);
         }
-        if self.has_thirds() {
-            self.thirds.backward(&self.field, values);
+        if let Some(more) = &self.more {
+            more.backward(&self.field, values);
         }
     }
 
@@ -142,13 +167,11 @@ impl Transform {
         for c in &self.roots {
             points.push(field.times(*c, *c));
         }
-        if self.has_thirds() {
-            for twists in &self.thirds.twists {
-                let square = field.times(twists[1], twists[1]);
-                let by = field.factor(field.reduced(square));
-                for j in 0..self.roots.len() {
-                    points.push(field.times_factor(points[j], by));
-                }
+        if let Some(more) = &self.more {
+            let theta = more.twists[1];
+            let by = field.factor(field.reduced(field.times(theta, theta)));
+            for j in 0..more.twists.len() / 2 {
+                points.push(field.times_factor(points[j], by));
             }
         }
     }
@@ -243,36 +266,58 @@ impl Transform {
     }
 }
 
-impl Thirds {
-    /// From x0 + x1 y + x2 y², y = x^m, to what is left modulo y − 1, y − ω and y − ω²: as ω² = −1 − ω, with
-    /// t = ω (x1 − x2) that is x0 + x1 + x2, x0 − x2 + t and x0 − x1 − t. From at most 2p to at most 2p: t is at most
-    /// (1/2 + 3/16 · 4) p, the latter two at most 6p before they are multiplied.
+impl More {
+    /// From a polynomial f to what is left of it modulo x^m − 1 and, in x/θ, modulo x^m' − ω; from at most 2p to at most 2p.
+    ///
+    /// f is a0 + a1 y + …, y = x^m', of three or five terms. As 1 + ω + ω² = 0, it leaves s0 − s2 + ω (s1 − s2), where s_i is
+    /// the sum of every third term: s0 − s2 and s1 − s2 are at most 6p, the product with ω at most (1/2 + 3/16 · 6) p, both
+    /// together at most 8p.
     #[inline(always)]
     fn forward(&self, field: &QuadField, values: &mut [Quad]) {
         let third = field.factor(self.third);
-        let [once, twice] = &self.twists;
-        for (([a0, a1, a2], once), twice) in thirds(values).zip(once).zip(twice) {
-            let (x0, x1, x2) = (*a0, *a1, *a2);
-            let t = field.times_factor(minus(x1, x2), third);
-            *a0 = field.reduced(plus(plus(x0, x1), x2));
-            *a1 = field.times_factor(plus(minus(x0, x2), t), field.factor(*once));
-            *a2 = field.times_factor(minus(minus(x0, x1), t), field.factor(*twice));
+        let more = self.twists.len();
+        let (values, last) = values.split_at_mut(values.len() - more);
+        let parts = values.len() / more;
+        for (j, (last, twist)) in last.iter_mut().zip(&self.twists).enumerate() {
+            let (first, second) = (values[j], values[j + more]);
+            let (a, b) = if parts == 2 {
+                (minus(first, *last), minus(second, *last))
+            } else {
+                let (s2, a3) = (values[j + 2 * more], values[j + 3 * more]);
+                (minus(plus(first, a3), s2), minus(plus(second, *last), s2))
+            };
+            values[j] = field.reduced(plus(first, *last));
+            let left = plus(a, field.times_factor(b, third));
+            *last = field.times_factor(left, field.factor(*twist));
         }
     }
 
-    /// Three times the way back: with the twists undone and t = ω (x1 − x2), x0 + x1 + x2, x0 − x1 − t and x0 − x2 + t.
+    /// From m f1 and m' f2 to m f, where f1 and f2 are what is left of f; from at most 2p to at most 2p.
+    ///
+    /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. What is left of
+    /// f1 is as in [`More::forward`], of one term less: the three products are at most (1/2 + 3/16 · 2) p, (1/2 + 3/16 · 6) p
+    /// and (1/2 + 3/16 · 4) p, together less than 4p.
     #[inline(always)]
     fn backward(&self, field: &QuadField, values: &mut [Quad]) {
-        let third = field.factor(self.third);
-        let [once, twice] = &self.untwists;
-        for (([a0, a1, a2], once), twice) in thirds(values).zip(once).zip(twice) {
-            let x0 = *a0;
-            let x1 = field.times_factor(*a1, field.factor(*once));
-            let x2 = field.times_factor(*a2, field.factor(*twice));
-            let t = field.times_factor(minus(x1, x2), third);
-            *a0 = field.reduced(plus(plus(x0, x1), x2));
-            *a1 = field.reduced(minus(minus(x0, x1), t));
-            *a2 = field.reduced(plus(minus(x0, x2), t));
+        let weights = [field.factor(self.weights[0]), field.factor(self.weights[1])];
+        let more = self.untwists.len();
+        let (values, last) = values.split_at_mut(values.len() - more);
+        let parts = values.len() / more;
+        for (j, (last, untwist)) in last.iter_mut().zip(&self.untwists).enumerate() {
+            let (first, second) = (values[j], values[j + more]);
+            let (a, b) = if parts == 2 {
+                (first, second)
+            } else {
+                let (s2, a3) = (values[j + 2 * more], values[j + 3 * more]);
+                (minus(plus(first, a3), s2), minus(second, s2))
+            };
+            let of_f1 = plus(
+                field.times_factor(a, weights[0]),
+                field.times_factor(b, weights[1]),
+            );
+            let of_f2 = field.times_factor(*last, field.factor(*untwist));
+            *last = field.reduced(minus(of_f2, of_f1));
+            values[j] = field.reduced(minus(first, *last));
         }
     }
 }
@@ -287,17 +332,6 @@ fn quarters(block: &mut [Quad]) -> impl Iterator<Item = [&mut Quad; 4]> {
     fours.map(|(((a0, a1), a2), a3)| [a0, a1, a2, a3])
 }
 
-/// Numbers of one place in the three thirds.
-#[inline(always)]
-fn thirds(values: &mut [Quad]) -> impl Iterator<Item = [&mut Quad; 3]> {
-    let (a0, rest) = values.split_at_mut(values.len() / 3);
-    let (a1, a2) = rest.split_at_mut(rest.len() / 2);
-    a0.iter_mut()
-        .zip(a1)
-        .zip(a2)
-        .map(|((a0, a1), a2)| [a0, a1, a2])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -309,7 +343,7 @@ mod tests {
 
     #[test]
     fn lengths_are_the_least() {
-        let lens: Vec<usize> = (0..12).flat_map(|k| [4 << k, 12 << k]).collect();
+        let lens: Vec<usize> = (0..12).flat_map(|k| [4 << k, 12 << k, 20 << k]).collect();
         for len in 0..5000 {
             assert_eq!(
                 Some(transform_len(len)),
@@ -363,7 +397,8 @@ mod tests {
             for (back, c) in back.iter().zip(&coefficients) {
                 for i in 0..4 {
                     prop_assert!(back[i].abs() <= 2.0 * field.p[i]);
-                    prop_assert!(congruent(&integer(back[i]), &(integer(c[i]) * Integer::from(len)), field.p[i]));
+                    let scaled = field.times(*back, transform.scale())[i];
+                    prop_assert!(congruent(&integer(scaled), &integer(c[i]), field.p[i]));
                 }
             }
         }
@@ -384,7 +419,7 @@ mod tests {
             let times = |(a, b): (&Quad, &Quad)| field.times(field.reduced(*a), field.reduced(*b));
             let mut product: Vec<Quad> = of_a.iter().zip(&of_b).map(times).collect();
             transform.backward(&mut product);
-            let scale = field.inverse_of_divisor(f64_from(transform.len() as u64));
+            let scale = transform.scale();
             for (k, c) in product.iter().enumerate() {
                 let expected: i32 = (0..=k).map(|i| a.get(i).unwrap_or(&0) * b.get(k - i).unwrap_or(&0)).sum();
                 let c = field.reduced(field.times(*c, scale));
