@@ -78,10 +78,14 @@ impl Part {
 
     /// The coefficients times 2^`shift`, which are integers.
     fn into_integers(self, shift: i64) -> Vec<Integer> {
+        /// Fewer are sooner shifted than given to threads.
+        const FEW: usize = 1000;
         match self {
             Self::Flat(part) => part.to_integers(shift).collect(),
             Self::Integers(mut part) => {
-                if shift != 0 {
+                if shift != 0 && part.len() < FEW {
+                    part.iter_mut().for_each(|c| *c <<= shift);
+                } else if shift != 0 {
                     part.par_iter_mut().for_each(|c| *c <<= shift);
                 }
                 part
