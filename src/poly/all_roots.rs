@@ -12,7 +12,7 @@ use crate::exact::Dyadic;
 
 /// All distinct real roots of f, ascending, with their multiplicities; none for a constant.
 ///
-/// Every root is certified: the count is exact (Descartes' rule, in numbers of 128 to 512 bits with bounds of their
+/// Every root is certified: the count is exact (Descartes' rule, in numbers of 128 to 768 bits with bounds of their
 /// errors, or on the squarefree parts with as many as it takes).
 ///
 /// ```
@@ -59,7 +59,8 @@ fn simple_roots(f: &IntegerPolynomial, multiplicity: usize) -> Result<Vec<RealRo
     let found = bounded_roots::<2>(f)
         .or_else(|why| why.with_more_bits(|| bounded_roots::<4>(f)))
         .or_else(|why| why.with_more_bits(|| bounded_roots::<6>(f)))
-        .or_else(|why| why.with_more_bits(|| bounded_roots::<8>(f)))?;
+        .or_else(|why| why.with_more_bits(|| bounded_roots::<8>(f)))
+        .or_else(|why| why.with_more_bits(|| bounded_roots::<12>(f)))?;
     let f = Arc::new(f.clone());
     let root = |(low, high, sign)| RealRoot::between(&f, (low, high), sign, multiplicity);
     Ok(found.into_iter().map(root).collect())
@@ -166,7 +167,7 @@ mod tests {
             for (root, expected) in all.iter().zip(&exact) {
                 prop_assert!(root.is_same(expected) && root.multiplicity() == expected.multiplicity());
             }
-            let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<6>(&f, &exact), agrees::<8>(&f, &exact)];
+            let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<6>(&f, &exact), agrees::<8>(&f, &exact), agrees::<12>(&f, &exact)];
             // It does say something where it can: simple roots that are no points of bisection.
             let is_plain = exact.iter().all(|r| r.multiplicity() == 1 && r.as_rational().is_none());
             let c = f.coefficients_asc();
