@@ -6,6 +6,7 @@
 mod angle;
 mod circle;
 mod columns;
+mod decimal;
 mod dyadic;
 mod literal;
 mod rational;

@@ -10,6 +10,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::{FromStringBase, ToStringBase};
 use malachite::{Integer, Natural};
 
+use super::decimal::Decimal;
 use crate::error::Error;
 
 /// An exact rational number p/q in lowest terms, q > 0.
@@ -167,14 +168,23 @@ impl Rational {
 }
 
 impl fmt::Display for Rational {
+    /// `-1/3`; a width and the like go to the numerator and to the denominator.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.0, f)
+        if self.0 < 0 {
+            f.write_str("-")?;
+        }
+        fmt::Display::fmt(&Decimal(self.magnitude_ref()), f)?;
+        if self.is_integer() {
+            return Ok(());
+        }
+        f.write_str("/")?;
+        fmt::Display::fmt(&Decimal(self.denominator_ref()), f)
     }
 }
 
 impl fmt::Debug for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.0, f)
+        fmt::Display::fmt(self, f)
     }
 }
 
