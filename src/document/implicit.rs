@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::in_order::write_in_order;
-use super::terms::{Notation, Number};
+use super::terms::{Notation, Number, append_word};
 use super::{Format, SCHEMA, center_comment};
 use crate::exact::Rational;
 use crate::poly::SparsePolynomial;
@@ -177,8 +177,7 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
         out: &mut dyn Write,
     ) -> io::Result<()> {
         out.write_all(before.as_bytes())?;
-        let terms = self.terms.map(|(e, c)| (c, notation.monomial(&e)));
-        notation.write_sum(terms, out)?;
+        notation.write_sum(self.terms.map(|(e, c)| (c, e)), out)?;
         if self.z_is_missing {
             out.write_all(match notation {
                 Notation::Text => b" + 0z",
@@ -197,12 +196,13 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
             "i,j,coefficient"
         };
         writeln!(out, "{header}")?;
-        let append = |([i, j, k], c): &([u32; 3], Number<'a>), text: &mut Vec<u8>| {
-            if in_space {
-                writeln!(text, "{i},{j},{k},{c}")
-            } else {
-                writeln!(text, "{i},{j},{c}")
+        let append = |(exponents, c): &([u32; 3], Number<'a>), text: &mut Vec<u8>| {
+            for exponent in &exponents[..self.variables.len()] {
+                append_word(*exponent, text);
+                text.push(b',');
             }
+            c.append(text);
+            text.push(b'\n');
         };
         write_in_order(self.terms, |(_, c)| c.size(), append, out)
     }
@@ -230,15 +230,18 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
             serde_json::to_writer(&mut *out, value)?;
         }
         write!(out, ",\"terms\":[")?;
-        let in_space = self.variables.len() == 3;
         type Term<'a> = (usize, ([u32; 3], Number<'a>));
-        let append = |(n, ([i, j, k], c)): &Term<'a>, text: &mut Vec<u8>| {
-            let separator = if *n > 0 { "," } else { "" };
-            write!(text, "{separator}\n{{\"exponents\":[{i},{j}")?;
-            if in_space {
-                write!(text, ",{k}")?;
+        let append = |(n, (exponents, c)): &Term<'a>, text: &mut Vec<u8>| {
+            let before: &[u8] = if *n > 0 { b"," } else { b"" };
+            text.extend_from_slice(before);
+            text.extend_from_slice(b"\n{\"exponents\":");
+            for (exponent, before) in exponents[..self.variables.len()].iter().zip(b"[,,") {
+                text.push(*before);
+                append_word(*exponent, text);
             }
-            write!(text, "],\"coefficient\":\"{c}\"}}")
+            text.extend_from_slice(b"],\"coefficient\":\"");
+            c.append(text);
+            text.extend_from_slice(b"\"}");
         };
         write_in_order(self.terms.enumerate(), |(_, (_, c))| c.size(), append, out)?;
         writeln!(out, "\n]}}")

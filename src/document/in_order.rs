@@ -4,8 +4,11 @@ use std::io::{self, Write};
 
 use rayon::prelude::*;
 
-/// Text of about so many bytes is made before it is written: memory is bounded by it and by one piece.
-const WINDOW: u64 = 1 << 22;
+/// Text of about so many bytes is made while as much is written: memory is bounded by both, and by a piece of each.
+const WINDOW: u64 = 1 << 20;
+
+/// Pieces of about so many bytes together are made by one thread.
+const TASK: usize = 1 << 15;
 
 /// Shorter text is made without other threads.
 const PARALLEL_FROM: u64 = 1 << 16;
@@ -14,42 +17,115 @@ const PARALLEL_FROM: u64 = 1 << 16;
 /// on the number of threads.
 ///
 /// # Errors
-/// Those of `out` and of `append`.
-pub(super) fn write_in_order<T: Sync>(
-    items: impl Iterator<Item = T>,
+/// Those of `out`.
+pub(super) fn write_in_order<T: Send>(
+    mut items: impl Iterator<Item = T>,
     size: impl Fn(&T) -> u64,
-    append: impl Fn(&T, &mut Vec<u8>) -> io::Result<()> + Sync,
+    append: impl Fn(&T, &mut Vec<u8>) + Sync,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let mut items = items.peekable();
-    let (mut window, mut text) = (Vec::new(), Vec::new());
-    while items.peek().is_some() {
-        window.clear();
-        let mut bytes = 0;
-        while bytes < WINDOW
-            && let Some(item) = items.next()
-        {
-            bytes += size(&item);
-            window.push(item);
-        }
-        if bytes < PARALLEL_FROM {
-            for item in &window {
-                text.clear();
-                append(item, &mut text)?;
-                out.write_all(&text)?;
+    let (mut next, mut made) = (Window::new(), Window::new());
+    next.take(&mut items, &size);
+    while next.bytes > 0 {
+        if next.bytes < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+            made.write(out)?;
+            for task in next.tasks() {
+                task.make(&append);
+                task.write(out)?;
             }
-            continue;
+            made.take(&mut items, &size);
+        } else {
+            rayon::in_place_scope(|scope| {
+                scope.spawn(|_| next.make(&append));
+                made.write(out)?;
+                made.take(&mut items, &size);
+                io::Result::Ok(())
+            })?;
         }
-        let pieces = window.par_iter().map(|item| {
-            let mut text = Vec::new();
-            append(item, &mut text)?;
-            Ok(text)
-        });
-        for piece in pieces.collect::<io::Result<Vec<_>>>()? {
-            out.write_all(&piece)?;
+        (next, made) = (made, next);
+    }
+    made.write(out)
+}
+
+/// Items and their text, one after the other; the memory of it is used again.
+struct Window<T> {
+    tasks: Vec<Task<T>>,
+    /// As many of them have items.
+    count: usize,
+    /// About as long is the text of all items; not 0 if there are any.
+    bytes: u64,
+}
+
+struct Task<T> {
+    items: Vec<T>,
+    /// What is made of the items, and not written.
+    text: Vec<u8>,
+}
+
+impl<T: Send> Window<T> {
+    fn new() -> Self {
+        Self {
+            tasks: Vec::new(),
+            count: 0,
+            bytes: 0,
         }
     }
-    Ok(())
+
+    fn tasks(&mut self) -> &mut [Task<T>] {
+        &mut self.tasks[..self.count]
+    }
+
+    /// The next items in place of those that are there.
+    fn take(&mut self, items: &mut impl Iterator<Item = T>, size: impl Fn(&T) -> u64) {
+        (self.count, self.bytes) = (0, 0);
+        let mut bytes = TASK as u64;
+        while self.bytes < WINDOW
+            && let Some(item) = items.next()
+        {
+            if bytes >= TASK as u64 {
+                bytes = 0;
+                if self.count == self.tasks.len() {
+                    self.tasks.push(Task {
+                        items: Vec::new(),
+                        text: Vec::new(),
+                    });
+                }
+                self.tasks[self.count].items.clear();
+                self.count += 1;
+            }
+            let more = size(&item).max(1);
+            bytes += more;
+            self.bytes += more;
+            self.tasks[self.count - 1].items.push(item);
+        }
+    }
+
+    /// Makes the text of all items, on all threads.
+    fn make(&mut self, append: impl Fn(&T, &mut Vec<u8>) + Sync) {
+        let tasks = self.tasks().par_iter_mut();
+        tasks.for_each(|task| task.make(&append));
+    }
+
+    fn write(&mut self, out: &mut dyn Write) -> io::Result<()> {
+        self.tasks().iter_mut().try_for_each(|task| task.write(out))
+    }
+}
+
+impl<T> Task<T> {
+    fn make(&mut self, append: impl Fn(&T, &mut Vec<u8>)) {
+        for item in &self.items {
+            append(item, &mut self.text);
+        }
+    }
+
+    /// Writes the text that is made, and forgets it.
+    fn write(&mut self, out: &mut dyn Write) -> io::Result<()> {
+        out.write_all(&self.text)?;
+        self.text.clear();
+        // That of a long piece.
+        self.text.shrink_to(4 * TASK);
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -68,12 +144,11 @@ mod tests {
             let append = |&(n, length): &(usize, usize), text: &mut Vec<u8>| {
                 text.extend_from_slice(format!("{n}:").as_bytes());
                 text.resize(text.len() + length, b'.');
-                Ok(())
             };
             let items = || lengths.iter().copied().enumerate();
             let mut expected = Vec::new();
             for item in items() {
-                append(&item, &mut expected)?;
+                append(&item, &mut expected);
             }
             let mut found = Vec::new();
             write_in_order(items(), |&(_, length)| length as u64 * factor, append, &mut found)?;

@@ -1,7 +1,6 @@
 //! Sums of terms in the notations of several systems.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::io::{self, Write};
 
 use malachite::base::num::basic::traits::One;
@@ -9,7 +8,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural};
 
 use super::in_order::write_in_order;
-use crate::exact::Rational;
+use crate::exact::{Rational, append_decimal};
 use crate::poly::SparsePolynomial;
 
 /// A coefficient, lent where it can be: it may be long.
@@ -63,19 +62,70 @@ impl Number<'_> {
         // log 2 = 0.301
         bits * 3 / 10 + 1
     }
+
+    /// `-1/3`
+    pub(super) fn append(&self, text: &mut Vec<u8>) {
+        if self.is_negative() {
+            text.push(b'-');
+        }
+        append_fraction(["", "/", ""], self.magnitude(), text);
+    }
 }
 
-impl fmt::Display for Number<'_> {
-    /// `-1/3`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.is_negative() {
-            f.write_str("-")?;
-        }
-        match self.magnitude() {
-            (p, None) => write!(f, "{p}"),
-            (p, Some(q)) => write!(f, "{p}/{q}"),
+/// What a coefficient is multiplied by.
+#[derive(Clone, Debug)]
+pub(super) enum Monomial {
+    /// `x^i y^j z^k`.
+    Powers([u32; 3]),
+    /// A product as it is written, empty for 1.
+    Written(String),
+}
+
+impl From<[u32; 3]> for Monomial {
+    fn from(exponents: [u32; 3]) -> Self {
+        Self::Powers(exponents)
+    }
+}
+
+impl From<String> for Monomial {
+    fn from(text: String) -> Self {
+        Self::Written(text)
+    }
+}
+
+impl Monomial {
+    /// More bytes than most have.
+    fn size(&self) -> u64 {
+        match self {
+            Self::Powers(_) => 20,
+            Self::Written(text) => text.len() as u64,
         }
     }
+
+    fn is_one(&self) -> bool {
+        match self {
+            Self::Powers(exponents) => *exponents == [0; 3],
+            Self::Written(text) => text.is_empty(),
+        }
+    }
+}
+
+/// A small number in decimal.
+pub(super) fn append_word(word: u32, text: &mut Vec<u8>) {
+    text.extend_from_slice(itoa::Buffer::new().format(word).as_bytes());
+}
+
+/// p, or p and q with what is before, between and after them.
+fn append_fraction(around: [&str; 3], (p, q): (&Natural, Option<&Natural>), text: &mut Vec<u8>) {
+    let Some(q) = q else {
+        return append_decimal(p, text);
+    };
+    let [before, between, after] = around;
+    text.extend_from_slice(before.as_bytes());
+    append_decimal(p, text);
+    text.extend_from_slice(between.as_bytes());
+    append_decimal(q, text);
+    text.extend_from_slice(after.as_bytes());
 }
 
 /// A notation.
@@ -104,30 +154,40 @@ impl Notation {
 
     /// `x^i y^j z^k`, empty for the constant monomial.
     pub(super) fn monomial(self, exponents: &[u32; 3]) -> String {
-        let mut text = String::new();
-        for (name, &exponent) in ['x', 'y', 'z'].iter().zip(exponents) {
-            if exponent == 0 {
-                continue;
-            }
-            if !text.is_empty() {
-                text.push_str(self.times());
-            }
+        let mut text = Vec::new();
+        self.append_powers(exponents, &mut text);
+        String::from_utf8_lossy(&text).into_owned()
+    }
+
+    fn append_powers(self, exponents: &[u32; 3], text: &mut Vec<u8>) {
+        let mut times = "";
+        let factors = b"xyz".iter().zip(exponents);
+        for (name, &exponent) in factors.filter(|(_, exponent)| **exponent > 0) {
+            text.extend_from_slice(times.as_bytes());
+            times = self.times();
             text.push(*name);
             if exponent > 1 {
-                text.push_str(&match self {
-                    Notation::Text | Notation::Explicit => format!("^{exponent}"),
-                    Notation::Python => format!("**{exponent}"),
-                    Notation::Latex | Notation::LatexInline => format!("^{{{exponent}}}"),
-                });
+                let [before, after] = self.raised();
+                text.extend_from_slice(before.as_bytes());
+                append_word(exponent, text);
+                text.extend_from_slice(after.as_bytes());
             }
         }
-        text
+    }
+
+    /// What is before and after an exponent.
+    fn raised(self) -> [&'static str; 2] {
+        match self {
+            Notation::Text | Notation::Explicit => ["^", ""],
+            Notation::Python => ["**", ""],
+            Notation::Latex | Notation::LatexInline => ["^{", "}"],
+        }
     }
 
     /// A polynomial in x, y, z.
     pub(crate) fn polynomial(self, f: &SparsePolynomial<3>) -> String {
         let terms = f.terms();
-        let terms = terms.map(|(e, c)| (c, self.monomial(e)));
+        let terms = terms.map(|(e, c)| (c, *e));
         let mut text = Vec::new();
         let written = self.write_sum(terms, &mut text);
         debug_assert!(written.is_ok(), "writing into memory succeeds");
@@ -135,60 +195,66 @@ impl Notation {
     }
 
     /// A number that is not negative.
-    fn number(self, (p, q): (&Natural, Option<&Natural>), out: &mut Vec<u8>) -> io::Result<()> {
-        let Some(q) = q else {
-            return write!(out, "{p}");
+    fn append_number(self, number: (&Natural, Option<&Natural>), text: &mut Vec<u8>) {
+        let around = match self {
+            Notation::Text | Notation::Explicit => ["", "/", ""],
+            Notation::Python => ["Rational(", ", ", ")"],
+            Notation::Latex => ["\\frac{", "}{", "}"],
+            Notation::LatexInline => ["\\tfrac{", "}{", "}"],
         };
-        match self {
-            Notation::Text | Notation::Explicit => write!(out, "{p}/{q}"),
-            Notation::Python => write!(out, "Rational({p}, {q})"),
-            Notation::Latex => write!(out, "\\frac{{{p}}}{{{q}}}"),
-            Notation::LatexInline => write!(out, "\\tfrac{{{p}}}{{{q}}}"),
-        }
+        append_fraction(around, number, text);
     }
 
-    /// `c1 m1 + c2 m2 - …`; an empty m is the constant, the empty sum is 0.
-    pub(super) fn write_sum<'a, N: Into<Number<'a>>>(
+    /// `c1 m1 + c2 m2 - …`; the empty sum is 0.
+    pub(super) fn write_sum<'a, N: Into<Number<'a>>, M: Into<Monomial>>(
         self,
-        terms: impl Iterator<Item = (N, String)>,
+        terms: impl Iterator<Item = (N, M)>,
         out: &mut dyn Write,
     ) -> io::Result<()> {
-        let terms = terms.map(|(c, monomial)| (c.into(), monomial));
-        let mut terms = terms.enumerate().peekable();
+        let terms = terms.enumerate().map(|(n, (c, monomial))| Term {
+            is_first: n == 0,
+            coefficient: c.into(),
+            monomial: monomial.into(),
+        });
+        let mut terms = terms.peekable();
         if terms.peek().is_none() {
             return out.write_all(b"0");
         }
-        let size =
-            |(_, (c, monomial)): &(usize, (Number<'a>, String))| c.size() + monomial.len() as u64;
-        let append = |(n, (c, monomial)): &(usize, (Number<'a>, String)), text: &mut Vec<u8>| {
-            self.append_term(*n == 0, c, monomial, text)
-        };
-        write_in_order(terms, size, append, out)
+        let size = |term: &Term| term.coefficient.size() + term.monomial.size();
+        write_in_order(terms, size, |term, text| self.append_term(term, text), out)
     }
 
     /// ` - c m`
-    fn append_term(
-        self,
-        first: bool,
-        coefficient: &Number<'_>,
-        monomial: &str,
-        text: &mut Vec<u8>,
-    ) -> io::Result<()> {
-        text.extend_from_slice(match (first, coefficient.is_negative()) {
+    fn append_term(self, term: &Term<'_>, text: &mut Vec<u8>) {
+        let Term {
+            is_first,
+            coefficient,
+            monomial,
+        } = term;
+        text.extend_from_slice(match (is_first, coefficient.is_negative()) {
             (true, false) => b"",
             (true, true) => b"-",
             (false, false) => b" + ",
             (false, true) => b" - ",
         });
         let magnitude = coefficient.magnitude();
-        if monomial.is_empty() {
-            return self.number(magnitude, text);
+        if monomial.is_one() {
+            return self.append_number(magnitude, text);
         }
         if magnitude != (&Natural::ONE, None) {
-            self.number(magnitude, text)?;
+            self.append_number(magnitude, text);
             text.extend_from_slice(self.times().as_bytes());
         }
-        text.extend_from_slice(monomial.as_bytes());
-        Ok(())
+        match monomial {
+            Monomial::Powers(exponents) => self.append_powers(exponents, text),
+            Monomial::Written(written) => text.extend_from_slice(written.as_bytes()),
+        }
     }
+}
+
+/// A term of a sum.
+struct Term<'a> {
+    is_first: bool,
+    coefficient: Number<'a>,
+    monomial: Monomial,
 }
