@@ -8,7 +8,7 @@ use rayon::prelude::*;
 const WINDOW: u64 = 1 << 20;
 
 /// Pieces of about so many bytes together are made by one thread.
-const TASK: usize = 1 << 15;
+const TASK: usize = 1 << 16;
 
 /// Shorter text is made without other threads.
 const PARALLEL_FROM: u64 = 1 << 16;
@@ -24,41 +24,52 @@ pub(super) fn write_in_order<T: Send>(
     append: impl Fn(&T, &mut Vec<u8>) + Sync,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let (mut next, mut made) = (Window::new(), Window::new());
+    let mut next = Window::new();
     next.take(&mut items, &size);
+    if next.bytes < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+        return write_alone(next.into_items().chain(items), append, out);
+    }
+    let mut made = Window::new();
     while next.bytes > 0 {
-        if next.bytes < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+        rayon::in_place_scope(|scope| {
+            scope.spawn(|_| next.make(&append));
             made.write(out)?;
-            for task in next.tasks() {
-                task.make(&append);
-                task.write(out)?;
-            }
             made.take(&mut items, &size);
-        } else {
-            rayon::in_place_scope(|scope| {
-                scope.spawn(|_| next.make(&append));
-                made.write(out)?;
-                made.take(&mut items, &size);
-                io::Result::Ok(())
-            })?;
-        }
-        (next, made) = (made, next);
+            io::Result::Ok(())
+        })?;
+        std::mem::swap(&mut next, &mut made);
     }
     made.write(out)
 }
 
-/// Items and their text, one after the other; the memory of it is used again.
+/// The same on this thread.
+fn write_alone<T>(
+    items: impl Iterator<Item = T>,
+    append: impl Fn(&T, &mut Vec<u8>),
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let mut text = Vec::new();
+    for item in items {
+        append(&item, &mut text);
+        if text.len() >= TASK {
+            out.write_all(&text)?;
+            text.clear();
+        }
+    }
+    out.write_all(&text)
+}
+
+/// Items that are next to each other, and their text between making and writing it.
 struct Window<T> {
     tasks: Vec<Task<T>>,
-    /// As many of them have items.
+    /// As many of them are in use: memory is used again.
     count: usize,
-    /// About as long is the text of all items; not 0 if there are any.
+    /// About as long is the text; 0 if there are no items.
     bytes: u64,
 }
 
 struct Task<T> {
     items: Vec<T>,
-    /// What is made of the items, and not written.
     text: Vec<u8>,
 }
 
@@ -75,15 +86,19 @@ impl<T: Send> Window<T> {
         &mut self.tasks[..self.count]
     }
 
+    fn into_items(self) -> impl Iterator<Item = T> {
+        self.tasks.into_iter().flat_map(|task| task.items)
+    }
+
     /// The next items in place of those that are there.
     fn take(&mut self, items: &mut impl Iterator<Item = T>, size: impl Fn(&T) -> u64) {
         (self.count, self.bytes) = (0, 0);
-        let mut bytes = TASK as u64;
+        let mut room = 0;
         while self.bytes < WINDOW
             && let Some(item) = items.next()
         {
-            if bytes >= TASK as u64 {
-                bytes = 0;
+            if room == 0 {
+                room = TASK as u64;
                 if self.count == self.tasks.len() {
                     self.tasks.push(Task {
                         items: Vec::new(),
@@ -93,37 +108,29 @@ impl<T: Send> Window<T> {
                 self.tasks[self.count].items.clear();
                 self.count += 1;
             }
-            let more = size(&item).max(1);
-            bytes += more;
-            self.bytes += more;
+            let bytes = size(&item).max(1);
+            self.bytes += bytes;
+            room = room.saturating_sub(bytes);
             self.tasks[self.count - 1].items.push(item);
         }
     }
 
-    /// Makes the text of all items, on all threads.
+    /// Makes the text, on all threads.
     fn make(&mut self, append: impl Fn(&T, &mut Vec<u8>) + Sync) {
         let tasks = self.tasks().par_iter_mut();
-        tasks.for_each(|task| task.make(&append));
+        tasks.for_each(|Task { items, text }| {
+            text.reserve(TASK + TASK / 4);
+            items.iter().for_each(|item| append(item, text));
+        });
     }
 
+    /// Writes the text and forgets it, and the memory of pieces that are longer than others.
     fn write(&mut self, out: &mut dyn Write) -> io::Result<()> {
-        self.tasks().iter_mut().try_for_each(|task| task.write(out))
-    }
-}
-
-impl<T> Task<T> {
-    fn make(&mut self, append: impl Fn(&T, &mut Vec<u8>)) {
-        for item in &self.items {
-            append(item, &mut self.text);
+        for Task { text, .. } in self.tasks() {
+            out.write_all(text)?;
+            text.clear();
+            text.shrink_to(4 * TASK);
         }
-    }
-
-    /// Writes the text that is made, and forgets it.
-    fn write(&mut self, out: &mut dyn Write) -> io::Result<()> {
-        out.write_all(&self.text)?;
-        self.text.clear();
-        // That of a long piece.
-        self.text.shrink_to(4 * TASK);
         Ok(())
     }
 }
@@ -135,24 +142,54 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
-        /// Sizes around both limits, right or wrong.
+        /// Sizes around all limits, right or wrong, from a thread of a pool and from another one.
         #[test]
         fn all_pieces_come_in_their_order(
             lengths in prop::collection::vec(prop_oneof![0usize..9, 30_000usize..90_000], 0..300),
             factor in prop_oneof![Just(0), Just(1), Just(1000)],
+            threads in 1usize..4, from_outside in any::<bool>(),
         ) {
             let append = |&(n, length): &(usize, usize), text: &mut Vec<u8>| {
                 text.extend_from_slice(format!("{n}:").as_bytes());
                 text.resize(text.len() + length, b'.');
             };
             let items = || lengths.iter().copied().enumerate();
+            let size = |&(_, length): &(usize, usize)| length as u64 * factor;
             let mut expected = Vec::new();
             for item in items() {
                 append(&item, &mut expected);
             }
-            let mut found = Vec::new();
-            write_in_order(items(), |&(_, length)| length as u64 * factor, append, &mut found)?;
+            let write = || {
+                let mut found = Vec::new();
+                write_in_order(items(), size, append, &mut found).map(|()| found)
+            };
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let found = if from_outside { write()? } else { pool.install(write)? };
             prop_assert!(found == expected);
+        }
+
+        /// A full disk.
+        #[test]
+        fn what_cannot_be_written_is_an_error(lengths in prop::collection::vec(0usize..90_000, 1..90), part in 0usize..100) {
+            struct Full(usize);
+            impl Write for Full {
+                fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+                    let taken = bytes.len().min(self.0);
+                    self.0 -= taken;
+                    Ok(taken)
+                }
+                fn flush(&mut self) -> io::Result<()> {
+                    Ok(())
+                }
+            }
+            let append = |length: &usize, text: &mut Vec<u8>| text.resize(text.len() + length, b'.');
+            let write = |out: &mut Full| {
+                write_in_order(lengths.iter().copied(), |length| *length as u64, append, out)
+            };
+            let whole: usize = lengths.iter().sum();
+            prop_assert!(write(&mut Full(whole)).is_ok());
+            let some = whole * part / 100;
+            prop_assert_eq!(write(&mut Full(some)).is_err(), some < whole);
         }
     }
 }

@@ -214,10 +214,14 @@ impl NullaryFnOnce for Places<'_> {
             *high = carried(&mut carry, *high, *low);
         }
         debug_assert_eq!(carry, 0, "there are enough places");
-        // Apart, as that is done for several places at once.
+        // Apart, as both are done for several places at once.
         for (high, low) in high.iter_mut().zip(&mut *low) {
-            let [above, below] = seven_and_eight(*high);
-            (*high, *low) = (eight_digits(above), eight_digits(below));
+            [*high, *low] = seven_and_eight(*high).map(two_fours);
+        }
+        for words in [&mut *high, &mut *low] {
+            for four in pulp::bytemuck::cast_slice_mut(words) {
+                *four = four_digits(*four);
+            }
         }
         for (place, (high, low)) in places.iter_mut().rev().zip(high.iter().zip(&*low)) {
             place[..7].copy_from_slice(&high.to_le_bytes()[1..]);
@@ -245,20 +249,25 @@ fn low_half(value: u64) -> u64 {
     value & 0xFFFF_FFFF
 }
 
-/// The eight digits of a number below 10^8 as the bytes of a word, the first in the lowest.
-///
-/// In all lanes at once: v/10^4 = v · 109 951 163 / 2^40 for v < 10^8, v/100 = 5243 v / 2^19 for v < 10^4, and v/10 =
-/// 103 v / 2^10 for v < 100, rounded down.
+/// The first four digits of a number below 10^8, and above 2^32 the other four.
 #[inline(always)]
-fn eight_digits(value: u64) -> u64 {
+fn two_fours(value: u64) -> u64 {
     let value = low_half(value);
-    let quotient = (value * 109_951_163) >> 40;
-    let fours = quotient | (value - low_half(quotient) * 10_000) << 32;
-    let hundreds = ((fours * 5243) >> 19) & 0x0000_007F_0000_007F;
-    let twos = hundreds | (fours - hundreds * 100) << 16;
-    let tens = ((twos * 103) >> 10) & 0x000F_000F_000F_000F;
+    // 109 951 163 / 2^40 is more than 10^-4 by less than 10^-12.
+    let first = (value * 109_951_163) >> 40;
+    first | (value - low_half(first) * 10_000) << 32
+}
+
+/// The four digits of a number below 10^4 as the bytes of a word, the first in the lowest.
+///
+/// 5243 v / 2^19 is v/100 for v < 10^4, and 103 v / 2^10 is v/10 for v < 100, rounded down: that for two of them at once.
+#[inline(always)]
+fn four_digits(value: u32) -> u32 {
+    let hundreds = (value * 5243) >> 19;
+    let twos = hundreds | (value - hundreds * 100) << 16;
+    let tens = ((twos * 103) >> 10) & 0x000F_000F;
     let ones = tens | (twos - tens * 10) << 8;
-    ones | 0x3030_3030_3030_3030
+    ones | 0x3030_3030
 }
 
 #[cfg(test)]
@@ -318,15 +327,14 @@ mod tests {
         }
 
         #[test]
-        fn places_are_written_digit_by_digit(place in 0..BASE, zeros in 0..15_u32, edge in -2..2_i64) {
+        fn places_are_cut_in_fours(place in 0..BASE, zeros in 0..15_u32, edge in -2..2_i64) {
             // Multiples of powers of ten, and what is next to them.
             let unit = 10_u64.pow(zeros);
             for place in [place, (place / unit * unit).saturating_add_signed(edge).min(BASE - 1)] {
                 let [above, below] = seven_and_eight(place);
                 prop_assert_eq!([above, below], [place / 100_000_000, place % 100_000_000]);
                 for part in [above, below] {
-                    let digits = eight_digits(part).to_le_bytes();
-                    prop_assert_eq!(std::str::from_utf8(&digits).unwrap(), format!("{part:08}"));
+                    prop_assert_eq!(two_fours(part), part / 10_000 + ((part % 10_000) << 32));
                 }
             }
         }
@@ -338,6 +346,14 @@ mod tests {
             prop_assert_eq!(format!("{ours}"), format!("{number}"));
             prop_assert_eq!(format!("{ours:>width$}|{ours:<width$}"), format!("{number:>width$}|{number:<width$}"));
             prop_assert_eq!(format!("{ours:+0width$}"), format!("{number:+0width$}"));
+        }
+    }
+
+    #[test]
+    fn all_fours_are_written_digit_by_digit() {
+        for value in 0..10_000 {
+            let digits = four_digits(value).to_le_bytes();
+            assert_eq!(std::str::from_utf8(&digits).unwrap(), format!("{value:04}"));
         }
     }
 
