@@ -125,7 +125,8 @@ impl Sums {
 
 /// The digits in base 2^48 of a number by its limbs.
 pub(crate) fn digits(limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
-    let mut digits = Vec::new();
+    let limbs = limbs.into_iter();
+    let mut digits = Vec::with_capacity(limbs.size_hint().0 * 4 / 3 + 1);
     let (mut kept, mut bits) = (0_u64, 0);
     for limb in limbs {
         digits.push(f64_from((kept | limb << bits) & MASK));
