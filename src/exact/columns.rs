@@ -84,6 +84,12 @@ impl Columns {
     }
 }
 
+/// Whether the machine has the instructions: else every fused product is rounded by a function of the library, rightly and
+/// some fifty times slower.
+pub(crate) fn products_are_fused() -> bool {
+    !matches!(Arch::new(), Arch::Scalar)
+}
+
 impl Sums {
     /// Hands on the digits in base 2^48, carried, of Σ y C in that base.
     #[inline(always)]

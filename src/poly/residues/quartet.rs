@@ -1,12 +1,11 @@
 //! Four primes that are worked with side by side.
 
-use pulp::Arch;
 use rayon::prelude::*;
 
 use super::primes::fours_of_primes;
 use super::quad::{Quad, QuadField};
 use super::transform::Transform;
-use crate::exact::u64_from;
+use crate::exact::{products_are_fused, u64_from};
 
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
@@ -61,10 +60,9 @@ impl Quartet {
     }
 }
 
-/// Whether the machine has the instructions: else every product is rounded by a function of the library, rightly and some
-/// fifty times slower.
+/// Whether the machine has the instructions.
 pub(crate) fn residues_are_quick() -> bool {
-    !matches!(Arch::new(), Arch::Scalar)
+    products_are_fused()
 }
 
 /// The work for each quartet and its number, on all threads where there are several quartets; each thread has its own
