@@ -110,14 +110,13 @@ impl Transform {
         set_products(&mut self.roots, &field, [1.0; 4], factors.into_iter().rev());
         self.field = field;
         self.power = 1 << bits;
-        let more = len - self.power;
-        if more == 0 {
-            self.more = None;
-        } else {
-            let parts = f64_from((self.power / more) as u64);
-            let more_bits = more.ilog2();
+        let beyond = len - self.power;
+        if let Some(parts) = self.power.checked_div(beyond) {
+            let bits = beyond.ilog2();
             let more = self.more.get_or_insert_default();
-            more.set(&field, theta(more_bits), more_bits, parts);
+            more.set(&field, theta(bits), bits, f64_from(parts as u64));
+        } else {
+            self.more = None;
         }
     }
 
