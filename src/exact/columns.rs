@@ -72,11 +72,13 @@ impl Columns {
         self.count
     }
 
-    /// Digits of Σ y C for each list of y, as many of each as there are numbers or fewer, at most 2^12: products y c are to
-    /// be below 2^98.
-    pub(crate) fn sums(&self, y: &[&[f64]], sums: &mut [Sums]) {
+    /// The first `len` digits of Σ y C, and some more if there are more, for each list of y: as many of each as there are
+    /// numbers or fewer, at most 2^12; products y c are to be below 2^98.
+    pub(crate) fn sums(&self, y: &[&[f64]], len: usize, sums: &mut [Sums]) {
+        let panels = self.panels.len().min(len.div_ceil(self.across));
         let summation = Summation {
-            columns: self,
+            across: self.across,
+            panels: &self.panels[..panels],
             y,
             sums,
         };
@@ -91,7 +93,7 @@ pub(crate) fn products_are_fused() -> bool {
 }
 
 impl Sums {
-    /// Hands on the digits in base 2^48, carried, of Σ y C in that base.
+    /// Hands on the digits in base 2^48, carried, of Σ y C in that base: of all of it, if there are sums for all of C.
     #[inline(always)]
     pub(crate) fn carried(&self, mut digit: impl FnMut(u64)) {
         let (mut above, mut carry) = (0_u64, 0_i64);
@@ -106,7 +108,7 @@ impl Sums {
         digit(last >> DIGIT_BITS);
     }
 
-    /// The number as limbs, as far as the target goes.
+    /// The number as limbs, as far as the target goes: that is right if there are sums for so many digits.
     #[inline(always)]
     pub(crate) fn limbs(&self, target: &mut [u64]) {
         let mut targets = target.iter_mut();
@@ -129,10 +131,15 @@ impl Sums {
     }
 }
 
+/// How many digits in base 2^48 so many limbs are.
+pub(crate) fn digits_for(limbs: usize) -> usize {
+    (limbs * 4).div_ceil(3)
+}
+
 /// The digits in base 2^48 of a number by its limbs.
 pub(crate) fn digits(limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
     let limbs = limbs.into_iter();
-    let mut digits = Vec::with_capacity(limbs.size_hint().0 * 4 / 3 + 1);
+    let mut digits = Vec::with_capacity(digits_for(limbs.size_hint().0));
     let (mut kept, mut bits) = (0_u64, 0);
     for limb in limbs {
         digits.push(f64_from((kept | limb << bits) & MASK));
@@ -160,7 +167,8 @@ impl WithSimd for Across {
 }
 
 struct Summation<'a> {
-    columns: &'a Columns,
+    across: usize,
+    panels: &'a [Panel],
     y: &'a [&'a [f64]],
     sums: &'a mut [Sums],
 }
@@ -170,14 +178,19 @@ impl WithSimd for Summation<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { columns, y, sums } = self;
-        let len = columns.panels.len() * columns.across;
+        let Self {
+            across,
+            panels,
+            y,
+            sums,
+        } = self;
+        let len = panels.len() * across;
         for sums in sums.iter_mut() {
             sums.high.resize(len, 0);
             sums.low.resize(len, 0);
         }
         // One panel for all lists, as long as it is at hand; two lists at once for each digit that is read.
-        for (panel, start) in columns.panels.iter().zip((0..).step_by(columns.across)) {
+        for (panel, start) in panels.iter().zip((0..).step_by(across)) {
             let mut y = y.chunks_exact(2);
             let mut sums = sums.chunks_exact_mut(2);
             for (y, sums) in (&mut y).zip(&mut sums) {
@@ -278,19 +291,23 @@ mod tests {
             let in_doubles: Vec<Vec<f64>> = y.iter().map(doubles).collect();
             let in_doubles: Vec<&[f64]> = in_doubles.iter().map(Vec::as_slice).collect();
             let mut sums = vec![Sums::default(); lists];
-            columns.sums(&in_doubles, &mut sums);
-            for (y, sums) in y.iter().zip(&sums) {
+            columns.sums(&in_doubles, usize::MAX, &mut sums);
+            for ((y, sums), in_doubles) in y.iter().zip(&sums).zip(in_doubles) {
                 let terms = y.iter().zip(&numbers);
                 let expected: Integer = terms.map(|(y, c)| Integer::from(*y) * number(c.iter().map(|c| Integer::from(*c)))).sum();
                 let places = sums.high.iter().zip(&sums.low);
                 let found = number(places.map(|(high, low)| (Integer::from(*high) << DIGIT_BITS) + Integer::from(low.cast_signed())));
                 prop_assert_eq!(&found, &expected);
-                // As limbs: all of them, and modulo powers of 2.
+                // As limbs: all of them, and modulo powers of 2, for which fewer sums do.
                 let all = expected.into_twos_complement_limbs_asc();
                 let width = all.len();
                 for width in [width + 1, width, width / 2] {
                     let mut limbs = vec![0; width];
                     sums.limbs(&mut limbs);
+                    let (mut enough, mut again) = ([Sums::default()], vec![0; width]);
+                    columns.sums(&[in_doubles], digits_for(width), &mut enough);
+                    enough[0].limbs(&mut again);
+                    prop_assert_eq!(&again, &limbs);
                     let mut expected = all.clone();
                     expected.resize(width, 0);
                     prop_assert_eq!(limbs, expected);
@@ -314,7 +331,7 @@ mod tests {
         let columns = Columns::new(&vec![vec![most]; 1 << 12]);
         let y = vec![f64_from((1 << 50) - 1); 1 << 12];
         let mut sums = [Sums::default()];
-        columns.sums(&[&y], &mut sums);
+        columns.sums(&[&y], 1, &mut sums);
         let mut limbs = [0; 2];
         sums[0].limbs(&mut limbs);
         let expected = (((1 << 50) - 1) * ((1 << 48) - 1)) << 12_u128;

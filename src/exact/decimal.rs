@@ -127,11 +127,11 @@ fn power_of_five(level: u32) -> &'static Divisor {
 /// A number of at most [`LIMBS_WITHOUT_DIVISION`] limbs, in so many places or without zeros in front.
 fn append_places(limbs: &[u64], padded_to: Option<usize>, text: &mut Vec<u8>) {
     let y = digits(limbs.iter().copied());
+    let places = padded_to.unwrap_or(places_for(y.len()));
     let mut sums = [Sums::default()];
-    table(y.len()).sums(&[&y], &mut sums);
+    table(y.len()).sums(&[&y], places, &mut sums);
     let [mut sums] = sums;
     let start = text.len();
-    let places = padded_to.unwrap_or(places_for(y.len()));
     text.resize(start + DIGITS * places, b'0');
     Arch::new().dispatch(Places {
         sums: &mut sums,

@@ -15,7 +15,7 @@ mod whole;
 
 pub use angle::{arctangent, pi};
 pub use circle::cosine_and_sine;
-pub(crate) use columns::{Columns, Sums, digits, products_are_fused};
+pub(crate) use columns::{Columns, Sums, digits, digits_for, products_are_fused};
 pub(crate) use decimal::append_decimal;
 pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal, hex_literal};

@@ -98,7 +98,7 @@ impl Blocks {
                     *here = &y[start..start + group.count()];
                 }
                 start += group.count();
-                group.sums(&here[..y.len()], sums);
+                group.sums(&here[..y.len()], usize::MAX, sums);
                 set_short_digits(sums, of_group);
                 transform.forward(of_group);
             }

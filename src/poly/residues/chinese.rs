@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 use super::blocks::{Blocks, LANES};
 use super::quad::{Quad, plus};
 use super::quartet::Quartet;
-use crate::exact::{Columns, Sums, digits, f64_from};
+use crate::exact::{Columns, Sums, digits, digits_for, f64_from};
 use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
 
 /// So many primes are less than 2^9 groups of [`Blocks`].
@@ -141,10 +141,11 @@ impl NullaryFnOnce for Lift<'_> {
             let mut targets = targets.chunks_exact_mut(self.width);
             match sum {
                 Sum::Directly(columns) => {
-                    columns.sums(&y, &mut sums[..count]);
+                    let width = (*width).min(self.width);
+                    columns.sums(&y, digits_for(width), &mut sums[..count]);
                     for (target, sums) in targets.zip(&sums) {
-                        sums.limbs(&mut target[..(*width).min(self.width)]);
-                        extend_sign(target, *width);
+                        sums.limbs(&mut target[..width]);
+                        extend_sign(target, width);
                     }
                 }
                 Sum::InBlocks(blocks) => {
