@@ -15,9 +15,11 @@ const GROUP: usize = 14;
 const LEN: usize = 384;
 /// Short digits, of 16 bits, of such a sum, which has at most 2806 bits.
 const GROUP_LEN: usize = 176;
-/// Short digits of a block. The product of a group's sum and a block has `LEN` digits, which are sums of at most 176 products
-/// below 2^32; and all groups together, which are less than 2^9, stay below 2^49.
+/// Short digits of a block. The product of a group's sum and a block has `LEN` digits, which are sums of at most 176
+/// products below 2^32; and all groups together, which are less than 2^9, stay below 2^49.
 const BLOCK_LEN: usize = LEN + 1 - GROUP_LEN;
+/// So many primes are less than 2^9 groups.
+pub(super) const MOST_PRIMES: usize = 511 * 4 * GROUP;
 /// Sums that are formed side by side.
 pub(super) const LANES: usize = 4;
 
@@ -34,7 +36,8 @@ pub(super) struct Blocks {
     transform: Transform,
     /// For each group P_G/p.
     groups: Vec<Columns>,
-    /// For each [`UNREDUCED`] groups, block after block of all P/P_G, their values, scaled for the way back, of at most p/2.
+    /// For each [`UNREDUCED`] groups, block after block of all P/P_G, their values, scaled for the way back, of at most
+    /// p/2.
     tables: Vec<f64>,
     /// −P in two's complement, in short digits, as many as there are limbs.
     minus_p: Vec<f64>,
@@ -76,7 +79,8 @@ impl Blocks {
         }
     }
 
-    /// Σ y P/p − qP for at most four lists of y, each followed by q, modulo 2^64 to the number of limbs of −P: limb by limb.
+    /// Σ y P/p − qP for at most four lists of y, each followed by q, modulo 2^64 to the number of limbs of −P: limb by
+    /// limb.
     #[inline(always)]
     pub(super) fn sum(&self, y: &[&[f64]], sums: &mut [Sums], target: &mut [[u64; LANES]]) {
         let Self {

@@ -6,14 +6,11 @@ use malachite::base::num::logic::traits::SignificantBits;
 use pulp::{Arch, NullaryFnOnce};
 use smallvec::SmallVec;
 
-use super::blocks::{Blocks, LANES};
+use super::blocks::{Blocks, LANES, MOST_PRIMES};
 use super::quad::{Quad, plus};
 use super::quartet::Quartet;
 use crate::exact::{Columns, Sums, digits, digits_for, f64_from};
 use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
-
-/// So many primes are less than 2^9 groups of [`Blocks`].
-const MOST_PRIMES: usize = 28_000;
 
 /// The way from residues modulo some primes to integers.
 ///
@@ -41,8 +38,8 @@ impl<'a> Remainders<'a> {
     pub(super) fn new(quartets: &'a [Quartet], direct: usize) -> Self {
         let primes: Vec<u64> = quartets.iter().flat_map(Quartet::primes).collect();
         assert!(
-            primes.len() < MOST_PRIMES,
-            "coefficients of {MOST_PRIMES} primes"
+            primes.len() <= MOST_PRIMES,
+            "coefficients of more than {MOST_PRIMES} primes"
         );
         let product: Natural = primes.iter().map(|p| Natural::from(*p)).product();
         let width = width_for(product.significant_bits());
@@ -98,7 +95,8 @@ impl NullaryFnOnce for Inverses<'_> {
     }
 }
 
-/// Coefficients from one on, of `width` limbs each; of their residues, of at most 2p, this one and the next ones.
+/// Coefficients in a row, of `width` limbs each, from their residues, of at most 2p: for each quartet those of the first one, of
+/// the next one, …
 pub(super) struct Lift<'a> {
     pub(super) remainders: &'a Remainders<'a>,
     pub(super) residues: &'a [&'a [Quad]],

@@ -3,7 +3,7 @@
 //! Where a result is bounded by B, residues modulo primes with a product above 2B determine it, and modulo a prime all
 //! steps of a long computation are cheap: no number grows. Residues are held in doubles, four primes side by side
 //! ([`quad`], [`quartet`]); products are products of values at roots of unity ([`transform`]), and so is a change of basis
-//! ([`shift`]); the end is one sum of large integers for each coefficient ([`chinese`]), formed as it stands ([`Columns`](crate::exact::Columns)) or,
+//! ([`shift`]); the end ([`lifting`]) is one sum of large integers for each coefficient ([`chinese`]), formed as it stands or,
 //! for many primes, by transforms again ([`blocks`]).
 
 mod blocks;
