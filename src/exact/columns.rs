@@ -7,9 +7,6 @@ use super::f64_from;
 /// Bits of the lower part of a sum, and of the digits of numbers that are not in another base.
 pub(crate) const DIGIT_BITS: u32 = 48;
 
-/// The last bits of a limb.
-const MASK: u64 = (1 << DIGIT_BITS) - 1;
-
 /// 2^100: the last bit of it, and of all doubles up to 2^101, is 2^48.
 const HIGH: f64 = f64::from_bits((100 + 1023) << 52);
 
@@ -86,6 +83,16 @@ impl Columns {
     }
 }
 
+/// `a b = 2^48 high + low` for whole numbers with a product below 2^100, as [`Columns::sums`] has it; `low`, of at most 2^47, is in
+/// two's complement.
+#[inline(always)]
+pub(crate) fn halves_of_product(a: f64, b: f64) -> [u64; 2] {
+    let rounded = a.mul_add(b, HIGH);
+    let left = a.mul_add(b, (HIGH + LOW) - rounded);
+    let low = left.to_bits().wrapping_sub(LOW.to_bits());
+    [rounded.to_bits() - HIGH.to_bits(), low]
+}
+
 /// Whether the machine has the instructions: else every fused product is rounded by a function of the library, rightly and
 /// some fifty times slower.
 pub(crate) fn products_are_fused() -> bool {
@@ -93,19 +100,20 @@ pub(crate) fn products_are_fused() -> bool {
 }
 
 impl Sums {
-    /// Hands on the digits in base 2^48, carried, of Σ y C in that base: of all of it, if there are sums for all of C.
+    /// Hands on the digits, carried, of Σ y C in base 2^`bits`, at most 2^48: of all of it, if there are sums for all of C.
     #[inline(always)]
-    pub(crate) fn carried(&self, mut digit: impl FnMut(u64)) {
+    pub(crate) fn carried(&self, bits: u32, mut digit: impl FnMut(u64)) {
+        let mask = (1 << bits) - 1;
         let (mut above, mut carry) = (0_u64, 0_i64);
         for (high, low) in self.high.iter().zip(&self.low) {
             let sum = low.wrapping_add(above).cast_signed() + carry;
-            digit(sum.cast_unsigned() & MASK);
-            carry = sum >> DIGIT_BITS;
-            above = *high;
+            digit(sum.cast_unsigned() & mask);
+            carry = sum >> bits;
+            above = *high << (DIGIT_BITS - bits);
         }
         let last = above.wrapping_add(carry.cast_unsigned());
-        digit(last & MASK);
-        digit(last >> DIGIT_BITS);
+        digit(last & mask);
+        digit(last >> bits);
     }
 
     /// The number as limbs, as far as the target goes: that is right if there are sums for so many digits.
@@ -113,7 +121,7 @@ impl Sums {
     pub(crate) fn limbs(&self, target: &mut [u64]) {
         let mut targets = target.iter_mut();
         let (mut kept, mut bits) = (0, 0);
-        self.carried(|digit| {
+        self.carried(DIGIT_BITS, |digit| {
             let limb = kept | digit << bits;
             if bits + DIGIT_BITS < u64::BITS {
                 (kept, bits) = (limb, bits + DIGIT_BITS);
@@ -138,18 +146,25 @@ pub(crate) fn digits_for(limbs: usize) -> usize {
 
 /// The digits in base 2^48 of a number by its limbs.
 pub(crate) fn digits(limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
+    digits_of_bits(DIGIT_BITS, limbs)
+}
+
+/// The digits in base 2^`bits`, at most 2^50 and at least 2^32, of a number by its limbs.
+#[inline]
+pub(crate) fn digits_of_bits(bits: u32, limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
     let limbs = limbs.into_iter();
-    let mut digits = Vec::with_capacity(digits_for(limbs.size_hint().0));
-    let (mut kept, mut bits) = (0_u64, 0);
+    let mut digits = Vec::with_capacity(limbs.size_hint().0 * 64 / bits as usize + 1);
+    let mask = (1 << bits) - 1;
+    let (mut kept, mut count) = (0_u64, 0);
     for limb in limbs {
-        digits.push(f64_from((kept | limb << bits) & MASK));
-        (kept, bits) = (limb >> (DIGIT_BITS - bits), bits + u64::BITS - DIGIT_BITS);
-        if bits == DIGIT_BITS {
-            digits.push(f64_from(kept));
-            (kept, bits) = (0, 0);
+        digits.push(f64_from((kept | limb << count) & mask));
+        (kept, count) = (limb >> (bits - count), count + u64::BITS - bits);
+        if count >= bits {
+            digits.push(f64_from(kept & mask));
+            (kept, count) = (kept >> bits, count - bits);
         }
     }
-    if bits > 0 {
+    if count > 0 {
         digits.push(f64_from(kept));
     }
     digits
@@ -276,7 +291,7 @@ mod tests {
         fn sums_are_those_of_products(
             lens in prop::collection::vec(0usize..40, 1..30),
             lists in 1usize..6,
-            words in prop::collection::vec((word((1 << 48) - 1), word((1 << 50) - 1)), 1..200),
+            words in prop_oneof![Just((1 << 48) - 1), Just((1 << 40) - 1)].prop_flat_map(|most| prop::collection::vec((word(most), word((1 << 50) - 1)), 1..200)),
             fewer in 0usize..4,
         ) {
             let mut lens = lens;
@@ -298,6 +313,15 @@ mod tests {
                 let places = sums.high.iter().zip(&sums.low);
                 let found = number(places.map(|(high, low)| (Integer::from(*high) << DIGIT_BITS) + Integer::from(low.cast_signed())));
                 prop_assert_eq!(&found, &expected);
+                // In another base the digits are those of another number.
+                let in_other_base = numbers.iter().map(|c| c.iter().rev().fold(Integer::from(0), |n, c| (n << 40_u32) + Integer::from(*c)));
+                let other: Integer = y.iter().zip(in_other_base).map(|(y, c)| Integer::from(*y) * c).sum();
+                let mut digits = Vec::new();
+                if numbers.iter().flatten().all(|c| *c < 1 << 40) {
+                    sums.carried(40, |digit| digits.push(digit));
+                    let carried = digits.iter().rev().fold(Integer::from(0), |n, digit| (n << 40_u32) + Integer::from(*digit));
+                    prop_assert_eq!(carried, other);
+                }
                 // As limbs: all of them, and modulo powers of 2, for which fewer sums do.
                 let all = expected.into_twos_complement_limbs_asc();
                 let width = all.len();
@@ -316,11 +340,21 @@ mod tests {
         }
 
         #[test]
-        fn digits_are_those_of_the_number(limbs in prop::collection::vec(word(u64::MAX), 0..20)) {
-            let digits = digits(limbs.iter().copied());
-            prop_assert_eq!(digits.len(), (64 * limbs.len()).div_ceil(48));
-            let found = number(digits.into_iter().map(|digit| Integer::from(u64_from(digit))));
-            prop_assert_eq!(found, Integer::from(Natural::from_limbs_asc(&limbs)));
+        fn digits_are_those_of_the_number(limbs in prop::collection::vec(word(u64::MAX), 0..20), bits in 32u32..51) {
+            let digits = digits_of_bits(bits, limbs.iter().copied());
+            prop_assert_eq!(digits.len(), (64 * limbs.len()).div_ceil(bits as usize));
+            let found = digits.into_iter().rev().fold(Natural::from(0_u32), |number, digit| {
+                (number << bits) + Natural::from(u64_from(digit))
+            });
+            prop_assert_eq!(found, Natural::from_limbs_asc(&limbs));
+        }
+
+        #[test]
+        fn products_are_their_halves(a in word((1 << 50) - 1), b in word((1 << 50) - 1)) {
+            let [high, low] = halves_of_product(f64_from(a), f64_from(b));
+            prop_assert!(low.cast_signed().unsigned_abs() <= 1 << 47);
+            let found = (Integer::from(high) << DIGIT_BITS) + Integer::from(low.cast_signed());
+            prop_assert_eq!(found, Integer::from(a) * Integer::from(b));
         }
     }
 

@@ -15,7 +15,10 @@ mod whole;
 
 pub use angle::{arctangent, pi};
 pub use circle::cosine_and_sine;
-pub(crate) use columns::{Columns, Sums, digits, digits_for, products_are_fused};
+pub(crate) use columns::{
+    Columns, DIGIT_BITS, Sums, digits, digits_for, digits_of_bits, halves_of_product,
+    products_are_fused,
+};
 pub(crate) use decimal::append_decimal;
 pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal, hex_literal};

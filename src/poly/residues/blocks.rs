@@ -4,22 +4,27 @@ use malachite::Natural;
 use malachite::base::num::arithmetic::traits::DivExact;
 use pulp::{Arch, NullaryFnOnce};
 
-use super::quad::{Quad, QuadField, plus};
+use super::quad::{Quad, QuadField, minus, plus};
 use super::quartet::Quartet;
 use super::transform::Transform;
-use crate::exact::{Columns, Sums, digits, f64_from, u64_from};
+use crate::exact::{
+    Columns, DIGIT_BITS, Sums, digits_of_bits, f64_from, halves_of_product, u64_from,
+};
 
-/// Quartets in a group: Σ y P_G/p over their 56 primes is below 56 P_G.
-const GROUP: usize = 14;
+/// Quartets in a group: Σ y P_G/p over their 48 primes is below 48 P_G.
+const GROUP: usize = 12;
 /// The length of transforms.
-const LEN: usize = 384;
-/// Short digits, of 16 bits, of such a sum, which has at most 2806 bits.
-const GROUP_LEN: usize = 176;
-/// Short digits of a block. The product of a group's sum and a block has `LEN` digits, which are sums of at most 176
-/// products below 2^32; and all groups together, which are less than 2^9, stay below 2^49.
+const LEN: usize = 128;
+/// Bits of the digits that are transformed.
+const SHORT_BITS: u32 = 40;
+/// Digits of a group's sum, which has at most 2406 bits.
+const GROUP_LEN: usize = 61;
+/// Digits of a block, not fewer: so no more than two of them overlap. The product of a group's sum and a block has `LEN`
+/// digits, which are sums of at most 61 products below 2^80; all groups together, which are less than 2^10, and two blocks
+/// stay below 2^97: less than the product of two primes.
 const BLOCK_LEN: usize = LEN + 1 - GROUP_LEN;
-/// So many primes are less than 2^9 groups.
-pub(super) const MOST_PRIMES: usize = 511 * 4 * GROUP;
+/// So many primes are less than 2^10 groups.
+pub(super) const MOST_PRIMES: usize = 1023 * 4 * GROUP;
 /// Sums that are formed side by side.
 pub(super) const LANES: usize = 4;
 
@@ -28,25 +33,26 @@ const UNREDUCED: usize = 6;
 
 /// `Σ y P/p` over all primes is `Σ (P/P_G) Σ y P_G/p` over groups G of primes: the inner sums are formed as they stand, the
 /// outer products as products of values at roots of unity, of which those of P/P_G are known and only the sum over all
-/// groups is transformed back, once for each block. Four sums at once, modulo one prime.
+/// groups is transformed back, once for each block. Four sums at once, modulo two primes.
 ///
-/// Cost: for n primes n words times a group's length, n/56 + n/65 transforms and (n/60)² products of `LEN` values.
+/// Cost: for n primes n words times a group's length, n/24 + n/27 transforms and (n/36)² products of `LEN` values.
 pub(super) struct Blocks {
-    field: QuadField,
-    transform: Transform,
+    fields: [QuadField; 2],
+    transforms: [Transform; 2],
+    /// 1/p modulo the second prime, p the first one; of at most p/2.
+    inverse: Quad,
     /// For each group P_G/p.
     groups: Vec<Columns>,
-    /// For each [`UNREDUCED`] groups, block after block of all P/P_G, their values, scaled for the way back, of at most
-    /// p/2.
-    tables: Vec<f64>,
-    /// −P in two's complement, in short digits, as many as there are limbs.
-    minus_p: Vec<f64>,
+    /// For each prime, each [`UNREDUCED`] groups, and block after block of all P/P_G: their values, scaled for the way back,
+    /// of at most p/2.
+    tables: [Vec<f64>; 2],
+    /// The digits of −P in two's complement.
+    minus_p: Vec<u64>,
 }
 
 impl Blocks {
     /// For the primes of these quartets, with this product, and the negative of it in limbs.
     pub(super) fn new(quartets: &[Quartet], product: &Natural, minus_p: &[u64]) -> Self {
-        let one = quartets[0].first_prime();
         let groups = quartets.chunks(GROUP).map(|quartets| {
             let primes = quartets.iter().flat_map(Quartet::primes);
             primes.map(Natural::from).collect::<Vec<_>>()
@@ -56,26 +62,35 @@ impl Blocks {
             .iter()
             .map(|primes| primes.iter().product())
             .collect();
-        let minus_p: Vec<f64> = minus_p.iter().copied().flat_map(short_digits).collect();
         let others: Vec<Natural> = products
             .iter()
             .map(|group| product.div_exact(group))
             .collect();
-        let (transform, tables) = Arch::new().dispatch(Tables {
-            prime: &one,
-            others,
-            blocks: minus_p.len().div_ceil(BLOCK_LEN),
-        });
+        let short = |number: &Natural| digits_of_bits(SHORT_BITS, number.limbs());
         let columns = |(primes, product): (&Vec<Natural>, &Natural)| {
-            let others = primes.iter().map(|p| digits(product.div_exact(p).limbs()));
+            let others = primes.iter().map(|p| short(&product.div_exact(p)));
             Columns::new(&others.collect::<Vec<_>>())
         };
+        let minus_p = digits_of_bits(SHORT_BITS, minus_p.iter().copied());
+        let blocks = minus_p.len().div_ceil(BLOCK_LEN);
+        let others: Vec<_> = others.iter().map(short).collect();
+        let primes = [0, 1].map(|i| quartets[0].of_one_prime(i));
+        let tables = primes.each_ref().map(|prime| {
+            Arch::new().dispatch(Tables {
+                prime,
+                others: &others,
+                blocks,
+            })
+        });
+        let [(first, in_first), (second, in_second)] = tables;
+        let fields = primes.map(|prime| prime.field);
         Self {
-            field: one.field,
-            transform,
+            fields,
+            transforms: [first, second],
+            inverse: Arch::new().dispatch(Inverse { fields }),
             groups: groups.iter().zip(&products).map(columns).collect(),
-            tables,
-            minus_p,
+            tables: [in_first, in_second],
+            minus_p: minus_p.into_iter().map(u64_from).collect(),
         }
     }
 
@@ -83,106 +98,130 @@ impl Blocks {
     /// limb.
     #[inline(always)]
     pub(super) fn sum(&self, y: &[&[f64]], sums: &mut [Sums], target: &mut [[u64; LANES]]) {
-        let Self {
-            field,
-            transform,
-            groups,
-            tables,
-            minus_p,
-        } = self;
-        let blocks = minus_p.len().div_ceil(BLOCK_LEN);
-        let mut values: Vec<Quad> = vec![[0.0; 4]; blocks * LEN];
-        let mut of_groups = vec![[[0.0; 4]; LEN]; UNREDUCED];
+        let blocks = self.minus_p.len().div_ceil(BLOCK_LEN);
+        let mut values = [vec![[0.0; 4]; blocks * LEN], vec![[0.0; 4]; blocks * LEN]];
+        let mut of_groups = [[[[0.0; 4]; LEN]; UNREDUCED]; 2];
         let mut start = 0;
-        let tables = tables.chunks(UNREDUCED * values.len());
-        for (groups, tables) in groups.chunks(UNREDUCED).zip(tables) {
-            for (group, of_group) in groups.iter().zip(&mut of_groups) {
+        for (g, groups) in self.groups.chunks(UNREDUCED).enumerate() {
+            for (k, group) in groups.iter().enumerate() {
                 let mut here: [&[f64]; LANES] = [&[]; LANES];
                 for (here, y) in here.iter_mut().zip(y) {
                     *here = &y[start..start + group.count()];
                 }
                 start += group.count();
                 group.sums(&here[..y.len()], usize::MAX, sums);
-                set_short_digits(sums, of_group);
-                transform.forward(of_group);
+                let [first, second] = &mut of_groups;
+                set_digits(sums, &mut first[k]);
+                second[k] = first[k];
+                self.transforms[0].forward(&mut first[k]);
+                self.transforms[1].forward(&mut second[k]);
             }
-            let of_groups = &of_groups[..groups.len()];
-            let tables = tables.chunks_exact(LEN * groups.len());
-            for (values, tables) in values.chunks_exact_mut(LEN).zip(tables) {
-                for (k, value) in values.iter_mut().enumerate() {
-                    let mut sum = *value;
-                    for (of_group, table) in of_groups.iter().zip(tables.chunks_exact(LEN)) {
-                        sum = plus(sum, field.times(of_group[k], [table[k]; 4]));
-                    }
-                    *value = field.reduced(sum);
+            for i in 0..2 {
+                let tables = &self.tables[i][g * UNREDUCED * blocks * LEN..];
+                let of_groups = &of_groups[i][..groups.len()];
+                add_products(&self.fields[i], &mut values[i], of_groups, tables);
+            }
+        }
+        for (values, transform) in values.iter_mut().zip(&self.transforms) {
+            for block in values.chunks_exact_mut(LEN) {
+                transform.backward(block);
+            }
+        }
+        let mut q = [0; LANES];
+        for (q, y) in q.iter_mut().zip(y) {
+            *q = u64_from(y[y.len() - 1]);
+        }
+        self.put_together(&values, q, target);
+    }
+
+    /// Digits of blocks, which overlap, and q times −P, as limbs.
+    ///
+    /// A digit r1 modulo p1 and r2 modulo p2 is `r1 + p1 ((r2 − r1) / p1 mod p2)`.
+    #[inline(always)]
+    fn put_together(&self, values: &[Vec<Quad>; 2], q: [u64; LANES], target: &mut [[u64; LANES]]) {
+        const MASK: u64 = (1 << SHORT_BITS) - 1;
+        let [field, second_field] = &self.fields;
+        let (mut above, mut carry) = ([0_u64; LANES], [0_i64; LANES]);
+        let (mut kept, mut bits) = ([0; LANES], 0);
+        let mut targets = target.iter_mut();
+        for (k, minus_p) in self.minus_p.iter().enumerate() {
+            let (block, at) = (k / BLOCK_LEN, k % BLOCK_LEN);
+            let here = block * LEN + at;
+            let (mut first, mut second) = (values[0][here], values[1][here]);
+            if block > 0 && BLOCK_LEN + at < LEN {
+                let before = here - LEN + BLOCK_LEN;
+                first = plus(first, values[0][before]);
+                second = plus(second, values[1][before]);
+            }
+            let first = field.canonical(first);
+            let times =
+                second_field.times(second_field.reduced(minus(second, first)), self.inverse);
+            let times = second_field.canonical(times);
+            let mut digit = [0; LANES];
+            for lane in 0..LANES {
+                let [high, low] = halves_of_product(field.p[lane], times[lane]);
+                let sum = low
+                    .wrapping_add(u64_from(first[lane]))
+                    .wrapping_add(q[lane] * minus_p)
+                    .wrapping_add(above[lane])
+                    .cast_signed()
+                    + carry[lane];
+                digit[lane] = sum.cast_unsigned() & MASK;
+                carry[lane] = sum >> SHORT_BITS;
+                above[lane] = high << (DIGIT_BITS - SHORT_BITS);
+            }
+            for lane in 0..LANES {
+                kept[lane] |= digit[lane] << bits;
+            }
+            bits += SHORT_BITS;
+            if bits >= u64::BITS {
+                if let Some(target) = targets.next() {
+                    *target = kept;
+                }
+                bits -= u64::BITS;
+                for lane in 0..LANES {
+                    kept[lane] = digit[lane] >> (SHORT_BITS - bits);
                 }
             }
         }
-        for block in values.chunks_exact_mut(LEN) {
-            transform.backward(block);
-            for value in block.iter_mut() {
-                *value = field.canonical(*value);
-            }
+        if let Some(target) = targets.next() {
+            *target = kept;
         }
-        let mut q = [0.0; LANES];
-        for (q, y) in q.iter_mut().zip(y) {
-            *q = y[y.len() - 1];
-        }
-        put_together(&values, minus_p, q, target);
     }
 }
 
-/// The short digits of sums, which have no more than there is room for.
+/// The digits of sums, which have no more than there is room for.
 #[inline(always)]
-fn set_short_digits(sums: &[Sums], digits: &mut [Quad; LEN]) {
+fn set_digits(sums: &[Sums], digits: &mut [Quad; LEN]) {
     *digits = [[0.0; 4]; LEN];
     for (lane, sums) in sums.iter().enumerate() {
         let mut at = 0;
-        sums.carried(|digit| {
-            for digit in &short_digits(digit)[..3] {
-                digits[at][lane] = *digit;
-                at += 1;
-            }
+        sums.carried(SHORT_BITS, |digit| {
+            digits[at][lane] = f64_from(digit);
+            at += 1;
         });
     }
 }
 
-/// Digits of blocks, which overlap, and q times −P, as limbs.
+/// Adds to the values of all blocks those of some groups times those in the tables. From at most p/2 to at most p/2.
 #[inline(always)]
-fn put_together(values: &[Quad], minus_p: &[f64], q: Quad, target: &mut [[u64; LANES]]) {
-    let mut carry = [0; LANES];
-    for ((k, limb), minus_p) in target
-        .iter_mut()
-        .enumerate()
-        .zip(minus_p.as_chunks::<4>().0)
-    {
-        *limb = [0; LANES];
-        for (d, minus_p) in minus_p.iter().enumerate() {
-            let (block, at) = ((4 * k + d) / BLOCK_LEN, (4 * k + d) % BLOCK_LEN);
-            let mut digit = values[block * LEN + at];
-            if block > 0 && at < LEN - BLOCK_LEN {
-                digit = plus(digit, values[(block - 1) * LEN + BLOCK_LEN + at]);
+fn add_products(field: &QuadField, values: &mut [Quad], of_groups: &[[Quad; LEN]], tables: &[f64]) {
+    let tables = tables.chunks_exact(LEN * of_groups.len());
+    for (values, tables) in values.chunks_exact_mut(LEN).zip(tables) {
+        for (k, value) in values.iter_mut().enumerate() {
+            let mut sum = *value;
+            for (of_group, table) in of_groups.iter().zip(tables.chunks_exact(LEN)) {
+                sum = plus(sum, field.times(of_group[k], [table[k]; 4]));
             }
-            for lane in 0..LANES {
-                let sum = u64_from(q[lane].mul_add(*minus_p, digit[lane])) + carry[lane];
-                limb[lane] |= (sum & 0xFFFF) << (16 * d);
-                carry[lane] = sum >> 16;
-            }
+            *value = field.reduced(sum);
         }
     }
 }
 
-/// The digits of 16 bits.
-#[inline(always)]
-fn short_digits(limb: u64) -> [f64; 4] {
-    let digit = |shift: u32| f64_from(limb >> shift & 0xFFFF);
-    [digit(0), digit(16), digit(32), digit(48)]
-}
-
-/// The transform and the values of the blocks of all P/P_G.
+/// The transform and the values of the blocks of all P/P_G, given by their digits.
 struct Tables<'a> {
     prime: &'a Quartet,
-    others: Vec<Natural>,
+    others: &'a [Vec<f64>],
     blocks: usize,
 }
 
@@ -197,14 +236,11 @@ impl NullaryFnOnce for Tables<'_> {
         let mut tables = Vec::with_capacity(self.others.len() * self.blocks * LEN);
         for others in self.others.chunks(UNREDUCED) {
             for block in 0..self.blocks {
-                for other in others {
-                    let digits = other.limbs().flat_map(short_digits);
+                for digits in others {
                     let mut values = [[0.0; 4]; LEN];
-                    for (value, digit) in values[..BLOCK_LEN]
-                        .iter_mut()
-                        .zip(digits.skip(block * BLOCK_LEN))
-                    {
-                        *value = [digit; 4];
+                    let digits = digits.iter().skip(block * BLOCK_LEN);
+                    for (value, digit) in values[..BLOCK_LEN].iter_mut().zip(digits) {
+                        *value = [*digit; 4];
                     }
                     transform.forward(&mut values);
                     for value in values {
@@ -214,5 +250,20 @@ impl NullaryFnOnce for Tables<'_> {
             }
         }
         (transform, tables)
+    }
+}
+
+/// 1/p modulo the second of two primes, p the first one.
+struct Inverse {
+    fields: [QuadField; 2],
+}
+
+impl NullaryFnOnce for Inverse {
+    type Output = Quad;
+
+    #[inline(always)]
+    fn call(self) -> Quad {
+        let [first, second] = self.fields;
+        second.reduced(second.inverse_of(second.reduced(first.p)))
     }
 }

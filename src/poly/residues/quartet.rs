@@ -37,11 +37,11 @@ impl Quartet {
         self.field.p.map(u64_from)
     }
 
-    /// The first of the primes, four times.
-    pub(super) fn first_prime(&self) -> Self {
+    /// One of the primes, four times.
+    pub(super) fn of_one_prime(&self, i: usize) -> Self {
         Self {
-            field: QuadField::new([self.field.p[0]; 4]),
-            root: [self.root[0]; 4],
+            field: QuadField::new([self.field.p[i]; 4]),
+            root: [self.root[i]; 4],
         }
     }
 
