@@ -100,7 +100,8 @@ pub(crate) fn products_are_fused() -> bool {
 }
 
 impl Sums {
-    /// Hands on the digits, carried, of Σ y C in base 2^`bits`, at most 2^48: of all of it, if there are sums for all of C.
+    /// Hands on the digits, carried, of Σ y C in base 2^`bits`, at most 2^48, for numbers C in that base: of all of it, if
+    /// there are sums for all of C.
     #[inline(always)]
     pub(crate) fn carried(&self, bits: u32, mut digit: impl FnMut(u64)) {
         let mask = (1 << bits) - 1;
