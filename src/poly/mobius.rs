@@ -6,7 +6,8 @@ use super::binomials::binomials;
 use super::flat::{FlatPolynomial, OnNumbers};
 use super::form_size::form_bits;
 use super::limbs::{add, negate, shift_left, width_for};
-use super::residues::{changed_by_residues, residues_are_quick};
+use super::residues::changed_by_residues;
+use crate::exact::products_are_fused;
 
 /// Up to this many coefficients of `bits` bits the n² additions of [`ByShifts`] are faster than two products of halves:
 /// 24 to 66 µs at n = 150 and 134 to 177 µs at 300, where they are compiled for the width, and else 164 to 164 at 250.
@@ -35,7 +36,7 @@ pub(super) fn change_of_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
 /// Whether residues modulo primes are faster than products of large integers: 0.5 of their time at 600 coefficients
 /// and 0.3 at 1000, where it is the same time at 6000 bits; above that their steps that are quadratic in the bits count.
 fn residues_are_faster(len: usize, bits: u64) -> bool {
-    residues_are_quick() && (300..100_000).contains(&len) && bits / 6 <= len as u64
+    products_are_fused() && (300..100_000).contains(&len) && bits / 6 <= len as u64
 }
 
 fn by_large_integers(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {

@@ -65,7 +65,6 @@ pub use plane::PlanePolynomial;
 pub(crate) use prime_field::PrimeField;
 pub(crate) use residues::{
     Bases, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet, minus, plus,
-    residues_are_quick,
 };
 pub(crate) use resultant::resultant;
 pub use ring::Ring;

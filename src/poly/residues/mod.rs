@@ -17,5 +17,5 @@ mod transform;
 
 pub(crate) use lifting::{Lifting, Residues, Sizes};
 pub(crate) use quad::{Quad, minus, plus};
-pub(crate) use quartet::{Quartet, for_each_quartet, residues_are_quick};
+pub(crate) use quartet::{Quartet, for_each_quartet};
 pub(crate) use shift::{Bases, changed_by_residues};

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::primes::fours_of_primes;
 use super::quad::{Quad, QuadField};
 use super::transform::Transform;
-use crate::exact::{products_are_fused, u64_from};
+use crate::exact::u64_from;
 
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
@@ -58,11 +58,6 @@ impl Quartet {
         self.set_transform(&mut transform, len);
         transform
     }
-}
-
-/// Whether the machine has the instructions.
-pub(crate) fn residues_are_quick() -> bool {
-    products_are_fused()
 }
 
 /// The work for each quartet and its number, on all threads where there are several quartets; each thread has its own
