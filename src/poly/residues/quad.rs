@@ -176,7 +176,7 @@ impl QuadField {
         each(self.p, |p| -(p - 1.0) / n)
     }
 
-    /// The residues in [0, p) of one of at most p.
+    /// The residues in [0, p) of integers up to 2^53.
     #[inline(always)]
     pub(super) fn canonical(&self, a: Quad) -> Quad {
         let a = self.reduced(a);

@@ -268,24 +268,16 @@ impl Transform {
 impl More {
     /// From a polynomial f to what is left of it modulo x^m − 1 and, in x/θ, modulo x^m' − ω; from at most 2p to at most 2p.
     ///
-    /// f is a0 + a1 y + …, y = x^m', of three or five terms. As 1 + ω + ω² = 0, it leaves s0 − s2 + ω (s1 − s2), where s_i is
-    /// the sum of every third term: s0 − s2 and s1 − s2 are at most 6p, the product with ω at most (1/2 + 3/16 · 6) p, both
-    /// together at most 8p.
+    /// f has one term in y = x^m' more than x^m has parts; what [`folded`] leaves of it is at most 6p, the product with ω at
+    /// most (1/2 + 3/16 · 6) p, both together at most 8p.
     #[inline(always)]
     fn forward(&self, field: &QuadField, values: &mut [Quad]) {
         let third = field.factor(self.third);
         let more = self.twists.len();
         let (values, last) = values.split_at_mut(values.len() - more);
-        let parts = values.len() / more;
         for (j, (last, twist)) in last.iter_mut().zip(&self.twists).enumerate() {
-            let (first, second) = (values[j], values[j + more]);
-            let (a, b) = if parts == 2 {
-                (minus(first, *last), minus(second, *last))
-            } else {
-                let (s2, a3) = (values[j + 2 * more], values[j + 3 * more]);
-                (minus(plus(first, a3), s2), minus(plus(second, *last), s2))
-            };
-            values[j] = field.reduced(plus(first, *last));
+            let [a, b] = folded(values, j, more, *last);
+            values[j] = field.reduced(plus(values[j], *last));
             let left = plus(a, field.times_factor(b, third));
             *last = field.times_factor(left, field.factor(*twist));
         }
@@ -293,32 +285,40 @@ impl More {
 
     /// From m f1 and m' f2 to m f, where f1 and f2 are what is left of f; from at most 2p to at most 2p.
     ///
-    /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. What is left of
-    /// f1 is as in [`More::forward`], of one term less: the three products are at most (1/2 + 3/16 · 2) p, (1/2 + 3/16 · 6) p
-    /// and (1/2 + 3/16 · 4) p, together less than 4p.
+    /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. The product of
+    /// f2 is at most (1/2 + 3/16 · 2) p, those of what [`folded`] leaves of f1 (1/2 + 3/16 · 6) p each, together less than 5p.
     #[inline(always)]
     fn backward(&self, field: &QuadField, values: &mut [Quad]) {
         let weights = [field.factor(self.weights[0]), field.factor(self.weights[1])];
         let more = self.untwists.len();
         let (values, last) = values.split_at_mut(values.len() - more);
-        let parts = values.len() / more;
         for (j, (last, untwist)) in last.iter_mut().zip(&self.untwists).enumerate() {
-            let (first, second) = (values[j], values[j + more]);
-            let (a, b) = if parts == 2 {
-                (first, second)
-            } else {
-                let (s2, a3) = (values[j + 2 * more], values[j + 3 * more]);
-                (minus(plus(first, a3), s2), minus(second, s2))
-            };
+            let [a, b] = folded(values, j, more, [0.0; 4]);
             let of_f1 = plus(
                 field.times_factor(a, weights[0]),
                 field.times_factor(b, weights[1]),
             );
             let of_f2 = field.times_factor(*last, field.factor(*untwist));
             *last = field.reduced(minus(of_f2, of_f1));
-            values[j] = field.reduced(minus(first, *last));
+            values[j] = field.reduced(minus(values[j], *last));
         }
     }
+}
+
+/// a and b with a0 + a1 y + … = a + bω for y = ω, ω² + ω + 1 = 0: the j-th coefficients of y^0, y^1, …, two or four of them
+/// `more` apart in `values`, and of the next power the one that is given. With s_i the sum of every third term they are
+/// s0 − s2 and s1 − s2: at most 6p, if all are at most 2p.
+#[inline(always)]
+fn folded(values: &[Quad], j: usize, more: usize, last: Quad) -> [Quad; 2] {
+    let (first, second) = (values[j], values[j + more]);
+    if values.len() == 2 * more {
+        return [minus(first, last), minus(second, last)];
+    }
+    let (s2, fourth) = (values[j + 2 * more], values[j + 3 * more]);
+    [
+        minus(plus(first, fourth), s2),
+        minus(plus(second, last), s2),
+    ]
 }
 
 /// Numbers of one place in the four quarters.
