@@ -48,6 +48,16 @@ pub enum Error {
     /// The user interrupted the work.
     #[error("interrupted; nothing was written")]
     Interrupted,
+    /// The program contradicted itself: a defect of stellate, not of the input. A wrong answer is never preferred to this.
+    #[error(
+        "internal contradiction in {place}: {broken}; nothing was written; please report the input"
+    )]
+    Internal {
+        /// Where: a file and line of the source, or the name of an algorithm.
+        place: String,
+        /// Which invariant does not hold.
+        broken: String,
+    },
     /// Reading or writing failed.
     #[error("{}: {source}", .path.display())]
     Io {
@@ -70,6 +80,26 @@ impl Error {
         }
     }
 
+    /// A [`Error::Internal`] for an answer that does not pass its own check in the algorithm `place`.
+    pub(crate) fn internal(place: impl Into<String>, broken: impl Into<String>) -> Self {
+        Error::Internal {
+            place: place.into(),
+            broken: broken.into(),
+        }
+    }
+
+    /// The [`Error::Internal`] for a panic that was caught at the boundary of the program, given what it carried and the
+    /// place in the source where it arose.
+    #[must_use]
+    pub fn from_panic(payload: &(dyn std::any::Any + Send), place: Option<String>) -> Self {
+        let text = payload.downcast_ref::<&str>().copied();
+        let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+        Error::Internal {
+            place: place.unwrap_or_else(|| "an unknown place".into()),
+            broken: text.unwrap_or("a panic without a message").into(),
+        }
+    }
+
     /// A [`Error::Limit`] with nothing finished.
     pub(crate) fn limit(limit: impl Into<String>) -> Self {
         Error::Limit {
@@ -77,6 +107,51 @@ impl Error {
             finished: String::new(),
         }
     }
+}
+
+/// What cannot happen stops the program loudly: `value.invariant("a part has a degree")` is the value, or a panic with that
+/// statement. The command line catches it once and reports it as [`Error::Internal`] (exit code 4).
+///
+/// Only for what the code around it guarantees, never for what depends on the input alone.
+pub(crate) trait Invariant {
+    /// What is there if the invariant holds.
+    type Value;
+
+    /// The value, which is there because of what `statement` says.
+    #[track_caller]
+    fn invariant(self, statement: &str) -> Self::Value;
+}
+
+impl<T> Invariant for Option<T> {
+    type Value = T;
+
+    #[inline]
+    fn invariant(self, statement: &str) -> T {
+        match self {
+            Some(value) => value,
+            None => broken(statement),
+        }
+    }
+}
+
+impl<T, E> Invariant for std::result::Result<T, E> {
+    type Value = T;
+
+    #[inline]
+    fn invariant(self, statement: &str) -> T {
+        match self {
+            Ok(value) => value,
+            Err(_) => broken(statement),
+        }
+    }
+}
+
+/// Stops the program because `statement` does not hold.
+#[cold]
+#[inline(never)]
+#[track_caller]
+pub(crate) fn broken(statement: &str) -> ! {
+    panic!("it does not hold that {statement}")
 }
 
 fn finished_clause(finished: &str) -> String {
@@ -115,6 +190,24 @@ fn caret(message: &str, source_name: &str, text: &str, at: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_broken_invariant_is_an_internal_error() {
+        assert_eq!(Some(3).invariant("three is there"), 3);
+        assert_eq!(Ok::<_, ()>(3).invariant("three is there"), 3);
+        for broken in [
+            std::panic::catch_unwind(|| None::<u8>.invariant("a part has a degree")),
+            std::panic::catch_unwind(|| Err(()).invariant("a part has a degree")),
+        ] {
+            let payload = broken.expect_err("nothing is there");
+            let error = Error::from_panic(payload.as_ref(), Some("src/poly/form.rs:7".into()));
+            assert_eq!(
+                error.to_string(),
+                "internal contradiction in src/poly/form.rs:7: it does not hold that a part has a degree; nothing was \
+                 written; please report the input"
+            );
+        }
+    }
 
     #[test]
     fn a_syntax_error_points_at_the_character() {

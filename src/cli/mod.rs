@@ -24,10 +24,12 @@ mod sample;
 mod session;
 mod vectors;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
 
 use clap::Parser;
-use stellate::error::Error;
+use stellate::error::{Error, Result};
 
 use arguments::{Arguments, Verb};
 use session::Session;
@@ -36,6 +38,7 @@ use session::Session;
 const ANSWER_IS_NO: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 const LIMIT_REACHED: u8 = 3;
+const CONTRADICTION: u8 = 4;
 
 /// Parses the arguments, runs the verb, reports the one error there may be.
 pub(crate) fn main() -> ExitCode {
@@ -48,7 +51,8 @@ pub(crate) fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    let outcome = Session::new(arguments.common).and_then(|mut session| {
+    let outcome = guarded(|| {
+        let mut session = Session::new(arguments.common)?;
         match arguments.verb {
             Verb::Describe(verb) => describe::run(&verb, &mut session),
             Verb::Implicitize(verb) => implicitize::run(&verb, &mut session),
@@ -73,13 +77,57 @@ pub(crate) fn main() -> ExitCode {
             session::report(&format!("stellate: {error}"));
             ExitCode::from(match error {
                 Error::Limit { .. } => LIMIT_REACHED,
+                Error::Internal { .. } => CONTRADICTION,
                 _ => WRONG_INPUT,
             })
         }
     }
 }
 
+/// Runs the work of a verb; a broken invariant anywhere in it, on any thread, becomes the one error that is reported.
+fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+    static FIRST_PLACE: Mutex<Option<String>> = Mutex::new(None);
+    let first_place = || FIRST_PLACE.lock().unwrap_or_else(PoisonError::into_inner);
+    // Instead of the message of the standard library, which is not one line.
+    let usual = std::panic::take_hook();
+    let is_traced = std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0");
+    std::panic::set_hook(Box::new(move |info| {
+        if is_traced {
+            usual(info);
+        }
+        first_place().get_or_insert_with(|| {
+            info.location()
+                .map_or_else(String::new, ToString::to_string)
+        });
+    }));
+    // Nothing that the work was changing is looked at after a panic.
+    let outcome = catch_unwind(AssertUnwindSafe(work));
+    outcome.unwrap_or_else(|payload| Err(Error::from_panic(payload.as_ref(), first_place().take())))
+}
+
 /// Whoever read our output has read enough (`stellate … | head`).
 fn is_broken_pipe(error: &Error) -> bool {
     matches!(error, Error::Io { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayon::prelude::*;
+
+    #[test]
+    fn a_panic_on_any_thread_is_one_internal_error() {
+        let work = || {
+            let sum: u32 = (0..100u32).into_par_iter().map(|k| k / (k - k % 100)).sum();
+            Ok(sum)
+        };
+        let error = guarded(work).expect_err("a division by 0");
+        let text = error.to_string();
+        assert!(
+            text.starts_with("internal contradiction in src/cli/mod.rs:"),
+            "{text}"
+        );
+        assert!(text.contains("divide by zero"), "{text}");
+        assert_eq!(guarded(|| Ok(1)).ok(), Some(1));
+    }
 }
