@@ -41,7 +41,8 @@ pub use all_roots::real_roots;
 pub(crate) use all_roots::sort_distinct;
 pub(crate) use binomials::binomials;
 pub(crate) use bounded::{
-    BoundedRoot, FOR_DOUBLES, Fixed, Signed, Truncated, Unproved, roots_of, rotations,
+    BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
+    rotations,
 };
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use circle::{doubled_harmonics, flat_form, harmonic_bits, scaled_harmonics};

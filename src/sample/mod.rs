@@ -6,6 +6,7 @@ mod ladder;
 mod parts;
 mod point;
 mod ray;
+mod root_rounding;
 mod space_direction;
 mod space_superquadric;
 mod superquadric;

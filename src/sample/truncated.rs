@@ -1,6 +1,7 @@
-//! Rays in a bounded number of bits: forms cut to W limbs, the roots along a direction proved and rounded.
+//! Rays in a bounded number of bits: forms with coefficients of W limbs, the roots along a direction proved and rounded.
+//!
+//! All errors are carried by balls ([`Coefficients`], [`UnitBalls`], [`ScaledBall`]); nothing is added up here.
 
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use malachite::Integer;
@@ -8,13 +9,12 @@ use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::parts::{Basis, ExpandedPart, Expansion};
 use super::point::{Sample, in_order};
-use super::wide::Wide;
+use super::root_rounding::RootRounding;
+use crate::error::Invariant;
 use crate::poly::{
-    BoundedRoot, FOR_DOUBLES, Fixed, Signed, Truncated, Unproved, roots_of, rotations,
+    BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
+    rotations,
 };
-
-/// Neighbouring doubles that are tried when the guess is not the nearest.
-const TRIES: usize = 4;
 
 /// The homogeneous parts of a polynomial with coefficients of W limbs.
 #[derive(Debug)]
@@ -29,13 +29,15 @@ pub(super) struct TruncatedForms<const W: usize, const V: usize> {
     gap: u32,
 }
 
-/// 2^(exponent + 8) Σ c b over functions b of the basis, Σ |c| ≤ 1/4.
+/// 2^exponent Σ c b over functions b of the basis.
 #[derive(Debug)]
 struct Part<const W: usize, const V: usize> {
     degree: usize,
     exponent: i64,
-    /// The number of the function, as seen from each coordinate, and c.
-    terms: Vec<([u32; V], Signed<W>)>,
+    /// The numbers of the functions b, as they are seen from each coordinate.
+    functions: Vec<[u32; V]>,
+    /// The c.
+    coefficients: Coefficients<W>,
 }
 
 /// Functions of a basis, numbered.
@@ -50,8 +52,7 @@ impl<const V: usize> Functions<V> {
     fn number(&mut self, indices: [usize; V]) -> u32 {
         *self.numbers.entry(indices).or_insert_with(|| {
             self.indices.push(indices);
-            // There are fewer than terms.
-            u32::try_from(self.indices.len() - 1).unwrap_or(u32::MAX)
+            u32::try_from(self.indices.len() - 1).invariant("there are fewer than 2^32 terms")
         })
     }
 }
@@ -64,7 +65,7 @@ struct Line<'a, const W: usize, const V: usize> {
     /// The coordinate from which functions are numbered.
     pivot: usize,
     /// The values of the functions at v / unit.
-    values: Vec<Signed<W>>,
+    values: UnitBalls<W>,
 }
 
 impl<const W: usize, const V: usize> TruncatedForms<W, V> {
@@ -91,8 +92,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
             basis,
             functions,
             parts,
-            // Degrees are small.
-            gap: u32::try_from(gap).unwrap_or(1).max(1),
+            gap: u32::try_from(gap.max(1)).invariant("degrees are small"),
         }
     }
 
@@ -112,7 +112,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
             Basis::Harmonics => Line::from_length(vector, w, &self.functions[0], highest),
         };
         let gap = self.gap as usize;
-        let mut coefficients = vec![Truncated::ZERO; (highest - lowest) / gap + 1];
+        let mut coefficients = vec![ScaledBall::ZERO; (highest - lowest) / gap + 1];
         for part in &self.parts {
             coefficients[(part.degree - lowest) / gap] = part.value(&line);
         }
@@ -137,33 +137,22 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
 
 impl<const W: usize, const V: usize> Part<W, V> {
     fn new(part: &ExpandedPart<'_, V>, numbers: &mut impl FnMut(&[usize; V]) -> [u32; V]) -> Self {
-        let cut = part.terms.iter();
-        let cut: Vec<_> = cut
-            .map(|(b, c)| (numbers(b), Fixed::normalized(c)))
-            .collect();
-        let largest = cut.iter().map(|(_, (_, exponent))| *exponent).max();
-        let exponent = largest.unwrap_or(0) - Fixed::<W>::room_for(cut.len());
-        let terms = cut.into_iter();
-        let terms = terms.map(|(b, (c, own))| (b, c.shifted_down(exponent - own).over_256()));
+        let integers = part.terms.iter().map(|(_, c)| &**c);
+        let (coefficients, exponent) = Coefficients::of_integers(integers);
         Self {
             degree: part.degree,
             exponent: exponent + part.exponent,
-            terms: terms.collect(),
+            functions: part.terms.iter().map(|(b, _)| numbers(b)).collect(),
+            coefficients,
         }
     }
 
     /// The value at v / unit.
-    fn value(&self, line: &Line<'_, W, V>) -> Truncated<W> {
-        let sum = self.terms.iter().fold(Fixed::ZERO, |sum, (b, c)| {
-            sum.plus_product(c, &line.values[b[line.pivot] as usize])
-        });
-        // Each coefficient is cut (2 ulps), each product rounded (W). The values of the functions are wrong by at most
-        // ((3W + 2) d + 1) 2^(−64W), that is by so many 256ths of an ulp, and Σ |c| ≤ 64 in these units: (W + 1) d + 1.
-        let error = (W + 2) * self.terms.len() + (W + 1) * self.degree + 1;
-        Truncated {
-            mantissa: sum,
+    fn value(&self, line: &Line<'_, W, V>) -> ScaledBall<W> {
+        let functions = self.functions.iter().map(|b| b[line.pivot] as usize);
+        ScaledBall {
+            ball: self.coefficients.combination(&line.values, functions),
             exponent: self.exponent,
-            error: error as u64,
         }
     }
 }
@@ -175,25 +164,25 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
         degree: usize,
     ) -> Self {
         let size = |i: &usize| vector[*i].unsigned_abs_ref();
-        let pivot = (0..V).max_by_key(size).unwrap_or(0);
+        let pivot = (0..V)
+            .max_by_key(size)
+            .invariant("a vector has coordinates");
         let unit = &vector[pivot];
-        let powers: [Vec<Signed<W>>; V] = std::array::from_fn(|i| {
+        let powers: [Vec<UnitBall<W>>; V] = std::array::from_fn(|i| {
             if i == pivot {
                 return Vec::new();
             }
-            let ratio = Signed::quotient(&vector[i], unit);
+            let ratio = UnitBall::quotient(&vector[i], unit);
             let powers =
-                std::iter::successors(Some(Signed::ONE), |power| Some(power.times(&ratio)));
+                std::iter::successors(Some(UnitBall::ONE), |power| Some(power.times(&ratio)));
             powers.take(degree + 1).collect()
         });
-        // With the errors 1 of 1 and of the ratio, and W of a product, an x^e is wrong by at most (W + 1) e + 1 and a
-        // product of two or three of them, Σ e ≤ d, by 2W + 1 more: not more than (3W + 2) d + 1.
         let value = |indices: &[usize; V]| {
             let factors = powers.iter().zip(indices).filter(|(_, e)| **e > 0);
             let product = factors
                 .map(|(powers, e)| powers[*e])
                 .reduce(|a, b| a.times(&b));
-            product.unwrap_or(Signed::ONE)
+            product.unwrap_or(UnitBall::ONE)
         };
         Self {
             vector,
@@ -210,7 +199,7 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
         functions: &Functions<V>,
         degree: usize,
     ) -> Self {
-        let [cosines, sines] = rotations([0, 1].map(|i| Signed::quotient(&vector[i], w)), degree);
+        let [cosines, sines] = rotations([0, 1].map(|i| UnitBall::quotient(&vector[i], w)), degree);
         let value = |indices: &[usize; V]| match indices[1] {
             0 => cosines[indices[0]],
             m => sines[m],
@@ -225,7 +214,7 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
 
     /// The point with λ = sign · |root|^(1/gap).
     fn sample(&self, root: &BoundedRoot<W>, gap: u32, sign: i8, w: &Integer) -> Option<Sample<V>> {
-        let rounding = Rounding::new(root, gap);
+        let rounding = RootRounding::new(root, gap);
         let unit = self.unit;
         let along = |other: &Integer| -> Option<f64> {
             // λ · other / unit
@@ -247,96 +236,4 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
             multiplicity: 1,
         })
     }
-}
-
-/// Rounds multiples of |root|^(1/gap).
-struct Rounding {
-    gap: u32,
-    is_inverted: bool,
-    scale: i64,
-    low: Wide,
-    high: Wide,
-    /// About |root|^(1/gap).
-    guess: f64,
-}
-
-impl Rounding {
-    fn new<const W: usize>(root: &BoundedRoot<W>, gap: u32) -> Self {
-        let y = root.low.to_f64();
-        let sign = if root.is_inverted { -1.0 } else { 1.0 };
-        let gap_f64 = f64::from(gap);
-        // 2^s = 2^(whole gap) 2^rest, for roots beyond the doubles.
-        let whole = root.scale.div_euclid(i64::from(gap));
-        let rest = root.scale.rem_euclid(i64::from(gap));
-        let small = |k: i64| f64::from(i32::try_from(k).unwrap_or(i32::MAX)).exp2();
-        let guess = if gap == 1 {
-            if root.is_inverted { 1.0 / y } else { y }
-        } else {
-            y.powf(sign / gap_f64) * (small(rest).powf(1.0 / gap_f64))
-        };
-        Self {
-            gap,
-            is_inverted: root.is_inverted,
-            scale: root.scale,
-            low: Wide::from_leading(root.low.leading()),
-            high: Wide::from_leading(root.high.leading()),
-            guess: guess * small(whole),
-        }
-    }
-
-    /// The double nearest to |root|^(1/gap) · |other / unit|.
-    fn nearest(&self, unit: &Integer, other: &Integer) -> Option<f64> {
-        let inverse = Wide::quotient(unit, other);
-        let mut guess = self.guess / inverse.to_f64();
-        for _ in 0..TRIES {
-            if !(guess.is_normal() && guess.next_down().is_normal() && guess.next_up().is_finite())
-            {
-                return None;
-            }
-            let [below, above] = midpoints(guess);
-            if self.compare(above, inverse, Ordering::Less)? == Ordering::Greater {
-                guess = guess.next_up();
-            } else if self.compare(below, inverse, Ordering::Greater)? == Ordering::Less {
-                guess = guess.next_down();
-            } else {
-                return Some(guess);
-            }
-        }
-        None
-    }
-
-    /// How |root|^(1/gap) / inverse compares with a bound; what is likely is tried first.
-    fn compare(&self, bound: Wide, inverse: Wide, likely: Ordering) -> Option<Ordering> {
-        // The root is 2^s y, or 2^s / y, and is compared with q 2^s.
-        let q = bound.times(inverse).power(self.gap);
-        let q = q.times_power_of_two(-self.scale);
-        [likely, likely.reverse()].into_iter().find(|order| {
-            // It is larger if its lower end is, and smaller if the upper one is.
-            let y = if (*order == Ordering::Greater) == self.is_inverted {
-                self.high
-            } else {
-                self.low
-            };
-            let certain = if self.is_inverted {
-                Wide::exact(1, 0).certain_order(q.times(y))
-            } else {
-                y.certain_order(q)
-            };
-            certain == Some(*order)
-        })
-    }
-}
-
-/// The midpoints between a positive normal double and its neighbours.
-fn midpoints(double: f64) -> [Wide; 2] {
-    let bits = double.to_bits();
-    let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
-    let exponent = i64::try_from(bits >> 52).unwrap_or(0) - 1075;
-    let below = if mantissa == 1 << 52 {
-        // The doubles below are twice as close.
-        Wide::exact(4 * mantissa - 1, exponent - 2)
-    } else {
-        Wide::exact(2 * mantissa - 1, exponent - 1)
-    };
-    [below, Wide::exact(2 * mantissa + 1, exponent - 1)]
 }

@@ -1,11 +1,14 @@
-//! Positive numbers with 128 leading bits and a bound of their error.
+//! Positive numbers with 128 leading bits and a bound of their relative error.
 
 use std::cmp::Ordering;
 
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
-/// About mantissa · 2^exponent with a mantissa of 128 bits, which is wrong by at most `error`.
+use crate::error::Invariant;
+
+/// A positive number x with |x − m 2^exponent| ≤ error · 2^(−127) · m 2^exponent, for a mantissa m of exactly 128 bits. Every
+/// operation says how its error arises from those of its operands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wide {
     mantissa: u128,
@@ -15,6 +18,8 @@ pub(super) struct Wide {
 
 impl Wide {
     /// From the leading bits of a number that is not 0: it is at least (mantissa, exponent), and less than the next one.
+    ///
+    /// The difference is below 1, which is at most 2^(−127) of a mantissa of 128 bits.
     pub(super) fn from_leading((mantissa, exponent): (u128, i64)) -> Self {
         Self {
             mantissa,
@@ -34,10 +39,12 @@ impl Wide {
     }
 
     /// |p / q|, neither of them 0.
+    ///
+    /// The quotient is cut twice, together by less than 1 in the last bit of the mantissa.
     pub(super) fn quotient(p: &Integer, q: &Integer) -> Self {
         let (p, q) = (p.unsigned_abs_ref(), q.unsigned_abs_ref());
-        let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
-        let shift = 129 + bits(q.significant_bits()) - bits(p.significant_bits());
+        let signed = |bits: u64| i64::try_from(bits).invariant("bits are far below 2^63");
+        let shift = 129 + signed(q.significant_bits()) - signed(p.significant_bits());
         let quotient = if shift >= 0 {
             (p << shift.unsigned_abs()) / q
         } else {
@@ -45,14 +52,20 @@ impl Wide {
         };
         // 129 or 130 bits.
         let surplus = quotient.significant_bits() - 128;
-        let mantissa = u128::try_from(&(quotient >> surplus)).unwrap_or(u128::MAX);
+        let mantissa = u128::try_from(&(quotient >> surplus));
         Self {
-            mantissa,
-            exponent: bits(surplus) - shift,
+            mantissa: mantissa.invariant("128 bits are left"),
+            exponent: signed(surplus) - shift,
             error: 1,
         }
     }
 
+    /// **Lemma.** With errors a and b of the factors, a + b < 2^63, that of the product is at most a + b + 4.
+    ///
+    /// Proof. The product of the mantissas is at least 2^254. Cut below 2^128 and shifted up by at most one bit, it loses less
+    /// than 2 in the last place, so it is 1 + κ times what is left, κ < 2 · 2^(−127). With the relative errors α and β of the
+    /// factors the true product is (1 + κ)(1 + α)(1 + β) times that, and the products of two of these are together below
+    /// 2 · 2^(−127). Law: `bounds_hold`.
     #[inline]
     pub(super) fn times(self, other: Self) -> Self {
         let low = |m: u128| m & u128::from(u64::MAX);
@@ -60,13 +73,14 @@ impl Wide {
         let [c, d] = [low(other.mantissa), other.mantissa >> 64];
         let carried = low(a * d) + low(b * c) + ((a * c) >> 64);
         let high = b * d + ((a * d) >> 64) + ((b * c) >> 64) + (carried >> 64);
-        // At least 2^126; the last bit is lost, or two.
+        // At least 2^126.
         let zeros = high.leading_zeros();
-        let error = self.error.saturating_add(other.error);
+        let sum = self.error.checked_add(other.error);
+        let sum = sum.filter(|sum| *sum < 1 << 63).map(|sum| sum + 4);
         Self {
             mantissa: high << zeros,
             exponent: self.exponent + other.exponent + 128 - i64::from(zeros),
-            error: error.saturating_mul(2).saturating_add(4),
+            error: sum.invariant("there are fewer than 2^60 factors"),
         }
     }
 
@@ -88,34 +102,33 @@ impl Wide {
     /// About the value.
     #[expect(clippy::cast_precision_loss, reason = "an approximation")]
     pub(super) fn to_f64(self) -> f64 {
-        // In two steps, for the smallest doubles.
+        // In two steps, for the smallest doubles. What overflows is infinite or 0.
         let half = i32::try_from(self.exponent / 2).unwrap_or(i32::MAX);
         let rest = i32::try_from(self.exponent - self.exponent / 2).unwrap_or(i32::MAX);
         self.mantissa as f64 * f64::from(half).exp2() * f64::from(rest).exp2()
     }
 
     /// How the numbers compare, if their errors leave no doubt.
+    ///
+    /// **Lemma.** Let m ≥ n be the mantissas in units of the larger exponent, the smaller number's cut (by less than 1). If m −
+    /// n > 2a + 2b + 1, the errors being a and b, the numbers compare as m and n do. Proof: a mantissa is below 2^128, so
+    /// it is wrong by less than 2a.
     pub(super) fn certain_order(self, other: Self) -> Option<Ordering> {
-        if self.exponent != other.exponent {
-            // The mantissas differ by a factor below 2, the errors are small; so only far apart is certain.
-            let far =
-                self.exponent.abs_diff(other.exponent) > 1 && self.error.max(other.error) < 1 << 60;
-            if far {
-                return Some(self.exponent.cmp(&other.exponent));
-            }
-            let (low, high) = if self.exponent < other.exponent {
-                (self, other)
-            } else {
-                (other, self)
-            };
-            // Both in units of the lower exponent, halved.
-            let apart = high.mantissa.checked_sub(low.mantissa / 2)?;
-            let errors = u128::from(self.error) + u128::from(other.error) + 2;
-            return (apart > errors).then_some(self.exponent.cmp(&other.exponent));
-        }
-        let apart = self.mantissa.abs_diff(other.mantissa);
-        let errors = u128::from(self.error) + u128::from(other.error);
-        (apart > errors).then_some(self.mantissa.cmp(&other.mantissa))
+        let order = self.exponent.cmp(&other.exponent);
+        let (low, high) = if order.is_lt() {
+            (self, other)
+        } else {
+            (other, self)
+        };
+        let shift = u32::try_from(high.exponent - low.exponent).ok();
+        let shifted = shift
+            .and_then(|shift| low.mantissa.checked_shr(shift))
+            .unwrap_or(0);
+        let apart = high.mantissa.abs_diff(shifted);
+        let errors = 2 * (u128::from(self.error) + u128::from(other.error)) + 1;
+        let is_certain = apart > errors;
+        let order = order.then_with(|| self.mantissa.cmp(&other.mantissa));
+        is_certain.then_some(order)
     }
 }
 
@@ -126,9 +139,10 @@ mod tests {
     use proptest::prelude::*;
 
     fn ends(a: Wide) -> [Rational; 2] {
+        let value = Rational::from_parts(Integer::from(a.mantissa), a.exponent);
         [-1, 1].map(|sign| {
             let error = Integer::from(a.error) * Integer::from(sign);
-            Rational::from_parts(Integer::from(a.mantissa) + error, a.exponent)
+            &value + &value * Rational::from_parts(error, -127)
         })
     }
 

@@ -1,16 +1,18 @@
-//! Numbers of W limbs: fixed-point numbers with a sign, and fractions between 0 and 1.
+//! Numbers of W limbs without errors: fixed-point numbers with a sign, and fractions between 0 and 1. Each operation says how
+//! it rounds; what that does to an error is said in `ball.rs`.
 
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::super::limbs::sign_limb;
+use crate::error::Invariant;
 
 /// Bits of a [`Fixed`] before the point, the sign among them.
-const WHOLE_BITS: u64 = 8;
+const WHOLE_BITS: i64 = 8;
 
 /// A number in (−128, 128), a multiple of the *ulp* 2^(8 − 64W), in two's complement: the lowest limb first.
 ///
-/// Sums are exact as long as they stay in range, which is the caller's care (they wrap).
+/// Sums are exact. The caller must ensure that they stay in range; out-of-range sums wrap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fixed<const W: usize>([u64; W]);
 
@@ -73,17 +75,17 @@ fn high_product<const W: usize>(a: &[u64; W], b: &[u64; W]) -> [u64; W] {
 /// a · 2^(−shift), rounded down, or a · 2^(−shift) modulo 2^(64W) for a negative shift.
 fn shifted<const W: usize>(a: &[u64; W], shift: i64) -> [u64; W] {
     let bits = shift.unsigned_abs();
-    let limbs = usize::try_from(bits / 64).unwrap_or(usize::MAX);
+    // From W limbs on nothing is left.
+    let limbs = usize::try_from((bits / 64).min(W as u64)).invariant("a number has few limbs");
     let bits = bits % 64;
+    // Beyond the limbs there are zeros.
+    let at = |k: Option<usize>| u128::from(k.and_then(|k| a.get(k)).copied().unwrap_or(0));
     let mut result = [0; W];
     for (k, r) in result.iter_mut().enumerate() {
-        let at = |k: Option<usize>| k.and_then(|k| a.get(k)).copied().unwrap_or(0);
         let pair = if shift >= 0 {
-            let above = at(k.checked_add(limbs).and_then(|k| k.checked_add(1)));
-            (u128::from(above) << 64) | u128::from(at(k.checked_add(limbs)))
+            at(Some(k + limbs + 1)) << 64 | at(Some(k + limbs))
         } else {
-            let below = at(k.checked_sub(limbs).and_then(|k| k.checked_sub(1)));
-            (u128::from(at(k.checked_sub(limbs))) << 64) | u128::from(below)
+            at(k.checked_sub(limbs)) << 64 | at(k.checked_sub(limbs + 1))
         };
         *r = if shift >= 0 {
             low(pair >> bits)
@@ -94,10 +96,15 @@ fn shifted<const W: usize>(a: &[u64; W], shift: i64) -> [u64; W] {
     result
 }
 
+/// A number of bits, which is far below 2^63.
+fn signed(bits: u64) -> i64 {
+    i64::try_from(bits).invariant("the bits of a number that fits in memory fit in an i64")
+}
+
 fn significant_bits<const W: usize>(a: &[u64; W]) -> i64 {
     let top = a.iter().enumerate().rev().find(|(_, limb)| **limb != 0);
     top.map_or(0, |(k, limb)| {
-        i64::try_from(64 * k as u64 + limb.significant_bits()).unwrap_or(i64::MAX)
+        signed(64 * k as u64 + limb.significant_bits())
     })
 }
 
@@ -116,39 +123,49 @@ impl<const W: usize> Fixed<W> {
     pub(crate) const ZERO: Self = Self([0; W]);
 
     /// log₂ of one over the ulp.
-    pub(crate) fn fraction_bits() -> i64 {
-        64 * i64::try_from(W).unwrap_or(0) - 8
-    }
+    pub(crate) const FRACTION_BITS: i64 = 64 * W as i64 - WHOLE_BITS;
 
-    /// An r such that so many numbers below 2^r have sums of at most 64.
+    /// The largest r such that `count` numbers below 2^r have sums of at most 64, or one less.
     pub(crate) fn room_for(count: usize) -> i64 {
         6 - i64::from(count.max(1).ilog2()) - 1
     }
 
-    /// (m, e) with value = m · 2^e up to less than one ulp of m, towards 0, and |m| in [1/2, 1) unless the
-    /// value is 0.
-    pub(crate) fn normalized(value: &Integer) -> (Self, i64) {
+    /// The number of bits of |value|.
+    pub(crate) fn bits_of(value: &Integer) -> i64 {
+        signed(value.unsigned_abs_ref().significant_bits())
+    }
+
+    /// value · 2^(−exponent), cut towards 0 to a multiple of the ulp, and whether something was cut off.
+    ///
+    /// # Panics
+    /// If that is not in (−128, 128).
+    pub(super) fn of_integer(value: &Integer, exponent: i64) -> (Self, bool) {
         let magnitude = value.unsigned_abs_ref();
-        let bits = i64::try_from(magnitude.significant_bits()).unwrap_or(i64::MAX);
-        let shift = bits - Self::fraction_bits();
+        assert!(
+            Self::bits_of(value) < exponent + WHOLE_BITS,
+            "a number fits in its limbs"
+        );
+        let shift = exponent - Self::FRACTION_BITS;
         let mut limbs = [0; W];
+        let mut fill = |n: &malachite::Natural| {
+            for (limb, value) in limbs.iter_mut().zip(n.limbs()) {
+                *limb = value;
+            }
+        };
+        let mut is_cut = false;
         if shift > 0 {
-            let cut = magnitude >> shift.unsigned_abs();
-            for (limb, value) in limbs.iter_mut().zip(cut.limbs()) {
-                *limb = value;
-            }
+            let shift = shift.unsigned_abs();
+            fill(&(magnitude >> shift));
+            is_cut = magnitude
+                .trailing_zeros()
+                .is_some_and(|zeros| zeros < shift);
         } else {
-            for (limb, value) in limbs.iter_mut().zip(magnitude.limbs()) {
-                *limb = value;
-            }
+            fill(magnitude);
             limbs = shifted(&limbs, shift);
         }
-        let value = if *value < 0 {
-            Self(limbs).negated()
-        } else {
-            Self(limbs)
-        };
-        (value, bits)
+        let size = Self(limbs);
+        let value = if *value < 0 { size.negated() } else { size };
+        (value, is_cut)
     }
 
     /// ⌊a / 2^shift⌋ ulps, for a number a in two's complement that is less than 2^(64W − 1 + shift).
@@ -246,18 +263,21 @@ impl<const W: usize> Fixed<W> {
         }
     }
 
-    /// The sign, if self is known up to `error` ulps; `None` if that leaves it open.
-    pub(crate) fn known_sign(self, error: u128) -> Option<i8> {
+    /// Whether |self| is more than so many ulps.
+    #[inline]
+    pub(super) fn is_larger_than(self, ulps: u128) -> bool {
         let magnitude = self.magnitude();
-        let small = magnitude[2..].iter().all(|limb| *limb == 0);
-        let ulps = (u128::from(magnitude[1]) << 64) | u128::from(magnitude[0]);
-        let known = !small || ulps > error;
-        known.then_some(if self.is_negative() { -1 } else { 1 })
+        let low = u128::from(magnitude[1]) << 64 | u128::from(magnitude[0]);
+        low > ulps || magnitude[2..].iter().any(|limb| *limb != 0)
+    }
+
+    pub(super) fn is_zero(self) -> bool {
+        self == Self::ZERO
     }
 
     /// About the value.
     pub(crate) fn to_f64(self) -> f64 {
-        let size = approximate(&self.magnitude()) * f64::from(1u32 << WHOLE_BITS);
+        let size = approximate(&self.magnitude()) * 256.0;
         if self.is_negative() { -size } else { size }
     }
 }
@@ -318,7 +338,7 @@ impl<const W: usize> Fraction<W> {
     /// self · 2^shift, at most [`Fraction::LARGEST`].
     pub(crate) fn shifted_up(&self, shift: u32) -> Self {
         let shift = i64::from(shift);
-        if significant_bits(&self.0) + shift > 64 * i64::try_from(W).unwrap_or(0) {
+        if significant_bits(&self.0) + shift > 64 * W as i64 {
             Self::LARGEST
         } else {
             Self(shifted(&self.0, -shift))
@@ -358,7 +378,7 @@ impl<const W: usize> Fraction<W> {
         if bits == 0 {
             return (0, 0);
         }
-        let whole = 64 * i64::try_from(W).unwrap_or(0);
+        let whole = 64 * W as i64;
         let top = shifted(&self.0, bits - whole);
         let m = (u128::from(top[W - 1]) << 64) | u128::from(top[W - 2]);
         (m, bits - whole - 128)
@@ -425,11 +445,13 @@ mod tests {
             if shift >= 0 {
                 prop_assert_eq!(integer(x.shifted_down(shift)), &i / Integer::from(2).pow(shift.unsigned_abs()));
             }
-            let sign = x.known_sign(u128::from(p));
-            prop_assert_eq!(sign.is_some(), i.unsigned_abs_ref() > &malachite::Natural::from(p));
-            let (m, e) = Fixed::<W>::normalized(&i);
+            prop_assert_eq!(x.is_larger_than(p.into()), i.unsigned_abs_ref() > &malachite::Natural::from(p));
+            let exponent = Fixed::<W>::bits_of(&i);
+            let (m, is_cut) = Fixed::<W>::of_integer(&i, exponent);
             let cut = i.significant_bits().saturating_sub(64 * W as u64 - 8);
-            prop_assert_eq!((integer(m) << e.unsigned_abs()) >> (64 * W as u64 - 8), (&i / Integer::from(2).pow(cut)) << cut);
+            let expected = &i / Integer::from(2).pow(cut);
+            prop_assert_eq!((integer(m) << exponent.unsigned_abs()) >> (64 * W as u64 - 8), &expected << cut);
+            prop_assert_eq!(is_cut, expected << cut != i);
             let (m, e) = f.leading();
             if g != 0 {
                 prop_assert_eq!(g >> ((64 * W as i64) + e).unsigned_abs(), Integer::from(m));

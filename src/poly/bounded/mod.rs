@@ -1,12 +1,13 @@
 //! Certified real roots in a bounded number of bits.
 //!
-//! The coefficients are cut to fixed-point numbers of W limbs with a bound of their errors, and every sign that is used
-//! is larger than the error of the value. So what is found is proved: all real roots, simple, each between two bounds. Where
-//! W limbs do not suffice nothing is found, and the caller takes more or goes to exact arithmetic.
+//! The coefficients are cut to balls of W limbs (`ball.rs`), and only signs that hold for all numbers of a ball are used. So what
+//! is found is proved: all real roots, simple, each between two bounds. Where W limbs do not suffice nothing is found, and the
+//! caller takes more or goes to exact arithmetic.
 //!
 //! With x = ±2^s y the axis is four intervals: y in (0, 1) and 1/y in (0, 1) for either sign, s such that the roots have
 //! mean size 1. On each of them Laguerre's rule or Descartes' rule in the Bernstein basis isolates, Newton's method encloses.
 
+mod ball;
 mod bernstein;
 mod fixed;
 mod newton;
@@ -15,62 +16,23 @@ mod signed;
 
 use std::cell::LazyCell;
 
-use bernstein::inverse_binomials;
-pub(crate) use fixed::Fixed;
-use fixed::Fraction;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::DivRound;
 use malachite::base::rounding_modes::RoundingMode;
-use newton::OnUnitInterval;
+
+use ball::Balls;
+pub(crate) use ball::{Coefficients, ScaledBall, UnitBall, UnitBalls, rotations};
+use bernstein::BernsteinTable;
+use fixed::Fraction;
+use search::Place;
 pub(crate) use search::Unproved;
-use search::{Isolated, whole};
-pub(crate) use signed::{Signed, rotations};
 
 use super::IntegerPolynomial;
-use super::isolate::Changes;
+use crate::error::Invariant;
 use crate::exact::Dyadic;
 
 /// Beyond this degree the tables of weights and d² are too much.
 const MAX_DEGREE: usize = 256;
-
-/// Errors are sums and products of positive doubles, less than 4d of them one after another, each right up to a factor of
-/// 1 ± 2^(−53): that times all of them is covered, 1 + 2^(−40).
-const SLACK: f64 = 1.000_000_000_000_909_5;
-/// 2^120 ulps: errors that leave nothing, but do not overflow either.
-const LARGEST_ERROR: f64 = 1.329_227_995_784_916e36;
-
-/// A coefficient: mantissa · 2^exponent, known up to less than `error` ulps of the mantissa.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Truncated<const W: usize> {
-    pub(crate) mantissa: Fixed<W>,
-    pub(crate) exponent: i64,
-    pub(crate) error: u64,
-}
-
-impl<const W: usize> Truncated<W> {
-    /// An integer, cut.
-    pub(crate) fn new(value: &Integer) -> Self {
-        let (mantissa, exponent) = Fixed::normalized(value);
-        Self {
-            mantissa,
-            exponent,
-            error: 1,
-        }
-    }
-
-    /// 0.
-    pub(crate) const ZERO: Self = Self {
-        mantissa: Fixed::ZERO,
-        exponent: 0,
-        error: 0,
-    };
-
-    /// About log₂ |value|; `None` if it may be 0.
-    fn size(&self) -> Option<i64> {
-        self.mantissa.known_sign(self.error.into())?;
-        Some(self.mantissa.bits() - Fixed::<W>::fraction_bits() + self.exponent)
-    }
-}
 
 /// A simple root ±2^s y or ±2^s / y, with `low` < y < `high`.
 #[derive(Clone, Copy, Debug)]
@@ -98,22 +60,23 @@ const FOR_REFINEMENT: f64 = 2.441_406_25e-4;
 /// # Errors
 /// If W limbs do not prove that they are all and simple: for one if the first or the last coefficient may be 0.
 pub(crate) fn roots_of<const W: usize>(
-    coefficients: &[Truncated<W>],
+    coefficients: &[ScaledBall<W>],
     longest: f64,
 ) -> Result<Vec<BoundedRoot<W>>, Unproved> {
-    let degree = coefficients.len().saturating_sub(1);
-    if coefficients.is_empty() || degree > MAX_DEGREE {
+    let [first, .., last] = coefficients else {
+        // A constant has no roots, if it is not 0.
+        let is_constant = coefficients.first().is_some_and(|c| c.log2().is_some());
+        return is_constant.then(Vec::new).ok_or(Unproved::Bits);
+    };
+    let degree = coefficients.len() - 1;
+    if degree > MAX_DEGREE {
         return Err(Unproved::Close);
     }
-    let size = |i: usize| coefficients[i].size().ok_or(Unproved::Bits);
-    let (first, last) = (size(0)?, size(degree)?);
-    if degree == 0 {
-        return Ok(Vec::new());
-    }
-    let by = i64::try_from(degree).unwrap_or(i64::MAX);
+    let log2 = |c: &ScaledBall<W>| c.log2().ok_or(Unproved::Bits);
+    let by = degree as i64;
     // To the nearest: else roots of size 1 are found as those of size 1/2, which takes d bits more.
-    let scale = (first - last + by / 2).div_euclid(by);
-    let inverses = LazyCell::new(|| inverse_binomials(degree));
+    let scale = (log2(first)? - log2(last)? + by / 2).div_euclid(by);
+    let table = LazyCell::new(|| BernsteinTable::of_degree(degree));
     let mut roots = Vec::new();
     for is_inverted in [false, true] {
         let mut piece = Piece {
@@ -122,21 +85,15 @@ pub(crate) fn roots_of<const W: usize>(
             is_negative: false,
             is_inverted,
         };
-        let mut polynomial = piece.polynomial().ok_or(Unproved::Bits)?;
-        let mut errors = None;
+        let mut polynomial = piece.polynomial();
         for is_negative in [false, true] {
             if is_negative {
                 piece.is_negative = true;
-                polynomial.reflect(is_inverted);
+                polynomial.negate_every_second(piece.first_odd());
             }
-            let places = match polynomial.changes_of_partial_sums() {
-                Changes::None => continue,
-                Changes::One => vec![polynomial.only_root()?],
-                Changes::More => {
-                    let errors =
-                        errors.get_or_insert_with(|| polynomial.bernstein_errors(&inverses));
-                    search::isolate(polynomial.to_bernstein(&inverses, errors))?
-                }
+            let places = match search::by_partial_sums(&polynomial)? {
+                Some(places) => places,
+                None => search::isolate(polynomial.to_bernstein(&table))?,
             };
             for place in places {
                 let root = piece.enclose(&polynomial, &place, longest);
@@ -150,47 +107,44 @@ pub(crate) fn roots_of<const W: usize>(
 /// A quarter of the axis: x = ±2^s y or x = ±2^s / y, with 0 < y < 1.
 #[derive(Clone, Copy)]
 struct Piece<'a, const W: usize> {
-    coefficients: &'a [Truncated<W>],
+    coefficients: &'a [ScaledBall<W>],
     scale: i64,
     is_negative: bool,
     is_inverted: bool,
 }
 
 impl<const W: usize> Piece<'_, W> {
-    /// f as a polynomial in y, times a power of y, and of two that makes Σ |c_i| at most 64.
-    fn polynomial(&self) -> Option<OnUnitInterval<W>> {
-        let length = self.coefficients.len();
-        let exponent = |i: usize| {
-            let power = i64::try_from(i).unwrap_or(i64::MAX);
-            self.coefficients[i].exponent + self.scale * power
+    /// f as a polynomial in y, times a power of y and a constant.
+    fn polynomial(&self) -> Balls<W> {
+        let scale = self.scale;
+        let scaled = |(i, c): (usize, &ScaledBall<W>)| (*c, scale * i as i64);
+        let terms = self.coefficients.iter().enumerate().map(scaled);
+        let aligned = if self.is_inverted {
+            Balls::aligned(terms.rev())
+        } else {
+            Balls::aligned(terms)
         };
-        let sizes = (0..length).map(|i| self.coefficients[i].mantissa.bits() + exponent(i));
-        let excess = sizes.max()? - Fixed::<W>::fraction_bits() - Fixed::<W>::room_for(length);
-        let mut errors = Vec::with_capacity(length);
-        let mut result = Vec::with_capacity(length);
-        for k in 0..length {
-            let i = if self.is_inverted { length - 1 - k } else { k };
-            let c = &self.coefficients[i];
-            let down = excess - exponent(i);
-            let cut = c.mantissa.shifted_down(down);
-            let flipped = self.is_negative && !i.is_multiple_of(2);
-            result.push(if flipped { cut.negated() } else { cut });
-            errors.push(error_after(c.error, down));
+        let mut polynomial = aligned.invariant("the first coefficient is not 0");
+        if self.is_negative {
+            polynomial.negate_every_second(self.first_odd());
         }
-        let total: f64 = errors.iter().sum();
-        // Far from overflow, whatever is added to it.
-        (total < LARGEST_ERROR).then_some(OnUnitInterval {
-            coefficients: result,
-            errors,
-            error: whole(total * SLACK),
-        })
+        polynomial
+    }
+
+    /// The index in [`Piece::polynomial`] of the first odd power of x.
+    fn first_odd(&self) -> usize {
+        if self.is_inverted {
+            self.coefficients.len() % 2
+        } else {
+            1
+        }
     }
 
     /// The root in `place`; `polynomial` is this piece's.
     fn enclose(
         &self,
-        polynomial: &OnUnitInterval<W>,
-        place: &Isolated,
+        polynomial: &Balls<W>,
+        place: &Place,
         longest: f64,
     ) -> Option<BoundedRoot<W>> {
         let guess = polynomial.guess(place);
@@ -205,7 +159,7 @@ impl<const W: usize> Piece<'_, W> {
             let drop = i64::from(drop);
             let sign = if self.is_inverted { 1 } else { -1 };
             let scale = self.scale + sign * drop;
-            let local = Piece { scale, ..*self }.polynomial()?;
+            let local = Piece { scale, ..*self }.polynomial();
             let [low, high] = local.enclose(&guess, bounds, place.sign_low, longest)?;
             (low, high, scale)
         };
@@ -223,17 +177,6 @@ impl<const W: usize> Piece<'_, W> {
             },
         })
     }
-}
-
-/// The error, in ulps, of what was known up to `error` ulps and is shifted down, and cut.
-#[expect(clippy::cast_precision_loss, reason = "SLACK covers it")]
-fn error_after(error: u64, down: i64) -> f64 {
-    error as f64 * power_of_two(-down) + 1.0
-}
-
-/// 2^k, or what is near enough to 0 or ∞.
-fn power_of_two(k: i64) -> f64 {
-    f64::from_bits(u64::try_from(k.clamp(-1000, 1000) + 1023).unwrap_or(0) << 52)
 }
 
 /// The largest k ≥ 0 with 2^k y < 1/2, for a y between 0 and 1.
@@ -259,8 +202,8 @@ pub(crate) fn bounded_roots<const W: usize>(
     if coefficients.len() > MAX_DEGREE + 1 {
         return Err(Unproved::Close);
     }
-    let truncated: Vec<Truncated<W>> = coefficients.iter().map(Truncated::new).collect();
-    let roots = roots_of(&truncated, FOR_REFINEMENT)?.into_iter();
+    let balls: Vec<_> = coefficients.iter().map(ScaledBall::of_integer).collect();
+    let roots = roots_of::<W>(&balls, FOR_REFINEMENT)?.into_iter();
     Ok(roots.map(BoundedRoot::to_dyadic).collect())
 }
 
@@ -268,10 +211,11 @@ impl<const W: usize> BoundedRoot<W> {
     /// Bounds of the root itself, and the sign at the lower one.
     fn to_dyadic(self) -> (Dyadic, Dyadic, i8) {
         let width = 64 * W as u64;
-        let exponent = self.scale - i64::try_from(width).unwrap_or(0);
+        let exponent = self.scale - 64 * W as i64;
         let (low, high) = (self.low.to_integer(), self.high.to_integer());
         let (low, high) = if self.is_inverted {
-            // 1/y, rounded outwards: that moves y by less than 2^(−64W), for which there is room.
+            // 1/y, rounded outwards: that moves x by less than 2^(−64W), and y by less than that times y². An enclosure has
+            // room for it (`newton::is_inside`), so the sign at the new end is that at the old one.
             let one = Integer::from(1) << (2 * width);
             (&one / high, one.div_round(low, RoundingMode::Ceiling).0)
         } else {

@@ -1,7 +1,8 @@
 //! Newton's method: doubles find a root, fixed-point numbers sharpen it, two signs prove it.
 
+use super::ball::Balls;
 use super::fixed::{Fixed, Fraction};
-use super::search::Isolated;
+use super::search::Place;
 
 /// Steps in doubles; they stop earlier when they gain nothing.
 const DOUBLE_STEPS: usize = 40;
@@ -9,68 +10,54 @@ const DOUBLE_STEPS: usize = 40;
 const FIXED_STEPS: usize = 24;
 /// Newton's method goes on until the enclosure is relatively that short, 2^−70, or rounding hides the value.
 const SHORT: f64 = 8.470_329_472_543_003e-22;
+/// How far, in ulps, an enclosure must stay away from the ends of its place.
+const MARGIN: f64 = 4.0;
 
-/// The polynomial Σ c_i y^i on (0, 1), Σ |c_i| ≤ 64.
-#[derive(Debug)]
-pub(super) struct OnUnitInterval<const W: usize> {
-    pub(super) coefficients: Vec<Fixed<W>>,
-    /// Bounds of the errors of the coefficients, in ulps.
-    pub(super) errors: Vec<f64>,
-    /// These add up to less than that.
-    pub(super) error: u128,
+/// Whether a root between the two ends is proved. Only this and [`is_inside`] are trusted by [`Balls::enclose`]: a bad guess
+/// costs time, and no more.
+///
+/// **Lemma.** Certain and opposite signs at the two ends have a root between them. Proof: the balls of the values hold the
+/// true values (Lemma 8 of `ball.rs`), and polynomials are continuous. Law: `an_enclosure_holds_the_root`.
+fn proves_root<const W: usize>(
+    polynomial: &Balls<W>,
+    [low, high]: &[Fraction<W>; 2],
+    sign_low: i8,
+) -> bool {
+    let sign = |y| polynomial.value(y).sign();
+    sign(low) == Some(sign_low) && sign(high) == Some(-sign_low)
 }
 
-impl<const W: usize> OnUnitInterval<W> {
-    /// From y to −y, up to the sign of all; the powers are those of 1/y if it `is_inverted`.
-    pub(super) fn reflect(&mut self, is_inverted: bool) {
-        let first = if is_inverted {
-            self.coefficients.len() % 2
-        } else {
-            1
-        };
-        for c in self.coefficients.iter_mut().skip(first).step_by(2) {
-            *c = c.negated();
-        }
-    }
+/// Whether an enclosure is inside its place, with a margin on both sides.
+///
+/// **Lemma.** Let a place have exactly one root. If it has one in an enclosure that is inside, then the polynomial has one sign
+/// from the lower end of the place to that of the enclosure, and another one from the upper end to the upper end: an end may
+/// be moved outwards by as much as the margin without changing what is said of it.
+fn is_inside<const W: usize>(
+    enclosure: &[Fraction<W>; 2],
+    [low, high]: &[Fraction<W>; 2],
+    margin: &Fraction<W>,
+) -> bool {
+    let (above, below) = (low.plus(margin), high.minus(margin));
+    above.is_some_and(|above| enclosure[0] > above)
+        && below.is_some_and(|below| enclosure[1] < below)
+}
 
-    /// The value, with an error of less than [`OnUnitInterval::error_of_a_value`] ulps.
-    fn value(&self, y: &Fraction<W>) -> Fixed<W> {
-        let descending = self.coefficients.iter().rev();
-        descending.fold(Fixed::ZERO, |sum, c| sum.times(y).plus(*c))
-    }
-
-    /// Each product is rounded by less than W ulps.
-    fn error_of_a_value(&self) -> u128 {
-        self.error + (W * self.coefficients.len()) as u128
-    }
-
-    /// The value, and about the derivative.
-    fn value_and_slope(&self, y: &Fraction<W>) -> (Fixed<W>, f64) {
-        // The slope may be d times larger than a sum that has just room.
-        let bits = self.coefficients.len().ilog2() + 1;
-        let (mut value, mut slope) = (Fixed::ZERO, Fixed::ZERO);
-        for c in self.coefficients.iter().rev() {
-            slope = slope.times(y).plus(value.shifted_down(i64::from(bits)));
-            value = value.times(y).plus(*c);
-        }
-        (value, slope.to_f64() * f64::from(bits).exp2())
-    }
-
-    /// Bounds of the root that lies between `low` and `high`, where it has the sign `sign_low` below: strictly inside, with
-    /// opposite certain signs. `None` if they would be farther apart than twice `longest` times the root.
+impl<const W: usize> Balls<W> {
+    /// Bounds of the root that lies alone between `low` and `high`, where the sign is `sign_low` below it: strictly inside,
+    /// with a margin, with opposite certain signs. `None` if they would be farther apart than twice `longest` times the root.
     pub(super) fn enclose(
         &self,
         guess: &Fraction<W>,
-        [low, high]: [Fraction<W>; 2],
+        place: [Fraction<W>; 2],
         sign_low: i8,
         longest: f64,
     ) -> Option<[Fraction<W>; 2]> {
-        let error = self.error_of_a_value();
-        let (mut below, mut above) = (low, high);
-        let mut y = if *guess > low && *guess < high {
+        let error = self.radius_of_a_value();
+        let [mut below, mut above] = place;
+        let mut y = if *guess > below && *guess < above {
             *guess
         } else {
-            middle(&low, &high)
+            middle(&below, &above)?
         };
         let mut last = 1.0;
         let mut radius = f64::INFINITY;
@@ -78,11 +65,11 @@ impl<const W: usize> OnUnitInterval<W> {
             let (value, slope) = self.value_and_slope(&y);
             let step = value.to_f64() / slope;
             // The root is within twice the step, unless the rounding is larger.
-            radius = 2.0 * (step.abs() + ulps(error) * ulp::<W>() / slope.abs());
+            radius = 2.0 * (step.abs() + error * ulp::<W>() / slope.abs());
             if radius <= SHORT * y.to_f64() {
                 break;
             }
-            match value.known_sign(error) {
+            match value.sign() {
                 None => break,
                 Some(sign) if sign == sign_low => below = y,
                 Some(_) => above = y,
@@ -95,29 +82,26 @@ impl<const W: usize> OnUnitInterval<W> {
             };
             y = match next {
                 Some(next) if next > below && next < above && step.abs() < last / 2.0 => next,
-                _ => middle(&below, &above),
+                _ => middle(&below, &above)?,
             };
             last = above.minus(&below)?.to_f64().min(step.abs());
         }
         if radius.is_nan() || radius > longest * y.to_f64() {
             return None;
         }
-        let margin = Fraction::from_f64(4.0 * ulp::<W>());
+        let margin = Fraction::from_f64(MARGIN * ulp::<W>());
         let radius = Fraction::from_f64(radius).plus(&margin)?;
         let enclosure = [y.minus(&radius)?, y.plus(&radius)?];
-        let inside = enclosure[0] > low.plus(&margin)? && enclosure[1] < high.minus(&margin)?;
-        let sign = |y| self.value(y).known_sign(error);
-        let proved = inside
-            && sign(&enclosure[0]) == Some(sign_low)
-            && sign(&enclosure[1]) == Some(-sign_low);
+        let proved =
+            is_inside(&enclosure, &place, &margin) && proves_root(self, &enclosure, sign_low);
         proved.then_some(enclosure)
     }
 
     /// About the root in an isolating interval, by Newton's method in doubles, halving where it is slow.
-    pub(super) fn guess(&self, place: &Isolated) -> f64 {
+    pub(super) fn guess(&self, place: &Place) -> f64 {
         let sign_low = place.sign_low;
         let [mut low, mut high] = place.bounds::<W>().map(Fraction::to_f64);
-        let coefficients: Vec<f64> = self.coefficients.iter().map(|c| c.to_f64()).collect();
+        let coefficients = self.to_doubles();
         let mut y = between(low, high);
         let mut last = high - low;
         for _ in 0..DOUBLE_STEPS {
@@ -163,18 +147,12 @@ fn between(low: f64, high: f64) -> f64 {
     }
 }
 
-fn middle<const W: usize>(low: &Fraction<W>, high: &Fraction<W>) -> Fraction<W> {
-    let half = high.minus(low).map(|width| width.shifted_down(1));
-    half.and_then(|half| low.plus(&half)).unwrap_or(*low)
+fn middle<const W: usize>(low: &Fraction<W>, high: &Fraction<W>) -> Option<Fraction<W>> {
+    low.plus(&high.minus(low)?.shifted_down(1))
 }
 
-/// The size of an ulp of `Fixed<W>`.
+/// About the size of an ulp of `Fixed<W>`.
 #[expect(clippy::cast_precision_loss, reason = "a small number")]
 fn ulp<const W: usize>() -> f64 {
-    (-(Fixed::<W>::fraction_bits() as f64)).exp2()
-}
-
-#[expect(clippy::cast_precision_loss, reason = "a size")]
-fn ulps(count: u128) -> f64 {
-    count as f64
+    (-(Fixed::<W>::FRACTION_BITS as f64)).exp2()
 }

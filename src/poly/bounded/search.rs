@@ -1,12 +1,8 @@
 //! Descartes' rule by halving, in a bounded number of bits.
 
-use std::borrow::Cow;
-
 use super::super::isolate::Changes;
-use super::SLACK;
-use super::bernstein::Bernstein;
-use super::fixed::{Fixed, Fraction};
-use super::newton::OnUnitInterval;
+use super::ball::Balls;
+use super::fixed::Fraction;
 
 /// Roots closer than that are left to exact arithmetic.
 const MAX_DEPTH: u32 = 40;
@@ -35,63 +31,56 @@ impl Unproved {
 
 /// An interval (index, index + 1) · 2^(−depth) with exactly one root, and the sign at its lower end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Isolated {
+pub(super) struct Place {
     pub(super) index: u64,
     pub(super) depth: u32,
     pub(super) sign_low: i8,
 }
 
-impl Isolated {
+impl Place {
     /// The ends of the interval.
     pub(super) fn bounds<const W: usize>(&self) -> [Fraction<W>; 2] {
         [self.index, self.index + 1].map(|index| Fraction::dyadic(index, self.depth))
     }
 }
 
-impl<const W: usize> OnUnitInterval<W> {
-    /// Laguerre's rule: `f(y) / (1 − y) = Σ S_k y^k` with the partial sums S_k = c_0 + … + c_k, the last one for ever. So f has
-    /// as many roots in (0, 1) as these have changes of sign, or fewer by an even number. Cost: d additions.
-    pub(super) fn changes_of_partial_sums(&self) -> Changes {
-        let (mut sum, mut error) = (Fixed::ZERO, 0.0);
-        let terms = self.coefficients.iter().zip(&self.errors);
-        Changes::count(terms.map(|(c, own)| {
-            sum = sum.plus(*c);
-            error += own;
-            sum.known_sign(whole(error * SLACK))
-        }))
-    }
-
-    /// The only root in (0, 1).
-    pub(super) fn only_root(&self) -> Result<Isolated, Unproved> {
-        let sign_low = self.coefficients[0].known_sign(whole(self.errors[0]));
-        Ok(Isolated {
-            index: 0,
-            depth: 0,
-            sign_low: sign_low.ok_or(Unproved::Bits)?,
-        })
+/// The roots in (0, 1) of a polynomial in powers, by Laguerre's rule: `f(y) / (1 − y) = Σ S_k y^k` with the partial sums
+/// S_k = c_0 + … + c_k, the last one for ever. So f has as many roots in (0, 1) as these have changes of sign, or fewer by an
+/// even number. `None` if that leaves it open. Cost: d additions.
+pub(super) fn by_partial_sums<const W: usize>(
+    polynomial: &Balls<W>,
+) -> Result<Option<Vec<Place>>, Unproved> {
+    match polynomial.changes_of_partial_sums() {
+        Changes::None => Ok(Some(Vec::new())),
+        Changes::One => {
+            let sign_low = polynomial.sign(0).ok_or(Unproved::Bits)?;
+            let whole = Place {
+                index: 0,
+                depth: 0,
+                sign_low,
+            };
+            Ok(Some(vec![whole]))
+        }
+        Changes::More => Ok(None),
     }
 }
 
-struct Node<'a, const W: usize> {
+struct Node<const W: usize> {
     index: u64,
     depth: u32,
-    polynomial: Bernstein<'a, W>,
+    polynomial: Balls<W>,
 }
 
-impl<const W: usize> Bernstein<'_, W> {
-    fn sign(&self, k: usize) -> Option<i8> {
-        self.coefficients[k].known_sign(whole(self.errors[k]))
-    }
-}
-
-/// All roots in (0, 1), each alone in its interval; an error if the coefficients are not known well enough to tell (a root
-/// at 1 or at a point of bisection, multiple or close roots).
+/// All roots in (0, 1) of a polynomial in the Bernstein basis, each alone in its interval; an error if the coefficients are not
+/// known well enough to tell (a root at 1 or at a point of bisection, multiple or close roots).
+///
+/// Descartes' rule: there are as many roots in (0, 1) as the coefficients have changes of sign, or fewer by an even number. A
+/// coefficient of which no sign is known may have any or be 0, and only a count that is the same whatever it is counts
+/// ([`Changes::count`]). No end of an interval is a root: its sign is known.
 ///
 /// At most 4d + 64 intervals are looked at, each of d²/2 means.
-pub(super) fn isolate<const W: usize>(
-    polynomial: Bernstein<'_, W>,
-) -> Result<Vec<Isolated>, Unproved> {
-    let length = polynomial.coefficients.len();
+pub(super) fn isolate<const W: usize>(polynomial: Balls<W>) -> Result<Vec<Place>, Unproved> {
+    let length = polynomial.len();
     let mut left = 4 * length + 64;
     let mut found = Vec::new();
     // There is no root at 1.
@@ -104,9 +93,9 @@ pub(super) fn isolate<const W: usize>(
     });
     while let Some(node) = next.take().or_else(|| stack.pop()) {
         left = left.checked_sub(1).ok_or(Unproved::Close)?;
-        match Changes::count((0..length).map(|k| node.polynomial.sign(k))) {
+        match node.polynomial.changes() {
             Changes::None => {}
-            Changes::One => found.push(Isolated {
+            Changes::One => found.push(Place {
                 index: node.index,
                 depth: node.depth,
                 sign_low: node.polynomial.sign(0).ok_or(Unproved::Bits)?,
@@ -115,77 +104,36 @@ pub(super) fn isolate<const W: usize>(
                 if node.depth == MAX_DEPTH {
                     return Err(Unproved::Close);
                 }
-                let (low, high) = halve(node);
-                high.polynomial.sign(0).ok_or(Unproved::Bits)?;
-                stack.push(high);
-                next = Some(low);
+                let Node {
+                    index,
+                    depth,
+                    polynomial,
+                } = node;
+                let [low, high] = polynomial.halves();
+                high.sign(0).ok_or(Unproved::Bits)?;
+                let child = |index, polynomial| Node {
+                    index,
+                    depth: depth + 1,
+                    polynomial,
+                };
+                stack.push(child(2 * index + 1, high));
+                next = Some(child(2 * index, low));
             }
         }
     }
     Ok(found)
 }
 
-/// De Casteljau at the midpoint, every mean rounded down, by 0 or half an ulp.
-fn halve<const W: usize>(node: Node<'_, W>) -> (Node<'static, W>, Node<'static, W>) {
-    let mut high = node.polynomial.coefficients;
-    let mut high_errors = node.polynomial.errors.into_owned();
-    let degree = high.len() - 1;
-    let mut low = Vec::with_capacity(degree + 1);
-    let mut low_errors = Vec::with_capacity(degree + 1);
-    for left in (0..=degree).rev() {
-        low.push(high[0]);
-        low_errors.push(high_errors[0]);
-        for k in 0..left {
-            high[k] = high[k].mean(high[k + 1]);
-        }
-        for k in 0..left {
-            high_errors[k] = mean_error(high_errors[k], high_errors[k + 1]);
-        }
-    }
-    let child = |index, coefficients, errors| Node {
-        index,
-        depth: node.depth + 1,
-        polynomial: Bernstein {
-            coefficients,
-            errors: Cow::Owned(errors),
-        },
-    };
-    (
-        child(2 * node.index, low, low_errors),
-        child(2 * node.index + 1, high, high_errors),
-    )
-}
-
-/// The error of a mean. The doubles are rounded by less than their 2^(−51)th part, the mean by half an ulp.
-fn mean_error(a: f64, b: f64) -> f64 {
-    const HALF: f64 = 0.5 + f64::EPSILON;
-    (a + b) * HALF + 1.0
-}
-
-/// More than the error.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "positive, and a cast of what is too large is the largest number"
-)]
-pub(super) fn whole(error: f64) -> u128 {
-    /// 2^62
-    const LARGE: f64 = 4_611_686_018_427_387_904.0;
-    if error < LARGE {
-        u128::from(error as u64) + 1
-    } else {
-        (error as u128).saturating_add(1)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::poly::bounded::ball::ScaledBall;
+    use crate::poly::bounded::bernstein::BernsteinTable;
     use malachite::Integer;
     use proptest::prelude::*;
 
     /// Π (q_i y − p_i), as a polynomial on (0, 1).
-    fn with_roots(roots: &[(i64, i64)]) -> OnUnitInterval<4> {
+    fn with_roots(roots: &[(i64, i64)]) -> Balls<4> {
         let mut c = vec![Integer::from(1)];
         for (p, q) in roots {
             c.push(Integer::from(0));
@@ -198,19 +146,8 @@ mod tests {
                 c[k] = below - &c[k] * Integer::from(*p);
             }
         }
-        let numbers: Vec<_> = c.iter().map(Fixed::normalized).collect();
-        let largest = numbers
-            .iter()
-            .map(|(_, exponent)| *exponent)
-            .max()
-            .unwrap_or(0);
-        let down = largest - Fixed::<4>::room_for(c.len());
-        let cut = |(c, exponent): &(Fixed<4>, i64)| c.shifted_down(down - exponent);
-        OnUnitInterval {
-            coefficients: numbers.iter().map(cut).collect(),
-            errors: vec![2.0; c.len()],
-            error: 2 * c.len() as u128,
-        }
+        let numbers = c.iter().map(|c| (ScaledBall::of_integer(c), 0));
+        Balls::aligned(numbers).expect("the leading coefficient is not 0")
     }
 
     proptest! {
@@ -220,18 +157,15 @@ mod tests {
             prop_assume!(roots.iter().all(|(p, q)| *p != 0 && p != q));
             let f = with_roots(&roots);
             let inside: Vec<_> = roots.iter().filter(|(p, q)| 0 < *p && p < q).collect();
-            match f.changes_of_partial_sums() {
-                Changes::None => prop_assert_eq!(inside.len(), 0),
-                Changes::One => {
-                    prop_assert_eq!(inside.len(), 1);
+            if let Ok(Some(places)) = by_partial_sums(&f) {
+                prop_assert_eq!(places.len(), inside.len());
+                for place in places {
                     let negative = roots.iter().filter(|(p, _)| *p > 0).count() % 2 == 1;
-                    prop_assert_eq!(f.only_root().map(|root| root.sign_low), Ok(if negative { -1 } else { 1 }));
+                    prop_assert_eq!(place.sign_low, if negative { -1 } else { 1 });
                 }
-                Changes::More => {}
             }
-            let inverses = super::super::bernstein::inverse_binomials(roots.len());
-            let errors = f.bernstein_errors(&inverses);
-            if let Ok(found) = isolate(f.to_bernstein(&inverses, &errors)) {
+            let table = BernsteinTable::of_degree(roots.len());
+            if let Ok(found) = isolate(f.to_bernstein(&table)) {
                 prop_assert_eq!(found.len(), inside.len());
                 for place in found {
                     // index < 2^depth p/q < index + 1

@@ -1,0 +1,572 @@
+//! The laws of the rules in `ball.rs`: whatever numbers the operands hold, the result holds the exact result; and each radius
+//! is not much too large, since some input has an error of an eighth of it.
+//!
+//! The inputs have limbs that are all ones, all zeros, one bit, or next to a power of two, so that every cut takes away as much as
+//! it can, and midpoints that cancel. The numbers that a ball holds are taken at its ends, at its middle, and between.
+
+use malachite::Natural;
+use malachite::base::num::arithmetic::traits::Pow;
+
+use super::*;
+use crate::exact::Rational;
+use crate::poly::TrigPolynomial;
+use crate::poly::binomials;
+
+/// How many inputs are drawn for each law and width.
+const CASES: usize = 2000;
+
+/// Draws inputs; SplitMix64.
+struct Draw(u64);
+
+impl Draw {
+    fn word(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        usize::try_from(self.word() % n as u64).expect("small")
+    }
+
+    fn limb(&mut self) -> u64 {
+        let bit = 1u64 << self.below(64);
+        match self.below(8) {
+            0 | 1 => u64::MAX,
+            2 => 0,
+            3 => bit,
+            4 => bit - 1,
+            5 => !bit,
+            6 => u64::MAX - self.word() % 4,
+            _ => self.word(),
+        }
+    }
+
+    /// Limbs with long runs of equal bits, often the same kind throughout.
+    fn limbs<const W: usize>(&mut self) -> [u64; W] {
+        match self.below(4) {
+            0 => [u64::MAX; W],
+            1 => {
+                let top = self.limb();
+                let mut limbs = [0; W];
+                limbs[W - 1] = top;
+                limbs
+            }
+            _ => std::array::from_fn(|_| self.limb()),
+        }
+    }
+
+    fn natural<const W: usize>(&mut self) -> Natural {
+        Natural::from_limbs_asc(&self.limbs::<W>())
+    }
+
+    /// An integer of up to 64 · `limbs` bits of either sign.
+    fn integer(&mut self, limbs: usize) -> Integer {
+        let count = 1 + self.below(limbs);
+        let limbs: Vec<u64> = match self.below(3) {
+            0 => vec![u64::MAX; count],
+            _ => (0..count).map(|_| self.limb()).collect(),
+        };
+        let size = Integer::from(Natural::from_limbs_asc(&limbs)) >> (self.below(64) as u64);
+        if self.below(2) == 0 { size } else { -size }
+    }
+
+    fn fraction<const W: usize>(&mut self) -> Fraction<W> {
+        Fraction::quotient(
+            &Integer::from(self.natural::<W>()),
+            &(Integer::from(2).pow(64 * W as u64)),
+        )
+    }
+
+    /// A radius of 0, of some ulps, or much larger.
+    fn radius(&mut self) -> f64 {
+        match self.below(4) {
+            0 => 0.0,
+            1 => float(1 + self.below(4)),
+            2 => float(self.below(1000)) / 8.0,
+            _ => power_of_two(self.below(70) as i64) * 1.75,
+        }
+    }
+
+    /// A ball with a midpoint of size below 2^room.
+    fn ball<const W: usize>(&mut self, room: i64) -> Ball<W> {
+        let (size, _) =
+            Fixed::of_integer(&Integer::from(self.natural::<W>()), 64 * W as i64 - room);
+        let mid = if self.below(2) == 0 {
+            size
+        } else {
+            size.negated()
+        };
+        Ball {
+            mid,
+            radius: self.radius(),
+        }
+    }
+
+    /// A number that a ball with this midpoint and radius holds.
+    fn held(&mut self, mid: &Rational, radius: f64) -> Rational {
+        let off = exact(radius) * Rational::from([-1, 1, 0, 1][self.below(4)]);
+        match self.below(3) {
+            0 => mid + off * Rational::from(self.below(100) as i64) / Rational::from(100),
+            _ => mid + off,
+        }
+    }
+}
+
+/// The value of a double.
+fn exact(value: f64) -> Rational {
+    Rational::try_from(value).expect("a finite double")
+}
+
+/// In ulps.
+fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
+    let size = Rational::from(Integer::from(Natural::from_limbs_asc(&value.magnitude())));
+    if value.is_negative() { -size } else { size }
+}
+
+/// In units of 2^(−64W).
+fn units<const W: usize>(value: &Signed<W>) -> Rational {
+    let size = Rational::from(value.size.to_integer());
+    if value.is_negative { -size } else { size }
+}
+
+/// As a number.
+fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
+    Rational::from_parts(fraction.to_integer(), -(64 * W as i64))
+}
+
+/// 2^(64W − 8): how many ulps are 1.
+fn one<const W: usize>() -> Rational {
+    Rational::from_parts(Integer::from(1), Fixed::<W>::FRACTION_BITS)
+}
+
+/// The largest share of a radius that an error had.
+#[derive(Default)]
+struct Tightness(f64);
+
+impl Tightness {
+    /// The truth is held by the ball with this midpoint and radius.
+    fn check(&mut self, truth: &Rational, mid: &Rational, radius: f64) {
+        let error = (truth - mid).abs();
+        assert!(
+            error <= exact(radius),
+            "{truth} is not within {radius} of {mid}"
+        );
+        if radius > 0.0 {
+            self.0 = self.0.max((error / exact(radius)).to_f64());
+        }
+    }
+
+    fn is_at_least_an_eighth(self) {
+        assert!(
+            self.0 >= 0.125,
+            "no error is more than {} of its radius",
+            self.0
+        );
+    }
+}
+
+/// Runs a law for several widths.
+macro_rules! for_widths {
+    ($law:ident) => {
+        for_widths!($law, 2 3 4 6 12);
+    };
+    ($law:ident, $($width:literal)*) => {
+        #[test]
+        fn $law() {
+            $( laws::$law::<$width>(&mut Draw($width)); )*
+        }
+    };
+}
+
+for_widths!(integers_are_inside);
+for_widths!(a_shift_keeps_the_number_inside);
+for_widths!(means_keep_the_numbers_inside);
+for_widths!(a_sign_is_that_of_all_numbers_inside);
+for_widths!(aligned_numbers_are_inside);
+for_widths!(partial_sums_change_as_often_as_is_said);
+for_widths!(values_are_inside);
+for_widths!(bernstein_coefficients_are_inside);
+for_widths!(halves_are_inside);
+for_widths!(quotients_are_inside);
+for_widths!(products_are_inside);
+for_widths!(rotations_are_inside);
+for_widths!(sums_of_products_are_inside);
+
+mod laws {
+    use super::*;
+
+    pub(super) fn integers_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let value = draw.integer(W + 3);
+            let exponent = Fixed::<W>::bits_of(&value) - 7 + 1 + draw.below(90) as i64;
+            let ball = Ball::<W>::of_integer(&value, exponent);
+            let truth = Rational::from_parts(value, -exponent) * one::<W>();
+            tightness.check(&truth, &ulps(ball.mid), ball.radius);
+            assert_eq!(ball.radius == 0.0, truth == ulps(ball.mid));
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn a_shift_keeps_the_number_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let ball = draw.ball::<W>(-70);
+            let shift = draw.below(141) as i64 - 70;
+            let truth = draw.held(&ulps(ball.mid), ball.radius);
+            let shifted = ball.mid.shifted_down(shift);
+            let radius = radius_after_shift(ball.radius, shift);
+            let truth = truth * Rational::from_parts(Integer::from(1), -shift);
+            tightness.check(&truth, &ulps(shifted), radius);
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn means_keep_the_numbers_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let (a, b) = (draw.ball::<W>(5), draw.ball::<W>(5));
+            let [x, y] = [a, b].map(|ball| draw.held(&ulps(ball.mid), ball.radius));
+            let truth = (x + y) / Rational::from(2);
+            tightness.check(
+                &truth,
+                &ulps(a.mid.mean(b.mid)),
+                radius_of_mean(a.radius, b.radius),
+            );
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn a_sign_is_that_of_all_numbers_inside<const W: usize>(draw: &mut Draw) {
+        let mut known = 0;
+        for _ in 0..CASES {
+            // Midpoints about as large as the radius, and radii next to whole numbers.
+            let size = match draw.below(3) {
+                0 => Integer::from(draw.below(1000)),
+                1 => Integer::from(1) << draw.below(if W == 2 { 127 } else { 129 }) as u64,
+                _ => draw.integer(if W == 2 { 1 } else { 2 }),
+            };
+            let (mid, _) = Fixed::<W>::of_integer(&size, Fixed::<W>::FRACTION_BITS);
+            let near = ulps(mid).abs().to_f64();
+            let radius = [
+                near,
+                near.next_down(),
+                near.next_up(),
+                near - 0.5,
+                near + 0.5,
+                f64::INFINITY,
+                f64::NAN,
+            ][draw.below(7)]
+            .max(0.0);
+            let radius = if draw.below(9) == 0 { f64::NAN } else { radius };
+            let ball = Ball { mid, radius };
+            let is_one_sign = radius < LARGEST_RADIUS && ulps(mid).abs() > exact(radius);
+            let expected = if mid.is_negative() { -1 } else { 1 };
+            assert_eq!(ball.sign(), is_one_sign.then_some(expected), "{ball:?}");
+            known += usize::from(is_one_sign);
+        }
+        assert!(known > CASES / 8, "{known}");
+    }
+
+    /// The numbers of a list, each held by its ball.
+    fn held<const W: usize>(draw: &mut Draw, list: &Balls<W>) -> Vec<Rational> {
+        let pairs = list.mids.iter().zip(&list.radii);
+        let all_at_one_end = draw.below(2) == 0;
+        pairs
+            .map(|(mid, radius)| {
+                if all_at_one_end {
+                    ulps(*mid) + exact(*radius)
+                } else {
+                    draw.held(&ulps(*mid), *radius)
+                }
+            })
+            .collect()
+    }
+
+    /// A list of which the sizes of the midpoints add up to at most 64.
+    fn list<const W: usize>(draw: &mut Draw, longest: usize) -> Balls<W> {
+        let count = 1 + draw.below(longest);
+        let room = Fixed::<W>::room_for(count);
+        let all_ones = draw.below(2) == 0;
+        let balls = (0..count).map(|_| {
+            let ball = draw.ball::<W>(room);
+            if all_ones {
+                let ones = Integer::from(Natural::from_limbs_asc(&[u64::MAX; W]));
+                let (mid, _) = Fixed::of_integer(&ones, 64 * W as i64 - room);
+                Ball {
+                    mid,
+                    radius: if draw.below(2) == 0 { 0.0 } else { ball.radius },
+                }
+            } else {
+                ball
+            }
+        });
+        let (mids, radii) = balls.map(|ball| (ball.mid, ball.radius)).unzip();
+        Balls::new(mids, radii)
+    }
+
+    pub(super) fn aligned_numbers_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES / 10 {
+            let count = 1 + draw.below(40);
+            let numbers: Vec<_> = (0..count)
+                .map(|_| {
+                    let value = if draw.below(5) == 0 {
+                        Integer::from(0)
+                    } else {
+                        draw.integer(W + 2)
+                    };
+                    (
+                        ScaledBall::<W>::of_integer(&value),
+                        draw.below(100) as i64 - 50,
+                        value,
+                    )
+                })
+                .collect();
+            let given = numbers.iter().map(|(number, shift, _)| (*number, *shift));
+            let Some(list) = Balls::aligned(given) else {
+                assert!(numbers.iter().all(|(_, _, value)| *value == 0));
+                continue;
+            };
+            let sum = list
+                .mids
+                .iter()
+                .fold(Rational::zero(), |sum, mid| sum + ulps(*mid).abs());
+            assert!(sum <= one::<W>() * Rational::from(64));
+            // The power of two that all are times.
+            let sizes = numbers.iter().filter(|(_, _, value)| *value != 0);
+            let top = sizes
+                .map(|(_, shift, value)| Fixed::<W>::bits_of(value) + shift)
+                .max();
+            let top = top.expect("one is not 0") - Fixed::<W>::room_for(count);
+            for ((_, shift, value), (mid, radius)) in
+                numbers.iter().zip(list.mids.iter().zip(&list.radii))
+            {
+                let truth = Rational::from_parts(value.clone(), shift - top) * one::<W>();
+                tightness.check(&truth, &ulps(*mid), *radius);
+            }
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn partial_sums_change_as_often_as_is_said<const W: usize>(draw: &mut Draw) {
+        let mut told = 0;
+        for _ in 0..CASES / 10 {
+            let list = list::<W>(draw, 12);
+            let said = list.changes_of_partial_sums();
+            let mut sum = Rational::zero();
+            let signs: Vec<i8> = held(draw, &list)
+                .into_iter()
+                .map(|c| {
+                    sum = &sum + c;
+                    sum.signum()
+                })
+                .filter(|sign| *sign != 0)
+                .collect();
+            let changes = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
+            match said {
+                Changes::None => assert_eq!(changes, 0),
+                Changes::One => assert_eq!(changes, 1),
+                Changes::More => continue,
+            }
+            told += 1;
+        }
+        assert!(told > CASES / 100, "{told}");
+    }
+
+    pub(super) fn values_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES / 10 {
+            let list = list::<W>(draw, 30);
+            let y = if draw.below(2) == 0 {
+                Fraction::LARGEST
+            } else {
+                draw.fraction::<W>()
+            };
+            let point = number(&y);
+            let truth = held(draw, &list).into_iter().rev();
+            let truth = truth.fold(Rational::zero(), |sum, c| sum * &point + c);
+            let value = list.value(&y);
+            tightness.check(&truth, &ulps(value.mid), value.radius);
+            let (again, _) = list.value_and_slope(&y);
+            assert_eq!((again.mid, again.radius), (value.mid, value.radius));
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn bernstein_coefficients_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for case in 0..CASES / 40 {
+            let list = list::<W>(draw, if case % 10 == 0 { 120 } else { 20 });
+            let degree = list.len() - 1;
+            let found = list.to_bernstein(&BernsteinTable::of_degree(degree));
+            let c = held(draw, &list);
+            let row = binomials(degree);
+            for k in 0..=degree {
+                let above = binomials(k);
+                let terms = c[..=k].iter().zip(above.iter().zip(&row));
+                let truth = terms.fold(Rational::zero(), |sum, (c, (above, below))| {
+                    let weight = Rational::new(above.clone(), below.clone());
+                    sum + c * &weight.expect("a binomial coefficient is not 0")
+                });
+                tightness.check(&truth, &ulps(found.mids[k]), found.radii[k]);
+            }
+            // Also for −y.
+            let mut reflected = list.clone();
+            reflected.negate_every_second(1);
+            let again = reflected.to_bernstein(&BernsteinTable::of_degree(degree));
+            assert_eq!(again.radii, found.radii);
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn halves_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES / 20 {
+            let list = list::<W>(draw, 20);
+            let mut truth = held(draw, &list);
+            let [low, high] = list.halves();
+            for k in 0..truth.len() {
+                tightness.check(&truth[0], &ulps(low.mids[k]), low.radii[k]);
+                let last = truth.len() - 1;
+                tightness.check(&truth[last], &ulps(high.mids[last]), high.radii[last]);
+                let pairs = truth.windows(2);
+                truth = pairs.map(|p| (&p[0] + &p[1]) / Rational::from(2)).collect();
+                if truth.is_empty() {
+                    break;
+                }
+            }
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    /// A ball that holds a number in [−1, 1], and one of those.
+    fn unit_ball<const W: usize>(draw: &mut Draw) -> (UnitBall<W>, Rational) {
+        let size = if draw.below(2) == 0 {
+            Fraction::LARGEST
+        } else {
+            draw.fraction()
+        };
+        let mid = Signed {
+            size,
+            is_negative: draw.below(2) == 0,
+        };
+        let radius = draw.radius();
+        let unit = Rational::from_parts(Integer::from(1), 64 * W as i64);
+        let truth = draw.held(&units(&mid), radius);
+        (UnitBall { mid, radius }, truth.min(unit.clone()).max(-unit))
+    }
+
+    pub(super) fn quotients_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let (p, q) = (draw.integer(W + 2), draw.integer(W + 2));
+            let (p, q) = if p.unsigned_abs_ref() > q.unsigned_abs_ref() {
+                (q, p)
+            } else {
+                (p, q)
+            };
+            if q == 0 {
+                continue;
+            }
+            let ball = UnitBall::<W>::quotient(&p, &q);
+            let truth = Rational::new(p << (64 * W as u64), q).expect("not 0");
+            tightness.check(&truth, &units(&ball.mid), ball.radius);
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn products_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let ((a, x), (b, y)) = (unit_ball::<W>(draw), unit_ball::<W>(draw));
+            let product = a.times(&b);
+            let truth = x * y * Rational::from_parts(Integer::from(1), -(64 * W as i64));
+            tightness.check(&truth, &units(&product.mid), product.radius);
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn rotations_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES / 40 {
+            // tan(θ/2) = p/q
+            let (p, q) = (draw.integer(2), draw.integer(2));
+            let (pp, qq) = (&p * &p, &q * &q);
+            let (w, u, v) = (&qq + &pp, &qq - &pp, &p * &q * Integer::from(2));
+            if w == 0 {
+                continue;
+            }
+            let last = 1 + draw.below(40);
+            let tables = rotations([&u, &v].map(|c| UnitBall::<W>::quotient(c, &w)), last);
+            let [c, s] = [u, v].map(|n| Rational::new(n, w.clone()).expect("not 0"));
+            for m in [last, draw.below(last + 1)] {
+                let index = i32::try_from(m).expect("small");
+                let truths = [TrigPolynomial::cosine(index), TrigPolynomial::sine(index)];
+                for (table, truth) in tables.iter().zip(truths) {
+                    let truth = truth.evaluate(&c, &s)
+                        * Rational::from_parts(Integer::from(1), 64 * W as i64);
+                    tightness.check(&truth, &units(&table[m].mid), table[m].radius);
+                }
+            }
+        }
+        tightness.is_at_least_an_eighth();
+    }
+
+    pub(super) fn sums_of_products_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES / 10 {
+            let count = 1 + draw.below(30);
+            let cancels = draw.below(2) == 0;
+            let integers: Vec<Integer> = (0..count).map(|_| draw.integer(W + 2)).collect();
+            let (values, truths): (Vec<_>, Vec<_>) =
+                (0..count).map(|_| unit_ball::<W>(draw)).unzip();
+            let values: UnitBalls<W> = values.into_iter().collect();
+            let (coefficients, exponent) = Coefficients::of_integers(integers.iter());
+            let ball = coefficients.combination(
+                &values,
+                (0..count).map(|i| if cancels { i } else { count - 1 - i }),
+            );
+            let scale =
+                Rational::from_parts(Integer::from(1), -exponent - 64 * W as i64) * one::<W>();
+            let terms = integers.iter().enumerate();
+            let truth = terms.fold(Rational::zero(), |sum, (i, c)| {
+                let truth = &truths[if cancels { i } else { count - 1 - i }];
+                sum + truth * &Rational::from(c)
+            });
+            tightness.check(&(truth * scale), &ulps(ball.mid), ball.radius);
+        }
+        tightness.is_at_least_an_eighth();
+    }
+}
+
+/// Lemma 1, for as many roundings as it allows.
+#[test]
+fn sums_of_radii_are_covered() {
+    let mut draw = Draw(1);
+    for _ in 0..20 {
+        let radii: Vec<f64> = (0..4000).map(|_| draw.radius() + 0.1).collect();
+        let sum: f64 = radii.iter().sum();
+        let truth = radii
+            .iter()
+            .fold(Rational::zero(), |sum, r| sum + exact(*r));
+        assert!(truth <= exact(sum * SLACK));
+    }
+    // Where all roundings go down.
+    let sum = (0..4096).fold(1.0, |sum, _| sum + f64::EPSILON * 0.49);
+    let truth = Rational::one() + exact(f64::EPSILON * 0.49) * Rational::from(4096);
+    assert!(truth > exact(sum) && truth <= exact(sum * SLACK));
+}
+
+#[test]
+fn powers_of_two_are_not_too_small() {
+    for k in -1100i64..=1000 {
+        let two = Rational::from_parts(Integer::from(1), k);
+        assert!(exact(power_of_two(k)) >= two);
+        assert!(k < -1000 || exact(power_of_two(k)) == two);
+    }
+    assert_eq!(power_of_two(1001), f64::INFINITY);
+}

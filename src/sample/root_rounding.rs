@@ -1,0 +1,107 @@
+//! The double nearest to a multiple of a root of an enclosed number.
+
+use std::cmp::Ordering;
+
+use malachite::Integer;
+
+use super::wide::Wide;
+use crate::error::Invariant;
+use crate::poly::BoundedRoot;
+
+/// Neighbouring doubles that are tried when the guess is not the nearest.
+const TRIES: usize = 4;
+
+/// Rounds multiples of |root|^(1/gap). Only [`RootRounding::compare`] is trusted: a bad guess costs time, and no more.
+#[derive(Debug)]
+pub(super) struct RootRounding {
+    gap: u32,
+    is_inverted: bool,
+    scale: i64,
+    low: Wide,
+    high: Wide,
+    /// About |root|^(1/gap).
+    guess: f64,
+}
+
+impl RootRounding {
+    pub(super) fn new<const W: usize>(root: &BoundedRoot<W>, gap: u32) -> Self {
+        let y = root.low.to_f64();
+        let sign = if root.is_inverted { -1.0 } else { 1.0 };
+        let gap_f64 = f64::from(gap);
+        // 2^s = 2^(whole gap) 2^rest, for roots beyond the doubles.
+        let whole = root.scale.div_euclid(i64::from(gap));
+        let rest = root.scale.rem_euclid(i64::from(gap));
+        // A guess that overflows is none.
+        let small = |k: i64| f64::from(i32::try_from(k).unwrap_or(i32::MAX)).exp2();
+        let guess = if gap == 1 {
+            if root.is_inverted { 1.0 / y } else { y }
+        } else {
+            y.powf(sign / gap_f64) * (small(rest).powf(1.0 / gap_f64))
+        };
+        Self {
+            gap,
+            is_inverted: root.is_inverted,
+            scale: root.scale,
+            low: Wide::from_leading(root.low.leading()),
+            high: Wide::from_leading(root.high.leading()),
+            guess: guess * small(whole),
+        }
+    }
+
+    /// The double nearest to |root|^(1/gap) · |other / unit|.
+    pub(super) fn nearest(&self, unit: &Integer, other: &Integer) -> Option<f64> {
+        let inverse = Wide::quotient(unit, other);
+        let mut guess = self.guess / inverse.to_f64();
+        for _ in 0..TRIES {
+            if !(guess.is_normal() && guess.next_down().is_normal() && guess.next_up().is_finite())
+            {
+                return None;
+            }
+            let [below, above] = midpoints(guess);
+            if self.compare(above, inverse, Ordering::Less)? == Ordering::Greater {
+                guess = guess.next_up();
+            } else if self.compare(below, inverse, Ordering::Greater)? == Ordering::Less {
+                guess = guess.next_down();
+            } else {
+                return Some(guess);
+            }
+        }
+        None
+    }
+
+    /// How |root|^(1/gap) / inverse compares with a bound; what is likely is tried first.
+    fn compare(&self, bound: Wide, inverse: Wide, likely: Ordering) -> Option<Ordering> {
+        // The root is 2^s y, or 2^s / y, and is compared with q 2^s.
+        let q = bound.times(inverse).power(self.gap);
+        let q = q.times_power_of_two(-self.scale);
+        [likely, likely.reverse()].into_iter().find(|order| {
+            // It is larger if its lower end is, and smaller if the upper one is.
+            let y = if (*order == Ordering::Greater) == self.is_inverted {
+                self.high
+            } else {
+                self.low
+            };
+            let certain = if self.is_inverted {
+                Wide::exact(1, 0).certain_order(q.times(y))
+            } else {
+                y.certain_order(q)
+            };
+            certain == Some(*order)
+        })
+    }
+}
+
+/// The midpoints between a positive normal double and its neighbours.
+fn midpoints(double: f64) -> [Wide; 2] {
+    let bits = double.to_bits();
+    let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
+    let exponent =
+        i64::try_from(bits >> 52).invariant("a positive double has 11 bits above") - 1075;
+    let below = if mantissa == 1 << 52 {
+        // The doubles below are twice as close.
+        Wide::exact(4 * mantissa - 1, exponent - 2)
+    } else {
+        Wide::exact(2 * mantissa - 1, exponent - 1)
+    };
+    [below, Wide::exact(2 * mantissa + 1, exponent - 1)]
+}
