@@ -3,6 +3,8 @@
 mod direction;
 mod guess;
 mod ladder;
+#[cfg(test)]
+mod laws;
 mod parts;
 mod point;
 mod ray;

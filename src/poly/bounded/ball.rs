@@ -32,8 +32,8 @@ mod laws;
 /// x (1 − 2^(−53))^(−4097) < x (1 + 2^(−40.9)), and SLACK = 1 + 2^(−40). Law: `sums_of_radii_are_covered`.
 const SLACK: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
 
-/// Radii from here on leave no sign known: comparisons are made in 128 bits.
-const LARGEST_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0; // 2^126
+/// Radii from 2^126 on are compared with midpoints by their bits alone.
+const LARGE_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0;
 
 /// The sizes of the midpoints of a list add up to at most that.
 const LARGEST_SUM: f64 = 64.0;
@@ -74,32 +74,29 @@ fn radius_of_mean(r: f64, s: f64) -> f64 {
     (r + s) * HALF + 1.0
 }
 
-/// The sign of all numbers within `radius` of `mid`, `None` if they do not have one.
+/// The sign of all numbers within `radius` of `mid`, `None` if they do not have one, or may not have one.
 ///
 /// **Lemma 4.** A sign that is returned is that of every number that is held, none of which is 0.
 ///
-/// Proof. |mid| is a whole number of ulps, so it is above the radius if and only if it is above the radius rounded down. Law:
-/// `a_sign_is_that_of_all_numbers_inside`.
+/// Proof. |mid| is a whole number of ulps, so it is above the radius if and only if it is above the radius rounded down. A large
+/// radius is below 2^(e + 1) for its exponent e, which is 1024 where it is infinite or not a number, and |mid| is at least
+/// 2^(bits − 1). Law: `a_sign_is_that_of_all_numbers_inside`.
 #[inline]
 fn known_sign<const W: usize>(mid: Fixed<W>, radius: f64) -> Option<i8> {
-    /// 2^63
-    const LARGE: f64 = 9_223_372_036_854_775_808.0;
-    // Also for a radius that is not a number.
-    if radius.is_nan() || radius >= LARGEST_RADIUS {
-        return None;
-    }
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "a radius is not negative, and is rounded down"
+        reason = "the radius is not negative, fits, and is rounded down"
     )]
-    let whole = if radius < LARGE {
-        u128::from(radius as u64)
+    let is_larger = if radius < 2.0 * (1u64 << 63) as f64 {
+        mid.is_larger_than((radius as u64).into())
+    } else if radius < LARGE_RADIUS {
+        mid.is_larger_than(radius as u128)
     } else {
-        radius as u128
+        let exponent = (radius.to_bits() >> 52) as i64 - 1023;
+        mid.bits() - 1 > exponent
     };
-    mid.is_larger_than(whole)
-        .then_some(if mid.is_negative() { -1 } else { 1 })
+    is_larger.then_some(if mid.is_negative() { -1 } else { 1 })
 }
 
 /// A number of W limbs with its error.

@@ -1,0 +1,281 @@
+//! The laws of rays on inputs that reach the bounds of bounded arithmetic: forms that nearly vanish in a direction, with
+//! coefficients of which the low bits are chosen to be cut badly; and roots built backwards, next to one another and next to
+//! the points where rounding to a double changes.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Pow;
+
+use super::{Direction, Ray, RaySolver, Sample, UnitVector};
+use crate::exact::Rational;
+use crate::poly::PlanePolynomial;
+
+/// Draws inputs; SplitMix64.
+struct Draw(u64);
+
+impl Draw {
+    fn word(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, n: u64) -> u64 {
+        self.word() % n
+    }
+
+    fn sign(&mut self) -> i64 {
+        if self.below(2) == 0 { 1 } else { -1 }
+    }
+
+    /// A positive integer of this many bits of which long runs are all ones or all zeros.
+    fn integer(&mut self, bits: u64) -> Integer {
+        let mut value = Integer::from(1);
+        for _ in 0..bits / 64 + 1 {
+            let limb = match self.below(5) {
+                0 => u64::MAX,
+                1 => 0,
+                2 => 1 << self.below(64),
+                _ => self.word(),
+            };
+            value = (value << 64u64) + Integer::from(limb);
+        }
+        let surplus = 64 * (bits / 64 + 1) + 1 - bits;
+        value >> surplus
+    }
+
+    fn direction(&mut self) -> Direction {
+        if self.below(2) == 0 {
+            Direction::from_degrees(&Rational::from(self.below(360) as i64))
+        } else {
+            Direction::from_radians(self.below(1 << 52) as f64 / (1u64 << 50) as f64)
+        }
+    }
+
+    /// A positive normal double with a random mantissa, or one whose mantissa is all zeros or all ones.
+    fn double(&mut self) -> f64 {
+        let mantissa = match self.below(4) {
+            0 => 0,
+            1 => (1 << 52) - 1,
+            _ => self.word() >> 12,
+        };
+        f64::from_bits((1023 - 30 + self.below(60)) << 52 | mantissa)
+    }
+}
+
+fn polynomial(terms: impl IntoIterator<Item = ((usize, usize), Integer)>) -> PlanePolynomial {
+    PlanePolynomial::from_terms(terms.into_iter().map(|(e, c)| (e, Rational::from(c))))
+}
+
+fn power_of_two(k: i64) -> Rational {
+    Rational::from_parts(Integer::from(1), k)
+}
+
+/// k (V x − U y) + ε x, which is ε U in the direction (U, V), relatively smaller by as many bits as k has.
+fn nearly_vanishing(draw: &mut Draw, direction: &Direction, bits: u64) -> PlanePolynomial {
+    let ([u, v], _) = direction.over_common_denominator();
+    let k = draw.integer(bits);
+    let small = Integer::from(draw.below(5) as i64 - 2);
+    polynomial([((1, 0), &k * v + small), ((0, 1), -(k * u))])
+}
+
+/// Bounded arithmetic says what exact arithmetic says, in a thousand directions in which the lowest form, or the one in the
+/// middle, nearly vanishes, for coefficients of 60 to 2000 bits.
+#[test]
+fn forms_that_nearly_vanish_are_not_misjudged() {
+    let mut draw = Draw(20);
+    let mut bounded = 0;
+    for _ in 0..1000 {
+        let direction = draw.direction();
+        let bits = if draw.below(4) == 0 {
+            60 + draw.below(2000)
+        } else {
+            60 + draw.below(400)
+        };
+        let mut form = nearly_vanishing(&mut draw, &direction, bits);
+        for _ in 0..draw.below(3) {
+            let bits = 1 + draw.below(200);
+            let [a, b] = [0, 0].map(|_: i32| draw.integer(bits) * Integer::from(draw.sign()));
+            form = form.product(&polynomial([((1, 0), a), ((0, 1), b)]));
+        }
+        let low = form.degree().expect("not 0");
+        let high = low + 1 + draw.below(8) as usize;
+        let shift = draw.below(400) as i64 - 200;
+        let top = ((high, 0), power_of_two(shift) * Rational::from(draw.sign()));
+        let next = ((0, low + 1), Rational::from(draw.sign()));
+        let first = (
+            (0, 0),
+            Rational::from(if draw.below(3) == 0 { draw.sign() } else { 0 }),
+        );
+        let f = PlanePolynomial::from_terms(form.terms().chain([top, next, first]));
+        let solver = RaySolver::new(&f);
+        assert_eq!(
+            solver.solve(&direction),
+            solver.solve_exactly(&direction),
+            "{f:?}"
+        );
+        bounded += solver.stage_counts().bounded.iter().sum::<u64>();
+    }
+    // It does say something.
+    assert!(bounded > 500, "{bounded}");
+}
+
+/// A root p/q > 0 and the double that is nearest to it, or two of them where it is halfway between.
+struct Known {
+    root: Rational,
+    nearest: [f64; 2],
+}
+
+/// A double, or what is some units in the last place beside it; a point halfway between two doubles, or 2^(−60) or 2^(−200) of it
+/// beside that.
+fn known_root(draw: &mut Draw, start: f64) -> Known {
+    let exact = |value: f64| Rational::try_from(value).expect("a finite double");
+    let at = match draw.below(3) {
+        0 => start,
+        1 => start.next_up(),
+        _ => start.next_up().next_up(),
+    };
+    let up = at.next_up();
+    let halfway = (exact(at) + exact(up)) * power_of_two(-1);
+    let beside = power_of_two(if draw.below(2) == 0 { -60 } else { -200 });
+    match draw.below(4) {
+        0 => Known {
+            root: exact(at),
+            nearest: [at, at],
+        },
+        1 => Known {
+            root: halfway,
+            nearest: [at, up],
+        },
+        2 => Known {
+            root: &halfway - &halfway * &beside,
+            nearest: [at, at],
+        },
+        _ => Known {
+            root: &halfway + &halfway * &beside,
+            nearest: [up, up],
+        },
+    }
+}
+
+/// Known roots in a direction, some of them close to one another, ascending and distinct with their multiplicities.
+fn known_roots(draw: &mut Draw) -> Vec<(Known, usize)> {
+    let count = 1 + draw.below(5);
+    let mut start = draw.double();
+    let mut roots: Vec<Known> = Vec::new();
+    for _ in 0..count {
+        if draw.below(2) == 0 {
+            start = draw.double();
+        }
+        roots.push(known_root(draw, start));
+    }
+    roots.sort_by(|a, b| a.root.cmp(&b.root));
+    let mut distinct: Vec<(Known, usize)> = Vec::new();
+    for known in roots {
+        match distinct.last_mut() {
+            Some((last, multiplicity)) if last.root == known.root => *multiplicity += 1,
+            _ => distinct.push((known, 1)),
+        }
+    }
+    distinct
+}
+
+/// The points that are found are the known roots, the largest first; those with one nearest double in any order.
+fn assert_found(found: &[&Sample], expected: &[(Known, usize)], f: &PlanePolynomial) {
+    let mut expected: Vec<&(Known, usize)> = expected.iter().rev().collect();
+    assert_eq!(found.len(), expected.len(), "{f:?}");
+    for sample in found {
+        let fits = |(known, multiplicity): &(Known, usize)| {
+            known.nearest.contains(&sample.r) && sample.multiplicity == *multiplicity
+        };
+        let place = expected.iter().position(|known| fits(known));
+        expected.remove(place.unwrap_or_else(|| panic!("{sample:?} is not expected of {f:?}")));
+    }
+    assert!(found.is_sorted_by(|a, b| a.r >= b.r));
+}
+
+/// A (x² + y²) + B with long coefficients, which has no real root.
+fn definite(draw: &mut Draw) -> PlanePolynomial {
+    let bits = 100 + draw.below(1900);
+    let (a, b) = (draw.integer(bits), draw.integer(bits));
+    polynomial([((2, 0), a.clone()), ((0, 2), a), ((0, 0), b)])
+}
+
+#[test]
+fn roots_built_backwards_are_found_and_rounded() {
+    let mut draw = Draw(21);
+    for _ in 0..400 {
+        let direction = draw.direction();
+        let ([u, v], w) = direction.over_common_denominator();
+        let expected = known_roots(&mut draw);
+        let mut f = definite(&mut draw);
+        for (known, multiplicity) in &expected {
+            // q (U x + V y) − p W: on the ray x U + y V is r W.
+            let (p, q) = (known.root.numerator(), known.root.denominator());
+            let line = polynomial([((1, 0), &q * &u), ((0, 1), q * &v), ((0, 0), -(p * &w))]);
+            for _ in 0..*multiplicity {
+                f = f.product(&line);
+            }
+        }
+        let Ray::Points(found) = RaySolver::new(&f).solve(&direction) else {
+            panic!("{f:?} does not vanish on a line");
+        };
+        assert_found(&found.iter().collect::<Vec<_>>(), &expected, &f);
+    }
+}
+
+#[test]
+fn roots_of_powers_are_found_and_rounded() {
+    let mut draw = Draw(22);
+    for _ in 0..200 {
+        let direction = draw.direction();
+        let expected = known_roots(&mut draw);
+        let half = 1 + draw.below(4);
+        let rho = polynomial([((2, 0), Integer::from(1)), ((0, 2), Integer::from(1))]);
+        let power = (1..half).fold(rho.clone(), |power, _| power.product(&rho));
+        let mut f = polynomial([((0, 0), draw.integer(300))]);
+        for (known, multiplicity) in &expected {
+            // q^g (x² + y²)^(g/2) − p^g
+            let [p, q] =
+                [known.root.numerator(), known.root.denominator()].map(|n| n.pow(2 * half));
+            let scaled = power.terms().map(|(e, c)| (e, c * Rational::from(&q)));
+            let circle = PlanePolynomial::from_terms(scaled.chain([((0, 0), -Rational::from(p))]));
+            for _ in 0..*multiplicity {
+                f = f.product(&circle);
+            }
+        }
+        let Ray::Points(found) = RaySolver::new(&f).solve(&direction) else {
+            panic!("{f:?} does not vanish on a line");
+        };
+        let positive: Vec<_> = found.iter().filter(|sample| sample.r > 0.0).collect();
+        assert_found(&positive, &expected, &f);
+        assert_eq!(found.len(), 2 * positive.len());
+    }
+}
+
+/// The one of which the count was wrong: a linear part of −1/4 ulp that was taken for +15.
+#[test]
+fn a_linear_part_that_nearly_vanishes_has_two_points() {
+    let number = |text: &str| text.parse::<Rational>().expect("a number");
+    let f = PlanePolynomial::from_terms([
+        ((9, 0), number("9671406556917033397649408")),
+        ((2, 0), Rational::one()),
+        (
+            (1, 0),
+            number("1545740262929933485628654903467243752277406906279780977475584"),
+        ),
+        (
+            (0, 1),
+            number("-1600660899510551534245218416770981541785682820269886452793343"),
+        ),
+    ]);
+    let direction = Direction::from_degrees(&Rational::from(44));
+    let Ray::Points(points) = RaySolver::new(&f).solve(&direction) else {
+        panic!("no line");
+    };
+    let radii: Vec<f64> = points.iter().map(|point| point.r).collect();
+    assert_eq!(radii.len(), 2, "{radii:?}");
+    assert_eq!(radii[0], -radii[1]);
+    assert!((radii[0] - 0.637_392_816_839_1).abs() < 1e-12, "{radii:?}");
+}
