@@ -8,6 +8,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// tan(δ/2) is rounded to this many bits after the point, so a direction is within 2⁻⁵³ of its
@@ -22,7 +23,7 @@ pub trait UnitVector<const V: usize> {
     /// Its components.
     fn components(&self) -> [Rational; V] {
         let (vector, w) = self.over_common_denominator();
-        vector.map(|u| Rational::new(u, w.clone()).unwrap_or_default())
+        vector.map(|u| Rational::new(u, w.clone()).invariant("a length is not 0"))
     }
 }
 
@@ -131,13 +132,13 @@ impl Direction {
     /// cos of the direction's angle, exactly.
     #[must_use]
     pub fn u(&self) -> Rational {
-        Rational::new(self.u.clone(), self.w.clone()).unwrap_or_default()
+        Rational::new(self.u.clone(), self.w.clone()).invariant("a length is not 0")
     }
 
     /// sin of the direction's angle, exactly.
     #[must_use]
     pub fn v(&self) -> Rational {
-        Rational::new(self.v.clone(), self.w.clone()).unwrap_or_default()
+        Rational::new(self.v.clone(), self.w.clone()).invariant("a length is not 0")
     }
 
     /// The integers (U, V, W).
@@ -152,7 +153,7 @@ trait RoundRational {
 
 impl RoundRational for Integer {
     fn rounding_from_rational(q: &Rational) -> Integer {
-        let half = Rational::new(Integer::ONE, Integer::from(2)).unwrap_or_default();
+        let half = Rational::from_parts(Integer::ONE, -1);
         let shifted = q + &half;
         if shifted.is_zero() {
             Integer::ZERO

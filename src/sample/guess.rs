@@ -5,6 +5,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
 
+use crate::error::Invariant;
 use crate::exact::Dyadic;
 use crate::poly::IntegerPolynomial;
 
@@ -60,6 +61,6 @@ pub(super) fn real_root_guesses(f: &IntegerPolynomial) -> Vec<f64> {
 
 /// value = mantissa · 2^exponent with a double in [1, 2).
 fn log_mantissa(value: &Integer) -> (f64, i64) {
-    let exponent = i64::try_from(value.significant_bits()).unwrap_or(0);
+    let exponent = i64::try_from(value.significant_bits()).invariant("bits are far below 2^63");
     (Dyadic::new(value.clone(), -exponent).to_f64(), exponent)
 }

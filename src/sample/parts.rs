@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
+use crate::error::Invariant;
 use crate::poly::{BinaryForm, PlanePolynomial, SpacePolynomial, scaled_harmonics};
 
 /// The exponents of a monomial, and its coefficient.
@@ -133,7 +134,7 @@ fn in_harmonics(f: &PlanePolynomial) -> Option<Expansion<'static, 2>> {
             .filter(|(_, c)| *c != 0);
         parts.push(ExpandedPart {
             degree: form.degree(),
-            exponent: -exponent(form.degree()),
+            exponent: -exponent(form.degree() as u64),
             terms: terms.map(|(e, c)| (e, Cow::Owned(c))).collect(),
         });
     }
@@ -146,16 +147,18 @@ fn in_harmonics(f: &PlanePolynomial) -> Option<Expansion<'static, 2>> {
 /// About how many bits fewer a value loses, on average over the directions, as a sum of the harmonics, which are given
 /// times 2^d.
 fn saved_bits(form: &BinaryForm, harmonics: &[(usize, Integer, Integer)]) -> i64 {
-    let bits = |c: &Integer| i64::try_from(c.significant_bits()).unwrap_or(i64::MAX);
+    let bits = |c: &Integer| exponent(c.significant_bits());
     let powers = form.terms().map(|(_, c)| bits(c)).max();
     let harmonics = harmonics.iter().map(|(_, a, b)| bits(a).max(bits(b))).max();
-    let degree = exponent(form.degree());
+    let degree = exponent(form.degree() as u64);
     // Powers are seen from the larger coordinate, which to the d is 1 to 2^(d/2) times smaller than the length.
-    powers.unwrap_or(0) - (harmonics.unwrap_or(0) - degree) - degree / 4
+    let [powers, harmonics] = [powers, harmonics].map(|bits| bits.invariant("a part is not 0"));
+    powers - (harmonics - degree) - degree / 4
 }
 
-fn exponent(degree: usize) -> i64 {
-    i64::try_from(degree).unwrap_or(i64::MAX)
+/// A degree or a number of bits, with a sign.
+fn exponent(count: u64) -> i64 {
+    i64::try_from(count).invariant("degrees and bits are far below 2^63")
 }
 
 #[cfg(test)]
@@ -169,11 +172,11 @@ mod tests {
     /// The value of a part at a unit vector.
     fn value(part: &ExpandedPart<'_, 2>, basis: Basis, [x, y]: &[Rational; 2]) -> Rational {
         let function = |[i, j]: [usize; 2]| {
-            let index = |k| i32::try_from(k).unwrap_or(i32::MAX);
+            let index = |k| i32::try_from(k).expect("small");
             match basis {
                 Basis::Powers => {
-                    x.pow(index(i).into()).unwrap_or_default()
-                        * y.pow(index(j).into()).unwrap_or_default()
+                    x.pow(index(i).into()).expect("a power")
+                        * y.pow(index(j).into()).expect("a power")
                 }
                 Basis::Harmonics if j == 0 => TrigPolynomial::cosine(index(i)).evaluate(x, y),
                 Basis::Harmonics => TrigPolynomial::sine(index(j)).evaluate(x, y),
@@ -183,7 +186,7 @@ mod tests {
         let sum = terms.fold(Rational::zero(), |sum, (b, c)| {
             sum + function(*b) * Rational::from(&**c)
         });
-        sum * Rational::from(2).pow(part.exponent).unwrap_or_default()
+        sum * Rational::from(2).pow(part.exponent).expect("2 is not 0")
     }
 
     proptest! {

@@ -23,9 +23,17 @@ pub enum Ray<const V: usize = 2> {
     Line,
 }
 
-/// The points of a line, largest r first and numbered.
+/// The points of a line, largest r first and numbered; where the doubles of r are the same those of the coordinates decide.
 pub(super) fn in_order<const V: usize>(mut points: Vec<Sample<V>>) -> Vec<Sample<V>> {
-    points.sort_by(|a, b| b.r.total_cmp(&a.r));
+    let beyond = |a: &Sample<V>, b: &Sample<V>| {
+        let sizes = a.position.iter().zip(&b.position);
+        let larger = sizes
+            .map(|(a, b)| b.abs().total_cmp(&a.abs()))
+            .find(|order| order.is_ne());
+        let order = larger.unwrap_or_else(|| b.multiplicity.cmp(&a.multiplicity));
+        if a.r < 0.0 { order.reverse() } else { order }
+    };
+    points.sort_by(|a, b| b.r.total_cmp(&a.r).then_with(|| beyond(a, b)));
     for (branch, point) in points.iter_mut().enumerate() {
         point.branch = branch;
     }

@@ -14,6 +14,7 @@ use super::guess::real_root_guesses;
 use super::ladder::{LEVELS, Ladder};
 use super::parts::{Expansion, HomogeneousParts};
 use super::point::{Ray, Sample, in_order};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RealRoot, real_roots};
 
@@ -144,7 +145,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         for (d, c) in coefficients {
             dense[(d - lowest) / gap] = c;
         }
-        let gap = u32::try_from(gap).ok()?;
+        let gap = u32::try_from(gap).invariant("degrees are far below 2^32");
         Some((gap, IntegerPolynomial::from_coefficients_asc(dense)))
     }
 }
@@ -159,6 +160,7 @@ pub(crate) fn along<P: HomogeneousParts<V>, const V: usize>(
     // f_d(U/W, V/W) W^top = f_d(U, V) W^(top − d)
     let mut coefficients: Vec<(usize, Integer)> = Vec::new();
     let mut w_power = Integer::ONE;
+    // The zero polynomial has no values.
     let mut above = polynomial.top_degree().unwrap_or(0);
     for (degree, value) in polynomial.values_at(vector) {
         for _ in degree..above {

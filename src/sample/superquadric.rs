@@ -6,7 +6,7 @@ use malachite::base::num::arithmetic::traits::{CheckedRoot, FloorRoot};
 use malachite::{Integer, Natural};
 
 use super::{Direction, Ray, Sample};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, nearest_double};
 use crate::shape::Superquadric;
 
@@ -88,8 +88,8 @@ impl<'a> SuperquadricSolver<'a> {
         let level = self.shape.level();
         let bases = [(x / a1).abs(), (y / a2).abs()];
         self.check_size(bases.iter().map(Rational::bits).max().unwrap_or(0))?;
-        let power = i64::try_from(self.p).unwrap_or(i64::MAX);
-        let radicands = bases.map(|base| base.pow(power).unwrap_or_default());
+        let power = i64::try_from(self.p).invariant("a power is within the limit of bits");
+        let radicands = bases.map(|base| base.pow(power).invariant("a power is not negative"));
         let roots = radicands
             .each_ref()
             .map(|radicand| exact_root(radicand, self.q));

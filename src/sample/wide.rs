@@ -103,8 +103,8 @@ impl Wide {
     #[expect(clippy::cast_precision_loss, reason = "an approximation")]
     pub(super) fn to_f64(self) -> f64 {
         // In two steps, for the smallest doubles. What overflows is infinite or 0.
-        let half = i32::try_from(self.exponent / 2).unwrap_or(i32::MAX);
-        let rest = i32::try_from(self.exponent - self.exponent / 2).unwrap_or(i32::MAX);
+        let exponent = self.exponent.clamp(-4000, 4000) as i32;
+        let (half, rest) = (exponent / 2, exponent - exponent / 2);
         self.mantissa as f64 * f64::from(half).exp2() * f64::from(rest).exp2()
     }
 
