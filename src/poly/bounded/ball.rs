@@ -23,7 +23,7 @@ use crate::poly::isolate::Changes;
 
 #[cfg(test)]
 #[path = "ball_laws.rs"]
-mod laws;
+pub(super) mod laws;
 
 /// **Lemma 1.** Let x be the double that at most 2^12 additions and multiplications of non-negative doubles give, each rounded
 /// to the nearest, without underflow. Then the exact result is at most x · SLACK, also after the product with SLACK is rounded.

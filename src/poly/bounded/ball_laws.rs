@@ -16,10 +16,10 @@ use crate::poly::binomials;
 const CASES: usize = 2000;
 
 /// Draws inputs; SplitMix64.
-struct Draw(u64);
+pub(in super::super) struct Draw(pub(in super::super) u64);
 
 impl Draw {
-    fn word(&mut self) -> u64 {
+    pub(in super::super) fn word(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -27,7 +27,7 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    fn below(&mut self, n: usize) -> usize {
+    pub(in super::super) fn below(&mut self, n: usize) -> usize {
         usize::try_from(self.word() % n as u64).expect("small")
     }
 
@@ -63,7 +63,7 @@ impl Draw {
     }
 
     /// An integer of up to 64 · `limbs` bits of either sign.
-    fn integer(&mut self, limbs: usize) -> Integer {
+    pub(in super::super) fn integer(&mut self, limbs: usize) -> Integer {
         let count = 1 + self.below(limbs);
         let limbs: Vec<u64> = match self.below(3) {
             0 => vec![u64::MAX; count],

@@ -156,3 +156,105 @@ fn middle<const W: usize>(low: &Fraction<W>, high: &Fraction<W>) -> Option<Fract
 fn ulp<const W: usize>() -> f64 {
     (-(Fixed::<W>::FRACTION_BITS as f64)).exp2()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::ball::ScaledBall;
+    use super::super::ball::laws::Draw;
+    use super::*;
+    use crate::exact::Rational;
+    use malachite::Integer;
+
+    /// The product of polynomials with ascending coefficients.
+    fn product(f: &[Integer], g: &[Integer]) -> Vec<Integer> {
+        let mut result = vec![Integer::from(0); f.len() + g.len() - 1];
+        for (i, a) in f.iter().enumerate() {
+            for (j, b) in g.iter().enumerate() {
+                result[i + j] += a * b;
+            }
+        }
+        result
+    }
+
+    fn balls<const W: usize>(c: &[Integer]) -> Balls<W> {
+        let balls = c.iter().map(|c| (ScaledBall::of_integer(c), 0));
+        Balls::aligned(balls).expect("not all are 0")
+    }
+
+    fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
+        Rational::from_parts(fraction.to_integer(), -(64 * W as i64))
+    }
+
+    /// A polynomial with positive coefficients of more bits than W limbs have, which has no root in (0, 1).
+    fn positive(draw: &mut Draw, limbs: usize) -> Vec<Integer> {
+        let count = 1 + draw.below(12);
+        (0..count)
+            .map(|_| {
+                Integer::from(draw.integer(limbs).unsigned_abs_ref().clone()) + Integer::from(1)
+            })
+            .collect()
+    }
+
+    fn an_enclosure_holds_the_root<const W: usize>(draw: &mut Draw) {
+        let mut found = 0;
+        for _ in 0..300 {
+            // A place (index, index + 1) 2^(−depth), and a root p/q in it, often very near to one of its ends.
+            let depth = u32::try_from(draw.below(30)).expect("small");
+            let index = draw.below(1 << depth) as u64;
+            let place = Place {
+                index,
+                depth,
+                sign_low: -1,
+            };
+            let bits = 64 + draw.below(64 * W) as u64;
+            let inside = match draw.below(4) {
+                0 => Integer::from(1 + draw.below(9)),
+                1 => (Integer::from(1) << bits) - Integer::from(1 + draw.below(9)),
+                _ => (Integer::from(1) << (bits - 1)) + Integer::from(draw.word()),
+            };
+            let p = (Integer::from(index) << bits) + inside;
+            let q = Integer::from(1) << (bits + u64::from(depth));
+            let root = Rational::new(p.clone(), q.clone()).expect("not 0");
+            let without = positive(draw, W + 2);
+            let polynomial = balls::<W>(&product(&[-p, q], &without));
+            let bounds = place.bounds();
+            let guess = Fraction::from_f64(root.to_f64().min(1.0f64.next_down()));
+            let longest = if draw.below(2) == 0 { 1e-3 } else { 1e-17 };
+            let enclosure = polynomial.enclose(&guess, bounds, -1, longest);
+            if let Some([low, high]) = enclosure {
+                found += 1;
+                assert!(number(&low) < root && root < number(&high));
+                // An end may be moved by one unit in the last place and is still inside the place.
+                let unit = Rational::from_parts(Integer::from(1), -(64 * W as i64));
+                let end = |k| Rational::from_parts(Integer::from(index + k), -i64::from(depth));
+                assert!(number(&low) - &unit > end(0) && number(&high) + &unit < end(1));
+                assert!(number(&high) - number(&low) < exact(4.0 * longest) * &root);
+            }
+            // What is false is not proved.
+            assert!(polynomial.enclose(&guess, bounds, 1, longest).is_none());
+            assert!(
+                balls::<W>(&without)
+                    .enclose(&guess, bounds, 1, longest)
+                    .is_none()
+            );
+            assert!(
+                balls::<W>(&without)
+                    .enclose(&guess, bounds, -1, longest)
+                    .is_none()
+            );
+        }
+        assert!(found > 100, "{found}");
+    }
+
+    fn exact(value: f64) -> Rational {
+        Rational::try_from(value).expect("a finite double")
+    }
+
+    #[test]
+    fn an_enclosure_holds_the_root_in_all_widths() {
+        an_enclosure_holds_the_root::<2>(&mut Draw(2));
+        an_enclosure_holds_the_root::<3>(&mut Draw(3));
+        an_enclosure_holds_the_root::<6>(&mut Draw(6));
+        an_enclosure_holds_the_root::<12>(&mut Draw(12));
+    }
+}
