@@ -323,3 +323,24 @@ fn directions_are_exact_unit_vectors_near_their_angle() {
         assert!(r.abs().to_bits() == 1f64.to_bits(), "{row}");
     }
 }
+
+/// A linear part of which bounded arithmetic once took the rounding error for the sign: the square has the same zero set, and
+/// exact arithmetic solves it.
+#[test]
+fn a_form_that_nearly_vanishes_has_the_points_of_its_square() {
+    let form = "9671406556917033397649408x^9 + x^2 \
+        + 1545740262929933485628654903467243752277406906279780977475584x \
+        - 1600660899510551534245218416770981541785682820269886452793343y";
+    let square = format!("({form})^2");
+    let rows = |form: &str| -> Vec<String> {
+        let table = done(&["sample", form, "--theta", "44deg"]);
+        // Without the multiplicity, the last column.
+        let row = |row: &str| row.rsplit_once(',').unwrap().0.to_owned();
+        table.lines().map(row).collect()
+    };
+    let found = rows(form);
+    assert_eq!(found, rows(&square));
+    assert_eq!(found.len(), 1 + 2, "a header and two points: {found:?}");
+    assert!(found[1].contains(",0.6373928168391"), "{found:?}");
+    assert!(found[2].contains(",-0.6373928168391"), "{found:?}");
+}
