@@ -214,8 +214,8 @@ impl<const W: usize> BoundedRoot<W> {
         let exponent = self.scale - 64 * W as i64;
         let (low, high) = (self.low.to_integer(), self.high.to_integer());
         let (low, high) = if self.is_inverted {
-            // 1/y, rounded outwards: that moves x by less than 2^(−64W), and y by less than that times y². An enclosure has
-            // room for it (`newton::is_inside`), so the sign at the new end is that at the old one.
+            // 1/y, rounded outwards: that moves x by less than 2^(−64W), and y by less than that times y². The sign at the
+            // new end is that at the old one, since an enclosure is strictly inside its place (`newton::is_inside`).
             let one = Integer::from(1) << (2 * width);
             (&one / high, one.div_round(low, RoundingMode::Ceiling).0)
         } else {

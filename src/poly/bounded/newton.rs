@@ -10,8 +10,8 @@ const DOUBLE_STEPS: usize = 40;
 const FIXED_STEPS: usize = 24;
 /// Newton's method goes on until the enclosure is relatively that short, 2^−70, or rounding hides the value.
 const SHORT: f64 = 8.470_329_472_543_003e-22;
-/// How far, in ulps, an enclosure must stay away from the ends of its place.
-const MARGIN: f64 = 4.0;
+/// By how much, in ulps, an enclosure is longer than the estimate of the error.
+const ROOM: f64 = 4.0;
 
 /// Whether a root between the two ends is proved. Only this and [`is_inside`] are trusted by [`Balls::enclose`]: a bad guess
 /// costs time, and no more.
@@ -27,24 +27,20 @@ fn proves_root<const W: usize>(
     sign(low) == Some(sign_low) && sign(high) == Some(-sign_low)
 }
 
-/// Whether an enclosure is inside its place, with a margin on both sides.
+/// Whether an enclosure is strictly inside its place.
 ///
-/// **Lemma.** Let a place have exactly one root. If it has one in an enclosure that is inside, then the polynomial has one sign
-/// from the lower end of the place to that of the enclosure, and another one from the upper end to the upper end: an end may
-/// be moved outwards by as much as the margin without changing what is said of it.
-fn is_inside<const W: usize>(
-    enclosure: &[Fraction<W>; 2],
-    [low, high]: &[Fraction<W>; 2],
-    margin: &Fraction<W>,
-) -> bool {
-    let (above, below) = (low.plus(margin), high.minus(margin));
-    above.is_some_and(|above| enclosure[0] > above)
-        && below.is_some_and(|below| enclosure[1] < below)
+/// **Lemma.** Let a place have exactly one root, and have it in an enclosure that is strictly inside. Then an end of the
+/// enclosure may be moved outwards by less than 2^(−64W) without changing what is said of it.
+///
+/// Proof. All ends are multiples of 2^(−64W), so the moved end is still inside the place, in which the polynomial has no
+/// other root: it has the same sign there. Law: `an_enclosure_holds_the_root`.
+fn is_inside<const W: usize>(enclosure: &[Fraction<W>; 2], [low, high]: &[Fraction<W>; 2]) -> bool {
+    enclosure[0] > *low && enclosure[1] < *high
 }
 
 impl<const W: usize> Balls<W> {
-    /// Bounds of the root that lies alone between `low` and `high`, where the sign is `sign_low` below it: strictly inside,
-    /// with a margin, with opposite certain signs. `None` if they would be farther apart than twice `longest` times the root.
+    /// Bounds of the root that lies alone in `place`, where the sign is `sign_low` below it: strictly inside, with opposite
+    /// certain signs. `None` if they would be farther apart than twice `longest` times the root.
     pub(super) fn enclose(
         &self,
         guess: &Fraction<W>,
@@ -89,11 +85,10 @@ impl<const W: usize> Balls<W> {
         if radius.is_nan() || radius > longest * y.to_f64() {
             return None;
         }
-        let margin = Fraction::from_f64(MARGIN * ulp::<W>());
-        let radius = Fraction::from_f64(radius).plus(&margin)?;
+        let room = Fraction::from_f64(ROOM * ulp::<W>());
+        let radius = Fraction::from_f64(radius).plus(&room)?;
         let enclosure = [y.minus(&radius)?, y.plus(&radius)?];
-        let proved =
-            is_inside(&enclosure, &place, &margin) && proves_root(self, &enclosure, sign_low);
+        let proved = is_inside(&enclosure, &place) && proves_root(self, &enclosure, sign_low);
         proved.then_some(enclosure)
     }
 
@@ -224,10 +219,10 @@ mod tests {
             if let Some([low, high]) = enclosure {
                 found += 1;
                 assert!(number(&low) < root && root < number(&high));
-                // An end may be moved by one unit in the last place and is still inside the place.
+                // An end that is moved by less than one unit in the last place is still inside the place.
                 let unit = Rational::from_parts(Integer::from(1), -(64 * W as i64));
                 let end = |k| Rational::from_parts(Integer::from(index + k), -i64::from(depth));
-                assert!(number(&low) - &unit > end(0) && number(&high) + &unit < end(1));
+                assert!(number(&low) - &unit >= end(0) && number(&high) + &unit <= end(1));
                 assert!(number(&high) - number(&low) < exact(4.0 * longest) * &root);
             }
             // What is false is not proved.
