@@ -169,5 +169,27 @@ mod tests {
             let whole = Wide::exact(a.unsigned_abs(), shift);
             prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_parts(Integer::from(a), shift)));
         }
+
+        /// Numbers whose difference is about the sum of their errors, with one exponent and on both sides of a power of two.
+        #[test]
+        fn a_certain_order_is_that_of_all_numbers_within_the_errors(
+            mantissa in (1u128 << 127)..u128::MAX - 500, errors in [0u64..60, 0u64..60], offs in [0u128..300, 0u128..300],
+            around in any::<bool>(),
+        ) {
+            let number = |mantissa, exponent, error| Wide { mantissa, exponent, error };
+            let [a, b] = if around {
+                [number(u128::MAX - offs[0], 7, errors[0]), number((1 << 127) + offs[1], 8, errors[1])]
+            } else {
+                [number(mantissa + offs[0], 7, errors[0]), number(mantissa + offs[1], 7, errors[1])]
+            };
+            for (a, b) in [(a, b), (b, a)] {
+                let Some(order) = a.certain_order(b) else { continue };
+                for x in ends(a) {
+                    for y in ends(b) {
+                        prop_assert_eq!(x.cmp(&y), order, "{:?} {:?}", a, b);
+                    }
+                }
+            }
+        }
     }
 }
