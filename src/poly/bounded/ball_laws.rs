@@ -262,6 +262,7 @@ mod laws {
                 near - 0.5,
                 near + 0.5,
                 near / 2.5,
+                near / 9.0,
             ];
             let radius = match draw.below(8) {
                 0 => f64::INFINITY,
