@@ -7,6 +7,7 @@ use malachite::base::num::arithmetic::traits::{Parity, Pow};
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::Rational;
+use crate::error::Invariant;
 
 /// `mantissa · 2^exponent`. Closed under sums, products and halving, and cheap: no gcds.
 #[derive(Clone, Debug)]
@@ -33,9 +34,9 @@ impl Dyadic {
                 .mantissa
                 .unsigned_abs_ref()
                 .trailing_zeros()
-                .unwrap_or(0);
+                .invariant("a number that is not 0 has a lowest bit");
             self.mantissa >>= zeros;
-            self.exponent += i64::try_from(zeros).unwrap_or(0);
+            self.exponent = raised(self.exponent, zeros.cast_signed());
         }
     }
 
@@ -49,7 +50,8 @@ impl Dyadic {
     #[must_use]
     pub fn from_f64(value: f64) -> Option<Self> {
         let q = Rational::try_from(value).ok()?;
-        let exponent = i64::try_from(q.denominator().significant_bits()).ok()? - 1;
+        // The denominator is a power of two.
+        let exponent = q.denominator().significant_bits().cast_signed() - 1;
         Some(Self::new(q.numerator(), -exponent))
     }
 
@@ -90,8 +92,8 @@ impl Dyadic {
     /// ⌊log₂ |self|⌋, `None` for 0.
     #[must_use]
     pub fn log2(&self) -> Option<i64> {
-        let bits = i64::try_from(self.mantissa.significant_bits()).ok()?;
-        (bits > 0).then(|| bits - 1 + self.exponent)
+        let bits = self.mantissa.significant_bits().cast_signed();
+        (bits > 0).then(|| raised(self.exponent, bits - 1))
     }
 
     /// −self.
@@ -125,9 +127,12 @@ impl Dyadic {
     }
 
     /// self · 2^k.
+    ///
+    /// # Panics
+    /// If the exponent of the result does not fit in 64 bits.
     #[must_use]
     pub fn times_power_of_two(&self, k: i64) -> Self {
-        Self::new(self.mantissa.clone(), self.exponent + k)
+        Self::new(self.mantissa.clone(), raised(self.exponent, k))
     }
 
     /// self · n.
@@ -137,11 +142,14 @@ impl Dyadic {
     }
 
     /// self^k.
+    ///
+    /// # Panics
+    /// If the exponent of the result does not fit in 64 bits.
     #[must_use]
     pub fn power(&self, k: u32) -> Self {
         Self::new(
             (&self.mantissa).pow(u64::from(k)),
-            self.exponent * i64::from(k),
+            self.exponent.checked_mul(i64::from(k)).invariant(SMALL),
         )
     }
 
@@ -150,6 +158,14 @@ impl Dyadic {
     pub fn midpoint(&self, other: &Self) -> Self {
         self.plus(other).times_power_of_two(-1)
     }
+}
+
+/// What a sum or a product of exponents must be; beyond it no wrong number comes back, but the program stops.
+const SMALL: &str = "the exponent of a dyadic number is between -2^63 and 2^63";
+
+/// `exponent + by`.
+fn raised(exponent: i64, by: i64) -> i64 {
+    exponent.checked_add(by).invariant(SMALL)
 }
 
 impl PartialEq for Dyadic {

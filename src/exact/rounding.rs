@@ -9,6 +9,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::Rational;
+use crate::error::Invariant;
 
 /// The double nearest to a real number, given how the number compares with any rational one (ties to even; beyond
 /// the largest double ±∞; a zero has the sign of the guess).
@@ -72,7 +73,7 @@ pub(crate) fn nearest_double<E>(
 
 /// The place of a double among all doubles: 0 for ±0, one more for each next larger one.
 fn rank(double: f64) -> i64 {
-    let magnitude = i64::try_from(double.abs().to_bits()).unwrap_or(0);
+    let magnitude = double.abs().to_bits().cast_signed();
     if double < 0.0 { -magnitude } else { magnitude }
 }
 
@@ -162,12 +163,12 @@ impl Rational {
     #[must_use]
     pub fn to_significant(&self, digits: u32) -> String {
         let places = i64::from(digits.max(1)) - 1;
-        let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+        let ten = |e: i64| Rational::from(10).pow(e).invariant("ten is not zero");
         let Some(mut exponent) = self.decimal_exponent() else {
             return "0".into();
         };
         let mut text = (self.abs() * ten(places - exponent)).to_decimal(0);
-        if i64::try_from(text.len()).unwrap_or(0) > places + 1 {
+        if i64::try_from(text.len()).invariant("a text is shorter than 2^63 bytes") > places + 1 {
             // Rounded up to the next power of ten.
             exponent += 1;
             text.pop();
@@ -175,8 +176,10 @@ impl Rational {
         let text = text.trim_end_matches('0');
         let sign = if self.signum() < 0 { "-" } else { "" };
         if (-5..16).contains(&exponent) {
-            let after = i64::try_from(text.len()).unwrap_or(0) - 1 - exponent;
-            let digits = Integer::from_string_base(10, text).unwrap_or_default();
+            let after = i64::try_from(text.len()).invariant("a text is shorter than 2^63 bytes")
+                - 1
+                - exponent;
+            let digits = Integer::from_string_base(10, text).invariant("digits are a number");
             let value = Rational::from(digits) * ten(-after);
             let decimals = u32::try_from(after).unwrap_or(0);
             return format!("{sign}{}", value.to_decimal(decimals));
@@ -193,11 +196,13 @@ impl Rational {
             return None;
         }
         let size = self.abs();
-        let bits = |n: Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
+        let bits = |n: Integer| {
+            i64::try_from(n.significant_bits()).invariant("a length in bits fits in 63 bits")
+        };
         // log₁₀ 2 ≈ 30103/100000: off by little, and the comparisons decide.
         let binary = bits(size.numerator()) - bits(size.denominator());
         let mut exponent = (binary * 30_103).div_euclid(100_000);
-        let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+        let ten = |e: i64| Rational::from(10).pow(e).invariant("ten is not zero");
         while ten(exponent) > size {
             exponent -= 1;
         }

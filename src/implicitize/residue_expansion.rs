@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use malachite::Integer;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use super::summed::SummedHarmonics;
+use crate::exact::Machine;
 use crate::poly::{
     Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet,
     minus, plus,
@@ -30,11 +31,12 @@ pub(super) fn middle_and_low_by_residues(
         bits: 2 * sums.bits + 1,
     };
     let quartets = Quartet::enough_for(low.largest());
-    let lifting = Lifting::new(&quartets);
+    let machine = Machine::this();
+    let lifting = Lifting::new(machine, &quartets);
     let sizes = [middle, low].map(|size| Sizes::new(size.len(), |range| size.largest_of(range)));
     let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
         let [middle, low] = sizes.each_ref().map(|sizes| lifting.asked(sizes, k));
-        Arch::new().dispatch(Parts {
+        machine.dispatch(Parts {
             sums,
             odd,
             workspace,

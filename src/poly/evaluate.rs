@@ -53,13 +53,13 @@ pub(crate) fn leading_value(f: &IntegerPolynomial, point: &Dyadic, bits: u64) ->
             // It is wrong by less than d units.
             let error_bits = u64::from(degree.checked_ilog2().unwrap_or(0)) + 1;
             if value.significant_bits() > error_bits + bits {
-                let exponent = i64::try_from(fraction).map_or(i64::MIN, |e| -e);
+                let exponent = -fraction.cast_signed();
                 return (value, exponent);
             }
             fraction *= 4;
         }
     }
-    let exponent = i64::try_from(exact_bits).map_or(i64::MIN, |e| -e);
+    let exponent = -exact_bits.cast_signed();
     (numerator_at(f, point), exponent)
 }
 

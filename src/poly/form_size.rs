@@ -1,5 +1,6 @@
 //! How large the coefficients of a form can be, whose coefficients in another basis are known to be small.
 
+use crate::error::Invariant;
 use std::ops::Range;
 
 /// Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` is at most C(d, k) Σ |g_j|: below 2 to this power, if Σ |g_j| < 2^`bits`.
@@ -33,7 +34,7 @@ impl FormSize {
     /// by t^k.
     pub(crate) fn largest_of(self, range: Range<usize>) -> u64 {
         // Degrees are small.
-        let float = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+        let float = |n: usize| f64::from(u32::try_from(n).invariant("degrees are below 2^32"));
         let middle = float(range.start + range.end) / 2.0;
         // Where the k-th term of (1 + t)^(len − 1) is the largest.
         let t = middle / (float(self.len()) - middle);

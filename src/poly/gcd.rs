@@ -7,6 +7,7 @@ use malachite::base::polynomial::{Derivative, Polynomial};
 
 use super::IntegerPolynomial;
 use super::modular::{Images, gcd_mod, mul_mod, previous_prime, reduce_integer};
+use crate::error::Invariant;
 
 /// The first prime tried; the others are found below it.
 const FIRST_PRIME: u64 = (1 << 61) - 1;
@@ -137,9 +138,9 @@ pub fn squarefree_decomposition(f: &IntegerPolynomial) -> Vec<(usize, IntegerPol
     if repeated.coefficients_asc().len() <= 1 {
         return vec![(1, f)];
     }
-    // A gcd of primitive polynomials divides both, so the default never comes to pass.
-    let exact =
-        |a: &IntegerPolynomial, b: &IntegerPolynomial| divide_exactly(a, b).unwrap_or_default();
+    let exact = |a: &IntegerPolynomial, b: &IntegerPolynomial| {
+        divide_exactly(a, b).invariant("a gcd of primitive polynomials divides both")
+    };
     let mut parts = Vec::new();
     let mut w = exact(&f, &repeated);
     let mut y = exact(&derivative, &repeated);

@@ -2,13 +2,13 @@
 
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::DivExact;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use super::quad::{Quad, QuadField, minus, plus};
 use super::quartet::Quartet;
 use super::transform::Transform;
 use crate::exact::{
-    Columns, DIGIT_BITS, Sums, digits_of_bits, f64_from, halves_of_product, u64_from,
+    Columns, DIGIT_BITS, Machine, Sums, digits_of_bits, f64_from, halves_of_product, u64_from,
 };
 
 /// Quartets in a group: Σ y P_G/p over their 48 primes is below 48 P_G.
@@ -52,7 +52,12 @@ pub(super) struct Blocks {
 
 impl Blocks {
     /// For the primes of these quartets, with this product, and the negative of it in limbs.
-    pub(super) fn new(quartets: &[Quartet], product: &Natural, minus_p: &[u64]) -> Self {
+    pub(super) fn new(
+        machine: Machine,
+        quartets: &[Quartet],
+        product: &Natural,
+        minus_p: &[u64],
+    ) -> Self {
         let groups = quartets.chunks(GROUP).map(|quartets| {
             let primes = quartets.iter().flat_map(Quartet::primes);
             primes.map(Natural::from).collect::<Vec<_>>()
@@ -69,14 +74,14 @@ impl Blocks {
         let short = |number: &Natural| digits_of_bits(SHORT_BITS, number.limbs());
         let columns = |(primes, product): (&Vec<Natural>, &Natural)| {
             let others = primes.iter().map(|p| short(&product.div_exact(p)));
-            Columns::new(&others.collect::<Vec<_>>())
+            Columns::new(machine, &others.collect::<Vec<_>>())
         };
         let minus_p = digits_of_bits(SHORT_BITS, minus_p.iter().copied());
         let blocks = minus_p.len().div_ceil(BLOCK_LEN);
         let others: Vec<_> = others.iter().map(short).collect();
         let primes = [0, 1].map(|i| quartets[0].of_one_prime(i));
         let tables = primes.each_ref().map(|prime| {
-            Arch::new().dispatch(Tables {
+            machine.dispatch(Tables {
                 prime,
                 others: &others,
                 blocks,
@@ -87,7 +92,7 @@ impl Blocks {
         Self {
             fields,
             transforms: [first, second],
-            inverse: Arch::new().dispatch(Inverse { fields }),
+            inverse: machine.dispatch(Inverse { fields }),
             groups: groups.iter().zip(&products).map(columns).collect(),
             tables: [in_first, in_second],
             minus_p: minus_p.into_iter().map(u64_from).collect(),

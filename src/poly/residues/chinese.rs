@@ -3,13 +3,14 @@
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{DivExact, Mod, Square};
 use malachite::base::num::logic::traits::SignificantBits;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 use smallvec::SmallVec;
 
 use super::blocks::{Blocks, LANES, MOST_PRIMES};
 use super::quad::{Quad, plus};
 use super::quartet::Quartet;
-use crate::exact::{Columns, Sums, digits, digits_for, f64_from};
+use crate::error::Invariant;
+use crate::exact::{Columns, Machine, Sums, digits, digits_for, f64_from};
 use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
 
 /// The way from residues modulo some primes to integers.
@@ -35,7 +36,7 @@ enum Sum {
 impl<'a> Remainders<'a> {
     /// Sums of more than `direct` primes are formed in blocks. Cost: the number of primes squared, in time, and in space
     /// where sums are formed directly.
-    pub(super) fn new(quartets: &'a [Quartet], direct: usize) -> Self {
+    pub(super) fn new(machine: Machine, quartets: &'a [Quartet], direct: usize) -> Self {
         let primes: Vec<u64> = quartets.iter().flat_map(Quartet::primes).collect();
         assert!(
             primes.len() <= MOST_PRIMES,
@@ -47,11 +48,11 @@ impl<'a> Remainders<'a> {
         let residue = |p: &u64| {
             let p = Natural::from(*p);
             let quotient = (&product).mod_op((&p).square()) / p;
-            f64_from(u64::try_from(&quotient).unwrap_or(0))
+            f64_from(u64::try_from(&quotient).invariant("a residue is less than its prime"))
         };
         let residues: Vec<f64> = primes.iter().map(residue).collect();
         let residues = residues.as_chunks::<4>().0;
-        let weights = Arch::new().dispatch(Inverses { quartets, residues });
+        let weights = machine.dispatch(Inverses { quartets, residues });
         let minus_p = (Natural::from(1_u32) << (width as u64 * LIMB_BITS)) - &product;
         let sum = if primes.len() <= direct {
             let numbers = primes
@@ -59,9 +60,10 @@ impl<'a> Remainders<'a> {
                 .map(|p| (&product).div_exact(Natural::from(*p)));
             let numbers = numbers.chain([minus_p]);
             let numbers: Vec<_> = numbers.map(|number| digits(number.limbs())).collect();
-            Sum::Directly(Columns::new(&numbers))
+            Sum::Directly(Columns::new(machine, &numbers))
         } else {
             Sum::InBlocks(Box::new(Blocks::new(
+                machine,
                 quartets,
                 &product,
                 &minus_p.to_limbs_asc(),

@@ -5,6 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use malachite::base::num::factorization::traits::IsPrime;
 
 use super::quad::{PRIME_BITS, Quad};
+use crate::error::Invariant;
 use crate::exact::f64_from;
 use crate::poly::modular::power_mod;
 
@@ -58,7 +59,9 @@ fn next_prime(above: u64) -> Prime {
             .iter()
             .all(|&e| power_mod(*root, e, p) != 1)
     };
-    let root = roots.find(is_primitive).unwrap_or(1);
+    let root = roots
+        .find(is_primitive)
+        .invariant("the units modulo a prime are a cyclic group");
     Prime { p, root }
 }
 

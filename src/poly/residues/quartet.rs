@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::primes::fours_of_primes;
 use super::quad::{Quad, QuadField};
 use super::transform::Transform;
+use crate::error::Invariant;
 use crate::exact::u64_from;
 
 /// Four primes between 2^49.99 and 2^50.
@@ -29,7 +30,7 @@ impl Quartet {
     /// How many they are.
     pub(crate) fn number_for(bits: u64) -> usize {
         // Four of them have more than 199.9 bits.
-        usize::try_from((bits + 3).div_ceil(199)).unwrap_or(usize::MAX)
+        usize::try_from((bits + 3).div_ceil(199)).invariant("a number of primes fits in memory")
     }
 
     /// The four primes.

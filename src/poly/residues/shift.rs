@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use super::lifting::{Lifting, Residues, Sizes};
 use super::quad::{Quad, QuadField, negated};
 use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
+use crate::exact::Machine;
 use crate::poly::{FlatPolynomial, FormSize};
 
 /// What changes of basis of degree at most D have in common.
@@ -176,14 +177,18 @@ impl Bases {
 ///
 /// Cost: five transforms of twice the length for each prime that the largest coefficient needs; then for each coefficient
 /// the square of the number of primes that it needs.
-pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+pub(crate) fn changed_by_residues(
+    machine: Machine,
+    g: &FlatPolynomial,
+    bits: u64,
+) -> FlatPolynomial {
     let size = FormSize {
         power: 0,
         degree: g.len() - 1,
         bits,
     };
     let quartets = Quartet::enough_for(size.largest());
-    let lifting = Lifting::new(&quartets);
+    let lifting = Lifting::new(machine, &quartets);
     let sizes = Sizes::new(g.len(), |range| size.largest_of(range));
     let residues = for_each_quartet(&quartets, Default::default, |workspace, k, quartet| {
         let change = Change {
@@ -192,7 +197,7 @@ pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomi
             g,
             asked: lifting.asked(&sizes, k),
         };
-        Arch::new().dispatch(change)
+        machine.dispatch(change)
     });
     lifting.polynomial(&sizes, &residues)
 }
