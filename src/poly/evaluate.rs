@@ -50,7 +50,7 @@ pub(crate) fn leading_value(f: &IntegerPolynomial, point: &Dyadic, bits: u64) ->
         let mut fraction = 128.max(2 * bits);
         while 4 * fraction < exact_bits {
             let value = fixed_point_value(f, point, fraction);
-            // It is wrong by less than d units.
+            // Less than d units too small, d < 2^error_bits.
             let error_bits = u64::from(degree.checked_ilog2().unwrap_or(0)) + 1;
             if value.significant_bits() > error_bits + bits {
                 let exponent = -fraction.cast_signed();
@@ -63,7 +63,12 @@ pub(crate) fn leading_value(f: &IntegerPolynomial, point: &Dyadic, bits: u64) ->
     (numerator_at(f, point), exponent)
 }
 
-/// 2^`fraction` f(point), rounded down at every step of Horner's rule: for |point| < 1 less than d too small.
+/// 2^`fraction` f(point), rounded down at every step of Horner's rule.
+///
+/// Lemma 1. For |point| < 1 it is less than d units away from the exact value, d ≥ 1 the degree.
+/// Proof. Each of the d products with the point is rounded down by less than 1; what was wrong before is multiplied by the
+/// point and gets smaller.
+/// Law: `fixed_point_values_are_less_than_the_degree_away`.
 fn fixed_point_value(f: &IntegerPolynomial, point: &Dyadic, fraction: u64) -> Integer {
     let mut value = Integer::ZERO;
     for c in f.coefficients_asc().iter().rev() {
@@ -109,6 +114,26 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        /// Points next to ±1 keep what was rounded off, where every coefficient asks for rounding.
+        #[test]
+        fn fixed_point_values_are_less_than_the_degree_away(
+            c in prop::collection::vec(any::<i64>(), 2..60), bits in 2_u64..200, negative in any::<bool>(), fraction in 1_u64..80,
+        ) {
+            let f = IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());
+            let size = (Integer::ONE << bits) - Integer::ONE;
+            let point = Dyadic::new(if negative { -size } else { size }, -bits.cast_signed());
+            let degree = f.coefficients_asc().len().saturating_sub(1) as u64;
+            prop_assume!(degree > 0);
+            let exact = numerator_at(&f, &point) << fraction;
+            let scale = bits * degree;
+            let error = (exact - (fixed_point_value(&f, &point, fraction) << scale)).abs();
+            prop_assert!(error < Integer::from(degree) << scale);
+            // And not much less: all of them add up.
+            if !negative && bits > 20 {
+                prop_assert!(error << 3_u64 >= Integer::from(degree - 1) << scale || degree < 20);
+            }
+        }
+
         /// Signs and leading bits are those of the exact value, near roots, too.
         #[test]
         fn leading_bits_are_right(

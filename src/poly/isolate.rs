@@ -369,6 +369,7 @@ impl Changes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::poly::{RealRoot, real_roots};
     use malachite::base::num::arithmetic::traits::Pow;
     use proptest::prelude::*;
@@ -531,6 +532,56 @@ mod tests {
             let found: Vec<(f64, usize)> = real_roots(&f).iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
             let expected: Vec<(f64, usize)> = distinct.iter().map(|(r, m)| (r.to_f64(), *m)).collect();
             prop_assert_eq!(found, expected);
+        }
+
+        /// Inputs built backwards: rational roots 0, 1, 2, … ulps apart, at midpoints between doubles, and at 2^-60 and 2^-200
+        /// ulps of them. Their order, their doubles and their multiplicities are known.
+        #[test]
+        fn roots_that_are_ulps_apart_are_told_apart_and_rounded(
+            bits in prop_oneof![0x3FE0_u64 << 48..0x4010_u64 << 48, 0x0010_u64 << 48..0x7FD0_u64 << 48, 1_u64..1 << 54],
+            places in prop::collection::btree_set((0_i64..4, 0_usize..9), 2..6), negative in any::<bool>(), twice in any::<bool>(),
+        ) {
+            let exactly = |x: f64| Rational::try_from(x).unwrap();
+            let start = f64::from_bits(bits);
+            let ulp = exactly(start.next_up()) - exactly(start);
+            let part = |k: u64| Rational::from_parts(Integer::ONE, -k.cast_signed());
+            let half = part(1);
+            let offsets = [
+                Rational::zero(), part(60), part(200), &half - part(200), &half - part(60), half.clone(), &half + part(200),
+                &half + part(60), Rational::one() - part(60),
+            ];
+            let mut f = poly(&[1]);
+            let mut expected = Vec::new();
+            for (k, (ulps, offset)) in places.iter().enumerate() {
+                let size = exactly(start) + &ulp * (Rational::from(*ulps) + &offsets[*offset]);
+                let root = if negative { -size } else { size };
+                let m = if twice && k == 0 { 2 } else { 1 };
+                let factor = IntegerPolynomial::from_coefficients_asc(vec![-root.numerator(), root.denominator()]);
+                for _ in 0..m {
+                    f *= &factor;
+                }
+                expected.push((root, m));
+            }
+            expected.sort();
+            let found: Vec<(f64, usize)> = real_roots(&f).iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
+            let expected: Vec<(f64, usize)> = expected.iter().map(|(r, m)| (r.to_f64(), *m)).collect();
+            prop_assert_eq!(found, expected);
+        }
+
+        /// The same without real roots, or with pairs next to each other: (x − r)² ± 2^-k times the rest.
+        #[test]
+        fn close_pairs_are_roots_on_one_side_only(
+            mantissa in 1_i64..1 << 53, exponent in -60_i64..10, k in prop_oneof![1_u64..80, 80_u64..700], other in 1_i64..9,
+        ) {
+            let root = Rational::from_parts(Integer::from(mantissa), exponent);
+            let (p, q) = (root.numerator(), root.denominator());
+            let square = IntegerPolynomial::from_coefficients_asc(vec![-p, q]).pow(2);
+            let quadratic = poly(&[other, 1, 1]);
+            for (sign, count) in [(-1, 2), (1, 0)] {
+                let small = IntegerPolynomial::from_coefficients_asc(vec![Integer::from(sign)]);
+                let f = ((&square << k) + small) * &quadratic;
+                prop_assert_eq!(real_roots(&f).len(), count);
+            }
         }
 
         /// Oracle: Sturm's theorem, done naively with num-rational.

@@ -16,8 +16,11 @@ pub(crate) struct Quartet {
 }
 
 impl Quartet {
-    /// Primes with a product above 2^(bits + 2): enough to know integers of absolute value below 2^`bits`, and to tell
-    /// their signs.
+    /// Primes with a product above 2^(bits + 2): enough for integers of absolute value below 2^`bits` by Lemma 1 of
+    /// [`chinese`](super::chinese).
+    ///
+    /// Lemma 1. n = ⌈(bits + 3)/199⌉ quartets are enough. Proof. Primes are above 2^49.99 (Lemma 1 of [`primes`](super::primes)), so
+    /// the product is above 2^(199.96 n) ≥ 2^(bits + 3). Law: `products_of_quartets_are_large_enough`.
     pub(crate) fn enough_for(bits: u64) -> Vec<Self> {
         let fours = fours_of_primes(Self::number_for(bits));
         let quartets = fours.into_iter().map(|[p, root]| Self {
@@ -29,7 +32,6 @@ impl Quartet {
 
     /// How many they are.
     pub(crate) fn number_for(bits: u64) -> usize {
-        // Four of them have more than 199.9 bits.
         usize::try_from((bits + 3).div_ceil(199)).invariant("a number of primes fits in memory")
     }
 
@@ -58,6 +60,22 @@ impl Quartet {
         let mut transform = Transform::default();
         self.set_transform(&mut transform, len);
         transform
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use malachite::Natural;
+
+    #[test]
+    fn products_of_quartets_are_large_enough() {
+        for bits in (0..2400).chain([9_950, 15_917, 15_918]) {
+            let quartets = Quartet::enough_for(bits);
+            let primes = quartets.iter().flat_map(Quartet::primes).map(Natural::from);
+            let product: Natural = primes.product();
+            assert!(product > Natural::from(1_u32) << (bits + 2), "{bits}");
+        }
     }
 }
 
