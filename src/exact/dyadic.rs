@@ -10,6 +10,8 @@ use super::Rational;
 use crate::error::Invariant;
 
 /// `mantissa · 2^exponent`. Closed under sums, products and halving, and cheap: no gcds.
+///
+/// The exponent and the place of the leading bit fit in 64 bits; where a result would be beyond that, the program stops.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     mantissa: Integer,
@@ -201,5 +203,45 @@ impl Ord for Dyadic {
                 a.cmp(&b)
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponents_reach_the_ends_of_their_range() {
+        let one = Dyadic::new(Integer::from(1), 0);
+        assert_eq!(one.times_power_of_two(i64::MAX).exponent(), i64::MAX);
+        assert_eq!(
+            Dyadic::new(Integer::from(1), i64::MIN / 4)
+                .power(4)
+                .exponent(),
+            i64::MIN
+        );
+        assert_eq!(Dyadic::new(Integer::from(0), i64::MAX).exponent(), 0);
+        assert_eq!(
+            Dyadic::new(Integer::from(1), i64::MAX).log2(),
+            Some(i64::MAX)
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "between -2^63 and 2^63")]
+    fn a_product_with_a_larger_exponent_stops() {
+        let _ = Dyadic::new(Integer::from(1), i64::MAX).times_power_of_two(1);
+    }
+
+    #[test]
+    #[should_panic(expected = "between -2^63 and 2^63")]
+    fn a_power_with_a_larger_exponent_stops() {
+        let _ = Dyadic::new(Integer::from(3), i64::MIN / 2).power(3);
+    }
+
+    #[test]
+    #[should_panic(expected = "between -2^63 and 2^63")]
+    fn factors_of_two_are_not_moved_beyond_the_range() {
+        let _ = Dyadic::new(Integer::from(2), i64::MAX);
     }
 }

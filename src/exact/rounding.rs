@@ -85,7 +85,8 @@ fn of_rank(rank: i64) -> f64 {
 /// About the decimal exponent of a number from its binary one, at most 1 off for numbers of up to 10^8 bits: with log₁₀ 2 ≈
 /// 0.30103 it would be off by 5 there.
 fn decimal_of_binary(binary: i64) -> i64 {
-    (binary * 30_102_999_566).div_euclid(100_000_000_000)
+    let decimal = (i128::from(binary) * 30_102_999_566).div_euclid(100_000_000_000);
+    i64::try_from(decimal).invariant("a decimal exponent is smaller than the binary one")
 }
 
 /// Half an ulp above the largest double, (2^53 − 1) 2^971: from here on numbers are rounded to ∞.
@@ -187,7 +188,7 @@ impl Rational {
                 - exponent;
             let digits = Integer::from_string_base(10, text).invariant("digits are a number");
             let value = Rational::from(digits) * ten(-after);
-            let decimals = u32::try_from(after).unwrap_or(0);
+            let decimals = u32::try_from(after.max(0)).invariant("few digits follow the point");
             return format!("{sign}{}", value.to_decimal(decimals));
         }
         let (first, rest) = text.split_at(1);
@@ -337,7 +338,7 @@ mod tests {
             let value = exact + gap * part;
             prop_assert_eq!(value.to_f64(), expected);
             prop_assert_eq!((-&value).to_f64(), -expected);
-            let beside = of_rank((rank(double) + steps.signum() * (1_i64 << steps.unsigned_abs().min(62))).clamp(-rank(f64::INFINITY), rank(f64::INFINITY)));
+            let beside = of_rank(rank(double).saturating_add(steps.signum() * (1_i64 << steps.unsigned_abs().min(62))).clamp(-rank(f64::INFINITY), rank(f64::INFINITY)));
             for guess in [double, above, beside, f64::from_bits(guess), 0.0, -f64::MAX, f64::INFINITY] {
                 if guess.is_nan() {
                     continue;

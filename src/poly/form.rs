@@ -258,3 +258,28 @@ impl Ring for BinaryForm {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_of_degrees_that_fit_has_their_sum() {
+        let zero = BinaryForm::zero(usize::MAX - 5).times(&BinaryForm::zero(5));
+        assert_eq!(zero.degree(), usize::MAX);
+        let constant = BinaryForm::from_dehomogenized(usize::MAX, IntegerPolynomial::ONE);
+        assert_eq!(constant.degree(), usize::MAX);
+    }
+
+    #[test]
+    #[should_panic(expected = "the degree of a product fits in a word")]
+    fn a_product_of_a_larger_degree_stops() {
+        let _ = BinaryForm::zero(usize::MAX).times(&BinaryForm::zero(1));
+    }
+
+    #[test]
+    #[should_panic(expected = "the degree of a product fits in a word")]
+    fn a_square_of_a_larger_degree_stops() {
+        let _ = BinaryForm::zero(usize::MAX / 2 + 1).squared();
+    }
+}

@@ -86,7 +86,7 @@ pub(super) fn widen(target: &mut [u64], a: &[u64]) {
     high.fill(sign_limb(a));
 }
 
-/// `a <<= bits`.
+/// `a <<= bits`; all bits of it if there are more.
 pub(super) fn shift_left(a: &mut [u64], bits: u64) {
     let whole = usize::try_from(bits / LIMB_BITS)
         .unwrap_or(usize::MAX)
@@ -102,7 +102,7 @@ pub(super) fn shift_left(a: &mut [u64], bits: u64) {
     }
 }
 
-/// `a >>= bits` of a number that is not negative.
+/// `a >>= bits` of a number that is not negative; all bits of it if there are more.
 fn shift_right(a: &mut [u64], bits: u64) {
     let whole = usize::try_from(bits / LIMB_BITS)
         .unwrap_or(usize::MAX)

@@ -263,3 +263,31 @@ impl SparsePolynomial<3> {
         )))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn monomial(exponents: [u32; 2]) -> SparsePolynomial<2> {
+        SparsePolynomial::from_terms([(exponents, Rational::one())])
+    }
+
+    #[test]
+    fn exponents_add_up_to_the_largest_there_is() {
+        let product = monomial([u32::MAX - 3, 7]).times(&monomial([3, u32::MAX - 7]));
+        assert_eq!(product, monomial([u32::MAX, u32::MAX]));
+        assert_eq!(product.degree(), Some(2 * u64::from(u32::MAX)));
+    }
+
+    #[test]
+    #[should_panic(expected = "exponents are below 2^32")]
+    fn a_product_with_a_larger_exponent_stops() {
+        let _ = monomial([u32::MAX, 0]).times(&monomial([1, 0]));
+    }
+
+    #[test]
+    #[should_panic(expected = "exponents are below 2^32")]
+    fn a_power_with_a_larger_exponent_stops() {
+        let _ = monomial([0, 1 << 16]).pow(1 << 16);
+    }
+}

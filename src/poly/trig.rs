@@ -235,6 +235,14 @@ mod tests {
     }
 
     #[test]
+    #[should_panic(expected = "harmonics are below 2^32")]
+    fn a_product_with_a_higher_harmonic_stops() {
+        let half = TrigPolynomial::cosine(i32::MIN);
+        assert_eq!(half.degree(), Some(1 << 31));
+        let _ = half.times(&half);
+    }
+
+    #[test]
     fn negative_indices_are_folded() {
         assert_eq!(TrigPolynomial::cosine(-3), TrigPolynomial::cosine(3));
         let minus = TrigPolynomial::sine(3).scaled(&Rational::from(-1));
