@@ -385,8 +385,14 @@ pub(super) mod tests {
     use proptest::prelude::*;
 
     pub(in crate::factor) fn terms() -> impl Strategy<Value = Terms> {
-        prop::collection::vec((prop::array::uniform3(0u32..4), -9i64..9), 1..6)
-            .prop_map(|t| Terms::new(t.into_iter().map(|(e, c)| (e, Integer::from(c))).collect()))
+        // Small ones, and ones next to multiples of a power of two.
+        let coefficient = prop_oneof![
+            (-9i64..9).prop_map(Integer::from),
+            (-3i64..4, 20u64..300, -1i64..2)
+                .prop_map(|(c, bits, more)| (Integer::from(c) << bits) + Integer::from(more)),
+        ];
+        prop::collection::vec((prop::array::uniform3(0u32..4), coefficient), 1..6)
+            .prop_map(Terms::new)
     }
 
     proptest! {

@@ -267,7 +267,7 @@ mod tests {
     fn a_product_of_degrees_that_fit_has_their_sum() {
         let zero = BinaryForm::zero(usize::MAX - 5).times(&BinaryForm::zero(5));
         assert_eq!(zero.degree(), usize::MAX);
-        let constant = BinaryForm::from_dehomogenized(usize::MAX, IntegerPolynomial::ONE);
+        let constant = BinaryForm::from_dehomogenized(usize::MAX, IntegerPolynomial::one());
         assert_eq!(constant.degree(), usize::MAX);
     }
 

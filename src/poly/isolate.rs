@@ -589,11 +589,22 @@ mod tests {
         fn the_count_is_sturms(c in prop::collection::vec(-30i64..30, 2..14)) {
             let f = poly(&c);
             prop_assume!(f.coefficients_asc().len() > 1);
-            prop_assert_eq!(real_roots(&f).len(), sturm(&c));
+            prop_assert_eq!(real_roots(&f).len(), sturm(&f));
+        }
+
+        /// With long coefficients, next to powers of two, so that a bounded number of bits holds none of them.
+        #[test]
+        fn the_count_of_long_polynomials_is_sturms(
+            c in prop::collection::vec((-8_i64..9, 0_u64..400, -1_i64..2), 2..9),
+        ) {
+            let long = |&(c, bits, more): &(i64, u64, i64)| (Integer::from(c) << bits) + Integer::from(more);
+            let f = IntegerPolynomial::from_coefficients_asc(c.iter().map(long).collect());
+            prop_assume!(f.coefficients_asc().len() > 1);
+            prop_assert_eq!(real_roots(&f).len(), sturm(&f));
         }
     }
 
-    fn sturm(c: &[i64]) -> usize {
+    fn sturm(f: &IntegerPolynomial) -> usize {
         use num_bigint::BigInt;
         use num_rational::BigRational;
         use num_traits::{Signed, Zero};
@@ -605,8 +616,9 @@ mod tests {
             p
         };
         let f: P = trim(
-            c.iter()
-                .map(|&c| BigRational::from(BigInt::from(c)))
+            f.coefficients_asc()
+                .iter()
+                .map(|c| BigRational::from(c.to_string().parse::<BigInt>().unwrap()))
                 .collect(),
         );
         let df: P = f
