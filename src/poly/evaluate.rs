@@ -39,7 +39,10 @@ pub fn sign_at(f: &IntegerPolynomial, point: &Dyadic) -> i8 {
     integer_sign(&leading_value(f, point, 1).0)
 }
 
-/// (m, e) with `f(point) ≈ m · 2^e` up to a factor of 1 ± 2^−`bits`, exactly where that is not much dearer.
+/// (m, e) with |f(point) − m · 2^e| ≤ 2^−`bits` |m · 2^e|, exactly where that is not much dearer.
+///
+/// With Lemma 1 of [`fixed_point_value`]: the error is less than d < 2^error_bits units, and m is at least 2^(error_bits + bits).
+/// Law: `values_smaller_than_their_error_are_not_believed`.
 ///
 /// The exact value at a point of b bits takes d²b/2 steps. If it is not tiny its leading bits come from fixed-point numbers, in d
 /// products of their length: 128 bits, then four times as many …
@@ -132,6 +135,31 @@ mod tests {
             if !negative && bits > 20 {
                 prop_assert!(error << 3_u64 >= Integer::from(degree - 1) << scale || degree < 20);
             }
+        }
+
+        /// (1 − x) g at 1 − 2^-k, where g is small at 1: some units of the fixed-point numbers, and as many are rounded off.
+        #[test]
+        fn values_smaller_than_their_error_are_not_believed(
+            g in prop::collection::vec(-1_i64..2, 5..60), k in prop_oneof![118_u64..130, 500_u64..514], bits in 1_u64..4, negative in any::<bool>(),
+        ) {
+            let polynomial = |c: Vec<i64>| IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());
+            let size = (Integer::ONE << k) - Integer::ONE;
+            let (f, point) = if negative {
+                // The same at −x.
+                let g = g.iter().enumerate().map(|(i, c)| if i % 2 == 1 { -c } else { *c });
+                (polynomial(vec![1, 1]) * polynomial(g.collect()), Dyadic::new(-size, -k.cast_signed()))
+            } else {
+                (polynomial(vec![1, -1]) * polynomial(g), Dyadic::new(size, -k.cast_signed()))
+            };
+            let exact = numerator_at(&f, &point);
+            prop_assert_eq!(sign_at(&f, &point), integer_sign(&exact));
+            let degree = f.coefficients_asc().len().saturating_sub(1) as i64;
+            let exact = Dyadic::new(exact, point.exponent() * degree);
+            let (m, e) = leading_value(&f, &point, bits);
+            let error = Dyadic::new(m.clone(), e).minus(&exact);
+            // To so many bits of what is returned.
+            let size = Dyadic::new(m.abs(), e - bits.cast_signed());
+            prop_assert!(Dyadic::new(error.mantissa().abs(), error.exponent()) <= size);
         }
 
         /// Signs and leading bits are those of the exact value, near roots, too.

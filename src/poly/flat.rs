@@ -325,6 +325,22 @@ mod tests {
         ]
     }
 
+    /// Sums just below a power of two with which a limb ends, of which the halves' are twice as large.
+    #[test]
+    fn sums_of_halves_have_the_room_that_they_need() {
+        for limbs in 1..6_u64 {
+            let c = (Integer::from(1) << (32 * limbs - 1)) - Integer::from(1);
+            for c in [c.clone(), -c] {
+                let f = IntegerPolynomial::from_coefficients_asc(vec![c.clone(), c]);
+                let bits = 64 * limbs - 1;
+                let flat = FlatPolynomial::from_integers(f.coefficients_asc().iter(), bits);
+                let mut square = FlatPolynomial::zero(3, bits);
+                square.add_products(&flat, None, bits, &[Place::of_sum(0, 1)], 1);
+                assert_eq!(square.to_polynomial(), f.square());
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn products_are_those_of_integer_polynomials(a in coefficients(), b in coefficients(), spare in 0u64..130) {

@@ -15,7 +15,7 @@ pub(super) const ORDER_BITS: u32 = 22;
 const ORDER: u64 = 3 << ORDER_BITS;
 
 /// ⌈2^49.99⌉.
-const LEAST: u64 = 1_118_122_748_098_670;
+pub(super) const LEAST: u64 = 1_118_122_748_098_670;
 
 /// A prime and a root of unity of order 3 · 2^[`ORDER_BITS`].
 #[derive(Clone, Copy, Debug)]

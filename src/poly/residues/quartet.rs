@@ -8,6 +8,9 @@ use super::transform::Transform;
 use crate::error::Invariant;
 use crate::exact::u64_from;
 
+/// The product of four primes has more bits than that. Lemma 1 of [`Quartet::enough_for`].
+const BITS_OF_QUARTET: u64 = 199;
+
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
 pub(crate) struct Quartet {
@@ -20,7 +23,8 @@ impl Quartet {
     /// [`chinese`](super::chinese).
     ///
     /// Lemma 1. n = ⌈(bits + 3)/199⌉ quartets are enough. Proof. Primes are above 2^49.99 (Lemma 1 of [`primes`](super::primes)), so
-    /// the product is above 2^(199.96 n) ≥ 2^(bits + 3). Law: `products_of_quartets_are_large_enough`.
+    /// the product is above 2^(199.96 n) ≥ 2^(bits + 3). Laws: `the_least_quartet_has_the_bits_that_are_said`,
+    /// `products_of_quartets_are_large_enough`.
     pub(crate) fn enough_for(bits: u64) -> Vec<Self> {
         let fours = fours_of_primes(Self::number_for(bits));
         let quartets = fours.into_iter().map(|[p, root]| Self {
@@ -32,7 +36,8 @@ impl Quartet {
 
     /// How many they are.
     pub(crate) fn number_for(bits: u64) -> usize {
-        usize::try_from((bits + 3).div_ceil(199)).invariant("a number of primes fits in memory")
+        usize::try_from((bits + 3).div_ceil(BITS_OF_QUARTET))
+            .invariant("a number of primes fits in memory")
     }
 
     /// The four primes.
@@ -66,7 +71,16 @@ impl Quartet {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::poly::residues::primes::LEAST;
     use malachite::Natural;
+    use malachite::base::num::arithmetic::traits::Pow;
+    use malachite::base::num::logic::traits::SignificantBits;
+
+    #[test]
+    fn the_least_quartet_has_the_bits_that_are_said() {
+        let least = Natural::from(LEAST).pow(4);
+        assert_eq!(least.significant_bits(), BITS_OF_QUARTET + 1);
+    }
 
     #[test]
     fn products_of_quartets_are_large_enough() {
