@@ -250,9 +250,9 @@ pub(super) mod tests {
             let field = Quartet::enough_for(1).pop().unwrap().field;
             let value = Integer::from_twos_complement_limbs_asc(&limbs);
             let residues = field.residue(&limbs);
-            for i in 0..4 {
-                prop_assert!(congruent(&integer(residues[i]), &value, field.p[i]));
-                prop_assert!(residues[i].abs() <= field.p[i]);
+            for (residue, p) in residues.into_iter().zip(field.p) {
+                prop_assert!(congruent(&integer(residue), &value, p));
+                prop_assert!(residue.abs() <= p);
             }
         }
     }

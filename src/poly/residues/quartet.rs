@@ -68,6 +68,29 @@ impl Quartet {
     }
 }
 
+/// The work for each quartet and its number, on all threads where there are several quartets; each thread has its own
+/// `workspace`, in which the work for one leaves what the work for the next overwrites.
+pub(crate) fn for_each_quartet<W, T: Send>(
+    quartets: &[Quartet],
+    workspace: impl Fn() -> W + Sync + Send,
+    work: impl Fn(&mut W, usize, &Quartet) -> T + Sync + Send,
+) -> Vec<T> {
+    /// So many quartets at least have one workspace.
+    const TOGETHER: usize = 4;
+    if quartets.len() < 2 * TOGETHER {
+        let mut workspace = workspace();
+        let items = quartets.iter().enumerate();
+        return items
+            .map(|(k, quartet)| work(&mut workspace, k, quartet))
+            .collect();
+    }
+    let items = quartets.par_iter().enumerate().with_min_len(TOGETHER);
+    let results = items.map_init(workspace, |workspace, (k, quartet)| {
+        work(workspace, k, quartet)
+    });
+    results.collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -91,27 +114,4 @@ mod tests {
             assert!(product > Natural::from(1_u32) << (bits + 2), "{bits}");
         }
     }
-}
-
-/// The work for each quartet and its number, on all threads where there are several quartets; each thread has its own
-/// `workspace`, in which the work for one leaves what the work for the next overwrites.
-pub(crate) fn for_each_quartet<W, T: Send>(
-    quartets: &[Quartet],
-    workspace: impl Fn() -> W + Sync + Send,
-    work: impl Fn(&mut W, usize, &Quartet) -> T + Sync + Send,
-) -> Vec<T> {
-    /// So many quartets at least have one workspace.
-    const TOGETHER: usize = 4;
-    if quartets.len() < 2 * TOGETHER {
-        let mut workspace = workspace();
-        let items = quartets.iter().enumerate();
-        return items
-            .map(|(k, quartet)| work(&mut workspace, k, quartet))
-            .collect();
-    }
-    let items = quartets.par_iter().enumerate().with_min_len(TOGETHER);
-    let results = items.map_init(workspace, |workspace, (k, quartet)| {
-        work(workspace, k, quartet)
-    });
-    results.collect()
 }
