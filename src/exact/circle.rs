@@ -6,6 +6,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::{Rational, pi};
+use crate::error::Invariant;
 
 /// Bits carried beyond those asked for; the error of a few hundred roundings and eight doublings is far below 2⁴⁰.
 const GUARD_BITS: u32 = 48;
@@ -32,7 +33,8 @@ pub fn cosine_and_sine(angle: &Rational, bits: u32) -> [Rational; 2] {
         return [Rational::one(), Rational::zero()];
     }
     let precision = bits + GUARD_BITS;
-    let whole = u32::try_from(angle.floor().significant_bits()).unwrap_or(u32::MAX);
+    let whole = u32::try_from(angle.floor().significant_bits())
+        .invariant("an angle has fewer than 2^32 bits");
     let (low, _) = pi(precision.saturating_add(whole));
     let right_angle = low / Rational::from(2);
     let half = Rational::from_parts(Integer::ONE, -1);

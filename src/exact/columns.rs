@@ -1,8 +1,26 @@
 //! Sums Σ y C of large numbers C with words y, digit by digit, in doubles.
+//!
+//! Lemma 1 (halves of a product). Let a, b ≥ 0 be integers that are doubles, with a b ≤ 2^100 − 2^47. With h = fl(2^100 + a b), where fl
+//! rounds once, and l = fl(a b + (2^100 + 2^52 + 2^51 − h)), the bits of h less those of 2^100 are an integer `high`, those of l
+//! less those of 2^52 + 2^51 are an integer `low`, `a b = 2^48 high + low`, and |low| ≤ 2^47.
+//! Proof. From 2^100 to 2^101 doubles are the multiples of 2^48, and their bits count them: h = 2^100 + 2^48 high with
+//! |a b − 2^48 high| ≤ 2^47. So 2^100 + 2^52 + 2^51 − h, a multiple of 2^48 below 2^101, is a double, and
+//! a b − 2^48 high + 2^52 + 2^51, an integer between 2^52 and 2^53, is a double, too, of which the last bits count the integers.
+//! Laws: `products_are_their_halves`, `sums_are_those_of_products`.
+//!
+//! Lemma 2 (sums). The sums of `high` and `low` over n ≤ 2^12 products below 2^98 are at most 2^50 n ≤ 2^62 and 2^47 n ≤ 2^59: they
+//! stand in 64 bits, in two's complement, in whatever order bits are added and those of the constants taken away.
+//! Proof. By Lemma 1 for each product; additions modulo 2^64 lose nothing that is between −2^63 and 2^63 at the end.
+//! Law: `the_largest_sums`.
+//!
+//! Lemma 3 (carrying). Where high · 2^(48 − bits) ≤ 2^62 for all sums, no step of [`Sums::carried`] leaves 64 bits.
+//! Proof. A carry is at most (2^62 + 2^59 + carry) / 2^bits, hence below 2^31 for bits ≥ 32, so that low, what is above and
+//! the carry are below 2^59 + 2^62 + 2^31 < 2^63 together.
+//! Laws: `the_largest_sums` (48 bits), `sums_are_those_of_products` (40 bits).
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Simd, WithSimd};
 
-use super::f64_from;
+use super::{Machine, f64_from};
 
 /// Bits of the lower part of a sum, and of the digits of numbers that are not in another base.
 pub(crate) const DIGIT_BITS: u32 = 48;
@@ -13,9 +31,13 @@ const HIGH: f64 = f64::from_bits((100 + 1023) << 52);
 /// 2^52 + 2^51: the last bit of it, and of all doubles that are less than 2^51 away, is 1.
 const LOW: f64 = f64::from_bits((52 + 1023) << 52 | 1 << 51);
 
+/// So many products are summed at most.
+const MOST_PRODUCTS: usize = 1 << 12;
+
 /// Some numbers C, by their digits in any base: whole numbers, the least significant first.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
+    machine: Machine,
     /// How many numbers they are.
     count: usize,
     /// How many digits stand side by side: as many as two registers of the machine have places.
@@ -41,9 +63,9 @@ pub(crate) struct Sums {
 }
 
 impl Columns {
-    /// Numbers by their digits; later ones have as many as earlier ones or more.
-    pub(crate) fn new(numbers: &[Vec<f64>]) -> Self {
-        let across = Arch::new().dispatch(Across);
+    /// Numbers by their digits; later ones have as many as earlier ones or more. Sums are formed with these instructions.
+    pub(crate) fn new(machine: Machine, numbers: &[Vec<f64>]) -> Self {
+        let across = machine.dispatch(Across);
         let len = numbers.iter().map(Vec::len).max().unwrap_or(0);
         let panel = |start: usize| {
             let is_short = |number: &&Vec<f64>| number.len() <= start;
@@ -58,6 +80,7 @@ impl Columns {
             }
         };
         Self {
+            machine,
             count: numbers.len(),
             across,
             panels: (0..len).step_by(across).map(panel).collect(),
@@ -70,8 +93,15 @@ impl Columns {
     }
 
     /// The first `len` digits of Σ y C, and some more if there are more, for each list of y: as many of each as there are
-    /// numbers or fewer, at most 2^12; products y c are to be below 2^98.
+    /// numbers or fewer; products y c are to be below 2^98.
+    ///
+    /// # Panics
+    /// If a list has more than 2^12 words, as Lemma 2 asks.
     pub(crate) fn sums(&self, y: &[&[f64]], len: usize, sums: &mut [Sums]) {
+        assert!(
+            y.iter().all(|y| y.len() <= MOST_PRODUCTS),
+            "sums are of at most {MOST_PRODUCTS} products"
+        );
         let panels = self.panels.len().min(len.div_ceil(self.across));
         let summation = Summation {
             across: self.across,
@@ -79,12 +109,11 @@ impl Columns {
             y,
             sums,
         };
-        Arch::new().dispatch(summation);
+        self.machine.dispatch(summation);
     }
 }
 
-/// `a b = 2^48 high + low` for whole numbers with a product below 2^100, as [`Columns::sums`] has it; `low`, of at most 2^47, is in
-/// two's complement.
+/// `a b = 2^48 high + low`, by Lemma 1; `low` is in two's complement.
 #[inline(always)]
 pub(crate) fn halves_of_product(a: f64, b: f64) -> [u64; 2] {
     let rounded = a.mul_add(b, HIGH);
@@ -93,15 +122,9 @@ pub(crate) fn halves_of_product(a: f64, b: f64) -> [u64; 2] {
     [rounded.to_bits() - HIGH.to_bits(), low]
 }
 
-/// Whether the machine has the instructions: else every fused product is rounded by a function of the library, rightly and
-/// some fifty times slower.
-pub(crate) fn products_are_fused() -> bool {
-    !matches!(Arch::new(), Arch::Scalar)
-}
-
 impl Sums {
     /// Hands on the digits, carried, of Σ y C in base 2^`bits`, at most 2^48, for numbers C in that base: of all of it, if
-    /// there are sums for all of C.
+    /// there are sums for all of C. Lemma 3.
     #[inline(always)]
     pub(crate) fn carried(&self, bits: u32, mut digit: impl FnMut(u64)) {
         let mask = (1 << bits) - 1;
@@ -226,9 +249,7 @@ impl WithSimd for Summation<'_> {
 impl Panel {
     /// The sums at the places from `start` on, for as many lists as there are sums.
     ///
-    /// `2^100 + y c` rounded to a multiple of 2^48 has y c / 2^48, rounded, in its last bits; what is left is at most 2^47,
-    /// and with [`LOW`] added it stands in the last bits. Bits are added as they are, those of the constants taken away at
-    /// the end.
+    /// Lemmas 1 and 2. The products are the fused ones: `mul_add_e_f64s` would round twice on machines without them.
     #[inline(always)]
     fn sums<S: Simd, const B: usize>(
         &self,
@@ -246,9 +267,9 @@ impl Panel {
             for b in 0..B {
                 let y = simd.splat_f64s(y[b][self.first + i]);
                 for half in 0..2 {
-                    let rounded = simd.mul_add_e_f64s(y, digits[half], above);
+                    let rounded = simd.mul_add_f64s(y, digits[half], above);
                     let left = simd.sub_f64s(both, rounded);
-                    let left = simd.mul_add_e_f64s(y, digits[half], left);
+                    let left = simd.mul_add_f64s(y, digits[half], left);
                     high[b][half] = simd.add_u64s(high[b][half], simd.transmute_u64s_f64s(rounded));
                     low[b][half] = simd.add_u64s(low[b][half], simd.transmute_u64s_f64s(left));
                 }
@@ -277,7 +298,17 @@ mod tests {
 
     /// Up to `most`, rather at the ends than between them.
     fn word(most: u64) -> impl Strategy<Value = u64> {
-        prop_oneof![Just(0), Just(1), Just(most), Just(most - 1), 0..=most]
+        let middle = most / 2 + 1;
+        prop_oneof![
+            Just(0),
+            Just(1),
+            Just(most),
+            Just(most - 1),
+            Just(middle),
+            Just(middle - 1),
+            Just(middle + 1),
+            0..=most
+        ]
     }
 
     /// The number with these digits, some of which may be negative or too large.
@@ -294,6 +325,7 @@ mod tests {
             lists in 1usize..6,
             words in prop_oneof![Just((1 << 48) - 1), Just((1 << 40) - 1)].prop_flat_map(|most| prop::collection::vec((word(most), word((1 << 50) - 1)), 1..200)),
             fewer in 0usize..4,
+            machine in prop::sample::select(Machine::all().to_vec()),
         ) {
             let mut lens = lens;
             lens.sort_unstable();
@@ -302,7 +334,7 @@ mod tests {
             let count = numbers.len().saturating_sub(fewer).max(1);
             let y: Vec<Vec<u64>> = (0..lists).map(|_| words.by_ref().take(count).map(|w| w.1).collect()).collect();
             let doubles = |words: &Vec<u64>| words.iter().copied().map(f64_from).collect::<Vec<f64>>();
-            let columns = Columns::new(&numbers.iter().map(doubles).collect::<Vec<_>>());
+            let columns = Columns::new(machine, &numbers.iter().map(doubles).collect::<Vec<_>>());
             prop_assert_eq!(columns.count(), numbers.len());
             let in_doubles: Vec<Vec<f64>> = y.iter().map(doubles).collect();
             let in_doubles: Vec<&[f64]> = in_doubles.iter().map(Vec::as_slice).collect();
@@ -359,17 +391,38 @@ mod tests {
         }
     }
 
-    /// As many as are allowed, as large as is allowed.
+    /// As many as are allowed, as large as is allowed, and with the largest low parts of both signs.
     #[test]
     fn the_largest_sums() {
-        let most = f64_from((1 << 48) - 1);
-        let columns = Columns::new(&vec![vec![most]; 1 << 12]);
-        let y = vec![f64_from((1 << 50) - 1); 1 << 12];
-        let mut sums = [Sums::default()];
-        columns.sums(&[&y], 1, &mut sums);
-        let mut limbs = [0; 2];
-        sums[0].limbs(&mut limbs);
-        let expected = (((1 << 50) - 1) * ((1 << 48) - 1)) << 12_u128;
-        assert_eq!(u128::from(limbs[0]) | u128::from(limbs[1]) << 64, expected);
+        let count = u128::try_from(MOST_PRODUCTS).unwrap();
+        for machine in Machine::all() {
+            for (y, c) in [
+                ((1 << 50) - 1, (1 << 48) - 1),
+                (1, 1 << 47),
+                ((1 << 50) - 1, 1 << 47),
+                (3, 1 << 47),
+                (1, (1 << 47) + 1),
+            ] {
+                let columns = Columns::new(machine, &vec![vec![f64_from(c)]; MOST_PRODUCTS]);
+                let y_list = vec![f64_from(y); MOST_PRODUCTS];
+                let mut sums = [Sums::default()];
+                columns.sums(&[&y_list], 1, &mut sums);
+                let mut limbs = [0; 2];
+                sums[0].limbs(&mut limbs);
+                let found = u128::from(limbs[0]) | u128::from(limbs[1]) << 64;
+                assert_eq!(
+                    found,
+                    u128::from(y) * u128::from(c) * count,
+                    "{machine:?}, {y} {c}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "sums are of at most 4096 products")]
+    fn more_products_are_refused() {
+        let columns = Columns::new(Machine::this(), &vec![vec![1.0]; MOST_PRODUCTS + 1]);
+        columns.sums(&[&vec![1.0; MOST_PRODUCTS + 1]], 1, &mut [Sums::default()]);
     }
 }

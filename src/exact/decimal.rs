@@ -1,20 +1,53 @@
 //! Whole numbers in decimal: sums of powers of two in base 10^15, and divisions only where numbers are very long.
+//!
+//! Lemma 1 (places). Numbers below 2^(48 n), 1 ≤ n ≤ [`LONGEST_TABLE`], have at most ⌊9633 n / 10 000⌋ + 1 places in base 10^15.
+//! Proof. They have fewer than 48 n log 2 / 15 + 1 < 0.963297 n + 1 places; the number of places is an integer.
+//! Laws: `places_are_enough_and_not_many_more`, `powers_and_the_numbers_before_them`.
+//!
+//! Lemma 2 (parts). Numbers of at most [`BITS_OF_PART`] bits have at most [`PLACES_OF_PART`] places, and numbers of so many
+//! places are below 2^48 to the power [`LONGEST_TABLE`].
+//! Proof. With P places, 10^(15 P) has more than 49.8289 P − 1 bits, as log2 10^15 = 49.82892…, and 49.828 P ≤ 49.8289 P − 0.8
+//! for P = 986; and 49.829 · 986 < 49 152 = 48 · 1024.
+//! Law: `places_are_enough_and_not_many_more`.
+//!
+//! Lemma 3 (carrying). The sums of at most [`LONGEST_TABLE`] products of digits below 2^48 and places below 10^15 have
+//! `high` < 2^60 and |low| ≤ 2^57. With a carry of at least −146 and below 2^59, [`carried`] returns the rest and the quotient by
+//! 10^15 of 2^48 high + low + carry, and the quotient is again at least −146 and below 2^59.
+//! Proof. 2^47.99 10^15 / 2^48 < 2^49.83, 1024 times that is below 2^60; 1024 · 2^47 = 2^57. The quotient of 2^48 high by 10^15, which is
+//! high · 2^33/5^15, is taken less than 1 + 2^-4 too small: 2^97/5^15 cut to an integer, times high/2^64 < 2^-4, and cut itself. So
+//! what is left with low, the carry and 256 · 10^15 is above −2^57 − 146 + 2^57.8 > 0 and below
+//! (1 + 2^-4 + 256) · 10^15 + 2^57 + 2^59 < 2^60. The next carry is at least (−2^57 − 146)/10^15 − 1 > −147, an integer, and below
+//! 2^60 · 2^48/10^15 + 1000 < 2^59.
+//! Law: `carries_are_quotients_and_places_are_rests`.
+//!
+//! Lemma 4 (the first seven digits). For a place below 10^15, [`seven_and_eight`] returns its quotient and its rest by 10^8.
+//! Proof. The place is 2^18 t and less than 2^18 more, t < 2^32. The product of t with ⌊2^58/10^8⌋, over 2^40, is below the quotient
+//! by less than 2^18/10^8 + t/2^40 < 1/100, so that it may be one too small, with a rest below 1.01 · 10^8 < 2^27.
+//! Law: `places_are_cut_in_fours`.
+//!
+//! Lemma 5 (fours). 109 951 163 v / 2^40, cut, is ⌊v/10^4⌋ for v < 10^8; 5243 v / 2^19 is ⌊v/100⌋ for v < 10^4; 103 v / 2^10 is ⌊v/10⌋ for
+//! v < 100.
+//! Proof. The factors are larger than 10^-4, 10^-2 and 10^-1 by less than 10^-12, 10^-6 · 0.5 and 10^-3 · 0.6 each: times v that is less
+//! than the distance of v/10^k from the next integer, 10^-k at least.
+//! Laws: `places_are_cut_in_fours`, `all_fours_are_written_digit_by_digit` (all of them).
 
 use std::fmt;
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{DivModPrecomputed, ModPowerOf2, Pow, Square};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
-use super::columns::{Columns, DIGIT_BITS, Sums, digits, products_are_fused};
+use super::Machine;
+use super::columns::{Columns, DIGIT_BITS, Sums, digits};
+use crate::error::Invariant;
 
 /// Decimal digits of a place.
 const DIGITS: usize = 15;
 
-/// What a place counts to. 2^48 times a place is below 2^98, as [`Columns::sums`] asks.
+/// What a place counts to. 2^48 times a place is below 2^98, as [`Columns::sums`] asks, and [`LONGEST_TABLE`] is below 2^12.
 const BASE: u64 = 10_u64.pow(15);
 
 /// The powers of 2^48 in the tables of places: so many are in the first one, twice as many in each of the others. With half
@@ -26,11 +59,10 @@ const LONGEST_TABLE: usize = SHORTEST_TABLE << (TABLES - 1);
 /// Limbs up to which no division is needed: three of them are four digits in base 2^48.
 const LIMBS_WITHOUT_DIVISION: usize = LONGEST_TABLE / 4 * 3;
 
-/// Longer numbers are divided into parts of so many places that all of them are below 2^48 to the power [`LONGEST_TABLE`]:
-/// 48 log 2 / 15 = 0.963296 for each digit in base 2^48.
+/// Longer numbers are divided into parts of so many places: 48 log 2 / 15 = 0.963296 for each digit in base 2^48. Lemma 2.
 const PLACES_OF_PART: usize = LONGEST_TABLE * 9632 / 10_000;
 
-/// Numbers of so many bits have no more places than that, of 49.8289 bits.
+/// Numbers of so many bits have no more places than [`PLACES_OF_PART`]. Lemma 2.
 const BITS_OF_PART: u64 = PLACES_OF_PART as u64 * 49_828 / 1000;
 
 /// Appends the decimal digits of a number: no sign, no zero in front, `0` for 0.
@@ -43,6 +75,7 @@ const BITS_OF_PART: u64 = PLACES_OF_PART as u64 * 49_828 / 1000;
 /// needed first, and kept: 4 MB for the longest table, and powers as long as the longest number. Where the machine has no
 /// fused products malachite's own way is taken.
 pub(crate) fn append_decimal(number: &Natural, text: &mut Vec<u8>) {
+    static PRINTER: LazyLock<Printer> = LazyLock::new(|| Printer::new(Machine::this()));
     let limbs = number.as_limbs_asc();
     let mut words = itoa::Buffer::new();
     match *limbs {
@@ -52,15 +85,105 @@ pub(crate) fn append_decimal(number: &Natural, text: &mut Vec<u8>) {
             let value = u128::from(high) << u64::BITS | u128::from(low);
             text.extend_from_slice(words.format(value).as_bytes());
         }
-        _ if !products_are_fused() => {
+        _ if !PRINTER.machine.has_fused_products() => {
             text.extend_from_slice(number.to_string().as_bytes());
         }
-        _ if limbs.len() <= LIMBS_WITHOUT_DIVISION => append_places(limbs, None, text),
-        _ => {
-            let fits = |level: &u32| number.significant_bits() <= BITS_OF_PART << level;
-            let level = (1..).find(fits).unwrap_or(0);
-            append_parts(number, level, false, text);
+        _ => PRINTER.append(number, text),
+    }
+}
+
+/// The tables that have been needed on a machine.
+struct Printer {
+    machine: Machine,
+    tables: [OnceLock<Columns>; TABLES],
+}
+
+impl Printer {
+    fn new(machine: Machine) -> Self {
+        Self {
+            machine,
+            tables: [const { OnceLock::new() }; TABLES],
         }
+    }
+
+    /// Appends the digits of a number that is not 0, by places.
+    fn append(&self, number: &Natural, text: &mut Vec<u8>) {
+        let limbs = number.as_limbs_asc();
+        if limbs.len() <= LIMBS_WITHOUT_DIVISION {
+            self.append_places(limbs, None, text);
+        } else {
+            let fits = |level: &u32| number.significant_bits() <= BITS_OF_PART << level;
+            let level = (1..).find(fits).invariant("enough parts hold any number");
+            self.append_parts(number, level, false, text);
+        }
+    }
+
+    /// A number of at most 2^`level` parts, with all its zeros in front or with none.
+    fn append_parts(&self, number: &Natural, level: u32, padded: bool, text: &mut Vec<u8>) {
+        if level == 0 {
+            return self.append_places(
+                number.as_limbs_asc(),
+                padded.then_some(PLACES_OF_PART),
+                text,
+            );
+        }
+        // Half of the places are below 10^k = 2^k 5^k.
+        let k = digits_of_parts(level - 1);
+        let Divisor { five, inverse } = power_of_five(level - 1);
+        let (above, rest) = (&(number >> k)).div_mod_precomputed(five, inverse);
+        let below = (rest << k) + number.mod_power_of_2(k);
+        let padded_below = padded || above != Natural::ZERO;
+        if padded_below {
+            self.append_parts(&above, level - 1, padded, text);
+        }
+        self.append_parts(&below, level - 1, padded_below, text);
+    }
+
+    /// A number of at most [`LIMBS_WITHOUT_DIVISION`] limbs, in so many places or without zeros in front.
+    fn append_places(&self, limbs: &[u64], padded_to: Option<usize>, text: &mut Vec<u8>) {
+        let y = digits(limbs.iter().copied());
+        let places = padded_to.unwrap_or(places_for(y.len()));
+        let mut sums = [Sums::default()];
+        self.table(y.len()).sums(&[&y], places, &mut sums);
+        let [mut sums] = sums;
+        let start = text.len();
+        text.resize(start + DIGITS * places, b'0');
+        self.machine.dispatch(Places {
+            sums: &mut sums,
+            text: &mut text[start..],
+        });
+        if padded_to.is_none() {
+            let zeros = text[start..]
+                .iter()
+                .take_while(|digit| **digit == b'0')
+                .count();
+            text.copy_within(start + zeros.., start);
+            text.truncate(text.len() - zeros);
+        }
+    }
+
+    /// The places of the powers of 2^48, of at least `len` and one more, so that there are places for all numbers below it.
+    fn table(&self, len: usize) -> &Columns {
+        let is_enough = |k: &usize| len <= SHORTEST_TABLE << k;
+        let k = (0..TABLES)
+            .find(is_enough)
+            .invariant("numbers beyond the longest table are divided first");
+        self.tables[k].get_or_init(|| {
+            let mut power = vec![1_u64];
+            let mut powers = Vec::new();
+            for _ in 0..=SHORTEST_TABLE << k {
+                #[expect(clippy::cast_precision_loss, reason = "places are below 2^53")]
+                powers.push(power.iter().map(|place| *place as f64).collect());
+                let mut carry = 0;
+                for place in &mut power {
+                    *place = carried(&mut carry, *place, 0);
+                }
+                if carry > 0 {
+                    power.push(carry);
+                }
+            }
+            Columns::new(self.machine, &powers)
+        })
     }
 }
 
@@ -77,27 +200,6 @@ impl fmt::Display for Decimal<'_> {
         let digits = std::str::from_utf8(&text).map_err(|_| fmt::Error)?;
         f.pad_integral(true, "", digits)
     }
-}
-
-/// A number of at most 2^`level` parts, with all its zeros in front or with none.
-fn append_parts(number: &Natural, level: u32, padded: bool, text: &mut Vec<u8>) {
-    if level == 0 {
-        return append_places(
-            number.as_limbs_asc(),
-            padded.then_some(PLACES_OF_PART),
-            text,
-        );
-    }
-    // Half of the places are below 10^k = 2^k 5^k.
-    let k = digits_of_parts(level - 1);
-    let Divisor { five, inverse } = power_of_five(level - 1);
-    let (above, rest) = (&(number >> k)).div_mod_precomputed(five, inverse);
-    let below = (rest << k) + number.mod_power_of_2(k);
-    let padded_below = padded || above != Natural::ZERO;
-    if padded_below {
-        append_parts(&above, level - 1, padded, text);
-    }
-    append_parts(&below, level - 1, padded_below, text);
 }
 
 /// Decimal digits of 2^`level` parts.
@@ -124,63 +226,13 @@ fn power_of_five(level: u32) -> &'static Divisor {
     })
 }
 
-/// A number of at most [`LIMBS_WITHOUT_DIVISION`] limbs, in so many places or without zeros in front.
-fn append_places(limbs: &[u64], padded_to: Option<usize>, text: &mut Vec<u8>) {
-    let y = digits(limbs.iter().copied());
-    let places = padded_to.unwrap_or(places_for(y.len()));
-    let mut sums = [Sums::default()];
-    table(y.len()).sums(&[&y], places, &mut sums);
-    let [mut sums] = sums;
-    let start = text.len();
-    text.resize(start + DIGITS * places, b'0');
-    Arch::new().dispatch(Places {
-        sums: &mut sums,
-        text: &mut text[start..],
-    });
-    if padded_to.is_none() {
-        let zeros = text[start..]
-            .iter()
-            .take_while(|digit| **digit == b'0')
-            .count();
-        text.copy_within(start + zeros.., start);
-        text.truncate(text.len() - zeros);
-    }
-}
-
-/// At least as many places as numbers below 2^(48 `len`) have.
+/// At least as many places as numbers below 2^(48 `len`) have. Lemma 1.
 fn places_for(len: usize) -> usize {
     len * 9633 / 10_000 + 1
 }
 
-/// The places of the powers of 2^48, of at least `len` and one more, so that there are places for all numbers below it.
-fn table(len: usize) -> &'static Columns {
-    static ALL: [OnceLock<Columns>; TABLES] = [const { OnceLock::new() }; TABLES];
-    let is_enough = |k: &usize| len <= SHORTEST_TABLE << k;
-    let k = (0..TABLES).find(is_enough).unwrap_or(TABLES - 1);
-    ALL[k].get_or_init(|| {
-        let mut power = vec![1_u64];
-        let mut powers = Vec::new();
-        for _ in 0..=SHORTEST_TABLE << k {
-            #[expect(clippy::cast_precision_loss, reason = "places are below 2^53")]
-            powers.push(power.iter().map(|place| *place as f64).collect());
-            let mut carry = 0;
-            for place in &mut power {
-                *place = carried(&mut carry, *place, 0);
-            }
-            if carry > 0 {
-                power.push(carry);
-            }
-        }
-        Columns::new(&powers)
-    })
-}
-
 /// The next place, where so much is carried and 2^48 `high` + `low` is added; the rest is carried on. `low` and `carry` may
-/// be negative, in two's complement.
-///
-/// Sums of at most [`LONGEST_TABLE`] products have `high` below 2^60 and `low` of at most 2^57. The quotient of 2^48 `high`
-/// by 10^15, which is 2^33 `high` / 5^15, is taken less than 1 + 2^-4 too small; what is left, with `low`, with a carry above
-/// −147 and with 256 · 10^15, is between 0 and 2^60; and the next carry is above (−2^57 − 147) / 10^15 − 1 > −147 again.
+/// be negative, in two's complement. Lemma 3.
 #[inline(always)]
 fn carried(carry: &mut u64, high: u64, low: u64) -> u64 {
     const RATIO: u128 = (1 << 97) / 5_u128.pow(15);
@@ -214,7 +266,7 @@ impl NullaryFnOnce for Places<'_> {
         for (high, low) in high.iter_mut().zip(&*low) {
             *high = carried(&mut carry, *high, *low);
         }
-        debug_assert_eq!(carry, 0, "there are enough places");
+        assert_eq!(carry, 0, "there are enough places");
         // Apart, as both are done for several places at once.
         for (high, low) in high.iter_mut().zip(&mut *low) {
             [*high, *low] = seven_and_eight(*high).map(two_fours);
@@ -231,10 +283,7 @@ impl NullaryFnOnce for Places<'_> {
     }
 }
 
-/// The first seven and the last eight digits of a place, in products of 32 bits.
-///
-/// The place is t 2^18 and less than 2^18 more, t < 2^32; of its quotient by 10^8 the product is below by less than
-/// 2^18/10^8 + t/2^40 < 1/100, so that it may be one too small, with a rest below 1.01 · 10^8 < 2^27.
+/// The first seven and the last eight digits of a place, in products of 32 bits. Lemma 4.
 #[inline(always)]
 fn seven_and_eight(place: u64) -> [u64; 2] {
     const HUNDRED_MILLION: u64 = 100_000_000;
@@ -250,18 +299,15 @@ fn low_half(value: u64) -> u64 {
     value & 0xFFFF_FFFF
 }
 
-/// The first four digits of a number below 10^8, and above 2^32 the other four.
+/// The first four digits of a number below 10^8, and above 2^32 the other four. Lemma 5.
 #[inline(always)]
 fn two_fours(value: u64) -> u64 {
     let value = low_half(value);
-    // 109 951 163 / 2^40 is more than 10^-4 by less than 10^-12.
     let first = (value * 109_951_163) >> 40;
     first | (value - low_half(first) * 10_000) << 32
 }
 
-/// The four digits of a number below 10^4 as the bytes of a word, the first in the lowest.
-///
-/// 5243 v / 2^19 is v/100 for v < 10^4, and 103 v / 2^10 is v/10 for v < 100, rounded down: that for two of them at once.
+/// The four digits of a number below 10^4 as the bytes of a word, the first in the lowest. Lemma 5, for two numbers at once.
 #[inline(always)]
 fn four_digits(value: u32) -> u32 {
     let hundreds = (value * 5243) >> 19;
@@ -276,6 +322,9 @@ mod tests {
     use super::*;
     use num_bigint::BigUint;
     use proptest::prelude::*;
+
+    static ALL_PRINTERS: LazyLock<[Printer; 5]> =
+        LazyLock::new(|| Machine::all().map(Printer::new));
 
     fn decimal(number: &Natural) -> String {
         let mut text = b"= ".to_vec();
@@ -309,6 +358,18 @@ mod tests {
         #[test]
         fn long_numbers_have_the_digits_of_malachite(number in number(prop_oneof![60usize..700, 764usize..772, 700usize..4000])) {
             prop_assert_eq!(decimal(&number), number.to_string());
+        }
+
+        /// By places with all instructions, with divisions or without: on machines without fused products, too.
+        #[test]
+        fn all_machines_give_the_same_digits(number in number(prop_oneof![4 => 1usize..40, 1 => 700usize..1600])) {
+            prop_assume!(number != Natural::ZERO);
+            let expected = number.to_string();
+            for printer in ALL_PRINTERS.iter() {
+                let mut text = Vec::new();
+                printer.append(&number, &mut text);
+                prop_assert_eq!(std::str::from_utf8(&text).unwrap(), &expected);
+            }
         }
 
         /// Beside wider integers.
@@ -348,6 +409,20 @@ mod tests {
             prop_assert_eq!(format!("{ours:>width$}|{ours:<width$}"), format!("{number:>width$}|{number:<width$}"));
             prop_assert_eq!(format!("{ours:+0width$}"), format!("{number:+0width$}"));
         }
+    }
+
+    #[test]
+    fn places_are_enough_and_not_many_more() {
+        let place = Natural::from(BASE);
+        for len in 1..=LONGEST_TABLE {
+            let (bits, places) = (48 * len as u64, places_for(len) as u64);
+            // 10^(15 places) ≥ 2^(48 len), by the bits of both; one place fewer and a half would do less often than not.
+            let most = (&place).pow(places).significant_bits() - 1;
+            assert!(most >= bits && most < bits + 100, "{len}");
+        }
+        let parts = place.pow(PLACES_OF_PART as u64).significant_bits();
+        assert!(BITS_OF_PART < parts && BITS_OF_PART + 3 >= parts);
+        assert!(parts <= 48 * LONGEST_TABLE as u64 && PLACES_OF_PART > LONGEST_TABLE * 9 / 10);
     }
 
     #[test]

@@ -7,8 +7,11 @@ use malachite::base::num::arithmetic::traits::{Parity, Pow};
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::Rational;
+use crate::error::Invariant;
 
 /// `mantissa · 2^exponent`. Closed under sums, products and halving, and cheap: no gcds.
+///
+/// The exponent and the place of the leading bit fit in 64 bits; where a result would be beyond that, the program stops.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     mantissa: Integer,
@@ -33,9 +36,9 @@ impl Dyadic {
                 .mantissa
                 .unsigned_abs_ref()
                 .trailing_zeros()
-                .unwrap_or(0);
+                .invariant("a number that is not 0 has a lowest bit");
             self.mantissa >>= zeros;
-            self.exponent += i64::try_from(zeros).unwrap_or(0);
+            self.exponent = raised(self.exponent, zeros.cast_signed());
         }
     }
 
@@ -49,7 +52,8 @@ impl Dyadic {
     #[must_use]
     pub fn from_f64(value: f64) -> Option<Self> {
         let q = Rational::try_from(value).ok()?;
-        let exponent = i64::try_from(q.denominator().significant_bits()).ok()? - 1;
+        // The denominator is a power of two.
+        let exponent = q.denominator().significant_bits().cast_signed() - 1;
         Some(Self::new(q.numerator(), -exponent))
     }
 
@@ -90,8 +94,8 @@ impl Dyadic {
     /// ⌊log₂ |self|⌋, `None` for 0.
     #[must_use]
     pub fn log2(&self) -> Option<i64> {
-        let bits = i64::try_from(self.mantissa.significant_bits()).ok()?;
-        (bits > 0).then(|| bits - 1 + self.exponent)
+        let bits = self.mantissa.significant_bits().cast_signed();
+        (bits > 0).then(|| raised(self.exponent, bits - 1))
     }
 
     /// −self.
@@ -125,9 +129,12 @@ impl Dyadic {
     }
 
     /// self · 2^k.
+    ///
+    /// # Panics
+    /// If the exponent of the result does not fit in 64 bits.
     #[must_use]
     pub fn times_power_of_two(&self, k: i64) -> Self {
-        Self::new(self.mantissa.clone(), self.exponent + k)
+        Self::new(self.mantissa.clone(), raised(self.exponent, k))
     }
 
     /// self · n.
@@ -137,11 +144,14 @@ impl Dyadic {
     }
 
     /// self^k.
+    ///
+    /// # Panics
+    /// If the exponent of the result does not fit in 64 bits.
     #[must_use]
     pub fn power(&self, k: u32) -> Self {
         Self::new(
             (&self.mantissa).pow(u64::from(k)),
-            self.exponent * i64::from(k),
+            self.exponent.checked_mul(i64::from(k)).invariant(SMALL),
         )
     }
 
@@ -150,6 +160,14 @@ impl Dyadic {
     pub fn midpoint(&self, other: &Self) -> Self {
         self.plus(other).times_power_of_two(-1)
     }
+}
+
+/// What a sum or a product of exponents must be; beyond it no wrong number comes back, but the program stops.
+const SMALL: &str = "the exponent of a dyadic number is between -2^63 and 2^63";
+
+/// `exponent + by`.
+fn raised(exponent: i64, by: i64) -> i64 {
+    exponent.checked_add(by).invariant(SMALL)
 }
 
 impl PartialEq for Dyadic {
@@ -185,5 +203,45 @@ impl Ord for Dyadic {
                 a.cmp(&b)
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponents_reach_the_ends_of_their_range() {
+        let one = Dyadic::new(Integer::from(1), 0);
+        assert_eq!(one.times_power_of_two(i64::MAX).exponent(), i64::MAX);
+        assert_eq!(
+            Dyadic::new(Integer::from(1), i64::MIN / 4)
+                .power(4)
+                .exponent(),
+            i64::MIN
+        );
+        assert_eq!(Dyadic::new(Integer::from(0), i64::MAX).exponent(), 0);
+        assert_eq!(
+            Dyadic::new(Integer::from(1), i64::MAX).log2(),
+            Some(i64::MAX)
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "between -2^63 and 2^63")]
+    fn a_product_with_a_larger_exponent_stops() {
+        let _ = Dyadic::new(Integer::from(1), i64::MAX).times_power_of_two(1);
+    }
+
+    #[test]
+    #[should_panic(expected = "between -2^63 and 2^63")]
+    fn a_power_with_a_larger_exponent_stops() {
+        let _ = Dyadic::new(Integer::from(3), i64::MIN / 2).power(3);
+    }
+
+    #[test]
+    #[should_panic(expected = "between -2^63 and 2^63")]
+    fn factors_of_two_are_not_moved_beyond_the_range() {
+        let _ = Dyadic::new(Integer::from(2), i64::MAX);
     }
 }

@@ -7,7 +7,7 @@ use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::conversion::traits::FromStringBase;
 
 use super::Rational;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 
 /// Decimal exponents beyond this are refused: `1e999999999` would not fit in memory.
 const MAX_EXPONENT: i64 = 100_000;
@@ -79,7 +79,7 @@ pub fn hex_literal(double: f64) -> String {
     let (lead, exponent) = match bits >> FRACTION_BITS {
         0 if fraction == 0 => (0, 0),
         0 => (0, -1022),
-        biased => (1, i64::try_from(biased).unwrap_or(0) - 1023),
+        biased => (1, biased.cast_signed() - 1023),
     };
     let digits = format!("{fraction:013x}");
     let digits = digits.trim_end_matches('0');
@@ -126,10 +126,10 @@ fn radix(text: &str, base: u8, marks: &[char], whole: &str) -> Result<Rational> 
     }
     let value = Integer::from_string_base(base, &digits)
         .ok_or_else(|| wrong(whole, "expected a number"))?;
-    let places = u64::try_from(fraction.len()).unwrap_or(u64::MAX);
+    let places = fraction.len() as u64;
     let below = Rational::from(Integer::from(base).pow(places));
     let two_or_ten = Rational::from(if base == 10 { 10 } else { 2 });
-    let scale = two_or_ten.pow(exponent).unwrap_or_default();
+    let scale = two_or_ten.pow(exponent).invariant("a base is not zero");
     Ok(Rational::from(value) * scale / below)
 }
 

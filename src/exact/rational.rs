@@ -11,7 +11,7 @@ use malachite::base::num::conversion::traits::{FromStringBase, ToStringBase};
 use malachite::{Integer, Natural};
 
 use super::decimal::Decimal;
-use crate::error::Error;
+use crate::error::{Error, Invariant};
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
@@ -237,12 +237,13 @@ const EXCHANGE_BASE: u8 = 32;
 
 fn integer_from_num(value: &num_bigint::BigInt) -> Integer {
     let digits = value.to_str_radix(u32::from(EXCHANGE_BASE));
-    Integer::from_string_base(EXCHANGE_BASE, &digits).unwrap_or_default()
+    Integer::from_string_base(EXCHANGE_BASE, &digits).invariant("digits are a number")
 }
 
 fn integer_to_num(value: &Integer) -> num_bigint::BigInt {
     let digits = value.to_string_base(EXCHANGE_BASE);
-    num_bigint::BigInt::parse_bytes(digits.as_bytes(), u32::from(EXCHANGE_BASE)).unwrap_or_default()
+    num_bigint::BigInt::parse_bytes(digits.as_bytes(), u32::from(EXCHANGE_BASE))
+        .invariant("digits are a number")
 }
 
 impl From<&num_bigint::BigInt> for Rational {

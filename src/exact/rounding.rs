@@ -9,6 +9,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::Rational;
+use crate::error::{Invariant, broken};
 
 /// The double nearest to a real number, given how the number compares with any rational one (ties to even; beyond
 /// the largest double ±∞; a zero has the sign of the guess).
@@ -72,7 +73,7 @@ pub(crate) fn nearest_double<E>(
 
 /// The place of a double among all doubles: 0 for ±0, one more for each next larger one.
 fn rank(double: f64) -> i64 {
-    let magnitude = i64::try_from(double.abs().to_bits()).unwrap_or(0);
+    let magnitude = double.abs().to_bits().cast_signed();
     if double < 0.0 { -magnitude } else { magnitude }
 }
 
@@ -81,14 +82,25 @@ fn of_rank(rank: i64) -> f64 {
     if rank < 0 { -magnitude } else { magnitude }
 }
 
+/// About the decimal exponent of a number from its binary one, at most 1 off for numbers of up to 10^8 bits: with log₁₀ 2 ≈
+/// 0.30103 it would be off by 5 there.
+fn decimal_of_binary(binary: i64) -> i64 {
+    let decimal = (i128::from(binary) * 30_102_999_566).div_euclid(100_000_000_000);
+    i64::try_from(decimal).invariant("a decimal exponent is smaller than the binary one")
+}
+
+/// Half an ulp above the largest double, (2^53 − 1) 2^971: from here on numbers are rounded to ∞.
+fn beyond_all_doubles() -> Rational {
+    Rational::from_parts(Integer::from((1_i64 << 54) - 1), 970)
+}
+
 /// The exact midpoint of two neighbouring doubles; beyond the largest, half an ulp above it.
 fn midpoint(a: f64, b: f64) -> Rational {
-    let half_ulp = |sign: i32| Rational::from(sign) * Rational::from_parts(Integer::from(1), 970);
     match (Rational::try_from(a), Rational::try_from(b)) {
         (Ok(a), Ok(b)) => (a + b) / Rational::from(2),
-        (Ok(a), Err(_)) => a + half_ulp(1),
-        (Err(_), Ok(b)) => b + half_ulp(-1),
-        (Err(_), Err(_)) => Rational::zero(),
+        (Ok(_), Err(_)) => beyond_all_doubles(),
+        (Err(_), Ok(_)) => -beyond_all_doubles(),
+        (Err(_), Err(_)) => broken("of two neighbouring doubles one is finite"),
     }
 }
 
@@ -105,12 +117,8 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         let rounded = f64::rounding_from(self.inner(), RoundingMode::Nearest).0;
         if rounded.abs() >= f64::MAX {
-            // malachite stops at the largest finite double; IEEE 754 goes on to infinity from
-            // half an ulp above it.
-            let half_ulp_above = Rational::from(2)
-                .pow(1024)
-                .map(|p| p - Rational::from(2).pow(970).unwrap_or_default());
-            if half_ulp_above.is_some_and(|bound| self.abs() >= bound) {
+            // malachite stops at the largest finite double; IEEE 754 goes on to infinity.
+            if self.abs() >= beyond_all_doubles() {
                 return f64::INFINITY.copysign(rounded);
             }
         }
@@ -162,12 +170,12 @@ impl Rational {
     #[must_use]
     pub fn to_significant(&self, digits: u32) -> String {
         let places = i64::from(digits.max(1)) - 1;
-        let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+        let ten = |e: i64| Rational::from(10).pow(e).invariant("ten is not zero");
         let Some(mut exponent) = self.decimal_exponent() else {
             return "0".into();
         };
         let mut text = (self.abs() * ten(places - exponent)).to_decimal(0);
-        if i64::try_from(text.len()).unwrap_or(0) > places + 1 {
+        if i64::try_from(text.len()).invariant("a text is shorter than 2^63 bytes") > places + 1 {
             // Rounded up to the next power of ten.
             exponent += 1;
             text.pop();
@@ -175,10 +183,12 @@ impl Rational {
         let text = text.trim_end_matches('0');
         let sign = if self.signum() < 0 { "-" } else { "" };
         if (-5..16).contains(&exponent) {
-            let after = i64::try_from(text.len()).unwrap_or(0) - 1 - exponent;
-            let digits = Integer::from_string_base(10, text).unwrap_or_default();
+            let after = i64::try_from(text.len()).invariant("a text is shorter than 2^63 bytes")
+                - 1
+                - exponent;
+            let digits = Integer::from_string_base(10, text).invariant("digits are a number");
             let value = Rational::from(digits) * ten(-after);
-            let decimals = u32::try_from(after).unwrap_or(0);
+            let decimals = u32::try_from(after.max(0)).invariant("few digits follow the point");
             return format!("{sign}{}", value.to_decimal(decimals));
         }
         let (first, rest) = text.split_at(1);
@@ -193,11 +203,13 @@ impl Rational {
             return None;
         }
         let size = self.abs();
-        let bits = |n: Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
-        // log₁₀ 2 ≈ 30103/100000: off by little, and the comparisons decide.
+        let bits = |n: Integer| {
+            i64::try_from(n.significant_bits()).invariant("a length in bits fits in 63 bits")
+        };
         let binary = bits(size.numerator()) - bits(size.denominator());
-        let mut exponent = (binary * 30_103).div_euclid(100_000);
-        let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+        // A guess: the comparisons decide.
+        let mut exponent = decimal_of_binary(binary);
+        let ten = |e: i64| Rational::from(10).pow(e).invariant("ten is not zero");
         while ten(exponent) > size {
             exponent -= 1;
         }
@@ -264,6 +276,157 @@ mod tests {
         assert_eq!(half.to_f64(), 0.0);
         let more = &half + &tiny / Rational::from(100);
         assert_eq!(more.to_f64(), f64::from_bits(1));
+    }
+
+    /// Finite doubles: any, and those at the ends of a binade, of the subnormal ones, and of all.
+    fn double() -> impl Strategy<Value = f64> {
+        let power = (0_u64..0x7FF, 0_u64..3).prop_map(|(exponent, more)| (exponent << 52) + more);
+        let before = (1_u64..0x7FF, 1_u64..3).prop_map(|(exponent, less)| (exponent << 52) - less);
+        let end = prop::sample::select(vec![0, 1, 2, 3, (1 << 52) - 1, 1 << 52]);
+        let top = (0_u64..4).prop_map(|less| f64::MAX.to_bits() - less);
+        let bits = prop_oneof![
+            0..=f64::MAX.to_bits(),
+            0_u64..1 << 53,
+            power,
+            before,
+            end,
+            top
+        ];
+        (bits, any::<bool>()).prop_map(|(bits, negative)| {
+            let size = f64::from_bits(bits.min(f64::MAX.to_bits()));
+            if negative { -size } else { size }
+        })
+    }
+
+    /// Fractions that are much smaller than 1: 0, powers of two, and those with low bits that are all 0, all 1 or any.
+    fn tiny() -> impl Strategy<Value = Rational> {
+        let power = |bits: i64| Rational::from_parts(Integer::from(1), -bits);
+        let one_bit = prop_oneof![Just(60_i64), 2_i64..70, 100_i64..2000].prop_map(power);
+        let limb = prop_oneof![Just(0), Just(u64::MAX), any::<u64>()];
+        let long = prop::collection::vec(limb, 2..32).prop_map(move |limbs| {
+            let bits = 64 * i64::try_from(limbs.len()).unwrap();
+            let size = Integer::from(malachite::Natural::from_owned_limbs_asc(limbs));
+            Rational::from_parts(size, -bits) * power(7)
+        });
+        prop_oneof![Just(Rational::zero()), one_bit, long]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+        /// Numbers at and beside doubles and the midpoints between them; of the doubles of a tie the one with the even last bit.
+        #[test]
+        fn numbers_beside_midpoints_are_rounded_to_the_right_side(
+            double in double(), tiny in tiny(), at in 0..4, guess in any::<u64>(), steps in -70_i64..70,
+        ) {
+            let above = double.next_up();
+            let exact = Rational::try_from(double).unwrap();
+            // Up to where the next double would be if there were one.
+            let gap = Rational::try_from(above).map_or_else(|_| Rational::from_parts(Integer::from(1), 971), |above| above - &exact);
+            let half = Rational::one() / Rational::from(2);
+            let part = match at {
+                0 => tiny.clone(),
+                1 => &half - &tiny,
+                2 => &half + &tiny,
+                _ => Rational::one() - &tiny,
+            };
+            let is_even = double.to_bits().is_multiple_of(2);
+            let expected = match part.cmp(&half) {
+                Ordering::Less => double,
+                Ordering::Equal if is_even => double,
+                Ordering::Equal | Ordering::Greater => above,
+            };
+            let value = exact + gap * part;
+            prop_assert_eq!(value.to_f64(), expected);
+            prop_assert_eq!((-&value).to_f64(), -expected);
+            let beside = of_rank(rank(double).saturating_add(steps.signum() * (1_i64 << steps.unsigned_abs().min(62))).clamp(-rank(f64::INFINITY), rank(f64::INFINITY)));
+            for guess in [double, above, beside, f64::from_bits(guess), 0.0, -f64::MAX, f64::INFINITY] {
+                if guess.is_nan() {
+                    continue;
+                }
+                let found = nearest_double(guess, |m| Ok::<_, ()>(value.cmp(m))).unwrap();
+                prop_assert_eq!(found, expected);
+                let found = nearest_double(guess, |m| Ok::<_, ()>((-&value).cmp(m))).unwrap();
+                prop_assert_eq!(found, -expected);
+            }
+        }
+
+        /// Decimals at and beside the midpoints between them.
+        #[test]
+        fn decimals_beside_midpoints_are_rounded_to_the_right_side(
+            limbs in prop::collection::vec(any::<u64>(), 0..20), negative in any::<bool>(), tiny in tiny(), side in -1..2, decimals in 0_u32..40,
+        ) {
+            let size = Integer::from(malachite::Natural::from_owned_limbs_asc(limbs));
+            let below = if negative { -size } else { size };
+            let unit = Rational::from(10).pow(-i64::from(decimals)).unwrap();
+            let half = Rational::one() / Rational::from(2);
+            let value = (Rational::from(&below) + half + tiny.clone() * Rational::from(side)) * &unit;
+            use malachite::base::num::arithmetic::traits::Parity;
+            let is_above = match side * i32::from(tiny.signum()) {
+                0 => below.odd(),
+                side => side > 0,
+            };
+            let expected = Rational::from(below + Integer::from(u8::from(is_above))) * unit;
+            prop_assert_eq!(&value.round_decimals(decimals), &expected);
+            let text = value.to_decimal(decimals);
+            prop_assert_eq!(text.parse::<Rational>().unwrap(), expected);
+            let after = text.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+            prop_assert_eq!(after, usize::try_from(decimals).unwrap());
+        }
+
+        /// Beside powers of ten and midpoints, with exponents on both sides of every way of writing.
+        #[test]
+        fn significant_digits_are_those_of_the_nearest_decimal(
+            lead in 1_u64..100_000, exponent in -30_i64..30, half in any::<bool>(), tiny in tiny(), side in -1..2, digits in 1_u32..8,
+        ) {
+            let ten = |e: i64| Rational::from(10).pow(e).unwrap();
+            let middle = Rational::from(i64::try_from(lead).unwrap()) + Rational::from(i32::from(half)) / Rational::from(2);
+            let value = (middle + tiny * Rational::from(side)) * ten(exponent);
+            let text = value.to_significant(digits);
+            let found: Rational = text.parse().unwrap();
+            let unit = ten(value.decimal_exponent().unwrap() + 1 - i64::from(digits));
+            let error = (&found - &value).abs() * Rational::from(2);
+            prop_assert!(error <= unit);
+            let in_units = &found / &unit;
+            prop_assert!(in_units.is_integer());
+            use malachite::base::num::arithmetic::traits::Parity;
+            prop_assert!(error < unit || in_units.numerator().even());
+            // Written in full from 10^-5 to below 10^16, with no zero at the end of a fraction or of digits before an exponent.
+            let exponent = found.decimal_exponent().unwrap();
+            prop_assert_eq!(text.contains('e'), !(-5..16).contains(&exponent));
+            let mantissa = text.split('e').next().unwrap();
+            prop_assert!(!mantissa.contains('.') || !mantissa.ends_with(['0', '.']));
+            prop_assert_eq!((-&value).to_significant(digits), format!("-{text}"));
+        }
+
+        #[test]
+        fn decimal_exponents_are_exact_at_powers_of_ten(exponent in -700_i64..700, tiny in tiny(), side in -1..2) {
+            let ten = |e: i64| Rational::from(10).pow(e).unwrap();
+            let value = ten(exponent) * (Rational::one() + tiny.clone() * Rational::from(side));
+            let expected = if side < 0 && !tiny.is_zero() { exponent - 1 } else { exponent };
+            prop_assert_eq!(value.decimal_exponent(), Some(expected));
+            prop_assert_eq!((-value).decimal_exponent(), Some(expected));
+        }
+    }
+
+    #[test]
+    fn guesses_of_decimal_exponents_are_at_most_one_off() {
+        // log₁₀ 2 from above and from below: 10^(10^8) has 332 192 810 bits.
+        for (binary, decimal) in [
+            (0, 0),
+            (332_192_809, 100_000_000),
+            (-332_192_809, -100_000_000),
+        ] {
+            assert!((decimal_of_binary(binary) - decimal).abs() <= 1);
+        }
+        for exponent in [1_i64, 20, 300, 5000, 60_000] {
+            for sign in [1, -1] {
+                let value = Rational::from(10).pow(sign * exponent).unwrap();
+                let bits = |n: Integer| n.significant_bits().cast_signed();
+                let binary = bits(value.numerator()) - bits(value.denominator());
+                assert!((decimal_of_binary(binary) - sign * exponent).abs() <= 1);
+                assert_eq!(value.decimal_exponent(), Some(sign * exponent));
+            }
+        }
     }
 
     proptest! {

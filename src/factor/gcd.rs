@@ -6,7 +6,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
 use super::terms::{Exponents, Terms};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PrimeField, SplitMix, polynomial_gcd};
 
@@ -146,8 +146,9 @@ pub(super) fn content_in(f: &Terms, v: usize, limits: &Limits) -> Result<(Terms,
         }
     }
     let content = content.primitive();
-    // A gcd divides.
-    let rest = f.divided_by(&content).unwrap_or_else(|| f.clone());
+    let rest = f
+        .divided_by(&content)
+        .invariant("a content divides its polynomial");
     Ok((content, rest))
 }
 
@@ -179,8 +180,7 @@ pub(super) fn squarefree_parts(
     }
     let derivative = f.derivative(v);
     let repeated = gcd(f, &derivative, limits)?;
-    // A gcd divides, so the defaults never come to pass.
-    let exact = |a: &Terms, b: &Terms| a.divided_by(b).unwrap_or_else(|| a.clone());
+    let exact = |a: &Terms, b: &Terms| a.divided_by(b).invariant("a gcd divides");
     let mut w = exact(f, &repeated);
     let mut y = exact(&derivative, &repeated);
     let mut parts = Vec::new();
@@ -211,7 +211,8 @@ pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
     }
     let mut common = IntegerPolynomial::ZERO;
     for part in parts.into_values() {
-        let degree = part.iter().map(|(k, _)| *k).max().unwrap_or(0) as usize;
+        let degree = part.iter().map(|(k, _)| *k).max();
+        let degree = degree.invariant("a part has a term") as usize;
         let mut coefficients = vec![Integer::ZERO; degree + 1];
         for (k, c) in part {
             coefficients[k as usize] = c;
@@ -222,7 +223,8 @@ pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
             break;
         }
     }
-    let degree = u32::try_from(common.coefficients_asc().len() - 1).unwrap_or(u32::MAX);
+    let degree =
+        u32::try_from(common.coefficients_asc().len() - 1).invariant("exponents are below 2^32");
     Terms::from_univariate(&common, u).map_exponents(|e| {
         let mut form: Exponents = [0; 3];
         form[u] = e[u];

@@ -5,7 +5,7 @@ use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::polynomial::Polynomial;
 
 use super::truncated::TruncatedRing;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PrimeField};
 
@@ -34,7 +34,7 @@ pub(super) fn lift(
     for k in halvings(ring.y) {
         schedule.push((exponent, k, 1));
     }
-    let bits = usize::try_from(exponent).unwrap_or(usize::MAX);
+    let bits = usize::try_from(exponent).invariant("a modulus fits in memory");
     for e in halvings(bits) {
         schedule.push((e as u64, 1, 1));
     }
@@ -72,8 +72,8 @@ impl Lifted {
             .fold(vec![1], |product, g| field.product(&product, g));
         let cofactors = factors.iter().map(|g| {
             let others = field.quotient(product.clone(), g);
-            // The factors are coprime, so there is an inverse.
-            integers(&field.inverse_modulo(&others, g).unwrap_or_default())
+            let inverse = field.inverse_modulo(&others, g);
+            integers(&inverse.invariant("factors of a squarefree polynomial are coprime"))
         });
         Self {
             ring: TruncatedRing {

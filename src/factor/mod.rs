@@ -29,7 +29,7 @@ use malachite::base::num::basic::traits::One;
 
 pub use proof::{Irreducibility, Variable};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PlanePolynomial, SparsePolynomial, TernaryForm, term_order};
@@ -72,8 +72,7 @@ pub(crate) fn coprime_parts<const V: usize>(
 ) -> Result<[SparsePolynomial<V>; 2]> {
     let [f, g] = [primitive_terms(f), primitive_terms(g)];
     let common = gcd::gcd(&f, &g, limits)?;
-    // A gcd divides, so the default never comes to pass.
-    Ok([f, g].map(|f| canonical(&f.divided_by(&common).unwrap_or(f))))
+    Ok([f, g].map(|f| canonical(&f.divided_by(&common).invariant("a gcd divides"))))
 }
 
 /// The primitive part of the greatest common divisor of two polynomials in at most three variables, with positive
@@ -104,10 +103,10 @@ pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<P
         return Ok(f.clone());
     };
     let repeated = gcd::gcd(&terms, &terms.derivative(v), limits)?;
-    let quotient = terms.divided_by(&repeated).unwrap_or(terms);
+    let quotient = terms.divided_by(&repeated).invariant("a gcd divides");
     Ok(canonical::<3>(&quotient)
         .to_plane()
-        .unwrap_or_else(|| f.clone()))
+        .invariant("a divisor of a polynomial without z is one without z"))
 }
 
 /// The squarefree decomposition of a ternary form that is not 0: pairwise coprime primitive forms with their
@@ -324,10 +323,10 @@ fn factor_terms(f: Terms, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
         product = product.product(&factor.polynomial.pow(factor.multiplicity));
     }
     if product.primitive() != primitive {
-        return Err(Error::Hypothesis {
-            statement: "factorization",
-            witness: "the factors do not multiply back; please report the input".into(),
-        });
+        return Err(Error::internal(
+            "factorization",
+            "the factors do not multiply back",
+        ));
     }
     for factor in &mut found {
         if graded_terms(&factor.polynomial)

@@ -15,7 +15,7 @@ use super::terms::{Exponents, Terms};
 use super::truncated::{TruncatedRing, balanced};
 use super::univariate::{fraction, power_above};
 use super::{Irreducibility, Variable, univariate};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PrimeField, SplitMix};
 
@@ -163,9 +163,7 @@ impl Local {
                     sum += c * &multipliers[l];
                 }
             }
-            let sum = ring.normalize(IntegerPolynomial::from_coefficients_asc(vec![sum]));
-            let residue = sum.into_coefficients_asc().pop().unwrap_or_default();
-            fraction(&residue, &ring.modulus)
+            fraction(&ring.reduced(sum), &ring.modulus)
         });
         Sieve {
             weights: weights.collect(),
@@ -244,7 +242,7 @@ fn pack(ring: &TruncatedRing, roles: &Roles, f: &Terms) -> IntegerPolynomial {
 }
 
 fn unpack(ring: &TruncatedRing, roles: &Roles, f: &IntegerPolynomial) -> Terms {
-    let narrow = |k: usize| u32::try_from(k).unwrap_or(u32::MAX);
+    let narrow = |k: usize| u32::try_from(k).invariant("exponents are below 2^32");
     let terms = f.coefficients_asc().iter().enumerate();
     let terms = terms.filter(|(_, c)| **c != 0).filter_map(|(k, c)| {
         let (j, l) = ring.exponents(k)?;

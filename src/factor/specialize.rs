@@ -7,7 +7,7 @@ use super::recombine::{degrees_of_products, intersect};
 use super::terms::Terms;
 use super::univariate::irreducible_factors;
 use super::{Irreducibility, Variable};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PrimeField};
 
@@ -77,8 +77,7 @@ pub(super) fn specialize(f: &Terms, v: usize, limits: &Limits) -> Result<Special
             break;
         }
     }
-    // The points never end, so there is a best one.
-    let (point, factors) = best.unwrap_or_default();
+    let (point, factors) = best.invariant("the points never end, so there is a best one");
     Ok(Specialized::Factors(Best {
         point,
         factors,
@@ -89,7 +88,10 @@ pub(super) fn specialize(f: &Terms, v: usize, limits: &Limits) -> Result<Special
 /// Points with small coordinates in the given variables, and 0 elsewhere, in growing size: 0, 1, −1, 2 …
 fn points(variables: &[usize]) -> impl Iterator<Item = [i64; 3]> {
     let (first, second) = (
-        variables.first().copied().unwrap_or(0),
+        variables
+            .first()
+            .copied()
+            .invariant("some variable is given a value"),
         variables.get(1).copied(),
     );
     (0i64..).flat_map(move |size| {

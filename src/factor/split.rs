@@ -8,7 +8,7 @@ use super::multivariate::irreducible_factors;
 use super::terms::Terms;
 use super::univariate::is_power;
 use super::{Irreducibility, Variable};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 
 /// The largest dense table of coefficients that is worked on.
@@ -84,7 +84,7 @@ fn of_form(form: &Terms, limits: &Limits) -> Result<Vec<Found>> {
     for factor in &mut found {
         let g = &factor.polynomial;
         let total = g.iter().map(|(e, _)| e.iter().sum::<u32>()).max();
-        let total = total.unwrap_or(0);
+        let total = total.invariant("a factor is not 0");
         factor.polynomial = g
             .map_exponents(|e| {
                 let mut full = *e;
@@ -162,7 +162,7 @@ fn inflate(g: Found, v: usize, q: u32, limits: &Limits) -> Result<Vec<Found>> {
     let stays = stays_irreducible(&g.polynomial, v, q);
     let inflated = g.polynomial.map_exponents(|e| {
         let mut e = *e;
-        e[v] = e[v].saturating_mul(q);
+        e[v] = e[v].checked_mul(q).invariant("exponents are below 2^32");
         e
     });
     if stays {
@@ -178,7 +178,11 @@ fn inflate(g: Found, v: usize, q: u32, limits: &Limits) -> Result<Vec<Found>> {
     within_limits(&inflated)?;
     let degrees = inflated.degrees();
     let main = inflated.used().into_iter().min_by_key(|&w| degrees[w]);
-    let factors = irreducible_factors(&inflated, main.unwrap_or(v), limits)?;
+    let factors = irreducible_factors(
+        &inflated,
+        main.invariant("the polynomial is not constant"),
+        limits,
+    )?;
     Ok(factors
         .into_iter()
         .map(|(polynomial, proof)| Found {

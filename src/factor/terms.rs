@@ -8,6 +8,7 @@ use malachite::base::num::arithmetic::traits::{DivAssignRem, DivExact, Gcd, Pow,
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
+use crate::error::Invariant;
 use crate::poly::IntegerPolynomial;
 
 /// Exponents of x, y, z.
@@ -126,7 +127,7 @@ impl Terms {
         Self::new(self.0.iter().map(|(e, c)| (map(e), c.clone())).collect())
     }
 
-    /// The largest monomial that divides every term.
+    /// The largest monomial that divides every term; 1 for the zero polynomial.
     pub(super) fn monomial_content(&self) -> Exponents {
         let mut terms = self.0.iter().map(|(e, _)| *e);
         let first = terms.next().unwrap_or_default();
@@ -228,7 +229,9 @@ impl Terms {
     /// The product: into a dense table, or into a map when that would be mostly empty.
     pub(super) fn product(&self, other: &Self) -> Self {
         let (a, b) = (self.degrees(), other.degrees());
-        let table = Table::for_degrees(std::array::from_fn(|v| a[v] + b[v]));
+        let table = Table::for_degrees(std::array::from_fn(|v| {
+            a[v].checked_add(b[v]).invariant("exponents are below 2^32")
+        }));
         let work = self.0.len().saturating_mul(other.0.len());
         if table.cells > work.saturating_mul(SPARSE_FACTOR) {
             let mut sum: BTreeMap<Exponents, Integer> = BTreeMap::new();
@@ -357,7 +360,7 @@ impl Table {
     }
 
     fn exponents(&self, index: usize) -> Exponents {
-        let narrow = |k: usize| u32::try_from(k).unwrap_or(u32::MAX);
+        let narrow = |k: usize| u32::try_from(k).invariant("exponents are below 2^32");
         [
             narrow(index / self.strides[0]),
             narrow(index % self.strides[0] / self.strides[1]),
@@ -382,8 +385,14 @@ pub(super) mod tests {
     use proptest::prelude::*;
 
     pub(in crate::factor) fn terms() -> impl Strategy<Value = Terms> {
-        prop::collection::vec((prop::array::uniform3(0u32..4), -9i64..9), 1..6)
-            .prop_map(|t| Terms::new(t.into_iter().map(|(e, c)| (e, Integer::from(c))).collect()))
+        // Small ones, and ones next to multiples of a power of two.
+        let coefficient = prop_oneof![
+            (-9i64..9).prop_map(Integer::from),
+            (-3i64..4, 20u64..300, -1i64..2)
+                .prop_map(|(c, bits, more)| (Integer::from(c) << bits) + Integer::from(more)),
+        ];
+        prop::collection::vec((prop::array::uniform3(0u32..4), coefficient), 1..6)
+            .prop_map(Terms::new)
     }
 
     proptest! {

@@ -5,6 +5,7 @@ use malachite::base::num::arithmetic::traits::Mod;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::{MulPowerOfX, Polynomial};
 
+use crate::error::Invariant;
 use crate::poly::{IntegerPolynomial, PrimeField};
 
 /// The ring R = (Z/M)[y, z]/(y^K, z^L), with arithmetic of polynomials in x over it.
@@ -38,7 +39,8 @@ impl TruncatedRing {
         (j < self.y && l < self.z).then_some((j, l))
     }
 
-    fn reduced(&self, c: Integer) -> Integer {
+    /// The residue in [0, M).
+    pub(super) fn reduced(&self, c: Integer) -> Integer {
         if c >= 0 && c < self.modulus {
             c
         } else {
@@ -153,7 +155,8 @@ impl TruncatedRing {
         let constant = u
             .coefficients_asc()
             .first()
-            .map_or(0, |c| field.reduce_integer(c));
+            .map(|c| field.reduce_integer(c))
+            .invariant("a unit has a constant term");
         let start = Integer::from(field.inverse(constant));
         let mut inverse = IntegerPolynomial::from_coefficients_asc(vec![start]);
         let one = IntegerPolynomial::one();

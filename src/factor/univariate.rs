@@ -12,7 +12,7 @@ use super::prime_field::{distinct_degrees, equal_degree};
 use super::recombine::{Sieve, degrees_of_products, intersect, recombine};
 use super::truncated::{TruncatedRing, balanced};
 use super::{Irreducibility, Variable};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PrimeField, divide_exactly, primitive_part};
 
@@ -215,7 +215,8 @@ fn trace_sieve(
     allowed: Vec<bool>,
     modulus: &Integer,
 ) -> Sieve {
-    let lead = f.coefficients_asc().last().cloned().unwrap_or_default();
+    let lead = f.coefficients_asc().last().cloned();
+    let lead = lead.invariant("the polynomial is not 0");
     let ring = TruncatedRing {
         modulus: modulus.clone(),
         y: 1,
@@ -223,9 +224,7 @@ fn trace_sieve(
     };
     let weights = lifted.iter().map(|g| {
         let c = g.coefficients_asc();
-        let trace = IntegerPolynomial::from_coefficients_asc(vec![&lead * &c[c.len() - 2]]);
-        let trace = ring.normalize(trace).into_coefficients_asc().pop();
-        fraction(&trace.unwrap_or_default(), modulus)
+        fraction(&ring.reduced(&lead * &c[c.len() - 2]), modulus)
     });
     // bits of the trace over bits of the modulus, and one unit of rounding for each summand.
     let room = modulus.significant_bits() - 1;
@@ -243,7 +242,7 @@ fn trace_sieve(
 
 /// ⌊2^64 residue/modulus⌋.
 pub(super) fn fraction(residue: &Integer, modulus: &Integer) -> u64 {
-    u64::try_from(&((residue << 64u64) / modulus)).unwrap_or(0)
+    u64::try_from(&((residue << 64u64) / modulus)).invariant("a residue is less than its modulus")
 }
 
 /// The factor of `rest` that is lc(rest) times the chosen local factors, and the quotient.
@@ -255,16 +254,9 @@ fn try_product(
     let c = rest.coefficients_asc();
     let (lead, constant) = (c.last()?, c.first()?);
     // The constant terms first: that of lc(rest)/lc(g) · g divides lc(rest) rest(0).
-    let scalar = |value: Integer| {
-        let one = IntegerPolynomial::from_coefficients_asc(vec![value]);
-        ring.normalize(one)
-            .into_coefficients_asc()
-            .pop()
-            .unwrap_or(Integer::ZERO)
-    };
     let mut product = lead.clone();
     for g in chosen {
-        product = scalar(product * g.coefficients_asc().first()?);
+        product = ring.reduced(product * g.coefficients_asc().first()?);
     }
     let value = balanced(&product, &ring.modulus);
     if *constant != 0 && (value == 0 || !(lead * constant).divisible_by(&value)) {

@@ -109,12 +109,14 @@ impl Center {
         };
         let point = [exact[0].to_f64(), exact[1].to_f64()];
         if !contour.contains(point) {
-            let digits = decimals.unwrap_or_default();
-            return Err(Error::Usage(format!(
-                "rounded to {digits} decimals the centre is ({}, {}), which is not inside the \
-                 outline; keep more decimals",
-                point[0], point[1]
-            )));
+            return Err(match decimals {
+                Some(digits) => Error::Usage(format!(
+                    "rounded to {digits} decimals the centre is ({}, {}), which is not inside the \
+                     outline; keep more decimals",
+                    point[0], point[1]
+                )),
+                None => Error::internal("the choice of a centre", "it is not inside the outline"),
+            });
         }
         Ok(Self {
             star_shaped: star_shaped_about(contour, point),

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use contour::ContourBuilder;
 use image::{DynamicImage, ImageDecoder, ImageReader, Limits};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::shape::Contour;
 
 /// The longest side of a picture, in pixels.
@@ -61,7 +61,7 @@ impl Picture {
         let mut image = DynamicImage::from_decoder(decoder).map_err(|error| unreadable(&error))?;
         image.apply_orientation(orientation);
         let pixels = image.into_luma_alpha8();
-        let side = |pixels: u32| usize::try_from(pixels).unwrap_or(usize::MAX);
+        let side = |pixels: u32| usize::try_from(pixels).invariant("a picture fits in memory");
         Ok(Self {
             width: side(pixels.width()),
             height: side(pixels.height()),
@@ -93,7 +93,7 @@ impl Picture {
 /// Grey over white.
 fn on_white([grey, alpha]: [u8; 2]) -> u8 {
     let sum = u32::from(grey) * u32::from(alpha) + 255 * (255 - u32::from(alpha));
-    u8::try_from((sum + 127) / 255).unwrap_or(u8::MAX)
+    u8::try_from((sum + 127) / 255).invariant("a mean of grey values is one")
 }
 
 /// Otsu's threshold: the value v for which the classes `≤ v` and `> v` have the largest variance

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::residue_expansion::middle_and_low_by_residues;
 use super::summed::SummedHarmonics;
-use crate::exact::products_are_fused;
+use crate::exact::Machine;
 use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_bits};
 
 /// What [`square_away`](super::square_away) says of the sums, which are `unit` times those of the radius: the parts
@@ -55,7 +55,7 @@ pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<Bin
 /// steps that are quadratic in the bits of a coefficient catch up.
 fn residues_are_faster(sums: &SummedHarmonics) -> bool {
     let harmonics = sums.harmonics;
-    products_are_fused()
+    Machine::this().has_fused_products()
         && (75..100_000).contains(&harmonics)
         && sums.bits / 6 <= harmonics as u64 - 75
 }

@@ -3,12 +3,14 @@
 use std::ops::Range;
 
 use malachite::Integer;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use super::summed::SummedHarmonics;
+use crate::error::broken;
+use crate::exact::Machine;
 use crate::poly::{
     Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet,
-    minus, plus,
+    minus, plus, value_of_form, value_of_integers, value_of_rho,
 };
 
 /// `ρ^⌊N/2+1⌋ · odd` and the low part, f(1, t); the odd sum is given.
@@ -30,11 +32,12 @@ pub(super) fn middle_and_low_by_residues(
         bits: 2 * sums.bits + 1,
     };
     let quartets = Quartet::enough_for(low.largest());
-    let lifting = Lifting::new(&quartets);
+    let machine = Machine::this();
+    let lifting = Lifting::new(machine, &quartets);
     let sizes = [middle, low].map(|size| Sizes::new(size.len(), |range| size.largest_of(range)));
     let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
         let [middle, low] = sizes.each_ref().map(|sizes| lifting.asked(sizes, k));
-        Arch::new().dispatch(Parts {
+        machine.dispatch(Parts {
             sums,
             odd,
             workspace,
@@ -45,8 +48,29 @@ pub(super) fn middle_and_low_by_residues(
     });
     let (middle, low): (Vec<_>, Vec<_>) = residues.into_iter().unzip();
     let [for_middle, for_low] = sizes;
-    let middle = lifting.integers(&for_middle, middle);
-    [middle, lifting.integers(&for_low, low)]
+    let parts = [(for_middle, middle), (for_low, low)];
+    let parts = parts.map(|(sizes, residues)| lifting.integers(&sizes, residues));
+    check_values(sums, odd, &parts);
+    parts
+}
+
+/// Stops if a part has not the value that it should have, at one more point modulo one more prime.
+fn check_values(sums: &SummedHarmonics, odd: &FlatPolynomial, [middle, low]: &[Vec<Integer>; 2]) {
+    let (odd, even, rho) = (
+        value_of_form(odd),
+        value_of_form(&sums.even),
+        value_of_rho(),
+    );
+    let squares = [odd, even].map(|value| value.times(value));
+    let expected = if sums.harmonics.is_multiple_of(2) {
+        squares[0].times(rho).minus(squares[1])
+    } else {
+        squares[0].minus(squares[1].times(rho))
+    };
+    let of_middle = odd.times(rho.power(sums.rho_power()));
+    if value_of_integers(middle) != of_middle || value_of_integers(low) != expected {
+        broken("the parts of Theorem 2 have their values modulo one more prime");
+    }
 }
 
 /// What is computed for four primes.

@@ -10,7 +10,7 @@ use super::name::{Name, PARAMETERS};
 use super::quotient::{ParameterUse, Quotient, Quotients};
 use super::source::Span;
 use super::syntax::{Equation, Expr, ExprKind};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::{Integer, Rational};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
@@ -227,7 +227,7 @@ fn common_step(step: Option<Rational>, slope: &Rational) -> Rational {
     let (b, d) = (step.denominator(), slope.denominator());
     let (ad, cb) = (step.numerator() * &d, slope.numerator() * &b);
     let gcd = Integer::from(ad.unsigned_abs_ref().gcd(cb.unsigned_abs_ref()));
-    Rational::new(gcd, b * d).unwrap_or(step)
+    Rational::new(gcd, b * d).invariant("a denominator is not 0")
 }
 
 /// A quotient that has only one variable.

@@ -5,7 +5,7 @@ use super::name::Name;
 use super::number::{Numbers, literal};
 use super::source::{Source, Span};
 use super::syntax::{Expr, ExprKind};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 
 /// What an evaluation needs besides the ring.
@@ -105,7 +105,10 @@ pub(super) fn evaluate<A: Algebra>(
             _ => {
                 let at = arguments.get(1).map_or(expr.span, |a| a.span);
                 let function = cx.source.slice(expr.span);
-                let function = function.split('(').next().unwrap_or("").trim_end();
+                let function = function
+                    .split_once('(')
+                    .map_or(function, |(name, _)| name)
+                    .trim_end();
                 let message = format!("{function} has one argument");
                 Err(cx.source.error(at, message))
             }
@@ -170,7 +173,8 @@ fn power<A: Algebra>(
         let limit = format!("an exponent beyond {MAX_DEGREE}");
         return Err(cx.source.limit(exponent.span, limit));
     }
-    let magnitude = u32::try_from(&n.abs().numerator()).unwrap_or(MAX_DEGREE);
+    let magnitude =
+        u32::try_from(&n.abs().numerator()).invariant("the exponent is within the limit");
     let negative = n.signum() < 0;
     if let Some(base_value) = A::to_constant(&value) {
         let bits = base_value.bits().saturating_mul(u64::from(magnitude));

@@ -12,7 +12,7 @@ use malachite::base::polynomial::Polynomial as _;
 use super::evaluate::Context;
 use super::limits::{MAX_DEGREE, MAX_TERMS};
 use super::source::Span;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::{Integer, Rational};
 use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial, total_degree};
 
@@ -221,8 +221,11 @@ impl Packing {
     /// The most terms that the answer, of the given degree, can have.
     fn terms(&self, degree: u64) -> u64 {
         // C(degree + v, v) in v free variables.
-        let free = usize::try_from(self.variables).unwrap_or(3);
-        let dense = multisets(free + 1, u32::try_from(degree).unwrap_or(u32::MAX));
+        let free = usize::try_from(self.variables).invariant("there are at most three variables");
+        let dense = multisets(
+            free + 1,
+            u32::try_from(degree).invariant("the degree is within the limit"),
+        );
         dense.min(self.length)
     }
 
@@ -247,7 +250,7 @@ impl Packing {
             let index = (0..3)
                 .map(|i| u64::from(e[i]) * self.strides[i])
                 .sum::<u64>();
-            let index = usize::try_from(index).unwrap_or(usize::MAX);
+            let index = usize::try_from(index).invariant("a packed polynomial fits in memory");
             if coefficients.len() <= index {
                 coefficients.resize(index + 1, Integer::ZERO);
             }
@@ -260,7 +263,9 @@ impl Packing {
     }
 
     fn unpack(&self, packed: &IntegerPolynomial, denominator: &Integer) -> Polynomial {
-        let inverse = Rational::from(denominator).recip().unwrap_or_default();
+        let inverse = Rational::from(denominator)
+            .recip()
+            .invariant("a denominator is not 0");
         let coefficients = packed.coefficients_asc().iter().enumerate();
         Polynomial::from_terms(
             coefficients
@@ -274,12 +279,13 @@ impl Packing {
         let mut rest = index;
         // The largest stride first.
         for i in (0..3).rev().filter(|&i| self.strides[i] > 0) {
-            exponents[i] = u32::try_from(rest / self.strides[i]).unwrap_or(u32::MAX);
+            exponents[i] =
+                u32::try_from(rest / self.strides[i]).invariant("exponents are below 2^32");
             rest %= self.strides[i];
         }
         if let (Some(degree), Some(i)) = (self.homogeneous, self.omitted) {
             let left = degree.saturating_sub(total_degree(&exponents));
-            exponents[i] = u32::try_from(left).unwrap_or(u32::MAX);
+            exponents[i] = u32::try_from(left).invariant("exponents are below 2^32");
         }
         exponents
     }

@@ -14,7 +14,7 @@ use super::polynomial::Implicit;
 use super::radius::Radius;
 use super::source::Span;
 use super::syntax::{Equation, Expr};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::{Integer, Rational};
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
@@ -26,7 +26,7 @@ pub(super) fn form(
     center: Option<(Span, [Rational; 2])>,
 ) -> Result<Form> {
     let Some(equation) = equations.first() else {
-        let end = u32::try_from(cx.source.text.len()).unwrap_or(u32::MAX);
+        let end = u32::try_from(cx.source.text.len()).invariant("a text is shorter than 4 GiB");
         let at = Span { start: end, end };
         return Err(cx
             .source
@@ -189,7 +189,7 @@ fn plane(polynomial: &SparsePolynomial<3>, source_name: &str) -> Result<PlanePol
     let mut length = 0;
     // Terms come by degree, and within a degree by ascending powers of y.
     for (e, c) in polynomial.terms() {
-        let degree = usize::try_from(total_degree(e)).unwrap_or(usize::MAX);
+        let degree = usize::try_from(total_degree(e)).invariant("a degree fits in a word");
         let y = e[1] as usize;
         let mut row = match part.take() {
             Some((d, row)) if d == degree => row,

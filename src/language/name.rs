@@ -1,6 +1,7 @@
 //! The names of the language, and how a run of letters falls into them.
 
 use super::source::Span;
+use crate::error::Invariant;
 
 /// A name with a meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,9 +68,10 @@ impl Name {
         }
     }
 
-    /// The place among the [`PARAMETERS`]; 0 for other names.
+    /// The place of a parameter among the [`PARAMETERS`].
     pub(super) fn parameter_index(self) -> usize {
-        PARAMETERS.iter().position(|&p| p == self).unwrap_or(0)
+        let place = PARAMETERS.iter().position(|&p| p == self);
+        place.invariant("the name is that of a parameter")
     }
 }
 

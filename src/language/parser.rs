@@ -2,10 +2,10 @@
 
 use super::limits::MAX_NESTING;
 use super::name::Name;
-use super::source::{Source, Span};
+use super::source::Source;
 use super::syntax::{Equation, Expr, ExprKind, Occurrences};
 use super::token::{Kind, SUPERSCRIPTS, Token};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 
 // How tightly each operator binds its left and its right side.
 const SUM: (u8, u8) = (1, 2);
@@ -40,12 +40,11 @@ struct Parser<'a> {
 impl Parser<'_> {
     /// The next token; the last one, [`Kind::End`], is never passed.
     fn peek(&self) -> Token {
-        let end = Token {
-            kind: Kind::End,
-            span: Span { start: 0, end: 0 },
-        };
-        let last = self.tokens.last().copied().unwrap_or(end);
-        self.tokens.get(self.next).copied().unwrap_or(last)
+        let last = self
+            .tokens
+            .last()
+            .invariant("the tokens end with the end of the text");
+        *self.tokens.get(self.next).unwrap_or(last)
     }
 
     fn advance(&mut self) -> Token {
@@ -292,8 +291,8 @@ impl Parser<'_> {
         let token = self.advance();
         let digits = self.source.slice(token.span).chars();
         let value = digits.fold(0_u32, |value, c| {
-            let digit = SUPERSCRIPTS.iter().position(|&s| s == c).unwrap_or(0);
-            let digit = u32::try_from(digit).unwrap_or(0);
+            let digit = (0..).zip(SUPERSCRIPTS).find(|&(_, s)| s == c);
+            let (digit, _) = digit.invariant("a superscript is a digit");
             value.saturating_mul(10).saturating_add(digit)
         });
         self.no_second_exponent()?;

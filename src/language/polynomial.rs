@@ -7,7 +7,7 @@ use super::name::Name;
 use super::radius::{not_a_series, not_rational};
 use super::source::Span;
 use super::syntax::Expr;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{SparsePolynomial, total_degree};
 
@@ -135,7 +135,9 @@ impl Algebra for Implicit {
                 if bits > u64::from(exponent) {
                     cx.budget.spend_bits(bits, cx.source, at)?;
                 }
-                let power = c.pow(i64::from(exponent)).unwrap_or_default();
+                let power = c
+                    .pow(i64::from(exponent))
+                    .invariant("a power with a natural exponent exists");
                 Ok(Value::Term(e.map(|k| k * exponent), power))
             }
             Value::Sum(f) => expand::power(cx, &f, exponent, at).map(Value::Sum),

@@ -6,7 +6,7 @@ use super::limits::MAX_HARMONIC;
 use super::name::Name;
 use super::source::Span;
 use super::syntax::Expr;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{Ring, TrigPolynomial};
 
@@ -15,7 +15,10 @@ pub(super) struct Radius;
 
 /// Why tan and so on are refused in a radius and in a polynomial; `call` is the text of the call.
 pub(super) fn not_a_series(call: &str) -> String {
-    let function = call.split('(').next().unwrap_or("").trim_end();
+    let function = call
+        .split_once('(')
+        .map_or(call, |(name, _)| name)
+        .trim_end();
     format!(
         "unknown function `{function}`: it is not a finite Fourier series and not a polynomial; \
          cos and sin of integer multiples of the angle are understood"
@@ -78,7 +81,7 @@ impl Algebra for Radius {
             let limit = format!("a harmonic beyond {MAX_HARMONIC}");
             return Err(cx.source.limit(argument.span, limit));
         }
-        let n = i32::try_from(&slope.numerator()).unwrap_or(0);
+        let n = i32::try_from(&slope.numerator()).invariant("the harmonic is within the limit");
         // sin a = cos(a − π/2)
         let quarters = if name == Name::Cos {
             quarters

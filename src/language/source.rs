@@ -1,6 +1,6 @@
 //! The text being read, and how errors point into it.
 
-use crate::error::Error;
+use crate::error::{Error, Invariant};
 
 /// The longest piece of the input that a message repeats.
 pub(super) const MAX_SHOWN: usize = 30;
@@ -33,7 +33,7 @@ impl<'a> Source<'a> {
     pub(super) fn slice(&self, span: Span) -> &'a str {
         self.text
             .get(span.start as usize..span.end as usize)
-            .unwrap_or("")
+            .invariant("a span lies within its text")
     }
 
     /// The text of `span`, cut if it is long, between backquotes.
@@ -58,9 +58,11 @@ impl<'a> Source<'a> {
 
     /// A limit that was reached at `span`.
     pub(super) fn limit(&self, span: Span, limit: impl std::fmt::Display) -> Error {
-        let before = self.text.get(..span.start as usize).unwrap_or("");
+        let before = self.text.get(..span.start as usize);
+        let before = before.invariant("a span lies within its text");
         let line = before.matches('\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
+        let last_line = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let column = before[last_line..].chars().count() + 1;
         Error::limit(format!("{}:{line}:{column}: {limit}", self.name))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::number::{Numbers, written_number};
 use super::source::{Source, Span};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 
@@ -58,7 +58,7 @@ pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Optio
         Some(first) if source.slice(first) == KEYWORD => {}
         _ => return Ok(None),
     }
-    let end = u32::try_from(source.text.len()).unwrap_or(u32::MAX);
+    let end = u32::try_from(source.text.len()).invariant("a text is shorter than 4 GiB");
     let end = Span { start: end, end };
     let dimension = words.next().unwrap_or(end);
     let kind = match source.slice(dimension) {
@@ -159,7 +159,7 @@ fn refuse_center(source: Source<'_>) -> Result<()> {
     let center = |at: &usize| source.text[at + 1..].trim_start().starts_with("center:");
     match comments.into_iter().find(center) {
         Some(at) => {
-            let at = u32::try_from(at).unwrap_or(u32::MAX);
+            let at = u32::try_from(at).invariant("a text is shorter than 4 GiB");
             let message = "a superquadric is about the origin, so it has no center";
             Err(source.error(Span { start: at, end: at }, message))
         }
@@ -219,7 +219,7 @@ impl Iterator for Words<'_> {
         };
         let start = self.at;
         self.at += length;
-        let position = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+        let position = |at: usize| u32::try_from(at).invariant("a text is shorter than 4 GiB");
         Some(Span {
             start: position(start),
             end: position(start + length),

@@ -8,7 +8,7 @@ use winnow::token::{any, one_of, take_till, take_while};
 
 use super::name::{Name, split_word};
 use super::source::{Source, Span};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 
 /// What a token is; its text is in its span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +67,12 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
         if comment {
             let mut line = take_till(0.., '\n');
             let text: winnow::Result<&str> = line.parse_next(&mut input);
-            read_comment(source, start, text.unwrap_or(""), &mut center)?;
+            read_comment(
+                source,
+                start,
+                text.invariant("a comment may be empty"),
+                &mut center,
+            )?;
             continue;
         }
         line_start = input.starts_with('\n');
@@ -106,7 +111,7 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
 
 /// Texts are shorter than 4 GiB: see [`super::limits::MAX_TEXT_BYTES`].
 fn position(input: &Input<'_>) -> u32 {
-    u32::try_from(input.current_token_start()).unwrap_or(u32::MAX)
+    u32::try_from(input.current_token_start()).invariant("a text is shorter than 4 GiB")
 }
 
 /// `# center: p/q, p/q` is the one comment with a meaning.
@@ -120,8 +125,8 @@ fn read_comment(
     let Some(value) = body.trim_start().strip_prefix("center:") else {
         return Ok(());
     };
-    let end = start + u32::try_from(comment.len()).unwrap_or(u32::MAX);
-    let length = u32::try_from(value.len()).unwrap_or(u32::MAX);
+    let end = start + u32::try_from(comment.len()).invariant("a text is shorter than 4 GiB");
+    let length = u32::try_from(value.len()).invariant("a text is shorter than 4 GiB");
     let span = Span {
         start: end - length,
         end,
@@ -137,7 +142,7 @@ fn word(input: &mut Input<'_>, tokens: &mut Vec<Token>) {
     let start = position(input);
     let letter = |c: char| c.is_alphabetic() || c == '√';
     let text: winnow::Result<&str> = take_while(1.., letter).parse_next(input);
-    match split_word(text.unwrap_or(""), start) {
+    match split_word(text.invariant("a word begins with a letter"), start) {
         Some(names) => tokens.extend(names.into_iter().map(|(name, span)| Token {
             kind: Kind::Name(name),
             span,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::formula::Formula;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 
@@ -64,7 +64,8 @@ impl Quotient {
     fn without_common_monomial(self) -> Self {
         let common: [u32; SYMBOLS] = std::array::from_fn(|i| {
             let terms = self.above.terms().chain(self.below.terms());
-            terms.map(|(e, _)| e[i]).min().unwrap_or(0)
+            let least = terms.map(|(e, _)| e[i]).min();
+            least.invariant("a denominator has a term")
         });
         if common == [0; SYMBOLS] {
             return self;
@@ -264,7 +265,7 @@ impl Meanings {
         for seed in 1..200_i64 {
             // Small numbers without pattern; the known squares leave no free choice for their symbols.
             let at: [Rational; SYMBOLS] = std::array::from_fn(|i| {
-                let step = i64::try_from(i).unwrap_or(0);
+                let step = i64::try_from(i).invariant("there are few symbols");
                 Rational::from((seed * (step + 2) * (step + 3) / 2 + step) % 7 + 1)
             });
             if !self.squares.is_empty() {

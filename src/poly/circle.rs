@@ -13,6 +13,7 @@ use super::BinaryForm;
 use super::flat::FlatPolynomial;
 use super::limbs::negate;
 use super::mobius::change_of_basis;
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// `2 Σ_m (a_m Re (x+iy)^m + b_m Im (x+iy)^m) (x²+y²)^((d−m)/2)`, a form of degree d = `degree`.
@@ -98,7 +99,7 @@ pub(crate) fn flat_form(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
 /// ```
 #[must_use]
 pub fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
-    let exponent = -i64::try_from(form.degree()).unwrap_or(i64::MAX);
+    let exponent = -i64::try_from(form.degree()).invariant("degrees are below 2^63");
     let over = |c| Rational::from_parts(c, exponent);
     let harmonics = scaled_harmonics(form).into_iter();
     harmonics.map(|(m, a, b)| (m, over(a), over(b))).collect()

@@ -1,8 +1,10 @@
 //! The implicit equation of x = p1/q1, y = p2/q2 by a resultant.
 
-use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::basic::traits::One;
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
+use malachite::{Integer, Natural};
 use rayon::prelude::*;
 
 use super::kernel::Reconstruction;
@@ -11,7 +13,7 @@ use super::modular::{
     previous_prime, reduce_integer,
 };
 use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, PrimeField, RationalFunction};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 
 /// Products of residues beyond which the work is refused: some ten seconds.
@@ -37,8 +39,8 @@ pub(crate) fn eliminate<T>(
     mut prove: impl FnMut(&PlanePolynomial) -> Result<Option<T>>,
 ) -> Result<T> {
     let (m, n) = (x.degree(), y.degree());
-    // Hadamard: n rows of the first polynomial, m of the second.
-    let bits = as_f64(n) * length_bits(x) + as_f64(m) * length_bits(y);
+    let lengths = [length(x), length(y)];
+    let bits = as_f64(n) * bits_of(&lengths[0]) + as_f64(m) * bits_of(&lengths[1]);
     let pairs = as_f64((m + 1) * (n + 1));
     let work = bits / 30.9 * pairs * pairs;
     if work > MAX_WORK {
@@ -46,30 +48,31 @@ pub(crate) fn eliminate<T>(
             "a resultant of degrees {n} and {m} with coefficients of up to {bits:.0} bits, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
         )));
     }
-    let mut combined: Option<Images> = None;
+    // Lemma 1 of resultant.rs: n rows of the first polynomial, m of the second.
+    let bound = (&lengths[0]).pow(n as u64) * (&lengths[1]).pow(m as u64);
+    let mut combined = Images::unknown((m + 1) * (n + 1));
     let mut monic = Reconstruction::new();
     let mut last = IntegerPolynomial::default();
     let mut pivot = None;
     let mut prime = ABOVE_PRIMES;
-    let mut known_bits = 0.0;
     let (mut primes, mut next_try) = (0, 2);
     loop {
         limits.check()?;
         prime = previous_prime(prime);
         let image = image([x, y], [m, n], prime);
-        let pivot = *pivot.get_or_insert_with(|| image.iter().rposition(|&c| c != 0).unwrap_or(0));
-        if image[pivot] != 0 {
+        if pivot.is_none() {
+            pivot = image.iter().rposition(|&c| c != 0);
+        }
+        if let Some(pivot) = pivot
+            && image[pivot] != 0
+        {
             let inverse = inverse_mod(image[pivot], prime);
             let scaled: Vec<u64> = image.iter().map(|c| c * inverse % prime).collect();
             monic.push(&scaled, prime);
         }
-        match &mut combined {
-            Some(images) => images.push(&image, prime),
-            None => combined = Some(Images::new(&image, prime)),
-        }
-        known_bits += as_f64(usize::try_from(prime).unwrap_or(2)).log2();
+        combined.push(&image, prime);
         primes += 1;
-        let complete = known_bits > bits + 2.0;
+        let complete = combined.determine(&bound);
         if primes < next_try && !complete {
             continue;
         }
@@ -81,7 +84,7 @@ pub(crate) fn eliminate<T>(
                 return Ok(result);
             }
         }
-        let found = combined.as_ref().map(Images::balanced).unwrap_or_default();
+        let found = combined.balanced();
         if (complete || found == last)
             && let Some(result) = prove(&polynomial(&found, m))?
         {
@@ -89,11 +92,10 @@ pub(crate) fn eliminate<T>(
         }
         last = found;
         if complete {
-            return Err(Error::Hypothesis {
-                statement: "implicitization by a resultant",
-                witness: "the resultant does not pass its own proof; please report the input"
-                    .into(),
-            });
+            return Err(Error::internal(
+                "implicitization by a resultant",
+                "the resultant does not pass its own proof",
+            ));
         }
     }
 }
@@ -184,7 +186,11 @@ fn in_traces([p, q]: &[Vec<u64>; 2], g: &[u64], inverses: &[u64], prime: u64) ->
     for i in 1..n {
         let mut next = vec![0];
         next.extend_from_slice(&shifted[i - 1]);
-        let minus = (prime - next.pop().unwrap_or(0)) % prime;
+        let minus = (prime
+            - next
+                .pop()
+                .invariant("a shifted remainder has a top coefficient"))
+            % prime;
         for (c, d) in next.iter_mut().zip(&g) {
             *c = (*c + minus * d) % prime;
         }
@@ -245,16 +251,20 @@ pub(crate) fn resultant_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> u64 {
     value * power_mod(g[0], f.len() as u64 - 1, p) % p
 }
 
-/// log₂ of the sum of the absolute values of all coefficients, about.
-fn length_bits(f: &RationalFunction) -> f64 {
-    use malachite::base::num::logic::traits::SignificantBits;
+/// The sum of the absolute values of all coefficients.
+fn length(f: &RationalFunction) -> Natural {
     let coefficients = [f.numerator(), f.denominator()];
-    let sum = coefficients
+    coefficients
         .iter()
         .flat_map(|p| p.coefficients_asc())
         .map(|c| c.unsigned_abs_ref())
-        .sum::<malachite::Natural>();
-    as_f64(usize::try_from(sum.significant_bits()).unwrap_or(usize::MAX))
+        .sum()
+}
+
+/// The length in bits of a norm, for estimates of the work.
+pub(super) fn bits_of(norm: &Natural) -> f64 {
+    let bits = usize::try_from(norm.significant_bits());
+    as_f64(bits.invariant("a number fits in memory"))
 }
 
 #[expect(clippy::cast_precision_loss, reason = "sizes are far below 2^53")]

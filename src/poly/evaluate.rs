@@ -39,7 +39,10 @@ pub fn sign_at(f: &IntegerPolynomial, point: &Dyadic) -> i8 {
     integer_sign(&leading_value(f, point, 1).0)
 }
 
-/// (m, e) with `f(point) ≈ m · 2^e` up to a factor of 1 ± 2^−`bits`, exactly where that is not much dearer.
+/// (m, e) with |f(point) − m · 2^e| ≤ 2^−`bits` |m · 2^e|, exactly where that is not much dearer.
+///
+/// With Lemma 1 of [`fixed_point_value`]: the error is less than d < 2^error_bits units, and m is at least 2^(error_bits + bits).
+/// Law: `values_smaller_than_their_error_are_not_believed`.
 ///
 /// The exact value at a point of b bits takes d²b/2 steps. If it is not tiny its leading bits come from fixed-point numbers, in d
 /// products of their length: 128 bits, then four times as many …
@@ -50,20 +53,25 @@ pub(crate) fn leading_value(f: &IntegerPolynomial, point: &Dyadic, bits: u64) ->
         let mut fraction = 128.max(2 * bits);
         while 4 * fraction < exact_bits {
             let value = fixed_point_value(f, point, fraction);
-            // It is wrong by less than d units.
+            // Less than d units too small, d < 2^error_bits.
             let error_bits = u64::from(degree.checked_ilog2().unwrap_or(0)) + 1;
             if value.significant_bits() > error_bits + bits {
-                let exponent = i64::try_from(fraction).map_or(i64::MIN, |e| -e);
+                let exponent = -fraction.cast_signed();
                 return (value, exponent);
             }
             fraction *= 4;
         }
     }
-    let exponent = i64::try_from(exact_bits).map_or(i64::MIN, |e| -e);
+    let exponent = -exact_bits.cast_signed();
     (numerator_at(f, point), exponent)
 }
 
-/// 2^`fraction` f(point), rounded down at every step of Horner's rule: for |point| < 1 less than d too small.
+/// 2^`fraction` f(point), rounded down at every step of Horner's rule.
+///
+/// Lemma 1. For |point| < 1 it is less than d units away from the exact value, d ≥ 1 the degree.
+/// Proof. Each of the d products with the point is rounded down by less than 1; what was wrong before is multiplied by the
+/// point and gets smaller.
+/// Law: `fixed_point_values_are_less_than_the_degree_away`.
 fn fixed_point_value(f: &IntegerPolynomial, point: &Dyadic, fraction: u64) -> Integer {
     let mut value = Integer::ZERO;
     for c in f.coefficients_asc().iter().rev() {
@@ -109,6 +117,51 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        /// Points next to ±1 keep what was rounded off, where every coefficient asks for rounding.
+        #[test]
+        fn fixed_point_values_are_less_than_the_degree_away(
+            c in prop::collection::vec(1_i64 << 40..i64::MAX, 2..60), bits in 2_u64..200, negative in any::<bool>(), fraction in 1_u64..80,
+        ) {
+            let f = IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());
+            let size = (Integer::ONE << bits) - Integer::ONE;
+            let point = Dyadic::new(if negative { -size } else { size }, -bits.cast_signed());
+            let degree = f.coefficients_asc().len().saturating_sub(1) as u64;
+            prop_assume!(degree > 0);
+            let exact = numerator_at(&f, &point) << fraction;
+            let scale = bits * degree;
+            let error = (exact - (fixed_point_value(&f, &point, fraction) << scale)).abs();
+            prop_assert!(error < Integer::from(degree) << scale);
+            // And not much less: all of them add up.
+            if !negative && bits > 20 {
+                prop_assert!(error << 3_u64 >= Integer::from(degree - 1) << scale || degree < 20);
+            }
+        }
+
+        /// (1 − x) g at 1 − 2^-k, where g is small at 1: some units of the fixed-point numbers, and as many are rounded off.
+        #[test]
+        fn values_smaller_than_their_error_are_not_believed(
+            g in prop::collection::vec(-1_i64..2, 5..60), k in prop_oneof![118_u64..130, 500_u64..514], bits in 1_u64..4, negative in any::<bool>(),
+        ) {
+            let polynomial = |c: Vec<i64>| IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());
+            let size = (Integer::ONE << k) - Integer::ONE;
+            let (f, point) = if negative {
+                // The same at −x.
+                let g = g.iter().enumerate().map(|(i, c)| if i % 2 == 1 { -c } else { *c });
+                (polynomial(vec![1, 1]) * polynomial(g.collect()), Dyadic::new(-size, -k.cast_signed()))
+            } else {
+                (polynomial(vec![1, -1]) * polynomial(g), Dyadic::new(size, -k.cast_signed()))
+            };
+            let exact = numerator_at(&f, &point);
+            prop_assert_eq!(sign_at(&f, &point), integer_sign(&exact));
+            let degree = f.coefficients_asc().len().saturating_sub(1) as i64;
+            let exact = Dyadic::new(exact, point.exponent() * degree);
+            let (m, e) = leading_value(&f, &point, bits);
+            let error = Dyadic::new(m.clone(), e).minus(&exact);
+            // To so many bits of what is returned.
+            let size = Dyadic::new(m.abs(), e - bits.cast_signed());
+            prop_assert!(Dyadic::new(error.mantissa().abs(), error.exponent()) <= size);
+        }
+
         /// Signs and leading bits are those of the exact value, near roots, too.
         #[test]
         fn leading_bits_are_right(

@@ -7,6 +7,7 @@ use malachite::base::polynomial::{MulPowerOfX, Polynomial};
 
 use super::binomials::binomials;
 use super::{IntegerPolynomial, Ring};
+use crate::error::Invariant;
 
 /// A homogeneous polynomial `f(x, y) = Σ_k f_k x^(d−k) y^k` with integer coefficients.
 ///
@@ -46,7 +47,7 @@ impl BinaryForm {
     #[must_use]
     pub fn from_dehomogenized(degree: usize, in_t: IntegerPolynomial) -> Self {
         assert!(
-            in_t.coefficients_asc().len() <= degree + 1,
+            in_t.coefficients_asc().len().saturating_sub(1) <= degree,
             "the degree is too small"
         );
         Self { degree, in_t }
@@ -140,7 +141,7 @@ impl BinaryForm {
     #[must_use]
     pub fn times_rho(&self) -> Self {
         Self {
-            degree: self.degree + 2,
+            degree: sum_of_degrees(self.degree, 2),
             in_t: &self.in_t + (&self.in_t).mul_power_of_x(2),
         }
     }
@@ -218,6 +219,12 @@ impl BinaryForm {
     }
 }
 
+/// The degree of a product. The zero form has any degree, so it is not bounded by what fits in memory.
+fn sum_of_degrees(a: usize, b: usize) -> usize {
+    a.checked_add(b)
+        .invariant("the degree of a product fits in a word")
+}
+
 impl Ring for BinaryForm {
     fn plus(&self, other: &Self) -> Self {
         self.assert_same_degree(other);
@@ -235,17 +242,44 @@ impl Ring for BinaryForm {
         }
     }
 
+    /// # Panics
+    /// If the degree of the product does not fit in a `usize`: only zero forms have such degrees.
     fn times(&self, other: &Self) -> Self {
         Self {
-            degree: self.degree + other.degree,
+            degree: sum_of_degrees(self.degree, other.degree),
             in_t: &self.in_t * &other.in_t,
         }
     }
 
     fn squared(&self) -> Self {
         Self {
-            degree: 2 * self.degree,
+            degree: sum_of_degrees(self.degree, self.degree),
             in_t: (&self.in_t).square(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_of_degrees_that_fit_has_their_sum() {
+        let zero = BinaryForm::zero(usize::MAX - 5).times(&BinaryForm::zero(5));
+        assert_eq!(zero.degree(), usize::MAX);
+        let constant = BinaryForm::from_dehomogenized(usize::MAX, IntegerPolynomial::one());
+        assert_eq!(constant.degree(), usize::MAX);
+    }
+
+    #[test]
+    #[should_panic(expected = "the degree of a product fits in a word")]
+    fn a_product_of_a_larger_degree_stops() {
+        let _ = BinaryForm::zero(usize::MAX).times(&BinaryForm::zero(1));
+    }
+
+    #[test]
+    #[should_panic(expected = "the degree of a product fits in a word")]
+    fn a_square_of_a_larger_degree_stops() {
+        let _ = BinaryForm::zero(usize::MAX / 2 + 1).squared();
     }
 }

@@ -1,10 +1,20 @@
 //! How large the coefficients of a form can be, whose coefficients in another basis are known to be small.
+//!
+//! Lemma 1. Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` with Σ |g_j| < 2^b is below 2 to the power b + d − ⌊⌊log₂ d⌋/2⌋, d ≥ 1.
+//! Proof. The k-th coefficient of (1+T)^j (1−T)^(d−j) is at most C(d, k) ≤ C(d, ⌊d/2⌋), as absolute values are those of (1+T)^d at most. And
+//! C(2m, m) ≤ 4^m/√(2m), C(2m + 1, m) = C(2m + 2, m + 1)/2 ≤ 2^(2m + 1)/√(2m + 2): at most 2^d/√d ≤ 2^(d − ⌊log₂ d⌋/2).
+//! Law: `binomials_have_the_bits_that_are_said`, where the bound is reached within two bits.
+//!
+//! Lemma 2. The k-th coefficient of a polynomial f with coefficients that are not negative is at most f(t)/t^k for every t > 0, and
+//! log f(t)/t^k is a linear function of k, so that the larger one of its values at the ends of a range bounds all between.
+//! Proof. All terms of f(t) are non-negative, and c_k t^k is one of them.
+//! Law: `no_coefficient_is_larger_than_is_said`, with the coefficients that are as large as they can be.
 
+use crate::error::Invariant;
 use std::ops::Range;
 
-/// Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` is at most C(d, k) Σ |g_j|: below 2 to this power, if Σ |g_j| < 2^`bits`.
+/// Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` is below 2 to this power, if Σ |g_j| < 2^`bits`. Lemma 1.
 pub(crate) fn form_bits(degree: usize, bits: u64) -> u64 {
-    // C(2m, m) < 4^m / √(3m), and the largest of the row before is half of it.
     let degree = degree as u64;
     bits + degree - u64::from(degree.max(1).ilog2()) / 2
 }
@@ -29,18 +39,17 @@ impl FormSize {
         form_bits(self.degree, self.bits) + self.power as u64
     }
 
-    /// Those in this range are below 2 to this power: the k-th of positive ones is at most the value at any t > 0 divided
-    /// by t^k.
+    /// Those in this range are below 2 to this power. Lemma 2, with absolute values of coefficients for the coefficients.
     pub(crate) fn largest_of(self, range: Range<usize>) -> u64 {
         // Degrees are small.
-        let float = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+        let float = |n: usize| f64::from(u32::try_from(n).invariant("degrees are below 2^32"));
         let middle = float(range.start + range.end) / 2.0;
         // Where the k-th term of (1 + t)^(len − 1) is the largest.
         let t = middle / (float(self.len()) - middle);
         let value = float(self.power) * (t * t).ln_1p() + float(self.degree) * t.ln_1p();
         let bits = |k: usize| (value - float(k) * t.ln()) / std::f64::consts::LN_2;
         let bits = bits(range.start).max(bits(range.end - 1));
-        // One more is far more than the errors of the logarithms.
+        // One more is far more than the errors of the logarithms: some 2^-50 of numbers that are below 2^33.
         (whole(bits) + 1 + self.bits).min(self.largest())
     }
 }
@@ -67,10 +76,10 @@ mod tests {
     #[test]
     fn binomials_have_the_bits_that_are_said() {
         for n in 0..300 {
-            assert!(
-                binomials(n)[n / 2] <= Integer::from(1) << form_bits(n, 0),
-                "{n}"
-            );
+            let largest = &binomials(n)[n / 2];
+            let bits = form_bits(n, 0);
+            assert!(*largest <= Integer::from(1) << bits, "{n}");
+            assert!(largest << 2u64 >= Integer::from(1) << bits, "{n}");
         }
     }
 

@@ -8,6 +8,7 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
 use super::{IntegerPolynomial, Ring, divide_exactly, polynomial_gcd};
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// numerator / denominator: coprime polynomials whose coefficients have no common factor either, the
@@ -116,8 +117,7 @@ impl RationalFunction {
         let numerator = times(&self.numerator, constant.denominator())
             + times(&self.denominator, constant.numerator());
         let denominator = times(&self.denominator, constant.denominator());
-        // The denominator is not 0.
-        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+        Self::new(numerator, denominator).invariant("a denominator is not 0")
     }
 
     /// Whether it is a polynomial with integer coefficients.
@@ -145,20 +145,19 @@ impl Ring for RationalFunction {
     fn plus(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.denominator + &other.numerator * &self.denominator;
         let denominator = &self.denominator * &other.denominator;
-        // No denominator is 0.
-        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+        Self::new(numerator, denominator).invariant("no denominator is 0")
     }
 
     fn minus(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.denominator - &other.numerator * &self.denominator;
         let denominator = &self.denominator * &other.denominator;
-        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+        Self::new(numerator, denominator).invariant("no denominator is 0")
     }
 
     fn times(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.numerator;
         let denominator = &self.denominator * &other.denominator;
-        Self::new(numerator, denominator).unwrap_or_else(|| self.clone())
+        Self::new(numerator, denominator).invariant("no denominator is 0")
     }
 }
 

@@ -7,6 +7,7 @@ use malachite::base::polynomial::{Derivative, Polynomial};
 
 use super::IntegerPolynomial;
 use super::modular::{Images, gcd_mod, mul_mod, previous_prime, reduce_integer};
+use crate::error::Invariant;
 
 /// The first prime tried; the others are found below it.
 const FIRST_PRIME: u64 = (1 << 61) - 1;
@@ -20,8 +21,14 @@ pub fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
 /// The greatest common divisor of the primitive parts: primitive, with positive leading
 /// coefficient; 1 if the two are coprime.
 ///
-/// Modular: gcds modulo 61-bit primes, Chinese remainders, and a proof by exact division. Coprime
-/// inputs cost one modular gcd, O(d²).
+/// gcd(f, 0) is the primitive part of f, and gcd(0, 0) is 0.
+///
+/// Method: images modulo 61-bit primes are combined until one more prime changes nothing. Exact division of f and g then proves
+/// the candidate.
+///
+/// Cost, for degrees ≤ d and coefficients of ≤ b bits: O(d² + d·b) word operations for each prime. Coprime inputs take one
+/// prime, barring unlucky ones; others about one more than the leading coefficient times the gcd has words, and two exact
+/// divisions.
 ///
 /// ```
 /// use std::str::FromStr;
@@ -29,6 +36,9 @@ pub fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
 /// let f = IntegerPolynomial::from_str("x^2-1").unwrap();
 /// let g = IntegerPolynomial::from_str("2*x^2+4*x+2").unwrap();
 /// assert_eq!(polynomial_gcd(&f, &g).to_string(), "x+1");
+/// let zero = IntegerPolynomial::default();
+/// assert_eq!(polynomial_gcd(&g, &zero).to_string(), "x^2+2*x+1");
+/// assert_eq!(polynomial_gcd(&zero, &zero), zero);
 /// ```
 #[must_use]
 pub fn polynomial_gcd(f: &IntegerPolynomial, g: &IntegerPolynomial) -> IntegerPolynomial {
@@ -137,9 +147,9 @@ pub fn squarefree_decomposition(f: &IntegerPolynomial) -> Vec<(usize, IntegerPol
     if repeated.coefficients_asc().len() <= 1 {
         return vec![(1, f)];
     }
-    // A gcd of primitive polynomials divides both, so the default never comes to pass.
-    let exact =
-        |a: &IntegerPolynomial, b: &IntegerPolynomial| divide_exactly(a, b).unwrap_or_default();
+    let exact = |a: &IntegerPolynomial, b: &IntegerPolynomial| {
+        divide_exactly(a, b).invariant("a gcd of primitive polynomials divides both")
+    };
     let mut parts = Vec::new();
     let mut w = exact(&f, &repeated);
     let mut y = exact(&derivative, &repeated);
@@ -186,6 +196,60 @@ mod tests {
         prop::collection::vec(-50i64..50, 1..7).prop_map(|c| {
             IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect())
         })
+    }
+
+    /// Coefficients of up to 700 bits: runs of equal bits, powers of two and their neighbours, primes that are used and multiples of
+    /// them, so that they are unlucky, and any.
+    fn long_polynomial(terms: std::ops::Range<usize>) -> impl Strategy<Value = IntegerPolynomial> {
+        let limb = prop_oneof![Just(0), Just(u64::MAX), any::<u64>()];
+        let runs = prop::collection::vec(limb, 0..12)
+            .prop_map(|limbs| Integer::from(malachite::Natural::from_owned_limbs_asc(limbs)));
+        let power = (0_u64..700, -1_i64..2)
+            .prop_map(|(k, more)| (Integer::from(1) << k) + Integer::from(more));
+        let unlucky = (0_u64..3, 1_i64..4).prop_map(|(k, c)| {
+            let primes = (0..k).fold(FIRST_PRIME, |p, _| previous_prime(p));
+            Integer::from(primes) * Integer::from(c)
+        });
+        let size = prop_oneof![runs, power, unlucky, (0_i64..50).prop_map(Integer::from)];
+        let signed = (size, any::<bool>()).prop_map(|(c, negative)| if negative { -c } else { c });
+        prop::collection::vec(signed, terms).prop_map(IntegerPolynomial::from_coefficients_asc)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(128))]
+        /// The primitive part of h, times what the cofactors have in common, which is the gcd of these.
+        #[test]
+        fn the_gcd_of_multiples_is_the_multiple_of_the_gcd(
+            f in long_polynomial(1..7), g in long_polynomial(1..7), h in long_polynomial(1..6),
+        ) {
+            let found = polynomial_gcd(&(&f * &h), &(&g * &h));
+            prop_assert_eq!(found, primitive_part(&(polynomial_gcd(&f, &g) * h)));
+        }
+
+        /// Inputs built backwards: linear factors with long roots, of which it is known which are common.
+        #[test]
+        fn common_linear_factors_are_found(
+            roots in prop::collection::btree_map(0_i64..400, (0_usize..3, 0_usize..3), 1..6), bits in 0_u64..500,
+        ) {
+            // Coprime in pairs: roots are consecutive numbers of so many bits, over 1.
+            let linear = |root: &i64| {
+                let c = (Integer::from(1) << bits) + Integer::from(*root);
+                IntegerPolynomial::from_coefficients_asc(vec![-c, Integer::from(1)])
+            };
+            let product = |exponent: &dyn Fn((usize, usize)) -> usize| {
+                roots.iter().fold(IntegerPolynomial::one(), |product, (root, both)| {
+                    (0..exponent(*both)).fold(product, |product, _| product * linear(root))
+                })
+            };
+            let (f, g) = (product(&|(a, _)| a), product(&|(_, b)| b));
+            prop_assert_eq!(polynomial_gcd(&f, &g), product(&|(a, b)| a.min(b)));
+            let parts = squarefree_decomposition(&f);
+            for m in 1..3 {
+                let expected = product(&|(a, _)| usize::from(a == m));
+                let found = parts.iter().find(|(k, _)| *k == m).map_or_else(IntegerPolynomial::one, |(_, part)| part.clone());
+                prop_assert_eq!(found, expected);
+            }
+        }
     }
 
     proptest! {

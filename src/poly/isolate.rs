@@ -18,6 +18,7 @@ use super::evaluate::integer_sign as sign;
 use super::pair::separate;
 use super::shift::negate_odd;
 use super::{IntegerPolynomial, divide_exactly, shift_by_one, sign_at};
+use crate::error::Invariant;
 use crate::exact::Dyadic;
 
 /// Bits carried beyond the degree at the first attempt.
@@ -77,7 +78,7 @@ pub(crate) fn isolate(f: &IntegerPolynomial) -> Isolated {
 fn without_root(f: &IntegerPolynomial, root: &Dyadic) -> IntegerPolynomial {
     let q = root.to_rational();
     let factor = IntegerPolynomial::from_coefficients_asc(vec![-q.numerator(), q.denominator()]);
-    divide_exactly(f, &factor).unwrap_or_default()
+    divide_exactly(f, &factor).invariant("the factor of an exact root divides the polynomial")
 }
 
 /// Intervals of the positive roots, or a root that is a dyadic number.
@@ -110,7 +111,7 @@ fn positive_roots(f: &[Integer]) -> Result<Vec<(Dyadic, Dyadic)>, Dyadic> {
 /// An e with all positive roots of f below 2^e (Kioustelidis: twice the largest
 /// (|c_i| / c_n)^(1/(n−i)) over the coefficients of the other sign).
 fn root_bound_exponent(f: &[Integer]) -> i64 {
-    let bits = |c: &Integer| i64::try_from(c.significant_bits()).unwrap_or(i64::MAX);
+    let bits = |c: &Integer| c.significant_bits().cast_signed();
     let n = f.len() - 1;
     let lead = &f[n];
     f[..n]
@@ -118,14 +119,14 @@ fn root_bound_exponent(f: &[Integer]) -> i64 {
         .enumerate()
         .filter(|(_, c)| sign(c) == -sign(lead))
         .map(|(i, c)| {
-            let gap = i64::try_from(n - i).unwrap_or(i64::MAX);
+            let gap = i64::try_from(n - i).invariant("degrees are below 2^63");
             // |c|/|lead| < 2^(bits(c) − bits(lead) + 1)
             (bits(c) - bits(lead) + 1)
                 .div_round(gap, RoundingMode::Ceiling)
                 .0
         })
         .max()
-        .unwrap_or(0)
+        .invariant("a polynomial with a change of sign has a coefficient of the other sign")
         + 1
 }
 
@@ -171,8 +172,11 @@ enum Stop {
     MoreBits,
 }
 
-/// Bernstein coefficients on the interval `(index, index + 1) · 2^(exponent − depth)`, with an error
-/// below `error` each.
+/// Rounded Bernstein coefficients on the interval `(index, index + 1) · 2^(exponent − depth)`.
+///
+/// Lemma 1 (the error of a node). Every coefficient is less than `error` below the exact one, and not above it.
+/// Proof. The first ones are rounded down to integers, so `error` = 1 is right for them; Lemma 2 is the step.
+/// Law: `halving_loses_less_than_the_error_says`.
 struct Node {
     index: Integer,
     depth: u64,
@@ -192,7 +196,7 @@ impl Search<'_> {
         let largest = sizes
             .map(|(n, b)| (n.significant_bits() + 1).saturating_sub(b.significant_bits()))
             .max()
-            .unwrap_or(0);
+            .invariant("a polynomial of degree d has d + 1 coefficients");
         // b_k · 2^(bits − largest), rounded down.
         let coefficients: Vec<Integer> = bernstein
             .numerators
@@ -248,12 +252,18 @@ impl Search<'_> {
     }
 
     fn dyadic(&self, index: &Integer, depth: u64) -> Dyadic {
-        let depth = i64::try_from(depth).unwrap_or(i64::MAX);
+        let depth = depth.cast_signed();
         Dyadic::new(index.clone(), self.exponent - depth)
     }
 }
 
 /// The sign of the second derivative, if it is certain that it has one, where halving has not helped for long.
+///
+/// Lemma 3. A second difference b0 − 2 b1 + b2 of rounded coefficients is less than twice `error` away from the exact one,
+/// and where all of the exact ones have one sign, so has the second derivative.
+/// Proof. By Lemma 1 b0 + b2 and 2 b1 are each less than 2 `error` below the exact ones, and not above. The differences,
+/// times a positive number, are the Bernstein coefficients of the second derivative.
+/// Law: `a_certain_second_derivative_is_right`.
 fn convexity(node: &Node) -> Option<i8> {
     /// Roots that are not very close have been told apart by then.
     const LONG: u64 = 24;
@@ -261,7 +271,7 @@ fn convexity(node: &Node) -> Option<i8> {
     if node.depth < LONG || b.len() < 3 {
         return None;
     }
-    let error = &node.error << 2u64;
+    let error = &node.error << 1u64;
     let mut signs = b
         .windows(3)
         .map(|b| known_sign(&(&b[0] + &b[2] - (&b[1] << 1u64)), &error));
@@ -269,7 +279,13 @@ fn convexity(node: &Node) -> Option<i8> {
     signs.all(|sign| sign == Some(first)).then_some(first)
 }
 
-/// De Casteljau at the midpoint, rounding every mean down: the error grows by at most d.
+/// De Casteljau at the midpoint, rounding every mean down.
+///
+/// Lemma 2. If every coefficient of a polynomial of degree d is less than `error` below the exact one and not above it, then
+/// those of the halves are less than `error` + d below, and not above.
+/// Proof. The mean of two numbers that are less than e below is less than e below, and rounding it down takes at most 1/2
+/// more. Each result comes from at most d means, one after the other: it is less than `error` + d/2 below.
+/// Law: `halving_loses_less_than_the_error_says`.
 fn halve(node: Node) -> (Node, Node) {
     let mut right = node.coefficients;
     let degree = right.len() - 1;
@@ -300,7 +316,7 @@ fn halve(node: Node) -> (Node, Node) {
     )
 }
 
-/// The sign of a value known up to an error below `error`; `None` if that leaves it open.
+/// The sign of a number that is less than `error` away from `value`; `None` if that leaves it open.
 fn known_sign(value: &Integer, error: &Integer) -> Option<i8> {
     (value.unsigned_abs_ref() >= error.unsigned_abs_ref()).then(|| sign(value))
 }
@@ -353,6 +369,7 @@ impl Changes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::poly::{RealRoot, real_roots};
     use malachite::base::num::arithmetic::traits::Pow;
     use proptest::prelude::*;
@@ -401,7 +418,96 @@ mod tests {
         check(&real_roots(&f), &[-7.0, 1e-30, 1e30]);
     }
 
+    /// The halves of twice the distance of exact and rounded coefficients, times 2^degree: de Casteljau without rounding.
+    fn halved_exactly(coefficients: &[Integer]) -> [Vec<Integer>; 2] {
+        // The coefficients of level k are multiplied by 2^k.
+        let degree = coefficients.len() - 1;
+        let mut level = coefficients.to_vec();
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        for step in 0..=degree {
+            let up = (degree - step) as u64;
+            left.push(&level[0] << up);
+            right.push(&level[degree - step] << up);
+            level = level.windows(2).map(|w| &w[0] + &w[1]).collect();
+        }
+        right.reverse();
+        [left, right]
+    }
+
+    /// Coefficients for which every mean of de Casteljau's scheme ends in 1/2, if `is_worst`: level by level from the last
+    /// mean, of which the numbers given are those that are free.
+    fn coefficients_to_halve(free: &[i64], is_worst: bool) -> Vec<Integer> {
+        if !is_worst {
+            return free.iter().map(|c| Integer::from(*c)).collect();
+        }
+        let mut level: Vec<Integer> = Vec::new();
+        for c in free {
+            let mut above = vec![Integer::from(*c)];
+            for mean in &level {
+                let next = (mean << 1u64) + Integer::ONE - &above[above.len() - 1];
+                above.push(next);
+            }
+            level = above;
+        }
+        level
+    }
+
     proptest! {
+        /// The largest loss is half of the degree, and the bound is the degree.
+        #[test]
+        fn halving_loses_less_than_the_error_says(
+            free in prop::collection::vec(any::<i64>(), 2..70), is_worst in any::<bool>(), error in 1u64..100,
+        ) {
+            let coefficients = coefficients_to_halve(&free, is_worst);
+            let degree = coefficients.len() - 1;
+            // The exact ones are as far above as is allowed, but for one 2^-20.
+            let most = (Integer::from(error) << 20u64) - Integer::ONE;
+            let exact: Vec<Integer> = coefficients.iter().map(|c| (c << 20u64) + &most).collect();
+            let node = Node { index: Integer::from(3), depth: 7, coefficients, error: Integer::from(error) };
+            let (left, right) = halve(node);
+            prop_assert_eq!((&left.index, &right.index), (&Integer::from(6), &Integer::from(7)));
+            let mut largest = Integer::ZERO;
+            let scale = degree as u64 + 20;
+            for (half, exact) in [left, right].into_iter().zip(halved_exactly(&exact)) {
+                prop_assert_eq!(half.depth, 8);
+                for (found, exact) in half.coefficients.iter().zip(exact) {
+                    let below = exact - (found << scale);
+                    prop_assert!(below >= 0 && below < &half.error << scale);
+                    largest = largest.max(below);
+                }
+            }
+            // And not much less than that, at least for the part that is lost here.
+            let lost = largest - (most << degree as u64);
+            if is_worst {
+                prop_assert_eq!(lost << 1u64, Integer::from(degree) << scale);
+            } else if degree > 20 {
+                prop_assert!(lost << 3u64 >= Integer::from(degree) << scale);
+            }
+        }
+
+        /// Second differences of exact coefficients at both ends of what the rounded ones allow.
+        #[test]
+        fn a_certain_second_derivative_is_right(
+            slopes in prop::collection::vec(-4i64..5, 2..12), curve in -9i64..10, error in 1u64..4,
+            ends in prop::collection::vec(any::<bool>(), 14),
+        ) {
+            let mut b = vec![Integer::ZERO];
+            let mut slope = Integer::ZERO;
+            for s in &slopes {
+                slope += Integer::from(curve + s);
+                b.push(&b[b.len() - 1] + &slope);
+            }
+            let node = Node { index: Integer::ZERO, depth: 99, coefficients: b.clone(), error: Integer::from(error) };
+            let most = (Integer::from(error) << 20u64) - Integer::ONE;
+            let exact: Vec<Integer> = b.iter().zip(&ends)
+                .map(|(b, end)| (b << 20u64) + if *end { most.clone() } else { Integer::ZERO }).collect();
+            if let Some(sign_found) = convexity(&node) {
+                for w in exact.windows(3) {
+                    prop_assert_eq!(sign(&(&w[0] + &w[2] - (&w[1] << 1u64))), sign_found);
+                }
+            }
+        }
+
         /// Inputs built backwards: known rational roots with multiplicities, times a factor
         /// without real roots.
         #[test]
@@ -428,16 +534,77 @@ mod tests {
             prop_assert_eq!(found, expected);
         }
 
+        /// Inputs built backwards: rational roots 0, 1, 2, … ulps apart, at midpoints between doubles, and at 2^-60 and 2^-200
+        /// ulps of them. Their order, their doubles and their multiplicities are known.
+        #[test]
+        fn roots_that_are_ulps_apart_are_told_apart_and_rounded(
+            bits in prop_oneof![0x3FE0_u64 << 48..0x4010_u64 << 48, 0x0010_u64 << 48..0x7FD0_u64 << 48, 1_u64..1 << 54],
+            places in prop::collection::btree_set((0_i64..4, 0_usize..9), 2..6), negative in any::<bool>(), twice in any::<bool>(),
+        ) {
+            let exactly = |x: f64| Rational::try_from(x).unwrap();
+            let start = f64::from_bits(bits);
+            let ulp = exactly(start.next_up()) - exactly(start);
+            let part = |k: u64| Rational::from_parts(Integer::ONE, -k.cast_signed());
+            let half = part(1);
+            let offsets = [
+                Rational::zero(), part(60), part(200), &half - part(200), &half - part(60), half.clone(), &half + part(200),
+                &half + part(60), Rational::one() - part(60),
+            ];
+            let mut f = poly(&[1]);
+            let mut expected = Vec::new();
+            for (k, (ulps, offset)) in places.iter().enumerate() {
+                let size = exactly(start) + &ulp * (Rational::from(*ulps) + &offsets[*offset]);
+                let root = if negative { -size } else { size };
+                let m = if twice && k == 0 { 2 } else { 1 };
+                let factor = IntegerPolynomial::from_coefficients_asc(vec![-root.numerator(), root.denominator()]);
+                for _ in 0..m {
+                    f *= &factor;
+                }
+                expected.push((root, m));
+            }
+            expected.sort();
+            let found: Vec<(f64, usize)> = real_roots(&f).iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
+            let expected: Vec<(f64, usize)> = expected.iter().map(|(r, m)| (r.to_f64(), *m)).collect();
+            prop_assert_eq!(found, expected);
+        }
+
+        /// The same without real roots, or with pairs next to each other: (x − r)² ± 2^-k times the rest.
+        #[test]
+        fn close_pairs_are_roots_on_one_side_only(
+            mantissa in 1_i64..1 << 53, exponent in -60_i64..10, k in prop_oneof![1_u64..80, 80_u64..700], other in 1_i64..9,
+        ) {
+            let root = Rational::from_parts(Integer::from(mantissa), exponent);
+            let (p, q) = (root.numerator(), root.denominator());
+            let square = IntegerPolynomial::from_coefficients_asc(vec![-p, q]).pow(2);
+            let quadratic = poly(&[other, 1, 1]);
+            for (sign, count) in [(-1, 2), (1, 0)] {
+                let small = IntegerPolynomial::from_coefficients_asc(vec![Integer::from(sign)]);
+                let f = ((&square << k) + small) * &quadratic;
+                prop_assert_eq!(real_roots(&f).len(), count);
+            }
+        }
+
         /// Oracle: Sturm's theorem, done naively with num-rational.
         #[test]
         fn the_count_is_sturms(c in prop::collection::vec(-30i64..30, 2..14)) {
             let f = poly(&c);
             prop_assume!(f.coefficients_asc().len() > 1);
-            prop_assert_eq!(real_roots(&f).len(), sturm(&c));
+            prop_assert_eq!(real_roots(&f).len(), sturm(&f));
+        }
+
+        /// With long coefficients, next to powers of two, so that a bounded number of bits holds none of them.
+        #[test]
+        fn the_count_of_long_polynomials_is_sturms(
+            c in prop::collection::vec((-8_i64..9, 0_u64..400, -1_i64..2), 2..9),
+        ) {
+            let long = |&(c, bits, more): &(i64, u64, i64)| (Integer::from(c) << bits) + Integer::from(more);
+            let f = IntegerPolynomial::from_coefficients_asc(c.iter().map(long).collect());
+            prop_assume!(f.coefficients_asc().len() > 1);
+            prop_assert_eq!(real_roots(&f).len(), sturm(&f));
         }
     }
 
-    fn sturm(c: &[i64]) -> usize {
+    fn sturm(f: &IntegerPolynomial) -> usize {
         use num_bigint::BigInt;
         use num_rational::BigRational;
         use num_traits::{Signed, Zero};
@@ -449,8 +616,9 @@ mod tests {
             p
         };
         let f: P = trim(
-            c.iter()
-                .map(|&c| BigRational::from(BigInt::from(c)))
+            f.coefficients_asc()
+                .iter()
+                .map(|c| BigRational::from(c.to_string().parse::<BigInt>().unwrap()))
                 .collect(),
         );
         let df: P = f

@@ -3,6 +3,7 @@
 //! What does not fit wraps around, so sums, differences and left shifts are right whenever the final result fits,
 //! however large an intermediate one is.
 
+use crate::error::Invariant;
 use malachite::{Integer, Natural};
 
 /// Bits of a limb.
@@ -10,7 +11,7 @@ pub(super) const LIMB_BITS: u64 = 64;
 
 /// The number of limbs that hold every integer with |value| < 2^`bits`, and one less than each of these.
 pub(super) fn width_for(bits: u64) -> usize {
-    usize::try_from((bits + 1).div_ceil(LIMB_BITS)).unwrap_or(usize::MAX)
+    usize::try_from((bits + 1).div_ceil(LIMB_BITS)).invariant("a number fits in memory")
 }
 
 /// `a += b`.
@@ -85,7 +86,7 @@ pub(super) fn widen(target: &mut [u64], a: &[u64]) {
     high.fill(sign_limb(a));
 }
 
-/// `a <<= bits`.
+/// `a <<= bits`; all bits of it if there are more.
 pub(super) fn shift_left(a: &mut [u64], bits: u64) {
     let whole = usize::try_from(bits / LIMB_BITS)
         .unwrap_or(usize::MAX)
@@ -101,7 +102,7 @@ pub(super) fn shift_left(a: &mut [u64], bits: u64) {
     }
 }
 
-/// `a >>= bits` of a number that is not negative.
+/// `a >>= bits` of a number that is not negative; all bits of it if there are more.
 fn shift_right(a: &mut [u64], bits: u64) {
     let whole = usize::try_from(bits / LIMB_BITS)
         .unwrap_or(usize::MAX)
@@ -154,7 +155,7 @@ pub(super) fn to_integer(a: &[u64], shift: i64, scratch: &mut Vec<u64>) -> Integ
     }
     let by = shift.unsigned_abs();
     if shift > 0 {
-        let more = usize::try_from(by.div_ceil(LIMB_BITS)).unwrap_or(usize::MAX);
+        let more = usize::try_from(by.div_ceil(LIMB_BITS)).invariant("a number fits in memory");
         scratch.resize(a.len() + more, 0);
         shift_left(scratch, by);
     } else if shift < 0 {

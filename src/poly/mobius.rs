@@ -7,7 +7,7 @@ use super::flat::{FlatPolynomial, OnNumbers};
 use super::form_size::form_bits;
 use super::limbs::{add, negate, shift_left, width_for};
 use super::residues::changed_by_residues;
-use crate::exact::products_are_fused;
+use crate::exact::Machine;
 
 /// Up to this many coefficients of `bits` bits the n² additions of [`ByShifts`] are faster than two products of halves:
 /// 24 to 66 µs at n = 150 and 134 to 177 µs at 300, where they are compiled for the width, and else 164 to 164 at 250.
@@ -26,8 +26,9 @@ fn shifts_up_to(bits: u64) -> usize {
 /// per degree only as degrees do, so that all levels together cost about twice the topmost, which is two products of
 /// polynomials of half the degree.
 pub(super) fn change_of_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
-    if residues_are_faster(g.len(), bits) {
-        changed_by_residues(g, bits)
+    let machine = Machine::this();
+    if residues_are_faster(machine, g.len(), bits) {
+        changed_by_residues(machine, g, bits)
     } else {
         by_large_integers(g, bits)
     }
@@ -35,8 +36,8 @@ pub(super) fn change_of_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
 
 /// Whether residues modulo primes are faster than products of large integers: 0.5 of their time at 600 coefficients
 /// and 0.3 at 1000, where it is the same time at 6000 bits; above that their steps that are quadratic in the bits count.
-fn residues_are_faster(len: usize, bits: u64) -> bool {
-    products_are_fused() && (300..100_000).contains(&len) && bits / 6 <= len as u64
+fn residues_are_faster(machine: Machine, len: usize, bits: u64) -> bool {
+    machine.has_fused_products() && (300..100_000).contains(&len) && bits / 6 <= len as u64
 }
 
 fn by_large_integers(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
@@ -205,7 +206,13 @@ pub(crate) mod tests {
             let flat = FlatPolynomial::from_integers(g.iter(), bits);
             let expected = by_taylor_shifts(g);
             prop_assert_eq!(by_large_integers(&flat, bits).to_polynomial(), expected.clone());
-            prop_assert_eq!(changed_by_residues(&flat, bits).to_polynomial(), expected);
+            prop_assert_eq!(changed_by_residues(Machine::this(), &flat, bits).to_polynomial(), expected.clone());
+            // With all other instructions, where that does not take long.
+            if len < 60 {
+                for machine in Machine::all() {
+                    prop_assert_eq!(changed_by_residues(machine, &flat, bits).to_polynomial(), expected.clone());
+                }
+            }
         }
     }
 }

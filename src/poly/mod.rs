@@ -65,7 +65,8 @@ pub(crate) use modular::{
 pub use plane::PlanePolynomial;
 pub(crate) use prime_field::PrimeField;
 pub(crate) use residues::{
-    Bases, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet, minus, plus,
+    Bases, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet, minus, plus, value_of_form,
+    value_of_integers, value_of_rho,
 };
 pub(crate) use resultant::resultant;
 pub use ring::Ring;

@@ -2,11 +2,13 @@
 //! gcds, resultants and kernels.
 
 use malachite::base::num::arithmetic::traits::Mod;
+use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::factorization::traits::IsPrime;
 use malachite::base::polynomial::Polynomial;
 use malachite::{Integer, Natural};
 
 use super::IntegerPolynomial;
+use crate::error::Invariant;
 
 /// For primes below this, products of residues fit 62 bits.
 pub(super) const ABOVE_PRIMES: u64 = (1 << 31) + 1;
@@ -18,7 +20,7 @@ pub(super) fn mul_mod(a: u64, b: u64, p: u64) -> u64 {
         return a * b % p;
     }
     let product = u128::from(a) * u128::from(b) % u128::from(p);
-    u64::try_from(product).unwrap_or(0)
+    u64::try_from(product).invariant("a residue is less than its prime")
 }
 
 /// base^exponent mod p.
@@ -92,13 +94,16 @@ pub(crate) fn gcd_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> Vec<u64> {
 fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
     let inverse = inverse_mod(g[g.len() - 1], p);
     while f.len() >= g.len() {
-        let top = f.pop().unwrap_or(0);
+        let top = f
+            .pop()
+            .invariant("the dividend is no shorter than the divisor");
         if top != 0 {
             let factor = p - mul_mod(top, inverse, p);
             let start = f.len() + 1 - g.len();
             for (i, &c) in g[..g.len() - 1].iter().enumerate() {
                 let sum = u128::from(f[start + i]) + u128::from(mul_mod(factor, c, p));
-                f[start + i] = u64::try_from(sum % u128::from(p)).unwrap_or(0);
+                f[start + i] = u64::try_from(sum % u128::from(p))
+                    .invariant("a residue is less than its prime");
             }
         }
     }
@@ -114,6 +119,15 @@ pub(super) struct Images {
 }
 
 impl Images {
+    /// Of `len` coefficients, modulo 1: nothing is known of them.
+    pub(super) fn unknown(len: usize) -> Self {
+        Self {
+            residues: vec![Natural::ZERO; len],
+            modulus: Natural::ONE,
+        }
+    }
+
+    /// Modulo one prime.
     pub(super) fn new(image: &[u64], prime: u64) -> Self {
         Self {
             residues: image.iter().map(|&c| Natural::from(c)).collect(),
@@ -130,10 +144,12 @@ impl Images {
 
     /// One more prime.
     pub(super) fn push(&mut self, image: &[u64], prime: u64) {
-        let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime))).unwrap_or(0);
+        let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime)))
+            .invariant("a residue is less than its prime");
         let inverse = inverse_mod(modulus_mod, prime);
         for (residue, &c) in self.residues.iter_mut().zip(image) {
-            let current = u64::try_from(&(&*residue % Natural::from(prime))).unwrap_or(0);
+            let current = u64::try_from(&(&*residue % Natural::from(prime)))
+                .invariant("a residue is less than its prime");
             let difference = if c >= current {
                 c - current
             } else {
@@ -142,6 +158,15 @@ impl Images {
             *residue += &self.modulus * Natural::from(mul_mod(difference, inverse, prime));
         }
         self.modulus *= Natural::from(prime);
+    }
+
+    /// Whether these images determine integers of absolute value up to `bound`.
+    ///
+    /// Lemma 1. If |c| ≤ B and the modulus M is greater than 2B, then [`Images::balanced`] is c.
+    /// Proof. It is congruent to c modulo M and at most M/2 in absolute value, so that the two differ by less than M.
+    /// Laws: `the_bound_is_reached_at_half_the_modulus` in resultant.rs and in subresultant.rs.
+    pub(super) fn determine(&self, bound: &Natural) -> bool {
+        self.modulus > bound << 1u64
     }
 
     /// The representatives of least absolute value.
@@ -160,7 +185,7 @@ impl Images {
 
 /// The residue of an integer, in [0, p).
 pub(crate) fn reduce_integer(value: &Integer, prime: u64) -> u64 {
-    u64::try_from(&value.mod_op(Integer::from(prime))).unwrap_or(0)
+    u64::try_from(&value.mod_op(Integer::from(prime))).invariant("a residue is less than its prime")
 }
 
 /// The next prime below an odd number.
@@ -202,7 +227,10 @@ pub(super) fn inverses_mod(n: usize, p: u64) -> Vec<u64> {
     }
     for k in 2..n {
         // p = qk + r, so 1/k = −q/r.
-        let (quotient, rest) = (p / k as u64, usize::try_from(p % k as u64).unwrap_or(0));
+        let (quotient, rest) = (
+            p / k as u64,
+            usize::try_from(p % k as u64).invariant("a rest is less than its divisor"),
+        );
         inverses[k] = (p - quotient) * inverses[rest] % p;
     }
     inverses

@@ -8,6 +8,7 @@ use malachite::base::polynomial::Derivative;
 
 use super::evaluate::leading_value;
 use super::{IntegerPolynomial, RealRoot, sign_at};
+use crate::error::Invariant;
 use crate::exact::Dyadic;
 
 /// The roots of a squarefree f in (low, high), where `convex` is the sign of f″ throughout and f is not 0 at the
@@ -70,7 +71,8 @@ fn around(
     let inside = sign_at(f, point);
     let size = |g: &IntegerPolynomial| {
         let (m, e) = leading_value(g, point, 2);
-        Dyadic::new(m, e).log2().unwrap_or(0)
+        let size = Dyadic::new(m, e).log2();
+        size.invariant("neither f nor its second derivative is 0 beside the extremum")
     };
     let mut exponent = (size(f) - size(&slope.derivative())).div_euclid(2) + 2;
     let beyond = |point: &Dyadic| if side < 0 { point <= end } else { point >= end };

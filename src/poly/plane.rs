@@ -9,6 +9,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
 use super::{BinaryForm, IntegerPolynomial, SparsePolynomial};
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// A polynomial in x and y, held as its non-zero homogeneous parts over one common denominator:
@@ -57,9 +58,12 @@ impl PlanePolynomial {
             .fold(Integer::ONE, |d, (_, c)| lcm(d, &c.denominator()));
         let mut rows: BTreeMap<usize, Vec<Integer>> = BTreeMap::new();
         for ((i, j), c) in terms {
+            let degree = i
+                .checked_add(j)
+                .invariant("a form of this degree fits in memory");
             let row = rows
-                .entry(i + j)
-                .or_insert_with(|| vec![Integer::ZERO; i + j + 1]);
+                .entry(degree)
+                .or_insert_with(|| vec![Integer::ZERO; degree + 1]);
             row[j] += c.numerator() * (&denominator).div_exact(c.denominator());
         }
         Self::from_parts(
@@ -302,7 +306,7 @@ impl PlanePolynomial {
 
 impl From<&PlanePolynomial> for SparsePolynomial<3> {
     fn from(f: &PlanePolynomial) -> Self {
-        let exponent = |e: usize| u32::try_from(e).unwrap_or(u32::MAX);
+        let exponent = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
         SparsePolynomial::from_terms(
             f.terms()
                 .map(|((i, j), c)| ([exponent(i), exponent(j), 0], c)),
@@ -319,8 +323,9 @@ fn lcm(a: Integer, b: &Integer) -> Integer {
 }
 
 fn power(base: &Rational, exponent: usize) -> Rational {
-    let exponent = i64::try_from(exponent).unwrap_or(i64::MAX);
-    base.pow(exponent).unwrap_or_default()
+    let exponent = i64::try_from(exponent).invariant("degrees are below 2^63");
+    base.pow(exponent)
+        .invariant("a power with a natural exponent exists")
 }
 
 /// f(x) → f(x + h), over one common denominator: with h = p/q, g(X) = q^d f(X/q) has integer

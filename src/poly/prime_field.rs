@@ -4,6 +4,7 @@ use malachite::Integer;
 
 use super::IntegerPolynomial;
 use super::modular::{inverse_mod, reduce_integer};
+use crate::error::Invariant;
 
 /// The integers modulo a prime p < 2³¹, and polynomials over them as ascending trimmed vectors.
 ///
@@ -105,7 +106,10 @@ impl PrimeField {
         let inverse = if lead == 1 { 1 } else { self.inverse(lead) };
         let mut quotient = vec![0; length];
         for k in (0..length).rev() {
-            let top = f.pop().unwrap_or(0) % self.p;
+            let top = f
+                .pop()
+                .invariant("the dividend is no shorter than the divisor")
+                % self.p;
             if top == 0 {
                 continue;
             }

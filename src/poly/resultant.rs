@@ -1,13 +1,15 @@
 //! Resultants of polynomials in three variables.
 
-use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Pow;
+use malachite::base::polynomial::Polynomial;
+use malachite::{Integer, Natural};
 
 use super::SparsePolynomial;
-use super::eliminate::{as_f64, resultant_mod};
+use super::eliminate::{as_f64, bits_of, resultant_mod};
 use super::modular::{
     ABOVE_PRIMES, Images, interpolate, power_mod, previous_prime, reduce_integer,
 };
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 
@@ -16,11 +18,20 @@ const MAX_WORK: f64 = 3e9;
 
 /// The resultant of the primitive parts of f and g with respect to the variable v, exactly.
 ///
-/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation, and Chinese remainders up to the product
-/// of the 1-norms of the rows of Sylvester's matrix.
+/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation, and Chinese remainders up to the bound of
+/// Lemma 1. At the end the result is compared with the resultant at one more point modulo one more prime.
+///
+/// Cost: for degrees m and n in v, and degrees k and l of the result, k l m n products of residues for each prime, of
+/// which there is one for every 31 bits of the bound.
+///
+/// Lemma 1. With ‖f‖ the sum of the absolute values of all coefficients, those of the resultant add up to at most
+/// ‖f‖^n ‖g‖^m.
+/// Proof. ‖fg‖ ≤ ‖f‖ ‖g‖ and ‖f + g‖ ≤ ‖f‖ + ‖g‖. By these the norm of a determinant is at most the product over its
+/// rows of the sum of the norms in the row, which is ‖f‖ in n rows of Sylvester's matrix, and ‖g‖ in m of them.
+/// Law: `the_bound_is_reached_at_half_the_modulus`.
 ///
 /// # Errors
-/// [`Error::Limit`] if that is too much work; those of `limits`.
+/// [`Error::Limit`] if that is too much work; those of `limits`; [`Error::Internal`] if the result is wrong.
 pub(crate) fn resultant(
     f: &SparsePolynomial<3>,
     g: &SparsePolynomial<3>,
@@ -31,7 +42,8 @@ pub(crate) fn resultant(
     let [u, w] = [(v + 1) % 3, (v + 2) % 3];
     let (m, n) = (f.degrees[v], g.degrees[v]);
     let [in_u, in_w] = [u, w].map(|k| n * f.degrees[k] + m * g.degrees[k]);
-    let bits = as_f64(n) * f.norm_bits() + as_f64(m) * g.norm_bits();
+    let norms = [f.norm(), g.norm()];
+    let bits = as_f64(n) * bits_of(&norms[0]) + as_f64(m) * bits_of(&norms[1]);
     let cost = (m + 1) * (n + 1) + f.terms.len() + g.terms.len();
     let work = (bits / 30.9 + 1.0) * as_f64((in_u + 1) * (in_w + 1)) * as_f64(cost);
     if work > MAX_WORK {
@@ -39,44 +51,51 @@ pub(crate) fn resultant(
             "a resultant of degrees {in_u} and {in_w}, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
         )));
     }
-    let mut combined: Option<Images> = None;
+    let bound = (&norms[0]).pow(n as u64) * (&norms[1]).pow(m as u64);
+    let at = |[a, b]: [u64; 2], prime: u64| {
+        let [f, g] = [&f, &g].map(|p| p.in_v(v, [(u, a), (w, b)], prime));
+        resultant_mod(f, g, prime)
+    };
+    let mut combined = Images::unknown((in_u + 1) * (in_w + 1));
     let mut prime = ABOVE_PRIMES;
-    let mut known_bits = 0.0;
-    while known_bits < bits + 2.0 {
+    while !combined.determine(&bound) {
         limits.check()?;
         prime = previous_prime(prime);
         let mut columns = Vec::new();
         for a in 0..=in_u as u64 {
-            let values = (0..=in_w as u64).map(|b| {
-                let [f, g] = [&f, &g].map(|p| p.in_v(v, [(u, a), (w, b)], prime));
-                resultant_mod(f, g, prime)
-            });
+            let values = (0..=in_w as u64).map(|b| at([a, b], prime));
             columns.push(interpolate(values.collect(), prime));
         }
         let rows = (0..=in_w).map(|j| columns.iter().map(|c| c[j]).collect());
         let image: Vec<u64> = rows.flat_map(|row| interpolate(row, prime)).collect();
-        match &mut combined {
-            Some(images) => {
-                images.add(&image, prime);
-            }
-            None => combined = Some(Images::new(&image, prime)),
-        }
-        known_bits += as_f64(usize::try_from(prime).unwrap_or(2)).log2();
+        combined.push(&image, prime);
     }
-    let flat = combined.map(|images| images.balanced()).unwrap_or_default();
-    let narrow = |e: usize| u32::try_from(e).unwrap_or(u32::MAX);
-    let terms = flat
-        .coefficients_asc()
-        .iter()
-        .enumerate()
-        .map(|(index, c)| {
-            let mut e = [0; 3];
-            e[u] = narrow(index % (in_u + 1));
-            e[w] = narrow(index / (in_u + 1));
-            (e, Rational::from(c))
-        });
-    Ok(SparsePolynomial::from_terms(terms))
+    let narrow = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
+    let flat = combined.balanced().into_coefficients_asc();
+    let terms = flat.into_iter().enumerate().map(|(index, c)| {
+        let mut e = [0; 3];
+        e[u] = narrow(index % (in_u + 1));
+        e[w] = narrow(index / (in_u + 1));
+        (e, c)
+    });
+    let found = Integers::from_terms(terms.collect());
+    let prime = previous_prime(prime);
+    let point = ANY_POINT.map(|c| c % prime);
+    if found.value([(u, point[0]), (w, point[1])], prime) != at(point, prime) {
+        return Err(Error::internal(
+            "a resultant",
+            "the resultant has the value of Sylvester's determinant modulo one more prime",
+        ));
+    }
+    let terms = found.terms.into_iter();
+    Ok(SparsePolynomial::from_terms(
+        terms.map(|(e, c)| (e, Rational::from(c))),
+    ))
 }
+
+/// Where the result is compared: no point of the grid. A wrong polynomial of degrees k and l vanishes at less than one in
+/// 2^31/(k + l) points.
+const ANY_POINT: [u64; 2] = [0x9e37_79b9_7f4a_7c15, 0xbf58_476d_1ce4_e5b9];
 
 struct Integers {
     terms: Vec<([u32; 3], Integer)>,
@@ -87,21 +106,26 @@ impl Integers {
     fn new(f: &SparsePolynomial<3>) -> Self {
         let primitive = f.primitive();
         let terms = primitive.terms().map(|(e, c)| (*e, c.numerator()));
-        let degrees = f.terms().fold([0; 3], |d: [usize; 3], (e, _)| {
-            std::array::from_fn(|v| d[v].max(e[v] as usize))
-        });
-        Self {
-            terms: terms.collect(),
-            degrees,
-        }
+        Self::from_terms(terms.collect())
     }
 
-    /// log₂ of the sum of the absolute values, rounded up.
-    fn norm_bits(&self) -> f64 {
-        use malachite::base::num::logic::traits::SignificantBits;
+    fn from_terms(terms: Vec<([u32; 3], Integer)>) -> Self {
+        let degrees = terms.iter().fold([0; 3], |d: [usize; 3], (e, _)| {
+            std::array::from_fn(|v| d[v].max(e[v] as usize))
+        });
+        Self { terms, degrees }
+    }
+
+    /// The sum of the absolute values of the coefficients.
+    fn norm(&self) -> Natural {
         let magnitudes = self.terms.iter().map(|(_, c)| c.unsigned_abs_ref());
-        let sum = magnitudes.sum::<malachite::Natural>();
-        as_f64(usize::try_from(sum.significant_bits()).unwrap_or(usize::MAX))
+        magnitudes.sum()
+    }
+
+    /// The value of a polynomial in two of the variables.
+    fn value(&self, at: [(usize, u64); 2], prime: u64) -> u64 {
+        let v = 3 - at[0].0 - at[1].0;
+        self.in_v(v, at, prime)[0]
     }
 
     /// As a polynomial in v of its full formal degree, the other variables having values.
@@ -127,6 +151,68 @@ mod tests {
         prop::collection::vec(term, 1..5).prop_map(|terms| {
             SparsePolynomial::from_terms(terms.into_iter().map(|(e, c)| (e, Rational::from(c))))
         })
+    }
+
+    /// The product of the first primes that are used.
+    fn modulus(primes: usize) -> Integer {
+        let mut prime = ABOVE_PRIMES;
+        let mut product = Integer::from(1);
+        for _ in 0..primes {
+            prime = previous_prime(prime);
+            product *= Integer::from(prime);
+        }
+        product
+    }
+
+    #[test]
+    fn the_bound_is_reached_at_half_the_modulus() {
+        // Res_x(x + y, c y + z) = c y + z, up to sign, which c + 1 bounds.
+        let f = SparsePolynomial::variable(0).plus(&SparsePolynomial::variable(1));
+        for primes in 1..6 {
+            for more in -3..4 {
+                for sign in [1, -1] {
+                    let c = ((modulus(primes) >> 1u64) + Integer::from(more)) * Integer::from(sign);
+                    let g = SparsePolynomial::variable(1)
+                        .scaled(&Rational::from(c))
+                        .plus(&SparsePolynomial::variable(2));
+                    let found = resultant(&f, &g, 0, &Limits::none()).unwrap();
+                    assert_eq!(found, g.primitive(), "{primes} primes, {more}");
+                }
+            }
+        }
+    }
+
+    /// Up to 600 bits: next to a power of two, or any.
+    fn long_integer() -> impl Strategy<Value = Integer> {
+        (0u64..600, -1i64..2, any::<[u64; 10]>(), 0..4).prop_map(|(bits, more, limbs, kind)| {
+            let power = Integer::from(1) << bits;
+            let any = Integer::from(Natural::from_limbs_asc(&limbs)) >> (640 - bits);
+            let size = if kind < 2 {
+                power + Integer::from(more)
+            } else {
+                any + Integer::from(1)
+            };
+            if kind % 2 == 0 { size } else { -size }
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(60))]
+        /// Up to the product of the norms: Res_x(f, x + c y) = ± f(−c y) for f = a x^m + y.
+        #[test]
+        fn long_coefficients_are_found(a in long_integer(), c in long_integer(), m in 1u32..6) {
+            let term = |e: [u32; 3], c: &Integer| (e, Rational::from(c));
+            let one = Integer::from(1);
+            let f = SparsePolynomial::from_terms([term([m, 0, 0], &a), term([0, 1, 0], &one)]);
+            let g = SparsePolynomial::from_terms([term([1, 0, 0], &one), term([0, 1, 0], &c)]);
+            let power = (-c).pow(u64::from(m)) * a;
+            let expected = SparsePolynomial::from_terms([term([0, m, 0], &power), term([0, 1, 0], &one)]);
+            let found = resultant(&f, &g, 0, &Limits::none()).unwrap();
+            prop_assert_eq!(found.primitive(), expected.primitive());
+            // The first coefficients of all are positive, so the size tells more than the primitive part.
+            let first = |f: &SparsePolynomial<3>| f.terms().next().map(|(_, c)| c.abs());
+            prop_assert_eq!(first(&found), first(&expected));
+        }
     }
 
     proptest! {

@@ -9,6 +9,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 
 use super::evaluate::leading_value;
 use super::{IntegerPolynomial, polynomial_gcd, sign_at, sign_at_rational};
+use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational, nearest_double};
 
 /// One step of refinement adds at most so many bits.
@@ -378,7 +379,10 @@ impl RealRoot {
             (middle * scale).to_f64()
         } else {
             // One root of the whole: the two factors may be beyond the doubles where it is not.
-            let power = scale.abs().pow(i64::from(k)).unwrap_or_default();
+            let power = scale
+                .abs()
+                .pow(i64::from(k))
+                .invariant("a power with a natural exponent exists");
             root_f64(&(middle * power), k) * f64::from(scale.signum())
         };
         self.walk_to_nearest(guess, k, scale)
@@ -392,7 +396,10 @@ impl RealRoot {
             let order = if k > 1 && q.signum() <= 0 {
                 Ordering::Greater
             } else {
-                self.cmp_rational(&q.pow(i64::from(k)).unwrap_or_default())
+                self.cmp_rational(
+                    &q.pow(i64::from(k))
+                        .invariant("a power with a natural exponent exists"),
+                )
             };
             Ok::<_, Infallible>(if scale.signum() < 0 {
                 order.reverse()
@@ -416,8 +423,8 @@ fn side(sign_low: i8, sign: i8) -> Ordering {
 
 /// (|a|, |a| + |b|) to about so many bits, up to a common factor.
 fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64), bits: u64) -> (Integer, Integer) {
-    let top = |v: &(Integer, i64)| i64::try_from(v.0.significant_bits()).unwrap_or(0) + v.1;
-    let unit = top(a).max(top(b)) - i64::try_from(bits).unwrap_or(i64::MAX);
+    let top = |v: &(Integer, i64)| v.0.significant_bits().cast_signed() + v.1;
+    let unit = top(a).max(top(b)) - bits.cast_signed();
     let cut = |v: &(Integer, i64)| {
         let magnitude = Integer::from(v.0.unsigned_abs_ref().clone());
         let shift = v.1 - unit;
@@ -438,7 +445,7 @@ fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64), bits: u64) -> (Integer, 
     reason = "a guess: exact comparisons decide"
 )]
 fn root_f64(q: &Rational, k: u32) -> f64 {
-    let bits = |n: &Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
+    let bits = |n: &Integer| n.significant_bits().cast_signed();
     let exponent = bits(&q.numerator()) - bits(&q.denominator());
     let whole = exponent.div_euclid(i64::from(k));
     let mantissa = (q * &Rational::from_parts(Integer::from(1), -whole * i64::from(k))).to_f64();

@@ -88,6 +88,7 @@ fn shift(coefficients: Vec<Integer>) -> IntegerPolynomial {
         }
         blocks = joined;
     }
+    // No block is the zero polynomial.
     blocks.pop().unwrap_or_default()
 }
 

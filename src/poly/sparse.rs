@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use super::{PlanePolynomial, Ring};
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// A polynomial in `V` variables with exact rational coefficients, as a map from exponents.
@@ -146,8 +147,8 @@ impl<const V: usize> SparsePolynomial<V> {
         self.terms.iter().fold(Rational::zero(), |sum, (e, c)| {
             let powers = e.0.iter().zip(at);
             let monomial = powers.fold(c.clone(), |product, (&k, value)| {
-                // A non-negative power exists.
-                product * value.pow(i64::from(k)).unwrap_or_default()
+                let power = value.pow(i64::from(k));
+                product * power.invariant("a power with a natural exponent exists")
             });
             sum + monomial
         })
@@ -198,6 +199,9 @@ impl<const V: usize> SparsePolynomial<V> {
     }
 
     /// `self^exponent` by repeated squaring.
+    ///
+    /// # Panics
+    /// If an exponent of the power is 2^32 or more.
     #[must_use]
     pub fn pow(&self, exponent: u32) -> Self {
         let mut result = Self::constant(Rational::one());
@@ -229,11 +233,18 @@ impl<const V: usize> Ring for SparsePolynomial<V> {
         sum
     }
 
+    /// # Panics
+    /// If an exponent of the product is 2^32 or more.
     fn times(&self, other: &Self) -> Self {
         let mut product = Self::zero();
         for (a, p) in &self.terms {
             for (b, q) in &other.terms {
-                product.add_term(std::array::from_fn(|i| a.0[i] + b.0[i]), p * q);
+                let sum = |i: usize| {
+                    a.0[i]
+                        .checked_add(b.0[i])
+                        .invariant("exponents are below 2^32")
+                };
+                product.add_term(std::array::from_fn(sum), p * q);
             }
         }
         product
@@ -250,5 +261,33 @@ impl SparsePolynomial<3> {
         Some(PlanePolynomial::from_terms(self.terms.iter().map(
             |(e, c)| ((e.0[0] as usize, e.0[1] as usize), c.clone()),
         )))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn monomial(exponents: [u32; 2]) -> SparsePolynomial<2> {
+        SparsePolynomial::from_terms([(exponents, Rational::one())])
+    }
+
+    #[test]
+    fn exponents_add_up_to_the_largest_there_is() {
+        let product = monomial([u32::MAX - 3, 7]).times(&monomial([3, u32::MAX - 7]));
+        assert_eq!(product, monomial([u32::MAX, u32::MAX]));
+        assert_eq!(product.degree(), Some(2 * u64::from(u32::MAX)));
+    }
+
+    #[test]
+    #[should_panic(expected = "exponents are below 2^32")]
+    fn a_product_with_a_larger_exponent_stops() {
+        let _ = monomial([u32::MAX, 0]).times(&monomial([1, 0]));
+    }
+
+    #[test]
+    #[should_panic(expected = "exponents are below 2^32")]
+    fn a_power_with_a_larger_exponent_stops() {
+        let _ = monomial([0, 1 << 16]).pow(1 << 16);
     }
 }

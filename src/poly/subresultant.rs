@@ -1,12 +1,15 @@
 //! Subresultants of a polynomial and its derivative, where the coefficients are polynomials themselves.
 
+use malachite::Natural;
+use malachite::base::num::arithmetic::traits::{CeilingSqrt, Pow, Square};
 use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::logic::traits::SignificantBits;
 
 use super::IntegerPolynomial;
 use super::modular::{
     ABOVE_PRIMES, Images, interpolate, inverse_mod, previous_prime, reduce_integer,
 };
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 
 /// Products of residues beyond which the work is refused: about a minute.
@@ -24,11 +27,18 @@ pub(crate) struct Weights {
 /// *Algorithms in Real Algebraic Geometry*, Notation 8.55). sRes_0 is a_m times the discriminant, up to
 /// the positive factor 1 and a sign that depends on m only.
 ///
-/// By evaluation at integers, Gauss modulo 31-bit primes, interpolation, and Chinese remainders up to
-/// Hadamard's bound on |t| = 1. Cost: (degree · primes) determinants of size 2m − 1 − 2j.
+/// By evaluation at integers, Gauss modulo 31-bit primes, interpolation, and Chinese remainders up to the bound of Lemma 1.
+/// At the end the result is compared with the determinant at one more point modulo one more prime. Cost:
+/// (degree · primes) determinants of size 2m − 1 − 2j.
+///
+/// Lemma 1. With ‖a‖ the sum of the absolute values of all coefficients, no coefficient of the determinant is more than
+/// √(Σ ‖a_i‖²)^(m−1−j) √(Σ i² ‖a_i‖²)^(m−j).
+/// Proof. Where |t| = 1, |a_i(t)| ≤ ‖a_i‖, and by Hadamard the determinant is at most the product of the lengths of its
+/// rows: m − 1 − j of P and m − j of P′. A coefficient is a mean of values times powers of t there (Cauchy).
+/// Law: `the_bound_is_reached_at_half_the_modulus`.
 ///
 /// # Errors
-/// [`Error::Limit`] if that is too much; those of `limits`.
+/// [`Error::Limit`] if that is too much; those of `limits`; [`Error::Internal`] if the result is wrong.
 pub(crate) fn signed_subresultant(
     p: &[IntegerPolynomial],
     j: usize,
@@ -45,22 +55,45 @@ pub(crate) fn signed_subresultant(
             "a discriminant of degree {degree} with coefficients of up to {bits:.0} bits, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
         )));
     }
-    let mut combined: Option<Images> = None;
+    let bound = matrix.bound(p);
+    let mut combined = Images::unknown(degree + 1);
     let mut prime = ABOVE_PRIMES;
-    let mut known_bits = 0.0;
-    while known_bits < bits + 1.0 {
+    while !combined.determine(&bound) {
         limits.check()?;
         prime = previous_prime(prime);
-        let image = matrix.image(p, degree, prime);
-        match &mut combined {
-            Some(images) => {
-                images.add(&image, prime);
-            }
-            None => combined = Some(Images::new(&image, prime)),
-        }
-        known_bits += as_f64(usize::try_from(prime).unwrap_or(2)).log2();
+        let residues = residues(p, prime);
+        let values = (0..=degree as u64).map(|t| matrix.value(&residues, t, prime));
+        combined.push(&interpolate(values.collect(), prime), prime);
     }
-    Ok(combined.map_or(IntegerPolynomial::ZERO, |images| images.balanced()))
+    let found = combined.balanced();
+    let prime = previous_prime(prime);
+    let point = ANY_POINT % prime;
+    let of_found = &residues(std::slice::from_ref(&found), prime)[0];
+    if value_mod(of_found, point, prime) != matrix.value(&residues(p, prime), point, prime) {
+        return Err(Error::internal(
+            "a subresultant",
+            "the subresultant has the value of its determinant modulo one more prime",
+        ));
+    }
+    Ok(found)
+}
+
+/// Where the result is compared: none of the small integers. A wrong polynomial of degree d vanishes at less than one in
+/// 2^30/d points.
+const ANY_POINT: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The coefficients of polynomials modulo a prime.
+fn residues(p: &[IntegerPolynomial], prime: u64) -> Vec<Vec<u64>> {
+    let reduced = |a: &IntegerPolynomial| {
+        let c = a.coefficients_asc().iter();
+        c.map(|c| reduce_integer(c, prime)).collect()
+    };
+    p.iter().map(reduced).collect()
+}
+
+/// The value of a polynomial modulo a prime.
+fn value_mod(a: &[u64], t: u64, prime: u64) -> u64 {
+    a.iter().rev().fold(0, |v, c| (v * t + c) % prime)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "sizes are far below 2^53")]
@@ -104,7 +137,20 @@ impl Matrix {
         self.size * weights.lowest + weights.step * (columns + raised - shifts)
     }
 
-    /// log₂ of Hadamard's bound for the coefficients of the determinant.
+    /// The bound of Lemma 1 of [`signed_subresultant`], rounded up.
+    fn bound(&self, p: &[IntegerPolynomial]) -> Natural {
+        let mut squares = [Natural::ZERO, Natural::ZERO];
+        for (i, a) in p.iter().enumerate() {
+            let square = one_norm(a).square();
+            squares[1] += &square * Natural::from(i).square();
+            squares[0] += square;
+        }
+        let of_p = (&squares[0]).pow((self.m - 1 - self.j) as u64);
+        let of_derivative = (&squares[1]).pow((self.m - self.j) as u64);
+        (of_p * of_derivative).ceiling_sqrt()
+    }
+
+    /// log₂ of that, about, for an estimate of the work.
     fn coefficient_bits(&self, p: &[IntegerPolynomial]) -> f64 {
         let mut norms = [0.0f64; 2];
         // Scaled down by the largest coefficient, so that no square overflows.
@@ -120,56 +166,46 @@ impl Matrix {
         of_p * bits(norms[0]) + of_derivative * bits(norms[1]).max(1.0)
     }
 
-    /// The determinant modulo a prime, as the residues of its `degree + 1` coefficients.
-    fn image(&self, p: &[IntegerPolynomial], degree: usize, prime: u64) -> Vec<u64> {
-        let reduced: Vec<Vec<u64>> = p
+    /// The determinant at a point modulo a prime.
+    fn value(&self, residues: &[Vec<u64>], t: u64, prime: u64) -> u64 {
+        let p: Vec<u64> = residues.iter().map(|a| value_mod(a, t, prime)).collect();
+        let derivative: Vec<u64> = p
             .iter()
-            .map(|a| {
-                let c = a.coefficients_asc().iter();
-                c.map(|c| reduce_integer(c, prime)).collect()
-            })
+            .enumerate()
+            .skip(1)
+            .map(|(i, c)| c * i as u64 % prime)
             .collect();
-        let mut values = Vec::with_capacity(degree + 1);
-        for t in 0..=degree as u64 {
-            let at = |a: &Vec<u64>| a.iter().rev().fold(0, |v, c| (v * t + c) % prime);
-            let p: Vec<u64> = reduced.iter().map(at).collect();
-            let derivative: Vec<u64> = p
-                .iter()
-                .enumerate()
-                .skip(1)
-                .map(|(i, c)| c * i as u64 % prime)
-                .collect();
-            let mut rows = Vec::with_capacity(self.size);
-            for index in 0..self.size {
-                let (shift, of_derivative) = self.row(index);
-                let source = if of_derivative { &derivative } else { &p };
-                let column = |c: usize| {
-                    let power = self.j + self.size - 1 - c;
-                    power
-                        .checked_sub(shift)
-                        .and_then(|i| source.get(i))
-                        .copied()
-                        .unwrap_or(0)
-                };
-                rows.push((0..self.size).map(column).collect());
-            }
-            values.push(determinant(rows, prime));
+        let mut rows = Vec::with_capacity(self.size);
+        for index in 0..self.size {
+            let (shift, of_derivative) = self.row(index);
+            let source = if of_derivative { &derivative } else { &p };
+            // There is no coefficient of a negative power, and none beyond the degree.
+            let column = |c: usize| {
+                let power = self.j + self.size - 1 - c;
+                power
+                    .checked_sub(shift)
+                    .and_then(|i| source.get(i))
+                    .copied()
+                    .unwrap_or(0)
+            };
+            rows.push((0..self.size).map(column).collect());
         }
-        interpolate(values, prime)
+        determinant(rows, prime)
     }
+}
+
+/// The sum of the absolute values.
+fn one_norm(a: &IntegerPolynomial) -> Natural {
+    let coefficients = a.coefficients_asc().iter();
+    coefficients.map(|c| c.unsigned_abs_ref()).sum()
 }
 
 /// log₂ of the sum of the absolute values, 0 for 0; rounded up a little.
 fn one_norm_bits(a: &IntegerPolynomial) -> f64 {
-    use malachite::base::num::logic::traits::SignificantBits;
-    let sum = a
-        .coefficients_asc()
-        .iter()
-        .map(|c| c.unsigned_abs_ref())
-        .sum::<malachite::Natural>();
+    let sum = one_norm(a);
     let bits = sum.significant_bits();
     let shift = bits.saturating_sub(60);
-    let top = u64::try_from(&(sum >> shift)).unwrap_or(0) + 1;
+    let top = u64::try_from(&(sum >> shift)).invariant("the leading 60 bits fit in a word") + 1;
     #[expect(clippy::cast_precision_loss, reason = "a bound, rounded up elsewhere")]
     let value = (top as f64).log2() + shift as f64;
     value.max(0.0)
@@ -226,6 +262,34 @@ mod tests {
         let first =
             signed_subresultant(&p, 1, Weights { lowest: 1, step: 0 }, &Limits::none()).unwrap();
         assert_eq!(first, poly(&[0, 2]));
+    }
+
+    #[test]
+    fn the_bound_is_reached_at_half_the_modulus() {
+        // The determinant is the derivative of c t R.
+        let (mut prime, mut modulus) = (ABOVE_PRIMES, Integer::from(1));
+        for primes in 1..6 {
+            prime = previous_prime(prime);
+            modulus *= Integer::from(prime);
+            for more in -3..4 {
+                for sign in [1, -1] {
+                    let c = ((&modulus >> 1u64) + Integer::from(more)) * Integer::from(sign);
+                    let in_t = IntegerPolynomial::from_coefficients_asc(vec![Integer::from(0), c]);
+                    let p = [poly(&[]), in_t.clone()];
+                    let weights = Weights { lowest: 1, step: 0 };
+                    let found = signed_subresultant(&p, 0, weights, &Limits::none()).unwrap();
+                    assert_eq!(found, in_t, "{primes} primes, {more}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn weights_that_are_too_small_are_noticed() {
+        let p = [poly(&[2, -1]), poly(&[1, 1]), poly(&[0, 1])];
+        let weights = Weights { lowest: 0, step: 0 };
+        let error = signed_subresultant(&p, 0, weights, &Limits::none()).unwrap_err();
+        assert!(matches!(error, Error::Internal { .. }), "{error}");
     }
 
     #[test]
@@ -301,9 +365,16 @@ mod tests {
             lead in prop_oneof![-5i64..0, 1i64..5],
             t in -6i64..7,
             pick in 0usize..4,
+            bits in prop_oneof![Just(0u64), 20u64..40, 100u64..400],
+            low in -1i64..2,
         ) {
-            let mut p: Vec<IntegerPolynomial> = c.iter().map(|c| poly(c)).collect();
-            p.push(poly(&[lead, 1]));
+            // Next to multiples of a power of two.
+            let long = |f: IntegerPolynomial| {
+                let c = f.into_coefficients_asc().into_iter();
+                IntegerPolynomial::from_coefficients_asc(c.map(|c| (c << bits) + Integer::from(low)).collect())
+            };
+            let mut p: Vec<IntegerPolynomial> = c.iter().map(|c| long(poly(c))).collect();
+            p.push(long(poly(&[lead, 1])));
             let j = pick % (p.len() - 1);
             let found = signed_subresultant(&p, j, FLAT, &Limits::none()).unwrap();
             let value = found.coefficients_asc().iter().rev().fold(BigInt::from(0), |v, c| v * t + c.to_string().parse::<BigInt>().unwrap());

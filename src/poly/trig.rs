@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Ring;
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// `Σ_n (a_n cos nθ + b_n sin nθ)` with exact rational coefficients, as a map from n to
@@ -168,6 +169,8 @@ impl Ring for TrigPolynomial {
 
     /// By product-to-sum: with `z_n = a_n − i b_n`, the harmonic n of f is `Re z_n e^{inθ}`, and
     /// `Re z e^{inθ} · Re w e^{imθ} = ½ Re (z w e^{i(n+m)θ} + z w̄ e^{i(n−m)θ})`.
+    /// # Panics
+    /// If a harmonic of the product is 2^32 or more.
     fn times(&self, other: &Self) -> Self {
         let mut product = Self::zero();
         let half = |value: Rational| value / Rational::from(2);
@@ -177,7 +180,8 @@ impl Ring for TrigPolynomial {
                 let upper = [half(&ac - &bd), half(&ad + &bc)];
                 let difference = if n >= m { bc - ad } else { ad - bc };
                 let lower = [half(ac + bd), half(difference)];
-                product.add_harmonic(n + m, upper);
+                let sum = n.checked_add(m).invariant("harmonics are below 2^32");
+                product.add_harmonic(sum, upper);
                 product.add_harmonic(n.abs_diff(m), lower);
             }
         }
@@ -228,6 +232,14 @@ mod tests {
             prop_assert_eq!(at(&f.times(&g)), at(&f) * at(&g));
             prop_assert_eq!(at(&f.plus(&g)), at(&f) + at(&g));
         }
+    }
+
+    #[test]
+    #[should_panic(expected = "harmonics are below 2^32")]
+    fn a_product_with_a_higher_harmonic_stops() {
+        let half = TrigPolynomial::cosine(i32::MIN);
+        assert_eq!(half.degree(), Some(1 << 31));
+        let _ = half.times(&half);
     }
 
     #[test]

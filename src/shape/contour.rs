@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::crossing::find_crossing;
 use super::orientation::{on_segment, orientation};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 
 /// Coordinates larger than this are refused: products of two of them must not overflow.
 const LARGEST: f64 = 1e120;
@@ -259,8 +259,12 @@ fn same(p: [f64; 2], q: [f64; 2]) -> bool {
 fn is_clockwise(points: &[[f64; 2]]) -> bool {
     let n = points.len();
     let lowest = (0..n)
-        .min_by(|&i, &j| points[i].partial_cmp(&points[j]).unwrap_or(Ordering::Equal))
-        .unwrap_or(0);
+        .min_by(|&i, &j| {
+            points[i]
+                .partial_cmp(&points[j])
+                .invariant("coordinates are finite")
+        })
+        .invariant("a polygon has a vertex");
     let (before, after) = (points[(lowest + n - 1) % n], points[(lowest + 1) % n]);
     orientation(before, points[lowest], after) == Ordering::Less
 }

@@ -8,6 +8,7 @@ use rayon::slice::ParallelSliceMut;
 
 use super::orientation::{in_box, orientation};
 use super::swept_edge::SweptEdge;
+use crate::error::Invariant;
 
 /// Two edges, named by the index of their first vertex, that share a point they must not share.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +93,7 @@ pub(super) fn find_crossing(points: &[[f64; 2]]) -> Option<Crossing> {
 
 /// The order of the sweep: by x, then by y.
 fn left_to_right(p: [f64; 2], q: [f64; 2]) -> Ordering {
-    p.partial_cmp(&q).unwrap_or(Ordering::Equal)
+    p.partial_cmp(&q).invariant("coordinates are finite")
 }
 
 /// The edges next to `edge`, which is not in the status itself.

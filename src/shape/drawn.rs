@@ -1,6 +1,7 @@
 //! What of a parametric form is drawn: points in doubles, with no certificate.
 
 use super::{Parameter, ParametricCurve, Patch, PatchFunction};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, real_roots};
 
@@ -186,7 +187,7 @@ struct Doubles {
 
 impl Doubles {
     fn of(f: &PatchFunction) -> [Self; 2] {
-        let exponent = |e: u32| i32::try_from(e).unwrap_or(i32::MAX);
+        let exponent = |e: u32| i32::try_from(e).invariant("exponents are below 2^31");
         let degrees = [0, 1].map(|v| exponent(f.degree_in(v)));
         [f.numerator(), f.denominator()].map(|p: &SparsePolynomial<2>| Self {
             terms: p

@@ -5,6 +5,7 @@ use malachite::base::num::basic::traits::One;
 use malachite::{Integer, Natural};
 
 use super::{Parameter, PlaneCurve};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, RationalFunction, Ring, doubled_form_from_harmonics};
 
@@ -101,16 +102,16 @@ impl FourierRadius {
         let (mut power, mut odd) = (0, Natural::ONE);
         for q in self.cos.iter().chain(&self.sin) {
             let denominator = q.denominator_ref();
-            power = power.max(denominator.trailing_zeros().unwrap_or(0));
+            power = power.max(factors_of_two(denominator));
             if !denominator.is_power_of_2() {
-                let own = denominator >> denominator.trailing_zeros().unwrap_or(0);
+                let own = denominator >> factors_of_two(denominator);
                 odd.lcm_assign(own);
             }
         }
         let common = Integer::from(&odd << power);
         let integer = |q: &Rational| {
             if odd == 1 {
-                let own = q.denominator_ref().trailing_zeros().unwrap_or(0);
+                let own = factors_of_two(q.denominator_ref());
                 return q.numerator() << (power - own);
             }
             q.numerator() * (&common).div_exact(q.denominator())
@@ -134,8 +135,7 @@ impl FourierRadius {
             let c = c.iter().map(|&c| Integer::from(c)).collect();
             let factor = BinaryForm::from_coefficients(c).times(&above);
             let (p, q) = (factor.dehomogenized(), below.dehomogenized());
-            // A power of 1 + s² is not 0.
-            RationalFunction::new(p.clone(), q.clone()).unwrap_or_default()
+            RationalFunction::new(p.clone(), q.clone()).invariant("a power of 1 + s^2 is not 0")
         };
         let parameter = Parameter::angle("t", Rational::one());
         // cos θ = (1 − s²)/(1 + s²), sin θ = 2s/(1 + s²)
@@ -194,4 +194,11 @@ fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
         a * c + b * s
     });
     terms.sum()
+}
+
+/// How often a denominator can be halved.
+fn factors_of_two(denominator: &Natural) -> u64 {
+    denominator
+        .trailing_zeros()
+        .invariant("a denominator is not 0")
 }

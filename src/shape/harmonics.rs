@@ -8,6 +8,7 @@ use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
 
 use super::Parameter;
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, SparsePolynomial, harmonics_of_form};
 
@@ -53,7 +54,8 @@ pub(crate) fn quotient_in_harmonics(
 ) -> [Expansion; 2] {
     let degree = |v: usize| {
         let terms = above.terms().chain(below.terms());
-        let degree = terms.map(|(e, _)| e[v]).max().unwrap_or(0);
+        let degree = terms.map(|(e, _)| e[v]).max();
+        let degree = degree.invariant("a denominator has a term");
         // The half angle must go: forms of even degree.
         degree.next_multiple_of(2)
     };

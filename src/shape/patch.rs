@@ -1,7 +1,7 @@
 //! Parametric surfaces.
 
 use super::Parameter;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::coprime_parts;
 use crate::limits::Limits;
@@ -59,7 +59,8 @@ impl PatchFunction {
     #[must_use]
     pub fn degree_in(&self, variable: usize) -> u32 {
         let terms = self.numerator.terms().chain(self.denominator.terms());
-        terms.map(|(e, _)| e[variable]).max().unwrap_or(0)
+        let degree = terms.map(|(e, _)| e[variable]).max();
+        degree.invariant("a denominator has a term")
     }
 
     /// The value at rational numbers, `None` where the denominator is 0.

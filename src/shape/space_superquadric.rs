@@ -2,7 +2,7 @@
 
 use malachite::base::num::arithmetic::traits::Parity;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 
@@ -121,7 +121,7 @@ impl SpaceSuperquadric {
         let power = |axis: usize, exponent: u32| {
             let scale = self.semi_axes[axis]
                 .pow(-i64::from(exponent))
-                .unwrap_or_default();
+                .invariant("a semi-axis is not 0");
             let mut exponents = [0; 3];
             exponents[axis] = exponent;
             SparsePolynomial::from_terms([(exponents, scale)])

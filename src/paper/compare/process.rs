@@ -5,7 +5,7 @@ use std::io::{self, Read, Seek, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 
 /// Between two looks at the program.
@@ -169,10 +169,9 @@ fn ending(status: ExitStatus) -> String {
 /// What was written to a file, up to [`MOST_BYTES`].
 fn text(file: &mut File) -> String {
     let mut bytes = Vec::new();
-    let read = file
-        .rewind()
-        .and_then(|()| file.take(MOST_BYTES).read_to_end(&mut bytes));
-    debug_assert!(read.is_ok(), "a file of our own can be read");
+    file.rewind()
+        .and_then(|()| file.take(MOST_BYTES).read_to_end(&mut bytes))
+        .invariant("a file of our own can be read");
     String::from_utf8_lossy(&bytes).into_owned()
 }
 

@@ -2,6 +2,7 @@
 
 use malachite::Integer;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{RationalFunction, SparsePolynomial, doubled_form_from_harmonics};
 use crate::shape::FourierRadius;
@@ -24,7 +25,7 @@ pub(super) const RADIUS_TEXT: &str =
 #[must_use]
 pub fn ladder_radius(harmonics: usize) -> FourierRadius {
     let numerator = |n: usize, factor: usize| {
-        let residue = i64::try_from(factor * n % 19).unwrap_or_default();
+        let residue = i64::try_from(factor * n % 19).invariant("a residue modulo 19 is small");
         Rational::from(2 * residue - 19) / Rational::from(200)
     };
     let coefficients = |first: i64, factor: usize| {
@@ -69,7 +70,7 @@ impl System {
 }
 
 fn exponent(e: usize) -> u32 {
-    u32::try_from(e).unwrap_or(u32::MAX)
+    u32::try_from(e).invariant("degrees are below 2^32")
 }
 
 /// q(z) v − p(z) for the coordinate v = p/q.

@@ -1,7 +1,7 @@
 //! Questions about equations: §2 of the paper, and homogeneous parts.
 
 use super::{Answer, form, joined, not_asked, parts, polynomial, text_of};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
 use crate::fit::{ContourKind, FitOptions, FitSize, contour_from_reader, fit_within};
@@ -108,7 +108,8 @@ pub(super) fn spurious(subject: &str, claimed: &str, limits: &Limits) -> Result<
 }
 
 pub(super) fn origin(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
-    let multiplicity = curve(subject)?.polynomial().lowest_degree().unwrap_or(0);
+    let multiplicity = curve(subject)?.polynomial().lowest_degree();
+    let multiplicity = multiplicity.invariant("the polynomial of a curve is not 0");
     Ok(Answer::text(multiplicity.to_string(), claimed))
 }
 
@@ -154,7 +155,7 @@ pub(super) fn factors(subject: &str, claimed: &str, limits: &Limits) -> Result<A
 
 /// Degrees of polynomials are far below 2³².
 fn narrow(k: usize) -> u32 {
-    u32::try_from(k).unwrap_or(u32::MAX)
+    u32::try_from(k).invariant("degrees are below 2^32")
 }
 
 pub(super) fn same(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {

@@ -1,34 +1,49 @@
 //! The sums of long Chinese remainders by transforms: primes in groups, the rest of their product in blocks.
+//!
+//! Lemma 1 (digits of groups). The sum Σ y P_G/p over the 48 primes of a group has at most [`GROUP_LEN`] digits of 40 bits.
+//! Proof. y < p, so it is below 48 P_G < 2^5.6 · 2^2400 ≤ 2^(40 · 61). [`set_digits`] would stop at more.
+//!
+//! Lemma 2 (digits of the product). A digit of the product of a group's sum and a block, summed over all groups and the two blocks
+//! that overlap, is a natural number below p1 p2.
+//! Proof. A group's sum has 61 digits and a block 68, so no more than two of them overlap in 128 places; a digit of the product is a sum of at
+//! most 61 products below 2^80, below 2^86. There are less than 2^10 groups ([`MOST_PRIMES`]): below 2^97 < 2^99.98 < p1 p2.
+//!
+//! Lemma 3 (unreduced sums). The sum of [`UNREDUCED`] products of values of at most 3p and p/2, and of a value of at most p/2 + 1, is below 8p.
+//! Proof. A product is at most (1/2 + 3/8 · 3/2) p = 17/16 p (Lemma 2 of quad.rs); 6 · 17/16 + 1/2 < 7.
+//!
+//! Lemma 4 (carrying). In [`Blocks::put_together`] no sum leaves 64 bits.
+//! Proof. `first` < 2^50; |low| ≤ 2^47, `high` ≤ 2^52 (Lemma 1 of columns.rs, as p1 p2 < 2^100), moved up by 8 bits 2^60; q is at most the number
+//! of primes, below 2^16, times a digit below 2^56; the carry is then below 2^22.
+//!
+//! Law for all: `remainders_are_right_up_to_a_quarter_of_the_product` of chinese.rs, where y and digits are as large as they can be.
 
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::DivExact;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use super::quad::{Quad, QuadField, minus, plus};
 use super::quartet::Quartet;
 use super::transform::Transform;
 use crate::exact::{
-    Columns, DIGIT_BITS, Sums, digits_of_bits, f64_from, halves_of_product, u64_from,
+    Columns, DIGIT_BITS, Machine, Sums, digits_of_bits, f64_from, halves_of_product, u64_from,
 };
 
-/// Quartets in a group: Σ y P_G/p over their 48 primes is below 48 P_G.
+/// Quartets in a group.
 const GROUP: usize = 12;
 /// The length of transforms.
 const LEN: usize = 128;
 /// Bits of the digits that are transformed.
 const SHORT_BITS: u32 = 40;
-/// Digits of a group's sum, which has at most 2406 bits.
+/// Digits of a group's sum. Lemma 1.
 const GROUP_LEN: usize = 61;
-/// Digits of a block, not fewer: so no more than two of them overlap. The product of a group's sum and a block has `LEN`
-/// digits, which are sums of at most 61 products below 2^80; all groups together, which are less than 2^10, and two blocks
-/// stay below 2^97: less than the product of two primes.
+/// Digits of a block: the product of a group's sum and a block has `LEN` digits. Lemma 2.
 const BLOCK_LEN: usize = LEN + 1 - GROUP_LEN;
-/// So many primes are less than 2^10 groups.
+/// So many primes are less than 2^10 groups. Lemma 2.
 pub(super) const MOST_PRIMES: usize = 1023 * 4 * GROUP;
 /// Sums that are formed side by side.
 pub(super) const LANES: usize = 4;
 
-/// So many products of at most 17/16 p, and p/2, are below 2^53.
+/// So many products are summed before they are reduced. Lemma 3.
 const UNREDUCED: usize = 6;
 
 /// `Σ y P/p` over all primes is `Σ (P/P_G) Σ y P_G/p` over groups G of primes: the inner sums are formed as they stand, the
@@ -52,7 +67,12 @@ pub(super) struct Blocks {
 
 impl Blocks {
     /// For the primes of these quartets, with this product, and the negative of it in limbs.
-    pub(super) fn new(quartets: &[Quartet], product: &Natural, minus_p: &[u64]) -> Self {
+    pub(super) fn new(
+        machine: Machine,
+        quartets: &[Quartet],
+        product: &Natural,
+        minus_p: &[u64],
+    ) -> Self {
         let groups = quartets.chunks(GROUP).map(|quartets| {
             let primes = quartets.iter().flat_map(Quartet::primes);
             primes.map(Natural::from).collect::<Vec<_>>()
@@ -69,14 +89,14 @@ impl Blocks {
         let short = |number: &Natural| digits_of_bits(SHORT_BITS, number.limbs());
         let columns = |(primes, product): (&Vec<Natural>, &Natural)| {
             let others = primes.iter().map(|p| short(&product.div_exact(p)));
-            Columns::new(&others.collect::<Vec<_>>())
+            Columns::new(machine, &others.collect::<Vec<_>>())
         };
         let minus_p = digits_of_bits(SHORT_BITS, minus_p.iter().copied());
         let blocks = minus_p.len().div_ceil(BLOCK_LEN);
         let others: Vec<_> = others.iter().map(short).collect();
         let primes = [0, 1].map(|i| quartets[0].of_one_prime(i));
         let tables = primes.each_ref().map(|prime| {
-            Arch::new().dispatch(Tables {
+            machine.dispatch(Tables {
                 prime,
                 others: &others,
                 blocks,
@@ -87,7 +107,7 @@ impl Blocks {
         Self {
             fields,
             transforms: [first, second],
-            inverse: Arch::new().dispatch(Inverse { fields }),
+            inverse: machine.dispatch(Inverse { fields }),
             groups: groups.iter().zip(&products).map(columns).collect(),
             tables: [in_first, in_second],
             minus_p: minus_p.into_iter().map(u64_from).collect(),
@@ -134,7 +154,7 @@ impl Blocks {
         self.put_together(&values, q, target);
     }
 
-    /// Digits of blocks, which overlap, and q times −P, as limbs.
+    /// Digits of blocks, which overlap, and q times −P, as limbs. Lemmas 2 and 4.
     ///
     /// A digit r1 modulo p1 and r2 modulo p2 is `r1 + p1 ((r2 − r1) / p1 mod p2)`.
     #[inline(always)]
@@ -190,7 +210,7 @@ impl Blocks {
     }
 }
 
-/// The digits of sums, which have no more than there is room for.
+/// The digits of sums, which have no more than there is room for, or the program stops. Lemma 1.
 #[inline(always)]
 fn set_digits(sums: &[Sums], digits: &mut [Quad; LEN]) {
     *digits = [[0.0; 4]; LEN];
@@ -203,7 +223,8 @@ fn set_digits(sums: &[Sums], digits: &mut [Quad; LEN]) {
     }
 }
 
-/// Adds to the values of all blocks those of some groups times those in the tables. From at most p/2 to at most p/2.
+/// Adds to the values of all blocks those of some groups times those in the tables. From at most p/2 + 1 to at most p/2 + 1, by
+/// Lemma 3.
 #[inline(always)]
 fn add_products(field: &QuadField, values: &mut [Quad], of_groups: &[[Quad; LEN]], tables: &[f64]) {
     let tables = tables.chunks_exact(LEN * of_groups.len());

@@ -1,21 +1,28 @@
 //! Chinese remainders: an integer from its residues modulo many primes.
+//!
+//! Lemma 1. Let P be the product of n primes, n ≤ [`MOST_PRIMES`], x an integer with |x| < P/4, and y ≡ x (P/p)^(−1) in [0, p)
+//! for each prime p. Then x = Σ y P/p − qP, where q is the integer nearest to the sum s of fl(y fl(1/p)) in doubles.
+//! Proof. Σ y P/p is congruent to x modulo each p, hence modulo P: Σ y/p = q + x/P for an integer q. Each term of s is wrong by less
+//! than 2^-52, and each of at most n additions of sums below 2^16 by at most 2^-38: |s − Σ y/p| < 2^16 · (2^-52 + 2^-38) < 2^-21, so
+//! that s is less than 1/4 + 2^-21 away from q.
+//! Law: `remainders_are_right_up_to_a_quarter_of_the_product`.
 
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{DivExact, Mod, Square};
 use malachite::base::num::logic::traits::SignificantBits;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 use smallvec::SmallVec;
 
 use super::blocks::{Blocks, LANES, MOST_PRIMES};
 use super::quad::{Quad, plus};
 use super::quartet::Quartet;
-use crate::exact::{Columns, Sums, digits, digits_for, f64_from};
+use crate::error::Invariant;
+use crate::exact::{Columns, Machine, Sums, digits, digits_for, f64_from};
 use crate::poly::limbs::{LIMB_BITS, sign_limb, width_for};
 
 /// The way from residues modulo some primes to integers.
 ///
-/// With P the product of the primes and `y ≡ x · (P/p)^(−1)` in [0, p) for each of them, `x ≡ Σ y P/p` modulo P, and
-/// x = Σ y P/p − qP with q the integer nearest to `Σ y/p` for |x| < P/4.
+/// x = Σ y P/p − qP, as in Lemma 1.
 pub(super) struct Remainders<'a> {
     quartets: &'a [Quartet],
     /// (P/p)^(−1) mod p.
@@ -35,7 +42,7 @@ enum Sum {
 impl<'a> Remainders<'a> {
     /// Sums of more than `direct` primes are formed in blocks. Cost: the number of primes squared, in time, and in space
     /// where sums are formed directly.
-    pub(super) fn new(quartets: &'a [Quartet], direct: usize) -> Self {
+    pub(super) fn new(machine: Machine, quartets: &'a [Quartet], direct: usize) -> Self {
         let primes: Vec<u64> = quartets.iter().flat_map(Quartet::primes).collect();
         assert!(
             primes.len() <= MOST_PRIMES,
@@ -47,11 +54,11 @@ impl<'a> Remainders<'a> {
         let residue = |p: &u64| {
             let p = Natural::from(*p);
             let quotient = (&product).mod_op((&p).square()) / p;
-            f64_from(u64::try_from(&quotient).unwrap_or(0))
+            f64_from(u64::try_from(&quotient).invariant("a residue is less than its prime"))
         };
         let residues: Vec<f64> = primes.iter().map(residue).collect();
         let residues = residues.as_chunks::<4>().0;
-        let weights = Arch::new().dispatch(Inverses { quartets, residues });
+        let weights = machine.dispatch(Inverses { quartets, residues });
         let minus_p = (Natural::from(1_u32) << (width as u64 * LIMB_BITS)) - &product;
         let sum = if primes.len() <= direct {
             let numbers = primes
@@ -59,9 +66,10 @@ impl<'a> Remainders<'a> {
                 .map(|p| (&product).div_exact(Natural::from(*p)));
             let numbers = numbers.chain([minus_p]);
             let numbers: Vec<_> = numbers.map(|number| digits(number.limbs())).collect();
-            Sum::Directly(Columns::new(&numbers))
+            Sum::Directly(Columns::new(machine, &numbers))
         } else {
             Sum::InBlocks(Box::new(Blocks::new(
+                machine,
                 quartets,
                 &product,
                 &minus_p.to_limbs_asc(),
@@ -132,7 +140,7 @@ impl NullaryFnOnce for Lift<'_> {
                     *y = field.canonical(field.times(residues[k], *weight));
                     fractions = plus(fractions, field.fraction(*y));
                 }
-                // Every fraction is wrong by 2^-52, the sum of them by far less than 1/4.
+                // Lemma 1.
                 y[across - 1] = fractions.iter().sum::<f64>().round_ties_even();
             }
             let y: SmallVec<[&[f64]; BATCH]> = all_y.chunks_exact(across).take(count).collect();
@@ -167,5 +175,80 @@ fn extend_sign(target: &mut [u64], from: usize) {
     if from < target.len() {
         let (target, above) = target.split_at_mut(from);
         above.fill(sign_limb(target));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::SplitMix;
+    use malachite::Integer;
+    use malachite::base::num::basic::traits::{One, Zero};
+    use proptest::prelude::*;
+
+    /// Each y as given by its numerator in 1024-ths of the prime: 0, 1, … and p − 1 for the largest one.
+    fn extreme_y(p: u64, kind: u64, random: &mut SplitMix) -> u64 {
+        match kind % 6 {
+            0 => 0,
+            1 => p - 1,
+            2 => random.next() % p,
+            3 => p / 2,
+            4 => (p - 1) * (random.next() % 2),
+            _ => 1,
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        /// Both ways, with all instructions: up to ±P/4, and sums of the largest y, the smallest and any.
+        #[test]
+        fn remainders_are_right_up_to_a_quarter_of_the_product(
+            count in prop_oneof![4 => 1usize..8, 1 => 12usize..40], seed in any::<u64>(),
+            machine in prop::sample::select(Machine::all().to_vec()),
+        ) {
+            let quartets = Quartet::enough_for(199 * count as u64 - 3);
+            prop_assert_eq!(quartets.len(), count);
+            let primes: Vec<u64> = quartets.iter().flat_map(Quartet::primes).collect();
+            let product: Natural = primes.iter().map(|p| Natural::from(*p)).product();
+            let mut random = SplitMix(seed);
+            let quarter = Integer::from(&product >> 2u64);
+            let mut integers = vec![Integer::ZERO, Integer::ONE, -Integer::ONE];
+            for less in [0, 1, 2] {
+                integers.extend([&quarter - Integer::from(less), Integer::from(less) - &quarter]);
+            }
+            for kind in 0..18 {
+                // What has these y, if it is small enough.
+                let mut sum = Integer::ZERO;
+                for (k, p) in primes.iter().enumerate() {
+                    let kind = if kind < 6 { kind } else { kind + k as u64 % 2 + 1 };
+                    let y = extreme_y(*p, kind, &mut random);
+                    sum += Integer::from((&product).div_exact(Natural::from(*p)) * Natural::from(y));
+                }
+                let product = Integer::from(&product);
+                let x = sum.mod_op(&product);
+                let x = if &x + &x > product { x - &product } else { x };
+                if x <= quarter && -&x <= quarter {
+                    integers.push(x);
+                }
+            }
+            let residue = |x: &Integer, p: f64| {
+                let p = Integer::try_from(p).unwrap();
+                f64_from(u64::try_from(&x.mod_op(p)).unwrap())
+            };
+            let residues: Vec<Vec<Quad>> = quartets.iter().map(|quartet| {
+                integers.iter().map(|x| quartet.field.p.map(|p| residue(x, p))).collect()
+            }).collect();
+            let residues: Vec<&[Quad]> = residues.iter().map(Vec::as_slice).collect();
+            for direct in [usize::MAX, 0] {
+                let remainders = Remainders::new(machine, &quartets, direct);
+                for width in [remainders.width, remainders.width + 2] {
+                    let mut target = vec![7; integers.len() * width];
+                    machine.dispatch(Lift { remainders: &remainders, residues: &residues, target: &mut target, width });
+                    for (x, limbs) in integers.iter().zip(target.chunks_exact(width)) {
+                        prop_assert_eq!(&Integer::from_twos_complement_limbs_asc(limbs), x);
+                    }
+                }
+            }
+        }
     }
 }

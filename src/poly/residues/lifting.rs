@@ -5,12 +5,13 @@ use std::sync::OnceLock;
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
-use pulp::Arch;
 use rayon::prelude::*;
 
 use super::chinese::{Lift, Remainders};
 use super::quad::Quad;
 use super::quartet::Quartet;
+use crate::error::Invariant;
+use crate::exact::Machine;
 use crate::poly::FlatPolynomial;
 use crate::poly::limbs::{to_integer, width_for};
 
@@ -50,6 +51,7 @@ pub(crate) struct Residues {
 
 /// The way from residues to polynomials with integer coefficients: the smaller a coefficient, the fewer primes.
 pub(crate) struct Lifting<'a> {
+    machine: Machine,
     quartets: &'a [Quartet],
     /// By how many quartets the sets of primes grow.
     step: usize,
@@ -59,16 +61,17 @@ pub(crate) struct Lifting<'a> {
 }
 
 impl<'a> Lifting<'a> {
-    pub(crate) fn new(quartets: &'a [Quartet]) -> Self {
-        Self::with_blocks_above(quartets, DIRECT)
+    pub(crate) fn new(machine: Machine, quartets: &'a [Quartet]) -> Self {
+        Self::with_blocks_above(machine, quartets, DIRECT)
     }
 
-    fn with_blocks_above(quartets: &'a [Quartet], direct: usize) -> Self {
+    fn with_blocks_above(machine: Machine, quartets: &'a [Quartet], direct: usize) -> Self {
         /// Sets of primes to choose from.
         const SETS: usize = 16;
         let step = quartets.len().div_ceil(SETS);
         let sets = quartets.chunks(step).map(|_| OnceLock::new()).collect();
         Self {
+            machine,
             quartets,
             step,
             sets,
@@ -88,7 +91,9 @@ impl<'a> Lifting<'a> {
     }
 
     fn remainders(&self, set: usize) -> &Remainders<'a> {
-        self.sets[set].get_or_init(|| Remainders::new(&self.quartets[..self.len(set)], self.direct))
+        self.sets[set].get_or_init(|| {
+            Remainders::new(self.machine, &self.quartets[..self.len(set)], self.direct)
+        })
     }
 
     /// Between the first and the last of the coefficients that are lifted with the k-th quartet: residues of these are asked
@@ -98,7 +103,11 @@ impl<'a> Lifting<'a> {
         let Some(first) = sizes.bits.iter().position(is_asked) else {
             return 0..0;
         };
-        let last = sizes.bits.iter().rposition(is_asked).unwrap_or(first);
+        let last = sizes
+            .bits
+            .iter()
+            .rposition(is_asked)
+            .invariant("where there is a first there is a last");
         first * TOGETHER..sizes.len.min((last + 1) * TOGETHER)
     }
 
@@ -143,7 +152,7 @@ impl<'a> Lifting<'a> {
         let from = k * TOGETHER;
         let residues = residues[..self.len(set)].iter();
         let residues: Vec<&[Quad]> = residues.map(|r| &r.values[from - r.start..]).collect();
-        Arch::new().dispatch(Lift {
+        self.machine.dispatch(Lift {
             remainders: self.remainders(set),
             residues: &residues,
             target,
@@ -199,7 +208,7 @@ mod tests {
             let sizes = Sizes::new(len, largest);
             // All sums directly, and all in blocks.
             for direct in [usize::MAX, 0] {
-                let lifting = Lifting::with_blocks_above(&quartets, direct);
+                let lifting = Lifting::with_blocks_above(Machine::this(), &quartets, direct);
                 let asked = |(k, residues): (usize, &Vec<Quad>)| {
                     let asked = lifting.asked(&sizes, k);
                     Residues { start: asked.start, values: residues[asked].to_vec() }

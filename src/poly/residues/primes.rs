@@ -5,6 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use malachite::base::num::factorization::traits::IsPrime;
 
 use super::quad::{PRIME_BITS, Quad};
+use crate::error::Invariant;
 use crate::exact::f64_from;
 use crate::poly::modular::power_mod;
 
@@ -12,6 +13,9 @@ use crate::poly::modular::power_mod;
 pub(super) const ORDER_BITS: u32 = 22;
 
 const ORDER: u64 = 3 << ORDER_BITS;
+
+/// ⌈2^49.99⌉.
+pub(super) const LEAST: u64 = 1_118_122_748_098_670;
 
 /// A prime and a root of unity of order 3 · 2^[`ORDER_BITS`].
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +29,9 @@ static KNOWN: Mutex<Vec<Prime>> = Mutex::new(Vec::new());
 
 /// So many times four primes, descending, with roots of unity of order 3 · 2^[`ORDER_BITS`], which are at most p/2.
 ///
-/// One number in 17 is a prime: some thousands of them are all above 2^49.99.
+/// Lemma 1. All of them are above 2^49.99: of so many numbers that are 1 modulo [`ORDER`] one in some twelve is a prime, so that
+/// as many as [`MOST_PRIMES`](super::blocks::MOST_PRIMES) are needed take 0.7 % of the way to 2^49. Each is compared with
+/// [`LEAST`] when it is found. Law: `roots_have_the_order_that_is_said`.
 pub(super) fn fours_of_primes(count: usize) -> Vec<[Quad; 2]> {
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     while known.len() < 4 * count {
@@ -51,6 +57,7 @@ fn next_prime(above: u64) -> Prime {
     while !p.is_prime() {
         p -= ORDER;
     }
+    assert!(p > LEAST, "there are enough primes above 2^49.99");
     // The order of a power g^((p − 1)/ORDER) divides ORDER; it is no less if the halves and the thirds of it are not 1.
     let mut roots = (2..p).map(|g| power_mod(g, (p - 1) / ORDER, p));
     let is_primitive = |root: &u64| {
@@ -58,7 +65,9 @@ fn next_prime(above: u64) -> Prime {
             .iter()
             .all(|&e| power_mod(*root, e, p) != 1)
     };
-    let root = roots.find(is_primitive).unwrap_or(1);
+    let root = roots
+        .find(is_primitive)
+        .invariant("the units modulo a prime are a cyclic group");
     Prime { p, root }
 }
 

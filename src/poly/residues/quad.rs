@@ -1,4 +1,24 @@
 //! Residues modulo four primes at once, in doubles: exact, and four to an instruction where the machine has them.
+//!
+//! In all lemmas p is a prime between 2^49 and 2^50, so that integers up to 8p are doubles, and r = fl(1/p).
+//!
+//! Lemma 1 (reduction). For an integer |a| ≤ 8p, q = ⌊a r⌉, rounded to even: a − qp is an integer of at most p/2 + 1, computed exactly.
+//! Proof. |a/p| ≤ 8, and a r is computed with two errors of 2^-53 in proportion, below 2^-48 together: |a/p − q| ≤ 1/2 + 2^-48. The
+//! fused a − qp is an integer of at most p/2 + 2^-48 p, below 2^53, so it is not rounded.
+//!
+//! Lemma 2 (products). For integers |a| ≤ Ap, |b| ≤ Bp with AB ≤ 4, h = fl(ab), l = ab − h, q = ⌊h r⌉: (h − qp) + l is congruent to ab,
+//! computed exactly, and at most (1/2 + 3/8 AB) p.
+//! Proof. ab/p ≤ AB p < AB 2^50, and h r has three errors of 2^-53 in proportion: it is less than 3/8 AB away from ab/p, and q less than
+//! 1/2 + 3/8 AB. The fused l is exact (Dekker). h − qp = (ab − qp) − l is a multiple of the last bit of h of at most
+//! (1/2 + 3/8 AB) p + |l| < 2^53 such bits, or an integer below 2^53: exact. So is the sum, an integer of at most 2p.
+//!
+//! Lemma 3 (products with a factor). For |a| ≤ Ap, A ≤ 8, |w| ≤ p/2 and q = ⌊a fl(w r)⌉ the same holds with (1/2 + 3/16 A) p.
+//! Proof. Lemma 2 with B = 1/2; a fl(w r) has three errors of 2^-53 in proportion, too.
+//!
+//! Lemma 4 (powers). Products of two residues of at most p are at most 7/8 p: so are all powers.
+//! Proof. Lemma 2 with AB = 1.
+//!
+//! Law for all: `products_are_congruent_and_as_small_as_is_said`, at the ends of the ranges and at multiples of p/2.
 
 use crate::exact::{f64_from, u64_from};
 use crate::poly::limbs::is_negative;
@@ -76,21 +96,14 @@ impl QuadField {
         Self { p, inverse }
     }
 
-    /// The residue of size at most p/2 (and 1) of an integer up to 2^53.
-    ///
-    /// a/p is up to 16 and its error below 2^-47: the rounded one is at most 1/2 + 2^-47 away, and a − qp, an integer of
-    /// that size, is exact.
+    /// The residue of at most p/2 + 1 of an integer of at most 8p. Lemma 1.
     #[inline(always)]
     pub(crate) fn reduced(&self, a: Quad) -> Quad {
         let q = rounded(product(a, self.inverse));
         fused(negated(q), self.p, a)
     }
 
-    /// The product of residues of at most Ap and Bp with AB ≤ 4: at most (1/2 + 3/8 AB) p.
-    ///
-    /// With h = ab rounded and l = ab − h, which is exact: h/p is below 4 · 2^50 and computed with three errors of 2^-53
-    /// in proportion, together 3/8 AB. So the rounded one, q, is at most 1/2 + 3/8 AB away from ab/p, and h − qp and
-    /// ab − qp are integers below 2^53, which are exact.
+    /// The product of residues of at most Ap and Bp with AB ≤ 4: at most (1/2 + 3/8 AB) p. Lemma 2.
     #[inline(always)]
     pub(crate) fn times(&self, a: Quad, b: Quad) -> Quad {
         let h = product(a, b);
@@ -105,9 +118,8 @@ impl QuadField {
         Factor { w, quotient }
     }
 
-    /// The product of a residue of at most Ap, A ≤ 8, and a factor: at most (1/2 + 3/16 A) p.
-    ///
-    /// As [`QuadField::times`] with B = 1/2; the quotient does not wait for the product.
+    /// The product of a residue of at most Ap, A ≤ 8, and a factor: at most (1/2 + 3/16 A) p. Lemma 3: the quotient does not wait
+    /// for the product.
     #[inline(always)]
     pub(super) fn times_factor(&self, a: Quad, Factor { w, quotient }: Factor) -> Quad {
         let h = product(a, w);
@@ -116,7 +128,7 @@ impl QuadField {
         plus(fused(negated(q), self.p, h), l)
     }
 
-    /// a^exponent, for a of at most p: of at most 7/8 p.
+    /// a^exponent, for a of at most p: of at most 7/8 p. Lemma 4.
     #[inline(always)]
     pub(super) fn power(&self, a: Quad, exponent: u64) -> Quad {
         let mut power = [a];
@@ -176,7 +188,7 @@ impl QuadField {
         each(self.p, |p| -(p - 1.0) / n)
     }
 
-    /// The residues in [0, p) of integers up to 2^53.
+    /// The residues in [0, p) of integers of at most 8p. Lemma 1.
     #[inline(always)]
     pub(super) fn canonical(&self, a: Quad) -> Quad {
         let a = self.reduced(a);
@@ -184,6 +196,9 @@ impl QuadField {
     }
 
     /// The residues of an integer in two's complement, of at most p.
+    ///
+    /// Lemma 5. With w = 2^32 and |value| ≤ p the next value is at most p again. Proof. By Lemma 3 the product is at most 11/16 p,
+    /// and 2^32 < 5/16 p. Law: `residues_of_long_integers_are_congruent`.
     #[inline(always)]
     pub(super) fn residue(&self, limbs: &[u64]) -> Quad {
         // By Horner's rule in 2^32.
@@ -228,6 +243,21 @@ pub(super) mod tests {
     }
 
     proptest! {
+        #[test]
+        fn residues_of_long_integers_are_congruent(
+            limbs in prop::collection::vec(prop_oneof![Just(0), Just(u64::MAX), any::<u64>()], 1..40),
+        ) {
+            let field = Quartet::enough_for(1).pop().unwrap().field;
+            let value = Integer::from_twos_complement_limbs_asc(&limbs);
+            let residues = field.residue(&limbs);
+            for (residue, p) in residues.into_iter().zip(field.p) {
+                prop_assert!(congruent(&integer(residue), &value, p));
+                prop_assert!(residue.abs() <= p);
+            }
+        }
+    }
+
+    proptest! {
         #![proptest_config(ProptestConfig::with_cases(2000))]
         #[test]
         fn products_are_congruent_and_as_small_as_is_said(
@@ -251,6 +281,7 @@ pub(super) mod tests {
                 prop_assert!(by_factor[i].abs() <= (0.5 + scale * 3.0 / 16.0) * p);
                 prop_assert!(congruent(&(integer(left[i]) * integer(right[i])), &integer(product[i]), p));
                 prop_assert!(product[i].abs() <= 2.0 * p);
+                prop_assert!(field.times(one, one)[i].abs() <= 7.0 / 8.0 * p);
                 prop_assert!(congruent(&integer(wide[i]), &integer(reduced[i]), p));
                 prop_assert!(reduced[i].abs() <= p / 2.0 + 1.0);
                 let expected = (0..exponent).fold(Integer::from(1), |product, _| product * integer(one[i]));

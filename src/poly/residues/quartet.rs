@@ -5,7 +5,11 @@ use rayon::prelude::*;
 use super::primes::fours_of_primes;
 use super::quad::{Quad, QuadField};
 use super::transform::Transform;
+use crate::error::Invariant;
 use crate::exact::u64_from;
+
+/// The product of four primes has more bits than that. Lemma 1 of [`Quartet::enough_for`].
+const BITS_OF_QUARTET: u64 = 199;
 
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
@@ -15,8 +19,12 @@ pub(crate) struct Quartet {
 }
 
 impl Quartet {
-    /// Primes with a product above 2^(bits + 2): enough to know integers of absolute value below 2^`bits`, and to tell
-    /// their signs.
+    /// Primes with a product above 2^(bits + 2): enough for integers of absolute value below 2^`bits` by Lemma 1 of
+    /// [`chinese`](super::chinese).
+    ///
+    /// Lemma 1. n = ⌈(bits + 3)/199⌉ quartets are enough. Proof. Primes are above 2^49.99 (Lemma 1 of [`primes`](super::primes)), so
+    /// the product is above 2^(199.96 n) ≥ 2^(bits + 3). Laws: `the_least_quartet_has_the_bits_that_are_said`,
+    /// `products_of_quartets_are_large_enough`.
     pub(crate) fn enough_for(bits: u64) -> Vec<Self> {
         let fours = fours_of_primes(Self::number_for(bits));
         let quartets = fours.into_iter().map(|[p, root]| Self {
@@ -28,8 +36,8 @@ impl Quartet {
 
     /// How many they are.
     pub(crate) fn number_for(bits: u64) -> usize {
-        // Four of them have more than 199.9 bits.
-        usize::try_from((bits + 3).div_ceil(199)).unwrap_or(usize::MAX)
+        usize::try_from((bits + 3).div_ceil(BITS_OF_QUARTET))
+            .invariant("a number of primes fits in memory")
     }
 
     /// The four primes.
@@ -81,4 +89,29 @@ pub(crate) fn for_each_quartet<W, T: Send>(
         work(workspace, k, quartet)
     });
     results.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::residues::primes::LEAST;
+    use malachite::Natural;
+    use malachite::base::num::arithmetic::traits::Pow;
+    use malachite::base::num::logic::traits::SignificantBits;
+
+    #[test]
+    fn the_least_quartet_has_the_bits_that_are_said() {
+        let least = Natural::from(LEAST).pow(4);
+        assert_eq!(least.significant_bits(), BITS_OF_QUARTET + 1);
+    }
+
+    #[test]
+    fn products_of_quartets_are_large_enough() {
+        for bits in (0..2400).chain([9_950, 15_917, 15_918]) {
+            let quartets = Quartet::enough_for(bits);
+            let primes = quartets.iter().flat_map(Quartet::primes).map(Natural::from);
+            let product: Natural = primes.product();
+            assert!(product > Natural::from(1_u32) << (bits + 2), "{bits}");
+        }
+    }
 }

@@ -2,12 +2,15 @@
 
 use std::ops::Range;
 
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use super::lifting::{Lifting, Residues, Sizes};
+use super::one_more_prime::{value_after_change, value_of_flat};
 use super::quad::{Quad, QuadField, negated};
 use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
+use crate::error::broken;
+use crate::exact::Machine;
 use crate::poly::{FlatPolynomial, FormSize};
 
 /// What changes of basis of degree at most D have in common.
@@ -46,7 +49,9 @@ impl Bases {
         }
     }
 
-    /// A product with a number k < 2^29 is of at most (1/2 + 2^-20) p: there A is less than 1, and B less than 2^-20.
+    /// Lemma 1. A product of a residue of at most p and a number k < 2^29 is at most (1/2 + 2^-20) p.
+    /// Proof. Lemma 2 of quad.rs with A = 1 and B < 2^29/2^49.99 < 2^-20. Transforms of more than 2^29 numbers there are none.
+    /// Law: `the_change_of_basis_is_two_taylor_shifts` of mobius.rs.
     #[inline(always)]
     fn set_factorials(&mut self, degree: usize) {
         let field = self.field;
@@ -172,18 +177,22 @@ impl Bases {
     }
 }
 
-/// The change of basis of integers: h has room for those below 2^[`form_bits`](crate::poly::form_bits), if Σ |g_j| < 2^`bits`.
+/// The change of basis of integers, compared with its value at one more point modulo one more prime: h has room for those below 2^[`form_bits`](crate::poly::form_bits), if Σ |g_j| < 2^`bits`.
 ///
 /// Cost: five transforms of twice the length for each prime that the largest coefficient needs; then for each coefficient
 /// the square of the number of primes that it needs.
-pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+pub(crate) fn changed_by_residues(
+    machine: Machine,
+    g: &FlatPolynomial,
+    bits: u64,
+) -> FlatPolynomial {
     let size = FormSize {
         power: 0,
         degree: g.len() - 1,
         bits,
     };
     let quartets = Quartet::enough_for(size.largest());
-    let lifting = Lifting::new(&quartets);
+    let lifting = Lifting::new(machine, &quartets);
     let sizes = Sizes::new(g.len(), |range| size.largest_of(range));
     let residues = for_each_quartet(&quartets, Default::default, |workspace, k, quartet| {
         let change = Change {
@@ -192,9 +201,13 @@ pub(crate) fn changed_by_residues(g: &FlatPolynomial, bits: u64) -> FlatPolynomi
             g,
             asked: lifting.asked(&sizes, k),
         };
-        Arch::new().dispatch(change)
+        machine.dispatch(change)
     });
-    lifting.polynomial(&sizes, &residues)
+    let changed = lifting.polynomial(&sizes, &residues);
+    if value_of_flat(&changed) != value_after_change(g) {
+        broken("a change of basis has its value modulo one more prime");
+    }
+    changed
 }
 
 struct Change<'a> {

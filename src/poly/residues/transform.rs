@@ -1,4 +1,25 @@
 //! Values at roots of unity and back: the fast Fourier transform modulo primes.
+//!
+//! Lemma 1 (forward). From numbers of at most Ap, A ≤ 3, two steps of [`Transform::forward_power_of_two`] lead to numbers of at most 3p,
+//! and no sum between is more than 8p.
+//! Proof. x2 and x3 times c are at most (1/2 + 3/16 A) p ≤ 17/16 p (Lemma 3 of quad.rs), so s1, d1 ≤ (3 + 17/16) p < 4.07p, and their products
+//! with a root at most (1/2 + 3/16 · 4.07) p < 1.27p. x0 ≤ p/2 + 1, s0 and d0 ≤ (1/2 + 17/16) p + 1; the results ≤ 2.83p + 1 < 3p.
+//!
+//! Lemma 2 (backward). From numbers of at most 2p two steps of [`Transform::backward_power_of_two`] lead to numbers of at most 2p, and no
+//! sum between is more than 8p.
+//! Proof. Sums of four are at most 8p, reduced p/2 + 1. d0, d1 ≤ (1/2 + 3/16 · 4) p = 5/4 p, their sum is reduced, their difference and s0 − s1 are
+//! at most 8p, and the product of that with a root is at most (1/2 + 3/16 · 8) p = 2p.
+//!
+//! Lemma 3 (points beyond, forward). [`More::forward`] leads from numbers of at most 2p to numbers of at most 2p.
+//! Proof. What [`folded`] leaves is at most 6p, its product with ω at most (1/2 + 3/16 · 6) p < 2p, both together at most 8p, the product of
+//! that with a twist at most 2p; the other sum, of at most 4p, is reduced.
+//!
+//! Lemma 4 (points beyond, backward). [`More::backward`] leads from numbers of at most 2p to numbers of at most p/2 + 1.
+//! Proof. The product of f2 is at most (1/2 + 3/16 · 2) p, those of what [`folded`] leaves of f1 (1/2 + 3/16 · 6) p each: less than 5p together,
+//! and reduced; the difference with f1 is at most 2.5p + 1, and reduced.
+//!
+//! Laws: `forward_are_the_values_and_backward_takes_them_back`, with numbers of exactly 2p; all sums and differences of the largest numbers are
+//! in `the_largest_numbers_stay_as_small_as_is_said`.
 
 use super::primes::ORDER_BITS;
 use super::quad::{Quad, QuadField, minus, negated, plus};
@@ -175,9 +196,7 @@ impl Transform {
         }
     }
 
-    /// Two steps at a time. If they are at most Ap before, x2 and x3 times c are at most (1/2 + 3/16 A) p, the first sums
-    /// at most A more, hence below 4p; the products of those are at most (1/2 + 3/16 · 4) p, so that for A ≤ 3 no sum is
-    /// more than (1/2 + 1/2 + 9/16 + 5/4) p < 3p.
+    /// Two steps at a time, from at most 3p to at most 3p. Lemma 1.
     #[inline(always)]
     fn forward_power_of_two(&self, values: &mut [Quad]) {
         let field = &self.field;
@@ -212,8 +231,7 @@ impl Transform {
         }
     }
 
-    /// Two steps at a time. If they are at most Ap before, A ≤ 2, the sums of four are at most 4A p ≤ 8p, below 2^53; the
-    /// products are at most (1/2 + 3/16 · 2A) p and (1/2 + 3/16 · 4A) p, which is again at most 2p.
+    /// Two steps at a time, from at most 2p to at most 2p. Lemma 2.
     #[inline(always)]
     fn backward_power_of_two(&self, values: &mut [Quad]) {
         let field = &self.field;
@@ -268,8 +286,7 @@ impl Transform {
 impl More {
     /// From a polynomial f to what is left of it modulo x^m − 1 and, in x/θ, modulo x^m' − ω; from at most 2p to at most 2p.
     ///
-    /// f has one term in y = x^m' more than x^m has parts; what [`folded`] leaves of it is at most 6p, the product with ω at
-    /// most (1/2 + 3/16 · 6) p, both together at most 8p.
+    /// f has one term in y = x^m' more than x^m has parts. Lemma 3.
     #[inline(always)]
     fn forward(&self, field: &QuadField, values: &mut [Quad]) {
         let third = field.factor(self.third);
@@ -285,8 +302,7 @@ impl More {
 
     /// From m f1 and m' f2 to m f, where f1 and f2 are what is left of f; from at most 2p to at most 2p.
     ///
-    /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. The product of
-    /// f2 is at most (1/2 + 3/16 · 2) p, those of what [`folded`] leaves of f1 (1/2 + 3/16 · 6) p each, together less than 5p.
+    /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. Lemma 4.
     #[inline(always)]
     fn backward(&self, field: &QuadField, values: &mut [Quad]) {
         let weights = [field.factor(self.weights[0]), field.factor(self.weights[1])];
@@ -400,6 +416,29 @@ mod tests {
                     prop_assert!(congruent(&integer(scaled), &integer(c[i]), field.p[i]));
                 }
             }
+        }
+
+        /// All signs of numbers of exactly the largest size, which is what sums and differences are the largest for.
+        #[test]
+        fn the_largest_numbers_stay_as_small_as_is_said(len in 4usize..100, signs in any::<u64>(), by in 0u32..7) {
+            let quartet = Quartet::enough_for(1).pop().unwrap();
+            let (field, transform) = (quartet.field, quartet.transform(transform_len(len)));
+            // Signs that depend on some bits of the place alone: all equal, in turn, in pairs, …
+            let sign = |k: usize| if signs >> ((k >> by) % 64) & 1 == 1 { -1.0 } else { 1.0 };
+            let all = |size: f64| (0..transform.len()).map(|k| field.p.map(|p| (size * p).trunc() * sign(k))).collect::<Vec<Quad>>();
+            let largest = |values: &[Quad], size: f64| {
+                values.iter().all(|v| (0..4).all(|i| v[i].abs() <= size * field.p[i]))
+            };
+            let mut values = all(2.0);
+            transform.forward(&mut values);
+            prop_assert!(largest(&values, 3.0));
+            let mut values = all(3.0);
+            values.truncate(transform.power);
+            transform.forward_power_of_two(&mut values);
+            prop_assert!(largest(&values, 3.0));
+            let mut values = all(2.0);
+            transform.backward(&mut values);
+            prop_assert!(largest(&values, 2.0));
         }
 
         /// What the change of basis needs of it.
