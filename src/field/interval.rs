@@ -19,22 +19,29 @@ pub(crate) struct Interval {
     high: f64,
 }
 
+/// A little more than `UNIT`, 2^(−53) + 2^(−105).
+const STEP: f64 = UNIT * (1.0 + f64::EPSILON);
+/// The least positive double, 2^(−1074).
+const LEAST: f64 = f64::from_bits(1);
+
 /// Lemma 1. If `rounded` is the double nearest to a real number x (±∞ beyond the largest), x ≤ `above(rounded)` and
 /// x ≥ `below(rounded)`.
 ///
-/// Proof. Were x > `next_up(rounded)`, that double would be nearer to x than `rounded`. The next one after −∞ is the
-/// least finite double, and only numbers below it round to −∞.
+/// Proof. Were x beyond the next double, that would be nearer to x than `rounded`. For 2^e ≤ |rounded| < 2^(e + 1) doubles are at
+/// most 2^(e − 52) apart there, and what is added, `STEP`·|rounded|, is more than half of that; so is `LEAST` for subnormal
+/// numbers: the sum rounds to the next double or one beyond it (Rump, Zimmermann, Boldo, Melquiond, *Computing predecessor and
+/// successor in rounding to nearest*, BIT 49 (2009)). The sum is NaN only for ∞ − ∞ and NaN, and then the bound is infinite.
 ///
-/// Law: `operations_hold_the_exact_results`.
+/// Laws: `operations_hold_the_exact_results`, `the_next_double_is_reached`.
 #[inline]
 fn above(rounded: f64) -> f64 {
-    rounded.next_up()
+    (rounded + (STEP * rounded.abs() + LEAST)).min(f64::INFINITY)
 }
 
 /// See [`above`].
 #[inline]
 fn below(rounded: f64) -> f64 {
-    rounded.next_down()
+    (rounded - (STEP * rounded.abs() + LEAST)).max(f64::NEG_INFINITY)
 }
 
 /// Lemma 2. If a number is computed from non-negative ones by additions and multiplications, and every product of inputs
@@ -276,23 +283,16 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
 
-    /// By Lemma 1: xy is linear in x and in y, so its extremes are products of ends. An infinite end bounds nothing but has
-    /// finite members beside it, so its product with the end 0 is 0.
+    /// By Lemma 1: xy is linear in x and in y, so its extremes are products of ends. Minimum and maximum pass over NaN, which
+    /// only 0·∞ gives: instead of it there is the product of that 0 with the other end, 0, or an infinite one, or nothing.
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let products = [
+        let [a, b, c, d] = [
             self.low * other.low,
             self.low * other.high,
             self.high * other.low,
             self.high * other.high,
         ];
-        let [a, b, c, d] = products;
-        // Minimum and maximum pass over NaN, which only 0·∞ gives here.
-        let [a, b, c, d] = if ((a + b) + (c + d)).is_finite() {
-            products
-        } else {
-            products.map(|x| if x.is_nan() { 0.0 } else { x })
-        };
         Self {
             low: below(a.min(b).min(c.min(d))),
             high: above(a.max(b).max(c.max(d))),
@@ -303,10 +303,18 @@ impl Mul for Interval {
 impl Mul<f64> for Interval {
     type Output = Self;
 
-    /// The product with a double.
+    /// The product with a double, likewise.
     #[inline]
     fn mul(self, factor: f64) -> Self {
-        self * Self::from(factor)
+        let (a, b) = (self.low * factor, self.high * factor);
+        if factor.is_finite() {
+            Self {
+                low: below(a.min(b)),
+                high: above(a.max(b)),
+            }
+        } else {
+            Self::ENTIRE
+        }
     }
 }
 
@@ -475,12 +483,30 @@ pub(crate) mod tests {
         assert_eq!(all / all, all);
         assert_eq!(one / Interval::ZERO, all);
         assert_eq!(all.sign(), None);
-        // Every number times 0 is 0, but for the outward rounding.
-        assert!((all * Interval::ZERO).magnitude() <= f64::MIN_POSITIVE);
-        // Overflow leaves a bound on the side where there is one.
+        assert_eq!(all * f64::INFINITY, all);
+        assert_eq!(one * f64::NAN, all);
+        // [0, 1] times all numbers is all numbers, and times the positive ones those.
+        let part = Interval::between(0.0, 1.0);
+        let positive = Interval::between(0.0, f64::INFINITY);
+        assert_eq!(part * all, all);
+        assert_eq!((part * positive).high(), f64::INFINITY);
+        assert!((part * positive).low() >= -f64::MIN_POSITIVE);
+        assert!((all * Interval::ZERO).low() <= 0.0 && (all * Interval::ZERO).high() >= 0.0);
+        // Overflow leaves no bound.
         let huge = Interval::from(f64::MAX);
-        assert_eq!((huge + huge).low(), f64::MAX);
+        assert_eq!((huge + huge).high(), f64::INFINITY);
         assert_eq!((huge * huge).high(), f64::INFINITY);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 10_000, ..ProptestConfig::default() })]
+
+        /// Lemma 1: at least the next double, and no farther than the one after it.
+        #[test]
+        fn the_next_double_is_reached(x in nasty()) {
+            prop_assert!(x.next_up() <= above(x) && above(x) <= x.next_up().next_up());
+            prop_assert!(x.next_down().next_down() <= below(x) && below(x) <= x.next_down());
+        }
     }
 
     /// Lemma 2 on powers: of the powers of some doubles every one is within the counted error, and some use an eighth of it.

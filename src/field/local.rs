@@ -61,20 +61,22 @@ impl Field {
         let mut quadratic_error = Interval::ZERO;
         for (n, e) in layout.exponents.iter().enumerate().skip(1) {
             let (g, error) = (taylor.coefficients[n], taylor.errors[n]);
+            let mut quadratic = |i: usize, j: usize| {
+                local.hessian[(i, j)] = if i == j { 2.0 * g } else { g };
+                local.hessian[(j, i)] = local.hessian[(i, j)];
+                // |wᵢwⱼ| ≤ |w|²
+                quadratic_error = quadratic_error + Interval::from(error);
+            };
             match *e {
                 [1, 0, 0] => local.gradient[0] = taylor.at(n),
                 [0, 1, 0] => local.gradient[1] = taylor.at(n),
                 [0, 0, 1] => local.gradient[2] = taylor.at(n),
-                [2, 0, 0] | [0, 2, 0] | [0, 0, 2] | [1, 1, 0] | [1, 0, 1] | [0, 1, 1] => {
-                    let axes = (0..3).flat_map(|axis| std::iter::repeat_n(axis, e[axis]));
-                    let axes: SmallVec<[usize; 2]> = axes.collect();
-                    let (first, last) = (axes[0], axes[1]);
-                    let entry = if first == last { 2.0 * g } else { g };
-                    local.hessian[(first, last)] = entry;
-                    local.hessian[(last, first)] = entry;
-                    // |wᵢwⱼ| ≤ |w|²
-                    quadratic_error = quadratic_error + Interval::from(error);
-                }
+                [2, 0, 0] => quadratic(0, 0),
+                [0, 2, 0] => quadratic(1, 1),
+                [0, 0, 2] => quadratic(2, 2),
+                [0, 1, 1] => quadratic(1, 2),
+                [1, 0, 1] => quadratic(0, 2),
+                [1, 1, 0] => quadratic(0, 1),
                 _ => {
                     let order = e.iter().sum::<usize>();
                     if local.norms.len() < order - 2 {
@@ -138,7 +140,7 @@ impl Local {
             } else {
                 1.0
             };
-            tail = tail + power * Interval::from(*norm) * times;
+            tail = tail + power * *norm * times;
         }
         tail.high()
     }

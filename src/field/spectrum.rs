@@ -23,9 +23,14 @@ type Symmetric = ([Interval; 3], [Interval; 3]);
 ///
 /// Laws: `spectra_are_enclosed`, `spectra_are_tight`.
 pub(super) fn spectrum(m: &Matrix3<f64>) -> [f64; 2] {
-    let safe = gershgorin(m);
     let beside = m[(1, 2)].abs() + m[(0, 2)].abs() + m[(0, 1)].abs();
-    if beside <= 0.0 || !m.iter().all(|x| x.is_finite()) {
+    let [a, b, c] = [0, 1, 2].map(|i| m[(i, i)]);
+    if beside <= 0.0 && (a + b + c).is_finite() {
+        // The diagonal itself.
+        return [a.min(b).min(c), a.max(b).max(c)];
+    }
+    let safe = gershgorin(m);
+    if !m.iter().all(|x| x.is_finite()) {
         return safe;
     }
     let [low, high] = [1.0, -1.0].map(|sense| {

@@ -201,7 +201,8 @@ fn squared_bounds(
     let around = (length * 2.0).high().min(radius.unwrap_or(f64::INFINITY));
     let around = Interval::from(around);
     let reach = (around + off).high();
-    let curvature = local.curvature(reach, true) * f64::from(sign);
+    let curvature = local.curvature(reach, true);
+    let curvature = if sign < 0 { -curvature } else { curvature };
     let [across, along] = local.one_sided(sign, away.each_ref().map(Interval::from), reach);
     let reduced = (Interval::from(lambda) - Interval::from(along) * around / length).low();
     // Either rule, with what it makes of λ.

@@ -89,29 +89,29 @@ pub(super) fn lagrange(local: &Local, nu: f64) -> Matrix4<f64> {
 /// Laws: `bounds_hold_on_random_cubics`, `the_distance_to_a_sphere_is_enclosed`.
 pub(super) fn enclose(field: &Field, p: [f64; 3], q: [f64; 3], sign: i8) -> DistanceBounds {
     let local = field.local(q);
-    bounds_from(&local, p, q, f64::from(sign))
+    bounds_from(&local, p, q, sign)
 }
 
-fn bounds_from(local: &Local, p: [f64; 3], q: [f64; 3], sign: f64) -> DistanceBounds {
+fn bounds_from(local: &Local, p: [f64; 3], q: [f64; 3], sign: i8) -> DistanceBounds {
     let mut found = DistanceBounds::UNKNOWN;
     let away = minus(exactly(p), exactly(q));
     let away_squared = square(away);
     let length = away_squared.sqrt();
-    let gradient = local.gradient.map(|g| g * sign);
+    let signed = |x: Interval| if sign < 0 { -x } else { x };
+    let gradient = local.gradient.map(signed);
     // G·a
     let slope = product(gradient, away);
     let lambda = (slope / away_squared).middle();
     if !(lambda.is_finite() && lambda > 0.0) {
         return found;
     }
-    let lambda = Interval::from(lambda);
-    let value = local.value * sign;
-    let curvature = local.curvature((length * 2.0).high(), false) * sign;
-    let convexity = lambda * 0.5 + curvature;
+    let value = signed(local.value);
+    let curvature = signed(local.curvature((length * 2.0).high(), false));
+    let convexity = Interval::from(lambda) * 0.5 + curvature;
     if convexity.is_positive() {
-        let rest = [0, 1, 2].map(|i| gradient[i] - lambda * away[i]);
+        let rest = [0, 1, 2].map(|i| gradient[i] - away[i] * lambda);
         let loss = square(rest) / (convexity * 4.0) - value;
-        let inside = away_squared - loss.or_zero() * 2.0 / lambda;
+        let inside = away_squared - loss.or_zero() * 2.0 / Interval::from(lambda);
         found.low = inside.or_zero().sqrt().low();
     }
     if slope.is_positive() {
