@@ -115,6 +115,55 @@ proptest! {
     }
 }
 
+/// (a, b, c)/e with a² + b² + c² = e², from a quaternion.
+fn unit_vector([m, n, p, q]: [i64; 4]) -> Option<[Rational; 3]> {
+    let norm = Rational::from(m * m + n * n + p * p + q * q).recip()?;
+    let all = [
+        m * m + n * n - p * p - q * q,
+        2 * (m * q + n * p),
+        2 * (n * q - m * p),
+    ];
+    Some(all.map(|k: i64| Rational::from(k) * &norm))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    /// Points at an exactly known distance, and tolerances that differ from it by at most 2^−60: every verdict is the exact
+    /// comparison, and the bounds hold the exact distance. Planes and doubles; spheres and cylinders and points at a rational distance
+    /// from their middle.
+    #[test]
+    fn verdicts_within_2_to_the_minus_60_of_the_tolerance(quaternion in prop::array::uniform4(-9i64..10), p in prop::array::uniform3(-2.0f64..2.0), radius in (1i64..3000, 1i64..1000), part in -64i64..65) {
+        let Some(unit) = unit_vector(quaternion) else { return Ok(()); };
+        let small = Rational::from(part) * Rational::from(2).pow(-66).unwrap();
+        let [a, b, c] = &unit;
+        let plane = format!("({a})*x + ({b})*y + ({c})*z = 2");
+        let on_plane = unit.iter().zip(exact(p)).map(|(u, x)| u * &x).sum::<Rational>() - Rational::from(2);
+        let length = Rational::from(radius.0) / Rational::from(radius.1);
+        let on_sphere = unit.each_ref().map(|u| u * &length);
+        let from_sphere = (length - Rational::from(1)).abs();
+        let on_cylinder = [&on_sphere[0] * &Rational::from(1), on_sphere[1].clone(), Rational::from(7)];
+        let mut cases = vec![
+            (plane.as_str(), exact(p), on_plane.abs()),
+            ("x^2 + y^2 + z^2 = 1", on_sphere.clone(), from_sphere.clone()),
+        ];
+        if unit[2].is_zero() {
+            cases.push(("x^2 + y^2 = 1", on_cylinder, from_sphere));
+        }
+        for (text, p, distance) in cases {
+            let tolerance = &distance + &small;
+            // Within 1 of the sphere's middle the ball may hold all of it.
+            prop_assume!(tolerance.to_f64() > 1e-3 && tolerance.to_f64() < 0.9);
+            let found = inspector_within(text, &tolerance, 4.0).inspect(&p);
+            let expected = if part >= 0 { INSIDE } else { OUTSIDE };
+            prop_assert_eq!(answer(&found), expected, "{} {:?} {}: {:?}", text, p, tolerance, found);
+            let bound = |x: f64| Rational::try_from(x).unwrap();
+            prop_assert!(bound(found.distance.low) <= distance, "{} {:?} {:?}", text, p, found);
+            prop_assert!(distance <= bound(found.distance.high), "{} {:?} {:?}", text, p, found);
+        }
+    }
+}
+
 /// Vectors (a, b, c)/e with a² + b² + c² = e².
 fn rational_unit_vectors() -> Vec<[Rational; 3]> {
     let mut found = Vec::new();

@@ -9,7 +9,7 @@ use super::tube::{Enclosed, Tube};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
-use crate::field::Field;
+use crate::field::{Field, Interval, rational, rationals};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 use crate::shape::ImplicitSurface;
@@ -191,8 +191,9 @@ type Cell = [u32; 3];
 /// The search for the arcs of two irreducible surfaces.
 struct Search<'a> {
     path: Path<'a>,
-    /// Half the sides of the cells that are looked at now.
+    /// Half the sides of the cells that are looked at now, and how many of them there are beside each other in the window.
     halves: [f64; 3],
+    counts: [u32; 3],
     tubes: Vec<Tube>,
 }
 
@@ -210,8 +211,20 @@ impl<'a> Search<'a> {
                 shortest: longest / FIRST_CELLS * 0.5f64.powi(LEVELS as i32 + 1),
             },
             halves: std::array::from_fn(|i| sides[i] / counts[i] / 2.0),
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "from one to four"
+            )]
+            counts: counts.map(|count| count as u32),
             tubes: Vec::new(),
         }
+    }
+
+    /// Goes on to cells of half the sides.
+    fn refine(&mut self) {
+        self.halves = self.halves.map(|h| h / 2.0);
+        self.counts = self.counts.map(|count| 2 * count);
     }
 
     fn middle(&self, cell: Cell) -> [f64; 3] {
@@ -220,11 +233,19 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Half the sides of a cell, and a little more than rounding takes away.
-    fn around(&self) -> [f64; 3] {
+    /// Half the sides that a box about the middle of a cell needs to hold the cell: the cells divide the window, and the doubles
+    /// next to its middle and half sides are not exact.
+    ///
+    /// Lemma 15. With k + 1 cells beside each other from the lower end a of the window on to the upper end of a cell, of n in
+    /// all, the ends of the cell are a + (b − a)k/n and a + (b − a)(k + 1)/n; it reaches no farther than the farther one.
+    ///
+    /// Law: `cells_cover_the_window`.
+    fn around(&self, cell: Cell, middle: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| {
-            let [a, b] = self.path.window[i].map(f64::abs);
-            self.halves[i] + 4.0 * f64::EPSILON * (a + b)
+            let [a, b] = self.path.window[i].map(Interval::from);
+            let count = Interval::from(f64::from(self.counts[i]));
+            let end = |k: u32| a + (b - a) * f64::from(k) / count - Interval::from(middle[i]);
+            end(cell[i]).magnitude().max(end(cell[i] + 1).magnitude())
         })
     }
 
@@ -246,7 +267,7 @@ impl<'a> Search<'a> {
                     limits.check()?;
                 }
                 let middle = self.middle(cell);
-                if !self.is_covered(middle)
+                if !self.is_covered(cell, middle)
                     && let Some((arc, tubes)) = self.arc_from(middle)
                 {
                     self.tubes.extend(tubes);
@@ -255,7 +276,7 @@ impl<'a> Search<'a> {
                         return Err(Error::limit(format!("{MAX_POINTS} points")));
                     }
                 }
-                if !self.is_covered(middle) {
+                if !self.is_covered(cell, middle) {
                     open.push(cell);
                 }
             }
@@ -264,40 +285,31 @@ impl<'a> Search<'a> {
                 break;
             }
             cells = cells.into_iter().flat_map(children).collect();
-            self.halves = self.halves.map(|h| h / 2.0);
+            self.refine();
         }
         all.unresolved.extend(self.clusters(&cells));
         Ok(())
     }
 
     fn first_cells(&self) -> Vec<Cell> {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "at most four"
-        )]
-        let counts: [u32; 3] = std::array::from_fn(|i| {
-            let [a, b] = self.path.window[i];
-            ((b - a) / (2.0 * self.halves[i])).round() as u32
-        });
-        let [l, m, n] = counts;
+        let [l, m, n] = self.counts;
         let all = (0..l).flat_map(|i| (0..m).flat_map(move |j| (0..n).map(move |k| [i, j, k])));
         all.collect()
     }
 
     /// Those that are not proved to hold no common zero.
     fn not_empty(&self, cells: Vec<Cell>) -> Vec<Cell> {
-        let halves = self.around();
         let is_open = |cell: &Cell| {
             let middle = self.middle(*cell);
+            let halves = self.around(*cell, middle);
             let [f, g] = self.path.fields.map(|f| f.on_box(middle, halves));
             !f.exclude(&g)
         };
         cells.into_par_iter().filter(is_open).collect()
     }
 
-    fn is_covered(&self, middle: [f64; 3]) -> bool {
-        let halves = self.around();
+    fn is_covered(&self, cell: Cell, middle: [f64; 3]) -> bool {
+        let halves = self.around(cell, middle);
         self.tubes.iter().any(|tube| tube.holds(middle, halves))
     }
 
@@ -329,6 +341,13 @@ impl<'a> Search<'a> {
         (!is_scrap).then_some((Chain { points, ends }, tubes))
     }
 
+    /// Where the first k cells beside each other end.
+    fn edge(&self, axis: usize, k: u32) -> Interval {
+        let [a, b] = self.path.window[axis].map(rational);
+        let part = Rational::from(i64::from(k)) / Rational::from(i64::from(self.counts[axis]));
+        Interval::narrowest(&(&a + &((&b - &a) * part)))
+    }
+
     /// The boxes around cells that hang together, or nearly so.
     fn clusters(&self, cells: &[Cell]) -> Vec<[[f64; 2]; 3]> {
         let mut blocks: HashMap<Cell, Vec<Cell>> = HashMap::new();
@@ -355,10 +374,9 @@ impl<'a> Search<'a> {
                 }
             }
             if is_new {
-                let corner =
-                    |i: usize, k: u32| self.path.window[i][0] + 2.0 * self.halves[i] * f64::from(k);
                 boxes.push(std::array::from_fn(|i| {
-                    [corner(i, bounds[i][0]), corner(i, bounds[i][1] + 1)]
+                    let [low, high] = [bounds[i][0], bounds[i][1] + 1].map(|k| self.edge(i, k));
+                    [low.low(), high.high()]
                 }));
             }
         }
@@ -387,9 +405,7 @@ fn children(cell: Cell) -> impl Iterator<Item = Cell> {
 
 fn certified(chain: &Chain, polynomials: [&SparsePolynomial<3>; 2]) -> CurveArc {
     let points = chain.points.iter().map(|p| {
-        let exact = p
-            .position
-            .map(|x| Rational::try_from(x).unwrap_or_default());
+        let exact = rationals(p.position);
         ArcPoint {
             position: p.position,
             radius: p.radius,
@@ -399,5 +415,41 @@ fn certified(chain: &Chain, polynomials: [&SparsePolynomial<3>; 2]) -> CurveArc 
     CurveArc {
         points: points.collect(),
         ends: chain.ends,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::tests::sphere;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+        /// Lemma 15: the boxes that are looked at hold the cells that divide the window.
+        #[test]
+        fn cells_cover_the_window(low in prop::array::uniform3(-4.0f64..4.0), sides in prop::array::uniform3(0.01f64..3.0), level in 0u32..=LEVELS, part in prop::array::uniform3(0.0f64..1.0)) {
+            let bounds: [[f64; 2]; 3] = std::array::from_fn(|i| [low[i], low[i] + sides[i]]);
+            let options = ArcOptions { bounds, resolution: 64 };
+            let field = Field::new(&sphere(1));
+            let mut search = Search::new([&field, &field], &options);
+            for _ in 0..level {
+                search.refine();
+            }
+            let cell: Cell = std::array::from_fn(|i| (0..search.counts[i]).nth((part[i] * f64::from(search.counts[i])) as usize).unwrap_or(0));
+            let middle = search.middle(cell);
+            let halves = search.around(cell, middle);
+            for i in 0..3 {
+                let [a, b] = bounds[i].map(rational);
+                for k in [cell[i], cell[i] + 1] {
+                    let end = &a + &((&b - &a) * Rational::from(i64::from(k)) / Rational::from(i64::from(search.counts[i])));
+                    prop_assert!((&end - &rational(middle[i])).abs() <= rational(halves[i]));
+                    let edge = search.edge(i, k);
+                    prop_assert!(rational(edge.low()) <= end && end <= rational(edge.high()));
+                }
+                prop_assert!(halves[i] <= search.halves[i] * (1.0 + 1e-10) + 1e-14);
+            }
+        }
     }
 }

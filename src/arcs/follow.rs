@@ -83,8 +83,11 @@ impl Path<'_> {
             let tangent = tangent.map(|t| sense * t);
             let found = self.step(&at, tangent, step);
             let turns = |p: &Enclosed| {
-                let next = self.tangent(p.position).unwrap_or_default();
-                let cosine: f64 = tangent.iter().zip(next).map(|(a, b)| sense * a * b).sum();
+                // Without a direction there it turns too much.
+                let cosine = self.tangent(p.position).map_or(-1.0, |next| {
+                    let pairs = tangent.iter().zip(next);
+                    pairs.map(|(a, b)| sense * a * b).sum::<f64>()
+                });
                 cosine < COSINE && step > SMALL * self.longest
             };
             let Some((tube, next)) = found.filter(|(_, next)| !turns(next)) else {

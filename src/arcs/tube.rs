@@ -1,10 +1,8 @@
 //! What interval Newton proves of two surfaces on one box: a single smooth arc, or a single point.
 
 use crate::exact::Rational;
-use crate::field::Field;
+use crate::field::{BoxBounds, Field, Interval, rational};
 
-/// Rounding errors of the small matrix products below are less than this part of the sums of their sizes.
-const ROUNDING: f64 = 1e-15;
 /// Steps of Newton's method in doubles.
 const NEWTON_STEPS: usize = 40;
 
@@ -31,8 +29,8 @@ impl Tube {
     /// Whether a box is inside.
     pub(super) fn holds(&self, middle: [f64; 3], halves: [f64; 3]) -> bool {
         (0..3).all(|i| {
-            let reach = (middle[i] - self.middle[i]).abs() + halves[i];
-            reach * (1.0 + 1e-12) <= self.halves[i]
+            let away = Interval::from(middle[i]) - Interval::from(self.middle[i]);
+            (away.abs() + Interval::from(halves[i])).high() <= self.halves[i]
         })
     }
 
@@ -47,16 +45,24 @@ pub(super) fn across(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 
-/// The inverse of the derivatives of both functions across an axis, scaled by the half sides; and what it leaves of them: for
-/// both rows the part of the interval matrix I − Y J that stays.
+/// Y, a double matrix next to the inverse of the derivatives of both functions across an axis, scaled by the half sides; and
+/// for both rows a bound of the sum of the sizes of what stays of I − Y J anywhere on the box.
 struct Preconditioned {
     inverse: [[f64; 2]; 2],
     rest: [f64; 2],
 }
 
-fn preconditioned(slopes: [[[f64; 2]; 3]; 2], axis: usize) -> Option<Preconditioned> {
+impl Preconditioned {
+    /// A row of Y applied to the same thing of both functions.
+    fn row(&self, i: usize, of_both: [Interval; 2]) -> Interval {
+        of_both[0] * self.inverse[i][0] + of_both[1] * self.inverse[i][1]
+    }
+}
+
+fn preconditioned(bounds: &[BoxBounds; 2], axis: usize) -> Option<Preconditioned> {
     let [u, v] = across(axis);
-    let [[a, b], [c, d]] = slopes.map(|s| [s[u][0], s[v][0]]);
+    let slopes = bounds.each_ref().map(|b| [b.slope(u), b.slope(v)]);
+    let [[a, b], [c, d]] = slopes.map(|s| s.map(Interval::middle));
     let determinant = a * d - b * c;
     let inverse = [
         [d / determinant, -b / determinant],
@@ -65,22 +71,19 @@ fn preconditioned(slopes: [[[f64; 2]; 3]; 2], axis: usize) -> Option<Preconditio
     if !inverse.as_flattened().iter().all(|y| y.is_finite()) {
         return None;
     }
-    let rest = [0, 1].map(|i: usize| {
-        let mut sum = 0.0;
-        for (k, y) in inverse[i].iter().enumerate() {
-            for j in [u, v] {
-                let [middle, radius] = slopes[k][j];
-                sum += y.abs() * (radius + ROUNDING * middle.abs());
-            }
-        }
-        // What the doubles leave of the identity.
-        for (j, column) in [[a, c], [b, d]].into_iter().enumerate() {
-            let entry = inverse[i][0] * column[0] + inverse[i][1] * column[1];
-            sum += (entry - if i == j { 1.0 } else { 0.0 }).abs();
-        }
-        sum * (1.0 + 1e-9)
+    let mut system = Preconditioned {
+        inverse,
+        rest: [0.0; 2],
+    };
+    system.rest = [0, 1].map(|i: usize| {
+        let left = [0, 1].map(|j: usize| {
+            let identity = if i == j { 1.0 } else { 0.0 };
+            let column = slopes.map(|s| s[j]);
+            (Interval::from(identity) - system.row(i, column)).abs()
+        });
+        (left[0] + left[1]).high()
     });
-    Some(Preconditioned { inverse, rest })
+    Some(system)
 }
 
 /// Proves a box to be a tube by Krawczyk's operator over all values of one coordinate at once: with s in [−1, 1]³ on the box and
@@ -88,6 +91,8 @@ fn preconditioned(slopes: [[[f64; 2]; 3]; 2], axis: usize) -> Option<Preconditio
 ///
 /// F(t, 0, 0) is within F(0) + t ∂F/∂t, by the mean value theorem. Krawczyk (1969); Neumaier, *Interval methods for systems of
 /// equations*, §5.1.
+///
+/// Law: `tubes_hold_one_point_in_every_section`.
 pub(super) fn tube(
     fields: [&Field; 2],
     axis: usize,
@@ -95,18 +100,12 @@ pub(super) fn tube(
     halves: [f64; 3],
 ) -> Option<Tube> {
     let bounds = fields.map(|f| f.on_box(middle, halves));
-    let system = preconditioned(bounds.each_ref().map(|b| b.slopes), axis)?;
+    let system = preconditioned(&bounds, axis)?;
     let is_inside = (0..2).all(|i| {
-        let [mut value, mut along, mut loose, mut size] = [0.0; 4];
-        for (y, b) in system.inverse[i].iter().zip(&bounds) {
-            let [slope, radius] = b.slopes[axis];
-            value += y * b.value;
-            along += y * slope;
-            loose += y.abs() * (b.error + radius);
-            size += y.abs() * (b.value.abs() + slope.abs());
-        }
-        let reach = value.abs() + along.abs() + loose + ROUNDING * size + system.rest[i];
-        reach * (1.0 + 1e-9) < 1.0
+        let value = system.row(i, bounds.each_ref().map(BoxBounds::value));
+        let along = system.row(i, bounds.each_ref().map(|b| b.slope(axis)));
+        let reach = value.abs() + along.abs() + Interval::from(system.rest[i]);
+        reach.high() < 1.0
     });
     is_inside.then_some(Tube {
         axis,
@@ -156,32 +155,107 @@ pub(super) fn enclose(
     let mut position = start;
     let mut best: Option<Enclosed> = None;
     for _ in 0..EXACT_STEPS {
-        let slopes = fields.map(|f| f.on_box(position, halves).slopes);
-        let system = preconditioned(slopes, axis)?;
+        if !position.iter().all(|x| x.is_finite()) {
+            break;
+        }
+        let bounds = fields.map(|f| f.on_box(position, halves));
+        let system = preconditioned(&bounds, axis)?;
         let exact = fields.map(|f| f.exact_value(position));
         let steps = system.inverse.map(|row| {
-            let mut sum = Rational::zero();
-            for (y, value) in row.iter().zip(&exact) {
-                sum = &sum + &(&Rational::try_from(*y).unwrap_or_default() * value);
-            }
-            sum.to_f64()
+            let terms = row.iter().zip(&exact);
+            let sum: Rational = terms.map(|(y, value)| &rational(*y) * value).sum();
+            Interval::from(&sum)
         });
-        let [step, rest] = [
-            steps.iter().fold(0.0, |m: f64, s| m.max(s.abs())),
-            system.rest.iter().fold(0.0, |m: f64, r| m.max(*r)),
-        ];
+        let step = steps[0].abs().max(steps[1].abs());
+        let rest = Interval::from(system.rest[0]).max(Interval::from(system.rest[1]));
         // |solution − position| ≤ |Y F| + rest · |solution − position| in the maximum norm, scaled by the reach.
-        let scaled = step / (1.0 - rest) * (1.0 + 1e-9);
-        if rest < 0.5 && step + rest < 1.0 {
-            let radius = reach * scaled * std::f64::consts::SQRT_2 * (1.0 + 1e-9);
+        let scaled = step / (Interval::from(1.0) - rest);
+        if rest.high() < 0.5 && (step + rest).high() < 1.0 {
+            let radius = (scaled * reach * Interval::from(2.0).sqrt()).high();
             if best.is_none_or(|known| radius < known.radius) {
                 best = Some(Enclosed { position, radius });
             } else {
                 break;
             }
         }
-        position[u] -= reach * steps[0];
-        position[v] -= reach * steps[1];
+        position[u] -= reach * steps[0].middle();
+        position[v] -= reach * steps[1].middle();
     }
     best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::rationals;
+    use crate::poly::{Ring, SparsePolynomial};
+    use proptest::prelude::*;
+
+    /// c·x − c·m − off, so that the plane passes at a distance from m.
+    fn plane(c: [i64; 3], m: [f64; 3], off: &Rational) -> SparsePolynomial<3> {
+        let terms =
+            (0..3).map(|i| SparsePolynomial::<3>::variable(i).scaled(&Rational::from(c[i])));
+        let linear = terms.fold(SparsePolynomial::zero(), |sum, term| sum.plus(&term));
+        let at = linear.evaluate(&rationals(m));
+        linear.minus(&SparsePolynomial::constant(at + off))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+        /// Two planes meet in a line; where a box is proved to be a tube of it, the line leaves it by the ends, exactly. The sides
+        /// are next to where the line is at the ends.
+        #[test]
+        fn tubes_hold_one_point_in_every_section(c in prop::array::uniform6(-9i64..10), m in prop::array::uniform3(-3.0f64..3.0), off in prop::array::uniform2(-1.0f64..1.0), half in 0.1f64..2.0, ulps in -8i64..9, side in 0usize..2) {
+            let (a, b) = ([c[0], c[1], c[2]], [c[3], c[4], c[5]]);
+            let determinant = a[1] * b[2] - a[2] * b[1];
+            prop_assume!(determinant != 0);
+            let [e, f] = off.map(rational);
+            let fields = [Field::new(&plane(a, m, &e)), Field::new(&plane(b, m, &f))];
+            // y and z beyond m for a given x beyond m, by Cramer's rule.
+            let at = |x: &Rational| {
+                let whole = Rational::from(determinant);
+                let [r, s] = [&e - &(x * &Rational::from(a[0])), &f - &(x * &Rational::from(b[0]))];
+                let y = (&r * &Rational::from(b[2]) - &s * &Rational::from(a[2])) / &whole;
+                let z = (&s * &Rational::from(a[1]) - &r * &Rational::from(b[1])) / &whole;
+                [y, z]
+            };
+            let ends = [at(&rational(half)), at(&-rational(half))];
+            let most = [0, 1].map(|i| ends[0][i].abs().max(ends[1][i].abs()));
+            let mut sides = most.each_ref().map(|x| x.to_f64() * 2.0 + 1e-3);
+            let near = i64::try_from(most[side].to_f64().to_bits()).unwrap() + ulps;
+            prop_assume!(near > 0);
+            sides[side] = f64::from_bits(u64::try_from(near).unwrap());
+            if tube([&fields[0], &fields[1]], 0, m, [half, sides[0], sides[1]]).is_some() {
+                prop_assert!(most[0] <= rational(sides[0]) && most[1] <= rational(sides[1]));
+            }
+            sides[side] *= 1.0 + 1e-10;
+            prop_assert!(tube([&fields[0], &fields[1]], 0, m, [half, sides[0], sides[1]]).is_some() || ulps < 0 || most[side].to_f64() < 1e-3);
+            // The point of the line with the first coordinate of m is beside the one that is found.
+            let zero = at(&Rational::zero());
+            let start = [m[0], m[1] + zero[0].to_f64() + 1e-4, m[2] + zero[1].to_f64() - 1e-4];
+            let found = enclose([&fields[0], &fields[1]], 0, start, 1e-2).expect("a line is found");
+            let away: Rational = (0..2).map(|i| {
+                let off = rational(m[i + 1]) + &zero[i] - rational(found.position[i + 1]);
+                &off * &off
+            }).sum();
+            prop_assert!(away <= rational(found.radius) * rational(found.radius));
+        }
+
+        /// A box is inside a tube only if it is, exactly.
+        #[test]
+        fn only_boxes_inside_are_held(m in prop::array::uniform3(-3.0f64..3.0), off in prop::array::uniform3(-1.0f64..1.0), half in 0.1f64..1.0, ulps in -3i64..4) {
+            let middle: [f64; 3] = std::array::from_fn(|i| m[i] + off[i]);
+            let halves = off.map(|x| {
+                let least = x.abs() + half;
+                f64::from_bits(u64::try_from(i64::try_from(least.to_bits()).unwrap() + ulps).unwrap())
+            });
+            let tube = Tube { axis: 0, middle: m, halves };
+            if tube.holds(middle, [half; 3]) {
+                for i in 0..3 {
+                    prop_assert!((rational(middle[i]) - rational(m[i])).abs() + rational(half) <= rational(halves[i]));
+                }
+            }
+        }
+    }
 }

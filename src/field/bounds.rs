@@ -1,6 +1,7 @@
 //! Taylor bounds over boxes.
 
-use super::{Field, UNIT};
+use super::interval::{Interval, UNIT, exactly};
+use super::{FLOOR, Field, largest_powers};
 
 /// Steps towards the best bound of a distance.
 const HALVINGS: usize = 12;
@@ -8,13 +9,14 @@ const HALVINGS: usize = 12;
 /// f on a box, as the polynomial g(s) = f(m + ρ∘s) over the cube [−1, 1]³.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxBounds {
-    /// g(0), in doubles.
-    pub(crate) value: f64,
-    /// Bounds the error of `value`.
-    pub(crate) error: f64,
-    /// For every variable the derivative of g: its double at 0, and how far from that it gets on the cube.
-    pub(crate) slopes: [[f64; 2]; 3],
-    /// Bounds what g(s) has beside `value` and the linear terms, and all rounding errors of its coefficients.
+    /// g(0), in doubles, and how far off it is.
+    value: f64,
+    error: f64,
+    /// The derivatives of g at 0, in doubles.
+    linear: [f64; 3],
+    /// How far from that the derivatives get on the cube.
+    spread: [f64; 3],
+    /// Bounds |g(s) − value − linear·s| on the cube.
     rest: f64,
 }
 
@@ -30,10 +32,20 @@ pub(crate) enum Verdict {
 }
 
 impl BoxBounds {
+    /// f in the middle of the box.
+    pub(crate) fn value(&self) -> Interval {
+        Interval::around(self.value, self.error)
+    }
+
+    /// The derivative of g by one variable, anywhere on the cube.
+    pub(crate) fn slope(&self, axis: usize) -> Interval {
+        Interval::around(self.linear[axis], self.spread[axis])
+    }
+
     /// f has no zero on the box: its constant Taylor coefficient outweighs all others.
     pub(crate) fn is_empty(&self) -> bool {
-        let linear: f64 = self.slopes.iter().map(|[m, _]| m.abs()).sum();
-        self.value.abs() > (linear + self.rest) * (1.0 + 1e-9)
+        let [a, b, c] = exactly(self.linear).map(Interval::abs);
+        (a + b + c + Interval::from(self.rest)).high() < self.value.abs()
     }
 
     /// The two functions have no common zero on the box: one of them has none, or a combination g − λ f without the
@@ -42,41 +54,42 @@ impl BoxBounds {
         self.is_empty() || other.is_empty() || self.combined(other) || other.combined(self)
     }
 
+    /// The constant coefficient of a combination outweighs all others; any factor is as good.
     fn combined(&self, other: &Self) -> bool {
         let dot = |a: &Self, b: &Self| -> f64 {
-            let pairs = a.slopes.iter().zip(&b.slopes);
-            pairs.map(|([m, _], [n, _])| m * n).sum()
+            let pairs = a.linear.iter().zip(&b.linear);
+            pairs.map(|(m, n)| m * n).sum()
         };
-        let factor = dot(self, other) / dot(self, self);
-        let value = other.value - factor * self.value;
-        let mut spread = other.rest + factor.abs() * self.rest;
-        let mut size = other.value.abs() + (factor * self.value).abs();
-        for ([m, _], [n, _]) in self.slopes.iter().zip(&other.slopes) {
-            spread += (n - factor * m).abs();
-            size += n.abs() + (factor * m).abs();
+        let factor = Interval::from(dot(self, other) / dot(self, self));
+        let combination = |of_self: f64, of_other: f64| Interval::from(of_other) - factor * of_self;
+        let value = combination(self.value, other.value);
+        let mut spread = Interval::from(other.rest) + factor.abs() * self.rest;
+        for (m, n) in self.linear.iter().zip(&other.linear) {
+            spread = spread + combination(*m, *n).abs();
         }
-        value.abs() > (spread + 16.0 * UNIT * size) * (1.0 + 1e-9)
+        spread.high() < value.mignitude()
     }
 
     /// No zero of g in the cube is nearer than this to a point, in units of the (equal) half sides.
     ///
-    /// All zeros are in the slab |g(0) + ∇g·s| ≤ rest. With h ≤ 0 for the side of it that looks at the point p, every λ ≥ 0
-    /// gives the bound min |s − p|² + λ h(s) over the cube, one coordinate at a time (weak duality); the best λ is bisected.
-    pub(crate) fn nearest_zero(&self, p: [f64; 3]) -> f64 {
-        let linear = self.slopes.map(|[m, _]| m);
+    /// The weight is sought in doubles; only the bound that it gives is trusted.
+    pub(crate) fn nearest_zero(&self, p: [Interval; 3]) -> f64 {
+        let near = p.map(Interval::middle);
         let plane = |s: [f64; 3]| -> f64 {
-            self.value + linear.iter().zip(s).map(|(m, x)| m * x).sum::<f64>()
+            self.value + self.linear.iter().zip(s).map(|(m, x)| m * x).sum::<f64>()
         };
-        let sense = if plane(p) > 0.0 { 1.0 } else { -1.0 };
-        let side = |s: [f64; 3]| sense * plane(s) - self.rest * (1.0 + 1e-9);
+        let sense = if plane(near) > 0.0 { 1.0 } else { -1.0 };
+        let side = |s: [f64; 3]| sense * plane(s) - self.rest;
         let best = |weight: f64| -> [f64; 3] {
-            std::array::from_fn(|i| (p[i] - sense * weight * linear[i] / 2.0).clamp(-1.0, 1.0))
+            std::array::from_fn(|i| {
+                (near[i] - sense * weight * self.linear[i] / 2.0).clamp(-1.0, 1.0)
+            })
         };
-        let square: f64 = linear.iter().map(|m| m * m).sum();
+        let square: f64 = self.linear.iter().map(|m| m * m).sum();
         // Without the cube this is where the nearest point of the slab is.
-        let mut high = 2.0 * side(p).max(0.0) / square;
+        let mut high = 2.0 * side(near).max(0.0) / square;
         let mut low = 0.0;
-        let mut found = 0.0f64;
+        let (mut found, mut found_at) = (0.0f64, None);
         for step in 0..HALVINGS {
             let weight = if step == 0 {
                 high
@@ -84,16 +97,11 @@ impl BoxBounds {
                 f64::midpoint(low, high)
             };
             let s = best(weight);
-            let away: f64 = s.iter().zip(p).map(|(x, p)| (x - p) * (x - p)).sum();
-            let beyond = weight * side(s);
-            let bound = away + beyond
-                - 1e-13
-                    * (away
-                        + weight
-                            * (self.value.abs()
-                                + self.rest
-                                + linear.iter().map(|m| m.abs()).sum::<f64>()));
-            found = found.max(bound);
+            let away: f64 = s.iter().zip(near).map(|(x, p)| (x - p) * (x - p)).sum();
+            let bound = away + weight * side(s);
+            if bound > found {
+                (found, found_at) = (bound, Some((weight, s)));
+            }
             if side(s) <= 0.0 {
                 high = weight;
             } else if step == 0 {
@@ -103,7 +111,35 @@ impl BoxBounds {
                 low = weight;
             }
         }
-        found.sqrt() * (1.0 - 1e-14)
+        found_at.map_or(0.0, |(weight, s)| self.distance_bound(p, sense, weight, s))
+    }
+
+    /// Lemma 10. For λ ≥ 0, σ = ±1 and any s in the cube, no zero x of g in it has |x − p|² less than
+    /// λ(σ·value − rest) + Σ ((sᵢ − pᵢ)² + λσ·linearᵢ·sᵢ − lossᵢ), where lossᵢ is 0 if sᵢ is an end of [−1, 1] towards which
+    /// q(x) = (x − pᵢ)² + λσ·linearᵢ·x does not grow, else q′(sᵢ)²/4.
+    ///
+    /// Proof. At a zero σ(value + linear·x) ≤ rest, so |x − p|² ≥ |x − p|² + λ(σ(value + linear·x) − rest) (weak duality), which
+    /// is a sum over the coordinates; and q(x) = q(sᵢ) + q′(sᵢ)(x − sᵢ) + (x − sᵢ)² ≥ q(sᵢ) − lossᵢ.
+    ///
+    /// Law: `no_zero_is_nearer_than_its_bound`.
+    fn distance_bound(&self, p: [Interval; 3], sense: f64, weight: f64, s: [f64; 3]) -> f64 {
+        let weight = Interval::from(weight);
+        let outside = Interval::from(sense * self.value) - Interval::from(self.rest);
+        let mut bound = weight * outside;
+        for i in 0..3 {
+            let (pull, x) = (weight * (sense * self.linear[i]), Interval::from(s[i]));
+            let off = x - p[i];
+            let growth = off * 2.0 + pull;
+            let is_at_end =
+                (s[i] >= 1.0 && growth.high() <= 0.0) || (s[i] <= -1.0 && growth.low() >= 0.0);
+            let loss = if is_at_end {
+                Interval::ZERO
+            } else {
+                growth.squared() * 0.25
+            };
+            bound = bound + (off.squared() + pull * x - loss);
+        }
+        bound.or_zero().sqrt().low()
     }
 
     /// What is certain of f on the box: the sheet is regular where the gradients, each component within its bounds, have
@@ -112,15 +148,8 @@ impl BoxBounds {
         if self.is_empty() {
             return Verdict::Empty;
         }
-        let products = self.slopes.iter().map(|[m, r]| {
-            let (m, r) = (m.abs(), r * (1.0 + 1e-9));
-            if m >= r {
-                (m - r) * (m - r)
-            } else {
-                (m - r) * (m + r)
-            }
-        });
-        if products.sum::<f64>() > 0.0 {
+        let [x, y, z] = [0, 1, 2].map(|axis| self.slope(axis));
+        if (x * x + y * y + z * z).is_positive() {
             Verdict::Regular
         } else {
             Verdict::Open
@@ -130,30 +159,52 @@ impl BoxBounds {
 
 impl Field {
     /// Bounds of f and its derivatives on the box with a given middle and half sides: Σ |g_α| ρ^α over the Taylor coefficients.
+    ///
+    /// Lemma 11. With N monomials and degrees of D in all the computed sums are at most `relative_error(N + D + 6)` too small, in
+    /// parts of themselves and `FLOOR`·P·(1 + Σ|g_α|), P being the product of the largest powers of the half sides that
+    /// are > 1.
+    ///
+    /// Proof. ρ^α is rounded at most D times, |g| + error, the products with it and with an exponent once each, the sum once
+    /// for every monomial (Lemma 2); two more are for the last sum and product here. A loss by underflow is multiplied by at
+    /// most P and one of the |g| + error (Lemma 3): one more. The linear coefficients are rounded once more themselves, by a
+    /// `UNIT` part that is added to their errors.
+    ///
+    /// Law: `boxes_hold_the_exact_values`.
     #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
     pub(crate) fn on_box(&self, middle: [f64; 3], halves: [f64; 3]) -> BoxBounds {
         let taylor = self.taylor(middle);
-        let powers = self.powers(halves.map(|half| half * (1.0 + 1e-9)));
+        let powers = self.powers(halves);
         let mut bounds = BoxBounds {
             value: taylor.coefficients[0],
             error: taylor.errors[0],
-            slopes: [[0.0; 2]; 3],
+            linear: [0.0; 3],
+            spread: [0.0; 3],
             rest: taylor.errors[0],
         };
+        let mut sizes = 1.0 + taylor.errors[0];
         let all = self.layout.exponents.iter().zip(&taylor.coefficients);
         for ((e, g), error) in all.zip(&taylor.errors).skip(1) {
             let scale = powers[0][e[0]] * powers[1][e[1]] * powers[2][e[2]];
-            let (g, error) = (g * scale, error * scale);
-            let is_linear = e.iter().sum::<usize>() == 1;
-            let size = if is_linear { error } else { g.abs() + error };
-            bounds.rest += size;
-            for (slope, k) in bounds.slopes.iter_mut().zip(e).filter(|(_, k)| **k > 0) {
-                if is_linear {
-                    slope[0] = g;
+            sizes += g.abs() + error;
+            if e.iter().sum::<usize>() == 1 {
+                let error = (error + UNIT * g.abs()) * scale;
+                for axis in (0..3).filter(|axis| e[*axis] == 1) {
+                    bounds.linear[axis] = g * scale;
+                    bounds.spread[axis] += error;
                 }
-                slope[1] += *k as f64 * size;
+                bounds.rest += error;
+                continue;
+            }
+            let size = (g.abs() + error) * scale;
+            bounds.rest += size;
+            for (spread, k) in bounds.spread.iter_mut().zip(e) {
+                *spread += *k as f64 * size;
             }
         }
+        let floor = FLOOR * largest_powers(&powers) * sizes;
+        let upper = |sum: f64| Interval::around(sum, self.relative_of_boxes * (sum + floor)).high();
+        bounds.spread = bounds.spread.map(upper);
+        bounds.rest = upper(bounds.rest);
         bounds
     }
 }
@@ -162,9 +213,116 @@ impl Field {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::tests::{cubic, sphere};
+    use crate::field::tests::{cubic, nasty_cubics, nasty_points, sphere};
+    use crate::field::{rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
+
+    /// The square of the distance from p to the zeros that a box may have: the points of the cube with
+    /// |value + linear·x| ≤ rest. Exact: the nearest one is the projection of p to a face of the cube, or of that and the side
+    /// of the slab.
+    fn exact_nearest(bounds: &BoxBounds, p: &[Rational; 3]) -> Option<Rational> {
+        let linear = rationals(bounds.linear);
+        let [value, rest] = [bounds.value, bounds.rest].map(rational);
+        let plane =
+            |x: &[Rational; 3]| (0..3).fold(value.clone(), |sum, i| sum + &linear[i] * &x[i]);
+        let one = Rational::one();
+        let mut best: Option<Rational> = None;
+        for face in 0..27 {
+            let ends = [face % 3, face / 3 % 3, face / 9];
+            let start: [Rational; 3] = std::array::from_fn(|i| match ends[i] {
+                0 => p[i].clone(),
+                1 => one.clone(),
+                _ => -&one,
+            });
+            let free = |i: usize| ends[i] == 0;
+            let square: Rational = (0..3)
+                .filter(|i| free(*i))
+                .map(|i| &linear[i] * &linear[i])
+                .sum();
+            let sides = [&rest, &-&rest].map(|side| {
+                let factor = square
+                    .recip()
+                    .map(|inverse| (plane(&start) - side) * inverse)?;
+                Some(std::array::from_fn(|i| {
+                    if free(i) {
+                        &start[i] - &(&factor * &linear[i])
+                    } else {
+                        start[i].clone()
+                    }
+                }))
+            });
+            for x in sides.into_iter().flatten().chain([start.clone()]) {
+                let x: [Rational; 3] = x;
+                if x.iter().all(|x| x.abs() <= one) && plane(&x).abs() <= rest {
+                    let away: Rational = (0..3).map(|i| (&x[i] - &p[i]) * (&x[i] - &p[i])).sum();
+                    best = Some(best.map_or(away.clone(), |best: Rational| best.min(away)));
+                }
+            }
+        }
+        best
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+        /// Lemma 11, at the corners of the box, where the bounds are reached if all signs agree.
+        #[test]
+        fn boxes_hold_the_exact_values(f in nasty_cubics(), m in nasty_points(), halves in nasty_points(), is_positive in any::<bool>()) {
+            let f = if is_positive {
+                SparsePolynomial::from_terms(f.terms().map(|(e, c)| (*e, c.abs())))
+            } else {
+                f
+            };
+            let (m, halves) = (if is_positive { m.map(f64::abs) } else { m }, halves.map(f64::abs));
+            let field = Field::new(&f);
+            let bounds = field.on_box(m, halves);
+            prop_assert!(bounds.value().contains(&field.exact_value(m)));
+            for corner in 0..8u32 {
+                let ends = [0, 1, 2].map(|i: usize| rational(if corner >> i & 1 == 1 { 1.0 } else { -1.0 }));
+                let at = std::array::from_fn(|i| rational(m[i]) + rational(halves[i]) * &ends[i]);
+                let (value, gradient) = field.exact_value_and_gradient(&at);
+                for i in 0..3 {
+                    prop_assert!(bounds.slope(i).contains(&(&gradient[i] * &rational(halves[i]))));
+                }
+                if bounds.value.is_finite() && bounds.linear.iter().all(|m| m.is_finite()) && bounds.rest.is_finite() {
+                    let linear = (0..3).fold(rational(bounds.value), |sum, i| sum + rational(bounds.linear[i]) * &ends[i]);
+                    prop_assert!((value - linear).abs() <= rational(bounds.rest));
+                }
+            }
+        }
+
+        /// Lemma 10: the bound of the distance is at most the exact one, and where the weight is found it is nearly that.
+        #[test]
+        fn no_zero_is_nearer_than_its_bound(value in -3.0f64..3.0, linear in prop::array::uniform3(-2.0f64..2.0), kind in 0u8..3, rest in 0.0f64..0.5, p in prop::array::uniform3(-4.0f64..4.0)) {
+            let linear = match kind {
+                0 => linear,
+                1 => [linear[0], 0.0, 0.0],
+                _ => [linear[0], linear[1], 0.0],
+            };
+            let bounds = BoxBounds { value, error: 0.0, linear, spread: [0.0; 3], rest };
+            let found = bounds.nearest_zero(p.map(Interval::from));
+            if let Some(exact) = exact_nearest(&bounds, &rationals(p)) {
+                let square = rational(found) * rational(found);
+                prop_assert!(square <= exact, "{found} {}", exact.to_f64().sqrt());
+                if kind == 1 {
+                    prop_assert!(found >= 0.9 * exact.to_f64().sqrt());
+                }
+            }
+        }
+
+        /// A plane through a corner of the cube, exactly or an ulp beside: the box is called empty only where it is.
+        #[test]
+        fn boxes_with_a_zero_at_a_corner_are_not_empty(linear in prop::array::uniform3(-2.0f64..2.0), rest in 0.0f64..0.5, ulps in -3i64..4) {
+            let sum = linear.iter().map(|m| m.abs()).sum::<f64>() + rest;
+            let value = f64::from_bits(u64::try_from(i64::try_from(sum.to_bits()).unwrap() + ulps).unwrap());
+            let bounds = BoxBounds { value, error: 0.0, linear, spread: [0.0; 3], rest };
+            let exact: Rational = rationals(linear).iter().map(Rational::abs).sum();
+            if exact + rational(rest) >= rational(value) {
+                prop_assert!(!bounds.is_empty());
+            }
+        }
+    }
 
     #[test]
     fn verdicts_on_cubes() {

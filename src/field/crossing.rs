@@ -1,5 +1,6 @@
 //! A certified zero between two points of opposite sign.
 
+use super::interval::separation;
 use super::{Field, between, distance};
 
 /// A crossing is enclosed to this part of the segment's length.
@@ -17,7 +18,7 @@ impl Field {
     pub(crate) fn crossing(&self, mut a: [f64; 3], mut b: [f64; 3]) -> Crossing {
         let length = distance(a, b);
         let goal = length * CROSSING;
-        let (mut fa, mut fb) = (self.sums(a).0, self.sums(b).0);
+        let (mut fa, mut fb) = (self.value(a), self.value(b));
         // Illinois' method on doubles says where to look; the signs that it goes on with are exact.
         let mut side = 0;
         while distance(a, b) > goal {
@@ -47,7 +48,7 @@ impl Field {
                     break;
                 }
             }
-            let value = self.sums(p).0;
+            let value = self.value(p);
             if self.sign(p) < 0 {
                 if side < 0 {
                     fb /= 2.0;
@@ -62,10 +63,11 @@ impl Field {
                 (b, fb) = (p, value.max(f64::MIN_POSITIVE));
             }
         }
+        // f changes its sign between a and b, and no point between them is farther from another than one of them is.
         let point = between(a, b, 0.5);
         Crossing {
             point,
-            radius: distance(a, point).max(distance(b, point)),
+            radius: separation(a, point).max(separation(b, point)).high(),
         }
     }
 }
@@ -73,18 +75,36 @@ impl Field {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::field::tests::sphere;
+    use crate::field::{rational, rationals};
+    use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 
     proptest! {
-        /// A crossing of the unit sphere lies within its radius of it.
+        /// A crossing of the unit sphere lies within its radius of it, exactly.
         #[test]
         fn crossings_are_enclosed(b in prop::array::uniform3(1.0f64..2.0)) {
             let f = Field::new(&sphere(1));
             let found = f.crossing([0.1, 0.0, -0.2], b);
-            let r = distance(found.point, [0.0; 3]);
-            prop_assert!((r - 1.0).abs() <= found.radius + 1e-15);
             prop_assert!(found.radius < 1e-8);
+            let square: Rational = rationals(found.point).iter().map(|x| x * x).sum();
+            let [inner, outer] = [-found.radius, found.radius].map(|r| Rational::one() + rational(r));
+            prop_assert!(&inner * &inner <= square && square <= &outer * &outer);
+        }
+    }
+
+    proptest! {
+        /// Where the ends are next to each other the zero is one of them, or between them: the radius holds both.
+        #[test]
+        fn a_crossing_of_neighbours_holds_both(x in 0.5f64..1.0, y in -1.0f64..1.0, ulps in 1u32..40) {
+            // x − c for a c between them.
+            let a = [x, y, 0.1];
+            let b = [x + f64::from(ulps) * f64::EPSILON, y + f64::from(ulps) * f64::EPSILON, 0.3];
+            let c = (rational(a[0]) + rational(b[0])) / Rational::from(2);
+            let f = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(c.clone()));
+            let found = Field::new(&f).crossing(a, b);
+            prop_assert!((rational(found.point[0]) - c).abs() <= rational(found.radius));
         }
     }
 }

@@ -2,11 +2,14 @@
 
 mod bounds;
 mod crossing;
+pub(crate) mod interval;
 mod local;
+mod spectrum;
 mod taylor;
 
 pub(crate) use bounds::{BoxBounds, Verdict};
 pub(crate) use crossing::Crossing;
+pub(crate) use interval::Interval;
 pub(crate) use local::Local;
 pub(crate) use taylor::Taylor;
 
@@ -16,14 +19,21 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use smallvec::SmallVec;
 
+use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational};
 use crate::poly::SparsePolynomial;
+use interval::relative_error;
 use taylor::Layout;
 
-/// Half of the distance from 1 to the next double.
-const UNIT: f64 = 1.11e-16;
-/// Below this products may lose digits to underflow.
-const TINY: f64 = 1e-280;
+/// 2^(−900): added to sums of sizes, so that a relative error of them covers what products lose to underflow, too.
+///
+/// Lemma 3. If a sum of sizes is at least `FLOOR` times the factors by which later products can magnify a loss, less than
+/// 2^110 losses of 2^(−1075) by underflow are less than half a `UNIT` of it.
+///
+/// Proof. 2^110·2^(−1075) < 2^(−54)·2^(−900).
+///
+/// Laws: `values_are_within_their_bounds`, `coefficients_are_within_their_errors`, `boxes_hold_the_exact_values`.
+const FLOOR: f64 = f64::MIN_POSITIVE * (1u128 << 122) as f64;
 
 /// 1, x, x², … Those of low degrees need no memory of their own.
 type Powers = SmallVec<[f64; 16]>;
@@ -37,8 +47,10 @@ pub(crate) struct Field {
     integers: Vec<Integer>,
     /// In each variable.
     degrees: [usize; 3],
-    /// A relative error bound of a sum of terms in doubles.
+    /// The error of a value in doubles, in parts of the sum of the sizes of the terms.
     relative: f64,
+    /// The same for the sums over a box.
+    relative_of_boxes: f64,
     layout: Layout,
 }
 
@@ -49,8 +61,9 @@ pub(crate) struct Field {
 impl Field {
     pub(crate) fn new(f: &SparsePolynomial<3>) -> Self {
         let largest = f.terms().map(|(_, c)| c.abs()).max();
-        let scale = largest.and_then(|c| c.recip()).unwrap_or_default();
-        let exact = f.scaled(&scale);
+        // The polynomial 0 has no terms, and stays 0.
+        let scale = largest.and_then(|c| c.recip());
+        let exact = scale.map_or_else(SparsePolynomial::zero, |scale| f.scaled(&scale));
         let terms: Vec<([usize; 3], f64)> = exact
             .terms()
             .map(|(e, c)| (e.map(|k| k as usize), c.to_f64()))
@@ -58,11 +71,12 @@ impl Field {
         let degrees = terms.iter().fold([0; 3], |d: [usize; 3], (e, _)| {
             std::array::from_fn(|i| d[i].max(e[i]))
         });
-        // One rounding per coefficient, the powers, two products, one sum per term.
-        let roundings = terms.len() + degrees.iter().sum::<usize>() + 8;
+        let degree: usize = degrees.iter().sum();
+        let layout = Layout::new(&terms);
         Self {
-            relative: 1.01 * UNIT * roundings as f64,
-            layout: Layout::new(&terms),
+            relative: relative_error(terms.len() + degree + 4),
+            relative_of_boxes: relative_error(layout.exponents.len() + degree + 6),
+            layout,
             integers: integers(&exact),
             exact,
             terms,
@@ -82,29 +96,32 @@ impl Field {
         })
     }
 
-    /// (f, Σ |term|) in doubles.
-    fn sums(&self, p: [f64; 3]) -> (f64, f64) {
+    /// f at a point.
+    ///
+    /// Lemma 4. With T terms and degrees of D in all the computed value is off by at most `relative_error(T + D + 4)` times
+    /// the computed Σ|term| + `FLOOR`·P, P being the product of the largest powers that are > 1.
+    ///
+    /// Proof. A coefficient is rounded once, x^k k − 1 times, its product with the others once: at most D + 1 roundings for a
+    /// term, and T for the sum (Lemma 2). Two more are for the last sum and product here. What underflows is multiplied by at
+    /// most P later (Lemma 3): less than one more.
+    ///
+    /// Law: `values_are_within_their_bounds`.
+    fn sums(&self, p: [f64; 3]) -> Interval {
         let [x, y, z] = self.powers(p);
-        self.terms
+        let (value, size) = self
+            .terms
             .iter()
             .fold((0.0, 0.0), |(sum, size), ([i, j, k], c)| {
                 let term = c * x[*i] * y[*j] * z[*k];
                 (sum + term, size + term.abs())
-            })
-    }
-
-    fn tiny(&self, p: [f64; 3]) -> f64 {
-        let sizes = p.iter().zip(self.degrees);
-        sizes.fold(TINY, |size, (x, d)| size * x.abs().max(1.0).powf(d as f64))
+            });
+        let floor = FLOOR * largest_powers(&[x, y, z]);
+        Interval::around(value, self.relative * (size + floor))
     }
 
     /// The exact sign of f at a point: by doubles with an error bound where that decides, else exactly.
     pub(crate) fn sign(&self, p: [f64; 3]) -> i8 {
-        let (value, size) = self.sums(p);
-        if value.abs() > size * self.relative + self.tiny(p) {
-            return if value > 0.0 { 1 } else { -1 };
-        }
-        self.exact_sign(p)
+        self.sums(p).sign().unwrap_or_else(|| self.exact_sign(p))
     }
 
     /// The sign of f at a point with finite coordinates, in integers.
@@ -113,7 +130,7 @@ impl Field {
     /// denominators, so no greatest common divisors.
     fn exact_sign(&self, p: [f64; 3]) -> i8 {
         let powers: [Vec<Integer>; 3] = std::array::from_fn(|axis| {
-            let x = Dyadic::from_f64(p[axis]).unwrap_or_else(Dyadic::zero);
+            let x = Dyadic::from_f64(p[axis]).invariant(FINITE);
             let shift = x.exponent().unsigned_abs();
             let degree = self.degrees[axis] as u64;
             let (mantissa, missing) = match x.exponent() < 0 {
@@ -139,8 +156,7 @@ impl Field {
 
     /// f, exactly, at a point with finite coordinates.
     pub(crate) fn exact_value(&self, p: [f64; 3]) -> Rational {
-        let exact = p.map(|x| Rational::try_from(x).unwrap_or_default());
-        self.exact.evaluate(&exact)
+        self.exact.evaluate(&rationals(p))
     }
 
     /// f and its gradient, exactly.
@@ -171,21 +187,22 @@ impl Field {
 
     /// f in doubles, with no bound of its error.
     pub(crate) fn value(&self, p: [f64; 3]) -> f64 {
-        self.sums(p).0
+        let [x, y, z] = self.powers(p);
+        let terms = self.terms.iter();
+        terms.fold(0.0, |sum, ([i, j, k], c)| sum + c * x[*i] * y[*j] * z[*k])
     }
 
     /// f and its gradient in doubles, with no bound of their errors.
     pub(crate) fn value_and_gradient(&self, p: [f64; 3]) -> (f64, [f64; 3]) {
-        self.value_and_gradient_of(p, |c| c)
+        self.value_and_gradient_of(&self.powers(p), |c| c)
     }
 
     /// The same for the polynomial whose coefficients are some function of those of f.
     fn value_and_gradient_of(
         &self,
-        p: [f64; 3],
+        [x, y, z]: &[Powers; 3],
         coefficient: impl Fn(f64) -> f64,
     ) -> (f64, [f64; 3]) {
-        let [x, y, z] = self.powers(p);
         // k x^(k−1)
         let slope = |list: &Powers, k: usize| match k {
             0 => 0.0,
@@ -197,9 +214,9 @@ impl Field {
             let c = coefficient(*c);
             let (xy, zc) = (x[*i] * y[*j], c * z[*k]);
             sum += xy * zc;
-            gradient[0] += slope(&x, *i) * y[*j] * zc;
-            gradient[1] += slope(&y, *j) * x[*i] * zc;
-            gradient[2] += slope(&z, *k) * xy * c;
+            gradient[0] += slope(x, *i) * y[*j] * zc;
+            gradient[1] += slope(y, *j) * x[*i] * zc;
+            gradient[2] += slope(z, *k) * xy * c;
         }
         (sum, gradient)
     }
@@ -225,19 +242,46 @@ impl Field {
     }
 
     /// The sign of f at all points whose coordinates are within `off` of those of p, if doubles tell.
+    ///
+    /// Lemma 5. There f is within off·Σ|∂f/∂xᵢ| of f(p), where the derivatives are those of the polynomial with the sizes of
+    /// the coefficients at the point (|pᵢ| + off), up to a relative error as in Lemma 4.
+    ///
+    /// Proof. The mean value theorem; that polynomial bounds the derivatives and grows with its variables. Each of its terms is
+    /// rounded at most D + 3 times and once in each of the sums, T of them.
+    ///
+    /// Law: `signs_nearby_are_those_of_the_point`.
     pub(crate) fn sign_near(&self, p: [f64; 3], off: f64) -> Option<i8> {
-        let (value, _) = self.sums(p);
-        // What the sizes of the terms are at most nearby, and how fast they change.
-        let (size, slopes) = self.value_and_gradient_of(p.map(|x| x.abs() + off), f64::abs);
-        let spread = size * self.relative + 1.01 * off * slopes.iter().sum::<f64>();
-        let is_certain = value.abs() > spread + self.tiny(p);
-        is_certain.then_some(if value > 0.0 { 1 } else { -1 })
+        let powers = self.powers(p.map(|x| (x.abs() + off).next_up()));
+        let (_, slopes) = self.value_and_gradient_of(&powers, f64::abs);
+        let slopes: f64 = slopes.iter().sum();
+        let floor = FLOOR * largest_powers(&powers);
+        let change = Interval::around(slopes, self.relative * (slopes + floor)) * off;
+        (self.sums(p) + Interval::up_to(change.magnitude())).sign()
     }
 
     /// f with its largest coefficient 1: what the exact values and signs are those of.
     pub(crate) fn polynomial(&self) -> &SparsePolynomial<3> {
         &self.exact
     }
+}
+
+/// The points that signs and values are asked at are those that an algorithm got to, and it stops where that is nowhere.
+const FINITE: &str = "a point where a polynomial is asked for has finite coordinates";
+
+/// A double as an exact number.
+pub(crate) fn rational(x: f64) -> Rational {
+    Rational::try_from(x).invariant(FINITE)
+}
+
+/// The same for a point.
+pub(crate) fn rationals(p: [f64; 3]) -> [Rational; 3] {
+    p.map(rational)
+}
+
+/// The product of the largest powers of each variable as far as they are > 1.
+fn largest_powers(powers: &[Powers; 3]) -> f64 {
+    let largest = powers.iter().filter_map(|list| list.last());
+    largest.fold(1.0, |product, power| product * power.abs().max(1.0))
 }
 
 /// The coefficients times a positive number that makes them integers.
@@ -284,6 +328,127 @@ pub(crate) mod tests {
         let all = (0..4u32)
             .flat_map(|i| (0..4 - i).flat_map(move |j| (0..4 - i - j).map(move |k| [i, j, k])));
         SparsePolynomial::from_terms(all.zip(coefficients.iter().map(|c| Rational::from(*c))))
+    }
+
+    /// Cubics some of whose coefficients are all ones, powers of two and their neighbours, or so small that they vanish.
+    pub(crate) fn nasty_cubics() -> impl Strategy<Value = SparsePolynomial<3>> {
+        let coefficient = prop_oneof![
+            4 => (-9i64..10).prop_map(Rational::from),
+            1 => Just(Rational::zero()),
+            2 => any::<i64>().prop_map(Rational::from),
+            1 => (1u32..62, -1i64..2, any::<bool>()).prop_map(|(k, off, negative)| {
+                let near = (1i64 << k) + off;
+                Rational::from(if negative { -near } else { near })
+            }),
+            1 => (any::<i64>(), -1140i64..-60).prop_map(|(m, e)| Rational::from(m) * Rational::from(2).pow(e).unwrap()),
+        ];
+        let coefficients = prop::collection::vec(coefficient, 20);
+        let all = prop_oneof![
+            3 => coefficients.clone(),
+            // Few terms, so that no error is hidden behind those of others.
+            2 => (coefficients, any::<u32>(), any::<u32>()).prop_map(|(c, a, b)| {
+                let kept = |k: usize| a & b & 1 << k != 0;
+                c.into_iter().enumerate().map(|(k, c)| if kept(k) { c } else { Rational::zero() }).collect()
+            }),
+        ];
+        all.prop_filter_map("the polynomial 0", |c: Vec<Rational>| {
+            let f = SparsePolynomial::from_terms(cubic(&[1; 20]).terms().map(|(e, _)| *e).zip(c));
+            (!f.is_empty()).then_some(f)
+        })
+    }
+
+    /// Points with nasty coordinates, or such that products of two or three of them are next to the least doubles.
+    pub(crate) fn nasty_points() -> impl Strategy<Value = [f64; 3]> {
+        let small = (
+            1.0f64..2.0,
+            prop::sample::select(vec![-538, -537, -536, -359, -358, -357]),
+        )
+            .prop_map(|(x, e)| x * 2f64.powi(e));
+        prop_oneof![
+            2 => prop::array::uniform3(interval::tests::nasty()),
+            2 => prop::array::uniform3(-3.0f64..3.0),
+            1 => prop::array::uniform3(small),
+        ]
+    }
+
+    /// α!^(−1) ∂^α f at a point, by differentiation: the exact Taylor coefficient.
+    pub(crate) fn taylor_coefficient(
+        f: &SparsePolynomial<3>,
+        e: &[usize; 3],
+        p: &[Rational; 3],
+    ) -> Rational {
+        let mut g = f.clone();
+        let mut factorials = Rational::one();
+        for (axis, k) in e.iter().enumerate() {
+            for n in 1..=*k {
+                g = g.derivative(axis);
+                factorials = factorials * Rational::from(i64::try_from(n).unwrap());
+            }
+        }
+        g.evaluate(p) / factorials
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+        /// Lemma 4.
+        #[test]
+        fn values_are_within_their_bounds(f in nasty_cubics(), p in nasty_points()) {
+            let field = Field::new(&f);
+            let found = field.sums(p);
+            prop_assert!(found.contains(&field.exact_value(p)), "{found:?} {p:?}");
+            prop_assert_eq!(field.sign(p), field.exact_value(p).signum());
+        }
+
+        /// Lemma 5: as far off as the sign is still said to be certain, the farthest corners have it.
+        #[test]
+        fn signs_nearby_are_those_of_the_point(f in nasty_cubics(), p in nasty_points()) {
+            let field = Field::new(&f);
+            let (mut low, mut high) = (0.0, 4.0);
+            for _ in 0..1100 {
+                let off = f64::midpoint(low, high);
+                if field.sign_near(p, off).is_some() {
+                    low = off;
+                } else {
+                    high = off;
+                }
+            }
+            if let Some(sign) = field.sign_near(p, low) {
+                for corner in 0..8u32 {
+                    let at = std::array::from_fn(|i| {
+                        let off = rational(low);
+                        rational(p[i]) + if corner >> i & 1 == 1 { off } else { -off }
+                    });
+                    prop_assert_eq!(field.polynomial().evaluate(&at).signum(), sign);
+                }
+            }
+        }
+    }
+
+    /// The bound of an error is not many times what errors are: of some values one is off by an eighth of it.
+    #[test]
+    fn errors_of_values_are_reached() {
+        let [x, y, _] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+        let third = Rational::from(1) / Rational::from(3);
+        let forms = [
+            x.clone(),
+            x.scaled(&third).plus(&y),
+            x.plus(&y.scaled(&third)),
+            x.squared(),
+        ];
+        let mut most = 0.0f64;
+        for f in forms {
+            let field = Field::new(&f);
+            for k in 0..200 {
+                let p = [1.0 + f64::from(k) / 7.0, 1.0 + f64::from(k) / 11.0, 0.0];
+                let found = field.sums(p);
+                let error = (field.exact_value(p) - rational(field.value(p)))
+                    .abs()
+                    .to_f64();
+                most = most.max(error / (found.high() - found.low()) * 2.0);
+            }
+        }
+        assert!(most >= 0.125, "{most}");
     }
 
     #[test]

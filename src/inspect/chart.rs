@@ -4,7 +4,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::parametrize::{AngleRange, ExactAngle, Parametrization, parametrize};
@@ -61,7 +61,8 @@ impl SphereSection {
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "an estimate")]
     pub fn work(&self) -> f64 {
-        let degree = self.polynomial.degree().unwrap_or(0) as f64;
+        // The polynomial 0 takes no work, as its angles are all.
+        let degree = self.polynomial.degree().map_or(0.0, |degree| degree as f64);
         self.polynomial.primitive().coefficient_bits() as f64 * degree.powi(8)
     }
 
@@ -110,8 +111,8 @@ impl SphereSection {
         let at = |n: i32| Rational::from(n) / Rational::from(3);
         let points = (-4..5).flat_map(|i| (-4..5).map(move |j| (at(i), at(j))));
         let mut signs = points.map(|(s, t)| self.polynomial.evaluate(&s, &t).signum());
-        let first = signs.next().unwrap_or(0);
-        signs.any(|sign| sign != first)
+        let first = signs.next();
+        signs.any(|sign| Some(sign) != first)
     }
 }
 
@@ -140,10 +141,13 @@ impl CircleSection {
         ];
         let along = [0, 1, 2].map(|i| weight.scaled(&p[i]).plus(&unit[i].scaled(d)));
         let found = composed(f, &along, &weight).primitive();
-        let degree = usize::try_from(found.degree().unwrap_or(0)).unwrap_or(0);
-        let mut coefficients = vec![Integer::ZERO; degree + 1];
+        let mut coefficients = Vec::new();
         for (e, c) in found.terms() {
-            coefficients[e[0] as usize] = c.numerator();
+            let place = e[0] as usize;
+            if coefficients.len() <= place {
+                coefficients.resize(place + 1, Integer::ZERO);
+            }
+            coefficients[place] = c.numerator();
         }
         let opposite = [&p[0] - d, p[1].clone(), p[2].clone()];
         Self {
@@ -192,11 +196,15 @@ fn composed<const V: usize>(
     along: &[SparsePolynomial<V>; 3],
     weight: &SparsePolynomial<V>,
 ) -> SparsePolynomial<V> {
-    let degree = u32::try_from(f.degree().unwrap_or(0)).unwrap_or(0);
+    // Without terms all of this is 0.
+    let Some(degree) = f.degree() else {
+        return SparsePolynomial::zero();
+    };
+    let degree = usize::try_from(degree).invariant("powers of this degree fit into memory");
     let powers = |g: &SparsePolynomial<V>| -> Vec<SparsePolynomial<V>> {
         let first = SparsePolynomial::constant(Rational::one());
         let all = std::iter::successors(Some(first), |power| Some(power.times(g)));
-        all.take(degree as usize + 1).collect()
+        all.take(degree + 1).collect()
     };
     let [x, y, z] = along.each_ref().map(powers);
     let weights = powers(weight);
@@ -204,7 +212,7 @@ fn composed<const V: usize>(
     for (e, c) in f.terms() {
         let [i, j, k] = e.map(|k| k as usize);
         let product = x[i].times(&y[j]).times(&z[k]);
-        sum.add_multiple(&product.times(&weights[degree as usize - i - j - k]), c);
+        sum.add_multiple(&product.times(&weights[degree - i - j - k]), c);
     }
     sum
 }

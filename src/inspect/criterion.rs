@@ -6,7 +6,8 @@ use super::foot::difference;
 use super::inspector::{Inspector, Known, Point};
 use super::sphere::{OnSphere, on_sphere};
 use crate::exact::Rational;
-use crate::field::{Field, dot};
+use crate::field::interval::{exactly, minus, square};
+use crate::field::{Field, Interval, dot, rationals};
 
 /// Sections that are more work than this ([`SphereSection::work`]) are left undecided, or their angles unsaid.
 pub const MAX_SECTION_WORK: f64 = 1e11;
@@ -19,15 +20,17 @@ impl Inspector {
         let Some(away) = self.towards_foot(field, p, known) else {
             return false;
         };
-        let scale = self.around[0] / dot(away, away).sqrt();
-        let at = |s: f64| std::array::from_fn(|i| p.near[i] + s * away[i]);
-        // The point may be near 0 where neither p nor d is.
-        let size = p
-            .near
-            .iter()
-            .fold(self.around[1], |m: f64, x| m.max(x.abs()));
-        let off = 8.0 * f64::EPSILON * size + p.slack;
-        let [a, b] = [scale, -scale].map(|s| field.sign_near(at(s), off));
+        // The exact point of the sphere in that direction, or opposite to it, is in a box.
+        let direction = exactly(away);
+        let radius = Interval::between(self.around[0], self.around[1]) / square(direction).sqrt();
+        let center = p.around();
+        let sign = |sense: f64| {
+            let place = [0, 1, 2].map(|i| center[i] + direction[i] * radius * sense);
+            let near = place.map(Interval::middle);
+            let off = minus(place, exactly(near)).map(Interval::magnitude);
+            field.sign_near(near, off.into_iter().fold(0.0, f64::max))
+        };
+        let [a, b] = [1.0, -1.0].map(sign);
         matches!((a, b), (Some(a), Some(b)) if a != b)
     }
 
@@ -46,18 +49,12 @@ impl Inspector {
         if self.signs_differ(field, p, known) {
             return Some(true);
         }
-        // Patches of the sphere about the doubles: enough where that is the sphere itself.
+        // Patches of the sphere about the doubles.
+        let slack = Interval::from(p.slack) + Interval::from(self.around[1])
+            - Interval::from(self.around[0]);
         let is_same = p.slack <= 0.0 && self.around[0] >= self.around[1];
-        let patches = on_sphere(
-            field,
-            p.near,
-            self.around[0],
-            if is_same {
-                0.0
-            } else {
-                p.slack + self.around[1] - self.around[0]
-            },
-        );
+        let slack = if is_same { 0.0 } else { slack.high() };
+        let patches = on_sphere(field, p.near, self.around[0], slack);
         let points = match patches {
             OnSphere::Zeros => return Some(true),
             OnSphere::NoZeros => return Some(false),
@@ -67,17 +64,17 @@ impl Inspector {
         let starts = points.iter().step_by(step).map(|x| difference(*x, p.near));
         let foot = match &known.exact_foot {
             Some(foot) => Some(exact::exact_difference(foot, p.exactly())),
-            None => self.towards_foot(field, p, known).map(exact::rationals),
+            None => self.towards_foot(field, p, known).map(rationals),
         };
         let backwards = foot.clone().map(|v| v.map(|x| -x));
         let exact_sign = |v: [Rational; 3]| {
-            let x = exact::on_sphere(p.exactly(), &self.tolerance, &v);
-            field.polynomial().evaluate(&x).signum()
+            let x = exact::on_sphere(p.exactly(), &self.tolerance, &v)?;
+            Some(field.polynomial().evaluate(&x).signum())
         };
         let directions = foot.into_iter().chain(backwards);
         let mut signs = directions
-            .chain(starts.map(exact::rationals))
-            .map(exact_sign);
+            .chain(starts.map(rationals))
+            .filter_map(exact_sign);
         let first = signs.next();
         if first == Some(0) || signs.any(|sign| Some(sign) != first) {
             return Some(true);

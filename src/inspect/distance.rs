@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::DistanceBounds;
-use super::foot::{approach, difference, enclose};
-use crate::field::{BoxBounds, Field, distance, dot};
+use super::foot::{approach, enclose};
+use crate::field::interval::{cross, exactly, minus, product, separation, square};
+use crate::field::{BoxBounds, Field, Interval, distance};
 use crate::limits::Limits;
 
 /// Cubes are not divided below this part of the reach.
@@ -43,6 +44,13 @@ pub(super) struct Cube {
     pub(super) half: f64,
     /// The derivative away from the point vanishes nowhere in it.
     pub(super) is_radial: bool,
+}
+
+impl Cube {
+    /// No point of it is farther from its middle.
+    pub(super) fn radius(&self) -> Interval {
+        Interval::from(3.0).sqrt() * self.half
+    }
 }
 
 impl PartialEq for Cube {
@@ -91,7 +99,7 @@ pub(super) fn nearest(
     let root = Cube {
         low: known.low,
         middle: p,
-        half: goal.reach * (1.0 + 1e-12),
+        half: goal.reach,
         is_radial: false,
     };
     search.heap.push(root);
@@ -141,7 +149,8 @@ impl Search<'_> {
     /// The cubes that may hold zeros within the tolerance, divided as long as that can help.
     fn all_left(mut self) -> Vec<Cube> {
         let mut left = Vec::new();
-        self.goal.reach = self.goal.tolerance * (1.0 + 1e-14);
+        // What is at the tolerance itself is kept.
+        self.goal.reach = self.goal.tolerance.next_up();
         while let Some(cube) = self.heap.pop() {
             if cube.low > self.goal.tolerance {
                 break;
@@ -160,9 +169,9 @@ impl Search<'_> {
 
     /// An upper bound from the foot that is found from the middle of a cube, or from the middle itself.
     fn look_for_zeros(&mut self, cube: &Cube) {
-        let away = distance(self.p, cube.middle);
+        let away = separation(self.p, cube.middle).high();
         if away < self.high && self.field.sign(cube.middle) != self.sign {
-            self.high = away * (1.0 + 1e-14);
+            self.high = away;
         }
         if let Some(q) = approach(self.field, self.p, cube.middle, FOOT_GOAL)
             && distance(self.p, q) < self.high
@@ -179,22 +188,22 @@ impl Search<'_> {
         }
         let half = cube.half / 2.0;
         let axes = if self.field.is_flat() { 2 } else { 3 };
+        let p = exactly(self.p);
         for corner in 0..1u32 << axes {
             let mut middle = cube.middle;
             for (i, m) in middle.iter_mut().enumerate().take(axes) {
                 *m += if corner >> i & 1 == 1 { half } else { -half };
             }
-            // A little larger than it is, for the rounding of its middle.
-            let size: f64 = middle.iter().map(|m| m.abs()).sum();
-            let grown = half * (1.0 + 1e-12) + size * f64::EPSILON;
+            let grown = half_side(cube, middle, corner, axes);
             let bounds = self.field.on_box(middle, [grown; 3]);
             if bounds.is_empty() {
                 continue;
             }
-            let away = difference(self.p, middle);
-            let slab = bounds.nearest_zero(away.map(|x| x / grown)) * grown;
-            let low = slab.max(beside(away, grown, axes)).max(cube.low);
-            if low < self.goal.reach && low < self.high * (1.0 + 1e-14) {
+            let away = minus(p, exactly(middle));
+            let half = Interval::from(grown);
+            let slab = Interval::from(bounds.nearest_zero(away.map(|x| x / half))) * half;
+            let low = slab.low().max(beside(away, grown, axes)).max(cube.low);
+            if low < self.goal.reach && low < self.high {
                 self.heap.push(Cube {
                     low,
                     middle,
@@ -206,35 +215,102 @@ impl Search<'_> {
     }
 }
 
+/// The half side that a cube about a double next to the middle of an eighth of another one needs, to hold that eighth.
+///
+/// Lemma 13. Along an axis the eighth lies between the middle m of the cube and its side m ± h, so a half side of at least
+/// |m − middle| and |m ± h − middle| is enough.
+///
+/// Law: `the_parts_of_a_cube_cover_it`.
+fn half_side(cube: &Cube, middle: [f64; 3], corner: u32, axes: usize) -> f64 {
+    (0..axes).fold(0.0, |grown: f64, i| {
+        let inner = Interval::from(cube.middle[i]);
+        let half = if corner >> i & 1 == 1 {
+            cube.half
+        } else {
+            -cube.half
+        };
+        let own = Interval::from(middle[i]);
+        let ends = [inner - own, inner + Interval::from(half) - own];
+        ends.iter()
+            .fold(grown, |grown, end| grown.max(end.magnitude()))
+    })
+}
+
 /// How far a point is at least from a cube.
-fn beside(away: [f64; 3], half: f64, axes: usize) -> f64 {
-    let beyond = away.iter().take(axes).map(|x| (x.abs() - half).max(0.0));
-    beyond.map(|b| b * b).sum::<f64>().sqrt() * (1.0 - 1e-14)
+fn beside(away: [Interval; 3], half: f64, axes: usize) -> f64 {
+    let beyond = away.iter().take(axes);
+    let beyond = beyond.map(|x| (x.abs() - Interval::from(half)).or_zero().squared());
+    beyond.fold(Interval::ZERO, |sum, b| sum + b).sqrt().low()
 }
 
 /// Whether ∇f(x)·(x − p) ≠ 0 for all x of a cube; `away` points from its middle to p.
-fn is_radial(bounds: &BoxBounds, away: [f64; 3], half: f64) -> bool {
-    let middle = dot(bounds.slopes.map(|[m, _]| m), away).abs();
-    let spread: f64 = bounds
-        .slopes
-        .iter()
-        .zip(away)
-        .map(|([m, r], a)| m.abs() * half + r * (a.abs() + half))
-        .sum();
-    middle > spread * (1.0 + 1e-9)
+fn is_radial(bounds: &BoxBounds, away: [Interval; 3], half: f64) -> bool {
+    let radial = [0, 1, 2].map(|i| away[i] + Interval::up_to(half));
+    let slopes = [0, 1, 2].map(|i| bounds.slope(i));
+    product(slopes, radial).sign().is_some()
 }
 
 /// No compact piece of a smooth surface is inside these cubes, if on all of them the derivative away from p is not 0, and
 /// some ray from p meets none of them: along the rays such a piece would lie over the sphere of directions locally one to
 /// one, and so, being compact, over all of it.
 pub(super) fn holds_no_closed_piece(left: &[Cube], p: [f64; 3], is_flat: bool) -> bool {
-    let axes = if is_flat { 2 } else { 3 };
     let rays = (0..27).map(|n| [n % 3, n / 3 % 3, n / 9].map(|k| f64::from(k) - 1.0));
-    let mut rays = rays.filter(|u| dot(*u, *u) > 0.0 && (!is_flat || u[2].abs() < 0.5));
+    let mut rays =
+        rays.filter(|u| u.iter().any(|x| x.abs() > 0.5) && (!is_flat || u[2].abs() < 0.5));
+    // Farther from the ray, or from its line, than the corners of the cube are from its middle.
     let misses = |u: &[f64; 3], cube: &Cube| {
-        let at = difference(cube.middle, p);
-        let along = (dot(at, *u) / dot(*u, *u)).max(0.0);
-        (0..axes).any(|i| (at[i] - along * u[i]).abs() > 4.0 * cube.half)
+        let (at, u) = (minus(exactly(cube.middle), exactly(p)), exactly(*u));
+        let beside = if product(at, u).is_negative() {
+            square(at)
+        } else {
+            square(cross(at, u)) / square(u)
+        };
+        cube.radius().squared().is_below(beside)
     };
     left.iter().all(|cube| cube.is_radial) && rays.any(|u| left.iter().all(|cube| misses(&u, cube)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Rational;
+    use crate::field::rational;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+        /// Lemma 13: every eighth of a cube is in the cube that is looked at for it, also where the half side is next to the last
+        /// place of the middle.
+        #[test]
+        fn the_parts_of_a_cube_cover_it(m in prop::array::uniform3(-8.0f64..8.0), half in 1.0f64..2.0, e in -56i32..1, corner in 0u32..8) {
+            let cube = Cube { low: 0.0, middle: m, half: half * 2f64.powi(e), is_radial: false };
+            let side = |i: usize| if corner >> i & 1 == 1 { cube.half } else { -cube.half };
+            let middle: [f64; 3] = std::array::from_fn(|i| m[i] + side(i) / 2.0);
+            let grown = rational(half_side(&cube, middle, corner, 3));
+            for i in 0..3 {
+                let [own, inner, half] = [middle[i], m[i], side(i)].map(rational);
+                for end in [&inner + &half, inner] {
+                    prop_assert!((end - &own).abs() <= grown);
+                }
+            }
+            let exact = Interval::from(3.0).sqrt();
+            prop_assert!(rational(exact.low()) * rational(exact.low()) < Rational::from(3));
+            prop_assert!(Rational::from(3) < rational(exact.high()) * rational(exact.high()));
+        }
+
+        /// A point on the border of a cube is not called farther away than it is, and the derivative away from it is not said to
+        /// vanish nowhere where it does at a corner.
+        #[test]
+        fn the_border_of_a_cube_is_not_passed(m in prop::array::uniform3(-8.0f64..8.0), half in 0.01f64..1.0, off in prop::array::uniform3(-4.0f64..4.0)) {
+            let p: [f64; 3] = std::array::from_fn(|i| m[i] + off[i]);
+            let away = minus(exactly(p), exactly(m));
+            let found = rational(beside(away, half, 3));
+            let exact: Rational = (0..3).map(|i| {
+                let beyond = ((rational(p[i]) - rational(m[i])).abs() - rational(half)).max(Rational::zero());
+                &beyond * &beyond
+            }).sum();
+            prop_assert!(&found * &found <= exact);
+        }
+    }
 }

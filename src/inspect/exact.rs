@@ -3,8 +3,9 @@
 use nalgebra::{Vector3, Vector4};
 
 use super::foot::{difference, lagrange};
+use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::field::{Field, dot};
+use crate::field::{Field, Interval, dot, rational, rationals};
 
 /// Bits after the point to which feet are refined, one after the other.
 const LEVELS: [i64; 3] = [128, 256, 640];
@@ -50,26 +51,20 @@ fn exact_dot(a: &[Rational; 3], b: &[Rational; 3]) -> Rational {
         .fold(Rational::zero(), |sum, (x, y)| sum + x * y)
 }
 
-/// A double as an exact number; the doubles here are finite.
-fn rational(x: f64) -> Rational {
-    Rational::try_from(x).unwrap_or_default()
-}
-
-/// The same for a point.
-pub(super) fn rationals(p: [f64; 3]) -> [Rational; 3] {
-    p.map(rational)
+/// 2^k
+pub(super) fn power_of_two(k: i64) -> Rational {
+    Rational::from(2).pow(k).invariant("2 has every power")
 }
 
 /// Rounded down to so many bits after the point.
 fn rounded(x: &Rational, bits: i64) -> Rational {
-    let scale = Rational::from(2).pow(bits).unwrap_or_default();
-    Rational::from_parts((x * &scale).floor(), -bits)
+    Rational::from_parts((x * &power_of_two(bits)).floor(), -bits)
 }
 
 /// Whether there is a zero within d of p, from the expansion about the foot near `start`; f has the given sign at p. The
 /// rule is that of [`super::foot::enclose`], with everything but the bounds of the curvature exact.
 ///
-/// With a radius only zeros so near to the foot are excluded.
+/// With a radius only zeros so near to `start` are excluded.
 pub(super) fn decide(
     field: &Field,
     p: &[Rational; 3],
@@ -82,6 +77,10 @@ pub(super) fn decide(
     let mut q = start.map(rational);
     for bits in LEVELS {
         q = refined_foot(field, p, &q, bits)?;
+        let radius = radius.map(|radius| {
+            let moved = exact_difference(&q, &rationals(start));
+            (Interval::from(&squared_length(&moved)).sqrt() + Interval::from(radius)).high()
+        });
         let (low, high) = squared_bounds(field, p, &q, sign, radius);
         if let Some(low) = &low
             && *low > target
@@ -91,21 +90,21 @@ pub(super) fn decide(
         if let Some(high) = high
             && high <= target
         {
-            let low = low.unwrap_or_default();
             return Some(Answer::Inside {
-                low,
+                low: low.unwrap_or_else(Rational::zero),
                 high,
                 touches: false,
                 foot: Box::new(q),
             });
         }
-        let width = Rational::from(2).pow(GUARD_BITS - bits).unwrap_or_default();
+        let width = power_of_two(GUARD_BITS - bits);
         if let Some(zero) = rational_zero(field, &q, &width) {
             let high = squared_length(&exact_difference(p, &zero));
             if high <= target {
                 let touches = high == target;
                 // The foot is a strict minimum within reach if the rule gives any bound there.
-                let low = low.filter(|low| *low <= high).unwrap_or_default();
+                let low = low.filter(|low| *low <= high);
+                let low = low.unwrap_or_else(Rational::zero);
                 return Some(Answer::Inside {
                     low,
                     high,
@@ -129,12 +128,12 @@ fn refined_foot(
     let near = start.each_ref().map(Rational::to_f64);
     let local = field.exact_local(&near.map(rational));
     let away = difference(p.each_ref().map(Rational::to_f64), near);
-    let gradient = local.gradient;
+    let gradient = local.direction();
     let nu = dot(away, gradient) / dot(gradient, gradient);
     let inverse = lagrange(&local, nu).try_inverse()?;
     let mut q = start.clone();
     let mut nu = rational(if nu.is_finite() { nu } else { return None });
-    let goal = Rational::from(2).pow(-bits)?;
+    let goal = power_of_two(-bits);
     let mut last: Option<Rational> = None;
     for _ in 0..STEPS {
         let (value, gradient) = field.exact_value_and_gradient(&q);
@@ -183,32 +182,34 @@ fn squared_bounds(
     let value = value * &sign_factor;
     let gradient = gradient.map(|g| g * &sign_factor);
     let away = exact_difference(p, q);
-    let square = squared_length(&away);
+    let away_squared = squared_length(&away);
     let slope = exact_dot(&gradient, &away);
     if slope.signum() <= 0 {
         return (None, None);
     }
     // Doubles from here on are bounds, or numbers that may be chosen at will.
-    let lambda = (&slope / &square).to_f64();
-    let length = square.to_f64().sqrt();
+    let lambda = (&slope / &away_squared).to_f64();
+    let length = Interval::from(&away_squared).sqrt();
+    // The expansion is that about the doubles next to q.
     let near = q.each_ref().map(Rational::to_f64);
-    let off: f64 = near.iter().map(|x| x.abs()).sum::<f64>() * f64::EPSILON;
+    if !near.iter().all(|x| x.is_finite()) || !(lambda.is_finite() && lambda > 0.0) {
+        return (None, None);
+    }
+    let off = Interval::from(&squared_length(&exact_difference(q, &rationals(near)))).sqrt();
     let local = field.exact_local(&rationals(near));
-    let reach = (2.0 * length).min(radius.unwrap_or(f64::INFINITY)) * (1.0 + 1e-9) + off;
-    let [least, most] = local.curvature(reach, true);
-    let [least, most] = if sign > 0 {
-        [least, most]
-    } else {
-        [-most, -least]
-    };
-    let normal = away.each_ref().map(|x| x.to_f64() / length);
-    let [across, along] = local.one_sided(f64::from(sign), normal, reach);
-    let reduced = (lambda - along * reach / length) * (1.0 - 1e-9);
+    // Zeros within |away| of p are within this of q.
+    let around = (length * 2.0).high().min(radius.unwrap_or(f64::INFINITY));
+    let around = Interval::from(around);
+    let reach = (around + off).high();
+    let curvature = local.curvature(reach, true);
+    let curvature = if sign < 0 { -curvature } else { curvature };
+    let [across, along] = local.one_sided(sign, away.each_ref().map(Interval::from), reach);
+    let reduced = (Interval::from(lambda) - Interval::from(along) * around / length).low();
     // Either rule, with what it makes of λ.
-    let rules = [(lambda, least), (reduced, across)];
+    let rules = [(lambda, curvature.low()), (reduced, across)];
     let low = rules.into_iter().filter_map(|(pull, curvature)| {
-        let convexity = (pull / 2.0 + curvature) - 1e-9 * (pull.abs() + curvature.abs());
-        (pull > 0.0 && convexity > 0.0 && convexity.is_finite()).then(|| {
+        let convexity = (Interval::from(pull) * 0.5 + Interval::from(curvature)).low();
+        (pull > 0.0 && convexity > 0.0).then(|| {
             let lambda = rational(lambda);
             let rest: [Rational; 3] = std::array::from_fn(|i| &gradient[i] - &(&lambda * &away[i]));
             let loss = squared_length(&rest) / (Rational::from(4) * rational(convexity));
@@ -217,7 +218,7 @@ fn squared_bounds(
             } else {
                 -loss
             };
-            &square + &(surplus * Rational::from(2) / rational(pull))
+            &away_squared + &(surplus * Rational::from(2) / rational(pull))
         })
     });
     let low = low.max();
@@ -228,11 +229,14 @@ fn squared_bounds(
         Rational::zero()
     };
     let beyond = above * &two / &slope;
-    let is_within = (&beyond * &rational(length)).to_f64() < reach;
-    let bends = rational(most.max(0.0)) * &beyond * &square;
-    let fits = is_within && beyond <= Rational::one() && bends * &two <= slope;
+    let bend = curvature.high().max(0.0);
+    let is_within = (Interval::from(&beyond) * length).high() < around.low();
+    let fits = bend.is_finite()
+        && is_within
+        && beyond <= Rational::one()
+        && rational(bend) * &beyond * &away_squared * &two <= slope;
     let longer = Rational::one() + beyond;
-    let high = fits.then(|| &square * &(&longer * &longer));
+    let high = fits.then(|| &away_squared * &(&longer * &longer));
     (low, high)
 }
 
@@ -259,7 +263,7 @@ pub(super) fn critical_point(field: &Field, start: [f64; 3]) -> Option<[f64; 3]>
         let local = field.local(x);
         let svd = local.hessian().svd(true, true);
         let flat = 1e-7 * svd.singular_values.max();
-        let step = svd.solve(&Vector3::from(local.gradient), flat).ok()?;
+        let step = svd.solve(&Vector3::from(local.direction()), flat).ok()?;
         x = difference(x, step.into());
         if !x.iter().all(|x| x.is_finite()) {
             return None;
@@ -272,18 +276,18 @@ pub(super) fn critical_point(field: &Field, start: [f64; 3]) -> Option<[f64; 3]>
 }
 
 /// A point of the sphere of radius d about p next to a direction, exactly: by stereographic projection from the pole opposite
-/// to its largest component. It is off the direction by some 2^−300.
+/// to its largest component. It is off the direction by some 2^−300. None for no direction, 0.
 pub(super) fn on_sphere(
     p: &[Rational; 3],
     d: &Rational,
     direction: &[Rational; 3],
-) -> [Rational; 3] {
-    let near = direction.each_ref().map(Rational::to_f64);
-    let size = rational(dot(near, near).sqrt()).recip().unwrap_or_default();
-    let unit = direction.each_ref().map(|x| x * &size);
-    let axis = (0..3)
-        .max_by(|&i, &j| unit[i].abs().cmp(&unit[j].abs()))
-        .unwrap_or(0);
+) -> Option<[Rational; 3]> {
+    let scale = direction.iter().map(Rational::abs).max()?.recip()?;
+    let near = direction.each_ref().map(|x| (x * &scale).to_f64());
+    let scale = scale / rational(dot(near, near).sqrt());
+    let unit = direction.each_ref().map(|x| x * &scale);
+    let larger = |i: usize, j: usize| if unit[j].abs() > unit[i].abs() { j } else { i };
+    let axis = larger(larger(0, 1), 2);
     let side = if unit[axis].signum() < 0 { -1 } else { 1 };
     let below = length(&unit) + unit[axis].abs();
     let others = [(axis + 1) % 3, (axis + 2) % 3];
@@ -295,7 +299,7 @@ pub(super) fn on_sphere(
     vector[axis] = (one - squares) / &weight * Rational::from(side);
     vector[others[0]] = s * Rational::from(2) / &weight;
     vector[others[1]] = t * Rational::from(2) / weight;
-    std::array::from_fn(|i| &p[i] + &(d * &vector[i]))
+    Some(std::array::from_fn(|i| &p[i] + &(d * &vector[i])))
 }
 
 /// The length of a vector that is about 1, by Heron's rule: every step doubles the digits of the double.

@@ -3,12 +3,11 @@
 use nalgebra::{Matrix3, Matrix4, Vector4};
 
 use super::DistanceBounds;
-use crate::field::{Field, Local, distance, dot};
+use crate::field::interval::{exactly, minus, product, square};
+use crate::field::{Field, Interval, Local, distance, dot};
 
 /// Steps towards the foot.
 const STEPS: usize = 24;
-/// More than the relative rounding error of any of the short sums below.
-const ROUNDING: f64 = 1e-15;
 
 /// The stationary point of the distance that Newton's method finds from `start`: step by step the nearest point to p
 /// where the linear part of f vanishes. It ends when a step is less than `goal` times the distance.
@@ -44,12 +43,12 @@ pub(super) fn stationary(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<
     let mut nu: Option<f64> = None;
     for _ in 0..STEPS {
         let local = field.local(q);
-        let gradient = local.gradient;
+        let gradient = local.direction();
         let away = difference(p, q);
         let factor = nu.unwrap_or_else(|| dot(away, gradient) / dot(gradient, gradient));
         let inverse = lagrange(&local, factor).try_inverse()?;
         let [a, b, c] = [0, 1, 2].map(|i| away[i] - factor * gradient[i]);
-        let step = inverse * Vector4::new(a, b, c, local.value);
+        let step = inverse * Vector4::new(a, b, c, local.value.middle());
         if !step.iter().all(|s| s.is_finite()) {
             return None;
         }
@@ -57,7 +56,7 @@ pub(super) fn stationary(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<
         nu = Some(factor - step[3]);
         let size = q.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         if step.rows(0, 3).amax() <= 1e-12 * size {
-            return Some(q);
+            return size.is_finite().then_some(q);
         }
     }
     None
@@ -68,7 +67,7 @@ pub(super) fn lagrange(local: &Local, nu: f64) -> Matrix4<f64> {
     let block = -Matrix3::identity() - local.hessian() * nu;
     let mut derivatives = Matrix4::zeros();
     derivatives.fixed_view_mut::<3, 3>(0, 0).copy_from(&block);
-    for (i, g) in local.gradient.iter().enumerate() {
+    for (i, g) in local.direction().iter().enumerate() {
         derivatives[(i, 3)] = -g;
         derivatives[(3, i)] = *g;
     }
@@ -77,50 +76,50 @@ pub(super) fn lagrange(local: &Local, nu: f64) -> Matrix4<f64> {
 
 /// Bounds of the distance from p to a surface, where f(p) has the given sign, from the expansion at a point q near its foot.
 ///
-/// Write a = p − q, s for the sign, G = s∇f(q) = λa + e. In the ball |w − a| ≤ ρ around p (w from q) 2 a·w ≥ |w|² + |a|² − ρ²,
-/// and s f(q + w) ≥ s f(q) + G·w + κ|w|² with κ the lower bound of the curvature within reach. So
+/// Lemma 12. Write a = p − q, s for the sign, G = s∇f(q) = λa + e for any λ > 0. In the ball |w − a| ≤ ρ ≤ |a| around p (w
+/// from q) 2 a·w ≥ |w|² + |a|² − ρ², and s f(q + w) ≥ s f(q) + G·w + κ|w|² with κ the lower bound of the curvature within
+/// 2|a|. So
 ///
 /// s f ≥ s f(q) + λ(|a|² − ρ²)/2 − |e||w| + (λ/2 + κ)|w|² ≥ s f(q) + λ(|a|² − ρ²)/2 − |e|²/(4(λ/2 + κ)),
 ///
-/// which is positive for all ρ² < |a|² + (2/λ)(s f(q) − |e|²/(4(λ/2 + κ))): there is no zero. On the other side of q, at
-/// w = −ta with 0 ≤ t ≤ 1, s f ≤ s f(q) − tλ|a|² + κ′t²|a|² is negative for t = 2 s f(q)/(λ|a|²) if κ′t ≤ λ/2: between p
-/// and there f has a zero.
+/// which is positive for all ρ² < |a|² + (2/λ) min(0, s f(q) − |e|²/(4(λ/2 + κ))): there is no zero. On the other side of q, at
+/// w = −ta with 0 ≤ t ≤ 1, s f ≤ s f(q) − t G·a + κ′t²|a|² is not positive for t = 2 max(0, s f(q))/(G·a) if
+/// κ′t|a|² ≤ G·a/2: between p and there f has a zero.
+///
+/// Laws: `bounds_hold_on_random_cubics`, `the_distance_to_a_sphere_is_enclosed`.
 pub(super) fn enclose(field: &Field, p: [f64; 3], q: [f64; 3], sign: i8) -> DistanceBounds {
     let local = field.local(q);
-    bounds_from(&local, p, q, f64::from(sign))
+    bounds_from(&local, p, q, sign)
 }
 
-fn bounds_from(local: &Local, p: [f64; 3], q: [f64; 3], sign: f64) -> DistanceBounds {
+fn bounds_from(local: &Local, p: [f64; 3], q: [f64; 3], sign: i8) -> DistanceBounds {
     let mut found = DistanceBounds::UNKNOWN;
-    let away = difference(p, q);
-    let square = dot(away, away);
-    let length = square.sqrt();
-    let gradient = local.gradient.map(|g| sign * g);
-    let lambda = dot(gradient, away) / square;
+    let away = minus(exactly(p), exactly(q));
+    let away_squared = square(away);
+    let length = away_squared.sqrt();
+    let signed = |x: Interval| if sign < 0 { -x } else { x };
+    let gradient = local.gradient.map(signed);
+    // G·a
+    let slope = product(gradient, away);
+    let lambda = (slope / away_squared).middle();
     if !(lambda.is_finite() && lambda > 0.0) {
         return found;
     }
-    let rest: [f64; 3] = std::array::from_fn(|i| gradient[i] - lambda * away[i]);
-    let size = dot(gradient, gradient).sqrt() + lambda * length;
-    let defect = dot(rest, rest).sqrt() + local.gradient_error + 4.0 * ROUNDING * size;
-    let value = sign * local.value;
-    let [least, most] = local.curvature(2.0 * length * (1.0 + 1e-9), false);
-    let [least, most] = if sign > 0.0 {
-        [least, most]
-    } else {
-        [-most, -least]
-    };
-    let convexity = (lambda / 2.0 + least) - 1e-9 * (lambda + least.abs());
-    if convexity > 0.0 {
-        let loss = (local.error - value).max(0.0) + defect * defect / (4.0 * convexity);
-        let inside = square * (1.0 - 8.0 * ROUNDING) - 2.0 * loss / lambda * (1.0 + 1e-9);
-        found.low = inside.max(0.0).sqrt() * (1.0 - ROUNDING);
+    let value = signed(local.value);
+    let curvature = signed(local.curvature((length * 2.0).high(), false));
+    let convexity = Interval::from(lambda) * 0.5 + curvature;
+    if convexity.is_positive() {
+        let rest = [0, 1, 2].map(|i| gradient[i] - away[i] * lambda);
+        let loss = square(rest) / (convexity * 4.0) - value;
+        let inside = away_squared - loss.or_zero() * 2.0 / Interval::from(lambda);
+        found.low = inside.or_zero().sqrt().low();
     }
-    // G·a is at least this.
-    let slope = lambda * square * (1.0 - 8.0 * ROUNDING) - defect * length;
-    let beyond = 2.0 * (value + local.error).max(0.0) / slope * (1.0 + 1e-9);
-    if slope > 0.0 && beyond <= 1.0 && most * beyond * square <= slope / 2.0 * (1.0 - 1e-9) {
-        found.high = length * (1.0 + beyond) * (1.0 + 4.0 * ROUNDING);
+    if slope.is_positive() {
+        let beyond = value.or_zero() * 2.0 / slope;
+        let bend = curvature * beyond * away_squared * 2.0;
+        if beyond.high() <= 1.0 && bend.high() <= slope.low() {
+            found.high = (length + length * beyond).high();
+        }
     }
     found
 }
@@ -132,8 +131,43 @@ pub(super) fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::tests::cubic;
+    use crate::exact::Rational;
+    use crate::field::rational;
+    use crate::field::tests::{cubic, sphere};
     use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+        /// Lemma 12 against the exact distance | |p| − 1 | from the unit sphere: at points just beside it, far away and near the
+        /// middle, for feet that are nearly right or not at all. The bounds are within a few units of it for good feet.
+        #[test]
+        fn the_distance_to_a_sphere_is_enclosed(v in prop::array::uniform3(-1.0f64..1.0), scale in prop_oneof![Just(1.0), 0.5f64..3.0], e in -52i32..0, ulps in -4i32..5, off in prop::array::uniform3(-1.0f64..1.0), size in prop::sample::select(vec![0.0, 1e-16, 1e-12, 1e-8, 1e-3])) {
+            let field = Field::new(&sphere(1));
+            let length = dot(v, v).sqrt();
+            prop_assume!(length > 0.1);
+            let factor = (scale + 2f64.powi(e) + f64::from(ulps) * f64::EPSILON) / length;
+            let p = v.map(|x| x * factor);
+            let q: [f64; 3] = std::array::from_fn(|i| v[i] / length + size * off[i]);
+            let sign = field.sign(p);
+            prop_assume!(sign != 0);
+            let found = enclose(&field, p, q, sign);
+            // low ≤ | |p| − 1 | ≤ high: |p| is at least 1 + low outside, at most 1 − low inside, and so on.
+            let square: Rational = p.iter().map(|x| rational(*x) * rational(*x)).sum();
+            let end = |off: f64| (Rational::one() + rational(off) * Rational::from(i32::from(sign))).max(Rational::zero());
+            let is_beyond = |off: f64| {
+                let end = end(off);
+                if sign > 0 { square >= &end * &end } else { square <= &end * &end }
+            };
+            prop_assert!(is_beyond(found.low));
+            if found.high.is_finite() {
+                prop_assert!(found.high >= 1.0 || !is_beyond(found.high.next_up()));
+            }
+            if size <= 1e-16 && scale > 0.9 {
+                prop_assert!(found.high - found.low <= 1e-14 * (1.0 + found.high), "{found:?}");
+            }
+        }
+    }
 
     proptest! {
         /// Whatever surface and point: no zero nearer than the lower bound, and one within the upper bound on the way to q.

@@ -6,10 +6,11 @@ use super::distance::{Goal, nearest};
 use super::exact::{self, Answer};
 use super::foot::{approach, enclose};
 use super::{DistanceBounds, Inspection, Verdict};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
-use crate::field::{Field, distance, dot};
+use crate::field::interval::UNIT;
+use crate::field::{Field, Interval, distance, dot, rational};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
@@ -20,8 +21,6 @@ pub const MAX_EXACT_MONOMIALS: usize = 1000;
 /// The operations of an expansion for which the number of cubes is meant as it is given: those of a dense polynomial of
 /// degree 6. Where they are more, there are fewer cubes.
 const CUBE_WORK: usize = 84 * 18;
-/// Half a unit in the last place, relatively.
-const HALF_ULP: f64 = f64::EPSILON / 2.0;
 /// Points nearer to the surface than this part of the reach are not left to doubles.
 const NEARLY_ON: f64 = 1e-6;
 
@@ -92,6 +91,11 @@ impl<'a> Point<'a> {
         })
     }
 
+    /// The exact coordinates are between these bounds.
+    pub(super) fn around(&self) -> [Interval; 3] {
+        self.near.map(|x| Interval::around(x, self.slack))
+    }
+
     /// The point below, in the plane of x and y: as near to a surface whose equation does not have z.
     fn flattened(&self) -> Self {
         let [x, y, _] = self.near;
@@ -126,7 +130,7 @@ impl Known {
         self.inside = Some(true);
         self.curve = touches.then_some(true);
         self.exact_foot = Some(foot);
-        let high = high.to_f64().sqrt() * (1.0 + f64::EPSILON);
+        let high = Interval::from(high).sqrt().high();
         self.bounds.high = self.bounds.high.min(high.min(tolerance));
         self.bounds.low = self.bounds.low.min(self.bounds.high);
     }
@@ -153,7 +157,7 @@ impl Inspector {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Usage`] for a constant or a tolerance that is not positive; those of [`factor_space`].
+    /// [`Error::Usage`] for a constant, a tolerance that is not positive or a reach that is not finite; those of [`factor_space`].
     pub fn surface(
         surface: &ImplicitSurface,
         options: &InspectOptions,
@@ -193,6 +197,12 @@ impl Inspector {
                 options.tolerance
             )));
         }
+        if !options.reach.is_finite() {
+            return Err(Error::Usage(format!(
+                "the reach {}: expected a finite number, such as 10",
+                options.reach
+            )));
+        }
         let is_exact = Rational::try_from(tolerance).is_ok_and(|d| d == options.tolerance);
         let around = if is_exact {
             [tolerance; 2]
@@ -206,11 +216,11 @@ impl Inspector {
             around,
             asked: options.reach.max(around[1]),
             goal: Goal {
-                // A little more, so that what is not reached is surely outside.
+                // A little more, so that what is not reached is outside whatever the slack of a point. Any part is sound.
                 reach: options.reach.max(around[1] * (1.0 + 1e-9)),
                 tolerance: around[1],
                 relative: 0.1f64
-                    .powi(i32::try_from(options.digits).unwrap_or(i32::MAX))
+                    .powi(i32::try_from(options.digits.min(20)).invariant("20 is small"))
                     .max(1e-14),
                 cubes: options.cubes,
             },
@@ -225,24 +235,34 @@ impl Inspector {
         sizes.any(|size| size > MAX_EXACT_MONOMIALS)
     }
 
-    /// What is certain of a point.
+    /// What is certain of a point. Of one with a coordinate beyond the largest double nothing is.
     ///
     /// Cost: for a point whose distance is small against the radii of curvature some ten evaluations of f and a Taylor
     /// expansion, in doubles; a search of cubes for other ones; exact arithmetic for points at the very tolerance.
     #[must_use]
     pub fn inspect(&self, point: &[Rational; 3]) -> Inspection {
         let near = point.each_ref().map(Rational::to_f64);
-        let double = |i: usize| Rational::try_from(near[i]).unwrap_or_default();
-        let off = (0..3).map(|i| (&double(i) - &point[i]).abs().to_f64() * (1.0 + 1e-9));
-        let slack = off.sum();
+        if !near.iter().all(|x| x.is_finite()) {
+            return Inspection::UNKNOWN;
+        }
+        let off: Rational = (0..3).map(|i| (rational(near[i]) - &point[i]).abs()).sum();
+        let slack = if off.is_zero() {
+            0.0
+        } else {
+            Interval::from(&off).high()
+        };
         self.of_point(&Point::new(near, slack, &|| point.clone()))
     }
 
     /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
     #[must_use]
     pub fn inspect_near(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Inspection {
-        let size: f64 = near.iter().map(|x| x.abs()).sum();
-        let slack = size * HALF_ULP * (1.0 + 1e-9) + f64::MIN_POSITIVE;
+        if !near.iter().all(|x| x.is_finite()) {
+            return Inspection::UNKNOWN;
+        }
+        // A number is off its nearest double by at most a `UNIT` part of that, or by half of the least subnormal double.
+        let [x, y, z] = near.map(|x| Interval::from(x).abs());
+        let slack = ((x + y + z) * UNIT + Interval::from(f64::MIN_POSITIVE)).high();
         self.of_point(&Point::new(near, slack, exactly))
     }
 
@@ -316,7 +336,7 @@ impl Inspector {
             exact_foot: None,
         };
         let (value, normal) = field.value_and_gradient(p.near);
-        let reach = self.goal.reach + p.slack;
+        let reach = self.reach_from(p);
         let is_far = value.abs() > 2.0 * reach * dot(normal, normal).sqrt();
         if is_far && field.local(p.near).excludes(reach) {
             known.bounds.low = self.goal.reach;
@@ -340,13 +360,17 @@ impl Inspector {
         known
     }
 
+    /// How far from the doubles the surface may be, to be within reach of the point.
+    fn reach_from(&self, p: &Point) -> f64 {
+        (Interval::from(self.goal.reach) + Interval::from(p.slack)).high()
+    }
+
     /// Takes bounds that hold for the doubles.
     fn learn(&self, known: &mut Known, found: DistanceBounds, slack: f64) {
-        known.bounds.low = known.bounds.low.max((found.low - slack) * (1.0 - HALF_ULP));
-        known.bounds.high = known
-            .bounds
-            .high
-            .min((found.high + slack) * (1.0 + 2.0 * HALF_ULP));
+        let low = Interval::from(found.low) - Interval::from(slack);
+        let high = Interval::from(found.high) + Interval::from(slack);
+        known.bounds.low = known.bounds.low.max(low.low());
+        known.bounds.high = known.bounds.high.min(high.high());
         if known.bounds.high <= self.around[0] {
             known.inside = Some(true);
         } else if known.bounds.low > self.around[1] {
@@ -376,13 +400,14 @@ impl Inspector {
             }
         }
         let mut goal = self.goal;
-        goal.reach += p.slack;
-        goal.tolerance += p.slack;
+        goal.reach = self.reach_from(p);
+        goal.tolerance = (Interval::from(goal.tolerance) + Interval::from(p.slack)).high();
         goal.cubes = (goal.cubes * CUBE_WORK / field.work()).clamp(goal.cubes.min(64), goal.cubes);
         let near_sign = field.sign(p.near);
+        let slack = Interval::from(p.slack);
         let outer = DistanceBounds {
-            low: (known.bounds.low - p.slack).max(0.0),
-            high: known.bounds.high + p.slack,
+            low: (Interval::from(known.bounds.low) - slack).or_zero().low(),
+            high: (Interval::from(known.bounds.high) + slack).high(),
         };
         let found = nearest(field, p.near, near_sign, outer, goal, &self.limits);
         self.learn(known, found.bounds, p.slack);
@@ -405,12 +430,11 @@ impl Inspector {
         sign: i8,
         known: &mut Known,
     ) {
-        let root = |square: &Rational| square.to_f64().max(0.0).sqrt();
+        let root = |square: &Rational| Interval::from(square).or_zero().sqrt().low();
         match exact::decide(field, p.exactly(), &self.tolerance, start, sign, None) {
             Some(Answer::Outside { low }) => {
                 known.inside = Some(false);
-                let low = root(&low) * (1.0 - f64::EPSILON);
-                known.bounds.low = known.bounds.low.max(low.max(self.around[0]));
+                known.bounds.low = known.bounds.low.max(root(&low).max(self.around[0]));
             }
             Some(Answer::Inside {
                 low,
@@ -419,10 +443,71 @@ impl Inspector {
                 foot,
             }) => {
                 known.has_zero(*foot, touches, &high, self.around[1]);
-                let low = root(&low) * (1.0 - f64::EPSILON);
-                known.bounds.low = known.bounds.low.max(low);
+                known.bounds.low = known.bounds.low.max(root(&low));
             }
             None => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::Ring;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
+
+        /// Points that are no doubles, against a plane x = c and a tolerance next to their distance: the verdict is the exact
+        /// one, and the bounds hold the exact distance, however the point is given.
+        #[test]
+        fn points_between_doubles_are_judged_exactly(x in (-4000i64..4000, 1i64..1000), c in -3.0f64..3.0, ulps in -3i64..4) {
+            let x = Rational::from(x.0) / Rational::from(x.1);
+            let p = [x.clone(), Rational::from(1) / Rational::from(3), Rational::zero()];
+            let distance = (&x - &rational(c)).abs();
+            let near = distance.to_f64();
+            prop_assume!(near > 1e-6);
+            let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
+            let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
+            let options = InspectOptions { tolerance: rational(tolerance), reach: 8.0, digits: 14, cubes: 1000 };
+            let inspector = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none()).unwrap();
+            let doubles = p.each_ref().map(Rational::to_f64);
+            for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
+                let is_inside = distance <= rational(tolerance);
+                prop_assert_eq!(found.verdict, if is_inside { Verdict::Inside } else { Verdict::Outside });
+                prop_assert_eq!(found.curve, Some(is_inside));
+                prop_assert!(rational(found.distance.low) <= distance, "{found:?}");
+                prop_assert!(distance <= rational(found.distance.high), "{found:?}");
+            }
+        }
+    }
+
+    /// Beyond the largest double nothing is claimed, and a reach or tolerance without end is refused.
+    #[test]
+    fn what_is_no_double_is_undecided() {
+        let plane = SparsePolynomial::<3>::variable(0);
+        let options = InspectOptions {
+            tolerance: Rational::one(),
+            reach: 1.0,
+            digits: 6,
+            cubes: 100,
+        };
+        let inspector = Inspector::new(
+            Kind::Surface,
+            vec![plane.clone()],
+            &options,
+            &Limits::none(),
+        )
+        .unwrap();
+        let far = Rational::from(10).pow(400).unwrap();
+        let found = inspector.inspect(&[far, Rational::zero(), Rational::zero()]);
+        assert_eq!(found, Inspection::UNKNOWN);
+        let options = InspectOptions {
+            reach: f64::INFINITY,
+            ..options
+        };
+        let refused = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none());
+        assert!(matches!(refused, Err(Error::Usage(_))));
     }
 }

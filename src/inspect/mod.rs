@@ -67,3 +67,12 @@ pub struct Inspection {
     /// Bounds of the distance.
     pub distance: DistanceBounds,
 }
+
+impl Inspection {
+    /// What is known before anything is known.
+    const UNKNOWN: Self = Self {
+        verdict: Verdict::Undecided,
+        curve: None,
+        distance: DistanceBounds::UNKNOWN,
+    };
+}

@@ -6,7 +6,8 @@ use super::foot::{approach, stationary};
 use super::gap::zero_in_ball;
 use super::inspector::{Inspector, Known, Point};
 use crate::exact::Rational;
-use crate::field::{Field, distance};
+use crate::field::interval::{exactly, minus, separation, square};
+use crate::field::{Field, Interval, distance, rational, rationals};
 
 /// Of the cubes so many are tried as places of feet and of rational zeros.
 const CANDIDATES: usize = 24;
@@ -70,7 +71,7 @@ impl Inspector {
             }
         }
         for cube in left {
-            let far = |q: [f64; 3]| distance(q, cube.middle) + 2.0 * cube.half;
+            let far = |q: [f64; 3]| (separation(q, cube.middle) + cube.radius()).high();
             let nearest = feet.iter_mut().min_by(|a, b| far(a.0).total_cmp(&far(b.0)));
             if let Some((q, radius)) = nearest {
                 *radius = radius.max(far(*q));
@@ -107,19 +108,16 @@ impl Inspector {
         p: &Point,
         starts: &[[f64; 3]],
         known: &mut Known,
-    ) -> Option<Vec<([f64; 3], f64)>> {
-        let mut lonely: Vec<([f64; 3], f64)> = Vec::new();
+    ) -> Option<Vec<Lonely>> {
+        let mut lonely: Vec<Lonely> = Vec::new();
         let square = &self.tolerance * &self.tolerance;
         let size = p
             .near
             .iter()
             .fold(self.goal.reach, |m: f64, x| m.max(x.abs()));
-        let width = Rational::try_from(1e-9 * size).unwrap_or_default();
+        let width = rational(1e-9 * size);
         for start in starts {
-            if lonely
-                .iter()
-                .any(|(zero, radius)| distance(*zero, *start) < *radius)
-            {
+            if lonely.iter().any(|ball| ball.holds(*start, Interval::ZERO)) {
                 continue;
             }
             let candidates = [
@@ -128,7 +126,7 @@ impl Inspector {
                 Some(*start),
             ];
             for x in candidates.into_iter().flatten() {
-                let Some(zero) = exact::rational_zero(field, &exact::rationals(x), &width) else {
+                let Some(zero) = exact::rational_zero(field, &rationals(x), &width) else {
                     continue;
                 };
                 let away = exact::squared_length(&exact::exact_difference(p.exactly(), &zero));
@@ -143,15 +141,16 @@ impl Inspector {
     }
 
     /// A ball about a critical zero in which f is convex: there is no other zero in it.
-    fn lonely(&self, field: &Field, zero: &[Rational; 3]) -> Option<([f64; 3], f64)> {
+    fn lonely(&self, field: &Field, zero: &[Rational; 3]) -> Option<Lonely> {
         let (_, gradient) = field.exact_value_and_gradient(zero);
+        if !gradient.iter().all(Rational::is_zero) {
+            return None;
+        }
         let local = field.exact_local(zero);
-        let radii = (0..40).map(|k| self.goal.reach * 0.5f64.powi(k));
-        let mut radii = radii.filter(|radius| local.is_convex(*radius));
-        let radius = radii
-            .next()
-            .filter(|_| gradient.iter().all(Rational::is_zero))?;
-        Some((zero.each_ref().map(Rational::to_f64), radius))
+        let mut radii = (0..40).map(|k| self.goal.reach * 0.5f64.powi(k));
+        let radius = radii.find(|radius| local.is_convex(*radius))?;
+        let middle = zero.each_ref().map(Interval::from);
+        Some(Lonely { middle, radius })
     }
 
     /// Zeros at critical points that are not rational: that there are any, not where.
@@ -177,16 +176,27 @@ impl Inspector {
     }
 }
 
+/// A ball in which there is one zero, in its middle.
+struct Lonely {
+    middle: [Interval; 3],
+    radius: f64,
+}
+
+impl Lonely {
+    /// Whether the ball of some radius about a point is inside.
+    fn holds(&self, point: [f64; 3], radius: Interval) -> bool {
+        let away = square(minus(self.middle, exactly(point))).sqrt();
+        (away + radius).high() < self.radius
+    }
+}
+
 /// The cubes that are not inside one of the balls.
-fn without(cubes: &[Cube], balls: &[([f64; 3], f64)]) -> Vec<Cube> {
+fn without(cubes: &[Cube], balls: &[Lonely]) -> Vec<Cube> {
     let is_inside = |cube: &Cube| {
         balls
             .iter()
-            .any(|(middle, radius)| distance(*middle, cube.middle) + 2.0 * cube.half < *radius)
+            .any(|ball| ball.holds(cube.middle, cube.radius()))
     };
-    cubes
-        .iter()
-        .filter(|cube| !is_inside(cube))
-        .copied()
-        .collect()
+    let outside = cubes.iter().filter(|cube| !is_inside(cube));
+    outside.copied().collect()
 }

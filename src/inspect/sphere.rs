@@ -1,6 +1,7 @@
 //! Whether a polynomial has zeros on a sphere: patches of the sphere, in doubles with bounds of their errors.
 
-use crate::field::{Field, distance, dot};
+use crate::field::interval::{exactly, minus, product, square};
+use crate::field::{Field, Interval};
 
 /// So many patches at most.
 const MAX_PATCHES: usize = 30_000;
@@ -31,21 +32,36 @@ struct Patch {
 }
 
 impl Patch {
-    fn direction(&self, u: f64, w: f64) -> [f64; 3] {
-        let mut v = [0.0; 3];
-        v[self.axis] = self.side;
+    /// The unit vector towards a point of the face.
+    fn direction(&self, u: Interval, w: Interval) -> [Interval; 3] {
+        let mut v = [Interval::from(self.side); 3];
         v[(self.axis + 1) % 3] = u;
         v[(self.axis + 2) % 3] = w;
-        let length = dot(v, v).sqrt();
+        let length = square(v).sqrt();
         v.map(|x| x / length)
     }
 
-    /// The farthest point of a projected square from its middle is a corner: all its sides are arcs of great circles.
-    fn radius(&self, middle: [f64; 3]) -> f64 {
-        let h = self.half;
-        let corners = [(-h, -h), (-h, h), (h, -h), (h, h)];
-        let far = corners.map(|(a, b)| distance(self.direction(self.u + a, self.w + b), middle));
-        far.into_iter().fold(0.0, f64::max) * (1.0 + 1e-9)
+    /// The direction of its middle.
+    fn normal(&self) -> [Interval; 3] {
+        self.direction(Interval::from(self.u), Interval::from(self.w))
+    }
+
+    /// The farthest point of a projected square from that of its middle is a corner: all its sides are arcs of great circles.
+    fn radius(&self, normal: [Interval; 3]) -> Interval {
+        let (u, w, h) = (
+            Interval::from(self.u),
+            Interval::from(self.w),
+            Interval::from(self.half),
+        );
+        let corners = [
+            (u - h, w - h),
+            (u - h, w + h),
+            (u + h, w - h),
+            (u + h, w + h),
+        ];
+        let far = corners.map(|(u, w)| square(minus(self.direction(u, w), normal)));
+        let [a, b, c, d] = far;
+        a.max(b).max(c.max(d)).sqrt()
     }
 
     fn quarters(self) -> [Self; 4] {
@@ -59,10 +75,16 @@ impl Patch {
     }
 }
 
-/// Looks for zeros of f on the sphere of radius d about p, both of which may be off by `slack` together.
+/// Looks for zeros of f on the sphere of radius d* about p*, where |p* − p| + |d* − d| ≤ `slack` and d* ≥ d.
 ///
-/// On a patch of radius ρ about a point m of the sphere with normal n, all w = x − m have |w·n| ≤ ρ²/(2d), so f(x) − f(m) is
-/// at most |∇f − (∇f·n)n|ρ + |∇f·n|ρ²/(2d) and the curvature times ρ².
+/// Lemma 14. Let n be the unit vector of the middle of a patch, x₀ = p* + d*n, and m a double within `off` of x₀. Then
+/// f is within |G|·off + (|Gₜ| + |G·n| r/(2d) )r + κ(r + off)² of f(m) at all points x of the sphere within r of x₀, where G = ∇f(m),
+/// Gₜ = G − (G·n)n, and κ bounds the size of the curvature within r + off.
+///
+/// Proof. f(x) − f(m) = G·(x₀ − m) + G·(x − x₀) + κ′|x − m|² with |κ′| ≤ κ; and (x − x₀)·n = −|x − x₀|²/(2d*), because both
+/// points are on the sphere.
+///
+/// Laws: `free_spheres_have_one_sign`, `touching_spheres_are_not_called_free`.
 pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSphere {
     let mut patches = Vec::new();
     let h = 1.0 / f64::from(FIRST);
@@ -80,40 +102,38 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
             }
         }
     }
-    // How far the middle of a patch may be from the sphere and from where it should be.
-    let size = p.iter().fold(d, |m: f64, x| m.max(x.abs()));
-    let off = 8.0 * f64::EPSILON * size + slack;
+    let (center, d) = (exactly(p), Interval::from(d));
     let mut signs = [false; 2];
     let mut unknown = Vec::new();
     let mut looked_at = 0;
     while let Some(patch) = patches.pop() {
-        let normal = patch.direction(patch.u, patch.w);
-        let middle: [f64; 3] = std::array::from_fn(|i| p[i] + d * normal[i]);
-        let radius = d * patch.radius(normal) + off;
+        let normal = patch.normal();
+        let exact_middle = [0, 1, 2].map(|i| center[i] + d * normal[i]);
+        let middle = exact_middle.map(Interval::middle);
+        let off = square(minus(exact_middle, exactly(middle))).sqrt() + Interval::from(slack);
+        // d* is at most d + slack.
+        let radius = (d + Interval::from(slack)) * patch.radius(normal);
         let local = field.local(middle);
-        let outward = dot(local.gradient, normal);
-        let along = (dot(local.gradient, local.gradient) - outward * outward)
-            .max(0.0)
-            .sqrt()
-            + local.gradient_error
-            + 1e-14 * outward.abs();
-        let [low, high] = local.curvature(radius, false);
-        let bend = low.abs().max(high.abs());
-        let spread =
-            |r: f64| along * r + outward.abs() * (r * r / (2.0 * d) + 2.0 * off) + bend * r * r;
-        let surplus = local.value.abs() - local.error;
-        let sign = usize::from(local.value > 0.0);
-        if surplus > spread(off) * (1.0 + 1e-9) {
-            signs[sign] = true;
+        let outward = product(local.gradient, normal);
+        let along = square([0, 1, 2].map(|i| local.gradient[i] - outward * normal[i])).sqrt();
+        let bend = local.curvature((radius + off).high(), false).abs();
+        let spread = |r: Interval| {
+            local.slope() * off
+                + (along + outward.abs() * r / (d * 2.0)) * r
+                + bend * (r + off).squared()
+        };
+        let surplus = local.value.mignitude();
+        if spread(Interval::ZERO).high() < surplus {
+            signs[usize::from(local.value.is_positive())] = true;
             if signs == [true; 2] {
                 return OnSphere::Zeros;
             }
         }
         looked_at += 1;
-        if surplus > spread(radius) * (1.0 + 1e-9) {
+        if spread(radius).high() < surplus {
             continue;
         }
-        if radius < SMALLEST * d || looked_at + patches.len() > MAX_PATCHES {
+        if radius.high() < SMALLEST * d.low() || looked_at + patches.len() > MAX_PATCHES {
             unknown.push(middle);
         } else {
             patches.extend(patch.quarters());
@@ -129,7 +149,10 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::field::tests::{cubic, sphere};
+    use crate::field::{distance, dot, rational, rationals};
+    use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 
     #[test]
@@ -157,6 +180,24 @@ mod tests {
             if a * b < 0.0 {
                 prop_assert!(on_sphere(&f, p, d, 0.0) != OnSphere::NoZeros);
             }
+        }
+
+        /// Lemma 14 on planes a·x = c whose normal has the rational length 3: a sphere that touches one, or would with all of its
+        /// slack, is not called free of zeros; one that stays on its side, by however little, not called divided.
+        #[test]
+        fn touching_spheres_are_not_called_free(turn in 0usize..3, signs in 0u8..8, p in prop::array::uniform3(-2.0f64..2.0), d in 0.05f64..1.0, slack in prop_oneof![Just(0.0), 1e-17f64..1e-12], nudge in -60i64..-30) {
+            let sign = |k: usize| if signs >> k & 1 == 1 { -1 } else { 1 };
+            let normal: [i64; 3] = std::array::from_fn(|i| [1i64, 2, 2][(i + turn) % 3] * sign(i));
+            let [x, y, z] = [0, 1, 2].map(|i| SparsePolynomial::<3>::variable(i).scaled(&Rational::from(normal[i])));
+            let linear = x.plus(&y).plus(&z);
+            let at_p = linear.evaluate(&rationals(p));
+            let three = Rational::from(3);
+            // The farthest point of the sphere of radius d + slack is on the plane.
+            let plane = |far: Rational| Field::new(&linear.minus(&SparsePolynomial::constant(&at_p + &(far * &three))));
+            let reach = rational(d) + rational(slack);
+            prop_assert!(on_sphere(&plane(reach.clone()), p, d, slack) != OnSphere::NoZeros);
+            let beyond = reach + Rational::from(2).pow(nudge).unwrap();
+            prop_assert!(on_sphere(&plane(beyond), p, d, slack) != OnSphere::Zeros);
         }
     }
 }

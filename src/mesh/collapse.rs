@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::Vector3;
 
 use super::refine::edges;
+use crate::error::Invariant;
 use crate::field::{Crossing, distance};
 
 /// Triangles beside a collapsed edge turn by less than the angle with this cosine.
@@ -110,7 +111,7 @@ fn compact(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>) {
         *triangle = triangle.map(|v| {
             *numbers[v as usize].get_or_insert_with(|| {
                 kept.push(vertices[v as usize]);
-                u32::try_from(kept.len() - 1).unwrap_or(u32::MAX)
+                u32::try_from(kept.len() - 1).invariant("a mesh has fewer than 2^32 vertices")
             })
         });
     }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::triangles::Mesh;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::sample::{Direction, Ray, SpaceDirection, SpaceSuperquadricSolver};
@@ -81,7 +81,7 @@ pub fn mesh_superquadric(
         let last = inner.len() - 1;
         triangles.push([1, at(last, column + 1), at(last, column)]);
     }
-    let number = |v: usize| u32::try_from(v).unwrap_or(u32::MAX);
+    let number = |v: usize| u32::try_from(v).invariant("a mesh has fewer than 2^32 vertices");
     let triangles: Vec<[u32; 3]> = triangles.into_iter().map(|t| t.map(number)).collect();
     let sizes = vertices.iter().flatten().map(|v| v.abs());
     let largest = sizes.fold(0.0, f64::max);
@@ -106,6 +106,7 @@ fn normals(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[f64; 3]> {
             sums[*vertex as usize] += normal;
         }
     }
-    let unit = |sum: Vector3<f64>| sum.try_normalize(0.0).unwrap_or_default().into();
+    // Where all triangles are points there is no direction.
+    let unit = |sum: Vector3<f64>| sum.try_normalize(0.0).map_or([0.0; 3], Into::into);
     sums.into_iter().map(unit).collect()
 }

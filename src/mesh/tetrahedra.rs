@@ -6,6 +6,7 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 use rayon::slice::ParallelSliceMut;
 
 use super::cells::{Cell, Grid};
+use crate::error::Invariant;
 use crate::field::{Crossing, Field};
 
 /// The corners of a cell as bits: x is 1, y is 2, z is 4. Kuhn's six tetrahedra all have the diagonal from 0 to 7,
@@ -49,8 +50,9 @@ pub(super) fn triangles(
         .map(|&[a, b]| field.crossing(grid.point(a), grid.point(b)))
         .collect();
     let number = |edge: &Edge| -> u32 {
-        let found = edges.binary_search(edge).unwrap_or_default();
-        u32::try_from(found).unwrap_or(u32::MAX)
+        let found = edges.binary_search(edge);
+        let found = found.invariant("the edges of all triangles are listed");
+        u32::try_from(found).invariant("a mesh has fewer than 2^32 vertices")
     };
     let triangles = cut
         .into_par_iter()
@@ -71,7 +73,10 @@ fn in_cell(index: GridPoint, is_negative: &HashMap<GridPoint, bool>) -> Vec<[Edg
     let mut found = Vec::new();
     for tetrahedron in TETRAHEDRA {
         let points = tetrahedron.map(|bits| corner(index, bits));
-        let negative = |p: &&GridPoint| is_negative.get(*p).copied().unwrap_or(false);
+        let negative = |p: &&GridPoint| {
+            let known = is_negative.get(*p);
+            *known.invariant("the signs at the corners of all cells are known")
+        };
         let (behind, before): (Vec<&GridPoint>, Vec<&GridPoint>) =
             points.iter().partition(negative);
         let edge = |i: usize, j: usize| [*behind[i], *before[j]];

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::refine::edges;
 use super::triangles::Mesh;
+use crate::error::Invariant;
 
 /// Counts that describe a mesh as a surface; all of them exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +41,7 @@ impl Mesh {
         }
         let boundary = uses.values().filter(|[up, down]| up + down == 1).count();
         let regular = uses.values().filter(|counts| **counts == [1, 1]).count();
-        let signed = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
+        let signed = |n: usize| i64::try_from(n).invariant("numbers in memory are less than 2^63");
         Topology {
             boundary_edges: boundary,
             irregular_edges: uses.len() - boundary - regular,
@@ -52,7 +53,9 @@ impl Mesh {
 
     /// The piece of every vertex, and how many pieces there are.
     pub(super) fn pieces(&self) -> (Vec<usize>, usize) {
-        let mut parent: Vec<u32> = (0..u32::try_from(self.vertices.len()).unwrap_or(0)).collect();
+        let count = u32::try_from(self.vertices.len());
+        let count = count.invariant("a mesh has fewer than 2^32 vertices");
+        let mut parent: Vec<u32> = (0..count).collect();
         for [a, b, c] in &self.triangles {
             for other in [b, c] {
                 let (p, q) = (root(&mut parent, *a), root(&mut parent, *other));
@@ -61,7 +64,7 @@ impl Mesh {
         }
         let mut names: HashMap<u32, usize> = HashMap::new();
         let mut pieces = Vec::with_capacity(self.vertices.len());
-        for vertex in 0..u32::try_from(self.vertices.len()).unwrap_or(0) {
+        for vertex in 0..count {
             let next = names.len();
             pieces.push(*names.entry(root(&mut parent, vertex)).or_insert(next));
         }

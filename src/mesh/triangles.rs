@@ -154,9 +154,11 @@ fn add_factor(
         }
         progress(750 + 60 * (round + 1));
     }
-    let first = u32::try_from(mesh.vertices.len() + vertices.len())
-        .map_err(|_| Error::limit("2^32 vertices"))?
-        - u32::try_from(vertices.len()).unwrap_or(0);
+    let is_countable = u32::try_from(mesh.vertices.len() + vertices.len()).is_ok();
+    let first = u32::try_from(mesh.vertices.len()).ok();
+    let first = first
+        .filter(|_| is_countable)
+        .ok_or_else(|| Error::limit("2^32 vertices"))?;
     mesh.factors.push(mesh.triangles.len());
     mesh.normals.extend(refine::normals(field, &vertices));
     let bounds = vertices.iter().map(|v: &Crossing| v.radius);

@@ -8,6 +8,8 @@ use plotters::element::{Circle, PathElement, Rectangle, Text};
 use plotters::prelude::DrawingBackend;
 use plotters::style::{FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, register_font};
 
+use crate::error::Invariant;
+
 /// Colours that stay apart for the colour-blind (Okabe and Ito), dark enough on white.
 const PALETTE: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
@@ -52,7 +54,7 @@ pub(super) enum Mark {
 /// The height of the heading.
 pub(super) fn height(title: &str, rows: usize) -> u32 {
     let title = if title.is_empty() { 0 } else { TITLE_ROW };
-    let rows = u32::try_from(rows).unwrap_or(u32::MAX).min(1000);
+    let rows = u32::try_from(rows.min(1000)).invariant("1000 is small");
     MARGIN + title + rows * LEGEND_ROW + MARGIN / 2
 }
 
@@ -104,7 +106,7 @@ pub(super) fn font(size: u32) -> TextStyle<'static> {
 }
 
 pub(super) fn int(value: u32) -> i32 {
-    i32::try_from(value).unwrap_or(i32::MAX)
+    i32::try_from(value).invariant("places on a picture are less than 2^31")
 }
 
 /// The shortest text of a tick: ticks are decimals up to rounding.

@@ -1,5 +1,7 @@
 //! From the farthest to the nearest: what hides what, by a binary space partition.
 
+use crate::error::Invariant;
+
 /// Up to so many pieces are ordered by the planes of the facets themselves; more are first divided by planes across an axis.
 const LEAF: usize = 100;
 /// Points nearer to a plane than this part of the scene's size are on it.
@@ -150,7 +152,8 @@ impl Plane {
 
 impl Piece {
     fn middle(&self) -> [f64; 3] {
-        let count = f64::from(u32::try_from(self.corners.len()).unwrap_or(1));
+        let count =
+            f64::from(u32::try_from(self.corners.len()).invariant("a facet has few corners"));
         [0, 1, 2].map(|k| self.corners.iter().map(|p| p[k]).sum::<f64>() / count)
     }
 

@@ -12,7 +12,7 @@ use super::heading::{
 };
 use super::order::{Piece, from_behind};
 use super::{axes, cut};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 
 /// Units left for ticks and names around the box.
 const AROUND: f64 = 74.0;
@@ -345,7 +345,7 @@ fn shaded(base: RGBColor, facing: f64) -> RGBColor {
 fn mixed(a: RGBColor, b: RGBColor, t: f64) -> RGBColor {
     let channel = |a: u8, b: u8| {
         let value = f64::from(a) + t * (f64::from(b) - f64::from(a));
-        u8::try_from(pixels(value.clamp(0.0, 255.0))).unwrap_or(255)
+        u8::try_from(pixels(value.clamp(0.0, 255.0))).invariant("255 is a byte")
     };
     RGBColor(channel(a.0, b.0), channel(a.1, b.1), channel(a.2, b.2))
 }

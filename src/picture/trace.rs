@@ -246,6 +246,7 @@ struct Restriction {
 
 impl Restriction {
     fn new(f: &PlanePolynomial) -> Self {
+        // The polynomial 0 is a table of one 0.
         let degree = f.degree().unwrap_or(0);
         let mut table = vec![vec![Integer::ZERO; degree + 1]; degree + 1];
         for part in f.parts() {

@@ -1,0 +1,535 @@
+//! Real numbers that are known to lie between two doubles. All rounding of doubles that a certified answer rests on is
+//! answered for here: by outward rounding ([`Interval`]) or, in long sums, by counting ([`relative_error`]).
+//!
+//! The one rule: an operation on intervals holds the results of the operation on all their members. Nothing is promised about
+//! how narrow it is; each operation widens by one or two units in the last place.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::exact::Rational;
+
+/// The unit roundoff 2^(−53): a rounded result that does not underflow is `exact·(1 + δ)` with |δ| ≤ `UNIT`.
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// The real numbers x with low ≤ x ≤ high. The ends are never NaN; low < ∞ and high > −∞, so there always is such an x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Interval {
+    low: f64,
+    high: f64,
+}
+
+/// A little more than `UNIT`, 2^(−53) + 2^(−105).
+const STEP: f64 = UNIT * (1.0 + f64::EPSILON);
+/// The least positive double, 2^(−1074).
+const LEAST: f64 = f64::from_bits(1);
+
+/// Lemma 1. If `rounded` is the double nearest to a real number x (±∞ beyond the largest), x ≤ `above(rounded)` and
+/// x ≥ `below(rounded)`.
+///
+/// Proof. Were x beyond the next double, that would be nearer to x than `rounded`. For 2^e ≤ |rounded| < 2^(e + 1) doubles are at
+/// most 2^(e − 52) apart there, and what is added, `STEP`·|rounded|, is more than half of that; so is `LEAST` for subnormal
+/// numbers: the sum rounds to the next double or one beyond it (Rump, Zimmermann, Boldo, Melquiond, *Computing predecessor and
+/// successor in rounding to nearest*, BIT 49 (2009)). The sum is NaN only for ∞ − ∞ and NaN, and then the bound is infinite.
+///
+/// Laws: `operations_hold_the_exact_results`, `the_next_double_is_reached`.
+#[inline]
+fn above(rounded: f64) -> f64 {
+    (rounded + (STEP * rounded.abs() + LEAST)).min(f64::INFINITY)
+}
+
+/// See [`above`].
+#[inline]
+fn below(rounded: f64) -> f64 {
+    (rounded - (STEP * rounded.abs() + LEAST)).max(f64::NEG_INFINITY)
+}
+
+/// Lemma 2. If a number is computed from non-negative ones by additions and multiplications, and every product of inputs
+/// that it is the sum of is rounded at most n times (each factor of n roundings without underflow), the result is off by at
+/// most `relative_error(n)` times itself. For inputs of both signs that many times the same sum of the sizes bounds the error.
+///
+/// Proof. Every product is off by a factor between (1 − u)^n and (1 + u)^n ≤ (1 − u)^(−n). So a computed sum of
+/// sizes S is at least (1 − u)^n of the exact one, the error at most (1 − u)^(−n) − 1 of that, and with Bernoulli's
+/// (1 − u)^n ≥ 1 − nu the error is at most nu/(1 − nu)² times S.
+///
+/// Laws: `counted_errors_hold_and_are_reached`, and those of `value`, `taylor` and `on_box`.
+#[expect(clippy::cast_precision_loss, reason = "far fewer than 2^53 roundings")]
+pub(crate) fn relative_error(roundings: usize) -> f64 {
+    let nu = Interval::from(roundings as f64) * UNIT;
+    let rest = Interval::from(1.0) - nu;
+    (nu / (rest * rest)).high
+}
+
+impl From<f64> for Interval {
+    /// The number itself; everything for ±∞ and NaN, of which nothing is known.
+    #[inline]
+    fn from(x: f64) -> Self {
+        if x.is_finite() {
+            Self { low: x, high: x }
+        } else {
+            Self::ENTIRE
+        }
+    }
+}
+
+impl From<&Rational> for Interval {
+    /// By Lemma 1, as conversions round to nearest.
+    fn from(x: &Rational) -> Self {
+        let rounded = x.to_f64();
+        Self::ordered(below(rounded), above(rounded))
+    }
+}
+
+impl Interval {
+    /// The narrowest interval that holds a number: from the next double that is not above it to the next that is not below.
+    pub(crate) fn narrowest(x: &Rational) -> Self {
+        let rounded = x.to_f64();
+        match Rational::try_from(rounded).map(|y| y.cmp(x)) {
+            Ok(Ordering::Equal) => Self::from(rounded),
+            Ok(Ordering::Less) => Self::ordered(rounded, above(rounded)),
+            Ok(Ordering::Greater) => Self::ordered(below(rounded), rounded),
+            Err(_) => Self::from(x),
+        }
+    }
+
+    /// All real numbers.
+    pub(crate) const ENTIRE: Self = Self {
+        low: f64::NEG_INFINITY,
+        high: f64::INFINITY,
+    };
+    /// 0.
+    pub(crate) const ZERO: Self = Self {
+        low: 0.0,
+        high: 0.0,
+    };
+
+    /// From the lower end to the upper one; everything if they are none.
+    #[inline]
+    fn ordered(low: f64, high: f64) -> Self {
+        if low <= high {
+            Self { low, high }
+        } else {
+            Self::ENTIRE
+        }
+    }
+
+    /// From a lower bound to an upper bound of the same number.
+    #[inline]
+    pub(crate) fn between(low: f64, high: f64) -> Self {
+        debug_assert!(low <= high, "bounds in the wrong order: {low}, {high}");
+        Self::ordered(low, high)
+    }
+
+    /// All numbers within `radius` of `middle`; everything if either is not finite. By Lemma 1.
+    #[inline]
+    pub(crate) fn around(middle: f64, radius: f64) -> Self {
+        if middle.is_finite() {
+            Self::ordered(below(middle - radius), above(middle + radius))
+        } else {
+            Self::ENTIRE
+        }
+    }
+
+    /// The numbers of size at most `radius`.
+    #[inline]
+    pub(crate) fn up_to(radius: f64) -> Self {
+        Self::ordered(-radius, radius)
+    }
+
+    /// No member is less.
+    #[inline]
+    pub(crate) fn low(self) -> f64 {
+        self.low
+    }
+
+    /// No member is greater.
+    #[inline]
+    pub(crate) fn high(self) -> f64 {
+        self.high
+    }
+
+    /// A double near the middle, to go on with where nothing is claimed.
+    #[inline]
+    pub(crate) fn middle(self) -> f64 {
+        f64::midpoint(self.low, self.high)
+    }
+
+    /// No member is larger in size.
+    #[inline]
+    pub(crate) fn magnitude(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    /// No member is smaller in size.
+    #[inline]
+    pub(crate) fn mignitude(self) -> f64 {
+        self.low.max(-self.high).max(0.0)
+    }
+
+    /// The sizes of the members.
+    #[inline]
+    pub(crate) fn abs(self) -> Self {
+        Self {
+            low: self.mignitude(),
+            high: self.magnitude(),
+        }
+    }
+
+    /// Every member is positive.
+    #[inline]
+    pub(crate) fn is_positive(self) -> bool {
+        self.low > 0.0
+    }
+
+    /// Every member is negative.
+    #[inline]
+    pub(crate) fn is_negative(self) -> bool {
+        self.high < 0.0
+    }
+
+    /// The sign that all members have, if they have one.
+    #[inline]
+    pub(crate) fn sign(self) -> Option<i8> {
+        match self {
+            x if x.is_positive() => Some(1),
+            x if x.is_negative() => Some(-1),
+            _ => None,
+        }
+    }
+
+    /// Every member of `self` is less than every member of `other`.
+    #[inline]
+    pub(crate) fn is_below(self, other: Self) -> bool {
+        self.high < other.low
+    }
+
+    /// The larger of a member and 0.
+    #[inline]
+    pub(crate) fn or_zero(self) -> Self {
+        Self {
+            low: self.low.max(0.0),
+            high: self.high.max(0.0),
+        }
+    }
+
+    /// max(x, y) for members of either.
+    #[inline]
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self {
+            low: self.low.max(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    /// x² for every member x. By Lemma 1: squares grow with the size.
+    #[inline]
+    pub(crate) fn squared(self) -> Self {
+        let (low, high) = (self.mignitude(), self.magnitude());
+        Self::ordered(below(low * low).max(0.0), above(high * high))
+    }
+
+    /// √x for the members x ≥ 0, of which there has to be one. By Lemma 1: roots are correctly rounded and grow with x.
+    #[inline]
+    pub(crate) fn sqrt(self) -> Self {
+        Self::ordered(
+            below(self.low.max(0.0).sqrt()).max(0.0),
+            above(self.high.sqrt()),
+        )
+    }
+
+    /// Whether a number is a member.
+    #[cfg(test)]
+    pub(crate) fn contains(self, x: &Rational) -> bool {
+        let end = |end: f64| Rational::try_from(end).ok();
+        end(self.low).is_none_or(|low| low <= *x) && end(self.high).is_none_or(|high| *x <= high)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self {
+            low: -self.high,
+            high: -self.low,
+        }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    /// By Lemma 1: the least sum is that of the lower ends, the greatest that of the upper ones. Lower ends are < ∞ and
+    /// upper ones > −∞, so no sum is ∞ − ∞.
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            low: below(self.low + other.low),
+            high: above(self.high + other.high),
+        }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    /// By Lemma 1: xy is linear in x and in y, so its extremes are products of ends. Minimum and maximum pass over NaN, which
+    /// only 0·∞ gives: instead of it there is the product of that 0 with the other end, 0, or an infinite one, or nothing.
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let [a, b, c, d] = [
+            self.low * other.low,
+            self.low * other.high,
+            self.high * other.low,
+            self.high * other.high,
+        ];
+        Self {
+            low: below(a.min(b).min(c.min(d))),
+            high: above(a.max(b).max(c.max(d))),
+        }
+    }
+}
+
+impl Mul<f64> for Interval {
+    type Output = Self;
+
+    /// The product with a double, likewise.
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        let (a, b) = (self.low * factor, self.high * factor);
+        if factor.is_finite() {
+            Self {
+                low: below(a.min(b)),
+                high: above(a.max(b)),
+            }
+        } else {
+            Self::ENTIRE
+        }
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+
+    /// By Lemma 1: x/y is monotone in x and in y ≠ 0, so its extremes are quotients of ends. Everything where the divisor
+    /// may be 0, or both may be unbounded.
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        if other.sign().is_none() {
+            return Self::ENTIRE;
+        }
+        let [a, b, c, d] = [
+            self.low / other.low,
+            self.low / other.high,
+            self.high / other.low,
+            self.high / other.high,
+        ];
+        if a.is_nan() || b.is_nan() || c.is_nan() || d.is_nan() {
+            return Self::ENTIRE;
+        }
+        Self {
+            low: below(a.min(b).min(c.min(d))),
+            high: above(a.max(b).max(c.max(d))),
+        }
+    }
+}
+
+/// A point or vector of doubles.
+pub(crate) fn exactly(v: [f64; 3]) -> [Interval; 3] {
+    v.map(Interval::from)
+}
+
+/// a − b
+pub(crate) fn minus(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The scalar product.
+pub(crate) fn product(a: [Interval; 3], b: [Interval; 3]) -> Interval {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The vector product.
+pub(crate) fn cross(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| a[i] * b[j] - a[j] * b[i])
+}
+
+/// |a|²
+pub(crate) fn square(a: [Interval; 3]) -> Interval {
+    a[0].squared() + a[1].squared() + a[2].squared()
+}
+
+/// |a − b| for two points of doubles.
+pub(crate) fn separation(a: [f64; 3], b: [f64; 3]) -> Interval {
+    square(minus(exactly(a), exactly(b))).sqrt()
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Doubles where rounding does its worst: neighbours of powers of two, subnormal numbers, the largest, ±0, and others.
+    pub(crate) fn nasty() -> impl Strategy<Value = f64> {
+        let near_a_power =
+            (-1074i32..1024, -2i64..3, any::<bool>()).prop_map(|(e, ulps, negative)| {
+                let power = if e < -1022 {
+                    5e-324 * 2f64.powi(e + 1074)
+                } else {
+                    2f64.powi(e)
+                };
+                let bits = i64::try_from(power.to_bits()).unwrap() + ulps;
+                let x = f64::from_bits(u64::try_from(bits.max(0)).unwrap());
+                let x = if x.is_finite() { x } else { f64::MAX };
+                if negative { -x } else { x }
+            });
+        let small = (1u64..64, any::<bool>()).prop_map(|(bits, negative)| {
+            let x = f64::from_bits(bits);
+            if negative { -x } else { x }
+        });
+        prop_oneof![
+            3 => near_a_power,
+            1 => small,
+            1 => prop::sample::select(vec![0.0, -0.0, 1.0, -1.0, f64::MAX, f64::MIN, f64::MIN_POSITIVE]),
+            3 => -4.0f64..4.0,
+            1 => (any::<u64>(), -60i32..60).prop_map(|(m, e)| (1.0 + m as f64 / 2f64.powi(64)) * 2f64.powi(e)),
+        ]
+    }
+
+    fn exact(x: f64) -> Rational {
+        Rational::try_from(x).unwrap()
+    }
+
+    /// An interval with finite ends and the members that are tried: its ends.
+    fn intervals() -> impl Strategy<Value = (Interval, [Rational; 2])> {
+        (nasty(), nasty(), any::<bool>()).prop_map(|(a, b, is_thin)| {
+            let b = if is_thin { a } else { b };
+            let (low, high) = (a.min(b), a.max(b));
+            (Interval::between(low, high), [exact(low), exact(high)])
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
+
+        /// Lemma 1: the exact results for the ends are members, and for thin intervals the result is at most three units wide.
+        #[test]
+        fn operations_hold_the_exact_results((x, of_x) in intervals(), (y, of_y) in intervals()) {
+            let checked = |found: Interval, operation: &dyn Fn(&Rational, &Rational) -> Option<Rational>| {
+                of_x.iter().flat_map(|a| of_y.iter().map(move |b| (a, b))).all(|(a, b)| {
+                    operation(a, b).is_none_or(|value| found.contains(&value))
+                })
+            };
+            prop_assert!(checked(x + y, &|a, b| Some(a + b)));
+            prop_assert!(checked(x - y, &|a, b| Some(a - b)));
+            prop_assert!(checked(x * y, &|a, b| Some(a * b)));
+            prop_assert!(checked(x / y, &|a, b| Some(a * &b.recip()?)));
+            prop_assert!(checked(-x, &|a, _| Some(-a)));
+            prop_assert!(checked(x.abs(), &|a, _| Some(a.abs())));
+            prop_assert!(checked(x.squared(), &|a, _| Some(a * a)));
+            prop_assert!(checked(x.max(y), &|a, b| Some(a.max(b).clone())));
+            prop_assert!(checked(x.or_zero(), &|a, _| Some(a.clone().max(Rational::zero()))));
+            if x.high() >= 0.0 {
+                let root = x.sqrt();
+                let [low, high] = [root.low(), root.high()].map(|r| Rational::try_from(r).map(|r| &r * &r));
+                for value in of_x.iter().filter(|value| value.signum() >= 0) {
+                    prop_assert!(low.as_ref().is_ok_and(|low| low <= value));
+                    prop_assert!(high.as_ref().is_ok_and(|high| value <= high));
+                }
+            }
+            for (found, is_used) in [(x + y, true), (x * y, true), (x / y, y.sign().is_some())] {
+                if is_used && of_x[0] == of_x[1] && of_y[0] == of_y[1] {
+                    let [low, high] = [found.low(), found.high()];
+                    prop_assert!(low.next_up().next_up() >= high || found.magnitude().is_infinite());
+                }
+            }
+        }
+
+        /// The number itself is a member of its interval, and so are those within the radius.
+        #[test]
+        fn conversions_hold_the_number(p in any::<i64>(), q in 1i64..i64::MAX, e in -1100i64..1100, middle in nasty(), radius in nasty()) {
+            let x = Rational::from(p) / Rational::from(q) * Rational::from(2).pow(e).unwrap();
+            prop_assert!(Interval::from(&x).contains(&x));
+            let narrow = Interval::narrowest(&x);
+            prop_assert!(narrow.contains(&x) && narrow.low().next_up() >= narrow.high());
+            let found = Interval::around(middle, radius.abs());
+            for end in [exact(middle) - exact(radius.abs()), exact(middle) + exact(radius.abs())] {
+                prop_assert!(found.contains(&end));
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_claimed_of_what_is_no_number() {
+        let (one, all) = (Interval::from(1.0), Interval::ENTIRE);
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(Interval::from(x), all);
+            assert_eq!(Interval::around(x, 1.0), all);
+            assert_eq!(Interval::around(1.0, x), all);
+        }
+        assert_eq!(all + all, all);
+        assert_eq!(all - all, all);
+        assert_eq!(all * all, all);
+        assert_eq!(all / all, all);
+        assert_eq!(one / Interval::ZERO, all);
+        assert_eq!(all.sign(), None);
+        assert_eq!(all * f64::INFINITY, all);
+        assert_eq!(one * f64::NAN, all);
+        // [0, 1] times all numbers is all numbers, and times the positive ones those.
+        let part = Interval::between(0.0, 1.0);
+        let positive = Interval::between(0.0, f64::INFINITY);
+        assert_eq!(part * all, all);
+        assert_eq!((part * positive).high(), f64::INFINITY);
+        assert!((part * positive).low() >= -f64::MIN_POSITIVE);
+        assert!((all * Interval::ZERO).low() <= 0.0 && (all * Interval::ZERO).high() >= 0.0);
+        // Overflow leaves no bound.
+        let huge = Interval::from(f64::MAX);
+        assert_eq!((huge + huge).high(), f64::INFINITY);
+        assert_eq!((huge * huge).high(), f64::INFINITY);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 10_000, ..ProptestConfig::default() })]
+
+        /// Lemma 1: at least the next double, and no farther than the one after it.
+        #[test]
+        fn the_next_double_is_reached(x in nasty()) {
+            prop_assert!(x.next_up() <= above(x) && above(x) <= x.next_up().next_up());
+            prop_assert!(x.next_down().next_down() <= below(x) && below(x) <= x.next_down());
+        }
+    }
+
+    /// Lemma 2 on powers: of the powers of some doubles every one is within the counted error, and some use an eighth of it.
+    #[test]
+    fn counted_errors_hold_and_are_reached() {
+        let mut most = 0.0f64;
+        for roundings in [1usize, 2, 5, 20, 100] {
+            for x in [
+                1.0 + f64::EPSILON,
+                1.5 - f64::EPSILON,
+                4.0 / 3.0,
+                1.1,
+                1.0 / 3.0,
+                1.9,
+            ] {
+                let power = (0..roundings).fold(x, |power, _| power * x);
+                let count = i64::try_from(roundings).unwrap();
+                let error = (exact(x).pow(count + 1).unwrap() - exact(power)).abs();
+                let bound = exact(power) * exact(relative_error(roundings));
+                assert!(error <= bound);
+                most = most.max((error / bound).to_f64());
+            }
+        }
+        assert!(most >= 0.125, "{most}");
+    }
+}
