@@ -1,8 +1,9 @@
 //! One run of the program: limits, notes, progress, stage times.
 
 use std::io::{IsTerminal, Write};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -25,6 +26,12 @@ const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 /// Far more threads than cores only take memory, and tens of thousands take minutes to start.
 const MAX_THREADS: usize = 1024;
 
+/// The limit that was reached, and what is missing because of it.
+struct Missing {
+    limit: String,
+    parts: Vec<&'static str>,
+}
+
 /// What all verbs share while they run.
 pub(crate) struct Session {
     pub(crate) common: Common,
@@ -34,6 +41,8 @@ pub(crate) struct Session {
     stages: Vec<(&'static str, Duration)>,
     /// What else `--stats` says.
     facts: Vec<(&'static str, serde_json::Value)>,
+    /// What a limit has cost, while the rest is finished and written.
+    missing: Mutex<Option<Missing>>,
     /// Set once output may have begun, and while other processes work for us: then work ends at checkpoints only.
     writing: Arc<AtomicBool>,
 }
@@ -78,6 +87,7 @@ impl Session {
             answer_is_no: false,
             stages: Vec::new(),
             facts: Vec::new(),
+            missing: Mutex::new(None),
             writing,
         })
     }
@@ -111,7 +121,7 @@ impl Session {
         name: &'static str,
         work: impl FnOnce(&Self) -> Result<T>,
     ) -> Result<T> {
-        self.limits.check()?;
+        self.check()?;
         let start = Instant::now();
         let result = work(self);
         let spent = start.elapsed();
@@ -120,6 +130,82 @@ impl Session {
             None => self.stages.push((name, spent)),
         }
         result
+    }
+
+    /// A checkpoint: once a limit has cost a part of the answer, only an interruption keeps the rest from being written.
+    pub(crate) fn check(&self) -> Result<()> {
+        match *self.missing() {
+            Some(_) => self.limits.without_deadline().check(),
+            None => self.limits.check(),
+        }
+    }
+
+    /// Work on a part of the answer that the rest can do without: `None` if it reaches a limit, in however deep a
+    /// computation. What is missing then is said at the end ([`Session::report_missing`]).
+    pub(crate) fn unless_limited<T: Send + 'static>(
+        &self,
+        part: &'static str,
+        work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
+    ) -> Result<Option<T>> {
+        let found = match self.limits.time_left() {
+            None => work(&self.limits),
+            Some(time) => self.within(time, work),
+        };
+        match found {
+            Err(Error::Limit { limit, .. }) => {
+                // What is finished is written now, also after the deadline.
+                self.begin_writing();
+                let mut missing = self.missing();
+                let missing = missing.get_or_insert_with(|| Missing {
+                    limit,
+                    parts: Vec::new(),
+                });
+                missing.parts.push(part);
+                Ok(None)
+            }
+            found => found.map(Some),
+        }
+    }
+
+    /// The answer of the work if it comes in time. Else the work goes on beside, as long as this process, and its answer is
+    /// not waited for.
+    fn within<T: Send + 'static>(
+        &self,
+        time: Duration,
+        work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
+    ) -> Result<T> {
+        let limits = self.limits.clone();
+        let (answer, question) = sync_channel(1);
+        let thread = std::thread::spawn(move || {
+            // Nobody listens after the deadline.
+            let _ = answer.send(work(&limits));
+        });
+        match question.recv_timeout(time) {
+            Ok(found) => found,
+            Err(RecvTimeoutError::Timeout) => Err(Error::Limit {
+                limit: format!("--time-limit {} s", self.common.time_limit.unwrap_or(0.0)),
+                finished: String::new(),
+            }),
+            Err(RecvTimeoutError::Disconnected) => match thread.join() {
+                Err(panic) => std::panic::resume_unwind(panic),
+                Ok(()) => Err(self.limits.check().err().unwrap_or(Error::Interrupted)),
+            },
+        }
+    }
+
+    /// What a limit has cost, after the rest is written: as a note in the answer, too, see [`missing_note`].
+    pub(crate) fn report_missing(&self) -> Result<()> {
+        match &*self.missing() {
+            None => Ok(()),
+            Some(Missing { limit, parts }) => Err(Error::Limit {
+                limit: limit.clone(),
+                finished: format!("what is written lacks {}", parts.join(", and ")),
+            }),
+        }
+    }
+
+    fn missing(&self) -> MutexGuard<'_, Option<Missing>> {
+        self.missing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// A fact for `--stats`.
@@ -200,6 +286,11 @@ impl Session {
         }
         Ok(())
     }
+}
+
+/// The note of an answer from which a limit has kept a part.
+pub(crate) fn missing_note(part: &str) -> String {
+    format!("not finished within the limits: {part}")
 }
 
 /// Ctrl-C: before anything is written the process ends at once, however deep in one computation it is;

@@ -108,13 +108,13 @@ fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
 }
 
 /// Residues of one polynomial modulo a growing product of primes.
-pub(super) struct Images {
+pub(crate) struct Images {
     pub(super) residues: Vec<Natural>,
     pub(super) modulus: Natural,
 }
 
 impl Images {
-    pub(super) fn new(image: &[u64], prime: u64) -> Self {
+    pub(crate) fn new(image: &[u64], prime: u64) -> Self {
         Self {
             residues: image.iter().map(|&c| Natural::from(c)).collect(),
             modulus: Natural::from(prime),
@@ -129,7 +129,7 @@ impl Images {
     }
 
     /// One more prime.
-    pub(super) fn push(&mut self, image: &[u64], prime: u64) {
+    pub(crate) fn push(&mut self, image: &[u64], prime: u64) {
         let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime))).unwrap_or(0);
         let inverse = inverse_mod(modulus_mod, prime);
         for (residue, &c) in self.residues.iter_mut().zip(image) {
@@ -145,7 +145,7 @@ impl Images {
     }
 
     /// The representatives of least absolute value.
-    pub(super) fn balanced(&self) -> IntegerPolynomial {
+    pub(crate) fn balanced(&self) -> IntegerPolynomial {
         let half = &self.modulus >> 1u64;
         let coefficients = self.residues.iter().map(|r| {
             if *r > half {
