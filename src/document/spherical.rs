@@ -7,7 +7,8 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::angles::{Range, ranges, ranges_text_of};
-use super::expression::{expression_text, form_text};
+use super::expression::{condition_text, expression_text, form_text};
+use super::parametric::validity;
 use super::{Annotations, Format, SCHEMA, write_space_superquadric, write_surface};
 use crate::parametrize::{
     DirectionAnswer, MeridianBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource,
@@ -77,7 +78,10 @@ struct BranchEntry {
     latex: String,
     sympy: String,
     coordinates: Coordinates,
+    /// Where the formula is real and the root that it is meant to be, in SymPy syntax.
     condition: String,
+    condition_in_words: String,
+    valid: &'static str,
 }
 
 #[derive(Serialize)]
@@ -201,7 +205,11 @@ fn write_text(
         writeln!(out, "# note: {note}")?;
     }
     for (index, branch) in surface.branches.iter().enumerate() {
-        writeln!(out, "# branch {index}: real {}", branch.condition)?;
+        let valid = match branch.holds_where_real {
+            true => "",
+            false => "; the formula holds there only",
+        };
+        writeln!(out, "# branch {index}: real {}{valid}", branch.condition)?;
         let hidden = if index > 0 { "# " } else { "" };
         writeln!(
             out,
@@ -307,7 +315,9 @@ fn document(
                 z: format!("({sympy})*cos(phi)"),
             },
             sympy,
-            condition: branch.condition.clone(),
+            condition: condition_text(&branch.real_where),
+            condition_in_words: branch.condition.clone(),
+            valid: validity(branch.holds_where_real),
         }
     });
     Ok(Document {

@@ -69,7 +69,10 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
         ),
     };
     let relation = relation.ok_or_else(|| {
-        refused("the relation to the direction was not found; please report the input")
+        Error::internal(
+            "Theorem 4",
+            "an equation of two homogeneous parts gives a function of the direction",
+        )
     })?;
     let degree = relation
         .terms()
@@ -112,8 +115,9 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
     let surface = factors.iter().find(|f| f.role == Role::Form);
     let surface = surface.map(|f| ImplicitSurface::new(f.polynomial.clone()));
     Ok(PolarPatch {
-        surface: surface
-            .ok_or_else(|| refused("no factor vanishes on the surface; please report the input"))?,
+        surface: surface.ok_or_else(|| {
+            Error::internal("Theorem 4", "a factor of Eq. (15) vanishes on the surface")
+        })?,
         inverse,
         factors,
     })

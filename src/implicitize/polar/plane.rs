@@ -114,7 +114,7 @@ pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
         .collect();
     let found = factors.iter().find(|f| f.role == Role::Form);
     let found = found.and_then(|f| f.polynomial.to_plane()).ok_or_else(|| {
-        refused("no factor vanishes on the curve; please report the input".into())
+        Error::internal("Theorem 1", "a factor of Eq. (1) vanishes on the curve")
     })?;
     Ok(PolarPlane {
         curve: ImplicitCurve::new(found),
