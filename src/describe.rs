@@ -203,7 +203,9 @@ impl Description {
         let f = surface.polynomial();
         // Exponents are 32 bits long.
         let degree = |e: &[u32; 3]| usize::try_from(total_degree(e));
-        let degrees = f.terms().map(|(e, _)| degree(e).invariant("a degree is an address"));
+        let degrees = f
+            .terms()
+            .map(|(e, _)| degree(e).invariant("a degree is an address"));
         let mut degrees: Vec<usize> = degrees.collect();
         degrees.dedup();
         Self {

@@ -111,7 +111,11 @@ fn of_radius(
         let equation = implicitize_plane(&parametric, &session.limits)?;
         let mut annotations = Annotations::of_plane(&equation, Run::of(&parametric));
         let counts = real_counts(&parametric, equation.tracing_index, &session.limits)?;
-        annotations.add_real_tracing(counts.as_deref(), Run::of(&parametric), equation.tracing_index);
+        annotations.add_real_tracing(
+            counts.as_deref(),
+            Run::of(&parametric),
+            equation.tracing_index,
+        );
         let curve = equation.curve.with_center(radius.center().clone());
         return Ok((Form::Curve(curve), annotations));
     }
@@ -133,7 +137,13 @@ pub(crate) fn of_plane_curve(
     let equation = implicitize_plane(curve, &session.limits)?;
     let run = Run::of(curve);
     let mut annotations = Annotations::of_plane(&equation, run);
-    add_real_image(curve, equation.tracing_index, run, &mut annotations, session)?;
+    add_real_image(
+        curve,
+        equation.tracing_index,
+        run,
+        &mut annotations,
+        session,
+    )?;
     if polar {
         let whole = curve.clone();
         let work = move |limits: &Limits| polar_plane(&whole, limits);
@@ -156,7 +166,13 @@ pub(crate) fn of_space_curve(
     let equations = implicitize_space_curve(curve, &session.limits)?;
     let run = Run::of(curve);
     let mut annotations = Annotations::of_space_curve(&equations, run);
-    add_real_image(curve, equations.tracing_index, run, &mut annotations, session)?;
+    add_real_image(
+        curve,
+        equations.tracing_index,
+        run,
+        &mut annotations,
+        session,
+    )?;
     if polar {
         let whole = curve.clone();
         let work = move |limits: &Limits| polar_space_curve(&whole, limits);

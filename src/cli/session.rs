@@ -1,9 +1,9 @@
 //! One run of the program: limits, notes, progress, stage times.
 
 use std::io::{IsTerminal, Write};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -19,6 +19,9 @@ const GRACE: Duration = Duration::from_millis(200);
 
 /// Decimals shown for algebraic numbers without `--digits`.
 const DEFAULT_DECIMALS: u32 = 16;
+
+/// How often work beside is asked whether the limits still allow it.
+const PATIENCE: Duration = Duration::from_millis(20);
 
 /// A progress bar waits this long before it shows itself.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
@@ -149,7 +152,8 @@ impl Session {
     ) -> Result<Option<T>> {
         let found = match self.limits.time_left() {
             None => work(&self.limits),
-            Some(time) => self.within(time, work),
+            // The deadline is waited for here, and does not end the process.
+            Some(_) => self.ended_at_checkpoints(|| self.within_limits(work)),
         };
         match found {
             Err(Error::Limit { limit, .. }) => {
@@ -169,27 +173,29 @@ impl Session {
 
     /// The answer of the work if it comes in time. Else the work goes on beside, as long as this process, and its answer is
     /// not waited for.
-    fn within<T: Send + 'static>(
+    fn within_limits<T: Send + 'static>(
         &self,
-        time: Duration,
         work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
     ) -> Result<T> {
         let limits = self.limits.clone();
-        let (answer, question) = sync_channel(1);
+        let (sender, receiver) = sync_channel(1);
         let thread = std::thread::spawn(move || {
-            // Nobody listens after the deadline.
-            let _ = answer.send(work(&limits));
+            // After the deadline nobody listens.
+            let _ = sender.send(work(&limits));
         });
-        match question.recv_timeout(time) {
-            Ok(found) => found,
-            Err(RecvTimeoutError::Timeout) => Err(Error::Limit {
-                limit: format!("--time-limit {} s", self.common.time_limit.unwrap_or(0.0)),
-                finished: String::new(),
+        loop {
+            match receiver.recv_timeout(PATIENCE) {
+                Ok(found) => return found,
+                Err(RecvTimeoutError::Timeout) => self.limits.check()?,
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+        match thread.join() {
+            Err(panic) => std::panic::resume_unwind(panic),
+            Ok(()) => Err(Error::Internal {
+                place: "work beside".into(),
+                broken: "it answers before it ends".into(),
             }),
-            Err(RecvTimeoutError::Disconnected) => match thread.join() {
-                Err(panic) => std::panic::resume_unwind(panic),
-                Ok(()) => Err(self.limits.check().err().unwrap_or(Error::Interrupted)),
-            },
         }
     }
 
@@ -336,4 +342,75 @@ fn peak_memory() -> Option<u64> {
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
     let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
     Some(kilobytes * 1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::arguments::Arguments;
+    use clap::Parser;
+
+    fn session(seconds: &str) -> Session {
+        let arguments = [
+            "stellate",
+            "describe",
+            "x",
+            "--time-limit",
+            seconds,
+            "--quiet",
+        ];
+        let arguments = Arguments::try_parse_from(arguments).expect("arguments");
+        let session = Session::new(arguments.common).expect("a session");
+        // The deadline must not end the process of the tests.
+        session.begin_writing();
+        session
+    }
+
+    #[test]
+    fn a_part_that_reaches_a_limit_is_missing_and_the_rest_goes_on() {
+        let session = session("0.3");
+        let found = session.unless_limited("a part in time", |_| Ok(7));
+        assert_eq!(found.expect("in time"), Some(7));
+        assert!(session.report_missing().is_ok());
+        // Work that asks nobody, and work that does.
+        let deaf = |_: &Limits| {
+            std::thread::sleep(Duration::from_secs(3));
+            Ok(1)
+        };
+        let start = Instant::now();
+        assert_eq!(
+            session
+                .unless_limited("a long part", deaf)
+                .expect("the rest"),
+            None
+        );
+        assert!(start.elapsed() < Duration::from_secs(2));
+        let polite = |limits: &Limits| limits.check();
+        assert_eq!(
+            session
+                .unless_limited("another part", polite)
+                .expect("the rest"),
+            None
+        );
+        // The deadline is over, and what is finished can still be written.
+        assert!(session.limits.check().is_err());
+        assert!(session.check().is_ok());
+        let error = session.report_missing().expect_err("parts are missing");
+        assert_eq!(
+            error.to_string(),
+            "limit reached: --time-limit 0.3 s (what is written lacks a long part, and another part)"
+        );
+    }
+
+    #[test]
+    fn a_broken_invariant_beside_is_passed_on() {
+        let session = session("60");
+        let broken = || session.unless_limited("a part", |_| -> Result<u8> { panic!("broken") });
+        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(broken));
+        let payload = outcome.err().expect("a panic");
+        assert_eq!(payload.downcast_ref::<&str>(), Some(&"broken"));
+        let found =
+            session.unless_limited("a part", |_| Err::<u8, _>(Error::Usage("wrong".into())));
+        assert!(matches!(found, Err(Error::Usage(_))));
+    }
 }

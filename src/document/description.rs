@@ -202,7 +202,12 @@ fn document<'a>(
         factors: d
             .factors
             .as_ref()
-            .map(|factors| factors.iter().map(FactorEntry::new).collect::<io::Result<_>>())
+            .map(|factors| {
+                factors
+                    .iter()
+                    .map(FactorEntry::new)
+                    .collect::<io::Result<_>>()
+            })
             .transpose()?,
         perfect_square: fourier.map(|f| f.perfect_square),
         positive,

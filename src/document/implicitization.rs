@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::implicit::polynomial_text;
 use super::{Annotations, Coordinates, Format};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::implicitize::{
     Coverage, IsolatedPoint, PlaneEquation, PointBeyond, PolarFactor, PolarInverse, PolarPatch,
@@ -17,7 +18,8 @@ impl Annotations {
     #[must_use]
     pub fn of_plane(equation: &PlaneEquation, run: Run) -> Self {
         let mut annotations = Self::default();
-        let degree = equation.curve.polynomial().degree().unwrap_or(0);
+        let degree = equation.curve.polynomial().degree();
+        let degree = degree.invariant("an equation is not 0");
         annotations.irreducible(degree as u64);
         annotations.tracing_index(run.count(equation.tracing_index));
         annotations
@@ -34,8 +36,12 @@ impl Annotations {
     #[must_use]
     pub fn of_patch(equation: &SurfaceEquation, run: Run) -> Self {
         let mut annotations = Self::default();
-        annotations.irreducible(equation.surface.polynomial().degree().unwrap_or(0));
-        match equation.tracing_index.and_then(|index| run.checked_count(index)) {
+        let degree = equation.surface.polynomial().degree();
+        annotations.irreducible(degree.invariant("an equation is not 0"));
+        match equation
+            .tracing_index
+            .and_then(|index| run.checked_count(index))
+        {
             Some(index) => {
                 annotations.notes.push(format!(
                     "tracing index {index}: a general point of the surface has {index} parameter {} (complex ones \
@@ -106,7 +112,8 @@ impl Annotations {
                 Value::Null
             }
             None => {
-                self.notes.push("the real tracing index was not found".into());
+                self.notes
+                    .push("the real tracing index was not found".into());
                 Value::Null
             }
         };

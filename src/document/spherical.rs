@@ -8,6 +8,7 @@ use serde_json::Value;
 
 use super::angles::{Range, ranges, ranges_text_of};
 use super::expression::{condition_text, expression_text, form_text};
+use super::json::Number;
 use super::parametric::validity;
 use super::{Annotations, Format, SCHEMA, write_space_superquadric, write_surface};
 use crate::parametrize::{
@@ -115,7 +116,7 @@ struct DirectionEntry {
     /// The sign of R on every branch, null where it is not real.
     signs: Vec<Option<i8>>,
     /// The certified radii of every factor; null where the whole line belongs to it.
-    radii: Vec<Option<Vec<f64>>>,
+    radii: Vec<Option<Vec<Number>>>,
 }
 
 /// Writes the spherical form of a surface: expressions for R, x, y and z of every branch with the condition under
@@ -385,7 +386,7 @@ fn meridian_entry(meridian: &WrittenMeridian, digits: u32) -> MeridianEntry {
 fn direction_entry(written: &WrittenDirection) -> DirectionEntry {
     let radii = written.rays.iter().map(|ray| match ray {
         Ray::Line => None,
-        Ray::Points(points) => Some(points.iter().map(|p| p.r).collect()),
+        Ray::Points(points) => Some(points.iter().map(|p| Number(p.r)).collect()),
     });
     DirectionEntry {
         theta: written.direction.theta().theta(),

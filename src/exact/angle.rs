@@ -155,7 +155,11 @@ mod tests {
     #[test]
     fn the_bounds_are_as_narrow_as_promised() {
         for bits in [1, 10, 100, 1000, 20_000] {
-            for q in [Rational::one(), Rational::from(7), Rational::from(1) / Rational::from(3)] {
+            for q in [
+                Rational::one(),
+                Rational::from(7),
+                Rational::from(1) / Rational::from(3),
+            ] {
                 let (low, high) = arctangent(&q, bits);
                 let promised = Rational::from_parts(Integer::ONE, 1 - i64::from(bits));
                 assert!(high - low <= promised, "{bits} bits");

@@ -14,8 +14,8 @@ use crate::poly::{
     reduce_integer, resultant_mod, squarefree_decomposition,
 };
 
-/// Products of residues beyond which the work is refused: about a second.
-const MAX_WORK: u64 = 1_000_000_000;
+/// Products of residues beyond which the work is refused: some tenths of a second.
+const MAX_WORK: u64 = 100_000_000;
 
 /// How many primes are taken before the limits are asked again.
 const GROUP: usize = 16;
@@ -82,11 +82,14 @@ pub(super) fn sums_of_pairs(g: &IntegerPolynomial, limits: &Limits) -> Result<In
 /// S = s + σ and P = sσ, for two functions whose denominators have these roots in common: where both parameters are poles.
 ///
 /// Lemma. If the denominators have `g^k` in common, g squarefree, the resultant is divisible by the k²-th power of
-/// [`sums_of_pairs`] of g, and by the product of these for coprime g.
-/// Proof. At (s_i, s_j), two different roots of g, `p(s) q(σ) − q(s) p(σ)` is in the k-th power of the maximal ideal, and
-/// (s, σ) ↦ (S, P) is invertible there; so a and b meet there at least k² times (Fulton, *Algebraic Curves*, §3.3), and the
-/// multiplicity of a zero S of the resultant is at least the sum of those of the points above it. By Gauss's lemma the
-/// quotient has integer coefficients.
+/// [`sums_of_pairs`] of g, by the k(k−1)/2-th power of g(S/2), and by the product of all of these for coprime g.
+/// Proof. The multiplicity of a zero S of the resultant is at least the sum of those with which a and b meet above it.
+/// At (s_i, s_j), two different roots of g, `p(s) q(σ) − q(s) p(σ)` is in the k-th power of the maximal ideal, and
+/// (s, σ) ↦ (S, P) is invertible there; so they meet at least k² times (Fulton, *Algebraic Curves*, §3.3).
+/// At (s_i, s_i), with local parameters u^k = q1/p1, a is (u^l − v^l)/(u − v) up to a unit, l ≥ k the multiplicity in q1: a
+/// union of ⌊(l−1)/2⌋ smooth branches e2 = c e1² + O(e1³) in e1 = u + v, e2 = uv, of different c that depend on l only, and
+/// for even l a branch transversal to them. Branches with the same c meet at least 3 times, with different c twice, all
+/// others once; that adds up to at least k(k−1)/2. By Gauss's lemma the quotient has integer coefficients.
 /// Law: `the_pairs_of_poles_divide_the_resultant`.
 ///
 /// # Errors
@@ -100,6 +103,15 @@ pub(super) fn pairs_of_poles(
         let sums = sums_of_pairs(&g, limits)?;
         for _ in 0..k * k {
             divisor *= &sums;
+        }
+        // g(S/2) 2^deg g
+        let degree = g.coefficients_asc().len() - 1;
+        let coefficients = g.coefficients_asc().iter().enumerate();
+        let doubled = coefficients.map(|(i, c)| c << (degree - i)).collect();
+        let doubled =
+            crate::poly::primitive_part(&IntegerPolynomial::from_coefficients_asc(doubled));
+        for _ in 0..k * (k - 1) / 2 {
+            divisor *= &doubled;
         }
     }
     Ok(divisor)
@@ -150,9 +162,16 @@ impl Minor<'_> {
             return Err(Error::internal("an eliminant", "0 is no divisor"));
         };
         let Some(degree) = self.degree().checked_sub(places.len() - 1) else {
-            return Err(Error::internal("an eliminant", "a divisor is not larger than what it divides"));
+            return Err(Error::internal(
+                "an eliminant",
+                "a divisor is not larger than what it divides",
+            ));
         };
-        let known = if places.len() == 1 { 0 } else { degree as u64 + 1 };
+        let known = if places.len() == 1 {
+            0
+        } else {
+            degree as u64 + 1
+        };
         let bits = (self.bits() + known).saturating_sub(lead.significant_bits() - 1);
         // Twice the largest coefficient, and one prime more than that: what is found must not change by it.
         let count = usize::try_from((bits + 2).div_ceil(BITS_OF_A_PRIME)).unwrap_or(usize::MAX);
@@ -163,7 +182,8 @@ impl Minor<'_> {
         if work > MAX_WORK {
             return Err(Error::limit(format!(
                 "an eliminant of degree {degree} with coefficients of up to {bits} bits, about {work:.1e} operations (at most {MAX_WORK:.1e} are made)",
-                work = work as f64, MAX_WORK = MAX_WORK as f64
+                work = as_f64(work),
+                MAX_WORK = as_f64(MAX_WORK)
             )));
         }
         let primes: Vec<u64> = kernel_primes()
@@ -229,7 +249,11 @@ impl Minor<'_> {
             let x = x % p;
             let [f, g] = [&f, &g].map(|f| f.iter().map(|row| at(row, x)).collect::<Vec<u64>>());
             let value = self.value(f, g, p);
-            if below == 1 { value } else { value * inverse_mod(below, p) % p }
+            if below == 1 {
+                value
+            } else {
+                value * inverse_mod(below, p) % p
+            }
         });
         let mut image = interpolate(values.collect(), p);
         // From x − start to x.
@@ -287,9 +311,175 @@ fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
     value
 }
 
+#[expect(clippy::cast_precision_loss, reason = "an estimate in a message")]
+fn as_f64(n: u64) -> f64 {
+    n as f64
+}
+
 /// ⌈log₂⌉ of the sum of the absolute coefficients, at least.
 fn norm_bits(f: &Rows) -> u64 {
     let coefficients = f.rows().iter().flat_map(|row| row.coefficients_asc());
-    let norm = coefficients.fold(Integer::from(0), |sum, c| sum + Integer::from(c.unsigned_abs_ref().clone()));
+    let norm = coefficients.fold(Integer::from(0), |sum, c| {
+        sum + Integer::from(c.unsigned_abs_ref().clone())
+    });
     (norm - Integer::ONE).significant_bits()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::implicitize::symmetric::{bezoutian, in_sum_and_product};
+    use crate::poly::{RationalFunction, divide_exactly};
+    use proptest::prelude::*;
+
+    fn poly(c: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+    }
+
+    /// The determinant over Z[x], by Laplace along the first row.
+    fn laplace(rows: &[Vec<IntegerPolynomial>]) -> IntegerPolynomial {
+        let Some((first, rest)) = rows.split_first() else {
+            return poly(&[1]);
+        };
+        let mut sum = poly(&[]);
+        for (c, entry) in first.iter().enumerate() {
+            let minor: Vec<Vec<_>> = rest
+                .iter()
+                .map(|row| {
+                    let others = row.iter().enumerate().filter(|(k, _)| *k != c);
+                    others.map(|(_, entry)| entry.clone()).collect()
+                })
+                .collect();
+            let term = entry * laplace(&minor);
+            if c % 2 == 0 { sum += term } else { sum -= term }
+        }
+        sum
+    }
+
+    fn exactly(f: &Rows, g: &Rows, j: usize, l: usize) -> IntegerPolynomial {
+        let (of_f, of_g) = (g.degree() - j, f.degree() - j);
+        let size = of_f + of_g;
+        let row = |f: &Rows, shift: usize| -> Vec<IntegerPolynomial> {
+            let powers = (0..size).map(|c| if c + 1 < size { size + j - 1 - c } else { l });
+            let entry = |power: usize| {
+                power
+                    .checked_sub(shift)
+                    .and_then(|i| f.rows().get(i))
+                    .cloned()
+            };
+            powers
+                .map(|power| entry(power).unwrap_or_else(|| poly(&[])))
+                .collect()
+        };
+        let mut rows: Vec<Vec<_>> = (0..of_f).rev().map(|r| row(f, r)).collect();
+        rows.extend((0..of_g).rev().map(|r| row(g, r)));
+        laplace(&rows)
+    }
+
+    /// Of degree up to 3 in the second variable, with coefficients of up to 70 bits, now and then all ones.
+    fn rows() -> impl Strategy<Value = Rows> {
+        let coefficient = prop_oneof![
+            (-9i64..10).prop_map(Integer::from),
+            (0u64..70, any::<bool>()).prop_map(|(bits, negative)| {
+                let ones = (Integer::ONE << bits) - Integer::ONE;
+                if negative { -ones } else { ones }
+            }),
+        ];
+        let row = prop::collection::vec(coefficient, 1..4);
+        prop::collection::vec(row, 2..5).prop_map(|rows| {
+            let rows = rows.into_iter();
+            Rows::new(rows.map(IntegerPolynomial::from_coefficients_asc).collect())
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        #[test]
+        fn subresultants_are_those_over_the_rationals(f in rows(), g in rows()) {
+            let (m, n) = (f.degree(), g.degree());
+            prop_assume!(m > 0 && n > 0);
+            let most = if m == n { m - 1 } else { m.min(n) };
+            for j in 0..=most {
+                let found = subresultant([&f, &g], j, &Limits::none()).unwrap();
+                prop_assert_eq!(found.len(), j + 1);
+                for (l, found) in found.iter().enumerate() {
+                    let expected = exactly(&f, &g, j, l);
+                    // Euclid and Gauss may differ in the sign of the resultant.
+                    let minus = poly(&[]) - &expected;
+                    prop_assert!(*found == expected || (j == 0 && *found == minus), "{} {}", j, l);
+                }
+            }
+        }
+
+        /// y + c and y − c x^d with |c| = 2^k: the resultant −c x^d − c has coefficients as large as its bound allows, and a
+        /// sum of two of them is twice that.
+        #[test]
+        fn the_bound_of_the_coefficients_is_enough_where_it_is_reached(k in 20u64..200, d in 0usize..4, below in any::<bool>()) {
+            let c = (Integer::ONE << k) - if below { Integer::ONE } else { Integer::from(0) };
+            let constant = |c: &Integer| IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
+            let mut power = vec![0; d];
+            power.push(1);
+            let f = Rows::new(vec![constant(&c), poly(&[0, 1])]);
+            let g = Rows::new(vec![poly(&power) * constant(&-&c), poly(&[1])]);
+            let found = subresultant([&f, &g], 0, &Limits::none()).unwrap();
+            let expected = exactly(&f, &g, 0, 0);
+            prop_assert!(found[0] == expected || found[0] == poly(&[]) - expected);
+        }
+
+        #[test]
+        fn the_pairs_of_poles_divide_the_resultant(
+            p in prop::collection::vec(prop::collection::vec(-9i64..10, 1..7), 2),
+            g in prop::collection::vec(-3i64..4, 2..4),
+            k in 1usize..4, more in 0usize..2,
+        ) {
+            let g = poly(&g);
+            prop_assume!(g.coefficients_asc().len() > 1);
+            let power = |e: usize| (0..e).fold(poly(&[1]), |power, _| power * &g);
+            let x = RationalFunction::new(poly(&p[0]), power(k));
+            let y = RationalFunction::new(poly(&p[1]), power(k + more));
+            let (Some(x), Some(y)) = (x, y) else {
+                return Err(TestCaseError::reject("a pole everywhere"));
+            };
+            prop_assume!(x.degree() > 1 && y.degree() > 1);
+            let [a, b] = [&x, &y].map(|f| in_sum_and_product(&bezoutian(f)));
+            prop_assume!(a.degree() > 0 && b.degree() > 0);
+            let limits = Limits::none();
+            let whole = deflated_resultant([&a, &b], &poly(&[1]), &limits).unwrap();
+            prop_assume!(whole != poly(&[]));
+            let poles = pairs_of_poles([x.denominator(), y.denominator()], &limits).unwrap();
+            let rest = deflated_resultant([&a, &b], &poles, &limits).unwrap();
+            prop_assert_eq!(divide_exactly(&whole, &poles), Some(rest));
+        }
+    }
+
+    #[test]
+    fn sums_of_pairs_are_those_of_the_roots() {
+        // 1, 2, 4: 3, 5, 6
+        let g = poly(&[-1, 1]) * poly(&[-2, 1]) * poly(&[-4, 1]);
+        let sums = poly(&[-3, 1]) * poly(&[-5, 1]) * poly(&[-6, 1]);
+        assert_eq!(sums_of_pairs(&g, &Limits::none()).unwrap(), sums);
+        assert_eq!(
+            sums_of_pairs(&poly(&[1, 0, 1]), &Limits::none()).unwrap(),
+            poly(&[0, 1])
+        );
+    }
+
+    #[test]
+    fn too_much_work_is_refused() {
+        let f = Rows::new(vec![poly(&[7; 60]); 60]);
+        let g = Rows::new(vec![poly(&[5; 60]); 60]);
+        let error = deflated_resultant([&f, &g], &poly(&[1]), &Limits::none()).unwrap_err();
+        assert!(
+            error.to_string().contains("an eliminant of degree"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn what_is_no_divisor_is_noticed() {
+        let f = Rows::new(vec![poly(&[1, 2]), poly(&[3, 4]), poly(&[5])]);
+        let g = Rows::new(vec![poly(&[2, 7]), poly(&[1, 1, 1])]);
+        let error = deflated_resultant([&f, &g], &poly(&[11, 1]), &Limits::none()).unwrap_err();
+        assert!(matches!(error, Error::Internal { .. }), "{error}");
+    }
 }

@@ -87,7 +87,8 @@ impl Precision {
 
     /// The bounds as rational numbers.
     pub(super) fn bounds(self, a: &Enclosure) -> [Rational; 2] {
-        let unit = Rational::from_parts(Integer::from(1), 0) / Rational::from(Integer::from(1) << self.bits);
+        let unit = Rational::from_parts(Integer::from(1), 0)
+            / Rational::from(Integer::from(1) << self.bits);
         [&a.low, &a.high].map(|v| Rational::from(v) * &unit)
     }
 

@@ -130,7 +130,11 @@ fn values_taken<const N: usize>(
 ) -> Result<(Coverage<N>, Option<BTreeSet<usize>>)> {
     let Some(counts) = complete_or_not(counts_by_value(m, limits), limits)? else {
         let is_odd = m.degree() % 2 == 1;
-        let coverage = if is_odd { Coverage::Whole } else { Coverage::Unknown };
+        let coverage = if is_odd {
+            Coverage::Whole
+        } else {
+            Coverage::Unknown
+        };
         return Ok((coverage, None));
     };
     let coverage = if counts.contains(&0) {
@@ -183,18 +187,27 @@ fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usi
     let (p, q) = (m.numerator(), m.denominator());
     // By powers of s, with coefficients in v.
     let fibre = (0..=m.degree()).map(|k| {
-        let at = |f: &IntegerPolynomial| f.coefficients_asc().get(k).cloned().unwrap_or(Integer::ZERO);
+        let at = |f: &IntegerPolynomial| {
+            f.coefficients_asc()
+                .get(k)
+                .cloned()
+                .unwrap_or(Integer::ZERO)
+        };
         IntegerPolynomial::from_coefficients_asc(vec![at(p), -at(q)])
     });
     let constant = |c: &Integer| IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
     let wronskian = wronskian(m);
     let wronskian = Rows::new(wronskian.coefficients_asc().iter().map(constant).collect());
-    let mut critical = subresultant([&wronskian, &Rows::new(fibre.collect())], 0, limits)?.remove(0);
+    let mut critical =
+        subresultant([&wronskian, &Rows::new(fibre.collect())], 0, limits)?.remove(0);
     if let Some(v) = m.evaluate_at_infinity() {
         critical *= IntegerPolynomial::from_coefficients_asc(vec![-v.numerator(), v.denominator()]);
     }
     if critical == IntegerPolynomial::ZERO {
-        return Err(Error::internal("real values", "a function has finitely many critical values"));
+        return Err(Error::internal(
+            "real values",
+            "a function has finitely many critical values",
+        ));
     }
     let mut counts = BTreeSet::new();
     for v in between(&real_roots(&critical)) {

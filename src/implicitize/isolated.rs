@@ -11,9 +11,7 @@ use super::symmetric::{Rows, bezoutian, in_sum_and_product};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{
-    IntegerPolynomial, RationalFunction, RealRoot, polynomial_gcd, real_roots,
-};
+use crate::poly::{IntegerPolynomial, RationalFunction, RealRoot, polynomial_gcd, real_roots};
 
 /// Bits after the point of the first attempt and of the last one.
 const FIRST_BITS: u64 = 384;
@@ -58,10 +56,7 @@ pub enum IsolatedPoint {
 ///
 /// # Errors
 /// Those of `limits`.
-pub(super) fn isolated(
-    coordinates: [&RationalFunction; 2],
-    limits: &Limits,
-) -> Result<Isolated> {
+pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
     let nothing = Isolated {
         points: Vec::new(),
         complete: true,
@@ -160,7 +155,7 @@ fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolat
 /// The root, if it is a short fraction.
 fn short_fraction(root: &RealRoot) -> Option<Rational> {
     let mut root = root.clone();
-    root.refine_to_width(-2 * i64::try_from(SHORT_BITS).unwrap_or(i64::MAX));
+    root.refine_to_width(-2 * SHORT_BITS.cast_signed());
     let (low, high) = root.bounds();
     let candidate = Rational::simplest_between(&low.to_rational(), &high.to_rational());
     (candidate.bits() <= SHORT_BITS && root.cmp_rational(&candidate).is_eq()).then_some(candidate)
@@ -402,9 +397,8 @@ impl Search<'_> {
             ) else {
                 continue;
             };
-            let meets = |a: &[Enclosure; 2], b: &[Enclosure; 2]| {
-                a.iter().zip(b).all(|(a, b)| a.meets(b))
-            };
+            let meets =
+                |a: &[Enclosure; 2], b: &[Enclosure; 2]| a.iter().zip(b).all(|(a, b)| a.meets(b));
             let mut near = partners.iter().zip(&points);
             if !near.clone().any(|(_, point)| meets(point, &pairs[k])) {
                 return Ok(Some(false));

@@ -9,6 +9,8 @@ mod identity;
 mod image;
 mod inverse;
 mod isolated;
+#[cfg(test)]
+mod isolated_laws;
 mod map;
 mod pair;
 mod patch;

@@ -30,7 +30,12 @@ impl DoublePoints<'_> {
             _ => subresultant([a, b], 1, limits)?,
         };
         let found = <[IntegerPolynomial; 2]>::try_from(found);
-        found.map_err(|_| Error::internal("isolated points", "a linear polynomial has two coefficients"))
+        found.map_err(|_| {
+            Error::internal(
+                "isolated points",
+                "a linear polynomial has two coefficients",
+            )
+        })
     }
 }
 
@@ -81,17 +86,13 @@ impl Pair {
 /// A root to within 2^−bits.
 pub(super) fn enclosed_root(root: &RealRoot, precision: Precision) -> Enclosure {
     let mut root = root.clone();
-    root.refine_to_width(-i64::try_from(precision.bits).unwrap_or(i64::MAX));
+    root.refine_to_width(-precision.bits.cast_signed());
     let (low, high) = root.bounds();
     precision.between(&low.to_rational(), &high.to_rational())
 }
 
 /// The value of a polynomial.
-pub(super) fn value_at(
-    f: &IntegerPolynomial,
-    at: &Enclosure,
-    precision: Precision,
-) -> Enclosure {
+pub(super) fn value_at(f: &IntegerPolynomial, at: &Enclosure, precision: Precision) -> Enclosure {
     let coefficients = f.coefficients_asc().iter().rev();
     coefficients.fold(Enclosure::zero(), |v, c| {
         precision.times(&v, at).plus(&precision.integer(c))
@@ -100,11 +101,7 @@ pub(super) fn value_at(
 
 /// The one common zero of two polynomials in the second variable, the first having a value where there is just one and that
 /// one is simple: from the row that is left of the matrix of the first subresultant.
-fn common_zero(
-    [a, b]: &[Rows; 2],
-    sum: &Enclosure,
-    precision: Precision,
-) -> Option<Enclosure> {
+fn common_zero([a, b]: &[Rows; 2], sum: &Enclosure, precision: Precision) -> Option<Enclosure> {
     let values = |f: &Rows| -> Vec<Enclosure> {
         let rows = f.rows().iter();
         rows.map(|row| value_at(row, sum, precision)).collect()
@@ -130,7 +127,9 @@ fn remaining([f, g]: [&[Enclosure]; 2], precision: Precision) -> Option<[Enclosu
         let powers = (0..=top).rev();
         let entry = |power: usize| power.checked_sub(shift).and_then(|i| f.get(i)).cloned();
         // Beyond both ends of the polynomial the row has zeros.
-        powers.map(|power| entry(power).unwrap_or_else(Enclosure::zero)).collect()
+        powers
+            .map(|power| entry(power).unwrap_or_else(Enclosure::zero))
+            .collect()
     };
     let rows = (0..n - 1).rev().map(|r| row(f, r));
     let rows = rows.chain((0..m - 1).rev().map(|r| row(g, r)));

@@ -41,7 +41,10 @@ pub(super) fn is_reached_by_no_other(
         let f = coordinates[k];
         let [p, q] = [f.numerator(), f.denominator()].map(IntegerPolynomial::coefficients_asc);
         let coefficient = |i: usize| {
-            let [p, q] = [p, q].map(|c| c.get(i).map_or_else(Enclosure::zero, |c| precision.integer(c)));
+            let [p, q] = [p, q].map(|c| {
+                c.get(i)
+                    .map_or_else(Enclosure::zero, |c| precision.integer(c))
+            });
             p.minus(&precision.times(&q, &point[k]))
         };
         // Synthetic division from above; what is left, 0, is not computed.

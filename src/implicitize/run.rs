@@ -49,7 +49,7 @@ impl Run {
                 let rows: Vec<&IntegerPolynomial> = rows.iter().flatten().collect();
                 let lengths = rows.iter().map(|row| row.coefficients_asc().len());
                 // The larger degree; 0 for a constant.
-                let degree = lengths.max().unwrap_or(1) - 1;
+                let degree = lengths.max().invariant("a denominator has a term") - 1;
                 gap_of_exponents(&rows, degree)
             });
             let one = Self::with_gaps(step, gaps);
@@ -137,9 +137,127 @@ fn exponents_in_z(p: &IntegerPolynomial, degree: usize) -> Vec<usize> {
         power *= &plus;
     }
     let is_there = |part: &IntegerPolynomial, e: usize| {
-        part.coefficients_asc().get(e).is_some_and(|c| *c != Integer::ZERO)
+        part.coefficients_asc()
+            .get(e)
+            .is_some_and(|c| *c != Integer::ZERO)
     };
     (0..=degree)
         .filter(|&e| value.iter().any(|part| is_there(part, e)))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::implicitize::tracing::tracing_index_bound;
+    use crate::language::{Numbers, parse_form};
+    use crate::shape::Form;
+
+    fn tracing(text: &str) -> usize {
+        let form = parse_form(text, "<form>", Numbers::Exact).unwrap();
+        let Form::PlaneCurve(curve) = form else {
+            panic!("a plane curve")
+        };
+        Run::of(&curve).count(tracing_index_bound(curve.coordinates()))
+    }
+
+    #[test]
+    fn the_tracing_index_does_not_depend_on_spelling() {
+        let spellings: [(usize, &[&str]); 9] = [
+            (
+                1,
+                &[
+                    "x = cos(t); y = sin(t)",
+                    "x = cos(t/2)^2 - sin(t/2)^2; y = 2*sin(t/2)*cos(t/2)",
+                    "x = 1 - 2*sin(t/2)^2; y = sin(t)",
+                ],
+            ),
+            (
+                2,
+                &[
+                    "x = cos(t); y = cos(2t)",
+                    "x = cos(t); y = 2*cos(t)^2 - 1",
+                    "x = cos(t/2)^2 - sin(t/2)^2; y = cos(2t)",
+                ],
+            ),
+            (
+                2,
+                &[
+                    "x = cos(2t); y = sin(2t)",
+                    "x = cos(t)^2 - sin(t)^2; y = 2*sin(t)*cos(t)",
+                    "x = cos(t)^4 - sin(t)^4; y = sin(2t)",
+                ],
+            ),
+            (
+                3,
+                &[
+                    "x = cos(3t); y = sin(3t)",
+                    "x = 4*cos(t)^3 - 3*cos(t); y = 3*sin(t) - 4*sin(t)^3",
+                ],
+            ),
+            // Over [0, 4π], the longer common period.
+            (
+                1,
+                &[
+                    "x = cos(t/2); y = sin(t/2)",
+                    "x = cos(t/4)^2 - sin(t/4)^2; y = sin(t/2)",
+                ],
+            ),
+            (
+                2,
+                &[
+                    "x = cos(t/2); y = cos(t)",
+                    "x = cos(t/2); y = 2*cos(t/2)^2 - 1",
+                ],
+            ),
+            // Over [0, 3π].
+            (
+                1,
+                &[
+                    "x = cos(2t/3); y = sin(2t/3)",
+                    "x = cos(t/3)^2 - sin(t/3)^2; y = 2*sin(t/3)*cos(t/3)",
+                ],
+            ),
+            (
+                2,
+                &[
+                    "x = tan(t); y = tan(t)^2",
+                    "x = sin(t)/cos(t); y = 1/cos(t)^2 - 1",
+                    "x = tan(t); y = (1 - cos(2t))/(1 + cos(2t))",
+                ],
+            ),
+            (
+                1,
+                &[
+                    "x = cos(t) + cos(3t)/2; y = sin(t)",
+                    "x = t; y = t^2",
+                    "x = (1 - t^2)/(1 + t^2); y = 2t/(1 + t^2)",
+                ],
+            ),
+        ];
+        for (index, texts) in spellings {
+            for text in texts {
+                assert_eq!(tracing(text), index, "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_parameters_of_a_patch_run_independently() {
+        let run = |text: &str| {
+            let form = parse_form(text, "<form>", Numbers::Exact).unwrap();
+            let Form::Patch(patch) = form else {
+                panic!("a patch")
+            };
+            Run::of_patch(&patch)
+        };
+        let once = run("x = cos(u)*sin(v); y = sin(u)*sin(v); z = cos(v)");
+        assert_eq!(once.count(2), 2);
+        let twice = run("x = cos(2u)*sin(v); y = sin(2u)*sin(v); z = cos(v)");
+        assert_eq!(twice.count(2), 4);
+        // Written in u, of period π in u: four values of tan(u/2), as many as before.
+        let written =
+            run("x = (cos(u)^2 - sin(u)^2)*sin(v); y = 2*sin(u)*cos(u)*sin(v); z = cos(v)");
+        assert_eq!(written.count(4), 4);
+    }
 }

@@ -32,7 +32,8 @@ impl Rows {
     /// The degree in both variables together, 0 for 0.
     pub(super) fn total_degree(&self) -> usize {
         let degrees = self.0.iter().enumerate();
-        let degrees = degrees.filter_map(|(k, row)| Some(k + row.coefficients_asc().len().checked_sub(1)?));
+        let degrees =
+            degrees.filter_map(|(k, row)| Some(k + row.coefficients_asc().len().checked_sub(1)?));
         degrees.max().unwrap_or(0)
     }
 
@@ -65,10 +66,14 @@ impl Rows {
     pub(super) fn combined(&self, c: &Integer, other: &Self, d: &Integer) -> Self {
         let scaled = |f: &Self, k: usize, c: &Integer| {
             let factor = IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
-            f.0.get(k).map_or(IntegerPolynomial::ZERO, |row| row * factor)
+            f.0.get(k)
+                .map_or(IntegerPolynomial::ZERO, |row| row * factor)
         };
         let rows = 0..self.0.len().max(other.0.len());
-        Self::new(rows.map(|k| scaled(self, k, c) - scaled(other, k, d)).collect())
+        Self::new(
+            rows.map(|k| scaled(self, k, c) - scaled(other, k, d))
+                .collect(),
+        )
     }
 
     /// `f(S, above/below)·below^degree` for two polynomials in S.

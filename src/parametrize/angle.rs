@@ -130,8 +130,16 @@ impl ExactAngle {
                     .then(|| three / Rational::from(b))
             }
             (
-                Self::Arctangent { tangent: a, times: k, .. },
-                Self::Arctangent { tangent: b, times: l, .. },
+                Self::Arctangent {
+                    tangent: a,
+                    times: k,
+                    ..
+                },
+                Self::Arctangent {
+                    tangent: b,
+                    times: l,
+                    ..
+                },
             ) => {
                 let is_same = match (k, l) {
                     (1, 1) => a.is_same(b),
@@ -454,5 +462,124 @@ impl AngleRange {
             to: angle,
             closed: [true, true],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::real_roots;
+    use proptest::prelude::*;
+
+    fn poly(c: &[i64]) -> IntegerPolynomial {
+        IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+    }
+
+    /// The root of q t − p, times a polynomial with other roots.
+    fn rational_root(q: &Rational) -> RealRoot {
+        let f = IntegerPolynomial::from_coefficients_asc(vec![-q.numerator(), q.denominator()]);
+        real_roots(&f).remove(0)
+    }
+
+    /// 2t/(1 − t²)
+    fn doubled(t: &Rational) -> Option<Rational> {
+        let below = Rational::one() - t * t;
+        Some(&(t + t) * &below.recip()?)
+    }
+
+    /// The angle in [0, 2π) of a tangent and its half's tangent, both ways.
+    fn both_ways(half: &RealRoot, tangent: RealRoot) -> [ExactAngle; 2] {
+        let by_half = ExactAngle::of_half_tangent(half.clone());
+        let by_tangent = ExactAngle::of_tangent(tangent);
+        let same_side = by_half.cmp_pi().is_lt();
+        [
+            by_half,
+            if same_side {
+                by_tangent
+            } else {
+                by_tangent.plus_pi()
+            },
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn equal_angles_are_equal_however_they_are_written(p in -40i64..41, q in 1i64..40, c in 2i64..30) {
+            let t = Rational::from(p) / Rational::from(q);
+            prop_assume!(p != 0);
+            if let Some(tangent) = doubled(&t) {
+                let [a, b] = both_ways(&rational_root(&t), rational_root(&tangent));
+                prop_assert_eq!(a.compare(&b), Ordering::Equal);
+                prop_assert_eq!(b.compare(&a), Ordering::Equal);
+                prop_assert_eq!(b.plus_pi().compare(&a.plus_pi()), Ordering::Equal);
+                prop_assert_eq!(a.plus_pi().compare(&b), Ordering::Greater);
+            }
+            // t = √c, and 2t/(1 − t²) is a root of (1 − c)² z² − 4c.
+            for half in real_roots(&poly(&[-c, 0, 1])) {
+                let square = (1 - c) * (1 - c);
+                let all = real_roots(&(poly(&[-4 * c, 0, square]) * poly(&[-7, 0, 3])));
+                // 2t/(1 − t²) < 0 for t > 1.
+                let tangent = all.into_iter().find(|z| {
+                    z.signum() == -half.signum() && z.is_root_of(&poly(&[-4 * c, 0, square]))
+                });
+                let [a, b] = both_ways(&half, tangent.unwrap());
+                prop_assert_eq!(a.compare(&b), Ordering::Equal);
+                prop_assert_eq!(b.compare(&a), Ordering::Equal);
+            }
+            // x and x + π/2 have the half tangents t and −1/t: 2 atan t = 2 atan(−1/t) ± π.
+            let inverse = -t.recip().unwrap();
+            let [a, b] = [&t, &inverse].map(|t| ExactAngle::of_half_tangent(rational_root(t)));
+            let (low, high) = if a.compare(&b).is_lt() { (a, b) } else { (b, a) };
+            prop_assert_eq!(low.plus_pi().compare(&high), Ordering::Equal);
+        }
+
+        /// Multiples of π whose tangents are held as roots: tan(aπ/b) with Im (1 + i t)^b = 0.
+        #[test]
+        fn multiples_of_pi_are_equal_to_the_arctangents_that_they_are(b in 5u64..40, pick in 0usize..40) {
+            let roots = real_roots(&sine_of_multiple(b));
+            let root = &roots[pick % roots.len()];
+            let angle = ExactAngle::of_tangent(root.clone());
+            // In [0, π), so that the nearest multiple is the one.
+            let (low, high) = angle.bounds(64);
+            let of_pi = ((low + high) / Rational::from(2)).to_f64() / std::f64::consts::PI;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a small number")]
+            let a = (of_pi * b as f64).round() as i64;
+            let exact = ExactAngle::Pi(Rational::from(a) / Rational::from(Integer::from(b)));
+            prop_assert_eq!(angle.compare(&exact), Ordering::Equal);
+            prop_assert_eq!(exact.compare(&angle), Ordering::Equal);
+            let by_half = ExactAngle::of_half_tangent(root.clone());
+            let twice = ExactAngle::Pi(Rational::from(2 * a) / Rational::from(Integer::from(b)));
+            prop_assert_eq!(by_half.compare(&twice), Ordering::Equal);
+            let near = ExactAngle::Pi(Rational::from(a) / Rational::from(Integer::from(b)) + Rational::from_parts(Integer::from(1), -300));
+            prop_assert_eq!(angle.compare(&near), Ordering::Less);
+        }
+    }
+
+    #[test]
+    fn angles_that_differ_in_a_far_bit_differ() {
+        let tiny = Rational::from_parts(Integer::from(1), -20_000);
+        let half = Rational::from(1) / Rational::from(3);
+        let tangent = doubled(&half).unwrap();
+        let by_half = ExactAngle::of_half_tangent(rational_root(&half));
+        for (difference, order) in [
+            (tiny.clone(), Ordering::Less),
+            (-tiny.clone(), Ordering::Greater),
+        ] {
+            let other = ExactAngle::of_tangent(rational_root(&(&tangent + &difference)));
+            assert_eq!(by_half.compare(&other), order);
+            assert_eq!(other.compare(&by_half), order.reverse());
+        }
+        // And of one kind.
+        let [a, b] =
+            [half.clone(), &half + &tiny].map(|t| ExactAngle::of_tangent(rational_root(&t)));
+        assert_eq!(a.compare(&b), Ordering::Less);
+        let quarter = ExactAngle::Pi(Rational::from(1) / Rational::from(5));
+        let five = real_roots(&sine_of_multiple(5));
+        let fifth = five.iter().find(|t| t.signum() > 0).unwrap();
+        assert_eq!(
+            ExactAngle::of_tangent(fifth.clone()).compare(&quarter),
+            Ordering::Equal
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Theorem 4, Eq. (15): patches on which x² + y² + z² is a function of the direction.
 
 use super::{PolarFactor, PolarInverse, Role, squared_radius};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
 use crate::implicitize::map::RationalMap;
@@ -78,14 +78,15 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
         .terms()
         .map(|(e, _)| e[0] + e[1])
         .max()
-        .unwrap_or(0);
+        .invariant("a relation has a term");
     let rho = squared_radius(true);
     let form = |k: u32| {
         let terms = relation.terms().filter(move |(e, _)| e[2] == k);
         let terms = terms.map(|(e, c)| ([degree - e[0] - e[1], e[0], e[1]], c.clone()));
         SparsePolynomial::from_terms(terms)
     };
-    let highest = relation.terms().map(|(e, _)| e[2]).max().unwrap_or(0);
+    let highest = relation.terms().map(|(e, _)| e[2]).max();
+    let highest = highest.invariant("a relation has a term");
     let mut cleared = SparsePolynomial::zero();
     for k in 0..=highest {
         cleared = cleared.plus(&form(k).times(&rho.pow(k)));
@@ -129,7 +130,7 @@ fn function_of_direction(
     largest: u64,
     limits: &Limits,
 ) -> Result<Option<SparsePolynomial<3>>> {
-    for degree in 0..=u32::try_from(largest).unwrap_or(u32::MAX) {
+    for degree in 0..=u32::try_from(largest).invariant("a degree is below 2^32") {
         let mut monomials = Vec::new();
         for k in [0, 1] {
             for i in 0..=degree {

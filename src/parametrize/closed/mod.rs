@@ -12,8 +12,8 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
 
 use super::angle::AngleRange;
-use super::condition::{Condition, Relation};
 use super::cells::{Cells, Place};
+use super::condition::{Condition, Relation};
 use super::expression::Expression;
 use crate::poly::{BinaryForm, TernaryForm};
 
@@ -144,10 +144,7 @@ impl Rule {
                     form(&forms.b, Zero),
                     Condition::Not(Box::new(Condition::All(all_real(&forms)))),
                     form(&forms.inner, AtLeastZero),
-                    Condition::Any(vec![
-                        form(&forms.a, AtMostZero),
-                        form(&forms.c, AtMostZero),
-                    ]),
+                    Condition::Any(vec![form(&forms.a, AtMostZero), form(&forms.c, AtMostZero)]),
                 ])
             }
         }

@@ -46,10 +46,9 @@ impl<T: Clone> Critical<T> {
 
     /// From the list that [`Critical::into_list`] makes.
     pub(super) fn named(list: &[T]) -> Self {
-        let [s, p, q, u, v, a, b, c, inner, resolvent_p, discriminant] =
-            <&[T; 11]>::try_from(list)
-                .invariant("Lemma 5 has eleven critical forms")
-                .clone();
+        let [s, p, q, u, v, a, b, c, inner, resolvent_p, discriminant] = <&[T; 11]>::try_from(list)
+            .invariant("Lemma 5 has eleven critical forms")
+            .clone();
         Self {
             s,
             p,
@@ -141,10 +140,7 @@ impl<'a> QuarticRoots<'a> {
             return Some(-p * s);
         }
         if signs.all_real() {
-            return Some(sign_of_rank(
-                position(index, 4, s),
-                &[s, p, q, u, v],
-            ));
+            return Some(sign_of_rank(position(index, 4, s), &[s, p, q, u, v]));
         }
         if v == 0 {
             // 0 is a root; the other real one is that of the cubic.
