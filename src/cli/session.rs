@@ -407,7 +407,7 @@ mod tests {
         let session = session("60");
         let broken = || session.unless_limited("a part", |_| -> Result<u8> { panic!("broken") });
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(broken));
-        let payload = outcome.err().expect("a panic");
+        let payload = outcome.expect_err("a panic");
         assert_eq!(payload.downcast_ref::<&str>(), Some(&"broken"));
         let found =
             session.unless_limited("a part", |_| Err::<u8, _>(Error::Usage("wrong".into())));

@@ -58,7 +58,9 @@ struct Approximation {
 ///   1, by x^(k−2) < 2^−7, and the product is cut, 2·2^−14 + 2^−7 + 1 < 2. So a term beyond the first is off by less than
 ///   2/k + 1 < 2. The first power that is cut to 0 is below 3, and so is all that follows.
 /// - The derivative of atan is at most 1, and the doublings at the end multiply all of it.
+///
 /// For q > 1 it is π/2 − atan(1/q), with the errors added.
+///
 /// Law: `the_error_is_counted`.
 fn fixed_arctangent(q: &Rational, precision: u32) -> Approximation {
     if q.signum() < 0 {
@@ -128,7 +130,7 @@ mod tests {
     fn share_of_error(q: &Rational, precision: u32) -> f64 {
         let [short, long] = [precision, precision + 300].map(|p| fixed_arctangent(q, p));
         let distance = Rational::from((short.value << 300u64) - long.value).abs();
-        let allowed = Integer::from(short.error) << 300u64;
+        let allowed = short.error << 300u64;
         // The longer one is off, too.
         assert!(distance <= Rational::from(&allowed + long.error));
         (distance / Rational::from(allowed)).to_f64()
