@@ -2,7 +2,7 @@
 
 use malachite::base::num::arithmetic::traits::Gcd;
 
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::factor::{factor_plane, factor_space};
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
@@ -27,8 +27,8 @@ pub struct Description {
     pub origin_multiplicity: usize,
     /// What is known if the curve is born of a Fourier radius.
     pub fourier: Option<FourierDescription>,
-    /// The irreducible factors over Q.
-    pub factors: Vec<DescribedFactor>,
+    /// The irreducible factors over Q; `None` if they were not found within the limits.
+    pub factors: Option<Vec<DescribedFactor>>,
 }
 
 /// An irreducible factor over Q.
@@ -133,8 +133,14 @@ impl Description {
             multiplicity: factor.multiplicity,
             proof: factor.proof.to_string(),
         });
-        description.factors = described.collect();
+        description.factors = Some(described.collect());
         Ok(description)
+    }
+
+    /// What is seen of an implicit curve at once: all but the factors, and whether it is born of a Fourier radius.
+    #[must_use]
+    pub fn unfactored_curve(curve: &ImplicitCurve) -> Self {
+        Self::of_polynomial(curve.polynomial(), None)
     }
 
     /// Describes the reduced implicit equation of a Fourier radius.
@@ -147,7 +153,7 @@ impl Description {
         limits.check()?;
         let fourier = FourierDescription::of(radius, form.is_perfect_square());
         let mut description = Self::of_polynomial(curve.polynomial(), Some(fourier));
-        description.factors = vec![DescribedFactor {
+        description.factors = Some(vec![DescribedFactor {
             shape: Form::Curve(curve),
             multiplicity: 1,
             proof: if form.is_perfect_square() {
@@ -156,7 +162,7 @@ impl Description {
             } else {
                 "in polar form F = r^(2N) (r - r(t)) (r + r(t+pi)), the two factors are exchanged by (r, t) -> (-r, t+pi) and differ, because an even harmonic (a0 among them) is not 0; and x^2 + y^2 does not divide F, because the N-th harmonic is not 0".into()
             },
-        }];
+        }]);
         Ok(description)
     }
 
@@ -170,7 +176,7 @@ impl Description {
             coefficient_bits: f.coefficient_bits(),
             origin_multiplicity: f.lowest_degree().unwrap_or(0),
             fourier,
-            factors: Vec::new(),
+            factors: None,
         }
     }
 
@@ -179,19 +185,30 @@ impl Description {
     /// # Errors
     /// Those of [`factor_space`].
     pub fn of_surface(surface: &ImplicitSurface, limits: &Limits) -> Result<Self> {
-        let f = surface.polynomial();
-        let mut degrees: Vec<usize> = f
-            .terms()
-            .map(|(e, _)| usize::try_from(total_degree(e)).unwrap_or(usize::MAX))
-            .collect();
-        degrees.dedup();
-        let factors = factor_space(f, limits)?.factors;
+        let factors = factor_space(surface.polynomial(), limits)?.factors;
         let described = factors.into_iter().map(|factor| DescribedFactor {
             shape: Form::Surface(ImplicitSurface::new(factor.polynomial)),
             multiplicity: factor.multiplicity,
             proof: factor.proof.to_string(),
         });
         Ok(Self {
+            factors: Some(described.collect()),
+            ..Self::unfactored_surface(surface)
+        })
+    }
+
+    /// What is seen of a surface at once: all but the factors.
+    #[must_use]
+    pub fn unfactored_surface(surface: &ImplicitSurface) -> Self {
+        let f = surface.polynomial();
+        // Exponents are 32 bits long.
+        let degree = |e: &[u32; 3]| usize::try_from(total_degree(e));
+        let degrees = f
+            .terms()
+            .map(|(e, _)| degree(e).invariant("a degree is an address"));
+        let mut degrees: Vec<usize> = degrees.collect();
+        degrees.dedup();
+        Self {
             degree: degrees.first().copied().unwrap_or(0),
             method: Method::from_degrees(&degrees, 7),
             origin_multiplicity: degrees.last().copied().unwrap_or(0),
@@ -204,8 +221,8 @@ impl Description {
                 .max()
                 .unwrap_or(0),
             fourier: None,
-            factors: described.collect(),
-        })
+            factors: None,
+        }
     }
 }
 

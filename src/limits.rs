@@ -53,6 +53,22 @@ impl Limits {
         }
     }
 
+    /// How much time is left; `None` without a deadline.
+    #[must_use]
+    pub fn time_left(&self) -> Option<Duration> {
+        let (end, _) = self.deadline?;
+        Some(end.saturating_duration_since(Instant::now()))
+    }
+
+    /// The same without a deadline, for what is to be finished after it.
+    #[must_use]
+    pub fn without_deadline(&self) -> Self {
+        Self {
+            deadline: None,
+            cancelled: Arc::clone(&self.cancelled),
+        }
+    }
+
     /// The flag that stops the work when it becomes true.
     #[must_use]
     pub fn cancellation(&self) -> Arc<AtomicBool> {

@@ -329,3 +329,93 @@ fn long_equations_are_the_same_for_any_number_of_threads_and_are_read_back() {
         assert!(again == documents[0], "{name}");
     }
 }
+
+#[test]
+fn a_point_on_a_real_branch_is_not_called_isolated() {
+    for (form, is_isolated) in [
+        ("x = t^3 + t; y = t^4 + t^2", false),
+        ("x = t^2 + 1; y = t^3 + t", true),
+        // t = infinity has the point of t = i and t = -i.
+        ("x = (t^2 + 1)/(t^4 + 2); y = (t^3 + t)/(t^4 + 2)", false),
+        ("x = (t^2 + 1)/(t^2 + 2); y = (t^3 + t)/(t^2 + 2)", true),
+        // The same with tan(t/2), of which infinity is a value like any other.
+        ("x = (1 + cos(t))*cos(t); y = (1 + cos(t))*sin(t)", false),
+        ("x = (2 + cos(t))*cos(t); y = (2 + cos(t))*sin(t)", true),
+    ] {
+        let document = json(&done(&["implicitize", form, "--format", "json"]));
+        let beyond = document["beyond"].as_array().unwrap();
+        let isolated = beyond
+            .iter()
+            .any(|entry| entry["kind"] == "isolated" && entry["point"] == "(0, 0)");
+        assert_eq!(isolated, is_isolated, "{form}");
+    }
+}
+
+#[test]
+fn the_tracing_indices_count_over_what_the_angle_runs_through() {
+    for (form, complex, real) in [
+        ("x = cos(t); y = cos(2t)", 2, 2),
+        ("x = cos(2t); y = sin(2t)", 2, 2),
+        ("x = cos(t)^2 - sin(t)^2; y = 2*sin(t)*cos(t)", 2, 2),
+        ("x = cos(t/2); y = sin(t/2)", 1, 1),
+        ("x = t^3; y = t^6", 3, 1),
+        ("x = t^2; y = t^4", 2, 2),
+        ("x = cos(3t)*cos(t); y = cos(3t)*sin(t)", 2, 2),
+        ("x = cos(2t); y = sin(2t); z = cos(4t)", 2, 2),
+    ] {
+        let document = json(&done(&["implicitize", form, "--format", "json"]));
+        assert_eq!(
+            (&document["tracing_index"], &document["real_tracing_index"]),
+            (&complex.into(), &real.into()),
+            "{form}"
+        );
+    }
+    // Not the same everywhere: once outside of |x| < 2, three times inside.
+    let form = "x = t^3 - 3t; y = (t^3 - 3t)^2";
+    let document = json(&done(&["implicitize", form, "--format", "json"]));
+    assert_eq!(document["real_tracing_index"], serde_json::Value::Null);
+    assert_eq!(document["real_tracing_indices"], serde_json::json!([1, 3]));
+    let text = done(&["implicitize", form]);
+    assert!(
+        text.contains("over some arcs of the curve once, over others 3 times"),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_is_finished_at_a_limit_is_written_and_says_what_is_missing() {
+    let folder = TempDir::new().unwrap();
+    // Of degree 169 and without a factor that is found soon.
+    let f =
+        "(x^97+y^89+3*x^7*y^50+x*y^39+7*x^20*y^10+11*y^3*x^2+5)*(x^61*y^2+x^5+2*y^70+13-x^33*y^31)";
+    let arguments = [
+        "describe",
+        f,
+        "--time-limit",
+        "1",
+        "--format",
+        "json",
+        "-o",
+        "d.json",
+    ];
+    let run = run_in(folder.path(), &arguments, "");
+    assert_eq!(run.code, 3, "{}", run.err);
+    assert!(
+        run.err.contains("what is written lacks the factors over Q"),
+        "{}",
+        run.err
+    );
+    let document = json(&std::fs::read_to_string(folder.path().join("d.json")).unwrap());
+    assert_eq!(document["degree"], 167);
+    assert_eq!(document["factors"], serde_json::Value::Null);
+    assert_eq!(document["irreducible"], serde_json::Value::Null);
+    let note = "not finished within the limits: the factors over Q";
+    assert_eq!(document["notes"], serde_json::json!([note]));
+    let text = run_in(folder.path(), &["describe", f, "--time-limit", "1"], "");
+    assert_eq!(text.code, 3);
+    assert!(
+        text.out.contains("irreducible over Q: not decided\n"),
+        "{}",
+        text.out
+    );
+}

@@ -3,6 +3,7 @@
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{
     BinaryForm, Ring, SpacePolynomial, SparsePolynomial, doubled_form_from_harmonics,
@@ -94,7 +95,7 @@ impl Ratios {
                 sums[k] += Integer::from(c.unsigned_abs_ref().clone());
             }
         }
-        let exponent = |e: usize| u32::try_from(e).unwrap_or(u32::MAX);
+        let exponent = |e: usize| u32::try_from(e).invariant("a degree is below 2^32");
         let ratios = f.terms().filter_map(|(k, c)| {
             let below = Integer::from(c.unsigned_abs_ref().clone());
             let ratio = Rational::new(std::mem::take(&mut sums[k]), below)?;
@@ -136,13 +137,15 @@ impl RootConditions {
     /// ```
     #[must_use]
     pub fn at(&self, vector: &[Integer; 3], w: &Integer, r: f64) -> f64 {
-        let r = Rational::try_from(r).unwrap_or_default();
+        // A root beyond the doubles: nothing is known of it.
+        let Ok(r) = Rational::try_from(r) else {
+            return f64::INFINITY;
+        };
         let magnitude = |v: &Integer| Integer::from(v.unsigned_abs_ref().clone());
         let sum = |terms: Vec<(usize, Integer)>, r: &Rational, weight: &dyn Fn(usize) -> usize| {
             let terms = terms.into_iter().map(|(d, c)| {
-                let power = r
-                    .pow(i64::try_from(d).unwrap_or(i64::MAX))
-                    .unwrap_or_default();
+                let degree = i64::try_from(d).invariant("a degree is below 2^63");
+                let power = r.pow(degree).invariant("an exponent is not negative");
                 power * Rational::from(c * Integer::from(weight(d)))
             });
             terms.sum::<Rational>()

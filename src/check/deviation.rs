@@ -124,7 +124,7 @@ pub(super) fn close_root(q: &Rational) -> Rational {
     // √(p/d) = √(p d 4^k) / (d 2^k), with a k that leaves enough bits to the integer root.
     let (p, d) = (q.numerator(), q.denominator());
     let product = p * &d;
-    let bits = i64::try_from(product.significant_bits()).unwrap_or(i64::MAX);
+    let bits = product.significant_bits().cast_signed();
     let k = (BITS - bits / 2).max(0);
     let root = (product << (2 * k)).floor_sqrt();
     Rational::from_parts(root, -k) / Rational::from(d)

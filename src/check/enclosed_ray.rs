@@ -8,7 +8,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
 use super::nearest::{Offset, nearest_to_zero};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, cosine_and_sine};
 use crate::poly::{
     BinaryForm, IntegerPolynomial, PlanePolynomial, Ring, constant_sign, shift_by_one,
@@ -143,8 +143,8 @@ impl EnclosedRays {
             for part in parts {
                 let rise = above.map_or(0, |top: usize| (top - part.degree()) / 2);
                 above.get_or_insert(part.degree());
-                let power = i64::try_from(part.degree()).unwrap_or(i64::MAX);
-                let factor = radius.pow(power).unwrap_or_default();
+                let power = i64::try_from(part.degree()).invariant("a degree is below 2^63");
+                let factor = radius.pow(power).invariant("an exponent is not negative");
                 let raised = part
                     .times(&BinaryForm::rho_power(rise))
                     .scaled(&factor.numerator());
@@ -226,7 +226,8 @@ impl Enclosed {
         let largest = sizes
             .map(|(c, e)| Integer::from(c.unsigned_abs_ref().clone()) + e)
             .max();
-        let ratio = Rational::new(largest.unwrap_or_default(), lead).unwrap_or_default();
+        let ratio = Rational::new(largest.invariant("the leading coefficient is there"), lead);
+        let ratio = ratio.invariant("the leading coefficient is not 0");
         let reach = ratio + Rational::from(2);
         let [less, more] = bounds(shifted, &self.error_within(&reach));
         has_no_zero([&less, &more], &-&reach, &reach, MOST_HALVINGS)

@@ -12,7 +12,7 @@ use super::float_theorem2::FloatTheorem2;
 use super::mistakes::truncated;
 use super::scale::nearest_power;
 use super::series::SeriesValues;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::{Rational, cosine_and_sine};
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
@@ -99,7 +99,11 @@ fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
         mean
     };
     let factor = Rational::from_parts(Integer::from(1), -nearest_power(&size));
-    let rounded = |c: &Rational| Rational::try_from((c * &factor).to_f64()).unwrap_or_default();
+    // What is beyond the doubles stays so.
+    let rounded = |c: &Rational| {
+        let scaled = c * &factor;
+        Rational::try_from(scaled.to_f64()).unwrap_or(scaled)
+    };
     let scaled = |v: &[Rational]| v.iter().map(rounded).collect();
     FourierRadius::new(scaled(radius.cosines()), scaled(radius.sines()))
 }
@@ -136,7 +140,8 @@ fn rung(radius: &FourierRadius, limits: &Limits) -> Result<Rung> {
         })
         .collect();
     let rays = rays?;
-    let right = rays.iter().map(|ray| ray.right_signs).min().unwrap_or(0);
+    let right = rays.iter().map(|ray| ray.right_signs).min();
+    let right = right.invariant("there are rays");
     Ok(Rung {
         harmonics: radius.harmonics(),
         coefficients,
@@ -153,22 +158,22 @@ fn on_ray(
     values: &SeriesValues,
 ) -> OnRay {
     let at = |v: f64| Rational::try_from(v).ok();
-    let angle = at(theta).unwrap_or_default();
+    let angle = at(theta).invariant("an angle is finite");
     // Correctly rounded, and so the same on every machine.
     let [c, s] = cosine_and_sine(&angle, RADIUS_BITS).map(|v| v.to_f64());
     let [r, _] = values.bounds(&angle, RADIUS_BITS);
     let rounded = r.to_f64();
-    // F in doubles and exactly, at the same point.
+    // F in doubles and exactly, at the same point; beyond the doubles there is no such point.
     let both = |outside: f64| {
         let radius = rounded * (1.0 + outside);
         let (x, y) = (radius * c, radius * s);
-        let value = exact.evaluate(&at(x).unwrap_or_default(), &at(y).unwrap_or_default());
+        let value = at(x).zip(at(y)).map(|(x, y)| exact.evaluate(&x, &y));
         (at(float.evaluate(x, y)), value)
     };
     let values = OUTSIDE.map(both);
     let right = values.iter().take_while(|(got, exact)| {
-        got.as_ref()
-            .is_some_and(|got| got.signum() == exact.signum())
+        let both = got.as_ref().zip(exact.as_ref());
+        both.is_some_and(|(got, exact)| got.signum() == exact.signum())
     });
     let right_signs = right.count();
     let [(got, value), ..] = values;
@@ -178,7 +183,7 @@ fn on_ray(
     let radii = float.radii([c, s]).map(|root| digits(at(root), &r));
     OnRay {
         right_signs,
-        near: digits(got, &value),
+        near: value.map_or(0.0, |value| digits(got, &value)),
         radius: radii[0].max(radii[1]),
     }
 }

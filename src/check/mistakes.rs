@@ -1,6 +1,7 @@
 //! The usual mistakes of programs that convert a radius into a polynomial, each as the exact curve that it leads to.
 
 use super::comparison::Comparison;
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::implicitize::SquaredForm;
 use crate::poly::{Ring, SparsePolynomial};
@@ -273,7 +274,8 @@ fn of_coordinates(
     let scaled = |axes: &[usize], factor: Rational| {
         let terms = polynomial.terms().map(|(e, c)| {
             let power: i64 = axes.iter().map(|&axis| i64::from(e[axis])).sum();
-            (*e, c * &factor.pow(power).unwrap_or_default())
+            let power = factor.pow(power);
+            (*e, c * &power.invariant("an exponent is not negative"))
         });
         SparsePolynomial::from_terms(terms)
     };

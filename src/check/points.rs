@@ -10,7 +10,7 @@ use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_pla
 use super::mistakes::diagnose;
 use super::nearest::nearest_to_one;
 use super::reference::Reference;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
@@ -150,7 +150,7 @@ fn value(terms: &[(usize, Integer)], f: &SpacePolynomial, w: &Integer) -> Ration
     let sum: Integer = terms.iter().map(|(_, c)| c.clone()).sum();
     let top = f.degree().unwrap_or(0) as u64;
     let below = w.pow(top) * f.denominator();
-    Rational::new(sum, below).unwrap_or_default()
+    Rational::new(sum, below).invariant("a power of a denominator is not 0")
 }
 
 fn residual(value: &Rational, gradient: &[Rational; 3]) -> Residual {

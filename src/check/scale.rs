@@ -129,7 +129,7 @@ fn quartile(pairs: &[&[Rational; 2]], factor: &Rational) -> Rational {
 
 /// The k with 2^k nearest to |q|.
 pub(super) fn nearest_power(q: &Rational) -> i64 {
-    let bits = |n: &Integer| i64::try_from(n.significant_bits()).unwrap_or(0);
+    let bits = |n: &Integer| n.significant_bits().cast_signed();
     let k = bits(&q.numerator()) - bits(&q.denominator());
     let one = Integer::from(1);
     let off = |k: i64| (q.abs() - Rational::from_parts(one.clone(), k)).abs();

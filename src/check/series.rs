@@ -7,6 +7,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 
+use crate::error::Invariant;
 use crate::exact::{Rational, cosine_and_sine, nearest_double};
 use crate::shape::FourierRadius;
 
@@ -58,11 +59,12 @@ impl SeriesValues {
     #[must_use]
     pub fn bounds(&self, theta: &Rational, bits: u32) -> [Rational; 2] {
         let count = Integer::from(self.cos.len());
-        let more = u32::try_from(count.significant_bits()).unwrap_or(u32::MAX);
+        let more = u32::try_from(count.significant_bits());
+        let more = more.invariant("a number of harmonics is short");
         let precision = bits.saturating_add(more).saturating_add(5);
         let [sum, _] = self.sums(theta, precision);
         let below = &self.denominator << precision;
-        let over = |v: Integer| Rational::new(v, below.clone()).unwrap_or_default();
+        let over = |v: Integer| Rational::new(v, below.clone()).invariant("a denominator is not 0");
         if theta.is_zero() || self.cos.len() == 1 {
             return [over(sum.clone()), over(sum)];
         }

@@ -9,7 +9,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use super::condition::{RootConditions, coefficient_conditions};
 use super::reference::Reference;
 use super::series::SeriesValues;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
@@ -161,7 +161,7 @@ struct Rounding {
 impl Rounding {
     fn number(&mut self, exact: &Rational) -> Result<Rational> {
         let double = finite(exact)?;
-        let rounded = Rational::try_from(double).unwrap_or_default();
+        let rounded = Rational::try_from(double).invariant("a finite double is a number");
         self.count += usize::from(rounded != *exact);
         Ok(rounded)
     }
@@ -241,7 +241,7 @@ fn radii(radius: &FourierRadius, directions: usize) -> Vec<RadiusVector> {
     angles
         .map(|k| {
             let theta = TAU * k as f64 / directions as f64;
-            let exact = Rational::try_from(theta).unwrap_or_default();
+            let exact = Rational::try_from(theta).invariant("a finite double is a number");
             RadiusVector {
                 theta,
                 r: values.nearest_double(&exact),
@@ -302,10 +302,13 @@ fn on_ray<const V: usize>(
     let Ray::Points(samples) = ray else {
         return Vec::new();
     };
-    let component = |v: &Integer| Rational::new(v.clone(), w.clone()).unwrap_or_default();
+    let component = |v: &Integer| {
+        Rational::new(v.clone(), w.clone()).invariant("a unit vector has a denominator")
+    };
     let point = |sample: Sample<V>| PointVector {
         unit: vector.each_ref().map(component),
         r: sample.r,
+        // In the plane z = 0.
         position: std::array::from_fn(|i| sample.position.get(i).copied().unwrap_or_default()),
         multiplicity: sample.multiplicity,
         condition: if sample.multiplicity > 1 {

@@ -6,13 +6,17 @@ use stellate::document::{
     write_space_superquadric_description, write_superquadric_description,
 };
 use stellate::error::{Error, Result};
-use stellate::shape::Form;
+use stellate::limits::Limits;
+use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
 use super::arguments::Describe;
 use super::implicitize;
 use super::input::{self, Content};
 use super::output::{check_destination, write_result};
-use super::session::Session;
+use super::session::{Session, missing_note};
+
+/// What may be missing at a limit.
+const FACTORS: &str = "the factors over Q";
 
 pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
     check_destination(session)?;
@@ -62,20 +66,35 @@ pub(crate) fn run(verb: &Describe, session: &mut Session) -> Result<()> {
             session.check_degree(2 * radius.harmonics() + 2)?;
             Description::of_radius(radius, &session.limits)
         }
-        Form::Curve(curve) => Description::of_curve(curve, &session.limits),
-        Form::Surface(surface) => Description::of_surface(surface, &session.limits),
-        Form::Superquadric(shape) => {
-            Description::of_curve(&input::polynomial_of(shape)?, &session.limits)
-        }
+        Form::Curve(curve) => of_curve(curve, session),
+        Form::Surface(surface) => of_surface(surface, session),
+        Form::Superquadric(shape) => of_curve(&input::polynomial_of(shape)?, session),
         _ => Err(input::not_taken(
             "describe",
             "plane curves, surfaces and space curves",
         )),
     })?;
+    if description.factors.is_none() {
+        annotations.notes.push(missing_note(FACTORS));
+    }
     let digits = session.decimals();
     write_result(session, |out| {
         write_description(&description, &annotations, digits, format, out)
     })
+}
+
+fn of_curve(curve: &ImplicitCurve, session: &Session) -> Result<Description> {
+    let whole = curve.clone();
+    let work = move |limits: &Limits| Description::of_curve(&whole, limits);
+    let found = session.unless_limited(FACTORS, work)?;
+    Ok(found.unwrap_or_else(|| Description::unfactored_curve(curve)))
+}
+
+fn of_surface(surface: &ImplicitSurface, session: &Session) -> Result<Description> {
+    let whole = surface.clone();
+    let work = move |limits: &Limits| Description::of_surface(&whole, limits);
+    let found = session.unless_limited(FACTORS, work)?;
+    Ok(found.unwrap_or_else(|| Description::unfactored_surface(surface)))
 }
 
 /// A parametric form as its implicit one, with what is known of the two.

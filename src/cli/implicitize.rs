@@ -3,15 +3,27 @@
 use stellate::document::{Annotations, Format, write_implicit, write_intersection, write_surface};
 use stellate::error::{Error, Result};
 use stellate::implicitize::{
-    SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve, point_beyond,
-    polar_patch, polar_plane, polar_space_curve, real_image,
+    Run, SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve, point_beyond,
+    polar_patch, polar_plane, polar_space_curve, real_counts, real_image,
 };
-use stellate::shape::{Form, FourierRadius, ImplicitSurface, Patch, PlaneCurve, SpaceCurve};
+use stellate::limits::Limits;
+use stellate::shape::{
+    Form, FourierRadius, ImplicitSurface, ParametricCurve, Patch, PlaneCurve, SpaceCurve,
+};
 
 use super::arguments::{Coordinates, Implicitize, ImplicitizeMethod, Scale};
 use super::input;
 use super::output::{check_destination, write_result};
-use super::session::Session;
+use super::session::{Session, missing_note};
+
+/// What may be missing at a limit.
+const BEYOND_CURVE: &str = "what the real zero set has beyond the curve, isolated points among it, and the real tracing index";
+const BEYOND_PATCH: &str = "a point of the zero set beyond the patch";
+const POLAR: [&str; 3] = [
+    "Eq. (1) of Theorem 1 and its factors",
+    "Eqs. (10) and (11) of Theorem 3 and their factors",
+    "Eq. (15) of Theorem 4 and its factors",
+];
 
 pub(crate) fn run(verb: &Implicitize, session: &mut Session) -> Result<()> {
     check_destination(session)?;
@@ -95,8 +107,15 @@ fn of_radius(
 ) -> Result<(Form, Annotations)> {
     session.check_degree(2 * radius.harmonics() + 2)?;
     if verb.method == Some(ImplicitizeMethod::Resultant) {
-        let equation = implicitize_plane(&radius.to_plane_curve(), &session.limits)?;
-        let annotations = Annotations::of_plane(&equation);
+        let parametric = radius.to_plane_curve();
+        let equation = implicitize_plane(&parametric, &session.limits)?;
+        let mut annotations = Annotations::of_plane(&equation, Run::of(&parametric));
+        let counts = real_counts(&parametric, equation.tracing_index, &session.limits)?;
+        annotations.add_real_tracing(
+            counts.as_deref(),
+            Run::of(&parametric),
+            equation.tracing_index,
+        );
         let curve = equation.curve.with_center(radius.center().clone());
         return Ok((Form::Curve(curve), annotations));
     }
@@ -115,21 +134,28 @@ pub(crate) fn of_plane_curve(
     polar: bool,
     session: &Session,
 ) -> Result<(Form, Annotations)> {
-    let polar = polar
-        .then(|| polar_plane(curve, &session.limits))
-        .transpose()?;
     let equation = implicitize_plane(curve, &session.limits)?;
-    let mut annotations = Annotations::of_plane(&equation);
-    let image = real_image(curve, equation.tracing_index, &session.limits)?;
-    annotations.add_real_image(curve, &image);
-    let curve = match polar {
-        Some(polar) => {
-            annotations.add_polar_plane(&polar);
-            polar.curve
+    let run = Run::of(curve);
+    let mut annotations = Annotations::of_plane(&equation, run);
+    add_real_image(
+        curve,
+        equation.tracing_index,
+        run,
+        &mut annotations,
+        session,
+    )?;
+    if polar {
+        let whole = curve.clone();
+        let work = move |limits: &Limits| polar_plane(&whole, limits);
+        match session.unless_limited(POLAR[0], work)? {
+            Some(polar) => {
+                annotations.add_polar_plane(&polar);
+                return Ok((Form::Curve(polar.curve), annotations));
+            }
+            None => annotations.notes.push(missing_note(POLAR[0])),
         }
-        None => equation.curve,
-    };
-    Ok((Form::Curve(curve), annotations))
+    }
+    Ok((Form::Curve(equation.curve), annotations))
 }
 
 pub(crate) fn of_space_curve(
@@ -137,15 +163,23 @@ pub(crate) fn of_space_curve(
     polar: bool,
     session: &Session,
 ) -> Result<(Form, Annotations)> {
-    let polar = polar
-        .then(|| polar_space_curve(curve, &session.limits))
-        .transpose()?;
     let equations = implicitize_space_curve(curve, &session.limits)?;
-    let mut annotations = Annotations::of_space_curve(&equations);
-    let image = real_image(curve, equations.tracing_index, &session.limits)?;
-    annotations.add_real_image(curve, &image);
-    if let Some(polar) = polar {
-        annotations.add_polar_space_curve(&polar);
+    let run = Run::of(curve);
+    let mut annotations = Annotations::of_space_curve(&equations, run);
+    add_real_image(
+        curve,
+        equations.tracing_index,
+        run,
+        &mut annotations,
+        session,
+    )?;
+    if polar {
+        let whole = curve.clone();
+        let work = move |limits: &Limits| polar_space_curve(&whole, limits);
+        match session.unless_limited(POLAR[1], work)? {
+            Some(polar) => annotations.add_polar_space_curve(&polar),
+            None => annotations.notes.push(missing_note(POLAR[1])),
+        }
     }
     Ok((Form::Intersection(equations.surfaces), annotations))
 }
@@ -155,20 +189,43 @@ pub(crate) fn of_patch(
     polar: bool,
     session: &Session,
 ) -> Result<(Form, Annotations)> {
-    let polar = polar
-        .then(|| polar_patch(patch, &session.limits))
-        .transpose()?;
     let equation = implicitize_patch(patch, &session.limits)?;
-    let mut annotations = Annotations::of_patch(&equation);
-    annotations.add_point_beyond(point_beyond(patch, &equation.surface).as_ref());
-    let surface = match polar {
-        Some(polar) => {
-            annotations.add_polar_patch(&polar);
-            polar.surface
+    let mut annotations = Annotations::of_patch(&equation, Run::of_patch(patch));
+    let whole = (patch.clone(), equation.surface.clone());
+    let work = move |_: &Limits| Ok(point_beyond(&whole.0, &whole.1));
+    match session.unless_limited(BEYOND_PATCH, work)? {
+        Some(found) => annotations.add_point_beyond(found.as_ref()),
+        None => annotations.notes.push(missing_note(BEYOND_PATCH)),
+    }
+    if polar {
+        let whole = patch.clone();
+        let work = move |limits: &Limits| polar_patch(&whole, limits);
+        match session.unless_limited(POLAR[2], work)? {
+            Some(polar) => {
+                annotations.add_polar_patch(&polar);
+                return Ok((Form::Surface(polar.surface), annotations));
+            }
+            None => annotations.notes.push(missing_note(POLAR[2])),
         }
-        None => equation.surface,
-    };
-    Ok((Form::Surface(surface), annotations))
+    }
+    Ok((Form::Surface(equation.surface), annotations))
+}
+
+/// What the zero set has beyond the curve, and how often real values of the parameter run over it.
+fn add_real_image<const N: usize>(
+    curve: &ParametricCurve<N>,
+    tracing_index: usize,
+    run: Run,
+    annotations: &mut Annotations,
+    session: &Session,
+) -> Result<()> {
+    let whole = curve.clone();
+    let work = move |limits: &Limits| real_image(&whole, tracing_index, limits);
+    match session.unless_limited(BEYOND_CURVE, work)? {
+        Some(image) => annotations.add_real_image(curve, &image, run, tracing_index),
+        None => annotations.notes.push(missing_note(BEYOND_CURVE)),
+    }
+    Ok(())
 }
 
 fn scaled(form: Form, verb: &Implicitize) -> Form {

@@ -67,6 +67,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Paper(verb) => paper::run(&verb, &mut session),
         }?;
         session.finish()?;
+        session.report_missing()?;
         Ok(session.answer_is_no)
     });
     match outcome {

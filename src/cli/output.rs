@@ -54,7 +54,7 @@ fn write_file(
         let mut out = BufWriter::new(beside.as_file_mut());
         write(&mut out).and_then(|()| out.flush()).map_err(failed)?;
     }
-    session.limits.check()?;
+    session.check()?;
     beside.persist(path).map_err(|e| failed(e.error))?;
     Ok(())
 }

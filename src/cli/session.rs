@@ -1,8 +1,9 @@
 //! One run of the program: limits, notes, progress, stage times.
 
 use std::io::{IsTerminal, Write};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -19,11 +20,20 @@ const GRACE: Duration = Duration::from_millis(200);
 /// Decimals shown for algebraic numbers without `--digits`.
 const DEFAULT_DECIMALS: u32 = 16;
 
+/// How often work beside is asked whether the limits still allow it.
+const PATIENCE: Duration = Duration::from_millis(20);
+
 /// A progress bar waits this long before it shows itself.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 
 /// Far more threads than cores only take memory, and tens of thousands take minutes to start.
 const MAX_THREADS: usize = 1024;
+
+/// The limit that was reached, and what is missing because of it.
+struct Missing {
+    limit: String,
+    parts: Vec<&'static str>,
+}
 
 /// What all verbs share while they run.
 pub(crate) struct Session {
@@ -34,6 +44,8 @@ pub(crate) struct Session {
     stages: Vec<(&'static str, Duration)>,
     /// What else `--stats` says.
     facts: Vec<(&'static str, serde_json::Value)>,
+    /// What a limit has cost, while the rest is finished and written.
+    missing: Mutex<Option<Missing>>,
     /// Set once output may have begun, and while other processes work for us: then work ends at checkpoints only.
     writing: Arc<AtomicBool>,
 }
@@ -78,6 +90,7 @@ impl Session {
             answer_is_no: false,
             stages: Vec::new(),
             facts: Vec::new(),
+            missing: Mutex::new(None),
             writing,
         })
     }
@@ -111,7 +124,7 @@ impl Session {
         name: &'static str,
         work: impl FnOnce(&Self) -> Result<T>,
     ) -> Result<T> {
-        self.limits.check()?;
+        self.check()?;
         let start = Instant::now();
         let result = work(self);
         let spent = start.elapsed();
@@ -120,6 +133,85 @@ impl Session {
             None => self.stages.push((name, spent)),
         }
         result
+    }
+
+    /// A checkpoint: once a limit has cost a part of the answer, only an interruption keeps the rest from being written.
+    pub(crate) fn check(&self) -> Result<()> {
+        match *self.missing() {
+            Some(_) => self.limits.without_deadline().check(),
+            None => self.limits.check(),
+        }
+    }
+
+    /// Work on a part of the answer that the rest can do without: `None` if it reaches a limit, in however deep a
+    /// computation. What is missing then is said at the end ([`Session::report_missing`]).
+    pub(crate) fn unless_limited<T: Send + 'static>(
+        &self,
+        part: &'static str,
+        work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
+    ) -> Result<Option<T>> {
+        let found = match self.limits.time_left() {
+            None => work(&self.limits),
+            // The deadline is waited for here, and does not end the process.
+            Some(_) => self.ended_at_checkpoints(|| self.within_limits(work)),
+        };
+        match found {
+            Err(Error::Limit { limit, .. }) => {
+                // What is finished is written now, also after the deadline.
+                self.begin_writing();
+                let mut missing = self.missing();
+                let missing = missing.get_or_insert_with(|| Missing {
+                    limit,
+                    parts: Vec::new(),
+                });
+                missing.parts.push(part);
+                Ok(None)
+            }
+            found => found.map(Some),
+        }
+    }
+
+    /// The answer of the work if it comes in time. Else the work goes on beside, as long as this process, and its answer is
+    /// not waited for.
+    fn within_limits<T: Send + 'static>(
+        &self,
+        work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
+    ) -> Result<T> {
+        let limits = self.limits.clone();
+        let (sender, receiver) = sync_channel(1);
+        let thread = std::thread::spawn(move || {
+            // After the deadline nobody listens.
+            let _ = sender.send(work(&limits));
+        });
+        loop {
+            match receiver.recv_timeout(PATIENCE) {
+                Ok(found) => return found,
+                Err(RecvTimeoutError::Timeout) => self.limits.check()?,
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+        match thread.join() {
+            Err(panic) => std::panic::resume_unwind(panic),
+            Ok(()) => Err(Error::Internal {
+                place: "work beside".into(),
+                broken: "it answers before it ends".into(),
+            }),
+        }
+    }
+
+    /// What a limit has cost, after the rest is written: as a note in the answer, too, see [`missing_note`].
+    pub(crate) fn report_missing(&self) -> Result<()> {
+        match &*self.missing() {
+            None => Ok(()),
+            Some(Missing { limit, parts }) => Err(Error::Limit {
+                limit: limit.clone(),
+                finished: format!("what is written lacks {}", parts.join(", and ")),
+            }),
+        }
+    }
+
+    fn missing(&self) -> MutexGuard<'_, Option<Missing>> {
+        self.missing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// A fact for `--stats`.
@@ -202,6 +294,11 @@ impl Session {
     }
 }
 
+/// The note of an answer from which a limit has kept a part.
+pub(crate) fn missing_note(part: &str) -> String {
+    format!("not finished within the limits: {part}")
+}
+
 /// Ctrl-C: before anything is written the process ends at once, however deep in one computation it is;
 /// afterwards at the next checkpoint.
 fn watch_interruption(limits: &Limits, writing: &Arc<AtomicBool>) {
@@ -245,4 +342,75 @@ fn peak_memory() -> Option<u64> {
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
     let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
     Some(kilobytes * 1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::arguments::Arguments;
+    use clap::Parser;
+
+    fn session(seconds: &str) -> Session {
+        let arguments = [
+            "stellate",
+            "describe",
+            "x",
+            "--time-limit",
+            seconds,
+            "--quiet",
+        ];
+        let arguments = Arguments::try_parse_from(arguments).expect("arguments");
+        let session = Session::new(arguments.common).expect("a session");
+        // The deadline must not end the process of the tests.
+        session.begin_writing();
+        session
+    }
+
+    #[test]
+    fn a_part_that_reaches_a_limit_is_missing_and_the_rest_goes_on() {
+        let session = session("0.3");
+        let found = session.unless_limited("a part in time", |_| Ok(7));
+        assert_eq!(found.expect("in time"), Some(7));
+        assert!(session.report_missing().is_ok());
+        // Work that asks nobody, and work that does.
+        let deaf = |_: &Limits| {
+            std::thread::sleep(Duration::from_secs(3));
+            Ok(1)
+        };
+        let start = Instant::now();
+        assert_eq!(
+            session
+                .unless_limited("a long part", deaf)
+                .expect("the rest"),
+            None
+        );
+        assert!(start.elapsed() < Duration::from_secs(2));
+        let polite = |limits: &Limits| limits.check();
+        assert_eq!(
+            session
+                .unless_limited("another part", polite)
+                .expect("the rest"),
+            None
+        );
+        // The deadline is over, and what is finished can still be written.
+        assert!(session.limits.check().is_err());
+        assert!(session.check().is_ok());
+        let error = session.report_missing().expect_err("parts are missing");
+        assert_eq!(
+            error.to_string(),
+            "limit reached: --time-limit 0.3 s (what is written lacks a long part, and another part)"
+        );
+    }
+
+    #[test]
+    fn a_broken_invariant_beside_is_passed_on() {
+        let session = session("60");
+        let broken = || session.unless_limited("a part", |_| -> Result<u8> { panic!("broken") });
+        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(broken));
+        let payload = outcome.expect_err("a panic");
+        assert_eq!(payload.downcast_ref::<&str>(), Some(&"broken"));
+        let found =
+            session.unless_limited("a part", |_| Err::<u8, _>(Error::Usage("wrong".into())));
+        assert!(matches!(found, Err(Error::Usage(_))));
+    }
 }

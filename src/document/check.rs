@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::json::Number;
 use super::terms::Notation;
 use super::{Format, SCHEMA};
 use crate::check::{Comparison, DOUBLE_DIGITS, Diagnosis, Meaning, Place, Row, Scale};
@@ -25,8 +26,8 @@ struct Document<'a> {
     what: &'static str,
     compared: usize,
     worst: Option<Entry>,
-    median_digits: Option<f64>,
-    digits_lost: Option<f64>,
+    median_digits: Option<Number>,
+    digits_lost: Option<Number>,
     mark: Option<u32>,
     below: usize,
     passes: bool,
@@ -40,18 +41,18 @@ struct Document<'a> {
     worst_rows: Vec<Entry>,
 }
 
-/// A number of the float program, the exact one, and their distance; what is infinite is null.
+/// A number of the float program, the exact one, and their distance.
 #[derive(Serialize)]
 struct Entry {
-    digits: f64,
-    ulps: f64,
+    digits: Number,
+    ulps: Number,
     r#where: String,
     got: String,
     exact: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    residual: Option<f64>,
+    residual: Option<Number>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    first_order: Option<f64>,
+    first_order: Option<Number>,
 }
 
 #[derive(Serialize)]
@@ -72,7 +73,7 @@ struct MistakeEntry<'a> {
 /// the common factor as `scale` and `scale_meaning`, `mistakes` (`name`, `explanation`, and how many numbers miss so many
 /// `digits` beside the reference, `faults`, and beside what the mistake gives, `faults_left`), `histogram` (how many
 /// numbers have 0, 1, …, 17 whole digits), `worst_rows`. Exact numbers are strings: p/q of coefficients, decimals of what
-/// is irrational. What is infinite or absent is null.
+/// is irrational. What is infinite is "inf", what is absent null.
 ///
 /// ```
 /// use stellate::check::compare_coefficients;
@@ -118,8 +119,8 @@ fn document(found: &Comparison, mark: Option<u32>) -> Document<'_> {
         what: what(found),
         compared: found.rows.len(),
         worst: found.worst(1).first().map(|row| entry(row, found.in_space)),
-        median_digits: found.median_digits(),
-        digits_lost: found.digits_lost(),
+        median_digits: found.median_digits().map(Number),
+        digits_lost: found.digits_lost().map(Number),
         mark,
         below: found.failures(mark).len(),
         passes: found.passes(mark),
@@ -136,16 +137,16 @@ fn document(found: &Comparison, mark: Option<u32>) -> Document<'_> {
 
 fn entry(row: &Row, in_space: bool) -> Entry {
     Entry {
-        digits: row.deviation.digits(),
-        ulps: row.deviation.ulps,
+        digits: Number(row.deviation.digits()),
+        ulps: Number(row.deviation.ulps),
         r#where: place(row, in_space),
         got: format!("{:?}", row.got),
         exact: row.exact.as_ref().map(|q| match row.place {
             Place::Term(_) => q.to_string(),
             _ => shown(q),
         }),
-        residual: row.residual.map(|r| r.value),
-        first_order: row.residual.map(|r| r.first_order),
+        residual: row.residual.map(|r| Number(r.value)),
+        first_order: row.residual.map(|r| Number(r.first_order)),
     }
 }
 

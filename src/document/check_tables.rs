@@ -27,6 +27,7 @@ pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<
     let rows = read_doubles(text, source_name, columns)?;
     let point = |(line, row): (usize, Vec<f64>)| GivenPoint {
         line,
+        // In the plane z = 0.
         position: std::array::from_fn(|i| row.get(i).copied().unwrap_or_default()),
     };
     Ok(rows.into_iter().map(point).collect())
@@ -45,11 +46,10 @@ pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<
 /// As [`read_points_csv`].
 pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>> {
     let rows = read_doubles(text, source_name, &["theta", "r"])?;
-    let at = |row: &[f64], i: usize| row.get(i).copied().unwrap_or_default();
     let radius = |(line, row): (usize, Vec<f64>)| GivenRadius {
         line,
-        theta: at(&row, 0),
-        r: at(&row, 1),
+        theta: row[0],
+        r: row[1],
     };
     Ok(rows.into_iter().map(radius).collect())
 }

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::powers::{in_powers, units};
 use super::terms::Notation;
 use super::{Format, SCHEMA};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{Basis, Expansion, Parameter, ParametricCurve, Patch, quotient_in_harmonics};
@@ -27,7 +28,7 @@ impl<const N: usize> From<&ParametricCurve<N>> for Coordinates {
     fn from(curve: &ParametricCurve<N>) -> Self {
         let sparse = |f: &IntegerPolynomial| {
             let terms = f.coefficients_asc().iter().enumerate();
-            let power = |k: usize| u32::try_from(k).unwrap_or(u32::MAX);
+            let power = |k: usize| u32::try_from(k).invariant("a degree is below 2^32");
             SparsePolynomial::from_terms(terms.map(|(k, c)| ([power(k), 0], Rational::from(c))))
         };
         let both = |f: &RationalFunction| [sparse(f.numerator()), sparse(f.denominator())];
@@ -138,7 +139,8 @@ impl Coordinates {
             let others = self.in_powers(&above, format);
             // The shortest; harmonics where it makes no difference.
             let all = std::iter::once(harmonics).chain(others);
-            return all.min_by_key(String::len).unwrap_or_default();
+            let shortest = all.min_by_key(String::len);
+            return shortest.invariant("the harmonics are one of the texts");
         }
         let (p, q) = (text(&above), text(&below));
         if format == Format::Latex {

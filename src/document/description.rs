@@ -25,13 +25,13 @@ struct Document<'a> {
     method: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     step: Option<usize>,
-    factors: Vec<FactorEntry>,
+    factors: Option<Vec<FactorEntry>>,
     origin_multiplicity: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonics: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     star_shaped: Option<bool>,
-    irreducible: bool,
+    irreducible: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
     perfect_square: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -195,12 +195,20 @@ fn document<'a>(
         origin_multiplicity: d.origin_multiplicity,
         harmonics: fourier.map(|f| f.radius.harmonics()),
         star_shaped: fourier.map(FourierDescription::star_shaped),
-        irreducible: matches!(&d.factors[..], [only] if only.multiplicity == 1),
+        irreducible: d
+            .factors
+            .as_ref()
+            .map(|factors| matches!(&factors[..], [only] if only.multiplicity == 1)),
         factors: d
             .factors
-            .iter()
-            .map(FactorEntry::new)
-            .collect::<io::Result<_>>()?,
+            .as_ref()
+            .map(|factors| {
+                factors
+                    .iter()
+                    .map(FactorEntry::new)
+                    .collect::<io::Result<_>>()
+            })
+            .transpose()?,
         perfect_square: fourier.map(|f| f.perfect_square),
         positive,
         notes,
@@ -275,9 +283,10 @@ fn write_text(d: &Document, out: &mut dyn Write) -> io::Result<()> {
             yes_no(star_shaped)
         )?;
     }
-    writeln!(out, "irreducible over Q: {}", yes_no(d.irreducible))?;
-    for factor in &d.factors {
-        if d.irreducible {
+    let irreducible = d.irreducible.map_or("not decided", yes_no);
+    writeln!(out, "irreducible over Q: {irreducible}")?;
+    for factor in d.factors.iter().flatten() {
+        if d.irreducible == Some(true) {
             writeln!(out, "proof: {}", factor.proof)?;
         } else {
             let text = factor.short_text();

@@ -6,7 +6,7 @@ use malachite::Integer;
 
 use super::Format;
 use crate::exact::Rational;
-use crate::parametrize::Expression;
+use crate::parametrize::{Condition, Expression, Relation};
 use crate::poly::{BinaryForm, Form};
 
 /// How tightly an expression binds: what it may stand in without parentheses.
@@ -42,6 +42,37 @@ pub(super) fn equation_text(forms: &[BinaryForm], step: usize, format: Format) -
         format!("{}{times}{power}", parenthesized(&text, format))
     });
     terms.collect::<Vec<_>>().join(" + ")
+}
+
+/// A condition as a SymPy expression, true or false in every direction.
+///
+/// That a formula is not negative is asked of its real part, so that it can be asked where the formula is not real, too.
+pub(super) fn condition_text(condition: &Condition) -> String {
+    let all = |name: &str, parts: &[Condition]| {
+        let parts: Vec<String> = parts.iter().map(condition_text).collect();
+        format!("{name}({})", parts.join(", "))
+    };
+    match condition {
+        Condition::All(parts) if parts.is_empty() => "true".into(),
+        Condition::All(parts) if parts.len() == 1 => condition_text(&parts[0]),
+        Condition::All(parts) => all("And", parts),
+        Condition::Any(parts) => all("Or", parts),
+        Condition::Not(part) => format!("Not({})", condition_text(part)),
+        Condition::Form(form, relation) => {
+            let name = match relation {
+                Relation::Zero => "Eq",
+                Relation::NotZero => "Ne",
+                Relation::Positive => "Gt",
+                Relation::Negative => "Lt",
+                Relation::AtLeastZero => "Ge",
+                Relation::AtMostZero => "Le",
+            };
+            format!("{name}({}, 0)", form_text(form, Format::Sympy).0)
+        }
+        Condition::NotNegative(expression) => {
+            format!("Ge(re({}), 0)", expression_text(expression, Format::Sympy))
+        }
+    }
 }
 
 fn written<F: Form>(expression: &Expression<F>, format: Format) -> (String, Strength) {

@@ -2,8 +2,10 @@
 
 use std::io::{self, Write};
 
+use super::json::Number;
 use super::terms::Notation;
 use super::{Format, SCHEMA, center_comment};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::shape::FourierRadius;
 
@@ -25,12 +27,8 @@ pub struct FitReport {
 impl FitReport {
     fn fields(&self) -> [(&'static str, String); 5] {
         let number = |value: f64| {
-            // JSON has no infinity.
-            if value.is_finite() {
-                format!("{value:?}")
-            } else {
-                "null".into()
-            }
+            let text = serde_json::to_string(&Number(value));
+            text.invariant("a number is written as JSON")
         };
         [
             ("max_radial_error", number(self.max_radial_error)),

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use super::in_order::write_in_order;
 use super::terms::{Notation, Number, append_word};
 use super::{Format, SCHEMA, center_comment};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
@@ -54,7 +55,7 @@ pub fn write_implicit(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let f = curve.polynomial();
-    let exponent = |e: usize| u32::try_from(e).unwrap_or(u32::MAX);
+    let exponent = |e: usize| u32::try_from(e).invariant("a degree is below 2^32");
     let terms = f.integer_terms().map(|((i, j), c)| {
         let coefficient = match f.denominator() {
             d if *d == 1 => Number::from(c),

@@ -4,21 +4,24 @@ use serde_json::{Value, json};
 
 use super::implicit::polynomial_text;
 use super::{Annotations, Coordinates, Format};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::implicitize::{
     Coverage, IsolatedPoint, PlaneEquation, PointBeyond, PolarFactor, PolarInverse, PolarPatch,
-    PolarPlane, PolarSpaceCurve, PolarSurface, RealImage, SpaceCurveEquations, SurfaceEquation,
+    PolarPlane, PolarSpaceCurve, PolarSurface, RealImage, Run, SpaceCurveEquations,
+    SurfaceEquation,
 };
 use crate::shape::ParametricCurve;
 
 impl Annotations {
     /// Of the equation of a plane curve.
     #[must_use]
-    pub fn of_plane(equation: &PlaneEquation) -> Self {
+    pub fn of_plane(equation: &PlaneEquation, run: Run) -> Self {
         let mut annotations = Self::default();
-        let degree = equation.curve.polynomial().degree().unwrap_or(0);
+        let degree = equation.curve.polynomial().degree();
+        let degree = degree.invariant("an equation is not 0");
         annotations.irreducible(degree as u64);
-        annotations.tracing_index(equation.tracing_index);
+        annotations.tracing_index(run.count(equation.tracing_index));
         annotations
     }
 
@@ -31,10 +34,14 @@ impl Annotations {
 
     /// Of the equation of a patch.
     #[must_use]
-    pub fn of_patch(equation: &SurfaceEquation) -> Self {
+    pub fn of_patch(equation: &SurfaceEquation, run: Run) -> Self {
         let mut annotations = Self::default();
-        annotations.irreducible(equation.surface.polynomial().degree().unwrap_or(0));
-        match equation.tracing_index {
+        let degree = equation.surface.polynomial().degree();
+        annotations.irreducible(degree.invariant("an equation is not 0"));
+        match equation
+            .tracing_index
+            .and_then(|index| run.checked_count(index))
+        {
             Some(index) => {
                 annotations.notes.push(format!(
                     "tracing index {index}: a general point of the surface has {index} parameter {} (complex ones \
@@ -55,7 +62,7 @@ impl Annotations {
 
     /// Of the equations of a space curve.
     #[must_use]
-    pub fn of_space_curve(equations: &SpaceCurveEquations) -> Self {
+    pub fn of_space_curve(equations: &SpaceCurveEquations, run: Run) -> Self {
         let mut annotations = Self::default();
         annotations.notes.push(format!(
             "these equations generate all polynomials that vanish on the curve: they cut out the curve alone, of degree {}",
@@ -66,20 +73,51 @@ impl Annotations {
             .push(("curve_degree", json!(equations.degree)));
         // These surfaces have nothing else in common; what the paper's two have is added with them.
         annotations.fields.push(("components", json!([])));
-        annotations.tracing_index(equations.tracing_index);
+        annotations.tracing_index(run.count(equations.tracing_index));
         annotations
     }
 
     fn tracing_index(&mut self, index: usize) {
-        let times = match index {
-            1 => "once".into(),
-            2 => "twice".into(),
-            n => format!("{n} times"),
-        };
         self.notes.push(format!(
-            "tracing index {index}: the parametrization runs over the curve {times}"
+            "tracing index {index}: the parametrization runs over the curve {}",
+            times(index)
         ));
         self.fields.push(("tracing_index", json!(index)));
+    }
+
+    /// Adds how many real values of the parameter have a general point of what they reach: one number, or several if that
+    /// is not the same everywhere; `counts` and `tracing_index` count values of s. It is said in words only if it is another
+    /// number than the tracing index.
+    pub fn add_real_tracing(&mut self, counts: Option<&[usize]>, run: Run, tracing_index: usize) {
+        let counts: Option<Vec<usize>> =
+            counts.map(|counts| counts.iter().map(|&count| run.count(count)).collect());
+        let tracing_index = run.count(tracing_index);
+        let index = match counts.as_deref() {
+            Some([index]) => {
+                if *index != tracing_index {
+                    self.notes.push(format!(
+                        "real tracing index {index}: real values of the parameter run {} over what they reach",
+                        times(*index)
+                    ));
+                }
+                json!(index)
+            }
+            Some(several) => {
+                let all: Vec<String> = several.iter().map(|&k| times(k)).collect();
+                self.notes.push(format!(
+                    "there is no one real tracing index: real values of the parameter run over some arcs of the curve {}",
+                    all.join(", over others ")
+                ));
+                self.fields.push(("real_tracing_indices", json!(several)));
+                Value::Null
+            }
+            None => {
+                self.notes
+                    .push("the real tracing index was not found".into());
+                Value::Null
+            }
+        };
+        self.fields.push(("real_tracing_index", index));
     }
 
     /// Adds the form that the equation came from.
@@ -100,10 +138,13 @@ impl Annotations {
         &mut self,
         curve: &ParametricCurve<N>,
         image: &RealImage<N>,
+        run: Run,
+        tracing_index: usize,
     ) {
+        self.add_real_tracing(image.real_counts.as_deref(), run, tracing_index);
         let name = curve.parameter().name();
         let exact = |p: &[Rational; N]| tuple(p.iter().map(ToString::to_string));
-        let near = |p: &[f64; N]| format!("≈ {}", tuple(p.iter().map(|v| format!("{v:.12}"))));
+        let near = |p: &[f64; 2]| format!("≈ {}", tuple(p.iter().map(|v| format!("{v:.12}"))));
         let mut beyond = Vec::new();
         if let Some(point) = &image.approached {
             let point = exact(point);
@@ -131,7 +172,7 @@ impl Annotations {
         }
         for point in &image.isolated.points {
             let point = match point {
-                IsolatedPoint::Exact(point) => exact(point),
+                IsolatedPoint::Exact(point) => tuple(point.iter().map(ToString::to_string)),
                 IsolatedPoint::Near(point) => near(point),
             };
             self.notes.push(format!(
@@ -248,6 +289,15 @@ impl Annotations {
         self.fields.push(("polar", json!({"surfaces": surfaces})));
         self.fields.retain(|(name, _)| *name != "components");
         self.fields.push(("components", json!(components)));
+    }
+}
+
+/// Once, twice, three times …
+fn times(count: usize) -> String {
+    match count {
+        1 => "once".into(),
+        2 => "twice".into(),
+        n => format!("{n} times"),
     }
 }
 

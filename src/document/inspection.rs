@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::angles::{Range, ranges, ranges_text};
+use super::json::Number;
 use super::{Format, SCHEMA};
 use crate::exact::Rational;
 use crate::inspect::{Inspection, Verdict};
@@ -129,9 +130,8 @@ struct Entry<'a> {
     z: Option<&'a str>,
     verdict: &'static str,
     curve: Option<bool>,
-    distance_low: f64,
-    /// null for infinity
-    distance_high: Option<f64>,
+    distance_low: Number,
+    distance_high: Number,
     #[serde(skip_serializing_if = "Option::is_none")]
     ranges: Option<Vec<Range>>,
 }
@@ -212,8 +212,8 @@ impl InspectionWriter {
                     z: point.written.get(2).copied(),
                     verdict,
                     curve: found.curve,
-                    distance_low: low,
-                    distance_high: high.is_finite().then_some(high),
+                    distance_low: Number(low),
+                    distance_high: Number(high),
                     ranges: point.ranges.as_ref().map(|list| ranges(list, self.digits)),
                 };
                 out.write_all(if is_first { b"\n" } else { b",\n" })?;

@@ -1,5 +1,6 @@
 //! JSON documents: reading, with the place of whatever is wrong.
 
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
@@ -13,6 +14,21 @@ use crate::language::{
 };
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, FourierRadius};
+
+/// A double as it stands in documents: a number, or for the infinite ones `"inf"` and `"-inf"`, because JSON has no such
+/// numbers. What is not a number is null.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Number(pub(crate) f64);
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        match self.0 {
+            f64::INFINITY => serializer.serialize_str("inf"),
+            f64::NEG_INFINITY => serializer.serialize_str("-inf"),
+            finite => serializer.serialize_f64(finite),
+        }
+    }
+}
 
 /// Reads a document of kind `implicit`, `fourier` or `superquadric`, or of a `parametric` one the exact Fourier
 /// radius of the first branch, the fit, or the superquadric. Fields that are not known are ignored.

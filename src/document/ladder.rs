@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::check::tenths;
+use super::json::Number;
 use super::{Format, SCHEMA};
 use crate::check::{DigitsKept, Rung};
 
@@ -23,13 +24,13 @@ struct RungEntry {
     coefficient_digits: Kept,
     digits_near_the_curve: Kept,
     radius_digits: Kept,
-    sign_distance: Option<f64>,
+    sign_distance: Option<Number>,
 }
 
 #[derive(Serialize)]
 struct Kept {
-    worst: f64,
-    median: f64,
+    worst: Number,
+    median: Number,
 }
 
 /// Writes what doubles keep for growing N: text, JSON of kind `check` with `what` = `self`, or CSV.
@@ -63,8 +64,8 @@ fn degree(rung: &Rung) -> usize {
 
 fn entry(rung: &Rung) -> RungEntry {
     let kept = |k: DigitsKept| Kept {
-        worst: k.worst,
-        median: k.median,
+        worst: Number(k.worst),
+        median: Number(k.median),
     };
     RungEntry {
         harmonics: rung.harmonics,
@@ -72,7 +73,7 @@ fn entry(rung: &Rung) -> RungEntry {
         coefficient_digits: kept(rung.coefficients),
         digits_near_the_curve: kept(rung.near),
         radius_digits: kept(rung.radii),
-        sign_distance: rung.sign_distance,
+        sign_distance: rung.sign_distance.map(Number),
     }
 }
 

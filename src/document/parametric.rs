@@ -58,6 +58,9 @@ struct BranchEntry {
     roots: Vec<RootEntry>,
     ranges: Vec<Range>,
     positive: Vec<Range>,
+    /// `everywhere` if the formula is real in the ranges alone, `ranges` if it may be real elsewhere, where it is another
+    /// branch's root or none.
+    valid: &'static str,
 }
 
 /// Writes the polar form of a curve: expressions for r, x and y of every branch, where r is real and
@@ -204,9 +207,13 @@ fn write_text(
     for (index, branch) in curve.branches.iter().enumerate() {
         let real = ranges_text(&ranges(&branch.real, digits));
         let positive = ranges_text(&ranges(&branch.positive, digits));
+        let valid = match branch.radius {
+            Radius::Closed(_) if !branch.holds_where_real => "; the formula holds there only",
+            _ => "",
+        };
         writeln!(
             out,
-            "# branch {index}: r real for {real}; r > 0 for {positive}"
+            "# branch {index}: r real for {real}; r > 0 for {positive}{valid}"
         )?;
         match radius_text(&branch.radius, Format::Text) {
             Some(radius) => {
@@ -281,5 +288,15 @@ fn entry(
         },
         ranges: ranges(&branch.real, digits),
         positive: ranges(&branch.positive, digits),
+        valid: validity(branch.holds_where_real),
+    }
+}
+
+/// The field `valid` of a branch.
+pub(super) fn validity(holds_where_real: bool) -> &'static str {
+    if holds_where_real {
+        "everywhere"
+    } else {
+        "ranges"
     }
 }

@@ -4,7 +4,9 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::json::Number;
 use super::{Format, SCHEMA, center_comment};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::sample::{Direction, Ray, Sample, SpaceDirection, UnitVector};
 
@@ -40,11 +42,11 @@ struct Point {
     branch: usize,
     #[serde(flatten)]
     direction: Line,
-    r: f64,
-    x: f64,
-    y: f64,
+    r: Number,
+    x: Number,
+    y: Number,
     #[serde(skip_serializing_if = "Option::is_none")]
-    z: Option<f64>,
+    z: Option<Number>,
     multiplicity: usize,
 }
 
@@ -147,13 +149,14 @@ fn points<D, const V: usize>(
 }
 
 fn point<D: NominalAngles<V>, const V: usize>((ray, p): (&SampledRay<D, V>, &Sample<V>)) -> Point {
-    let coordinate = |i: usize| p.position.get(i).copied();
+    let coordinate = |i: usize| p.position.get(i).copied().map(Number);
+    let needed = |i: usize| coordinate(i).invariant("a point has at least two coordinates");
     Point {
         branch: p.branch,
         direction: line(&ray.direction),
-        r: p.r,
-        x: coordinate(0).unwrap_or_default(),
-        y: coordinate(1).unwrap_or_default(),
+        r: Number(p.r),
+        x: needed(0),
+        y: needed(1),
         z: coordinate(2),
         multiplicity: p.multiplicity,
     }
@@ -162,7 +165,10 @@ fn point<D: NominalAngles<V>, const V: usize>((ray, p): (&SampledRay<D, V>, &Sam
 fn line<D: NominalAngles<V>, const V: usize>(direction: &D) -> Line {
     let (theta, phi) = direction.angles();
     let mut unit = direction.components().into_iter().map(|u| u.to_string());
-    let mut next = || unit.next().unwrap_or_default();
+    let mut next = || {
+        unit.next()
+            .invariant("a direction has a component for every coordinate")
+    };
     Line {
         theta,
         phi,

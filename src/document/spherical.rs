@@ -7,7 +7,9 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::angles::{Range, ranges, ranges_text_of};
-use super::expression::{expression_text, form_text};
+use super::expression::{condition_text, expression_text, form_text};
+use super::json::Number;
+use super::parametric::validity;
 use super::{Annotations, Format, SCHEMA, write_space_superquadric, write_surface};
 use crate::parametrize::{
     DirectionAnswer, MeridianBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource,
@@ -77,7 +79,10 @@ struct BranchEntry {
     latex: String,
     sympy: String,
     coordinates: Coordinates,
+    /// Where the formula is real and the root that it is meant to be, in SymPy syntax.
     condition: String,
+    condition_in_words: String,
+    valid: &'static str,
 }
 
 #[derive(Serialize)]
@@ -111,7 +116,7 @@ struct DirectionEntry {
     /// The sign of R on every branch, null where it is not real.
     signs: Vec<Option<i8>>,
     /// The certified radii of every factor; null where the whole line belongs to it.
-    radii: Vec<Option<Vec<f64>>>,
+    radii: Vec<Option<Vec<Number>>>,
 }
 
 /// Writes the spherical form of a surface: expressions for R, x, y and z of every branch with the condition under
@@ -201,7 +206,11 @@ fn write_text(
         writeln!(out, "# note: {note}")?;
     }
     for (index, branch) in surface.branches.iter().enumerate() {
-        writeln!(out, "# branch {index}: real {}", branch.condition)?;
+        let valid = match branch.holds_where_real {
+            true => "",
+            false => "; the formula holds there only",
+        };
+        writeln!(out, "# branch {index}: real {}{valid}", branch.condition)?;
         let hidden = if index > 0 { "# " } else { "" };
         writeln!(
             out,
@@ -307,7 +316,9 @@ fn document(
                 z: format!("({sympy})*cos(phi)"),
             },
             sympy,
-            condition: branch.condition.clone(),
+            condition: condition_text(&branch.real_where),
+            condition_in_words: branch.condition.clone(),
+            valid: validity(branch.holds_where_real),
         }
     });
     Ok(Document {
@@ -375,7 +386,7 @@ fn meridian_entry(meridian: &WrittenMeridian, digits: u32) -> MeridianEntry {
 fn direction_entry(written: &WrittenDirection) -> DirectionEntry {
     let radii = written.rays.iter().map(|ray| match ray {
         Ray::Line => None,
-        Ray::Points(points) => Some(points.iter().map(|p| p.r).collect()),
+        Ray::Points(points) => Some(points.iter().map(|p| Number(p.r)).collect()),
     });
     DirectionEntry {
         theta: written.direction.theta().theta(),

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::json::Number;
 use super::terms::Notation;
 use super::{SCHEMA, center_comment};
 use crate::check::{CoefficientVector, PointVector, RadiusVector, TestVectors, VectorInput};
@@ -26,7 +27,7 @@ struct Document {
 /// A double, and the same bit for bit.
 #[derive(Serialize)]
 struct Double {
-    double: f64,
+    double: Number,
     hex: String,
 }
 
@@ -43,14 +44,14 @@ struct CoefficientEntry {
     exact: String,
     #[serde(flatten)]
     nearest: Double,
-    condition: Option<f64>,
+    condition: Option<Number>,
 }
 
 #[derive(Serialize)]
 struct RadiusEntry {
     theta: Double,
     r: Double,
-    condition: f64,
+    condition: Number,
 }
 
 #[derive(Serialize)]
@@ -59,7 +60,7 @@ struct PointEntry {
     r: Double,
     position: Vec<Double>,
     multiplicity: usize,
-    condition: f64,
+    condition: Number,
 }
 
 /// Writes test vectors as a JSON document of kind `vectors`.
@@ -69,8 +70,8 @@ struct PointEntry {
 /// (`hex`). `coefficients` have the exact value `p/q`, the nearest double and the condition with respect to the
 /// inputs; `radii` the double nearest to r(θ), θ being the double given; `points` an exact direction, and the doubles
 /// nearest to r and to the coordinates, with the condition of the root with respect to the coefficients. A condition
-/// of K lets an output be off by K times the relative error of the inputs, to first order: log₁₀ K digits; null is
-/// infinite, or unknown where there are no inputs.
+/// of K lets an output be off by K times the relative error of the inputs, to first order: log₁₀ K digits; null where
+/// there are no inputs. What is infinite is `"inf"`.
 ///
 /// # Errors
 /// Those of `out`.
@@ -102,7 +103,7 @@ pub fn write_vectors(vectors: &TestVectors, out: &mut dyn Write) -> io::Result<(
 
 fn double(value: f64) -> Double {
     Double {
-        double: value,
+        double: Number(value),
         hex: hex_literal(value),
     }
 }
@@ -132,7 +133,7 @@ fn coefficient(vector: &CoefficientVector, axes: usize) -> CoefficientEntry {
         exponents: vector.exponents[..axes].to_vec(),
         exact: vector.exact.to_string(),
         nearest: double(vector.double),
-        condition: vector.condition.as_ref().map(|c| c.to_f64()),
+        condition: vector.condition.as_ref().map(|c| Number(c.to_f64())),
     }
 }
 
@@ -140,7 +141,7 @@ fn radius(vector: &RadiusVector) -> RadiusEntry {
     RadiusEntry {
         theta: double(vector.theta),
         r: double(vector.r),
-        condition: vector.condition,
+        condition: Number(vector.condition),
     }
 }
 
@@ -153,6 +154,6 @@ fn point(vector: &PointVector, axes: usize) -> PointEntry {
         r: double(vector.r),
         position: vector.position[..axes].iter().map(|v| double(*v)).collect(),
         multiplicity: vector.multiplicity,
-        condition: vector.condition,
+        condition: Number(vector.condition),
     }
 }

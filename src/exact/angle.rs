@@ -5,14 +5,17 @@ use malachite::base::num::arithmetic::traits::{FloorSqrt, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 
 use super::Rational;
+use crate::error::Invariant;
 
-/// Bits carried beyond those asked for; the error of a few hundred roundings is far below 2³².
+/// Bits carried beyond those asked for. The bounds hold whatever this is, because the error is counted; that they are no
+/// wider than promised asks for an error below 2^48 units, which is so for fewer than 2^37 terms of the series.
+/// Law: `the_bounds_are_as_narrow_as_promised`.
 const GUARD_BITS: u32 = 48;
 
 /// How often the argument is halved before the series is summed.
 const HALVINGS: u32 = 8;
 
-/// Certified bounds `low ≤ atan(q) ≤ high` with `high − low = 2^(1−bits)`.
+/// Certified bounds `low ≤ atan(q) ≤ high` with `high − low ≤ 2^(1−bits)`.
 ///
 /// Fixed-point arithmetic: atan q = 2⁸ atan q' after eight half-angle steps
 /// q' = q / (1 + √(1 + q²)), then the alternating series. Cost: about `bits`/16 products of `bits` bits.
@@ -25,10 +28,9 @@ const HALVINGS: u32 = 8;
 #[must_use]
 pub fn arctangent(q: &Rational, bits: u32) -> (Rational, Rational) {
     let precision = bits + GUARD_BITS;
-    let value = fixed_arctangent(q, precision);
-    let width = Integer::ONE << GUARD_BITS;
+    let Approximation { value, error } = fixed_arctangent(q, precision);
     let bound = |v: Integer| Rational::from_parts(v, -i64::from(precision));
-    (bound(&value - &width), bound(value + width))
+    (bound(&value - &error), bound(value + error))
 }
 
 /// Certified bounds of π, as [`arctangent`].
@@ -39,24 +41,53 @@ pub fn pi(bits: u32) -> (Rational, Rational) {
     (low * &four, high * four)
 }
 
-/// atan(q)·2^precision, up to 2⁴⁰ or so units.
-fn fixed_arctangent(q: &Rational, precision: u32) -> Integer {
+/// A whole number of units near an exact number, and how far away that is at most.
+struct Approximation {
+    value: Integer,
+    error: Integer,
+}
+
+/// atan(q)·2^precision, with the error of every step counted.
+///
+/// Lemma. In units of 2^−precision, for 0 ≤ q ≤ 1:
+/// - Cutting q to a whole number is an error below 1.
+/// - A half-angle step takes an error e to at most ⌈e/2⌉ + 2. Its derivative is at most 1/2; cutting the root makes the
+///   denominator, at least 2·2^precision, smaller by less than 1, and the quotient, at most 2^precision/2, larger by less than
+///   1; cutting the quotient is below 1.
+/// - With x < 2^−7 every power x^k is at most 2 too small: an error of 2 is multiplied by x² < 2^−14, that of the square, below
+///   1, by x^(k−2) < 2^−7, and the product is cut, 2·2^−14 + 2^−7 + 1 < 2. So a term beyond the first is off by less than
+///   2/k + 1 < 2. The first power that is cut to 0 is below 3, and so is all that follows.
+/// - The derivative of atan is at most 1, and the doublings at the end multiply all of it.
+///
+/// For q > 1 it is π/2 − atan(1/q), with the errors added.
+///
+/// Law: `the_error_is_counted`.
+fn fixed_arctangent(q: &Rational, precision: u32) -> Approximation {
     if q.signum() < 0 {
-        return -fixed_arctangent(&-q.clone(), precision);
+        let Approximation { value, error } = fixed_arctangent(&-q.clone(), precision);
+        return Approximation {
+            value: -value,
+            error,
+        };
     }
     if *q > Rational::one() {
-        // π/2 − atan(1/q)
-        let rest = fixed_arctangent(&q.recip().unwrap_or_default(), precision);
+        let inverse = q.recip().invariant("a number above 1 is not 0");
+        let rest = fixed_arctangent(&inverse, precision);
         let quarter = fixed_arctangent(&Rational::one(), precision);
-        return (quarter << 1u64) - rest;
+        return Approximation {
+            value: (quarter.value << 1u64) - rest.value,
+            error: (quarter.error << 1u64) + rest.error,
+        };
     }
     let one = Integer::ONE << precision;
     let mut x = (q * &Rational::from(&one)).floor();
+    let mut error = 1u64;
     for _ in 0..HALVINGS {
         let hypotenuse = ((&one).square() + (&x).square()).floor_sqrt();
         x = (x << precision) / (&one + hypotenuse);
+        error = error.div_ceil(2) + 2;
     }
-    // x − x³/3 + x⁵/5 − …, x < 2⁻⁸
+    // x − x³/3 + x⁵/5 − …, x < 2⁻⁷
     let square = (&x).square() >> precision;
     let mut power = x;
     let mut sum = Integer::ZERO;
@@ -64,14 +95,22 @@ fn fixed_arctangent(q: &Rational, precision: u32) -> Integer {
     while power != 0 {
         let term = &power / Integer::from(k);
         if k % 4 == 1 {
-            sum += term
+            sum += term;
         } else {
-            sum -= term
+            sum -= term;
+        }
+        if k > 1 {
+            error += 2;
         }
         power = (power * &square) >> precision;
         k += 2;
     }
-    sum << HALVINGS
+    // What is cut off.
+    error += 3;
+    Approximation {
+        value: sum << HALVINGS,
+        error: Integer::from(error) << HALVINGS,
+    }
 }
 
 #[cfg(test)]
@@ -85,6 +124,49 @@ mod tests {
         let digits = "3.14159265358979323846264338327950288419716939937511";
         assert_eq!(low.to_decimal(50), digits);
         assert_eq!(high.to_decimal(50), digits);
+    }
+
+    /// Whether the value of this precision is as near as it says, by one of 300 bits more; and the part of the error it uses.
+    fn share_of_error(q: &Rational, precision: u32) -> f64 {
+        let [short, long] = [precision, precision + 300].map(|p| fixed_arctangent(q, p));
+        let distance = Rational::from((short.value << 300u64) - long.value).abs();
+        let allowed = short.error << 300u64;
+        // The longer one is off, too.
+        assert!(distance <= Rational::from(&allowed + long.error));
+        (distance / Rational::from(allowed)).to_f64()
+    }
+
+    #[test]
+    fn the_error_is_counted() {
+        let mut largest = 0.0f64;
+        for precision in [9, 10, 16, 17, 31, 32, 33, 49, 64, 65, 200, 1000] {
+            let ends = [0i64, 1, 2, 3].map(Rational::from);
+            let unit = Rational::from_parts(Integer::ONE, -i64::from(precision));
+            let near = ends.iter().flat_map(|q| {
+                let below = &unit * &Rational::from_parts(Integer::ONE, -3);
+                [q.clone(), q + &below, q - &below, q + &unit, q - &unit]
+            });
+            let inner = (1..40).map(|k| Rational::from(k) / Rational::from(41));
+            for q in near.chain(inner) {
+                largest = largest.max(share_of_error(&q, precision));
+            }
+        }
+        assert!(largest > 0.125, "{largest}");
+    }
+
+    #[test]
+    fn the_bounds_are_as_narrow_as_promised() {
+        for bits in [1, 10, 100, 1000, 20_000] {
+            for q in [
+                Rational::one(),
+                Rational::from(7),
+                Rational::from(1) / Rational::from(3),
+            ] {
+                let (low, high) = arctangent(&q, bits);
+                let promised = Rational::from_parts(Integer::ONE, 1 - i64::from(bits));
+                assert!(high - low <= promised, "{bits} bits");
+            }
+        }
     }
 
     proptest! {

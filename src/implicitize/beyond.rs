@@ -4,6 +4,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, SparsePolynomial, real_roots};
 use crate::shape::{Basis, ImplicitSurface, Patch, quotient_in_harmonics};
@@ -80,11 +81,13 @@ fn on_a_line(
     let mut sum = SparsePolynomial::<1>::zero();
     for (e, c) in f.terms() {
         let value = given.iter().fold(c.clone(), |value, (k, x)| {
-            value * x.pow(i64::from(e[*k])).unwrap_or_default()
+            let power = x.pow(i64::from(e[*k]));
+            value * power.invariant("an exponent is not negative")
         });
         sum.add_term([e[third]], value);
     }
     let sum = sum.primitive();
+    // 0 for the zero polynomial.
     let length = sum
         .terms()
         .map(|(e, _)| e[0] as usize + 1)

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::residue_expansion::middle_and_low_by_residues;
 use super::summed::SummedHarmonics;
+use crate::error::Invariant;
 use crate::exact::Machine;
 use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_bits};
 
@@ -21,7 +22,7 @@ use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_
 pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<BinaryForm> {
     let (middle, low) = middle_and_low(sums);
     // unit = 2^power · factor, with an odd factor that is 1 for dyadic radii
-    let power = unit.trailing_zeros().unwrap_or(0);
+    let power = unit.trailing_zeros().invariant("a unit is not 0");
     let factor = unit >> power;
     let in_middle = middle.as_ref().and_then(Part::trailing_zeros);
     let in_parts = [
@@ -29,7 +30,8 @@ pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<Bin
         in_middle.map(|zeros| zeros + power + 1),
         low.trailing_zeros(),
     ];
-    let common = in_parts.into_iter().flatten().min().unwrap_or(0);
+    let common = in_parts.into_iter().flatten().min();
+    let common = common.invariant("the part of the unit is there");
     let by = |shift: u64| shift.cast_signed() - common.cast_signed();
 
     let square = (&factor).square();

@@ -1,7 +1,7 @@
 //! How many parameter values of a patch lie on a line.
 
 use super::map::RationalMap;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{
     SparsePolynomial, SplitMix, gcd_mod, interpolate, inverse_mod, kernel_primes, power_mod,
@@ -15,7 +15,9 @@ const TRIES: usize = 5;
 /// Whether the tangent vectors are independent somewhere: proved if they are, else wrong with a probability
 /// below 10⁻⁴⁰.
 pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
-    let prime = kernel_primes().next().unwrap_or(2);
+    let prime = kernel_primes()
+        .next()
+        .invariant("there are primes below 2^31");
     let mut random = SplitMix(1);
     let map = RationalMap::of_patch(patch).modulo(prime);
     let mut tries = 0;
@@ -76,18 +78,18 @@ fn gradient(f: &PatchFunction, s: [u64; 2], prime: u64) -> [u64; 2] {
 /// # Errors
 /// What `limits` returns.
 pub(super) fn generic_fibre(patch: &Patch, limits: &Limits) -> Result<usize> {
-    let prime = kernel_primes().next().unwrap_or(2);
+    let prime = kernel_primes()
+        .next()
+        .invariant("there are primes below 2^31");
     let mut random = SplitMix(2);
     let functions = over_one_denominator(patch, limits)?;
-    let mut eliminants = Vec::new();
-    for _ in 0..2 {
+    let [second, first]: [Vec<u64>; 2] = std::array::from_fn(|_| {
         let planes: [Dense; 2] = std::array::from_fn(|_| {
             let weights: Vec<u64> = functions.iter().map(|_| random.next() % prime).collect();
             Dense::combination(&functions, &weights, prime)
         });
-        eliminants.push(eliminant(&planes, prime));
-    }
-    let [first, second] = [eliminants.pop(), eliminants.pop()].map(Option::unwrap_or_default);
+        eliminant(&planes, prime)
+    });
     if first.is_empty() || second.is_empty() {
         return Ok(0);
     }
@@ -123,7 +125,8 @@ impl Dense {
     fn combination(functions: &[SparsePolynomial<2>], weights: &[u64], prime: u64) -> Self {
         let degree = |v: usize| {
             let terms = functions.iter().flat_map(SparsePolynomial::terms);
-            terms.map(|(e, _)| e[v] as usize).max().unwrap_or(0)
+            let degree = terms.map(|(e, _)| e[v] as usize).max();
+            degree.invariant("a denominator has a term")
         };
         let mut rows = vec![vec![0; degree(0) + 1]; degree(1) + 1];
         for (f, weight) in functions.iter().zip(weights) {

@@ -6,7 +6,7 @@ use malachite::{Integer, Natural};
 use rayon::prelude::*;
 
 use super::map::{RationalMap, Terms};
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{SparsePolynomial, kernel_primes, power_mod, powers_mod, reduce_integer};
 use crate::shape::SpaceCurve;
@@ -24,11 +24,23 @@ impl RationalMap {
     /// Whether f vanishes identically on the map.
     ///
     /// With x = p1/q1 and so on, `N = f q1^a q2^b q3^c` (a, b, c the degrees; equal denominators are multiplied by
-    /// once) is a polynomial in s1 and s2 with integer coefficients, none of them larger than
-    /// `Σ |c_ijk| ‖p1‖^i ‖q1‖^(a−i) …` with sums of absolute values as norms. So it is 0 if it is 0 modulo primes
-    /// whose product is larger. Modulo a prime it is 0 if it is at more points of the curve `s2 = s1^k` than its
-    /// degree there, and k is larger than its degree in s1. Cost: for each 31 bits of the bound, (degree of N) ·
-    /// (number of terms of f) products of residues; what does not vanish is found out modulo the first prime.
+    /// once) is a polynomial in s1 and s2 with integer coefficients, and 0 exactly if f vanishes on the map.
+    ///
+    /// Lemma 1 (size). No coefficient of N is larger than `Σ |c_ijk| ‖p1‖^i ‖q1‖^(a−i) …`, with sums of absolute values as
+    /// norms; so N = 0 if it is 0 modulo primes whose product is larger than that.
+    /// Proof. This norm of a product is at most the product of the norms, and that of a sum the sum. [`Cleared::bound`] is the
+    /// logarithm of the number of terms times the largest of them, rounded up; those of the primes are rounded down.
+    /// Law: `a_product_of_primes_is_not_taken_for_zero`, with an N that is the bound itself, up to 1.
+    ///
+    /// Lemma 2 (stride). Modulo a prime, let k be larger than the degrees in s1 of N and of every denominator. Then N is 0 if
+    /// `N(s, s^k)` is at more numbers s than its degree in s, at most deg_1 N + k deg_2 N; and no denominator is 0 on the
+    /// whole curve `s2 = s1^k`, so that there are as many numbers as the prime is larger than all the degrees.
+    /// Proof. Exponents below k in s1 are digits: different terms s1^i s2^j go to different powers of s, so a polynomial
+    /// other than 0 does not become 0.
+    /// Law: `the_stride_tells_all_terms_apart`, with N and with a denominator of degree k − 1 that are 0 on `s2 = s1^(k−1)`.
+    ///
+    /// Cost: for each 31 bits of the bound, (degree of N) · (number of terms of f) products of residues; what does not vanish
+    /// is found out modulo the first prime.
     ///
     /// # Errors
     /// Those of `limits`.
@@ -104,12 +116,14 @@ impl Cleared {
         let below: Vec<(Size, u64, Vec<usize>)> = below
             .into_iter()
             .map(|(q, shared)| {
+                // 0 for the zero polynomial, which has no terms.
                 let power = f.iter().map(|(e, _)| together(e, &shared)).max();
                 (Size::of(q), power.unwrap_or(0), shared)
             })
             .collect();
         let all = map.coordinates.iter().flatten().flatten();
         let in_s1 = all.map(|(e, _)| u64::from(e[0])).max();
+        let in_s1 = in_s1.invariant("a denominator has a term");
         let mut cleared = Self {
             degrees: [0; 2],
             stride: 0,
@@ -128,7 +142,7 @@ impl Cleared {
             cleared.degrees = std::array::from_fn(|v| cleared.degrees[v].max(degrees[v]));
             cleared.bound = cleared.bound.max(bound);
         }
-        cleared.stride = 1 + cleared.degrees[0].max(in_s1.unwrap_or(0));
+        cleared.stride = 1 + cleared.degrees[0].max(in_s1);
         // The largest term, as often as there are terms.
         cleared.bound += ceiling_log(&Integer::from(f.len()));
         cleared
@@ -149,6 +163,7 @@ impl Size {
             .map(|(_, c)| c.unsigned_abs_ref())
             .sum::<Natural>();
         Self {
+            // A numerator may be 0.
             degrees: [0, 1].map(|v| degree(v).unwrap_or(0)),
             norm: ceiling_log(&Integer::from(norm)),
         }
@@ -175,13 +190,17 @@ fn vanishes_modulo(map: &RationalMap, f: &Equation, cleared: &Cleared, prime: u6
     let degree = in_s1 + cleared.stride * in_s2;
     let points = (0..prime).filter_map(|s1| map.at([s1, power_mod(s1, cleared.stride, prime)]));
     let mut count = 0;
-    for point in points.take(usize::try_from(degree).unwrap_or(usize::MAX) + 1) {
+    for point in points {
         if f.value(&point) != 0 {
             return false;
         }
         count += 1;
+        if count > degree {
+            return true;
+        }
     }
-    count > degree
+    // So many points are not there modulo this prime.
+    false
 }
 
 /// Exponents of x and their coefficients.
@@ -217,6 +236,7 @@ impl EquationModulo {
         let p = self.prime;
         let square = p * p;
         let [x, y, z] = [0, 1, 2].map(|v| {
+            // A coordinate that the curve does not have does not occur in f, either.
             let value = point.get(v).copied().unwrap_or(0);
             powers_mod(value, self.degrees[v] as usize + 1, p)
         });
@@ -315,6 +335,55 @@ mod tests {
                 prop_assert_eq!(found, annihilates_exactly(&map, &f));
                 prop_assert!(expected.is_none_or(|e| e == found));
             }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        /// x + y on (m s, n s), with m + n the product of some primes: the only coefficient is m + n, and so is its bound.
+        #[test]
+        fn a_product_of_primes_is_not_taken_for_zero(count in 1usize..9, skipped in 0usize..3, share in 1u64..1000) {
+            let primes = kernel_primes().skip(skipped).take(count);
+            let product = primes.fold(Integer::ONE, |m, p| m * Integer::from(p));
+            // Halves reach the bound, other shares lie below it by less than a bit.
+            let m = &product * Integer::from(share) / Integer::from(1000u64);
+            let linear = |c: Integer| vec![([1, 0], c)];
+            let constant = || vec![([0, 0], Integer::ONE)];
+            let [x, y] = [0, 1].map(SparsePolynomial::<3>::variable);
+            let sum = x.plus(&y);
+            for m in [m, &product >> 1u64] {
+                prop_assume!(m != 0 && m != product);
+                let coordinates = vec![
+                    [linear(m.clone()), constant()],
+                    [linear(&product - &m), constant()],
+                ];
+                let map = RationalMap { coordinates };
+                prop_assert!(!map.annihilates(&sum, &Limits::none()).unwrap());
+            }
+        }
+
+        /// f·g − f g with f = y − x^d on (s1, s2), which is 0 on s2 = s1^d and is of degree d in s1.
+        #[test]
+        fn the_stride_tells_all_terms_apart(d in 1u32..7, a in 1i64..9, b in 1i64..9) {
+            let [s1, s2] = [0, 1].map(SparsePolynomial::<2>::variable);
+            let one = SparsePolynomial::constant(Rational::one());
+            let zero_there = s2.scaled(&Rational::from(a)).minus(&s1.pow(d).scaled(&Rational::from(a)));
+            let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+            let limits = Limits::none();
+            let plane = RationalMap { coordinates: vec![[terms(&s1), terms(&one)], [terms(&s2), terms(&one)]] };
+            let f = y.minus(&x.pow(d));
+            for multiple in [f.clone(), f.times(&y), f.times(&f), f.scaled(&Rational::from(b))] {
+                prop_assert!(!plane.annihilates(&multiple, &limits).unwrap());
+            }
+            // z has its poles there, and N, of a smaller degree, does not know of them.
+            let map = RationalMap { coordinates: vec![
+                [terms(&s1), terms(&one)],
+                [terms(&s1.squared().scaled(&Rational::from(b))), terms(&one)],
+                [terms(&one), terms(&zero_there)],
+            ] };
+            let identity = y.minus(&x.squared().scaled(&Rational::from(b)));
+            prop_assert!(map.annihilates(&identity, &limits).unwrap());
+            prop_assert!(!map.annihilates(&identity.times(&z).plus(&x), &limits).unwrap());
         }
     }
 

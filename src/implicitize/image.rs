@@ -1,11 +1,15 @@
 //! Which real points of a curve real values of the parameter reach.
 
+use std::collections::BTreeSet;
+
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
+use super::eliminant::subresultant;
 use super::inverse::{Inverse, invert};
-use super::isolated::{Isolated, isolated, to_univariate_as_is};
+use super::isolated::{Isolated, isolated};
+use super::symmetric::Rows;
 use super::tracing::common_numerator;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -22,8 +26,11 @@ pub struct RealImage<const N: usize> {
     pub approached: Option<[Rational; N]>,
     /// How much of the one-dimensional part is reached.
     pub coverage: Coverage<N>,
-    /// Isolated real points: those that only two conjugate complex parameters reach.
-    pub isolated: Isolated<N>,
+    /// How many real values of s, infinity included, have a general point: one number for each piece of the curve that is
+    /// reached, ascending, each once; `None` if that is not decided.
+    pub real_counts: Option<Vec<usize>>,
+    /// Isolated real points: those that only conjugate complex parameters reach.
+    pub isolated: Isolated,
 }
 
 /// How much of the curve is reached.
@@ -43,9 +50,8 @@ pub enum Coverage<const N: usize> {
 /// - A parameter that is a number reaches infinity only in the limit.
 /// - With tracing index k > 1 the point is a function of a function m(s) of degree k (Lüroth). If k is odd, or if m
 ///   has no real turning point, real values of s reach all real values of m.
-/// - With k = 1, or in m, the finitely many other real points have two conjugate parameters s, s̄: common zeros of
-///   (x(s) − x(σ))/(s − σ) and (y(s) − y(σ))/(s − σ), written in s + σ and sσ, with (s + σ)² < 4sσ. Undecided is
-///   only a multiple irrational zero s + σ of their resultant.
+/// - With k = 1, or in m, the finitely many other real points have two conjugate parameters s, s̄ and no real one, infinity
+///   included; each of them is decided exactly. They are not looked for where the degrees are large.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -55,33 +61,88 @@ pub fn real_image<const N: usize>(
     limits: &Limits,
 ) -> Result<RealImage<N>> {
     let mut coverage = Coverage::Whole;
+    let mut counts = Some(BTreeSet::from([1]));
     let mut proper = Some(curve.coordinates().clone());
     if tracing_index > 1 {
         let common = common_numerator(curve.coordinates(), limits)?;
         let generator = generator(&common);
-        if tracing_index.is_multiple_of(2) {
-            coverage = match &generator {
-                Some(m) => turning_points(m, limits)?,
-                None => Coverage::Unknown,
-            };
-        }
+        (coverage, counts) = match &generator {
+            Some(m) => values_taken(m, limits)?,
+            None => (Coverage::Unknown, None),
+        };
         proper = match generator {
             Some(m) => in_terms_of(curve.coordinates(), &m, limits)?,
             None => None,
         };
     }
-    let isolated = match proper.filter(|_| N == 2).map(|f| isolated(&f, limits)) {
-        None | Some(Err(Error::Limit { .. })) => Isolated {
-            points: Vec::new(),
-            complete: false,
-        },
-        Some(found) => found?,
+    let isolated = match proper.as_ref().map(<[RationalFunction; N]>::as_slice) {
+        Some([x, y]) => complete_or_not(isolated([x, y], limits), limits)?,
+        // Those of a space curve are not looked for.
+        _ => None,
     };
     Ok(RealImage {
         approached: approached(curve),
         coverage,
-        isolated,
+        real_counts: counts.map(positive),
+        isolated: isolated.unwrap_or(Isolated {
+            points: Vec::new(),
+            complete: false,
+        }),
     })
+}
+
+/// How many real values of s, infinity included, have a general point of the real image: [`RealImage::real_counts`] alone.
+///
+/// # Errors
+/// Those of `limits`.
+pub fn real_counts<const N: usize>(
+    curve: &ParametricCurve<N>,
+    tracing_index: usize,
+    limits: &Limits,
+) -> Result<Option<Vec<usize>>> {
+    if tracing_index <= 1 {
+        return Ok(Some(vec![1]));
+    }
+    let common = common_numerator(curve.coordinates(), limits)?;
+    let Some(m) = generator(&common) else {
+        return Ok(None);
+    };
+    let (_, counts) = values_taken::<N>(&m, limits)?;
+    Ok(counts.map(positive))
+}
+
+fn positive(counts: BTreeSet<usize>) -> Vec<usize> {
+    counts.into_iter().filter(|&k| k > 0).collect()
+}
+
+/// `None` where a search that is too long was not made; the time limit is passed on.
+fn complete_or_not<T>(found: Result<T>, limits: &Limits) -> Result<Option<T>> {
+    match found {
+        Err(Error::Limit { .. }) => limits.check().map(|()| None),
+        found => found.map(Some),
+    }
+}
+
+/// Whether m takes all real values, and how many real s have a general one; undecided if that is too long.
+fn values_taken<const N: usize>(
+    m: &RationalFunction,
+    limits: &Limits,
+) -> Result<(Coverage<N>, Option<BTreeSet<usize>>)> {
+    let Some(counts) = complete_or_not(counts_by_value(m, limits), limits)? else {
+        let is_odd = m.degree() % 2 == 1;
+        let coverage = if is_odd {
+            Coverage::Whole
+        } else {
+            Coverage::Unknown
+        };
+        return Ok((coverage, None));
+    };
+    let coverage = if counts.contains(&0) {
+        Coverage::Part(turning_points(m))
+    } else {
+        Coverage::Whole
+    };
+    Ok((coverage, Some(counts)))
 }
 
 /// The coordinates as functions of m, which generates their field.
@@ -117,10 +178,75 @@ fn approached<const N: usize>(curve: &ParametricCurve<N>) -> Option<[Rational; N
     real_roots(&common).is_empty().then_some(limit)
 }
 
-/// Whether m runs to and fro, and then whether it takes all values.
-fn turning_points<const N: usize>(m: &RationalFunction, limits: &Limits) -> Result<Coverage<N>> {
+/// How many real s there are, infinity included, with a general real value m(s): for each interval between two critical
+/// values that is one number, and this is the set of them, 0 included.
+///
+/// The critical values are the zeros v of the resultant of the Wronskian p′q − p q′ and p − v q, and perhaps m(∞); between
+/// them the real roots of p − v q are counted at one rational v.
+fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usize>> {
     let (p, q) = (m.numerator(), m.denominator());
-    let wronskian = derivative(p) * q - p * derivative(q);
+    // By powers of s, with coefficients in v.
+    let fibre = (0..=m.degree()).map(|k| {
+        let at = |f: &IntegerPolynomial| {
+            f.coefficients_asc()
+                .get(k)
+                .cloned()
+                .unwrap_or(Integer::ZERO)
+        };
+        IntegerPolynomial::from_coefficients_asc(vec![at(p), -at(q)])
+    });
+    let constant = |c: &Integer| IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
+    let wronskian = wronskian(m);
+    let wronskian = Rows::new(wronskian.coefficients_asc().iter().map(constant).collect());
+    let mut critical =
+        subresultant([&wronskian, &Rows::new(fibre.collect())], 0, limits)?.remove(0);
+    if let Some(v) = m.evaluate_at_infinity() {
+        critical *= IntegerPolynomial::from_coefficients_asc(vec![-v.numerator(), v.denominator()]);
+    }
+    if critical == IntegerPolynomial::ZERO {
+        return Err(Error::internal(
+            "real values",
+            "a function has finitely many critical values",
+        ));
+    }
+    let mut counts = BTreeSet::new();
+    for v in between(&real_roots(&critical)) {
+        limits.check()?;
+        counts.insert(real_roots(m.plus_constant(&-v).numerator()).len());
+    }
+    Ok(counts)
+}
+
+/// A rational number in each of the intervals that some real numbers, ascending and different, bound.
+fn between(roots: &[RealRoot]) -> Vec<Rational> {
+    let (Some(first), Some(last)) = (roots.first(), roots.last()) else {
+        return vec![Rational::zero()];
+    };
+    let one = Rational::one();
+    let mut values = vec![first.bounds().0.to_rational() - &one];
+    for pair in roots.windows(2) {
+        let [mut a, mut b] = [pair[0].clone(), pair[1].clone()];
+        let mut bits = 4;
+        while a.bounds().1 >= b.bounds().0 {
+            a.refine_to_width(-bits);
+            b.refine_to_width(-bits);
+            bits *= 2;
+        }
+        values.push(a.bounds().1.midpoint(b.bounds().0).to_rational());
+    }
+    values.push(last.bounds().1.to_rational() + one);
+    values
+}
+
+/// p′q − p q′.
+fn wronskian(m: &RationalFunction) -> IntegerPolynomial {
+    let (p, q) = (m.numerator(), m.denominator());
+    derivative(p) * q - p * derivative(q)
+}
+
+/// Where m runs to and fro: roundings of exact numbers, infinite for s = ∞.
+fn turning_points(m: &RationalFunction) -> Vec<f64> {
+    let wronskian = wronskian(m);
     let degree = wronskian.coefficients_asc().len().saturating_sub(1);
     let mut turns: Vec<f64> = real_roots(&wronskian)
         .iter()
@@ -131,45 +257,7 @@ fn turning_points<const N: usize>(m: &RationalFunction, limits: &Limits) -> Resu
     if (2 * m.degree() - 2 - degree) % 2 == 1 {
         turns.push(f64::INFINITY);
     }
-    if turns.is_empty() {
-        return Ok(Coverage::Whole);
-    }
-    // Values of m between its values at the turning points: is one of them never taken?
-    let value = |s: f64| {
-        let at = |f: &IntegerPolynomial| {
-            let c = f.coefficients_asc().iter().rev();
-            c.fold(0.0, |v, c| v * s + Rational::from(c).to_f64())
-        };
-        if s.is_finite() {
-            at(p) / at(q)
-        } else {
-            m.evaluate_at_infinity()
-                .map_or(f64::INFINITY, |v| v.to_f64())
-        }
-    };
-    let mut values: Vec<f64> = turns
-        .iter()
-        .map(|&s| value(s))
-        .filter(|v| v.is_finite())
-        .collect();
-    values.sort_by(f64::total_cmp);
-    let (Some(&low), Some(&high)) = (values.first(), values.last()) else {
-        return Ok(Coverage::Unknown);
-    };
-    let mut candidates = vec![low - 1.0 - low.abs(), high + 1.0 + high.abs()];
-    candidates.extend(values.windows(2).map(|w| f64::midpoint(w[0], w[1])));
-    for v in candidates {
-        limits.check()?;
-        let Ok(v) = Rational::try_from(v) else {
-            continue;
-        };
-        let fibre = m.plus_constant(&-v);
-        let at_infinity = fibre.evaluate_at_infinity().is_some_and(|v| v.is_zero());
-        if !at_infinity && real_roots(fibre.numerator()).is_empty() {
-            return Ok(Coverage::Part(turns));
-        }
-    }
-    Ok(Coverage::Unknown)
+    turns
 }
 
 /// The quotient of two coefficients of a polynomial in s over Q(σ), not constant.
@@ -177,7 +265,13 @@ fn generator(common: &SparsePolynomial<2>) -> Option<RationalFunction> {
     let degree = common.terms().map(|(e, _)| e[0]).max()?;
     let coefficient = |k: u32| {
         let terms = common.terms().filter(|(e, _)| e[0] == k);
-        to_univariate_as_is(terms.map(|(e, c)| (e[1], c.numerator())))
+        let mut coefficients = Vec::new();
+        for (e, c) in terms {
+            let k = e[1] as usize;
+            coefficients.resize(coefficients.len().max(k + 1), Integer::ZERO);
+            coefficients[k] = c.numerator();
+        }
+        IntegerPolynomial::from_coefficients_asc(coefficients)
     };
     let lead = coefficient(degree);
     (0..degree)

@@ -6,7 +6,7 @@ use malachite::base::polynomial::Polynomial;
 use super::map::RationalMap;
 use super::tracing::common_numerator;
 use super::vanishing::vanishing;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
@@ -74,7 +74,7 @@ pub(super) fn invert(
     }
     let functions = [m.clone(), w.clone()];
     if w.degree().is_multiple_of(m.degree()) {
-        let degree = u32::try_from(w.degree() / m.degree()).unwrap_or(u32::MAX);
+        let degree = u32::try_from(w.degree() / m.degree()).invariant("a degree is below 2^32");
         let powers = |y: u32| (0..=degree).map(move |k| [k, y, 0]);
         let monomials: Vec<[u32; 3]> = powers(0).chain(powers(1)).collect();
         let map = RationalMap::of_functions(&functions);
@@ -92,5 +92,6 @@ pub(super) fn invert(
     }
     let common = common_numerator(&functions, limits)?;
     let shared = common.terms().map(|(e, _)| e[0] as usize).max();
-    Ok(Inverse::Values(m.degree() / shared.unwrap_or(1).max(1)))
+    let shared = shared.invariant("what m(s) - m(t) has in common with another is not 0");
+    Ok(Inverse::Values(m.degree() / shared))
 }

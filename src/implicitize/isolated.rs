@@ -1,338 +1,440 @@
-//! Isolated real points of a curve: those of two conjugate complex parameters.
+//! Isolated real points of a curve: those of two conjugate complex parameters, which no real parameter reaches.
 
-use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
-use super::tracing::difference;
-use crate::error::Result;
+use super::eliminant::{deflated_resultant, pairs_of_poles};
+use super::enclosure::{Enclosure, Precision};
+use super::pair::{Coordinate, DoublePoints, Pair, are_poles, coordinate, has_value};
+use super::reached::{RealPartner, is_reached, is_reached_by_no_other, real_partners};
+use super::symmetric::{Rows, bezoutian, in_sum_and_product};
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{
-    IntegerPolynomial, RationalFunction, RealRoot, Ring, SparsePolynomial, divide_exactly,
-    polynomial_gcd, real_roots, resultant,
-};
+use crate::poly::{IntegerPolynomial, RationalFunction, RealRoot, polynomial_gcd, real_roots};
 
-/// Pairs of parameters with the same point, up to which they are looked for: about a second of work.
-const MAX_PAIRS: usize = 64;
+/// Bits after the point of the first attempt and of the last one.
+const FIRST_BITS: u64 = 384;
+const MOST_BITS: u64 = 1 << 13;
+
+/// A fraction this short in an interval of [`FIRST_BITS`] is worth an exact test.
+const SHORT_BITS: u64 = 100;
+
+/// Parameters 's' in terms of others that are tried, `(a u + b)/(c u + d)`: another one moves two pairs of conjugate
+/// parameters with the same sum apart.
+const CHANGES: [[i64; 4]; 3] = [[1, 0, 0, 1], [1, 2, 3, 5], [7, -3, 2, 11]];
 
 /// The isolated real points that were found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Isolated<const N: usize> {
+pub struct Isolated {
     /// Exact where rational, else rounded.
-    pub points: Vec<IsolatedPoint<N>>,
+    pub points: Vec<IsolatedPoint>,
     /// Whether there are no others.
     pub complete: bool,
 }
 
-impl<const N: usize> Isolated<N> {
-    fn add(&mut self, point: Option<IsolatedPoint<N>>) {
-        let new = point.filter(|p| !self.points.contains(p));
-        self.points.extend(new);
-    }
-}
-
 /// An isolated real point.
 #[derive(Clone, Debug, PartialEq)]
-pub enum IsolatedPoint<const N: usize> {
+pub enum IsolatedPoint {
     /// With rational coordinates.
-    Exact([Rational; N]),
+    Exact([Rational; 2]),
     /// Its coordinates, rounded.
-    Near([f64; N]),
+    Near([f64; 2]),
 }
 
-/// The isolated points of a curve that is run over once; incomplete if the degrees are large.
-pub(super) fn isolated<const N: usize>(
-    coordinates: &[RationalFunction; N],
-    limits: &Limits,
-) -> Result<Isolated<N>> {
-    let none = Isolated {
+/// The isolated points of a plane curve that is run over once; incomplete if the degrees are large.
+///
+/// Two conjugate parameters s, s̄ with the same point are a common zero of `(x(s) − x(σ))/(s − σ)` and
+/// `(y(s) − y(σ))/(s − σ)`, written in S = s + σ and P = sσ, with S² < 4P. Their point is real; it is isolated if no real
+/// parameter has it, t = ∞ included. Every claim is exact:
+/// - S is a real root of the resultant with respect to P, from which pairs of poles are divided out. Where it is a simple
+///   zero, and not a zero of both leading coefficients, there is one P, a simple common zero; for a rational S all P are
+///   real roots of a gcd.
+/// - That no other parameter has the point is proved by a determinant that is not 0. Where it may be 0, real parameters are
+///   looked for exactly: for a rational point by a gcd; else all real t are found whose point two conjugate parameters have,
+///   and each of them is one of the finitely many pairs that are known by enclosures.
+///
+/// # Errors
+/// Those of `limits`.
+pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
+    let nothing = Isolated {
         points: Vec::new(),
         complete: true,
     };
-    let [Some(a), Some(b)] = [0, 1].map(|k| coordinates.get(k)) else {
-        return Ok(none);
-    };
-    if a.degree() < 2 || b.degree() < 2 {
+    if coordinates.iter().any(|f| f.degree() < 2) {
         // Different parameters have different points.
-        return Ok(none);
+        return Ok(nothing);
     }
-    if (a.degree() - 1) * (b.degree() - 1) > MAX_PAIRS {
-        return Ok(Isolated {
-            complete: false,
-            ..none
+    let mut best: Option<Isolated> = None;
+    for change in CHANGES {
+        let changed = coordinates.map(|f| changed(f, change));
+        let found = search([&changed[0], &changed[1]], limits)?;
+        if found.complete {
+            return Ok(found);
+        }
+        best = Some(match best {
+            Some(other) if other.points.len() >= found.points.len() => other,
+            _ => found,
         });
     }
-    let [a, b] = [a, b].map(|f| in_sum_and_product(&divided_by_difference(&difference(f))));
-    let eliminated = resultant(&a, &b, 1, limits)?;
-    let mut found = none;
-    let mut common: Option<CommonZero> = None;
-    for sum in real_roots(&to_univariate(&eliminated, 0)) {
+    Ok(best.unwrap_or(nothing))
+}
+
+/// f((a u + b)/(c u + d)).
+fn changed(f: &RationalFunction, [a, b, c, d]: [i64; 4]) -> RationalFunction {
+    if [a, b, c, d] == CHANGES[0] {
+        return f.clone();
+    }
+    let line = |low: i64, high: i64| {
+        IntegerPolynomial::from_coefficients_asc(vec![low.into(), high.into()])
+    };
+    let (above, below) = (line(b, a), line(d, c));
+    let degree = f.degree();
+    let form = |p: &IntegerPolynomial| {
+        let mut value = IntegerPolynomial::ZERO;
+        let mut power = IntegerPolynomial::from_coefficients_asc(vec![1.into()]);
+        for k in (0..=degree).rev() {
+            value *= &above;
+            if let Some(c) = p.coefficients_asc().get(k) {
+                value += IntegerPolynomial::from_coefficients_asc(vec![c.clone()]) * &power;
+            }
+            power *= &below;
+        }
+        value
+    };
+    RationalFunction::new(form(f.numerator()), form(f.denominator()))
+        .invariant("a change of the parameter is invertible")
+}
+
+/// The isolated points, in this parameter.
+fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
+    let points = DoublePoints {
+        coordinates,
+        equations: coordinates.map(|f| in_sum_and_product(&bezoutian(f))),
+    };
+    let [a, b] = &points.equations;
+    let poles = pairs_of_poles(coordinates.map(RationalFunction::denominator), limits)?;
+    let eliminated = deflated_resultant([a, b], &poles, limits)?;
+    // Where both leading coefficients are 0 a zero of the resultant may have no P.
+    let both_leads = polynomial_gcd(&a.lead(), &b.lead());
+    let mut search = Search {
+        points,
+        limits,
+        linear: None,
+        pairs: Vec::new(),
+        // If all is 0 the curve is not run over once.
+        complete: eliminated != IntegerPolynomial::ZERO,
+    };
+    for sum in real_roots(&eliminated) {
         limits.check()?;
-        let Some(sum) = sum.as_rational() else {
-            let common = common.get_or_insert_with(|| CommonZero::new(&a, &b));
-            match irrational_pair(coordinates, &sum, common) {
-                Some(point) => found.add(point),
-                None => found.complete = false,
-            }
-            continue;
+        let is_single = !sum.is_root_of(&both_leads) && search.is_single(&sum)?;
+        let rational = match short_fraction(&sum) {
+            None if !is_single => sum.as_rational(),
+            found => found,
         };
-        let [a, b] = [&a, &b].map(|f| at_sum(f, &sum));
-        for product in real_roots(&polynomial_gcd(&a, &b)) {
+        if let Some(sum) = rational {
+            let [a, b] = &search.points.equations;
+            let common = polynomial_gcd(&a.at(&sum), &b.at(&sum));
             let quarter = &sum * &sum / Rational::from(4);
-            // (s + σ)² < 4sσ
-            if product.cmp_rational(&quarter).is_gt() {
-                let is_zero = |f: &SparsePolynomial<3>| {
-                    let f = at_sum(f, &sum);
-                    f == IntegerPolynomial::ZERO || product.is_root_of(&f)
-                };
-                let near = [sum.clone(), middle(&product)];
-                found.add(conjugate_point(coordinates, is_zero, near));
+            for product in real_roots(&common) {
+                // (s + σ)² < 4sσ
+                if product.cmp_rational(&quarter).is_gt() {
+                    let sum = sum.clone();
+                    search.add(Pair::RationalSum { sum, product })?;
+                }
+            }
+        } else if is_single {
+            search.add_if_conjugate(sum)?;
+        } else {
+            search.complete = false;
+        }
+    }
+    search.isolated()
+}
+
+/// The root, if it is a short fraction.
+fn short_fraction(root: &RealRoot) -> Option<Rational> {
+    let mut root = root.clone();
+    root.refine_to_width(-2 * SHORT_BITS.cast_signed());
+    let (low, high) = root.bounds();
+    let candidate = Rational::simplest_between(&low.to_rational(), &high.to_rational());
+    (candidate.bits() <= SHORT_BITS && root.cmp_rational(&candidate).is_eq()).then_some(candidate)
+}
+
+/// A pair of conjugate parameters, and where its point is.
+struct Found {
+    pair: Pair,
+    precision: Precision,
+    enclosed: [Enclosure; 2],
+    point: [Enclosure; 2],
+    /// The point, if it is seen to be rational.
+    exact: Option<[Rational; 2]>,
+}
+
+struct Search<'a> {
+    points: DoublePoints<'a>,
+    limits: &'a Limits,
+    /// The first subresultant, once it is needed.
+    linear: Option<[IntegerPolynomial; 2]>,
+    pairs: Vec<Found>,
+    complete: bool,
+}
+
+impl Search<'_> {
+    fn linear(&mut self) -> Result<&[IntegerPolynomial; 2]> {
+        let linear = match self.linear.take() {
+            Some(linear) => linear,
+            None => self.points.linear(self.limits)?,
+        };
+        Ok(self.linear.insert(linear))
+    }
+
+    /// What an exact test at a pair needs.
+    fn linear_for(&mut self, pair: &Pair) -> Result<Option<&[IntegerPolynomial; 2]>> {
+        match pair {
+            Pair::RationalSum { .. } => Ok(None),
+            Pair::RealSum { .. } => self.linear().map(Some),
+        }
+    }
+
+    /// Whether there is one common zero P over this sum, and that one simple.
+    ///
+    /// If the sum is a simple zero of the resultant the two curves a = 0 and b = 0 meet over it once, so neither both are
+    /// singular nor tangent to the line S = const there.
+    fn is_single(&mut self, sum: &RealRoot) -> Result<bool> {
+        let degrees = self.points.equations.each_ref().map(Rows::degree);
+        if degrees.contains(&0) {
+            // One of them has no P: the other one alone says which P there are.
+            return Ok(degrees.contains(&1));
+        }
+        if sum.multiplicity() == 1 {
+            return Ok(true);
+        }
+        let [_, lead] = self.linear()?;
+        Ok(*lead != IntegerPolynomial::ZERO && !sum.is_root_of(lead))
+    }
+
+    /// Adds the pair over a sum if its parameters are conjugate.
+    fn add_if_conjugate(&mut self, sum: RealRoot) -> Result<()> {
+        let pair = Pair::RealSum { sum };
+        let mut precision = Precision { bits: FIRST_BITS };
+        let mut is_exact = false;
+        while precision.bits <= MOST_BITS {
+            self.limits.check()?;
+            if let Some([sum, product]) = pair.enclosed(&self.points, precision) {
+                let four = precision.integer(&4.into());
+                let square = precision.times(&sum, &sum);
+                let discriminant = square.minus(&precision.times(&four, &product));
+                match discriminant.sign() {
+                    Some(-1) => return self.add(pair),
+                    Some(_) => return Ok(()),
+                    None if is_exact => {}
+                    None => {
+                        is_exact = true;
+                        // S² − 4P
+                        let square = [0, 0, 1].map(malachite::Integer::from).to_vec();
+                        let discriminant = Rows::new(vec![
+                            IntegerPolynomial::from_coefficients_asc(square),
+                            IntegerPolynomial::from_coefficients_asc(vec![(-4).into()]),
+                        ]);
+                        if pair.is_zero_of(&discriminant, self.linear_for(&pair)?) {
+                            return Ok(());
+                        }
+                    }
+                }
+            }
+            precision.bits *= 2;
+        }
+        self.complete = false;
+        Ok(())
+    }
+
+    /// Adds a pair of conjugate parameters, unless they are poles.
+    fn add(&mut self, pair: Pair) -> Result<()> {
+        let mut precision = Precision { bits: FIRST_BITS };
+        while precision.bits <= MOST_BITS {
+            self.limits.check()?;
+            if let Some(enclosed) = pair.enclosed(&self.points, precision) {
+                let coordinates = self.points.coordinates;
+                let mut values = coordinates.map(|f| coordinate(f, &enclosed, precision));
+                if precision.bits > FIRST_BITS {
+                    let linear = self.linear_for(&pair)?;
+                    for (value, f) in values.iter_mut().zip(coordinates) {
+                        if matches!(value, Coordinate::Undecided) && are_poles(f, &pair, linear) {
+                            *value = Coordinate::Pole;
+                        }
+                    }
+                }
+                match values {
+                    [Coordinate::Pole, _] | [_, Coordinate::Pole] => return Ok(()),
+                    [Coordinate::Value(x), Coordinate::Value(y)] => {
+                        let point = [x, y];
+                        let exact = self.rational_point(&pair, &point, precision)?;
+                        self.pairs.push(Found {
+                            pair,
+                            precision,
+                            enclosed,
+                            point,
+                            exact,
+                        });
+                        return Ok(());
+                    }
+                    _ => {}
+                }
+            }
+            precision.bits *= 2;
+        }
+        self.complete = false;
+        Ok(())
+    }
+
+    /// The point, if both coordinates are short fractions.
+    fn rational_point(
+        &mut self,
+        pair: &Pair,
+        point: &[Enclosure; 2],
+        precision: Precision,
+    ) -> Result<Option<[Rational; 2]>> {
+        let candidates = point.each_ref().map(|value| {
+            let [low, high] = precision.bounds(value);
+            Rational::simplest_between(&low, &high)
+        });
+        if candidates.iter().any(|q| q.bits() > SHORT_BITS) {
+            return Ok(None);
+        }
+        let coordinates = self.points.coordinates;
+        let linear = self.linear_for(pair)?;
+        let mut both = coordinates.iter().zip(&candidates);
+        let exact = both.all(|(f, value)| has_value(f, pair, value, linear));
+        Ok(exact.then_some(candidates))
+    }
+
+    /// The points of the pairs that no real parameter reaches.
+    fn isolated(mut self) -> Result<Isolated> {
+        let coordinates = self.points.coordinates;
+        let mut points: Vec<IsolatedPoint> = Vec::new();
+        let mut open = Vec::new();
+        for (k, found) in self.pairs.iter().enumerate() {
+            let is_isolated = match &found.exact {
+                Some(point) => !is_reached(coordinates, point),
+                None if is_reached_by_no_other(
+                    coordinates,
+                    &found.enclosed,
+                    &found.point,
+                    found.precision,
+                ) =>
+                {
+                    true
+                }
+                None => {
+                    open.push(k);
+                    continue;
+                }
+            };
+            if is_isolated {
+                points.push(found.rounded());
             }
         }
-    }
-    Ok(found)
-}
-
-/// f/(s − σ), for an f that vanishes at s = σ: by synthetic division in s.
-fn divided_by_difference(f: &SparsePolynomial<2>) -> SparsePolynomial<2> {
-    let degree = f.terms().map(|(e, _)| e[0]).max().unwrap_or(0);
-    let mut quotient = SparsePolynomial::zero();
-    let mut carried = SparsePolynomial::<2>::zero();
-    let sigma = SparsePolynomial::variable(1);
-    for k in (1..=degree).rev() {
-        let here = f.terms().filter(|(e, _)| e[0] == k);
-        let here = SparsePolynomial::from_terms(here.map(|(e, c)| ([0, e[1]], c.clone())));
-        carried = carried.times(&sigma).plus(&here);
-        for (e, c) in carried.terms() {
-            quotient.add_term([k - 1, e[1]], c.clone());
+        if !open.is_empty() {
+            let partners = real_partners(&self.points, self.limits)?;
+            for k in open {
+                match self.is_reached_by_one_of(&partners, k)? {
+                    Some(true) => {}
+                    Some(false) => points.push(self.pairs[k].rounded()),
+                    None => self.complete = false,
+                }
+            }
         }
+        let mut different: Vec<IsolatedPoint> = Vec::new();
+        for point in points {
+            if !different.contains(&point) {
+                different.push(point);
+            }
+        }
+        Ok(Isolated {
+            points: different,
+            complete: self.complete,
+        })
     }
-    quotient
-}
 
-/// A symmetric polynomial in s and σ as a polynomial in S = s + σ and P = sσ, the first two of three variables.
-///
-/// `s^a σ^b + s^b σ^a = P^b (s^(a−b) + σ^(a−b))`, and Newton's `p_k = S p_(k−1) − P p_(k−2)` for these sums of powers.
-fn in_sum_and_product(f: &SparsePolynomial<2>) -> SparsePolynomial<3> {
-    let [sum, product] = [0, 1].map(SparsePolynomial::<3>::variable);
-    let degree = f.terms().map(|(e, _)| e[0]).max().unwrap_or(0) as usize;
-    let mut powers = vec![SparsePolynomial::constant(Rational::from(2)), sum.clone()];
-    for k in 2..=degree {
-        let next = sum
-            .times(&powers[k - 1])
-            .minus(&product.times(&powers[k - 2]));
-        powers.push(next);
+    /// Whether the k-th pair shares its point with one of these real parameters or with t = ∞; `None` if that is not
+    /// decided.
+    ///
+    /// A parameter that is proved to share its point with two conjugate ones does so with one of the pairs, all of which are
+    /// known if the search is complete; so if its point is away from all others it is that one's.
+    fn is_reached_by_one_of(&mut self, partners: &[RealPartner], k: usize) -> Result<Option<bool>> {
+        let coordinates = self.points.coordinates;
+        let at_infinity = coordinates.map(RationalFunction::evaluate_at_infinity);
+        if let [Some(x), Some(y)] = &at_infinity {
+            let found = &self.pairs[k];
+            let values = found.point.iter().zip([x, y]);
+            let mut values = values.map(|(value, q)| found.precision.excludes(value, q));
+            if !values.any(|excluded| excluded) {
+                let pair = found.pair.clone();
+                let linear = self.linear_for(&pair)?;
+                let mut values = coordinates.iter().zip([x, y]);
+                if values.all(|(f, value)| has_value(f, &pair, value, linear)) {
+                    return Ok(Some(true));
+                }
+            }
+        }
+        let mut bits = FIRST_BITS;
+        while bits <= MOST_BITS {
+            self.limits.check()?;
+            let precision = Precision { bits };
+            bits *= 2;
+            let pairs: Option<Vec<[Enclosure; 2]>> = self
+                .pairs
+                .iter()
+                .map(|found| self.point_of(&found.pair, precision))
+                .collect();
+            let (Some(pairs), Some(points)) = (
+                pairs,
+                partners
+                    .iter()
+                    .map(|partner| partner.point(coordinates, precision))
+                    .collect::<Option<Vec<_>>>(),
+            ) else {
+                continue;
+            };
+            let meets =
+                |a: &[Enclosure; 2], b: &[Enclosure; 2]| a.iter().zip(b).all(|(a, b)| a.meets(b));
+            let mut near = partners.iter().zip(&points);
+            if !near.clone().any(|(_, point)| meets(point, &pairs[k])) {
+                return Ok(Some(false));
+            }
+            let alone = |point: &[Enclosure; 2]| {
+                pairs.iter().filter(|pair| meets(pair, point)).count() == 1
+            };
+            let is_reached = near.any(|(partner, point)| {
+                partner.proved && self.complete && meets(point, &pairs[k]) && alone(point)
+            });
+            if is_reached {
+                return Ok(Some(true));
+            }
+        }
+        Ok(None)
     }
-    let mut result = SparsePolynomial::zero();
-    for (&[a, b], c) in f.terms().filter(|(e, _)| e[0] >= e[1]) {
-        let terms = powers[(a - b) as usize].terms();
-        // The sum of powers 0 counts the one term s^a σ^a twice.
-        let c = if a == b {
-            c / &Rational::from(2)
-        } else {
-            c.clone()
+
+    fn point_of(&self, pair: &Pair, precision: Precision) -> Option<[Enclosure; 2]> {
+        let enclosed = pair.enclosed(&self.points, precision)?;
+        let value = |f: &RationalFunction| match coordinate(f, &enclosed, precision) {
+            Coordinate::Value(value) => Some(value),
+            _ => None,
         };
-        for (e, power) in terms {
-            result.add_term([e[0], e[1] + b, 0], power * &c);
+        let [x, y] = self.points.coordinates;
+        Some([value(x)?, value(y)?])
+    }
+}
+
+impl Found {
+    fn rounded(&self) -> IsolatedPoint {
+        match &self.exact {
+            Some(point) => IsolatedPoint::Exact(point.clone()),
+            None => IsolatedPoint::Near(self.point.each_ref().map(|value| {
+                let [low, high] = self.precision.bounds(value);
+                ((low + high) / Rational::from(2)).to_f64()
+            })),
         }
     }
-    result
-}
-
-/// With a value of s + σ, as a polynomial in sσ.
-fn at_sum(f: &SparsePolynomial<3>, sum: &Rational) -> IntegerPolynomial {
-    let mut value = SparsePolynomial::zero();
-    for (e, c) in f.terms() {
-        let power = sum.pow(i64::from(e[0])).unwrap_or_default();
-        value.add_term([0, e[1], 0], c * &power);
-    }
-    to_univariate(&value, 1)
-}
-
-fn to_univariate(f: &SparsePolynomial<3>, variable: usize) -> IntegerPolynomial {
-    let f = f.primitive();
-    to_univariate_as_is(f.terms().map(|(e, c)| (e[variable], c.numerator())))
-}
-
-pub(super) fn to_univariate_as_is(
-    terms: impl Iterator<Item = (u32, Integer)>,
-) -> IntegerPolynomial {
-    let mut coefficients = Vec::new();
-    for (k, c) in terms {
-        let k = k as usize;
-        if coefficients.len() <= k {
-            coefficients.resize(k + 1, Integer::ZERO);
-        }
-        coefficients[k] = c;
-    }
-    IntegerPolynomial::from_coefficients_asc(coefficients)
-}
-
-/// The point of the two roots of s² − S s + P, where `is_zero` decides whether a polynomial in S and P is zero
-/// there, and S and P are known to about 200 bits; `None` if they are poles.
-fn conjugate_point<const N: usize>(
-    coordinates: &[RationalFunction; N],
-    is_zero: impl Fn(&SparsePolynomial<3>) -> bool,
-    near: [Rational; 2],
-) -> Option<IsolatedPoint<N>> {
-    let [sum, product] = near;
-    let place = [sum, product, Rational::zero()];
-    let mut exact = std::array::from_fn(|_| None);
-    let mut rounded = [0.0; N];
-    for (k, f) in coordinates.iter().enumerate() {
-        let [[a, b], [c, d]] = [f.numerator(), f.denominator()].map(modulo);
-        // (a + b s)/(c + d s) is a real number x: a = x c, b = x d.
-        let (above, below) = match (is_zero(&c), is_zero(&d)) {
-            (true, true) => return None,
-            (true, false) => (b, d),
-            (false, _) => (a, c),
-        };
-        let value = above.evaluate(&place) * below.evaluate(&place).recip()?;
-        // If it is rational it is the simplest number near by.
-        let width = Rational::from_parts(Integer::from(1), -80);
-        let simple = Rational::simplest_between(&(&value - &width), &(&value + &width));
-        exact[k] = is_zero(&above.minus(&below.scaled(&simple))).then_some(simple);
-        rounded[k] = value.to_f64();
-    }
-    Some(match exact.iter().all(Option::is_some) {
-        true => IsolatedPoint::Exact(exact.map(Option::unwrap_or_default)),
-        false => IsolatedPoint::Near(rounded),
-    })
-}
-
-/// f modulo s² − S s + P as u + v s: polynomials in S and P, the first two of three variables.
-fn modulo(f: &IntegerPolynomial) -> [SparsePolynomial<3>; 2] {
-    let [sum, product] = [0, 1].map(SparsePolynomial::<3>::variable);
-    let zero = SparsePolynomial::zero;
-    let coefficients = f.coefficients_asc().iter().rev();
-    coefficients.fold([zero(), zero()], |[u, v], c| {
-        // (u + v s) s = −v P + (u + v S) s
-        let constant = SparsePolynomial::constant(Rational::from(c));
-        [constant.minus(&v.times(&product)), u.plus(&v.times(&sum))]
-    })
-}
-
-/// The middle of an enclosure of about 200 bits.
-fn middle(root: &RealRoot) -> Rational {
-    let mut root = root.clone();
-    root.refine(200);
-    let (low, high) = root.bounds();
-    (low.to_rational() + high.to_rational()) / Rational::from(2)
-}
-
-fn at_rational(f: &IntegerPolynomial, at: &Rational) -> Rational {
-    let coefficients = f.coefficients_asc().iter().rev();
-    coefficients.fold(Rational::zero(), |v, c| v * at + Rational::from(c))
-}
-
-/// above/below of two polynomials in s + σ.
-type Fraction = [IntegerPolynomial; 2];
-
-/// The common zero of a and b for a general zero s + σ of their resultant.
-struct CommonZero {
-    /// sσ
-    product: Fraction,
-    /// a and b there, cleared of denominators: the same polynomials for every zero s + σ.
-    values: [IntegerPolynomial; 2],
-}
-
-impl CommonZero {
-    fn new(a: &SparsePolynomial<3>, b: &SparsePolynomial<3>) -> Self {
-        let product = last_linear_remainder(a, b);
-        let values = [a, b].map(|f| at_product(f, &product));
-        Self { product, values }
-    }
-}
-
-/// `f(s + σ, above/below) below^degree`
-fn at_product(f: &SparsePolynomial<3>, [above, below]: &Fraction) -> IntegerPolynomial {
-    let degree = f.terms().map(|(e, _)| e[1]).max().unwrap_or(0);
-    let f = f.primitive();
-    let mut value = IntegerPolynomial::ZERO;
-    let mut power = IntegerPolynomial::one();
-    for k in (0..=degree).rev() {
-        let row = f.terms().filter(|(e, _)| e[1] == k);
-        let row = to_univariate_as_is(row.map(|(e, c)| (e[0], c.numerator())));
-        value = value * above + row * &power;
-        if k > 0 {
-            power *= below;
-        }
-    }
-    value
-}
-
-/// sσ where s + σ is a general zero of the resultant of a and b: from the last linear remainder of Euclid's
-/// algorithm in sσ, contents left out.
-fn last_linear_remainder(a: &SparsePolynomial<3>, b: &SparsePolynomial<3>) -> Fraction {
-    let rows = |f: &SparsePolynomial<3>| -> Vec<IntegerPolynomial> {
-        let f = f.primitive();
-        let degree = f.terms().map(|(e, _)| e[1]).max().unwrap_or(0);
-        let row = |k: u32| f.terms().filter(move |(e, _)| e[1] == k);
-        let row = |k| to_univariate_as_is(row(k).map(|(e, c)| (e[0], c.numerator())));
-        (0..=degree).map(row).collect()
-    };
-    let (mut f, mut g) = (rows(a), rows(b));
-    if f.len() < g.len() {
-        std::mem::swap(&mut f, &mut g);
-    }
-    while g.len() > 2 {
-        let rest = remainder(f, &g);
-        f = std::mem::replace(&mut g, rest);
-    }
-    match <[IntegerPolynomial; 2]>::try_from(g) {
-        Ok([constant, linear]) => [IntegerPolynomial::ZERO - constant, linear],
-        Err(_) => [IntegerPolynomial::ZERO, IntegerPolynomial::ZERO],
-    }
-}
-
-/// A multiple of the remainder of f by g, polynomials with polynomial coefficients, without content.
-fn remainder(mut f: Vec<IntegerPolynomial>, g: &[IntegerPolynomial]) -> Vec<IntegerPolynomial> {
-    let Some(lead) = g.last() else {
-        return Vec::new();
-    };
-    while f.len() >= g.len() {
-        let top = f.pop().unwrap_or_default();
-        let start = f.len() + 1 - g.len();
-        for c in &mut f {
-            *c *= lead;
-        }
-        for (c, other) in f[start..].iter_mut().zip(g) {
-            *c -= &top * other;
-        }
-    }
-    while f.last() == Some(&IntegerPolynomial::ZERO) {
-        f.pop();
-    }
-    let content = f
-        .iter()
-        .fold(IntegerPolynomial::ZERO, |g, c| polynomial_gcd(&g, c));
-    f.iter()
-        .map(|c| divide_exactly(c, &content).unwrap_or_else(|| c.clone()))
-        .collect()
-}
-
-/// The isolated point, if there is one, of the one common zero of a and b where s + σ is a simple irrational zero of
-/// their resultant; `None` if that is not decided.
-fn irrational_pair<const N: usize>(
-    coordinates: &[RationalFunction; N],
-    sum: &RealRoot,
-    common: &CommonZero,
-) -> Option<Option<IsolatedPoint<N>>> {
-    let [above, below] = &common.product;
-    let is_zero = |p: &IntegerPolynomial| *p == IntegerPolynomial::ZERO || sum.is_root_of(p);
-    if sum.multiplicity() > 1 || is_zero(below) || !common.values.iter().all(is_zero) {
-        return None;
-    }
-    // (s + σ)² < 4sσ
-    let square = IntegerPolynomial::from_coefficients_asc(vec![0.into(), 0.into(), 1.into()]);
-    let four = IntegerPolynomial::from_coefficients_asc(vec![4.into()]);
-    let discriminant = square * below * below - four * above * below;
-    if sum.sign_of(&discriminant) >= 0 {
-        return Some(None);
-    }
-    let near = middle(sum);
-    let product = at_rational(above, &near) * at_rational(below, &near).recip()?;
-    let vanishes = |f: &SparsePolynomial<3>| is_zero(&at_product(f, &common.product));
-    Some(conjugate_point(coordinates, vanishes, [near, product]))
 }

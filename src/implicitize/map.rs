@@ -2,6 +2,7 @@
 
 use malachite::Integer;
 
+use crate::error::Invariant;
 use crate::poly::{
     IntegerPolynomial, RationalFunction, SparsePolynomial, dot_mod, inverse_mod, powers_mod,
     reduce_integer,
@@ -27,7 +28,10 @@ impl RationalMap {
             let coefficients = f.coefficients_asc().iter().enumerate();
             let terms = coefficients.filter(|(_, c)| **c != 0);
             terms
-                .map(|(k, c)| ([u32::try_from(k).unwrap_or(u32::MAX), 0], c.clone()))
+                .map(|(k, c)| {
+                    let k = u32::try_from(k).invariant("a degree is below 2^32");
+                    ([k, 0], c.clone())
+                })
                 .collect()
         };
         let both = |f: &RationalFunction| [terms(f.numerator()), terms(f.denominator())];
@@ -68,7 +72,10 @@ impl RationalMap {
         let rows = coordinates.iter().flatten().flatten();
         MapModulo {
             prime,
-            length: rows.map(Vec::len).max().unwrap_or(0),
+            length: rows
+                .map(Vec::len)
+                .max()
+                .invariant("a denominator has a term"),
             coordinates,
         }
     }

@@ -1,27 +1,35 @@
 //! Parametric → implicit (§2 of the paper).
 
 mod beyond;
+mod eliminant;
+mod enclosure;
 mod expansion;
 mod fibre;
 mod identity;
 mod image;
 mod inverse;
 mod isolated;
+#[cfg(test)]
+mod isolated_laws;
 mod map;
+mod pair;
 mod patch;
 mod polar;
 mod proper;
+mod reached;
 mod residue_expansion;
 mod resultant;
+mod run;
 mod space_curve;
 mod summed;
+mod symmetric;
 mod theorem2;
 mod tracing;
 mod vanishing;
 
 pub use beyond::{PointBeyond, point_beyond};
 pub(crate) use identity::lies_on;
-pub use image::{Coverage, RealImage, real_image};
+pub use image::{Coverage, RealImage, real_counts, real_image};
 pub use isolated::{Isolated, IsolatedPoint};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
@@ -29,5 +37,6 @@ pub use polar::{
     polar_patch, polar_plane, polar_space_curve,
 };
 pub use resultant::{PlaneEquation, implicitize_plane};
+pub use run::Run;
 pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};
 pub use theorem2::{Parts, SquaredForm, parity_sums, square_away};

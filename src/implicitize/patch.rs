@@ -3,7 +3,7 @@
 use super::fibre::{generic_fibre, sweeps_a_surface};
 use super::map::RationalMap;
 use super::vanishing::{LARGEST_DEGREE, kernel_modulo, lift, monomials};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{SparsePolynomial, kernel_primes};
 use crate::shape::{ImplicitSurface, Patch};
@@ -82,10 +82,15 @@ fn least_equation(
     degrees: impl Iterator<Item = usize>,
     limits: &Limits,
 ) -> Result<SparsePolynomial<3>> {
-    let prime = kernel_primes().next().unwrap_or(2);
+    let prime = kernel_primes()
+        .next()
+        .invariant("there are primes below 2^31");
     let mut none_up_to = 0;
     for degree in degrees {
-        let monomials = monomials(u32::try_from(degree).unwrap_or(u32::MAX), [true; 3]);
+        let monomials = monomials(
+            u32::try_from(degree).invariant("a degree is below 2^32"),
+            [true; 3],
+        );
         let kernel =
             kernel_modulo(map, &monomials, prime, limits).map_err(|error| match error {
                 Error::Limit { limit, .. } => Error::Limit {

@@ -3,7 +3,7 @@
 use super::map::RationalMap;
 use super::tracing::{common_numerator, tracing_index_bound};
 use super::vanishing::{kernel_modulo, lift, monomials};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{Span, SparsePolynomial, kernel_primes};
 use crate::shape::{ImplicitSurface, SpaceCurve};
@@ -71,7 +71,9 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
     let tracing_index = tracing_index(curve, limits)?;
     let degree = projective_degree(curve) / tracing_index;
     let map = RationalMap::of_curve(curve);
-    let prime = kernel_primes().next().unwrap_or(2);
+    let prime = kernel_primes()
+        .next()
+        .invariant("there are primes below 2^31");
     let mut surfaces: Vec<SparsePolynomial<3>> = Vec::new();
     // A basis modulo the prime of the equations of degree at most e − 1.
     let mut below: Vec<Vec<u64>> = Vec::new();
@@ -85,7 +87,7 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
     } {
         limits.check()?;
         e += 1;
-        let degree_limit = u32::try_from(e).unwrap_or(u32::MAX);
+        let degree_limit = u32::try_from(e).invariant("a degree is below 2^32");
         let all = monomials(degree_limit, [true; 3]);
         let kernel = kernel_modulo(&map, &all, prime, limits)?;
         let mut span = Span::new(all.len(), prime);
@@ -128,7 +130,7 @@ fn tracing_index(curve: &SpaceCurve, limits: &Limits) -> Result<usize> {
     }
     let common = common_numerator(curve.coordinates(), limits)?;
     let degree = common.terms().map(|(e, _)| e[0] as usize).max();
-    Ok(degree.unwrap_or(1))
+    Ok(degree.invariant("a curve has a coordinate that is not constant"))
 }
 
 /// The degree of (x : y : z : 1) as a map to projective space: that of the numerators and the denominator over
@@ -141,9 +143,7 @@ fn projective_degree(curve: &SpaceCurve) -> usize {
     for f in curve.coordinates() {
         let q = f.denominator();
         let shared = polynomial_gcd(&common, q);
-        if let Some(missing) = crate::poly::divide_exactly(q, &shared) {
-            common *= missing;
-        }
+        common *= crate::poly::divide_exactly(q, &shared).invariant("a gcd divides");
     }
     let below = degree(&common);
     let above = curve.coordinates().iter().map(|f| {
@@ -153,7 +153,7 @@ fn projective_degree(curve: &SpaceCurve) -> usize {
         }
         degree(numerator) + below - degree(f.denominator())
     });
-    above.max().unwrap_or(0).max(below)
+    above.fold(below, usize::max)
 }
 
 /// The vectors of `below` times 1, x, y and z, as vectors over the larger list of monomials.

@@ -2,7 +2,7 @@
 
 use malachite::base::num::basic::traits::Zero;
 
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::greatest_common_divisor;
 use crate::limits::Limits;
@@ -20,10 +20,11 @@ const TRIES: u64 = 4;
 /// at a number σ the gcd of these binary forms in s, infinity counted, can only become larger.
 pub(super) fn tracing_index_bound(functions: &[RationalFunction]) -> usize {
     let moving: Vec<&RationalFunction> = functions.iter().filter(|f| !f.is_constant()).collect();
+    // 0 for a point.
     let mut least = moving.iter().map(|f| f.degree()).min().unwrap_or(0);
     let mut primes = kernel_primes();
     for k in 0..TRIES {
-        let prime = primes.next().unwrap_or(2);
+        let prime = primes.next().invariant("there are primes below 2^31");
         // Any number does; these have no pattern.
         let sigma = (k + 1) * 0x1234_5677 % prime;
         if let Some(degree) = common_degree(&moving, sigma, prime) {
@@ -96,7 +97,7 @@ pub(super) fn difference(f: &RationalFunction) -> SparsePolynomial<2> {
         f.denominator().coefficients_asc(),
     );
     let mut terms = Vec::new();
-    let index = |k: usize| u32::try_from(k).unwrap_or(u32::MAX);
+    let index = |k: usize| u32::try_from(k).invariant("a degree is below 2^32");
     for (i, p) in p
         .iter()
         .enumerate()

@@ -3,7 +3,7 @@
 use malachite::Integer;
 
 use super::map::RationalMap;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
@@ -73,9 +73,11 @@ pub(super) fn kernel_modulo(
 
 /// The monomials at a point.
 fn values(point: &[u64], monomials: &[[u32; 3]], prime: u64) -> Vec<u64> {
-    let degree = monomials.iter().flatten().max().copied().unwrap_or(0);
+    let degree = monomials.iter().flatten().max();
+    let degree = *degree.invariant("there are monomials");
     let powers: Vec<Vec<u64>> = (0..3)
         .map(|v| {
+            // A coordinate that the curve does not have does not occur in the monomials, either.
             let value = point.get(v).copied().unwrap_or(0);
             powers_mod(value, degree as usize + 1, prime)
         })
@@ -100,9 +102,8 @@ pub(super) fn vanishing(
     monomials: &[[u32; 3]],
     limits: &Limits,
 ) -> Result<Vec<SparsePolynomial<3>>> {
-    let Some(prime) = kernel_primes().next() else {
-        return Ok(Vec::new());
-    };
+    let prime = kernel_primes().next();
+    let prime = prime.invariant("there are primes below 2^31");
     let first = kernel_modulo(map, monomials, prime, limits)?;
     let lifted = first.vectors.iter();
     lifted

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::angle::ExactAngle;
 use super::parametrization::{Parametrization, Radius};
 use super::traced::RootBranch;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::{MAX_HARMONICS, MAX_SAMPLES, fourier_coefficients};
 use crate::limits::Limits;
@@ -132,13 +132,17 @@ pub fn fit_branch(
     let decimals = options
         .decimals
         .unwrap_or_else(|| enough_decimals(&radii, &cos, &sin));
-    let rounded = |list: &[f64]| -> Vec<Rational> {
-        let exact = list
-            .iter()
-            .map(|&c| Rational::try_from(c).unwrap_or_default());
-        exact.map(|c| c.round_decimals(decimals)).collect()
+    let rounded = |list: &[f64]| -> Result<Vec<Rational>> {
+        let exact = list.iter().map(|&c| {
+            Rational::try_from(c).map_err(|_| Error::Hypothesis {
+                statement: "Lemma 6",
+                witness: "the radius is beyond the doubles in some directions".into(),
+            })
+        });
+        exact.map(|c| Ok(c?.round_decimals(decimals))).collect()
     };
-    let radius = FourierRadius::new(rounded(&cos), rounded(&sin)).with_center(curve.center.clone());
+    let radius =
+        FourierRadius::new(rounded(&cos)?, rounded(&sin)?).with_center(curve.center.clone());
     let evaluator = Evaluator::new(&radius);
     let errors: Vec<Rational> = radii
         .par_iter()
@@ -149,7 +153,9 @@ pub fn fit_branch(
             .iter()
             .enumerate()
             .filter(|(k, _)| k.is_multiple_of(CHECKS_PER_SAMPLE) == wanted);
-        chosen.map(|(_, e)| e).max().cloned().unwrap_or_default()
+        let largest = chosen.map(|(_, e)| e).max();
+        let largest = largest.invariant("there are samples and checks between them");
+        largest.clone()
     };
     Ok(Some(BranchFit {
         branch: index,
@@ -277,13 +283,14 @@ impl Evaluator {
         }
         // The last power is one too many.
         let scale = (&power).div_round(w, RoundingMode::Exact).0 * &self.denominator;
-        Rational::new(re, scale).unwrap_or_default()
+        Rational::new(re, scale).invariant("a denominator is not 0")
     }
 
     /// A bound of |fit − r|, where `r` is the nearest double of the radius.
     fn error(&self, direction: &Direction, r: f64) -> Rational {
-        let exact = Rational::try_from(r).unwrap_or_default();
-        let next = Rational::try_from(r.abs().next_up()).unwrap_or_default();
+        // The samples of a radius near the largest double have no finite sum.
+        let [exact, next] = [r, r.abs().next_up()]
+            .map(|r| Rational::try_from(r).invariant("a radius that has a fit is finite"));
         let ulp = next - exact.abs();
         (self.value(direction) - exact).abs() + ulp
     }
@@ -295,7 +302,7 @@ pub fn rounded_up(value: &Rational) -> String {
     if value.is_zero() {
         return "0".into();
     }
-    let ten = |e: i64| Rational::from(10).pow(e).unwrap_or_default();
+    let ten = |e: i64| Rational::from(10).pow(e).invariant("10 is not 0");
     let mut exponent = i64::rounding_from(value.to_f64().log10().floor(), RoundingMode::Nearest).0;
     let digits = |exponent: i64| {
         let scaled = value * &ten(2 - exponent);

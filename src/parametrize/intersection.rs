@@ -6,7 +6,7 @@ use malachite::base::polynomial::Polynomial;
 
 use super::fourier::fourier_branches;
 use super::rational::{RationalCurve, Rationality, rational_parametrization};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, greatest_common_divisor};
 use crate::implicitize::lies_on;
@@ -162,8 +162,8 @@ fn along(
         let in_space = || {
             SparsePolynomial::from_terms(factor.polynomial.terms().map(|((i, j), c)| {
                 let mut exponents = [0; 3];
-                exponents[u] = u32::try_from(i).unwrap_or(u32::MAX);
-                exponents[w] = u32::try_from(j).unwrap_or(u32::MAX);
+                exponents[u] = u32::try_from(i).invariant("a degree is below 2^32");
+                exponents[w] = u32::try_from(j).invariant("a degree is below 2^32");
                 (exponents, c)
             }))
         };
@@ -285,8 +285,7 @@ fn linear(a: &Rational, b: &Rational) -> RationalFunction {
     let scaled = |q: &Rational| (q * &Rational::from(&denominator)).numerator();
     let numerator = IntegerPolynomial::from_coefficients_asc(vec![scaled(b), scaled(a)]);
     let below = IntegerPolynomial::from_coefficients_asc(vec![denominator]);
-    // No denominator is 0.
-    RationalFunction::new(numerator, below).unwrap_or_default()
+    RationalFunction::new(numerator, below).invariant("no denominator is 0")
 }
 
 /// What lies above a parametrized projection.
@@ -380,7 +379,7 @@ fn substituted(f: &SparsePolynomial<3>, axis: usize, curve: &PlaneCurve) -> Spar
         let [i, j] = variables.map(|v| e[v] as usize);
         let product = &powers[0][i] * &powers[1][j];
         for (k, value) in product.coefficients_asc().iter().enumerate() {
-            let power = u32::try_from(k).unwrap_or(u32::MAX);
+            let power = u32::try_from(k).invariant("a degree is below 2^32");
             sum.add_term([power, e[axis]], c * &Rational::from(value));
         }
     }

@@ -4,6 +4,7 @@ mod angle;
 mod approximate;
 mod cells;
 mod closed;
+mod condition;
 mod expression;
 mod fourier;
 mod intersection;
@@ -17,6 +18,7 @@ mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
 pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch, rounded_up};
+pub use condition::{Condition, Relation};
 pub use expression::Expression;
 pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
 pub use intersection::{

@@ -65,6 +65,9 @@ pub struct Branch {
     pub real: Vec<AngleRange>,
     /// Where r > 0.
     pub positive: Vec<AngleRange>,
+    /// Whether the formula is real nowhere else than in `real`. Those of Lemmas 4 and 5 may be, where they give another
+    /// branch's root or none.
+    pub holds_where_real: bool,
 }
 
 /// r(θ), exactly.
@@ -212,15 +215,17 @@ fn add_factor(
     result.step = step;
     let rules = solved.roots.iter().map(|(_, rule)| *rule);
     let ranges = ranges(rules, &solved.critical, &parts, k);
-    let radii = solved
-        .roots
-        .iter()
-        .flat_map(|(root, _)| branches_of(root, k));
-    let branches = radii.zip(ranges).map(|(radius, ranges)| Branch {
+    let radii = solved.roots.iter().flat_map(|(root, rule)| {
+        let branches = branches_of(root, k).into_iter();
+        branches.map(|radius| (radius, rule.holds_where_real()))
+    });
+    let branches = radii.zip(ranges);
+    let branches = branches.map(|((radius, holds_where_real), ranges)| Branch {
         factor: index,
         radius: Radius::Closed(radius),
         real: ranges.real,
         positive: ranges.positive,
+        holds_where_real,
     });
     // Of the formulas of Lemmas 4 and 5 many hold nowhere.
     result
@@ -317,6 +322,7 @@ impl Branch {
             real: vec![AngleRange::full_circle()],
             positive: positive_ranges(&radius),
             radius: Radius::Fourier(radius),
+            holds_where_real: true,
         }
     }
 
@@ -326,6 +332,7 @@ impl Branch {
             real: branch.real.clone(),
             positive: branch.positive.clone(),
             radius: Radius::Root(branch),
+            holds_where_real: false,
         }
     }
 }

@@ -4,6 +4,7 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
 
 use super::angle::AngleRange;
+use super::condition::Condition;
 use super::expression::Expression;
 use super::parametrization::{Branch, Parametrization, PolarMethod, Radius};
 use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource};
@@ -60,6 +61,7 @@ pub fn parametrize_superquadric(shape: &Superquadric) -> Parametrization {
             radius: Radius::Closed(power(quotient, &half)),
             real: vec![AngleRange::full_circle()],
             positive: vec![AngleRange::full_circle()],
+            holds_where_real: true,
         }],
         notes: vec![format!(
             "Lemma 2 for parts of the degrees {exponent} and 0 gives r^{}; -r(theta) has the same points",
@@ -122,6 +124,8 @@ pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParam
             factor: 0,
             radius: power(quotient, &half),
             condition: "and positive in every direction".into(),
+            real_where: Condition::All(Vec::new()),
+            holds_where_real: true,
         }],
         notes: vec![format!(
             "Lemma 7 for parts of the degrees {of_z} and 0; -R(theta, phi) has the same points"

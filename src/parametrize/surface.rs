@@ -3,6 +3,7 @@
 use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::closed::{Rule, Solved, branches_of, discriminant, solve};
+use super::condition::Condition;
 use super::expression::Expression;
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
@@ -72,6 +73,10 @@ pub struct SurfaceBranch {
     pub radius: Expression<TernaryForm>,
     /// In which directions the formula holds, in words.
     pub condition: String,
+    /// The same, exactly.
+    pub real_where: Condition,
+    /// Whether the formula is real nowhere else.
+    pub holds_where_real: bool,
 }
 
 impl SurfaceFactor {
@@ -198,10 +203,16 @@ fn add_branches(
         let even = k.is_multiple_of(2);
         let condition = condition(*rule, even, &power("R", factor.step));
         let branches = branches_of(root, k).into_iter();
+        let mut real_where = vec![rule.condition(&solved.critical)];
+        if even {
+            real_where.push(Condition::NotNegative(root.clone()));
+        }
         result.branches.extend(branches.map(|radius| SurfaceBranch {
             factor: index,
             radius,
             condition: condition.clone(),
+            real_where: Condition::All(real_where.clone()),
+            holds_where_real: rule.holds_where_real(),
         }));
     }
     Ok(())

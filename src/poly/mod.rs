@@ -60,7 +60,8 @@ pub use malachite::integer_polynomial::IntegerPolynomial;
 #[cfg(test)]
 pub(crate) use mobius::tests::bounded_integer;
 pub(crate) use modular::{
-    SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, power_mod, powers_mod, reduce_integer,
+    Images, SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, power_mod, powers_mod,
+    reduce_integer,
 };
 pub use plane::PlanePolynomial;
 pub(crate) use prime_field::PrimeField;

@@ -113,14 +113,14 @@ fn remainder(f: &mut Vec<u64>, g: &[u64], p: u64) {
 }
 
 /// Residues of one polynomial modulo a growing product of primes.
-pub(super) struct Images {
+pub(crate) struct Images {
     pub(super) residues: Vec<Natural>,
     pub(super) modulus: Natural,
 }
 
 impl Images {
     /// Of `len` coefficients, modulo 1: nothing is known of them.
-    pub(super) fn unknown(len: usize) -> Self {
+    pub(crate) fn unknown(len: usize) -> Self {
         Self {
             residues: vec![Natural::ZERO; len],
             modulus: Natural::ONE,
@@ -128,7 +128,7 @@ impl Images {
     }
 
     /// Modulo one prime.
-    pub(super) fn new(image: &[u64], prime: u64) -> Self {
+    pub(crate) fn new(image: &[u64], prime: u64) -> Self {
         Self {
             residues: image.iter().map(|&c| Natural::from(c)).collect(),
             modulus: Natural::from(prime),
@@ -143,7 +143,7 @@ impl Images {
     }
 
     /// One more prime.
-    pub(super) fn push(&mut self, image: &[u64], prime: u64) {
+    pub(crate) fn push(&mut self, image: &[u64], prime: u64) {
         let modulus_mod = u64::try_from(&(&self.modulus % Natural::from(prime)))
             .invariant("a residue is less than its prime");
         let inverse = inverse_mod(modulus_mod, prime);
@@ -170,7 +170,7 @@ impl Images {
     }
 
     /// The representatives of least absolute value.
-    pub(super) fn balanced(&self) -> IntegerPolynomial {
+    pub(crate) fn balanced(&self) -> IntegerPolynomial {
         let half = &self.modulus >> 1u64;
         let coefficients = self.residues.iter().map(|r| {
             if *r > half {

@@ -1,7 +1,7 @@
 //! Theorem 4, Eq. (15): patches on which x² + y² + z² is a function of the direction.
 
 use super::{PolarFactor, PolarInverse, Role, squared_radius};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
 use crate::implicitize::map::RationalMap;
@@ -69,20 +69,24 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
         ),
     };
     let relation = relation.ok_or_else(|| {
-        refused("the relation to the direction was not found; please report the input")
+        Error::internal(
+            "Theorem 4",
+            "an equation of two homogeneous parts gives a function of the direction",
+        )
     })?;
     let degree = relation
         .terms()
         .map(|(e, _)| e[0] + e[1])
         .max()
-        .unwrap_or(0);
+        .invariant("a relation has a term");
     let rho = squared_radius(true);
     let form = |k: u32| {
         let terms = relation.terms().filter(move |(e, _)| e[2] == k);
         let terms = terms.map(|(e, c)| ([degree - e[0] - e[1], e[0], e[1]], c.clone()));
         SparsePolynomial::from_terms(terms)
     };
-    let highest = relation.terms().map(|(e, _)| e[2]).max().unwrap_or(0);
+    let highest = relation.terms().map(|(e, _)| e[2]).max();
+    let highest = highest.invariant("a relation has a term");
     let mut cleared = SparsePolynomial::zero();
     for k in 0..=highest {
         cleared = cleared.plus(&form(k).times(&rho.pow(k)));
@@ -112,8 +116,9 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
     let surface = factors.iter().find(|f| f.role == Role::Form);
     let surface = surface.map(|f| ImplicitSurface::new(f.polynomial.clone()));
     Ok(PolarPatch {
-        surface: surface
-            .ok_or_else(|| refused("no factor vanishes on the surface; please report the input"))?,
+        surface: surface.ok_or_else(|| {
+            Error::internal("Theorem 4", "a factor of Eq. (15) vanishes on the surface")
+        })?,
         inverse,
         factors,
     })
@@ -125,7 +130,7 @@ fn function_of_direction(
     largest: u64,
     limits: &Limits,
 ) -> Result<Option<SparsePolynomial<3>>> {
-    for degree in 0..=u32::try_from(largest).unwrap_or(u32::MAX) {
+    for degree in 0..=u32::try_from(largest).invariant("a degree is below 2^32") {
         let mut monomials = Vec::new();
         for k in [0, 1] {
             for i in 0..=degree {

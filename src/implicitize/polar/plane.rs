@@ -1,7 +1,7 @@
 //! Theorem 1, Eq. (1): plane curves whose slope function is inverted by substitution.
 
 use super::{PolarFactor, PolarInverse, Role, squared_radius};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::implicitize::inverse::{Inverse, invert};
@@ -82,7 +82,8 @@ pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
             let pair = ParametricCurve::new(curve.parameter().clone(), [slope, radius]);
             let relation = implicitize_plane(&pair, limits)?.curve;
             let relation = SparsePolynomial::<3>::from(relation.polynomial());
-            let degree = relation.terms().map(|(e, _)| e[0]).max().unwrap_or(0);
+            let degree = relation.terms().map(|(e, _)| e[0]).max();
+            let degree = degree.invariant("a relation has a term");
             let mut cleared = SparsePolynomial::zero();
             for (e, c) in relation.terms() {
                 let term = monomial(e[0], degree - e[0]).times(&rho.pow(e[1]));
@@ -95,10 +96,9 @@ pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
             (PolarInverse::Relation(reason), cleared, monomial(0, degree))
         }
     };
-    let factors = match cleared.to_plane() {
-        Some(plane) => factor_plane(&plane, limits)?.factors,
-        None => Vec::new(),
-    };
+    let plane = cleared.to_plane();
+    let plane = plane.invariant("there is no z in the equation of a plane curve");
+    let factors = factor_plane(&plane, limits)?.factors;
     let map = RationalMap::of_curve(curve);
     let denominators = [below];
     let factors: Vec<PolarFactor> = factors
@@ -113,9 +113,9 @@ pub fn polar_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PolarPlane> {
         })
         .collect();
     let found = factors.iter().find(|f| f.role == Role::Form);
-    let found = found.and_then(|f| f.polynomial.to_plane()).ok_or_else(|| {
-        refused("no factor vanishes on the curve; please report the input".into())
-    })?;
+    let found = found
+        .and_then(|f| f.polynomial.to_plane())
+        .ok_or_else(|| Error::internal("Theorem 1", "a factor of Eq. (1) vanishes on the curve"))?;
     Ok(PolarPlane {
         curve: ImplicitCurve::new(found),
         inverse,

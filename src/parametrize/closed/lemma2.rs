@@ -2,6 +2,7 @@
 
 use super::forms::{LemmaForm, negative, reduced};
 use super::{Rule, Solved};
+use crate::error::Invariant;
 use crate::parametrize::cells::Place;
 use crate::parametrize::expression::Expression;
 
@@ -13,14 +14,33 @@ pub(super) fn lemma_2<F: LemmaForm>([top, low]: [&F; 2]) -> Solved<F> {
     let [numerator, denominator] = reduced([minus_low.clone(), top.clone()]);
     Solved {
         roots: vec![(Expression::form(numerator).over(denominator), Rule::Linear)],
-        critical: vec![top, minus_low],
+        critical: Critical { top, minus_low }.into_list(),
+    }
+}
+
+/// The forms that decide where the root is real, or their signs in a direction.
+pub(super) struct Critical<T> {
+    pub(super) top: T,
+    pub(super) minus_low: T,
+}
+
+impl<T: Clone> Critical<T> {
+    fn into_list(self) -> Vec<T> {
+        let Self { top, minus_low } = self;
+        vec![top, minus_low]
+    }
+
+    /// From the list that [`Critical::into_list`] makes.
+    pub(super) fn named(list: &[T]) -> Self {
+        let [top, minus_low] = <&[T; 2]>::try_from(list)
+            .invariant("Lemma 2 has two critical forms")
+            .clone();
+        Self { top, minus_low }
     }
 }
 
 /// The sign of the root; `None` where it is not finite.
 pub(super) fn sign(at: &Place) -> Option<i8> {
-    let [top, minus_low] = at.signs[..] else {
-        return None;
-    };
+    let Critical { top, minus_low } = Critical::named(&at.signs);
     (top != 0).then_some(minus_low * top)
 }

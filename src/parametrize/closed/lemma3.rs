@@ -4,6 +4,7 @@ use malachite::Integer;
 
 use super::forms::{LemmaForm, negative, reduced, square_part};
 use super::{Rule, Solved};
+use crate::error::Invariant;
 use crate::parametrize::cells::Place;
 use crate::parametrize::expression::Expression;
 
@@ -27,7 +28,14 @@ pub(super) fn lemma_3<F: LemmaForm>([s, p, q]: [&F; 3]) -> Solved<F> {
     });
     Solved {
         roots: roots.into(),
-        critical: vec![s, p, q, inside, outside],
+        critical: Critical {
+            s,
+            p,
+            q,
+            inside,
+            outside,
+        }
+        .into_list(),
     }
 }
 
@@ -68,11 +76,51 @@ impl<F: LemmaForm> Quadratic<'_, F> {
     }
 }
 
+/// The forms that decide where the roots are real, or their signs in a direction: p² − 4sq = outside² inside.
+pub(super) struct Critical<T> {
+    pub(super) s: T,
+    pub(super) p: T,
+    pub(super) q: T,
+    pub(super) inside: T,
+    pub(super) outside: T,
+}
+
+impl<T: Clone> Critical<T> {
+    fn into_list(self) -> Vec<T> {
+        let Self {
+            s,
+            p,
+            q,
+            inside,
+            outside,
+        } = self;
+        vec![s, p, q, inside, outside]
+    }
+
+    /// From the list that [`Critical::into_list`] makes.
+    pub(super) fn named(list: &[T]) -> Self {
+        let [s, p, q, inside, outside] = <&[T; 5]>::try_from(list)
+            .invariant("Lemma 3 has five critical forms")
+            .clone();
+        Self {
+            s,
+            p,
+            q,
+            inside,
+            outside,
+        }
+    }
+}
+
 /// The sign of the root with the given sign of √(p² − 4sq); `None` where it is not real or not finite.
 pub(super) fn sign(at: &Place, of_root: i8) -> Option<i8> {
-    let [s, p, q, inside, outside] = at.signs[..] else {
-        return None;
-    };
+    let Critical {
+        s,
+        p,
+        q,
+        inside,
+        outside,
+    } = Critical::named(&at.signs);
     if inside < 0 && outside != 0 {
         return None;
     }

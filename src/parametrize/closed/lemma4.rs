@@ -4,6 +4,7 @@ use malachite::Integer;
 
 use super::forms::{LemmaForm, constant, negative, product, reduced, square_part};
 use super::{Rule, Solved};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::parametrize::cells::Place;
 use crate::parametrize::expression::Expression;
@@ -44,7 +45,15 @@ pub(super) fn lemma_4<F: LemmaForm>([s, p, q, u]: [&F; 4]) -> Solved<F> {
     } = cubic;
     Solved {
         roots,
-        critical: vec![s, p, q, u, discriminant, big_p],
+        critical: Critical {
+            s,
+            p,
+            q,
+            u,
+            discriminant,
+            big_p,
+        }
+        .into_list(),
     }
 }
 
@@ -90,11 +99,56 @@ impl<F: LemmaForm> Cubic<F> {
     }
 }
 
+/// The forms that decide which roots are real, or their signs in a direction.
+#[derive(Clone)]
+pub(super) struct Critical<T> {
+    pub(super) s: T,
+    pub(super) p: T,
+    pub(super) q: T,
+    pub(super) u: T,
+    pub(super) discriminant: T,
+    pub(super) big_p: T,
+}
+
+impl<T: Clone> Critical<T> {
+    fn into_list(self) -> Vec<T> {
+        let Self {
+            s,
+            p,
+            q,
+            u,
+            discriminant,
+            big_p,
+        } = self;
+        vec![s, p, q, u, discriminant, big_p]
+    }
+
+    /// From the list that [`Critical::into_list`] makes.
+    pub(super) fn named(list: &[T]) -> Self {
+        let [s, p, q, u, discriminant, big_p] = <&[T; 6]>::try_from(list)
+            .invariant("Lemma 4 has six critical forms")
+            .clone();
+        Self {
+            s,
+            p,
+            q,
+            u,
+            discriminant,
+            big_p,
+        }
+    }
+}
+
 /// The sign of the root that the cube roots give: the only real one, or for Δ = 0 the simple one.
 pub(super) fn sign_of_one(at: &Place) -> Option<i8> {
-    let [s, p, q, u, discriminant, _] = at.signs[..] else {
-        return None;
-    };
+    let Critical {
+        s,
+        p,
+        q,
+        u,
+        discriminant,
+        ..
+    } = Critical::named(&at.signs);
     if s == 0 || discriminant > 0 {
         return None;
     }
@@ -109,15 +163,20 @@ pub(super) fn sign_of_one(at: &Place) -> Option<i8> {
 
 /// The sign of the root with the j-th largest y where all three are real.
 pub(super) fn sign_of_three(at: &Place, j: usize) -> Option<i8> {
-    let [s, _, _, _, discriminant, big_p] = at.signs[..] else {
-        return None;
-    };
+    let Critical {
+        s,
+        p,
+        q,
+        u,
+        discriminant,
+        big_p,
+    } = Critical::named(&at.signs);
     if s == 0 || discriminant < 0 || big_p >= 0 {
         return None;
     }
     // y and R = (y − p)/3s are ordered alike for s > 0.
     let rank = if s > 0 { j } else { 2 - j };
-    Some(sign_of_rank(rank, &at.signs[..4]))
+    Some(sign_of_rank(rank, &[s, p, q, u]))
 }
 
 /// The sign of the root with the given rank (0 for the largest) of a polynomial with real roots only,

@@ -4,6 +4,7 @@ use malachite::Integer;
 
 use super::forms::{LemmaForm, constant, negative, product, reduced, square_part};
 use super::lemma4::{cosine_root, sum_of_cube_roots};
+use super::quartic_signs::Critical;
 use super::{Rule, Solved};
 use crate::parametrize::expression::Expression;
 
@@ -36,7 +37,7 @@ pub(super) fn lemma_5<F: LemmaForm>(parts: [&F; 5]) -> Solved<F> {
     }
     Solved {
         roots,
-        critical: quartic.into_critical_forms(),
+        critical: quartic.into_critical_forms().into_list(),
     }
 }
 
@@ -121,17 +122,21 @@ impl<F: LemmaForm> Quartic<F> {
         }
     }
 
-    /// In the order that [`super::quartic_signs`] reads.
-    fn into_critical_forms(self) -> Vec<F> {
-        let derived = [
-            self.a,
-            self.b,
-            self.c,
-            self.inner,
-            self.resolvent_p,
-            self.discriminant,
-        ];
-        self.parts.into_iter().chain(derived).collect()
+    fn into_critical_forms(self) -> Critical<F> {
+        let [s, p, q, u, v] = self.parts;
+        Critical {
+            s,
+            p,
+            q,
+            u,
+            v,
+            a: self.a,
+            b: self.b,
+            c: self.c,
+            inner: self.inner,
+            resolvent_p: self.resolvent_p,
+            discriminant: self.discriminant,
+        }
     }
 
     /// y → (y − p)/4s

@@ -13,8 +13,9 @@ use malachite::base::num::arithmetic::traits::Parity;
 
 use super::angle::AngleRange;
 use super::cells::{Cells, Place};
+use super::condition::{Condition, Relation};
 use super::expression::Expression;
-use crate::poly::BinaryForm;
+use crate::poly::{BinaryForm, TernaryForm};
 
 pub(super) use forms::{LemmaForm, integer_square_part, squarefree_kernel};
 use lemma5::Index;
@@ -65,6 +66,99 @@ pub(super) fn discriminant<F: LemmaForm>(parts: &[F]) -> Option<F> {
         [s, p, q, u, v] => Some(lemma5::discriminant([s, p, q, u, v])),
         _ => None,
     }
+}
+
+impl Rule {
+    /// Whether the formula is real nowhere else than where it is the root that the rule says. Square roots and quotients are;
+    /// arccosines beyond 1 and sums of conjugate cube roots are real again where they belong to another root, or to none.
+    pub(super) fn holds_where_real(self) -> bool {
+        match self {
+            Self::Linear | Self::Quadratic(_) => true,
+            Self::CubicOne | Self::CubicThree(_) | Self::Quartic { .. } | Self::Biquadratic(_) => {
+                false
+            }
+        }
+    }
+
+    /// Where the formula is real, finite and the root that the rule says: the same as the rule's sign being known.
+    ///
+    /// `critical` are the forms of the [`Solved`] that the rule is from.
+    pub(super) fn condition(self, critical: &[TernaryForm]) -> Condition {
+        use Relation::{AtLeastZero, AtMostZero, Negative, NotZero, Positive, Zero};
+        let form = Condition::form;
+        match self {
+            Self::Linear => {
+                let forms = lemma2::Critical::named(critical);
+                form(&forms.top, NotZero)
+            }
+            Self::Quadratic(_) => {
+                let forms = lemma3::Critical::named(critical);
+                let real = Condition::Any(vec![
+                    form(&forms.inside, AtLeastZero),
+                    form(&forms.outside, Zero),
+                ]);
+                // Where s = 0 the formula has no value; the root that stays finite is its limit.
+                let finite = form(&forms.s, NotZero);
+                Condition::All(vec![finite, real])
+            }
+            Self::CubicOne => {
+                let forms = lemma4::Critical::named(critical);
+                Condition::All(vec![
+                    form(&forms.s, NotZero),
+                    form(&forms.discriminant, AtMostZero),
+                ])
+            }
+            Self::CubicThree(_) => {
+                let forms = lemma4::Critical::named(critical);
+                Condition::All(vec![
+                    form(&forms.s, NotZero),
+                    form(&forms.discriminant, AtLeastZero),
+                    form(&forms.big_p, Negative),
+                ])
+            }
+            Self::Quartic { cosine: true, .. } => {
+                let forms = quartic_signs::Critical::named(critical);
+                let mut all = vec![form(&forms.s, NotZero)];
+                all.extend(all_real(&forms));
+                Condition::All(all)
+            }
+            Self::Quartic { index, .. } => {
+                let forms = quartic_signs::Critical::named(critical);
+                let sign = if index.pair > 0 { Negative } else { Positive };
+                let triple = Condition::All(vec![
+                    form(&forms.discriminant, Zero),
+                    form(&forms.resolvent_p, Zero),
+                    form(&forms.b, NotZero),
+                ]);
+                Condition::All(vec![
+                    form(&forms.s, NotZero),
+                    form(&forms.discriminant, AtMostZero),
+                    Condition::Not(Box::new(Condition::All(all_real(&forms)))),
+                    Condition::Any(vec![form(&forms.b, sign), triple]),
+                ])
+            }
+            Self::Biquadratic(_) => {
+                let forms = quartic_signs::Critical::named(critical);
+                Condition::All(vec![
+                    form(&forms.s, NotZero),
+                    form(&forms.b, Zero),
+                    Condition::Not(Box::new(Condition::All(all_real(&forms)))),
+                    form(&forms.inner, AtLeastZero),
+                    Condition::Any(vec![form(&forms.a, AtMostZero), form(&forms.c, AtMostZero)]),
+                ])
+            }
+        }
+    }
+}
+
+/// [`Signs::all_real`] but for s ≠ 0.
+fn all_real(forms: &quartic_signs::Critical<TernaryForm>) -> Vec<Condition> {
+    vec![
+        Condition::form(&forms.discriminant, Relation::AtLeastZero),
+        Condition::form(&forms.a, Relation::Negative),
+        Condition::form(&forms.inner, Relation::AtLeastZero),
+        Condition::form(&forms.resolvent_p, Relation::Negative),
+    ]
 }
 
 /// Where a branch is real.

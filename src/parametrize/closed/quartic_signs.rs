@@ -6,33 +6,53 @@ use malachite::base::polynomial::Polynomial;
 use super::forms::product;
 use super::lemma4::{rank_sign, sign_of_rank};
 use super::lemma5::{Index, depressed};
+use crate::error::Invariant;
 use crate::parametrize::cells::Place;
 use crate::poly::{BinaryForm, Form, IntegerPolynomial, Ring, integer_sign, real_roots};
 
-/// The signs of the critical forms at a place.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Signs {
-    s: i8,
-    p: i8,
-    u: i8,
-    v: i8,
-    a: i8,
-    b: i8,
-    c: i8,
-    inner: i8,
-    resolvent_p: i8,
-    discriminant: i8,
+/// The forms that decide which roots are real, or their signs in a direction.
+#[derive(Clone, Copy)]
+pub(super) struct Critical<T> {
+    pub(super) s: T,
+    pub(super) p: T,
+    pub(super) q: T,
+    pub(super) u: T,
+    pub(super) v: T,
+    pub(super) a: T,
+    pub(super) b: T,
+    pub(super) c: T,
+    pub(super) inner: T,
+    pub(super) resolvent_p: T,
+    pub(super) discriminant: T,
 }
 
-impl Signs {
-    /// In the order of the critical forms of Lemma 5.
-    pub(super) fn of(at: &Place) -> Self {
-        let [s, p, _, u, v, a, b, c, inner, resolvent_p, discriminant] = at.signs[..] else {
-            return Self::default();
-        };
+impl<T: Clone> Critical<T> {
+    pub(super) fn into_list(self) -> Vec<T> {
+        let Self {
+            s,
+            p,
+            q,
+            u,
+            v,
+            a,
+            b,
+            c,
+            inner,
+            resolvent_p,
+            discriminant,
+        } = self;
+        vec![s, p, q, u, v, a, b, c, inner, resolvent_p, discriminant]
+    }
+
+    /// From the list that [`Critical::into_list`] makes.
+    pub(super) fn named(list: &[T]) -> Self {
+        let [s, p, q, u, v, a, b, c, inner, resolvent_p, discriminant] = <&[T; 11]>::try_from(list)
+            .invariant("Lemma 5 has eleven critical forms")
+            .clone();
         Self {
             s,
             p,
+            q,
             u,
             v,
             a,
@@ -42,6 +62,15 @@ impl Signs {
             resolvent_p,
             discriminant,
         }
+    }
+}
+
+/// The signs at a place.
+pub(super) type Signs = Critical<i8>;
+
+impl Signs {
+    pub(super) fn of(at: &Place) -> Self {
+        Self::named(&at.signs)
     }
 
     /// Where all four roots are real and the cosine form is defined.
@@ -105,13 +134,13 @@ impl<'a> QuarticRoots<'a> {
             return self.sign_at(vector, index);
         }
         let signs = Signs::of(at);
-        let Signs { s, p, u, v, .. } = signs;
+        let Signs { s, p, q, u, v, .. } = signs;
         if index.pair == 0 && signs.discriminant == 0 {
             // The double root y = 0.
             return Some(-p * s);
         }
         if signs.all_real() {
-            return Some(sign_of_rank(position(index, 4, s), &at.signs[..5]));
+            return Some(sign_of_rank(position(index, 4, s), &[s, p, q, u, v]));
         }
         if v == 0 {
             // 0 is a root; the other real one is that of the cubic.

@@ -12,6 +12,7 @@ use malachite::base::num::arithmetic::traits::{
 use malachite::base::num::basic::traits::{One, Zero};
 
 use super::integers::Factored;
+use crate::error::Invariant;
 
 /// A completion of Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +92,7 @@ fn hilbert(a: &Integer, b: &Integer, p: u64) -> i8 {
     let ((alpha, u), (beta, v)) = (split(a), split(b));
     if p == 2 {
         // (−1)^(ε(u) ε(v) + α ω(v) + β ω(u)), ε(n) = (n−1)/2, ω(n) = (n²−1)/8
-        let residue = |n: &Integer| u64::try_from(&n.mod_op(Integer::from(8))).unwrap_or(0);
+        let residue = |n: &Integer| residue(n, 8);
         let epsilon = |r: u64| (r / 2) % 2;
         let omega = |r: u64| u64::from(r == 3 || r == 5);
         let (u, v) = (residue(&u), residue(&v));
@@ -115,7 +116,7 @@ fn hilbert(a: &Integer, b: &Integer, p: u64) -> i8 {
 
 /// n mod p
 fn residue(n: &Integer, p: u64) -> u64 {
-    u64::try_from(&n.mod_op(Integer::from(p))).unwrap_or(0)
+    u64::try_from(&n.mod_op(Integer::from(p))).invariant("a residue is below the modulus")
 }
 
 /// Lagrange's descent for squarefree a, b without an obstruction; the error is a number that was not factored.

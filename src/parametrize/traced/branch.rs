@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::link::Link;
 use super::{Sector, Tracing};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::parametrize::angle::{AngleRange, ExactAngle};
 use crate::poly::{BinaryForm, IntegerPolynomial, RealRoot, negate_odd, real_roots};
@@ -181,7 +182,8 @@ impl Tracing {
 impl Tracing {
     /// The nearest double of sign · root^(1/step).
     fn nearest(&self, mut root: RealRoot, sign: i8) -> f64 {
-        let step = u32::try_from(self.equation.step).unwrap_or(1);
+        let step = u32::try_from(self.equation.step);
+        let step = step.invariant("a degree is below 2^32");
         root.nearest_f64(step, &Rational::from(i32::from(sign)))
     }
 }

@@ -3,7 +3,7 @@
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RealRoot, Weights, signed_subresultant};
 
@@ -82,7 +82,7 @@ fn variations(signs: &[i8]) -> usize {
         }
         last = Some((index, sign));
     }
-    usize::try_from(total).unwrap_or(0)
+    usize::try_from(total).invariant("a number of real roots is not negative")
 }
 
 /// Whether an integer polynomial in R has R = 0 as a root, how often.

@@ -233,8 +233,8 @@ fn through_irrational(alpha: &RealRoot, cx: &Context<'_>) -> Result<Link> {
             }
         }
         let width = window.1 - window.0;
-        let bits = i64::try_from(width.denominator().significant_bits()).unwrap_or(0)
-            - i64::try_from(width.numerator().significant_bits()).unwrap_or(0);
+        let bits = width.denominator().significant_bits().cast_signed()
+            - width.numerator().significant_bits().cast_signed();
         alpha.refine_to_width(-bits - 8);
     }
 }
@@ -316,8 +316,7 @@ impl Bounds {
 
 fn power_of_two_above(q: &Rational) -> Rational {
     let bits = q.numerator().significant_bits() + 1;
-    let exponent = i64::try_from(bits).unwrap_or(0)
-        - i64::try_from(q.denominator().significant_bits()).unwrap_or(0);
+    let exponent = bits.cast_signed() - q.denominator().significant_bits().cast_signed();
     Rational::from_parts(Integer::from(1), exponent)
 }
 

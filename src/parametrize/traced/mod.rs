@@ -23,7 +23,7 @@ use link::{Context, Critical, Link};
 use strip::Strip;
 
 use super::angle::ExactAngle;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
@@ -98,7 +98,8 @@ impl Tracing {
         let low = &equation.forms[0];
         let eliminant = signed_subresultant(strip.coefficients(), 0, weights, limits)?;
         // sRes_0 = ± a_m · discriminant
-        let discriminant = divide_exactly(&eliminant, top.dehomogenized()).unwrap_or_default();
+        let discriminant = divide_exactly(&eliminant, top.dehomogenized());
+        let discriminant = discriminant.invariant("the leading coefficient divides sRes_0");
         let m = equation.forms.len() - 1;
         let degree = (2 * m - 2) * equation.lowest + equation.step * m * (m - 1);
         let slopes = separated(critical_slopes(&[

@@ -4,6 +4,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, IntegerPolynomial, constant_sign};
 
@@ -91,8 +92,8 @@ pub(super) fn range(
             &value.1 * high,
         ];
         let c = Rational::from(c);
-        let least = products.iter().min().cloned().unwrap_or_default();
-        let most = products.into_iter().max().unwrap_or_default();
+        let least = products.iter().min().invariant("there are products");
+        let most = products.iter().max().invariant("there are products");
         value = (least + &c, most + &c);
     }
     value

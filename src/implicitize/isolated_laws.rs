@@ -1,0 +1,162 @@
+//! Isolated points of curves that are built backwards from a pair of conjugate parameters.
+
+use malachite::Integer;
+use malachite::base::polynomial::Polynomial;
+use proptest::prelude::*;
+
+use super::isolated::{IsolatedPoint, isolated};
+use super::tracing::tracing_index_bound;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd, real_roots};
+
+fn poly(c: &[i64]) -> IntegerPolynomial {
+    IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
+}
+
+fn function(p: &IntegerPolynomial, q: &IntegerPolynomial) -> RationalFunction {
+    RationalFunction::new(p.clone(), q.clone()).unwrap()
+}
+
+fn found(x: &RationalFunction, y: &RationalFunction) -> super::isolated::Isolated {
+    isolated([x, y], &Limits::none()).unwrap()
+}
+
+fn exact(x: i64, y: i64) -> IsolatedPoint {
+    IsolatedPoint::Exact([Rational::from(x), Rational::from(y)])
+}
+
+fn small(length: std::ops::Range<usize>) -> impl Strategy<Value = IntegerPolynomial> {
+    prop::collection::vec(-6i64..7, length).prop_map(|c| poly(&c))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+    /// x = (t² − S t + P) A/q and y = (t² − S t + P) B/q have the point (0, 0) at two conjugate parameters. It is isolated
+    /// unless A and B have a common real root, or both are 0 at infinity.
+    #[test]
+    fn a_pair_is_isolated_unless_a_real_parameter_has_its_point(
+        a in small(1..5), b in small(1..5), q in small(1..5),
+        half in -3i64..4, more in 1i64..6, real in prop::option::of(-3i64..4), trigonometric in any::<bool>(),
+    ) {
+        // Roots half ± i √more
+        let pair = poly(&[half * half + more, -2 * half, 1]);
+        let line = real.map_or(poly(&[1]), |r| poly(&[-r, 1]));
+        let q = if trigonometric { poly(&[1, 0, 1]) * poly(&[1, 0, 1]) } else { q };
+        prop_assume!(a != poly(&[]) && b != poly(&[]) && q != poly(&[]));
+        prop_assume!(polynomial_gcd(&q, &pair).coefficients_asc().len() == 1);
+        let (x, y) = (function(&(&pair * &a * &line), &q), function(&(&pair * &b * &line), &q));
+        prop_assume!(tracing_index_bound(&[x.clone(), y.clone()]) == 1);
+        let at_infinity = [&x, &y].iter().all(|f| f.evaluate_at_infinity() == Some(Rational::zero()));
+        // Poles that cancel zeros are counted by the numerators in lowest terms.
+        let common = polynomial_gcd(x.numerator(), y.numerator());
+        let is_reached = at_infinity || !real_roots(&common).is_empty();
+        let found = found(&x, &y);
+        prop_assert!(found.complete);
+        prop_assert_eq!(found.points.contains(&exact(0, 0)), !is_reached, "{:?}", found);
+        // Every claim holds: no real parameter has a rational point that is called isolated.
+        for point in &found.points {
+            if let IsolatedPoint::Exact(point) = point {
+                let [f, g] = [(&x, &point[0]), (&y, &point[1])].map(|(f, v)| f.plus_constant(&-v.clone()));
+                let common = polynomial_gcd(f.numerator(), g.numerator());
+                prop_assert!(real_roots(&common).is_empty());
+                prop_assert!(common.coefficients_asc().len() > 2);
+            }
+        }
+    }
+
+    /// The real points of the curve do not depend on the parameter.
+    #[test]
+    fn isolated_points_do_not_depend_on_the_parameter(p in small(2..5), r in small(2..5), q in small(1..4), m in -4i64..5) {
+        let quadratic = poly(&[2, 1, 1]);
+        prop_assume!(q != poly(&[]));
+        let (x, y) = (function(&(&p * &quadratic), &q), function(&(&r * &quadratic), &q));
+        prop_assume!(x.degree() > 1 && y.degree() > 1);
+        prop_assume!(tracing_index_bound(&[x.clone(), y.clone()]) == 1);
+        // t = (m u + 1)/(u + m + 3): of determinant m² + 3m − 1, which is never 0.
+        let moved = |f: &RationalFunction| {
+            let (above, below) = (poly(&[1, m]), poly(&[m + 3, 1]));
+            let form = |p: &IntegerPolynomial| {
+                (0..=f.degree()).fold(poly(&[]), |sum, k| {
+                    let c = p.coefficients_asc().get(k).cloned().unwrap_or_default();
+                    let powers = (0..f.degree()).fold(poly(&[1]), |product, i| {
+                        product * if i < k { &above } else { &below }
+                    });
+                    sum + powers * IntegerPolynomial::from_coefficients_asc(vec![c])
+                })
+            };
+            function(&form(f.numerator()), &form(f.denominator()))
+        };
+        let (one, two) = (found(&x, &y), found(&moved(&x), &moved(&y)));
+        prop_assert!(one.complete && two.complete);
+        prop_assert_eq!(one.points.len(), two.points.len(), "{:?} {:?}", one, two);
+        for point in &one.points {
+            let near = |other: &IsolatedPoint| match (point, other) {
+                (IsolatedPoint::Near(a), IsolatedPoint::Near(b)) => {
+                    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-9 * (1.0 + a.abs()))
+                }
+                (a, b) => a == b,
+            };
+            prop_assert!(two.points.iter().any(near));
+        }
+    }
+}
+
+#[test]
+fn points_that_a_real_branch_passes_through_are_not_isolated() {
+    let one = poly(&[1]);
+    // t = 0 and t = ±i have the point (0, 0).
+    let passed = found(
+        &function(&poly(&[0, 1, 0, 1]), &one),
+        &function(&poly(&[0, 0, 1, 0, 1]), &one),
+    );
+    assert!(passed.complete && passed.points.is_empty());
+    // t = ±i and t = ∞.
+    let q = poly(&[2, 0, 0, 0, 1]);
+    let passed = found(
+        &function(&poly(&[1, 0, 1]), &q),
+        &function(&poly(&[0, 1, 0, 1]), &q),
+    );
+    assert!(passed.complete && passed.points.is_empty());
+    // t = ±i alone.
+    let alone = found(
+        &function(&poly(&[1, 0, 1]), &one),
+        &function(&poly(&[0, 1, 0, 1]), &one),
+    );
+    assert_eq!((alone.complete, alone.points), (true, vec![exact(0, 0)]));
+}
+
+/// With h = (t² − √2 t + 5)(t² + √2 t + 5) and y = (t² + 5)/t + …h, x = …h the two pairs of the roots of h have the points
+/// (0, ±√2). They are reached by t = ±√2, too, where a factor t² − 2 of x is there and y is made for that.
+#[test]
+fn irrational_points_are_decided_exactly() {
+    let h = poly(&[25, 0, 8, 0, 1]);
+    let y_above = poly(&[5, 0, 1]) * poly(&[18]) - poly(&[0, 0, 1]) * &h;
+    let y = function(&y_above, &poly(&[0, 18]));
+    let one = poly(&[1]);
+    let reached = found(&function(&(&h * poly(&[-2, 0, 1])), &one), &y);
+    assert!(reached.complete, "{reached:?}");
+    let at_root = |points: &[IsolatedPoint]| {
+        let near = |p: &&IsolatedPoint| match p {
+            IsolatedPoint::Near([x, y]) => x.abs() < 1e-12 && (y.abs() - 2f64.sqrt()).abs() < 1e-12,
+            IsolatedPoint::Exact(_) => false,
+        };
+        points.iter().filter(near).count()
+    };
+    assert_eq!(at_root(&reached.points), 0, "{reached:?}");
+    let alone = found(&function(&(&h * poly(&[-3, 0, 1])), &one), &y);
+    assert!(alone.complete, "{alone:?}");
+    assert_eq!(at_root(&alone.points), 2, "{alone:?}");
+}
+
+#[test]
+fn a_point_that_conjugate_cusps_have_is_isolated() {
+    let circle = poly(&[1, 0, 1]);
+    let square = &circle * &circle;
+    let (x, y) = (
+        function(&square, &poly(&[1])),
+        function(&(&square * poly(&[0, 1])), &poly(&[1])),
+    );
+    let found = found(&x, &y);
+    assert_eq!((found.complete, found.points), (true, vec![exact(0, 0)]));
+}

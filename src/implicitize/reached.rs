@@ -1,0 +1,176 @@
+//! Which real parameters reach a point that two conjugate ones reach.
+
+use malachite::base::num::basic::traits::Zero;
+use malachite::base::polynomial::Polynomial;
+
+use super::eliminant::subresultant;
+use super::enclosure::{Enclosure, Precision};
+use super::pair::{DoublePoints, enclosed_root, value_at};
+use super::symmetric::{Rows, bezoutian, in_both};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::poly::{
+    IntegerPolynomial, RationalFunction, RealRoot, divide_exactly, polynomial_gcd, real_roots,
+};
+
+/// Whether a real parameter, infinity included, has this rational point, exactly: the numerators of x(t) − x and y(t) − y
+/// have a common real root, or both are 0 at infinity.
+pub(super) fn is_reached(coordinates: [&RationalFunction; 2], point: &[Rational; 2]) -> bool {
+    let at_infinity = coordinates.iter().zip(point);
+    let mut at_infinity = at_infinity.map(|(f, v)| f.evaluate_at_infinity().as_ref() == Some(v));
+    if at_infinity.all(|reached| reached) {
+        return true;
+    }
+    let [f, g] = [0, 1].map(|k| coordinates[k].plus_constant(&-point[k].clone()));
+    !real_roots(&polynomial_gcd(f.numerator(), g.numerator())).is_empty()
+}
+
+/// Whether it is proved that no parameter but s and s̄, complex ones and infinity included, has their point (x, y).
+///
+/// `(p1(t) − x q1(t))/(t² − S t + P)` and the same of y are polynomials in t, of formal degrees m − 2 and n − 2; their
+/// resultant is not 0 exactly if they have no common root and not both leading coefficients are 0. Undecided by these
+/// enclosures if it may be 0.
+pub(super) fn is_reached_by_no_other(
+    coordinates: [&RationalFunction; 2],
+    [sum, product]: &[Enclosure; 2],
+    point: &[Enclosure; 2],
+    precision: Precision,
+) -> bool {
+    let quotient = |k: usize| -> Vec<Enclosure> {
+        let f = coordinates[k];
+        let [p, q] = [f.numerator(), f.denominator()].map(IntegerPolynomial::coefficients_asc);
+        let coefficient = |i: usize| {
+            let [p, q] = [p, q].map(|c| {
+                c.get(i)
+                    .map_or_else(Enclosure::zero, |c| precision.integer(c))
+            });
+            p.minus(&precision.times(&q, &point[k]))
+        };
+        // Synthetic division from above; what is left, 0, is not computed.
+        let mut descending: Vec<Enclosure> = Vec::new();
+        for i in (2..=f.degree()).rev() {
+            let mut c = coefficient(i);
+            if let Some(last) = descending.last() {
+                c = c.plus(&precision.times(sum, last));
+            }
+            if let [.., before, _] = descending.as_slice() {
+                c = c.minus(&precision.times(product, before));
+            }
+            descending.push(c);
+        }
+        descending
+    };
+    let [f, g] = [quotient(0), quotient(1)];
+    let (m, n) = (f.len() - 1, g.len() - 1);
+    if m + n == 0 {
+        // Both have no other parameter at all.
+        return true;
+    }
+    let row = |f: &[Enclosure], shift: usize| -> Vec<Enclosure> {
+        let mut row = vec![Enclosure::zero(); shift];
+        row.extend_from_slice(f);
+        row.resize(m + n, Enclosure::zero());
+        row
+    };
+    let rows = (0..n).map(|r| row(&f, r));
+    let rows = rows.chain((0..m).map(|r| row(&g, r)));
+    let left = precision.last_row(rows.collect());
+    left.is_some_and(|left| left[0].sign().is_some_and(|s| s != 0))
+}
+
+/// A real parameter that may share its point with two conjugate ones.
+pub(super) struct RealPartner {
+    t: RealRoot,
+    /// Whether it does, proved.
+    pub(super) proved: bool,
+}
+
+impl RealPartner {
+    /// Its point; `None` if the precision is not enough.
+    pub(super) fn point(
+        &self,
+        coordinates: [&RationalFunction; 2],
+        precision: Precision,
+    ) -> Option<[Enclosure; 2]> {
+        let t = enclosed_root(&self.t, precision);
+        let value = |f: &RationalFunction| {
+            let [p, q] = [f.numerator(), f.denominator()].map(|f| value_at(f, &t, precision));
+            precision.over(&p, &q)
+        };
+        Some([value(coordinates[0])?, value(coordinates[1])?])
+    }
+}
+
+/// All real numbers t whose point two conjugate parameters have as well, and perhaps others; not t = ∞.
+///
+/// With A(t, σ), B(t, σ) the two quotients of differences, such a t has two common zeros σ: both the resultant with respect
+/// to σ and the leading coefficient of the first subresultant are 0 there. If the second subresultant is a quadratic
+/// polynomial in σ there, with negative discriminant, its zeros are the two. Poles are left out.
+///
+/// # Errors
+/// As [`subresultant`].
+pub(super) fn real_partners(
+    points: &DoublePoints<'_>,
+    limits: &Limits,
+) -> Result<Vec<RealPartner>> {
+    let coordinates = points.coordinates;
+    // By powers of σ, with coefficients in t.
+    let [a, b] = coordinates.map(|f| in_both(&bezoutian(f)));
+    let least = a.degree().min(b.degree());
+    if least < 2 {
+        // A linear equation for σ has one solution: there are no two, or all of them, where it is 0.
+        return Ok(partners_of(&common_content([&a, &b]), None));
+    }
+    let both = [&a, &b];
+    let resultant = subresultant(both, 0, limits)?;
+    let first = subresultant(both, 1, limits)?;
+    let mut common = polynomial_gcd(&resultant[0], &first[1]);
+    for f in coordinates {
+        loop {
+            let poles = polynomial_gcd(&common, f.denominator());
+            if poles.coefficients_asc().len() <= 1 {
+                break;
+            }
+            match divide_exactly(&common, &poles) {
+                Some(rest) => common = rest,
+                None => break,
+            }
+        }
+    }
+    if common.coefficients_asc().len() <= 1 {
+        return Ok(Vec::new());
+    }
+    let quadratic = match (a.degree(), b.degree()) {
+        (2, _) => a.rows().to_vec(),
+        (_, 2) => b.rows().to_vec(),
+        _ => subresultant(both, 2, limits)?,
+    };
+    Ok(partners_of(&common, Some(&quadratic)))
+}
+
+/// The t at which all coefficients of both are 0.
+fn common_content(both: [&Rows; 2]) -> IntegerPolynomial {
+    let rows = both.into_iter().flat_map(Rows::rows);
+    rows.fold(IntegerPolynomial::ZERO, |g, row| polynomial_gcd(&g, row))
+}
+
+fn partners_of(
+    common: &IntegerPolynomial,
+    quadratic: Option<&[IntegerPolynomial]>,
+) -> Vec<RealPartner> {
+    let four = IntegerPolynomial::from_coefficients_asc(vec![4.into()]);
+    real_roots(common)
+        .into_iter()
+        .filter_map(|t| {
+            let Some([c, b, a]) = quadratic else {
+                return Some(RealPartner { t, proved: false });
+            };
+            if t.is_root_of(a) || *a == IntegerPolynomial::ZERO {
+                return Some(RealPartner { t, proved: false });
+            }
+            let discriminant = b * b - &four * a * c;
+            (t.sign_of(&discriminant) < 0).then_some(RealPartner { t, proved: true })
+        })
+        .collect()
+}
