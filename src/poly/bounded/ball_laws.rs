@@ -80,9 +80,10 @@ impl Draw {
         )
     }
 
-    /// A radius of 0, of some ulps, or much larger.
+    /// A radius of 0, of some ulps, or much larger, with few bits or with all of them.
     fn radius(&mut self) -> f64 {
-        match self.below(4) {
+        match self.below(5) {
+            4 => f64::from_bits((1023 + 50 + self.word() % 20) << 52 | self.word() >> 12),
             0 => 0.0,
             1 => float(1 + self.below(4)),
             2 => float(self.below(1000)) / 8.0,
@@ -414,8 +415,15 @@ mod laws {
             let truth = truth.fold(Rational::zero(), |sum, c| sum * &point + c);
             let value = list.value(&y);
             tightness.check(&truth, &ulps(value.mid), value.radius);
-            let (again, _) = list.value_and_slope(&y);
+            let (again, slope) = list.value_and_slope(&y);
             assert_eq!((again.mid, again.radius), (value.mid, value.radius));
+            // The slope, as an estimate: its terms have sizes of at most 64 d.
+            let terms = list.mids.iter().enumerate().skip(1).rev();
+            let expected = terms.fold(Rational::zero(), |sum, (i, c)| {
+                sum * &point + ulps(*c) * Rational::from(i as i64)
+            });
+            let off = (expected / one::<W>()).to_f64() - slope;
+            assert!(off.abs() <= 1e-9 * float(list.len()), "{off}");
         }
         tightness.is_at_least(0.99);
     }
@@ -564,6 +572,18 @@ mod laws {
         }
         tightness.is_at_least(0.4);
     }
+}
+
+/// The sum of the radii is rounded down here, and the sum of the midpoints is between that and the true sum.
+#[test]
+fn partial_sums_round_their_radii_up() {
+    let number = |n: i64| Fixed::<2>::of_integer(&Integer::from(n), Fixed::<2>::FRACTION_BITS).0;
+    let large = 1i64 << 60;
+    let mids = vec![number(2 * large), number(-large + 100)];
+    let radii = vec![float(1 << 60), float(115)];
+    // The sums are 2^61 ± 2^60 and 2^60 + 100 ± (2^60 + 115): the second may be negative.
+    let said = Balls::<2>::new(mids, radii).changes_of_partial_sums();
+    assert!(matches!(said, Changes::More));
 }
 
 /// Lemma 1, for as many roundings as it allows.

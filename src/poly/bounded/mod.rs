@@ -10,6 +10,8 @@
 mod ball;
 mod bernstein;
 mod fixed;
+#[cfg(test)]
+mod laws;
 mod newton;
 mod search;
 mod signed;
