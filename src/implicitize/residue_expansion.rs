@@ -67,7 +67,7 @@ fn check_values(sums: &SummedHarmonics, odd: &FlatPolynomial, [middle, low]: &[V
     } else {
         squares[0].minus(squares[1].times(rho))
     };
-    let of_middle = odd.times(rho.power(sums.rho_power()));
+    let of_middle = odd.times(rho.power(sums.rho_power() as u64));
     if value_of_integers(middle) != of_middle || value_of_integers(low) != expected {
         broken("the parts of Theorem 2 have their values modulo one more prime");
     }

@@ -1,4 +1,10 @@
 //! Polynomials with integer coefficients from their residues modulo many primes.
+//!
+//! Lemma 1. A coefficient below 2^bits is lifted right from the quartets of the smallest set that has at least
+//! [`Quartet::number_for`]\(bits) of them.
+//! Proof. Their product P is above 2^(bits + 2) (Lemma 1 of [`Quartet::enough_for`]): the coefficient is below P/4, as Lemma 1 of
+//! [`chinese`](super::chinese) asks. All coefficients that are lifted together are below the same power of two ([`Sizes::new`]).
+//! Law: `lifted_integers_are_those_whose_residues_they_are`.
 
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -79,10 +85,14 @@ impl<'a> Lifting<'a> {
         }
     }
 
-    /// The number of the smallest set for coefficients below 2^`bits`.
+    /// The number of the smallest set for coefficients below 2^`bits`. Lemma 1.
     fn set(&self, bits: u64) -> usize {
-        let set = Quartet::number_for(bits).div_ceil(self.step) - 1;
-        set.min(self.sets.len() - 1)
+        let number = Quartet::number_for(bits);
+        assert!(
+            number <= self.quartets.len(),
+            "there are enough primes for all coefficients"
+        );
+        number.div_ceil(self.step) - 1
     }
 
     /// How many quartets are in a set.
