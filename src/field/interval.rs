@@ -402,7 +402,9 @@ pub(crate) mod tests {
             1 => small,
             1 => prop::sample::select(vec![0.0, -0.0, 1.0, -1.0, f64::MAX, f64::MIN, f64::MIN_POSITIVE]),
             3 => -4.0f64..4.0,
-            1 => (any::<u64>(), -60i32..60).prop_map(|(m, e)| (1.0 + m as f64 / 2f64.powi(64)) * 2f64.powi(e)),
+            1 => (any::<u32>(), any::<u32>(), -60i32..60).prop_map(|(a, b, e)| {
+                (1.0 + (f64::from(a) + f64::from(b) * 2f64.powi(-32)) * 2f64.powi(-32)) * 2f64.powi(e)
+            }),
         ]
     }
 

@@ -224,6 +224,23 @@ mod tests {
             }
         }
 
+        /// The bounds hold where the quadratic coefficient is all that is left of two larger ones: x³ − 3cx² at c, but for δ.
+        #[test]
+        fn curvature_is_bounded_where_coefficients_cancel(m in 0.1f64..2.0, part in -40i64..41, k in 1i32..4) {
+            let x = crate::poly::SparsePolynomial::<3>::variable(0);
+            let near = rational(m) + Rational::from(part) / Rational::from(3) * Rational::from(2).pow(-56).unwrap();
+            let squared = crate::poly::Ring::squared(&x);
+            let f = crate::poly::Ring::minus(&crate::poly::Ring::times(&squared, &x), &squared.scaled(&(near * Rational::from(3))));
+            let field = Field::new(&f);
+            let step = rational(f64::from(k) * 2f64.powi(-70));
+            let [zero, at] = [Rational::zero(), rational(m)];
+            let (start, gradient) = field.exact_value_and_gradient(&[at.clone(), zero.clone(), zero.clone()]);
+            let end = field.polynomial().evaluate(&[&at + &step, zero.clone(), zero]);
+            let remainder = end - start - &gradient[0] * &step;
+            let found = field.local([m, 0.0, 0.0]).curvature(f64::from(k) * 2f64.powi(-70), false);
+            prop_assert!(found.contains(&(remainder / (&step * &step))), "{found:?}");
+        }
+
         /// Value and gradient hold the exact ones.
         #[test]
         fn values_and_gradients_are_enclosed(f in nasty_cubics(), m in prop::array::uniform3(-3.0f64..3.0)) {
