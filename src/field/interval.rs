@@ -491,13 +491,13 @@ pub(crate) mod tests {
         let part = Interval::between(0.0, 1.0);
         let positive = Interval::between(0.0, f64::INFINITY);
         assert_eq!(part * all, all);
-        assert_eq!((part * positive).high(), f64::INFINITY);
+        assert!((part * positive).high().is_infinite());
         assert!((part * positive).low() >= -f64::MIN_POSITIVE);
         assert!((all * Interval::ZERO).low() <= 0.0 && (all * Interval::ZERO).high() >= 0.0);
         // Overflow leaves no bound.
         let huge = Interval::from(f64::MAX);
-        assert_eq!((huge + huge).high(), f64::INFINITY);
-        assert_eq!((huge * huge).high(), f64::INFINITY);
+        assert!((huge + huge).high().is_infinite());
+        assert!((huge * huge).high().is_infinite());
     }
 
     proptest! {
