@@ -70,10 +70,11 @@ impl BoxBounds {
         spread.high() < value.mignitude()
     }
 
-    /// No zero of g in the cube is nearer than this to a point, in units of the (equal) half sides.
+    /// No zero of g in the cube is nearer than this to a point, in units of the (equal) half sides; 0 where it does not seem to be
+    /// more than what is `known`.
     ///
     /// The weight is sought in doubles; only the bound that it gives is trusted.
-    pub(crate) fn nearest_zero(&self, p: [Interval; 3]) -> f64 {
+    pub(crate) fn nearest_zero(&self, p: [Interval; 3], known: f64) -> f64 {
         let near = p.map(Interval::middle);
         let plane = |s: [f64; 3]| -> f64 {
             self.value + self.linear.iter().zip(s).map(|(m, x)| m * x).sum::<f64>()
@@ -111,7 +112,8 @@ impl BoxBounds {
                 low = weight;
             }
         }
-        found_at.map_or(0.0, |(weight, s)| self.distance_bound(p, sense, weight, s))
+        let better = found_at.filter(|_| found > known * known);
+        better.map_or(0.0, |(weight, s)| self.distance_bound(p, sense, weight, s))
     }
 
     /// Lemma 10. For λ ≥ 0, σ = ±1 and any s in the cube, no zero x of g in it has |x − p|² less than
@@ -301,13 +303,24 @@ mod tests {
                 _ => [linear[0], linear[1], 0.0],
             };
             let bounds = BoxBounds { value, error: 0.0, linear, spread: [0.0; 3], rest };
-            let found = bounds.nearest_zero(p.map(Interval::from));
+            let found = bounds.nearest_zero(p.map(Interval::from), 0.0);
             if let Some(exact) = exact_nearest(&bounds, &rationals(p)) {
                 let square = rational(found) * rational(found);
                 prop_assert!(square <= exact, "{found} {}", exact.to_f64().sqrt());
                 if kind == 1 {
                     prop_assert!(found >= 0.9 * exact.to_f64().sqrt());
                 }
+            }
+        }
+
+        /// Lemma 10 for any weight and any point of the cube, not only those that are found.
+        #[test]
+        fn every_weight_gives_a_bound(value in -3.0f64..3.0, linear in prop::array::uniform3(-2.0f64..2.0), rest in 0.0f64..0.5, p in prop::array::uniform3(-4.0f64..4.0), weight in 0.0f64..4.0, s in prop::array::uniform3(prop_oneof![Just(-1.0), Just(1.0), -1.0f64..1.0]), is_negative in any::<bool>()) {
+            let bounds = BoxBounds { value, error: 0.0, linear, spread: [0.0; 3], rest };
+            let sense = if is_negative { -1.0 } else { 1.0 };
+            let found = bounds.distance_bound(p.map(Interval::from), sense, weight, s);
+            if let Some(exact) = exact_nearest(&bounds, &rationals(p)) {
+                prop_assert!(rational(found) * rational(found) <= exact);
             }
         }
 

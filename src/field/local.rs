@@ -200,7 +200,7 @@ mod tests {
             let n = if field.is_flat() { [n[0], n[1], 0] } else { n };
             let at = |v: [f64; 3]| -> [Rational; 3] { std::array::from_fn(|i| rational(m[i]) + rational(v[i])) };
             let length = |v: [f64; 3]| square(exactly(v)).sqrt().high();
-            for (from, to, anywhere) in [([0.0; 3], a, false), ([0.0; 3], b, true), (a, b, true), (b, a, true)] {
+            for (from, to, anywhere, is_centred) in [([0.0; 3], a, false, true), ([0.0; 3], b, true, true), (a, b, true, false), (b, a, true, false)] {
                 let radius = length(from).max(length(to));
                 let w: [Rational; 3] = std::array::from_fn(|i| rational(to[i]) - rational(from[i]));
                 let squared: Rational = w.iter().map(|x| x * x).sum();
@@ -210,7 +210,7 @@ mod tests {
                 let remainder = field.polynomial().evaluate(&at(to)) - start - linear;
                 let found = local.curvature(radius, anywhere);
                 prop_assert!(found.contains(&(&remainder / &squared)), "{found:?}");
-                if n != [0; 3] && from == [0.0; 3] {
+                if n != [0; 3] && is_centred {
                     for sign in [1, -1] {
                         let away = n.map(f64::from);
                         let [across, along] = local.one_sided(sign, exactly(away), radius);
@@ -222,6 +222,23 @@ mod tests {
                     }
                 }
             }
+        }
+
+        /// The bounds hold where the quadratic coefficient is all that is left of two larger ones: x³ − 3cx² at c, but for δ.
+        #[test]
+        fn curvature_is_bounded_where_coefficients_cancel(m in 0.1f64..2.0, part in -40i64..41, k in 1i32..4) {
+            let x = crate::poly::SparsePolynomial::<3>::variable(0);
+            let near = rational(m) + Rational::from(part) / Rational::from(3) * Rational::from(2).pow(-56).unwrap();
+            let squared = crate::poly::Ring::squared(&x);
+            let f = crate::poly::Ring::minus(&crate::poly::Ring::times(&squared, &x), &squared.scaled(&(near * Rational::from(3))));
+            let field = Field::new(&f);
+            let step = rational(f64::from(k) * 2f64.powi(-70));
+            let [zero, at] = [Rational::zero(), rational(m)];
+            let (start, gradient) = field.exact_value_and_gradient(&[at.clone(), zero.clone(), zero.clone()]);
+            let end = field.polynomial().evaluate(&[&at + &step, zero.clone(), zero]);
+            let remainder = end - start - &gradient[0] * &step;
+            let found = field.local([m, 0.0, 0.0]).curvature(f64::from(k) * 2f64.powi(-70), false);
+            prop_assert!(found.contains(&(remainder / (&step * &step))), "{found:?}");
         }
 
         /// Value and gradient hold the exact ones.

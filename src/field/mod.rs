@@ -33,7 +33,7 @@ use taylor::Layout;
 /// Proof. 2^110·2^(−1075) < 2^(−54)·2^(−900).
 ///
 /// Laws: `values_are_within_their_bounds`, `coefficients_are_within_their_errors`, `boxes_hold_the_exact_values`.
-const FLOOR: f64 = f64::MIN_POSITIVE * (1u128 << 122) as f64;
+const FLOOR: f64 = f64::from_bits((1023 - 900) << 52);
 
 /// 1, x, x², … Those of low degrees need no memory of their own.
 type Powers = SmallVec<[f64; 16]>;

@@ -6,7 +6,7 @@ use super::interval::{Interval, cross, square};
 
 /// A guess is moved outwards by this part of the largest entries before it is proved: more than it is usually off, and more
 /// than the intervals of the decomposition are wide. Any value is sound.
-const MARGIN: f64 = 1.0 / (1u64 << 42) as f64;
+const MARGIN: f64 = 1024.0 * f64::EPSILON;
 
 /// The cubic formula is left to matrices whose cosine is less in size: its error grows with 1/√(1 − cosine²).
 const CLOSE: f64 = 1.0 - 1.0 / 1024.0;

@@ -201,8 +201,9 @@ impl Search<'_> {
             }
             let away = minus(p, exactly(middle));
             let half = Interval::from(grown);
-            let slab = Interval::from(bounds.nearest_zero(away.map(|x| x / half))) * half;
-            let low = slab.low().max(beside(away, grown, axes)).max(cube.low);
+            let known = beside(away, grown, axes).max(cube.low);
+            let slab = bounds.nearest_zero(away.map(|x| x / half), known / grown);
+            let low = (Interval::from(slab) * half).low().max(known);
             if low < self.goal.reach && low < self.high {
                 self.heap.push(Cube {
                     low,

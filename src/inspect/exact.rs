@@ -192,7 +192,8 @@ fn squared_bounds(
     let length = Interval::from(&away_squared).sqrt();
     // The expansion is that about the doubles next to q.
     let near = q.each_ref().map(Rational::to_f64);
-    if !near.iter().all(|x| x.is_finite()) || !(lambda.is_finite() && lambda > 0.0) {
+    let is_near = near.iter().all(|x| x.is_finite());
+    if !is_near || !lambda.is_finite() || lambda <= 0.0 {
         return (None, None);
     }
     let off = Interval::from(&squared_length(&exact_difference(q, &rationals(near)))).sqrt();
