@@ -54,7 +54,7 @@ pub(super) fn condition_text(condition: &Condition) -> String {
     };
     match condition {
         Condition::All(parts) if parts.is_empty() => "true".into(),
-        Condition::All(parts) if parts.len() == 1 => condition_text(&parts[0]),
+        Condition::Any(parts) if parts.is_empty() => "false".into(),
         Condition::All(parts) => all("And", parts),
         Condition::Any(parts) => all("Or", parts),
         Condition::Not(part) => format!("Not({})", condition_text(part)),

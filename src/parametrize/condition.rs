@@ -1,14 +1,14 @@
 //! Where a formula of Lemmas 7 to 10 holds, as an exact statement about signs of forms.
 
 use super::expression::Expression;
-use crate::poly::TernaryForm;
+use crate::poly::{TernaryForm, integer_sign};
 
 /// A statement about a direction (θ, φ).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     /// All of these hold; with none of them, always.
     All(Vec<Self>),
-    /// One of these holds.
+    /// One of these holds; with none of them, never.
     Any(Vec<Self>),
     /// This does not hold.
     Not(Box<Self>),
@@ -36,8 +36,164 @@ pub enum Relation {
 }
 
 impl Condition {
-    /// That a form compares so with 0.
+    /// That a form compares so with 0; a constant form is compared at once.
     pub(super) fn form(form: &TernaryForm, relation: Relation) -> Self {
-        Self::Form(form.clone(), relation)
+        if form.degree() > 0 {
+            return Self::Form(form.clone(), relation);
+        }
+        let sign = form.terms().next().map_or(0, |(_, c)| integer_sign(c));
+        match relation.holds(sign) {
+            true => Self::All(Vec::new()),
+            false => Self::Any(Vec::new()),
+        }
+    }
+
+    /// All of these, without what always holds.
+    pub(super) fn all(parts: impl IntoIterator<Item = Self>) -> Self {
+        let mut all = Vec::new();
+        for part in parts {
+            match part {
+                Self::All(inner) => all.extend(inner),
+                Self::Any(inner) if inner.is_empty() => return Self::Any(inner),
+                other => all.push(other),
+            }
+        }
+        match <[Self; 1]>::try_from(all) {
+            Ok([only]) => only,
+            Err(all) => Self::All(all),
+        }
+    }
+
+    /// One of these, without what never holds.
+    pub(super) fn any(parts: impl IntoIterator<Item = Self>) -> Self {
+        let mut any = Vec::new();
+        for part in parts {
+            match part {
+                Self::Any(inner) => any.extend(inner),
+                Self::All(inner) if inner.is_empty() => return Self::All(inner),
+                other => any.push(other),
+            }
+        }
+        match <[Self; 1]>::try_from(any) {
+            Ok([only]) => only,
+            Err(any) => Self::Any(any),
+        }
+    }
+
+    /// That this does not hold.
+    pub(super) fn negated(self) -> Self {
+        match self {
+            Self::All(inner) if inner.is_empty() => Self::Any(inner),
+            Self::Any(inner) if inner.is_empty() => Self::All(inner),
+            other => Self::Not(Box::new(other)),
+        }
+    }
+}
+
+impl Relation {
+    /// Whether a number of this sign compares so with 0.
+    fn holds(self, sign: i8) -> bool {
+        match self {
+            Self::Zero => sign == 0,
+            Self::NotZero => sign != 0,
+            Self::Positive => sign > 0,
+            Self::Negative => sign < 0,
+            Self::AtLeastZero => sign >= 0,
+            Self::AtMostZero => sign <= 0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Rational;
+    use crate::language::{Numbers, parse_form};
+    use crate::limits::Limits;
+    use crate::parametrize::parametrize_surface;
+    use crate::sample::{SpaceDirection, UnitVector};
+    use crate::shape::Form;
+    use malachite::Integer;
+
+    /// Whether a condition holds in the direction of a vector; `None` if the sign of a formula is too close to call.
+    fn holds(condition: &Condition, vector: &[Integer; 3], unit: [f64; 3]) -> Option<bool> {
+        let each = |parts: &[Condition]| -> Vec<Option<bool>> {
+            parts.iter().map(|part| holds(part, vector, unit)).collect()
+        };
+        match condition {
+            Condition::All(parts) => {
+                let parts = each(parts);
+                match parts.contains(&Some(false)) {
+                    true => Some(false),
+                    false => parts
+                        .into_iter()
+                        .try_fold(true, |all, part| Some(all && part?)),
+                }
+            }
+            Condition::Any(parts) => {
+                let parts = each(parts);
+                match parts.contains(&Some(true)) {
+                    true => Some(true),
+                    false => parts
+                        .into_iter()
+                        .try_fold(false, |any, part| Some(any || part?)),
+                }
+            }
+            Condition::Not(part) => holds(part, vector, unit).map(|holds| !holds),
+            Condition::Form(form, relation) => {
+                Some(relation.holds(integer_sign(&form.evaluate(vector))))
+            }
+            Condition::NotNegative(expression) => {
+                let value = expression.approximate(unit);
+                // Where it is not real another condition does not hold.
+                (value.is_nan() || value.abs() > 1e-9).then_some(value >= 0.0)
+            }
+        }
+    }
+
+    #[test]
+    fn conditions_hold_exactly_where_branches_are_real() {
+        let (mut real, mut not_real) = (0, 0);
+        for text in [
+            "x^2 + y^2 + z^2 = 4x - 3",
+            "x^3 + z^3 + 3x*y + y - 1 + x^2",
+            "x^3 + y^3 + z^3 - 3x*y*z - 1 + x*z",
+            "x^4 + y^4 + z^4 + 3x^2*y - x*z + z - 1",
+            "x^4 + 2y^4 - z^4 + x*y - 3",
+            "x^4 + y^4 + z^4 - 5x^2*z + 3x*y + z - 1/9",
+            "x^4 + y^4 + 2z^4 + x^2 - 1 - 3y^2",
+            "x^6 + y^6 + z^6 - 3x^2*y^2 + z^2 - 1/9",
+            "x^8 - y^8 + z^8 - 3x^4*y^2 + x^2*z^2 + y^2 - 1/9",
+        ] {
+            let form = parse_form(text, "<form>", Numbers::Exact).unwrap();
+            let Form::Surface(surface) = form else {
+                panic!("{text} is a surface")
+            };
+            let found = parametrize_surface(&surface, &Limits::none()).unwrap();
+            for direction in SpaceDirection::fibonacci(60) {
+                let answer = found.in_direction(&direction);
+                let (vector, w) = direction.over_common_denominator();
+                let unit = vector.each_ref().map(|v| {
+                    let component = Rational::new(v.clone(), w.clone());
+                    component.unwrap().to_f64()
+                });
+                for (branch, sign) in found.branches.iter().zip(&answer.branches) {
+                    let Some(holds) = holds(&branch.real_where, &vector, unit) else {
+                        continue;
+                    };
+                    assert_eq!(holds, sign.is_some(), "{text}: {:?}", branch.condition);
+                    real += usize::from(holds);
+                    not_real += usize::from(!holds);
+                    // Where a formula holds it is real; some hold wherever they are real.
+                    let value = branch.radius.approximate(unit);
+                    assert!(!holds || !value.is_nan(), "{text}");
+                    assert!(
+                        holds || !branch.holds_where_real || value.is_nan(),
+                        "{text}"
+                    );
+                }
+            }
+        }
+        assert!(real > 300 && not_real > 300, "{real} and {not_real}");
     }
 }

@@ -12,6 +12,7 @@ mod meridian;
 mod parametrization;
 mod ranges;
 mod rational;
+mod same_angle;
 mod superquadric;
 mod surface;
 mod traced;

@@ -211,7 +211,7 @@ fn add_branches(
             factor: index,
             radius,
             condition: condition.clone(),
-            real_where: Condition::All(real_where.clone()),
+            real_where: Condition::all(real_where.clone()),
             holds_where_real: rule.holds_where_real(),
         }));
     }

@@ -93,24 +93,22 @@ impl Rule {
             }
             Self::Quadratic(_) => {
                 let forms = lemma3::Critical::named(critical);
-                let real = Condition::Any(vec![
-                    form(&forms.inside, AtLeastZero),
-                    form(&forms.outside, Zero),
-                ]);
+                let real =
+                    Condition::any([form(&forms.inside, AtLeastZero), form(&forms.outside, Zero)]);
                 // Where s = 0 the formula has no value; the root that stays finite is its limit.
                 let finite = form(&forms.s, NotZero);
-                Condition::All(vec![finite, real])
+                Condition::all([finite, real])
             }
             Self::CubicOne => {
                 let forms = lemma4::Critical::named(critical);
-                Condition::All(vec![
+                Condition::all([
                     form(&forms.s, NotZero),
                     form(&forms.discriminant, AtMostZero),
                 ])
             }
             Self::CubicThree(_) => {
                 let forms = lemma4::Critical::named(critical);
-                Condition::All(vec![
+                Condition::all([
                     form(&forms.s, NotZero),
                     form(&forms.discriminant, AtLeastZero),
                     form(&forms.big_p, Negative),
@@ -120,31 +118,31 @@ impl Rule {
                 let forms = quartic_signs::Critical::named(critical);
                 let mut all = vec![form(&forms.s, NotZero)];
                 all.extend(all_real(&forms));
-                Condition::All(all)
+                Condition::all(all)
             }
             Self::Quartic { index, .. } => {
                 let forms = quartic_signs::Critical::named(critical);
                 let sign = if index.pair > 0 { Negative } else { Positive };
-                let triple = Condition::All(vec![
+                let triple = Condition::all([
                     form(&forms.discriminant, Zero),
                     form(&forms.resolvent_p, Zero),
                     form(&forms.b, NotZero),
                 ]);
-                Condition::All(vec![
+                Condition::all([
                     form(&forms.s, NotZero),
                     form(&forms.discriminant, AtMostZero),
-                    Condition::Not(Box::new(Condition::All(all_real(&forms)))),
-                    Condition::Any(vec![form(&forms.b, sign), triple]),
+                    Condition::all(all_real(&forms)).negated(),
+                    Condition::any([form(&forms.b, sign), triple]),
                 ])
             }
             Self::Biquadratic(_) => {
                 let forms = quartic_signs::Critical::named(critical);
-                Condition::All(vec![
+                Condition::all([
                     form(&forms.s, NotZero),
                     form(&forms.b, Zero),
-                    Condition::Not(Box::new(Condition::All(all_real(&forms)))),
+                    Condition::all(all_real(&forms)).negated(),
                     form(&forms.inner, AtLeastZero),
-                    Condition::Any(vec![form(&forms.a, AtMostZero), form(&forms.c, AtMostZero)]),
+                    Condition::any([form(&forms.a, AtMostZero), form(&forms.c, AtMostZero)]),
                 ])
             }
         }
