@@ -70,7 +70,11 @@ fn curve(draw: &mut Draw) -> Terms<2> {
         let low = draw.below(2) as u32;
         (0..count).fold(Terms::default(), |f: Terms<2>, k| {
             let degree = low + k * step;
-            if degree > 7 { f } else { f.plus(&form(draw, degree)) }
+            if degree > 7 {
+                f
+            } else {
+                f.plus(&form(draw, degree))
+            }
         })
     };
     match draw.below(5) {
@@ -95,7 +99,10 @@ pub(crate) fn branches(draw: &mut Draw) -> Outcome {
         return Outcome::Open;
     };
     let mut asked: Vec<Q> = (0..3).map(|_| draw.rational()).collect();
-    let ends = found.branches.iter().flat_map(|b| b.real.iter().chain(&b.positive));
+    let ends = found
+        .branches
+        .iter()
+        .flat_map(|b| b.real.iter().chain(&b.positive));
     let ends: Vec<_> = ends.flat_map(|r| [&r.from, &r.to]).collect();
     for _ in 0..if ends.is_empty() { 0 } else { 4 } {
         let theta: f64 = draw.pick(&ends).to_decimal(20).parse().unwrap();
@@ -131,11 +138,24 @@ pub(crate) fn branches(draw: &mut Draw) -> Outcome {
             let sturm = Sturm::new(&g);
             (sturm.count(), sturm.count_up_to(&Q::zero()))
         };
-        assert_eq!(real, all, "real branches at tan(θ/2) = {t}, θ ≈ {}", near(&way));
+        assert_eq!(
+            real,
+            all,
+            "real branches at tan(θ/2) = {t}, θ ≈ {}",
+            near(&way)
+        );
         assert_eq!(positive, all - below, "positive ones at tan(θ/2) = {t}");
         outcome = Outcome::Checked;
     }
     outcome
+}
+
+/// The terms of highest degree.
+fn top_form(f: &Terms<3>) -> impl Iterator<Item = ([u32; 3], BigInt)> {
+    let terms =
+        f.0.iter()
+            .filter(|(e, _)| e.iter().sum::<u32>() == f.degree());
+    terms.map(|(e, c)| (*e, c.clone()))
 }
 
 pub(crate) fn surface_branches(draw: &mut Draw) -> Outcome {
@@ -180,8 +200,15 @@ pub(crate) fn surface_branches(draw: &mut Draw) -> Outcome {
         };
         let direction = SpaceDirection::new(angle(draw), angle(draw));
         let (vector, _) = direction.over_common_denominator();
-        let g = along(&f, &vector.each_ref().map(big));
-        if g.is_zero() || tower(&g).len() > 1 {
+        let vector = vector.each_ref().map(big);
+        let g = along(&f, &vector);
+        // Where the form of highest degree is 0 the formulas have no value, and where a root is double (it may be 0) two
+        // formulas may have the same one.
+        let top = Terms::new(top_form(&f));
+        let least = f.0.keys().map(|e| e.iter().sum::<u32>()).min().unwrap_or(0);
+        let zeros = (f.degree() - least) as usize - g.degree().min((f.degree() - least) as usize);
+        let is_special = along(&top, &vector).is_zero() || zeros > 1;
+        if g.is_zero() || tower(&g).len() > 1 || is_special {
             continue;
         }
         let (all, below) = if g.degree() == 0 {

@@ -104,7 +104,10 @@ impl Draw {
 
     /// A small fraction.
     pub(crate) fn fraction(&mut self, size: i64, denominator: u64) -> BigRational {
-        BigRational::new(self.small(size).into(), (1 + self.below(denominator)).into())
+        BigRational::new(
+            self.small(size).into(),
+            (1 + self.below(denominator)).into(),
+        )
     }
 
     /// A normal double of either sign, of a size between 2^−exponent and 2^exponent, with any mantissa or one that is all

@@ -366,8 +366,14 @@ fn the_twin_counts_and_rounds() {
         .times(&Poly::of(&[2, 1]))
         .times(&Poly::of(&[1, 0, 1]));
     let chains = tower(&f);
-    assert_eq!([chains[0].count(), chains[1].count(), chains.len()], [2, 1, 2]);
-    assert_eq!(chains[0].count_open_and_closed(&whole(-2), &whole(1)), [0, 2]);
+    assert_eq!(
+        [chains[0].count(), chains[1].count(), chains.len()],
+        [2, 1, 2]
+    );
+    assert_eq!(
+        chains[0].count_open_and_closed(&whole(-2), &whole(1)),
+        [0, 2]
+    );
     assert_eq!(chains[0].count_up_to(&whole(0)), 1);
     for double in [0.1, 1.0, -3.5e300, 5e-324, f64::MAX, 2.5e-310] {
         assert_eq!(nearest(&value(double)), double);

@@ -36,7 +36,9 @@ pub(crate) fn products(draw: &mut Draw) -> Outcome {
     let (f, g) = (factor(draw), factor(draw));
     draw.input = format!("({}) * ({})", f.text(), g.text());
     let same = |ours: &PlanePolynomial, expected: &Terms<2>| {
-        let found = plane_terms(ours).into_iter().map(|(e, c)| (e, c.to_integer()));
+        let found = plane_terms(ours)
+            .into_iter()
+            .map(|(e, c)| (e, c.to_integer()));
         assert_eq!(Terms::new(found), *expected);
         assert!(ours.check_invariants());
     };
@@ -186,7 +188,9 @@ fn limits() -> Limits {
 
 fn multiplied<const V: usize>(factors: &Factors<Terms<V>>, content: BigInt) -> Terms<V> {
     let start = Terms::constant(content);
-    factors.iter().fold(start, |f, (g, k)| f.times(&g.power(*k)))
+    factors
+        .iter()
+        .fold(start, |f, (g, k)| f.times(&g.power(*k)))
 }
 
 pub(crate) fn factors(draw: &mut Draw) -> Outcome {
@@ -223,7 +227,9 @@ pub(crate) fn factors(draw: &mut Draw) -> Outcome {
         1 => {
             let mut expected = Factors::<Terms<2>>::new();
             for _ in 0..count {
-                *expected.entry(irreducible::<2>(draw).canonical()).or_default() += multiplicity(draw);
+                *expected
+                    .entry(irreducible::<2>(draw).canonical())
+                    .or_default() += multiplicity(draw);
             }
             let f = multiplied(&expected, content);
             draw.input = format!("stellate describe '{}'", f.text());
@@ -232,7 +238,10 @@ pub(crate) fn factors(draw: &mut Draw) -> Outcome {
             };
             let factors = found.factors.iter().map(|g| {
                 let terms = plane_terms(&g.polynomial).into_iter();
-                (Terms::new(terms.map(|(e, c)| (e, c.to_integer()))), g.multiplicity)
+                (
+                    Terms::new(terms.map(|(e, c)| (e, c.to_integer()))),
+                    g.multiplicity,
+                )
             });
             assert_eq!(factors.collect::<Factors<_>>(), expected);
             let content = num(&found.content).to_integer();
@@ -241,7 +250,9 @@ pub(crate) fn factors(draw: &mut Draw) -> Outcome {
         _ => {
             let mut expected = Factors::<Terms<3>>::new();
             for _ in 0..count.min(3) {
-                *expected.entry(irreducible::<3>(draw).canonical()).or_default() += 1;
+                *expected
+                    .entry(irreducible::<3>(draw).canonical())
+                    .or_default() += 1;
             }
             let f = multiplied(&expected, content);
             draw.input = format!("stellate describe '{} + 0z'", f.text());
@@ -251,7 +262,10 @@ pub(crate) fn factors(draw: &mut Draw) -> Outcome {
             };
             let factors = found.factors.iter().map(|g| {
                 let terms = space_terms(&g.polynomial).into_iter();
-                (Terms::new(terms.map(|(e, c)| (e, c.to_integer()))), g.multiplicity)
+                (
+                    Terms::new(terms.map(|(e, c)| (e, c.to_integer()))),
+                    g.multiplicity,
+                )
             });
             assert_eq!(factors.collect::<Factors<_>>(), expected);
             let content: Q = num(&found.content);

@@ -48,7 +48,11 @@ pub(crate) fn any_radius(draw: &mut Draw, harmonics: u64) -> FourierRadius {
 
 fn text(radius: &FourierRadius) -> String {
     let terms = (0..=radius.harmonics()).map(|n| {
-        format!("({})*cos({n}*t) + ({})*sin({n}*t)", radius.cos(n), radius.sin(n))
+        format!(
+            "({})*cos({n}*t) + ({})*sin({n}*t)",
+            radius.cos(n),
+            radius.sin(n)
+        )
     });
     format!("r = {}", terms.collect::<Vec<_>>().join(" + "))
 }
@@ -71,7 +75,13 @@ fn value_of_theorem_2(radius: &FourierRadius, [x, y]: &[Q; 2]) -> Q {
     let power = |k: usize| (0..k).fold(Q::one(), |p, _| p * &rho);
     let (mut re, mut im) = (Q::one(), Q::zero());
     let mut sums = [Q::zero(), Q::zero()];
-    let top = |parity: usize| if n % 2 == parity { n } else { n.saturating_sub(1) };
+    let top = |parity: usize| {
+        if n % 2 == parity {
+            n
+        } else {
+            n.saturating_sub(1)
+        }
+    };
     for m in 0..=n {
         let k = num(radius.cos(m)) * &re + num(radius.sin(m)) * &im;
         sums[m % 2] += k * power((top(m % 2) - m) / 2);
@@ -135,10 +145,19 @@ pub(crate) fn values(draw: &mut Draw) -> Outcome {
 /// Fourier → F → Fourier: r(θ) and −r(θ + π), which are the same curve.
 pub(crate) fn round_trip(draw: &mut Draw) -> Outcome {
     let radius = any_radius(draw, 20);
-    draw.input = format!("stellate implicitize '{}' | stellate parametrize", text(&radius));
+    draw.input = format!(
+        "stellate implicitize '{}' | stellate parametrize",
+        text(&radius)
+    );
     let curve = SquaredForm::new(&radius).unwrap().expand();
     let found = fourier_branches(&curve).unwrap().radii;
-    let sign = |n: usize| if n.is_multiple_of(2) { -Q::one() } else { Q::one() };
+    let sign = |n: usize| {
+        if n.is_multiple_of(2) {
+            -Q::one()
+        } else {
+            Q::one()
+        }
+    };
     let turned = |of: &dyn Fn(usize) -> Q| {
         (0..=radius.harmonics())
             .map(|n| our(&(of(n) * sign(n))))
@@ -156,7 +175,10 @@ pub(crate) fn round_trip(draw: &mut Draw) -> Outcome {
 
 /// (1 + t²)^N r(2 arctan t), for rational coefficients.
 fn half_angle(cos: &[Q], sin: &[Q]) -> Poly {
-    let scale = cos.iter().chain(sin).fold(BigInt::one(), |d, c| d * c.denom());
+    let scale = cos
+        .iter()
+        .chain(sin)
+        .fold(BigInt::one(), |d, c| d * c.denom());
     let n = cos.len() - 1;
     let times = |[a, b]: &[Poly; 2], [c, d]: &[Poly; 2]| {
         let minus = b.times(d).scaled(&BigInt::from(-1));
@@ -228,13 +250,21 @@ pub(crate) fn star_shaped(draw: &mut Draw) -> Outcome {
     draw.input = format!("stellate describe '{}'", text(&radius));
     let f = half_angle(&cos, &sin);
     let ranges = positive_ranges(&radius);
-    let roots = if f.degree() == 0 { 0 } else { Sturm::new(&f).count() };
-    let is_full = f.degree() == 2 * radius.harmonics() && f.0[f.degree()].is_positive() && roots == 0;
+    let roots = if f.degree() == 0 {
+        0
+    } else {
+        Sturm::new(&f).count()
+    };
+    let is_full =
+        f.degree() == 2 * radius.harmonics() && f.0[f.degree()].is_positive() && roots == 0;
     let whole = ranges.len() == 1
         && ranges[0].closed == [true, true]
         && ranges[0].from.to_decimal(5) == "0.00000"
         && ranges[0].to.to_decimal(5) == "6.28319";
-    assert_eq!(whole, is_full, "positive everywhere, {roots} zeros: {ranges:?}");
+    assert_eq!(
+        whole, is_full,
+        "positive everywhere, {roots} zeros: {ranges:?}"
+    );
     let mut asked: Vec<Q> = (0..4).map(|_| draw.rational()).collect();
     for range in &ranges {
         for end in [&range.from, &range.to] {

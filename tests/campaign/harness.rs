@@ -181,7 +181,8 @@ struct Plan {
 impl Plan {
     fn of_environment() -> Self {
         let number = |name: &str| env::var(name).ok().map(|text| text.parse::<f64>().unwrap());
-        let time = number("STELLATE_CAMPAIGN").map(|minutes| Duration::from_secs_f64(minutes * 60.0));
+        let time =
+            number("STELLATE_CAMPAIGN").map(|minutes| Duration::from_secs_f64(minutes * 60.0));
         let now = || SystemTime::now().duration_since(UNIX_EPOCH).unwrap();
         let seed = env::var("STELLATE_CAMPAIGN_SEED").ok();
         let seed = seed.map(|text| text.parse::<u64>().unwrap());
@@ -230,9 +231,14 @@ pub(crate) fn campaign(kinds: &[Kind]) {
             let mut last = last_report.lock().unwrap();
             if plan.time.is_some() && last.elapsed() >= REPORT {
                 *last = Instant::now();
-                let next = plan.seed.wrapping_add(next_turn.load(Relaxed) * SEEDS_OF_A_TURN);
+                let next = plan
+                    .seed
+                    .wrapping_add(next_turn.load(Relaxed) * SEEDS_OF_A_TURN);
                 let seconds = start.elapsed().as_secs();
-                say(&format!("{}\nafter {seconds} s; the next seed is {next}", table(&kinds, &counts)));
+                say(&format!(
+                    "{}\nafter {seconds} s; the next seed is {next}",
+                    table(&kinds, &counts)
+                ));
             }
         }
     };
@@ -243,20 +249,19 @@ pub(crate) fn campaign(kinds: &[Kind]) {
     });
     let findings = findings.into_inner().unwrap();
     if plan.time.is_some() || !findings.is_empty() {
-        say(&format!("{}\nafter {} s from seed {}", table(&kinds, &counts), start.elapsed().as_secs(), plan.seed));
+        say(&format!(
+            "{}\nafter {} s from seed {}",
+            table(&kinds, &counts),
+            start.elapsed().as_secs(),
+            plan.seed
+        ));
     }
     let all: Vec<String> = findings.iter().map(shown).collect();
     assert!(all.is_empty(), "{} findings\n{}", all.len(), all.join("\n"));
 }
 
 /// One kind for a while, or its few cases.
-fn run_turn(
-    kind: &Kind,
-    count: &Count,
-    plan: &Plan,
-    turn: u64,
-    findings: &Mutex<Vec<Finding>>,
-) {
+fn run_turn(kind: &Kind, count: &Count, plan: &Plan, turn: u64, findings: &Mutex<Vec<Finding>>) {
     let start = Instant::now();
     let first = plan.time.map_or(plan.seed, |_| {
         plan.seed.wrapping_add(turn.wrapping_mul(SEEDS_OF_A_TURN))

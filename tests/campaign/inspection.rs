@@ -54,7 +54,9 @@ impl Shape {
     fn is_within(&self, p: &[Q; 3], d: &Q) -> bool {
         let (square, radius) = self.distances(p);
         let (low, high) = (&radius - d, &radius + d);
-        !high.is_negative() && square <= &high * &high && (!low.is_positive() || square >= &low * &low)
+        !high.is_negative()
+            && square <= &high * &high
+            && (!low.is_positive() || square >= &low * &low)
     }
 
     /// Whether the sphere of radius d about p meets it: besides, the farthest point is not nearer than d.
@@ -133,7 +135,11 @@ fn unit(draw: &mut Draw, in_space: bool) -> [Q; 3] {
 }
 
 fn point(draw: &mut Draw, in_space: bool, size: i64) -> [Q; 3] {
-    let z = if in_space { draw.fraction(size, 7) } else { Q::zero() };
+    let z = if in_space {
+        draw.fraction(size, 7)
+    } else {
+        Q::zero()
+    };
     [draw.fraction(size, 7), draw.fraction(size, 7), z]
 }
 
@@ -156,7 +162,11 @@ fn shape(draw: &mut Draw, in_space: bool) -> Shape {
 }
 
 fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
-    let count = if draw.once_in(2) { 1 } else { 2 + draw.index(2) };
+    let count = if draw.once_in(2) {
+        1
+    } else {
+        2 + draw.index(2)
+    };
     let shapes: Vec<Shape> = (0..count).map(|_| shape(draw, in_space)).collect();
     let tolerance = match draw.below(3) {
         0 => Q::new(1.into(), (1 + draw.below(100)).into()),
@@ -172,7 +182,11 @@ fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
         },
         _ => {
             let (at, normal) = shapes[chosen].normal_at(draw, in_space);
-            let mut off = if draw.once_in(6) { Q::zero() } else { tolerance.clone() };
+            let mut off = if draw.once_in(6) {
+                Q::zero()
+            } else {
+                tolerance.clone()
+            };
             off += &tolerance * draw.tiny();
             if draw.once_in(2) {
                 off = -off;
@@ -186,7 +200,8 @@ fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
         text.push_str(" + 0*z");
     }
     let [x, y, z] = &p;
-    draw.input = format!("stellate inspect '{text}' --tolerance '{tolerance}' --point '{x},{y},{z}'");
+    draw.input =
+        format!("stellate inspect '{text}' --tolerance '{tolerance}' --point '{x},{y},{z}'");
     let options = InspectOptions {
         tolerance: our(&tolerance),
         reach: if draw.once_in(2) { 0.0 } else { 3.0 },

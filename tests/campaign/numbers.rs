@@ -26,7 +26,11 @@ fn hard_for_doubles(draw: &mut Draw) -> Q {
         1 => value(near) * (Q::one() + draw.tiny()),
         _ => {
             let next = near.next_up();
-            let above = if next.is_finite() { value(next) } else { power_of_two(1024) };
+            let above = if next.is_finite() {
+                value(next)
+            } else {
+                power_of_two(1024)
+            };
             let middle = (value(near) + above) / whole(2);
             &middle + &middle * draw.tiny()
         }
@@ -61,7 +65,11 @@ fn rounded(q: &Q) -> BigInt {
     let rest = q - Q::from_integer(floor.clone());
     let half = Q::new(1.into(), 2.into());
     let odd = !(&floor % BigInt::from(2)).is_zero();
-    if rest > half || rest == half && odd { floor + 1 } else { floor }
+    if rest > half || rest == half && odd {
+        floor + 1
+    } else {
+        floor
+    }
 }
 
 pub(crate) fn decimals(draw: &mut Draw) -> Outcome {
@@ -89,7 +97,10 @@ pub(crate) fn decimals(draw: &mut Draw) -> Outcome {
     let (head, tail) = text.split_at(text.len() - digits as usize);
     let sign = if scaled.is_negative() { "-" } else { "" };
     let point = if tail.is_empty() { "" } else { "." };
-    assert_eq!(ours.to_decimal(digits), format!("{sign}{head}{point}{tail}"));
+    assert_eq!(
+        ours.to_decimal(digits),
+        format!("{sign}{head}{point}{tail}")
+    );
     let expected = Q::from_integer(scaled) * ten(-i64::from(digits));
     assert_eq!(num(&ours.round_decimals(digits)), expected);
     assert_eq!(big(&ours.floor()), q.floor().to_integer());
@@ -98,12 +109,19 @@ pub(crate) fn decimals(draw: &mut Draw) -> Outcome {
         return Outcome::Checked;
     }
     let exponent = ours.decimal_exponent().unwrap();
-    assert!(ten(exponent) <= q.abs() && q.abs() < ten(exponent + 1), "10^{exponent}");
+    assert!(
+        ten(exponent) <= q.abs() && q.abs() < ten(exponent + 1),
+        "10^{exponent}"
+    );
     let digits = 1 + draw.below(30) as u32;
     let unit = exponent + 1 - i64::from(digits);
     let expected = Q::from_integer(rounded(&(q.abs() * ten(-unit)))) * ten(unit);
     let shown = ours.to_significant(digits);
-    assert_eq!(decimal(&shown), expected * q.signum(), "{shown} of {digits} digits");
+    assert_eq!(
+        decimal(&shown),
+        expected * q.signum(),
+        "{shown} of {digits} digits"
+    );
     Outcome::Checked
 }
 
@@ -239,7 +257,11 @@ pub(crate) fn dyadics(draw: &mut Draw) -> Outcome {
     let number = |draw: &mut Draw| {
         let bits = 1 + draw.below(200);
         let (mantissa, exponent) = (draw.integer(bits), draw.small(300));
-        let mantissa = if draw.once_in(10) { BigInt::zero() } else { mantissa };
+        let mantissa = if draw.once_in(10) {
+            BigInt::zero()
+        } else {
+            mantissa
+        };
         let ours = Dyadic::new(integer(&mantissa), exponent);
         (ours, Q::from_integer(mantissa) * power_of_two(exponent))
     };
@@ -257,7 +279,10 @@ pub(crate) fn dyadics(draw: &mut Draw) -> Outcome {
     let n = draw.integer(70);
     same(&a.times_integer(&integer(&n)), &p * Q::from_integer(n));
     let k = draw.below(5) as u32;
-    same(&a.power(k), (0..k).fold(Q::one(), |product, _| product * &p));
+    same(
+        &a.power(k),
+        (0..k).fold(Q::one(), |product, _| product * &p),
+    );
     assert_eq!(a.cmp(&b), p.cmp(&q));
     assert_eq!(a.to_f64(), nearest(&p));
     match a.log2() {

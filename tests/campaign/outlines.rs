@@ -38,7 +38,9 @@ pub(crate) fn outlines(draw: &mut Draw) -> Outcome {
             let i = draw.index(points.len());
             let (p, q) = (points[i], points[(i + 1) % points.len()]);
             center = [0, 1].map(|k| p[k] / 2.0 + q[k] / 2.0);
+            // Numbers that are smaller than any coordinate may be are refused.
             center[0] = match draw.below(3) {
+                _ if center[0] == 0.0 => 0.0,
                 0 => center[0].next_up(),
                 1 => center[0].next_down(),
                 _ => center[0],

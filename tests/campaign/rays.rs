@@ -103,7 +103,11 @@ fn interval(double: f64, factor: &BigInt) -> Option<[Q; 2]> {
     }
     let factor = Q::from_integer(factor.clone());
     let [low, high] = rounding_interval(double).map(|end| end / &factor);
-    Some(if low <= high { [low, high] } else { [high, low] })
+    Some(if low <= high {
+        [low, high]
+    } else {
+        [high, low]
+    })
 }
 
 fn check<const V: usize>(found: &Ray<V>, f: &Terms<V>, way: &Way<V>) {
@@ -131,7 +135,11 @@ fn check<const V: usize>(found: &Ray<V>, f: &Terms<V>, way: &Way<V>) {
                 continue;
             };
             let [open, closed] = chain.count_open_and_closed(&low, &high);
-            let here = points.iter().filter(deep).filter(|p| p.r == point.r).count();
+            let here = points
+                .iter()
+                .filter(deep)
+                .filter(|p| p.r == point.r)
+                .count();
             assert!(
                 open <= here && here <= closed,
                 "{here} roots of multiplicity above {k} at {}, {open} to {closed} by Sturm",
@@ -156,7 +164,12 @@ fn check<const V: usize>(found: &Ray<V>, f: &Terms<V>, way: &Way<V>) {
         }
         assert!(low <= high, "r and the coordinates belong together");
         let [_, closed] = chains[0].count_open_and_closed(&low, &high);
-        assert!(closed > 0, "coordinates {:?} of r = {}", point.position, point.r);
+        assert!(
+            closed > 0,
+            "coordinates {:?} of r = {}",
+            point.position,
+            point.r
+        );
     }
 }
 
@@ -281,7 +294,8 @@ fn known_roots(draw: &mut Draw) -> Vec<Q> {
 pub(crate) fn backwards(draw: &mut Draw) -> Outcome {
     let way = way2(draw);
     let [u, v] = &way.vector;
-    let long = 100 + draw.below(1900);
+    let most = draw.pick(&[100, 100, 500, 1900]);
+    let long = 100 + draw.below(most);
     let constant = draw.natural(long);
     let mut f = if draw.once_in(2) {
         let a = draw.natural(long);
@@ -299,7 +313,9 @@ pub(crate) fn backwards(draw: &mut Draw) -> Outcome {
         } else {
             // q^g (x² + y²)^(g/2) − p^g
             let [p, q] = [root.numer(), root.denom()].map(|n| n.pow(2 * half));
-            rho.power(half as usize).scaled(&q).plus(&Terms::constant(-p))
+            rho.power(half as usize)
+                .scaled(&q)
+                .plus(&Terms::constant(-p))
         };
         let most = if half < 2 && draw.once_in(3) { 2 } else { 1 };
         f = f.times(&factor.power(most));
@@ -321,10 +337,7 @@ pub(crate) fn space(draw: &mut Draw) -> Outcome {
             let mut f = Terms::constant(draw.natural(bits));
             for root in known_roots(draw).into_iter().take(3) {
                 let q = root.denom();
-                let line = Terms::linear(
-                    &[q * u, q * v, q * w],
-                    -(root.numer() * &way.length),
-                );
+                let line = Terms::linear(&[q * u, q * v, q * w], -(root.numer() * &way.length));
                 f = f.times(&line);
             }
             f

@@ -99,7 +99,10 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
         let [low, high] = [low, high].map(|d| num(&d.to_rational()));
         let [open, closed] = chains[0].count_open_and_closed(&low, &high);
         // The ends of an open interval may be other roots.
-        assert!(open == 1 || low == high && closed == 1, "an isolating interval");
+        assert!(
+            open == 1 || low == high && closed == 1,
+            "an isolating interval"
+        );
         // So many roots are at most as large: a point in the interval is compared by the count below it.
         let middle = (&low + &high) / whole(2);
         let below = chains[0].count_up_to(&middle);
@@ -115,7 +118,10 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
                 up_to - usize::from(!or_equal && chains[0].vanishes_at(at))
             };
             let even = is_even(double);
-            assert!(rank(&a, !even) <= i && i < rank(&b, even), "rounded to {double}");
+            assert!(
+                rank(&a, !even) <= i && i < rank(&b, even),
+                "rounded to {double}"
+            );
         }
         // Multiplicity, by the chains.
         let deep = chains.iter().filter(|chain| {
@@ -128,7 +134,10 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
             let digits = draw.below(60) as u32;
             let text = root.to_decimal(digits);
             let shown: Q = decimal(&text);
-            let half = Q::new(BigInt::one(), BigInt::from(2) * BigInt::from(10).pow(digits));
+            let half = Q::new(
+                BigInt::one(),
+                BigInt::from(2) * BigInt::from(10).pow(digits),
+            );
             let [_, closed] = chains[0].count_open_and_closed(&(&shown - &half), &(&shown + &half));
             assert!(closed > 0, "{digits} digits {text}");
             let up_to = chains[0].count_up_to(&(&shown + &half));
@@ -157,7 +166,10 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
     });
     let same = product.primitive();
     let negated = same.scaled(&BigInt::from(-1));
-    assert!([same, negated].contains(&f.primitive()), "squarefree decomposition");
+    assert!(
+        [same, negated].contains(&f.primitive()),
+        "squarefree decomposition"
+    );
     Outcome::Checked
 }
 

@@ -27,7 +27,8 @@ fn compare(alpha: &Q, beta: &Q, q: u32, level: &Q) -> Option<Ordering> {
 }
 
 pub(crate) fn plane(draw: &mut Draw) -> Outcome {
-    let positive = |draw: &mut Draw| Q::new((1 + draw.below(30)).into(), (1 + draw.below(9)).into());
+    let positive =
+        |draw: &mut Draw| Q::new((1 + draw.below(30)).into(), (1 + draw.below(9)).into());
     let axes = [positive(draw), positive(draw)];
     let level = positive(draw);
     let epsilon = Q::new((1 + draw.below(8)).into(), (1 + draw.below(8)).into());

@@ -78,7 +78,10 @@ impl<const V: usize> Terms<V> {
     }
 
     pub(crate) fn value_at(&self, at: &[Q; V]) -> Q {
-        value_of(self.0.iter().map(|(e, c)| (*e, Q::from_integer(c.clone()))), at)
+        value_of(
+            self.0.iter().map(|(e, c)| (*e, Q::from_integer(c.clone()))),
+            at,
+        )
     }
 
     /// Every variable replaced by a polynomial.
@@ -96,7 +99,10 @@ impl<const V: usize> Terms<V> {
 
     /// The first term positive in the order of total degrees, no common divisor.
     pub(crate) fn canonical(&self) -> Self {
-        let content = self.0.values().fold(BigInt::zero(), |g, c| super::exact::gcd(&g, c));
+        let content = self
+            .0
+            .values()
+            .fold(BigInt::zero(), |g, c| super::exact::gcd(&g, c));
         let first = self.0.iter().max_by(|(e, _), (f, _)| {
             let degree = |e: &[u32; V]| e.iter().sum::<u32>();
             degree(e).cmp(&degree(f)).then(e.cmp(f))
@@ -109,7 +115,12 @@ impl<const V: usize> Terms<V> {
     pub(crate) fn text(&self) -> String {
         let mut text = String::new();
         for (e, c) in &self.0 {
-            let _ = write!(text, "{}{}", if c.is_negative() { " - " } else { " + " }, c.abs());
+            let _ = write!(
+                text,
+                "{}{}",
+                if c.is_negative() { " - " } else { " + " },
+                c.abs()
+            );
             for (v, k) in e.iter().enumerate() {
                 if *k > 0 {
                     let _ = write!(text, "*{}^{k}", ["x", "y", "z"][v]);

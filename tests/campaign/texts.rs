@@ -86,7 +86,10 @@ fn expression(draw: &mut Draw, depth: u32, at: &[Q; 2]) -> (String, Q) {
         5 => {
             let k = draw.below(4) as i32;
             let sign = if draw.once_in(2) { "^" } else { "**" };
-            (format!("({a}){sign}{k}"), (0..k).fold(Q::from_integer(1.into()), |v, _| v * &p))
+            (
+                format!("({a}){sign}{k}"),
+                (0..k).fold(Q::from_integer(1.into()), |v, _| v * &p),
+            )
         }
         _ => {
             let n = 1 + draw.below(9);
@@ -157,7 +160,10 @@ pub(crate) fn documents(draw: &mut Draw) -> Outcome {
     assert_eq!(read_text(&json, "json", Numbers::Exact).unwrap(), form);
     if let Form::Curve(curve) = &form {
         let csv = written(&form, Format::Csv);
-        assert_eq!(read_coefficients_csv(&csv, "csv", Numbers::Exact).unwrap(), form);
+        assert_eq!(
+            read_coefficients_csv(&csv, "csv", Numbers::Exact).unwrap(),
+            form
+        );
         let rows: Vec<String> = csv.lines().skip(1).map(ToString::to_string).collect();
         let terms = curve.polynomial().terms();
         let expected = terms.map(|((i, j), c)| format!("{i},{j},{}", num(&c)));
