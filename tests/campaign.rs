@@ -97,5 +97,5 @@ fn kinds() -> Vec<Kind> {
 
 #[test]
 fn every_certified_claim_holds() {
-    campaign(&kinds());
+    campaign("STELLATE_CAMPAIGN", &kinds());
 }

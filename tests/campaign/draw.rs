@@ -1,5 +1,7 @@
 //! Draws: random numbers, and those that bounded arithmetic and rounding find hard.
 
+#![allow(dead_code, reason = "every program uses its own part of this")]
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};

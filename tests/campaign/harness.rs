@@ -125,7 +125,7 @@ fn say(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
-fn shown(finding: &Finding) -> String {
+fn shown(name: &str, finding: &Finding) -> String {
     let Finding {
         kind,
         seed,
@@ -133,7 +133,7 @@ fn shown(finding: &Finding) -> String {
         differed,
     } = finding;
     format!(
-        "FOUND by STELLATE_CAMPAIGN=0 STELLATE_CAMPAIGN_KIND={kind} STELLATE_CAMPAIGN_SEED={seed}\n  input: {input}\n  {differed}"
+        "FOUND by {name}=0 {name}_KIND={kind} {name}_SEED={seed}\n  input: {input}\n  {differed}"
     )
 }
 
@@ -171,23 +171,24 @@ fn table(kinds: &[&Kind], counts: &[Count]) -> String {
     text
 }
 
-/// What the environment asks for.
+/// What the environment asks for, by variables that begin with `name`.
 struct Plan {
+    name: &'static str,
     /// How long fresh cases are drawn; `None` for the few cases by default.
     time: Option<Duration>,
     seed: u64,
 }
 
 impl Plan {
-    fn of_environment() -> Self {
-        let number = |name: &str| env::var(name).ok().map(|text| text.parse::<f64>().unwrap());
-        let time =
-            number("STELLATE_CAMPAIGN").map(|minutes| Duration::from_secs_f64(minutes * 60.0));
+    fn of_environment(name: &'static str) -> Self {
+        let number = || env::var(name).ok().map(|text| text.parse::<f64>().unwrap());
+        let time = number().map(|minutes| Duration::from_secs_f64(minutes * 60.0));
         let now = || SystemTime::now().duration_since(UNIX_EPOCH).unwrap();
-        let seed = env::var("STELLATE_CAMPAIGN_SEED").ok();
+        let seed = env::var(format!("{name}_SEED")).ok();
         let seed = seed.map(|text| text.parse::<u64>().unwrap());
         let fresh = || now().as_nanos() as u64 & !(SEEDS_OF_A_TURN - 1);
         Self {
+            name,
             seed: seed.unwrap_or_else(|| time.map_or(FIXED_SEED, |_| fresh())),
             time,
         }
@@ -195,8 +196,11 @@ impl Plan {
 }
 
 /// Runs kinds in turn, and panics at the end if a case found something wrong.
-pub(crate) fn campaign(kinds: &[Kind]) {
-    let asked = env::var("STELLATE_CAMPAIGN_KIND").ok();
+///
+/// Variables of the environment that begin with `name` say for how long, from which seed, and which kinds; see the two programs
+/// that use this.
+pub(crate) fn campaign(name: &'static str, kinds: &[Kind]) {
+    let asked = env::var(format!("{name}_KIND")).ok();
     let is_asked = |kind: &&Kind| {
         let names = asked.as_deref();
         names.is_none_or(|names| names.split(',').any(|name| name == kind.name))
@@ -204,13 +208,13 @@ pub(crate) fn campaign(kinds: &[Kind]) {
     let kinds: Vec<&Kind> = kinds.iter().filter(is_asked).collect();
     assert!(!kinds.is_empty(), "{asked:?} is no kind");
     catch_panics_of_cases();
-    let plan = Plan::of_environment();
+    let plan = Plan::of_environment(name);
     let counts: Vec<Count> = kinds.iter().map(|_| Count::default()).collect();
     let findings = Mutex::new(Vec::new());
     let next_turn = AtomicU64::new(0);
     let threads = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     if plan.time.is_some() {
-        say(&format!("campaign: seed {}", plan.seed));
+        say(&format!("seed {}", plan.seed));
     }
     let start = Instant::now();
     let last_report = Mutex::new(start);
@@ -256,7 +260,7 @@ pub(crate) fn campaign(kinds: &[Kind]) {
             plan.seed
         ));
     }
-    let all: Vec<String> = findings.iter().map(shown).collect();
+    let all: Vec<String> = findings.iter().map(|f| shown(name, f)).collect();
     assert!(all.is_empty(), "{} findings\n{}", all.len(), all.join("\n"));
 }
 
@@ -282,7 +286,7 @@ fn run_turn(kind: &Kind, count: &Count, plan: &Plan, turn: u64, findings: &Mutex
             Err(finding) => {
                 let mut all = findings.lock().unwrap();
                 if all.iter().filter(|f| f.kind == kind.name).count() < FINDINGS_SHOWN {
-                    say(&shown(&finding));
+                    say(&shown(plan.name, &finding));
                     all.push(finding);
                 }
                 count.failed.fetch_add(1, Relaxed)
@@ -310,6 +314,6 @@ fn a_wrong_answer_is_a_finding_with_its_seed_and_input() {
         let again = run_case(&kind, finding.seed).unwrap_err();
         assert_eq!(again.input, finding.input);
         assert!(again.differed.contains("is odd") && again.differed.contains("harness.rs"));
-        assert!(shown(finding).contains(&format!("SEED={}", finding.seed)));
+        assert!(shown("NAME", finding).contains(&format!("SEED={}", finding.seed)));
     }
 }

@@ -373,8 +373,11 @@ pub(crate) fn patches(draw: &mut Draw) -> Outcome {
             }
         }
     }
-    assert!(asked > 0, "points were compared");
-    Outcome::Checked
+    if asked > 0 {
+        Outcome::Checked
+    } else {
+        Outcome::Open
+    }
 }
 
 /// w² = form(1, t) as Poly in t.
