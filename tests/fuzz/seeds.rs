@@ -43,7 +43,7 @@ pub(crate) fn formulas() -> &'static [Vec<u8>] {
     static CELL: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     once(&CELL, || {
         let readme = read(&root().join("README.md"));
-        let quoted = readme.split('\'').filter(|text| text.len() < 200);
+        let quoted = readme.split(['\'', '"']).filter(|text| text.len() < 200);
         let curve = read(&root().join("paper-examples/e09-sixth-degree/curve.txt"));
         let all = FORMS.iter().copied().chain(quoted).chain([curve.as_str()]);
         let forms = all.filter(|text| parse_form(text, "seed", Numbers::Exact).is_ok());
