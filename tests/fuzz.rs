@@ -9,7 +9,8 @@
     clippy::cast_possible_truncation,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
-    reason = "draws are converted to small numbers"
+    clippy::float_cmp,
+    reason = "draws are converted to small numbers, and doubles are compared bit by bit"
 )]
 
 #[path = "campaign/draw.rs"]
