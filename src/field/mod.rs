@@ -84,16 +84,16 @@ impl Field {
         }
     }
 
+    /// Filled in their places: lists that are built apart are copied as a whole, which takes longer than the products.
     fn powers(&self, p: [f64; 3]) -> [Powers; 3] {
-        std::array::from_fn(|i| {
-            let mut list = Powers::new();
-            let mut power = 1.0;
-            for _ in 0..=self.degrees[i] {
-                list.push(power);
-                power *= p[i];
+        let mut lists = [Powers::new(), Powers::new(), Powers::new()];
+        for (list, (degree, x)) in lists.iter_mut().zip(self.degrees.iter().zip(p)) {
+            list.resize(degree + 1, 1.0);
+            for k in 1..=*degree {
+                list[k] = list[k - 1] * x;
             }
-            list
-        })
+        }
+        lists
     }
 
     /// f at a point.
