@@ -402,3 +402,25 @@ fn beyond_reach_nothing_is_claimed() {
     let none = inspector("x^2 + y^2 + z^2 = -1", "2").inspect(&point("0, 0, 0"));
     assert!(none.distance.low >= 2.0 && none.distance.high.is_infinite());
 }
+
+/// The line 3x + 4y = 7 passes the point (3/2^k, 7/4) at a distance of 9/(5·2^k), far below what doubles resolve of cubes there.
+#[test]
+fn distances_far_below_the_coordinates_are_bounded_rightly() {
+    let line = inspector("3x + 4y = 7", "0.1");
+    for k in (1..1000).step_by(7) {
+        let small = Rational::from(2).pow(-k).unwrap();
+        let x = Rational::from(3) * &small;
+        let found = line.inspect(&[x, "7/4".parse().unwrap(), Rational::zero()]);
+        let distance = Rational::from(9) / Rational::from(5) * small;
+        let [low, high] = [found.distance.low, found.distance.high];
+        assert!(Rational::try_from(low).unwrap() <= distance, "{k}: {low}");
+        if high.is_finite() {
+            assert!(distance <= Rational::try_from(high).unwrap(), "{k}: {high}");
+        }
+        assert_eq!(
+            found.verdict == Verdict::Inside,
+            distance <= "1/10".parse().unwrap(),
+            "{k}"
+        );
+    }
+}

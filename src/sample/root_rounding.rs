@@ -32,7 +32,10 @@ impl RootRounding {
         let whole = root.scale.div_euclid(i64::from(gap));
         let rest = root.scale.rem_euclid(i64::from(gap));
         // A guess that overflows is none.
-        let small = |k: i64| f64::from(k.clamp(-2000, 2000) as i32).exp2();
+        let small = |k: i64| {
+            let k = i32::try_from(k.clamp(-2000, 2000));
+            f64::from(k.invariant("it is clamped")).exp2()
+        };
         let guess = if gap == 1 {
             if root.is_inverted { 1.0 / y } else { y }
         } else {

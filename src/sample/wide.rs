@@ -103,7 +103,7 @@ impl Wide {
     #[expect(clippy::cast_precision_loss, reason = "an approximation")]
     pub(super) fn to_f64(self) -> f64 {
         // In two steps, for the smallest doubles. What overflows is infinite or 0.
-        let exponent = self.exponent.clamp(-4000, 4000) as i32;
+        let exponent = i32::try_from(self.exponent.clamp(-4000, 4000)).invariant("it is clamped");
         let (half, rest) = (exponent / 2, exponent - exponent / 2);
         self.mantissa as f64 * f64::from(half).exp2() * f64::from(rest).exp2()
     }

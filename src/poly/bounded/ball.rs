@@ -30,10 +30,12 @@ pub(super) mod laws;
 ///
 /// Proof. Each rounding changes a non-negative result by a factor of at least 1 − 2^(−53), so the exact result is at most
 /// x (1 − 2^(−53))^(−4097) < x (1 + 2^(−40.9)), and SLACK = 1 + 2^(−40). Law: `sums_of_radii_are_covered`.
-const SLACK: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
+const SLACK: f64 = 1.0 + 4096.0 * f64::EPSILON;
 
 /// Radii from 2^126 on are compared with midpoints by their bits alone.
 const LARGE_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0;
+
+const TWO_TO_64: f64 = 18_446_744_073_709_551_616.0;
 
 /// The sizes of the midpoints of a list add up to at most that.
 const LARGEST_SUM: f64 = 64.0;
@@ -88,7 +90,7 @@ fn known_sign<const W: usize>(mid: Fixed<W>, radius: f64) -> Option<i8> {
         clippy::cast_sign_loss,
         reason = "the radius is not negative, fits, and is rounded down"
     )]
-    let is_larger = if radius < 2.0 * (1u64 << 63) as f64 {
+    let is_larger = if radius < TWO_TO_64 {
         mid.is_larger_than((radius as u64).into())
     } else if radius < LARGE_RADIUS {
         mid.is_larger_than(radius as u128)
