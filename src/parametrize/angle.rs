@@ -69,7 +69,7 @@ impl ExactAngle {
     /// The exact order of two angles.
     ///
     /// If the bounds do not part soon it is decided by algebra whether the two differ by a multiple of π, or of a part of π
-    /// ([`ExactAngle::spacing`]): then they are equal as soon as the bounds show that they are closer than that; else they
+    /// (`spacing`): then they are equal as soon as the bounds show that they are closer than that; else they
     /// differ and the bounds part at last.
     ///
     /// Cost: a gcd of the polynomials of both tangents, of degrees m and n in the worst case one of degrees m and 2n; then
