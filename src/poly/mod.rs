@@ -40,6 +40,8 @@ mod trig;
 pub use all_roots::real_roots;
 pub(crate) use all_roots::sort_distinct;
 pub(crate) use binomials::binomials;
+#[cfg(test)]
+pub(crate) use bounded::Draw;
 pub(crate) use bounded::{
     BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
     rotations,

@@ -7,39 +7,18 @@ use malachite::base::num::arithmetic::traits::Pow;
 
 use super::{Direction, Ray, RaySolver, Sample, UnitVector};
 use crate::exact::Rational;
-use crate::poly::PlanePolynomial;
-
-/// Draws inputs; SplitMix64.
-struct Draw(u64);
+use crate::poly::{Draw, PlanePolynomial};
 
 impl Draw {
-    fn word(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: u64) -> u64 {
-        self.word() % n
-    }
-
     fn sign(&mut self) -> i64 {
         if self.below(2) == 0 { 1 } else { -1 }
     }
 
     /// A positive integer of this many bits of which long runs are all ones or all zeros.
-    fn integer(&mut self, bits: u64) -> Integer {
+    fn positive(&mut self, bits: u64) -> Integer {
         let mut value = Integer::from(1);
         for _ in 0..bits / 64 + 1 {
-            let limb = match self.below(5) {
-                0 => u64::MAX,
-                1 => 0,
-                2 => 1 << self.below(64),
-                _ => self.word(),
-            };
-            value = (value << 64u64) + Integer::from(limb);
+            value = (value << 64u64) + Integer::from(self.limb());
         }
         let surplus = 64 * (bits / 64 + 1) + 1 - bits;
         value >> surplus
@@ -61,7 +40,7 @@ impl Draw {
             1 => (1 << 52) - 1,
             _ => self.word() >> 12,
         };
-        f64::from_bits((1023 - 30 + self.below(60)) << 52 | mantissa)
+        f64::from_bits((1023 - 30 + self.word() % 60) << 52 | mantissa)
     }
 }
 
@@ -76,7 +55,7 @@ fn power_of_two(k: i64) -> Rational {
 /// k (V x − U y) + ε x, which is ε U in the direction (U, V), relatively smaller by as many bits as k has.
 fn nearly_vanishing(draw: &mut Draw, direction: &Direction, bits: u64) -> PlanePolynomial {
     let ([u, v], _) = direction.over_common_denominator();
-    let k = draw.integer(bits);
+    let k = draw.positive(bits);
     let small = Integer::from(draw.below(5) as i64 - 2);
     polynomial([((1, 0), &k * v + small), ((0, 1), -(k * u))])
 }
@@ -90,18 +69,18 @@ fn forms_that_nearly_vanish_are_not_misjudged() {
     for _ in 0..1000 {
         let direction = draw.direction();
         let bits = if draw.below(4) == 0 {
-            60 + draw.below(2000)
+            60 + draw.word() % 2000
         } else {
-            60 + draw.below(400)
+            60 + draw.word() % 400
         };
         let mut form = nearly_vanishing(&mut draw, &direction, bits);
         for _ in 0..draw.below(3) {
-            let bits = 1 + draw.below(200);
-            let [a, b] = [0, 0].map(|_: i32| draw.integer(bits) * Integer::from(draw.sign()));
+            let bits = 1 + draw.word() % 200;
+            let [a, b] = [0, 0].map(|_: i32| draw.positive(bits) * Integer::from(draw.sign()));
             form = form.product(&polynomial([((1, 0), a), ((0, 1), b)]));
         }
         let low = form.degree().expect("not 0");
-        let high = low + 1 + usize::try_from(draw.below(8)).expect("small");
+        let high = low + 1 + draw.below(8);
         let shift = draw.below(400) as i64 - 200;
         let top = ((high, 0), power_of_two(shift) * Rational::from(draw.sign()));
         let next = ((0, low + 1), Rational::from(draw.sign()));
@@ -198,8 +177,8 @@ fn assert_found(found: &[&Sample], expected: &[(Known, usize)], f: &PlanePolynom
 
 /// A (x² + y²) + B with long coefficients, which has no real root.
 fn definite(draw: &mut Draw) -> PlanePolynomial {
-    let bits = 100 + draw.below(1900);
-    let (a, b) = (draw.integer(bits), draw.integer(bits));
+    let bits = 100 + draw.word() % 1900;
+    let (a, b) = (draw.positive(bits), draw.positive(bits));
     polynomial([((2, 0), a.clone()), ((0, 2), a), ((0, 0), b)])
 }
 
@@ -232,10 +211,10 @@ fn roots_of_powers_are_found_and_rounded() {
     for _ in 0..200 {
         let direction = draw.direction();
         let expected = known_roots(&mut draw);
-        let half = 1 + draw.below(4);
+        let half = 1 + draw.word() % 4;
         let rho = polynomial([((2, 0), Integer::from(1)), ((0, 2), Integer::from(1))]);
         let power = (1..half).fold(rho.clone(), |power, _| power.product(&rho));
-        let mut f = polynomial([((0, 0), draw.integer(300))]);
+        let mut f = polynomial([((0, 0), draw.positive(300))]);
         for (known, multiplicity) in &expected {
             // q^g (x² + y²)^(g/2) − p^g
             let [p, q] =

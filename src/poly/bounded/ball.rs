@@ -9,7 +9,7 @@
 //! Midpoints must stay inside (−128, 128). Lists keep the sum of their midpoints' sizes at most 64, so that sums, values at
 //! points of [0, 1], Bernstein coefficients and means stay inside.
 //!
-//! The laws are in `ball_laws.rs`, one for every rule; they feed it limbs that are all ones, all zeros, one bit, or
+//! The laws are in `ball_laws.rs` and `unit_laws.rs`, one for every rule; they feed it limbs that are all ones, all zeros, one bit, or
 //! cancel.
 
 use std::cell::OnceCell;
@@ -23,7 +23,10 @@ use crate::poly::isolate::Changes;
 
 #[cfg(test)]
 #[path = "ball_laws.rs"]
-pub(super) mod laws;
+mod laws;
+#[cfg(test)]
+#[path = "unit_laws.rs"]
+mod unit_laws;
 
 /// **Lemma 1.** Let x be the double that at most 2^12 additions and multiplications of non-negative doubles give, each rounded
 /// to the nearest, without underflow. Then the exact result is at most x · SLACK, also after the product with SLACK is rounded.

@@ -5,83 +5,18 @@
 //! it can, and midpoints that cancel. The numbers that a ball holds are taken at its ends, at its middle, and between.
 
 use malachite::Natural;
-use malachite::base::num::arithmetic::traits::Pow;
 
+use super::super::draw::Draw;
 use super::*;
 use crate::exact::Rational;
-use crate::poly::TrigPolynomial;
 use crate::poly::binomials;
 
 /// How many inputs are drawn for each law and width.
-const CASES: usize = 2000;
-
-/// Draws inputs; SplitMix64.
-pub(in super::super) struct Draw(pub(in super::super) u64);
+pub(super) const CASES: usize = 2000;
 
 impl Draw {
-    pub(in super::super) fn word(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(in super::super) fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.word() % n as u64).expect("small")
-    }
-
-    fn limb(&mut self) -> u64 {
-        let bit = 1u64 << self.below(64);
-        match self.below(8) {
-            0 | 1 => u64::MAX,
-            2 => 0,
-            3 => bit,
-            4 => bit - 1,
-            5 => !bit,
-            6 => u64::MAX - self.word() % 4,
-            _ => self.word(),
-        }
-    }
-
-    /// Limbs with long runs of equal bits, often the same kind throughout.
-    fn limbs<const W: usize>(&mut self) -> [u64; W] {
-        match self.below(4) {
-            0 => [u64::MAX; W],
-            1 => {
-                let top = self.limb();
-                let mut limbs = [0; W];
-                limbs[W - 1] = top;
-                limbs
-            }
-            _ => std::array::from_fn(|_| self.limb()),
-        }
-    }
-
-    fn natural<const W: usize>(&mut self) -> Natural {
-        Natural::from_limbs_asc(&self.limbs::<W>())
-    }
-
-    /// An integer of up to 64 · `limbs` bits of either sign.
-    pub(in super::super) fn integer(&mut self, limbs: usize) -> Integer {
-        let count = 1 + self.below(limbs);
-        let limbs: Vec<u64> = match self.below(3) {
-            0 => vec![u64::MAX; count],
-            _ => (0..count).map(|_| self.limb()).collect(),
-        };
-        let size = Integer::from(Natural::from_limbs_asc(&limbs)) >> (self.below(64) as u64);
-        if self.below(2) == 0 { size } else { -size }
-    }
-
-    fn fraction<const W: usize>(&mut self) -> Fraction<W> {
-        Fraction::quotient(
-            &Integer::from(self.natural::<W>()),
-            &(Integer::from(2).pow(64 * W as u64)),
-        )
-    }
-
     /// A radius of 0, of some ulps, or much larger, with few bits or with all of them.
-    fn radius(&mut self) -> f64 {
+    pub(super) fn radius(&mut self) -> f64 {
         match self.below(5) {
             4 => f64::from_bits((1023 + 50 + self.word() % 20) << 52 | self.word() >> 12),
             0 => 0.0,
@@ -107,7 +42,7 @@ impl Draw {
     }
 
     /// A number that a ball with this midpoint and radius holds.
-    fn held(&mut self, mid: &Rational, radius: f64) -> Rational {
+    pub(super) fn held(&mut self, mid: &Rational, radius: f64) -> Rational {
         let off = exact(radius) * Rational::from([-1, 1, 0, 1][self.below(4)]);
         match self.below(3) {
             0 => mid + off * Rational::from(self.below(100) as i64) / Rational::from(100),
@@ -122,39 +57,33 @@ fn ulps_of(count: i64) -> f64 {
 }
 
 /// The value of a double.
-fn exact(value: f64) -> Rational {
+pub(super) fn exact(value: f64) -> Rational {
     Rational::try_from(value).expect("a finite double")
 }
 
 /// In ulps.
-fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
+pub(super) fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
     let size = Rational::from(Integer::from(Natural::from_limbs_asc(&value.magnitude())));
     if value.is_negative() { -size } else { size }
 }
 
-/// In units of 2^(−64W).
-fn units<const W: usize>(value: &Signed<W>) -> Rational {
-    let size = Rational::from(value.size.to_integer());
-    if value.is_negative { -size } else { size }
-}
-
 /// As a number.
-fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
+pub(super) fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
     Rational::from_parts(fraction.to_integer(), -(64 * W as i64))
 }
 
 /// 2^(64W − 8): how many ulps are 1.
-fn one<const W: usize>() -> Rational {
+pub(super) fn one<const W: usize>() -> Rational {
     Rational::from_parts(Integer::from(1), Fixed::<W>::FRACTION_BITS)
 }
 
 /// The largest share of a radius that an error had.
 #[derive(Default)]
-struct Tightness(f64);
+pub(super) struct Tightness(f64);
 
 impl Tightness {
     /// The truth is held by the ball with this midpoint and radius.
-    fn check(&mut self, truth: &Rational, mid: &Rational, radius: f64) {
+    pub(super) fn check(&mut self, truth: &Rational, mid: &Rational, radius: f64) {
         let error = (truth - mid).abs();
         assert!(
             error <= exact(radius),
@@ -166,7 +95,7 @@ impl Tightness {
     }
 
     /// Some error is that share of its radius, so that no radius is much too large.
-    fn is_at_least(&self, share: f64) {
+    pub(super) fn is_at_least(&self, share: f64) {
         assert!(
             self.0 >= share,
             "no error is more than {} of its radius",
@@ -187,6 +116,7 @@ macro_rules! for_widths {
         }
     };
 }
+pub(super) use for_widths;
 
 for_widths!(integers_are_inside);
 for_widths!(a_shift_keeps_the_number_inside);
@@ -197,10 +127,6 @@ for_widths!(partial_sums_change_as_often_as_is_said);
 for_widths!(values_are_inside);
 for_widths!(bernstein_coefficients_are_inside);
 for_widths!(halves_are_inside);
-for_widths!(quotients_are_inside);
-for_widths!(products_are_inside);
-for_widths!(rotations_are_inside);
-for_widths!(sums_of_products_are_inside);
 
 mod all {
     use super::*;
@@ -477,105 +403,6 @@ mod all {
             }
         }
         tightness.is_at_least(0.99);
-    }
-
-    /// A ball that holds a number in [−1, 1], and one of those.
-    fn unit_ball<const W: usize>(draw: &mut Draw) -> (UnitBall<W>, Rational) {
-        let size = if draw.below(2) == 0 {
-            Fraction::LARGEST
-        } else {
-            draw.fraction()
-        };
-        let mid = Signed {
-            size,
-            is_negative: draw.below(2) == 0,
-        };
-        let radius = draw.radius();
-        let unit = Rational::from_parts(Integer::from(1), 64 * W as i64);
-        let truth = draw.held(&units(&mid), radius);
-        (UnitBall { mid, radius }, truth.min(unit.clone()).max(-unit))
-    }
-
-    pub(super) fn quotients_are_inside<const W: usize>(draw: &mut Draw) {
-        let mut tightness = Tightness::default();
-        for _ in 0..CASES {
-            let (p, q) = (draw.integer(W + 2), draw.integer(W + 2));
-            let (p, q) = if p.unsigned_abs_ref() > q.unsigned_abs_ref() {
-                (q, p)
-            } else {
-                (p, q)
-            };
-            if q == 0 {
-                continue;
-            }
-            let ball = UnitBall::<W>::quotient(&p, &q);
-            let truth = Rational::new(p << (64 * W as u64), q).expect("not 0");
-            tightness.check(&truth, &units(&ball.mid), ball.radius);
-        }
-        tightness.is_at_least(0.99);
-    }
-
-    pub(super) fn products_are_inside<const W: usize>(draw: &mut Draw) {
-        let mut tightness = Tightness::default();
-        for _ in 0..CASES {
-            let ((a, x), (b, y)) = (unit_ball::<W>(draw), unit_ball::<W>(draw));
-            let product = a.times(&b);
-            let truth = x * y * Rational::from_parts(Integer::from(1), -(64 * W as i64));
-            tightness.check(&truth, &units(&product.mid), product.radius);
-        }
-        tightness.is_at_least(0.99);
-    }
-
-    pub(super) fn rotations_are_inside<const W: usize>(draw: &mut Draw) {
-        let mut tightness = Tightness::default();
-        for _ in 0..CASES / 40 {
-            // tan(θ/2) = p/q
-            let (p, q) = (draw.integer(2), draw.integer(2));
-            let (pp, qq) = (&p * &p, &q * &q);
-            let (w, u, v) = (&qq + &pp, &qq - &pp, &p * &q * Integer::from(2));
-            if w == 0 {
-                continue;
-            }
-            let last = 1 + draw.below(40);
-            let tables = rotations([&u, &v].map(|c| UnitBall::<W>::quotient(c, &w)), last);
-            let [c, s] = [u, v].map(|n| Rational::new(n, w.clone()).expect("not 0"));
-            for m in [last, draw.below(last + 1)] {
-                let index = i32::try_from(m).expect("small");
-                let truths = [TrigPolynomial::cosine(index), TrigPolynomial::sine(index)];
-                for (table, truth) in tables.iter().zip(truths) {
-                    let truth = truth.evaluate(&c, &s)
-                        * Rational::from_parts(Integer::from(1), 64 * W as i64);
-                    tightness.check(&truth, &units(&table[m].mid), table[m].radius);
-                }
-            }
-        }
-        tightness.is_at_least(0.99);
-    }
-
-    pub(super) fn sums_of_products_are_inside<const W: usize>(draw: &mut Draw) {
-        let mut tightness = Tightness::default();
-        for _ in 0..CASES / 10 {
-            let count = 1 + draw.below(30);
-            let cancels = draw.below(2) == 0;
-            let integers: Vec<Integer> = (0..count).map(|_| draw.integer(W + 2)).collect();
-            let (values, truths): (Vec<_>, Vec<_>) =
-                (0..count).map(|_| unit_ball::<W>(draw)).unzip();
-            let values: UnitBalls<W> = values.into_iter().collect();
-            let (coefficients, exponent) = Coefficients::of_integers(integers.iter());
-            let ball = coefficients.combination(
-                &values,
-                (0..count).map(|i| if cancels { i } else { count - 1 - i }),
-            );
-            let scale =
-                Rational::from_parts(Integer::from(1), -exponent - 64 * W as i64) * one::<W>();
-            let terms = integers.iter().enumerate();
-            let truth = terms.fold(Rational::zero(), |sum, (i, c)| {
-                let truth = &truths[if cancels { i } else { count - 1 - i }];
-                sum + truth * &Rational::from(c)
-            });
-            tightness.check(&(truth * scale), &ulps(ball.mid), ball.radius);
-        }
-        tightness.is_at_least(0.4);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use malachite::Integer;
 
-use super::ball::laws::Draw;
+use super::draw::Draw;
 use super::*;
 use crate::exact::Rational;
 

@@ -9,6 +9,8 @@
 
 mod ball;
 mod bernstein;
+#[cfg(test)]
+mod draw;
 mod fixed;
 #[cfg(test)]
 mod laws;
@@ -25,6 +27,8 @@ use malachite::base::rounding_modes::RoundingMode;
 use ball::Balls;
 pub(crate) use ball::{Coefficients, ScaledBall, UnitBall, UnitBalls, rotations};
 use bernstein::BernsteinTable;
+#[cfg(test)]
+pub(crate) use draw::Draw;
 use fixed::Fraction;
 use search::Place;
 pub(crate) use search::Unproved;

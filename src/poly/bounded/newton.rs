@@ -155,7 +155,7 @@ fn ulp<const W: usize>() -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::ball::ScaledBall;
-    use super::super::ball::laws::Draw;
+    use super::super::draw::Draw;
     use super::*;
     use crate::exact::Rational;
     use malachite::Integer;
