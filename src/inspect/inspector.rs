@@ -15,6 +15,10 @@ use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 
+#[cfg(test)]
+#[path = "inspector_laws.rs"]
+mod laws;
+
 /// Polynomials with more monomials (and divisors of them) than this are inspected in doubles alone: those of degree 16 in space
 /// and of degree 43 in the plane have fewer. What doubles do not decide is undecided then.
 pub const MAX_EXACT_MONOMIALS: usize = 1000;
@@ -447,68 +451,5 @@ impl Inspector {
             }
             None => {}
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::poly::Ring;
-    use proptest::prelude::*;
-
-    proptest! {
-        #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
-
-        /// Points that are no doubles, against a plane x = c and a tolerance next to their distance: the verdict is the exact
-        /// one, and the bounds hold the exact distance, however the point is given.
-        #[test]
-        fn points_between_doubles_are_judged_exactly(x in (-4000i64..4000, 1i64..1000), c in -3.0f64..3.0, ulps in -3i64..4) {
-            let x = Rational::from(x.0) / Rational::from(x.1);
-            let p = [x.clone(), Rational::from(1) / Rational::from(3), Rational::zero()];
-            let distance = (&x - &rational(c)).abs();
-            let near = distance.to_f64();
-            prop_assume!(near > 1e-6);
-            let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
-            let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
-            let options = InspectOptions { tolerance: rational(tolerance), reach: 8.0, digits: 14, cubes: 1000 };
-            let inspector = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none()).unwrap();
-            let doubles = p.each_ref().map(Rational::to_f64);
-            for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
-                let is_inside = distance <= rational(tolerance);
-                prop_assert_eq!(found.verdict, if is_inside { Verdict::Inside } else { Verdict::Outside });
-                prop_assert_eq!(found.curve, Some(is_inside));
-                // Beyond the reach there is no upper bound.
-                let bounds = Interval::between(found.distance.low, found.distance.high);
-                prop_assert!(bounds.contains(&distance), "{found:?}");
-            }
-        }
-    }
-
-    /// Beyond the largest double nothing is claimed, and a reach or tolerance without end is refused.
-    #[test]
-    fn what_is_no_double_is_undecided() {
-        let plane = SparsePolynomial::<3>::variable(0);
-        let options = InspectOptions {
-            tolerance: Rational::one(),
-            reach: 1.0,
-            digits: 6,
-            cubes: 100,
-        };
-        let inspector = Inspector::new(
-            Kind::Surface,
-            vec![plane.clone()],
-            &options,
-            &Limits::none(),
-        )
-        .unwrap();
-        let far = Rational::from(10).pow(400).unwrap();
-        let found = inspector.inspect(&[far, Rational::zero(), Rational::zero()]);
-        assert_eq!(found, Inspection::UNKNOWN);
-        let options = InspectOptions {
-            reach: f64::INFINITY,
-            ..options
-        };
-        let refused = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none());
-        assert!(matches!(refused, Err(Error::Usage(_))));
     }
 }

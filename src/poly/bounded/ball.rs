@@ -263,7 +263,7 @@ impl<const W: usize> Balls<W> {
         Changes::count((0..self.len()).map(|k| self.sign(k)))
     }
 
-    /// The radius of the value at any point: at least Σ radii + W n (Lemma 8).
+    /// The radius of a value, at least Σ radii + W n (Lemma 8).
     pub(super) fn radius_of_a_value(&self) -> f64 {
         *self.value_radius.get_or_init(|| {
             let rounding = float(W) * float(self.len());
