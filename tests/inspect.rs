@@ -127,13 +127,13 @@ fn unit_vector([m, n, p, q]: [i64; 4]) -> Option<[Rational; 3]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
 
     /// Points at an exactly known distance, and tolerances that differ from it by at most 2^−60: every verdict is the exact
     /// comparison, and the bounds hold the exact distance. Planes and doubles; spheres and cylinders and points at a rational distance
     /// from their middle.
     #[test]
-    fn verdicts_within_2_to_the_minus_60_of_the_tolerance(quaternion in prop::array::uniform4(-9i64..10), p in prop::array::uniform3(-2.0f64..2.0), radius in (1i64..3000, 1i64..1000), part in -64i64..65) {
+    fn verdicts_within_2_to_the_minus_60_of_the_tolerance(quaternion in prop::array::uniform4(-9i64..10), p in prop::array::uniform3(-2.0f64..2.0), radius in (100i64..1900, 900i64..1100), part in -64i64..65) {
         let Some(unit) = unit_vector(quaternion) else { return Ok(()); };
         let small = Rational::from(part) * Rational::from(2).pow(-66).unwrap();
         let [a, b, c] = &unit;
@@ -153,7 +153,9 @@ proptest! {
         for (text, p, distance) in cases {
             let tolerance = &distance + &small;
             // Within 1 of the sphere's middle the ball may hold all of it.
-            prop_assume!(tolerance.to_f64() > 1e-3 && tolerance.to_f64() < 0.9);
+            if !(1e-3..0.9).contains(&tolerance.to_f64()) {
+                continue;
+            }
             let found = inspector_within(text, &tolerance, 4.0).inspect(&p);
             let expected = if part >= 0 { INSIDE } else { OUTSIDE };
             prop_assert_eq!(answer(&found), expected, "{} {:?} {}: {:?}", text, p, tolerance, found);
