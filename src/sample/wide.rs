@@ -170,6 +170,15 @@ mod tests {
             prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_parts(Integer::from(a), shift)));
         }
 
+        /// Leading bits hold every number that begins with them.
+        #[test]
+        fn leading_bits_hold_what_follows_them(mantissa in (1u128 << 127).., exponent in -300i64..300, rest in any::<u64>()) {
+            let [low, high] = ends(Wide::from_leading((mantissa, exponent)));
+            let number = (Integer::from(mantissa) << 64u64) + Integer::from(rest);
+            let number = Rational::from_parts(number, exponent - 64);
+            prop_assert!(low <= number && number <= high);
+        }
+
         /// Numbers whose difference is about the sum of their errors, with one exponent and on both sides of a power of two.
         #[test]
         fn a_certain_order_is_that_of_all_numbers_within_the_errors(

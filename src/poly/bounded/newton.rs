@@ -241,6 +241,16 @@ mod tests {
         assert!(found > 100, "{found}");
     }
 
+    /// One certain sign is not enough: 2y − 1 has its root between neither of these ends and beyond.
+    #[test]
+    fn both_signs_are_asked_for() {
+        let polynomial = balls::<2>(&[Integer::from(-1), Integer::from(2)]);
+        let at = |eighths| Fraction::dyadic(eighths, 3);
+        assert!(proves_root(&polynomial, &[at(3), at(5)], -1));
+        assert!(!proves_root(&polynomial, &[at(2), at(3)], -1));
+        assert!(!proves_root(&polynomial, &[at(5), at(6)], -1));
+    }
+
     fn exact(value: f64) -> Rational {
         Rational::try_from(value).expect("a finite double")
     }
