@@ -10,8 +10,8 @@ use super::symmetric::{Rows, modulo};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
 use crate::poly::{
-    Images, IntegerPolynomial, interpolate, inverse_mod, kernel_primes, polynomial_gcd,
-    reduce_integer, resultant_mod, squarefree_decomposition,
+    Images, IntegerPolynomial, determinant, interpolate, inverse_mod, kernel_primes,
+    polynomial_gcd, reduce_integer, resultant_mod, squarefree_decomposition,
 };
 
 /// Products of residues beyond which the work is refused: some tenths of a second.
@@ -284,31 +284,6 @@ impl Minor<'_> {
         let rows = rows.chain((0..of_g).rev().map(|r| row(&g, r)));
         determinant(rows.collect(), p)
     }
-}
-
-/// The determinant of a square matrix modulo a prime below 2³¹, by Gauss.
-fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
-    let mut value = 1;
-    for k in 0..rows.len() {
-        let Some(pivot) = (k..rows.len()).find(|&i| rows[i][k] != 0) else {
-            return 0;
-        };
-        if pivot != k {
-            rows.swap(pivot, k);
-            value = (p - value) % p;
-        }
-        value = value * rows[k][k] % p;
-        let inverse = inverse_mod(rows[k][k], p);
-        let (done, open) = rows.split_at_mut(k + 1);
-        let top = &done[k];
-        for row in open.iter_mut().filter(|row| row[k] != 0) {
-            let factor = p - row[k] * inverse % p;
-            for (c, t) in row[k..].iter_mut().zip(&top[k..]) {
-                *c = (*c + factor * t) % p;
-            }
-        }
-    }
-    value
 }
 
 #[expect(clippy::cast_precision_loss, reason = "an estimate in a message")]

@@ -80,6 +80,6 @@ pub use shift::{shift_by_minus_one, shift_by_one};
 pub use space::SpacePolynomial;
 pub use sparse::{SparsePolynomial, term_order, total_degree};
 pub use sqrt::polynomial_sqrt;
-pub(crate) use subresultant::{Weights, signed_subresultant};
+pub(crate) use subresultant::{Weights, determinant, signed_subresultant};
 pub use ternary::TernaryForm;
 pub use trig::TrigPolynomial;

@@ -212,7 +212,7 @@ fn one_norm_bits(a: &IntegerPolynomial) -> f64 {
 }
 
 /// The determinant of a square matrix modulo a prime below 2³¹, by Gauss.
-fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
+pub(crate) fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
     let n = rows.len();
     let mut value = 1;
     for k in 0..n {
