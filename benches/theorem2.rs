@@ -11,7 +11,7 @@ use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion
 use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 use mimalloc::MiMalloc;
-use stellate::document::{Annotations, Format, write_implicit};
+use stellate::document::{Format, write_implicit};
 use stellate::exact::Rational;
 use stellate::implicitize::{SquaredForm, implicitize_plane, square_away};
 use stellate::limits::Limits;
@@ -105,8 +105,7 @@ fn writing(c: &mut Criterion) {
         for format in [Format::Text, Format::Json] {
             let id = BenchmarkId::new(format.to_string(), n);
             group.bench_with_input(id, &curve, |b, curve| {
-                let plain = Annotations::default();
-                b.iter(|| write_implicit(curve, &plain, format, &mut std::io::sink()).unwrap());
+                b.iter(|| write_implicit(curve, &[], format, &mut std::io::sink()).unwrap());
             });
         }
     }

@@ -68,6 +68,19 @@ pub enum Error {
     },
 }
 
+impl From<std::io::Error> for Error {
+    /// An error of a writer that has no name here.
+    fn from(source: std::io::Error) -> Self {
+        Error::Io {
+            path: OUTPUT.into(),
+            source,
+        }
+    }
+}
+
+/// What a writer is called in messages until whoever opened it says its name.
+pub const OUTPUT: &str = "output";
+
 /// The result of every fallible function of this crate.
 pub type Result<T> = std::result::Result<T, Error>;
 

@@ -3,23 +3,24 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use proptest::prelude::*;
-use stellate::document::{
-    Annotations, FitReport, Format, read_coefficients_csv, read_document, read_fourier_csv,
-    read_text, write_form, write_fourier,
-};
+use stellate::document::{Format, write_form, write_fourier};
 use stellate::error::Error;
 use stellate::exact::Rational;
+use stellate::fit::FitReport;
 use stellate::language::{Numbers, parse_form};
 use stellate::poly::{PlanePolynomial, SparsePolynomial};
+use stellate::reading::{read_coefficients_csv, read_document, read_fourier_csv, read_text};
 use stellate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
+use stellate::verb::{Fact, Part};
 
-fn write(form: &Form, notes: &[&str], format: Format) -> String {
+/// The notes of two facts.
+const IRREDUCIBLE: &str =
+    "the irreducible equation, of degree 4; that it vanishes identically is proved by substitution";
+const MISSING: &str = "not finished within the limits: the factors over Q";
+
+fn write(form: &Form, facts: &[Fact], format: Format) -> String {
     let mut out = Vec::new();
-    let annotations = Annotations {
-        notes: notes.iter().map(ToString::to_string).collect(),
-        ..Annotations::default()
-    };
-    write_form(form, &annotations, format, &mut out).unwrap();
+    write_form(form, facts, format, &mut out).unwrap();
     String::from_utf8(out).unwrap()
 }
 
@@ -46,19 +47,31 @@ fn the_text_is_what_people_write() {
 #[test]
 fn every_format_of_one_curve() {
     let form = read("# center: 1/2, -3\nx^4 - x^2y/3 - 2y + 1");
-    let shown = |format| write(&form, &["two\nlines"], format);
+    let shown = |format| {
+        write(
+            &form,
+            &[Fact::Irreducible(4), Fact::Missing(Part::Factors)],
+            format,
+        )
+    };
     assert_eq!(
         shown(Format::Text),
-        "# center: 1/2, -3\n# note: two\n# note: lines\nx^4 - 1/3x^2y - 2y + 1 = 0\n"
+        format!(
+            "# center: 1/2, -3\n# note: {IRREDUCIBLE}\n# note: {MISSING}\nx^4 - 1/3x^2y - 2y + 1 = 0\n"
+        )
     );
     assert_eq!(
         shown(Format::Latex),
-        "% center: 1/2, -3\n% note: two\n% note: lines\n\
-         x^{4} - \\frac{1}{3} x^{2} y - 2 y + 1 = 0\n"
+        format!(
+            "% center: 1/2, -3\n% note: {IRREDUCIBLE}\n% note: {MISSING}\n\
+             x^{{4}} - \\frac{{1}}{{3}} x^{{2}} y - 2 y + 1 = 0\n"
+        )
     );
     assert_eq!(
         shown(Format::Sympy),
-        "x**4 - Rational(1, 3)*x**2*y - 2*y + 1  # center: 1/2, -3\n# note: two\n# note: lines\n"
+        format!(
+            "x**4 - Rational(1, 3)*x**2*y - 2*y + 1  # center: 1/2, -3\n# note: {IRREDUCIBLE}\n# note: {MISSING}\n"
+        )
     );
     assert_eq!(
         write(&form, &[], Format::Maple),
@@ -77,7 +90,8 @@ fn every_format_of_one_curve() {
         json,
         serde_json::json!({
             "schema": "stellate/1", "kind": "implicit", "variables": ["x", "y"], "degree": 4,
-            "homogeneous_degrees": [4, 3, 1, 0], "center": ["1/2", "-3"], "notes": ["two\nlines"],
+            "homogeneous_degrees": [4, 3, 1, 0], "center": ["1/2", "-3"], "notes": [IRREDUCIBLE, MISSING],
+            "irreducible": true,
             "terms": [
                 {"exponents": [4, 0], "coefficient": "1"},
                 {"exponents": [2, 1], "coefficient": "-1/3"},
@@ -380,7 +394,7 @@ proptest! {
     fn an_implicit_form_is_read_back_from_every_format(
         form in prop_oneof![curve(), surface()], noted in any::<bool>()
     ) {
-        let notes: &[&str] = if noted { &["center: 7, 7", "a\n\u{e9}"] } else { &[] };
+        let notes: &[Fact] = if noted { &[Fact::PerfectSquare, Fact::Missing(Part::BeyondCurve)] } else { &[] };
         for format in [
             Format::Text, Format::Json, Format::Csv, Format::Sympy, Format::Maple, Format::Singular,
         ] {

@@ -120,10 +120,7 @@ fn the_fewest_harmonics_within_two_percent_are_found() {
     assert!(fit.max_radial_error <= tolerance);
     // One fewer does not do, nor any other smaller number.
     for n in 0..115 {
-        let options = FitOptions {
-            samples: Some(fit.samples),
-            ..FitOptions::new(FitSize::Harmonics(n))
-        };
+        let options = FitOptions::new(FitSize::Harmonics(n)).samples(Some(fit.samples));
         let fewer = stellate::fit::fit(&contour, &options).unwrap();
         assert!(fewer.max_radial_error > tolerance, "{n} harmonics would do");
     }

@@ -6,9 +6,10 @@ use std::cmp::Ordering;
 use std::path::Path;
 
 use proptest::prelude::*;
-use stellate::document::{Format, read_text, write_superquadric};
+use stellate::document::{Format, write_superquadric};
 use stellate::exact::Rational;
 use stellate::language::{Numbers, parse_form};
+use stellate::reading::read_text;
 use stellate::sample::{Direction, Ray, RaySolver, Sample, SuperquadricSolver};
 use stellate::shape::{Form, Superquadric};
 

@@ -112,7 +112,7 @@ proptest! {
             write_space_superquadric(&shape, format, &mut out).unwrap();
             let text = String::from_utf8(out).unwrap();
             let form = match format {
-                Format::Json => stellate::document::read_document(&text, "<form>", Numbers::Exact).unwrap(),
+                Format::Json => stellate::reading::read_document(&text, "<form>", Numbers::Exact).unwrap(),
                 _ => parse_form(&text, "<form>", Numbers::Exact).unwrap(),
             };
             prop_assert_eq!(form, Form::SpaceSuperquadric(shape.clone()));

@@ -19,6 +19,7 @@ mod radii;
 mod reference;
 mod scale;
 mod series;
+mod tables;
 mod vectors;
 
 pub use coefficients::compare_coefficients;
@@ -33,6 +34,7 @@ pub use radii::GivenRadius;
 pub use reference::Reference;
 pub use scale::{Meaning, Scale};
 pub use series::SeriesValues;
+pub use tables::{read_points_csv, read_radii_csv};
 pub use vectors::{
     CoefficientVector, InputsOf, PointVector, RadiusVector, TestVectors, VectorInput, test_vectors,
 };

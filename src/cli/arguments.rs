@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
 
@@ -42,7 +43,7 @@ pub(crate) struct Common {
     #[arg(short, long, global = true, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// How the result is written [default: text; sample: csv]
-    #[arg(long, global = true, value_enum)]
+    #[arg(long, global = true, value_parser = formats())]
     pub(crate) format: Option<Format>,
     /// Decimals shown for algebraic numbers [default: 16]; inspect: significant digits of the distances [default: 6];
     /// check: the digits that everything must have
@@ -415,4 +416,19 @@ pub(crate) struct FitFlags {
     /// Round the centre and the coefficients to D decimals
     #[arg(long, value_name = "D")]
     pub(crate) decimals: Option<u32>,
+}
+
+/// The names of the formats, each with what it is.
+fn formats() -> impl TypedValueParser<Value = Format> {
+    let about = |format| match format {
+        Format::Text => "A formula in the input language",
+        Format::Json => "A document with every exact number as a string",
+        Format::Csv => "A table of coefficients",
+        Format::Latex => "A formula to be typeset",
+        Format::Sympy => "An expression for SymPy, or for Python with x, y and Rational in scope",
+        Format::Maple => "A statement for Maple",
+        Format::Singular => "Statements for Singular",
+    };
+    let names = Format::ALL.map(|format| PossibleValue::new(format.name()).help(about(format)));
+    PossibleValuesParser::new(names).try_map(|name| name.parse())
 }

@@ -1,25 +1,26 @@
 //! `stellate fit`: a contour to a Fourier radius.
 
-use stellate::document::{Format, write_fourier};
+use stellate::document::{Format, Kind, write_fourier};
 use stellate::error::{Error, Result};
+use stellate::verb::{self, Content};
 
 use super::arguments::Fit;
-use super::input::{self, Content};
+use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
-pub(crate) fn run(verb: &Fit, session: &mut Session) -> Result<()> {
+pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
-    format.check_fourier()?;
-    let argument = verb.contour.display().to_string();
-    let Content::Contour(contour) = input::read(&argument, session)?.content else {
+    Kind::Radius.check(format)?;
+    let options = input::fit_options(&flags.fit)?;
+    let argument = flags.contour.display().to_string();
+    let Content::Contour(contour) = input::read(&argument, session)?.into_content() else {
         return Err(Error::Usage(format!(
             "{argument}: fit needs a contour: a .csv with rows x,y, or a .png, .jpg or .bmp silhouette"
         )));
     };
-    let fit = input::fit_contour(&contour, &verb.fit, session)?;
-    let report = input::report(&fit);
+    let fit = verb::fit(&contour, &options, &session.work)?;
     session.note(&format!(
         "N = {}, {} samples, radial error ≈ {:.3e} at most, ≈ {:.3e} rms",
         fit.radius.harmonics(),
@@ -28,6 +29,6 @@ pub(crate) fn run(verb: &Fit, session: &mut Session) -> Result<()> {
         fit.rms_radial_error
     ));
     write_result(session, |out| {
-        write_fourier(&fit.radius, Some(&report), format, out)
+        write_fourier(&fit.radius, Some(&fit.report()), format, out)
     })
 }

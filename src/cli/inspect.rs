@@ -1,122 +1,123 @@
 //! `stellate inspect`: points against a tolerance (Theorem 8).
 
+use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
 
-use stellate::document::{
-    Format, InspectedPoint, InspectionSummary, InspectionWriter, write_inspection_cloud,
-};
+use stellate::document::{Format, InspectionWriter, summary_text, write_inspection_cloud};
 use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
-use stellate::inspect::{
-    CircleSection, InspectOptions, Inspector, MAX_EXACT_MONOMIALS, MAX_SECTION_WORK, SphereSection,
+
+use stellate::inspect::InspectionSummary;
+use stellate::verb::{
+    self, FigureFormat, InspectionOptions, InspectionTask, KeptPoint, PointRows, PointSource,
+    ReadingOptions,
 };
-use stellate::limits::Limits;
-use stellate::parametrize::AngleRange;
-use stellate::poly::SparsePolynomial;
-use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
 use super::arguments::{FitFlags, Inspect};
 use super::input;
-use super::inspect_plot;
-use super::inspect_rows::{self, Points, Reading, Row};
+use super::numbers::frame;
 use super::output::{check_destination, check_place, write_beside, write_result};
 use super::session::Session;
 
 /// Significant digits of distances without `--digits`.
 const DIGITS: u32 = 6;
-/// What is taken.
-const INSPECT: (&str, &str) = ("inspect", "surfaces and plane curves");
 
-/// What points are held against.
-pub(super) enum Subject {
-    /// Points have three coordinates.
-    Surface(ImplicitSurface),
-    /// Points have two, in the curve's original coordinates.
-    Curve(ImplicitCurve),
-}
-
-/// All that inspecting a row takes.
-pub(super) struct Task {
-    pub(super) subject: Subject,
-    pub(super) inspector: Inspector,
-    pub(super) tolerance: Rational,
-    pub(super) writer: InspectionWriter,
-    /// Whether the section is asked for, too.
-    pub(super) with_ranges: bool,
-    pub(super) limits: Limits,
-}
-
-pub(crate) fn run(verb: &Inspect, session: &mut Session) -> Result<()> {
+pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     check_destination(session)?;
-    let plot = verb.plot.as_deref();
-    for (option, path) in [("--plot", plot), ("--cloud", verb.cloud.as_deref())] {
+    let plot = flags.plot.as_deref();
+    for (option, path) in [("--plot", plot), ("--cloud", flags.cloud.as_deref())] {
         if let Some(path) = path {
             check_place(option, path)?;
         }
     }
-    let figure = plot.map(inspect_plot::kind).transpose()?;
-    check_cloud(verb)?;
-    let tolerance = exact_number("--tolerance", &verb.tolerance)?;
-    let reach = match &verb.reach {
+    let figure = plot
+        .map(|path| FigureFormat::of("--plot", path))
+        .transpose()?;
+    let window = flags.window.as_deref().map(frame).transpose()?;
+    check_cloud(flags)?;
+    let options = options(flags, session)?;
+    let points = points(flags)?;
+    let dimension = points.dimension()?;
+    let given = input::read(&flags.form, session)?;
+    let task = verb::inspect(given, dimension, &options, &session.work)?;
+    let format = session.format_or(Format::Csv);
+    let writer = InspectionWriter::new(format, dimension, session.decimals())?;
+    let reading = ReadingOptions::default()
+        .numbers(session.numbers())
+        .skip_bad(flags.skip_bad)
+        .keep(figure.is_some() || flags.cloud.is_some())
+        .with_ranges(format != Format::Csv);
+    let (summary, kept) = write_all(&task, points, &reading, &writer, session)?;
+    let number = match flags.points {
+        Some(_) => "row",
+        None => "point",
+    };
+    session.note(&summary_text(&summary, number));
+    if let Some(path) = &flags.cloud {
+        let mut bytes = Vec::new();
+        let comment = format!("stellate inspect, tolerance {}", task.tolerance());
+        write_inspection_cloud(&kept, &comment, &mut bytes)?;
+        write_beside(path, &bytes, session)?;
+    }
+    if let (Some(path), Some(figure)) = (plot, figure) {
+        let svg = task.picture(&kept, window, &session.work)?;
+        let bytes = session.work.stage("draw", || figure.bytes(svg))?;
+        write_beside(path, &bytes, session)?;
+    }
+    finish(&summary, flags, session)
+}
+
+fn options(flags: &Inspect, session: &Session) -> Result<InspectionOptions> {
+    let tolerance = exact_number("--tolerance", &flags.tolerance)?;
+    let reach = match &flags.reach {
         Some(text) => exact_number("--reach", text)?.to_f64(),
         None => 0.0,
     };
-    let points = Points::of(verb)?;
-    let dimension = points.dimension()?;
-    let subject = subject(verb, dimension, session)?;
-    let options = InspectOptions {
-        tolerance: tolerance.clone(),
-        reach,
-        digits: session.common.digits.unwrap_or(DIGITS),
-        cubes: verb.budget,
+    let fit = FitFlags {
+        harmonics: flags.harmonics,
+        center: flags.center.clone(),
+        ..FitFlags::default()
     };
-    let inspector = session.stage("factor", |session| match &subject {
-        Subject::Surface(surface) => Inspector::surface(surface, &options, &session.limits),
-        Subject::Curve(curve) => Inspector::plane(curve, &options, &session.limits),
-    })?;
-    if inspector.is_in_doubles_alone() {
-        session.note(&format!(
-            "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
-        ));
-    }
-    let format = session.format_or(Format::Csv);
-    let task = Task {
-        writer: InspectionWriter::new(format, dimension, session.decimals())?,
-        with_ranges: points.are_few() && format != Format::Csv,
-        subject,
-        inspector,
-        tolerance,
-        limits: session.limits.clone(),
+    Ok(InspectionOptions::default()
+        .tolerance(tolerance)
+        .reach(reach)
+        .digits(session.common.digits.unwrap_or(DIGITS))
+        .budget(flags.budget)
+        .fit(input::fit_options(&fit)?))
+}
+
+/// The points of the arguments; rows are looked at up to the first.
+fn points(flags: &Inspect) -> Result<PointSource> {
+    let Some(name) = &flags.points else {
+        return Ok(PointSource::Texts(flags.point.clone()));
     };
-    let keep = figure.is_some() || verb.cloud.is_some();
-    let number = if verb.points.is_some() {
-        "row"
-    } else {
-        "point"
+    if name == "-" {
+        let reader = Box::new(BufReader::new(std::io::stdin()));
+        return Ok(PointSource::Rows(PointRows::new(
+            reader,
+            "standard input",
+            0,
+        )?));
+    }
+    if Path::new(name).is_dir() {
+        return Err(Error::Usage(format!("--points {name}: that is a folder")));
+    }
+    let failed = |source| Error::Io {
+        path: name.into(),
+        source,
     };
-    let (summary, kept) = write_all(&task, points, verb, keep, session)?;
-    session.note(&summary.text(number));
-    if let Some(path) = &verb.cloud {
-        let mut bytes = Vec::new();
-        let comment = format!("stellate inspect, tolerance {}", task.tolerance);
-        write_inspection_cloud(&kept, &comment, &mut bytes).map_err(|source| Error::Io {
-            path: path.clone(),
-            source,
-        })?;
-        write_beside(path, &bytes, session)?;
-    }
-    if let (Some(path), Some(kind)) = (plot, figure) {
-        let bytes = inspect_plot::picture(&task, &kept, kind, verb.window.as_deref(), session)?;
-        write_beside(path, &bytes, session)?;
-    }
-    finish(&summary, verb, session)
+    let file = File::open(name).map_err(failed)?;
+    let size = file.metadata().map_err(failed)?.len();
+    let reader = Box::new(BufReader::with_capacity(1 << 16, file));
+    Ok(PointSource::Rows(PointRows::new(reader, name, size)?))
 }
 
 /// Exit codes: 3 for what is undecided, 1 for what is outside.
-fn finish(summary: &InspectionSummary, verb: &Inspect, session: &mut Session) -> Result<()> {
+fn finish(summary: &InspectionSummary, flags: &Inspect, session: &mut Session) -> Result<()> {
     if summary.undecided > 0 {
         return Err(Error::Limit {
-            limit: format!("--budget {} cubes", verb.budget),
+            limit: format!("--budget {} cubes", flags.budget),
             finished: format!(
                 "{} of {} points are undecided; all others are decided and written",
                 summary.undecided,
@@ -132,31 +133,20 @@ fn finish(summary: &InspectionSummary, verb: &Inspect, session: &mut Session) ->
 
 /// The verdicts, written as they come; the points themselves only where they are kept.
 fn write_all(
-    task: &Task,
-    points: Points,
-    verb: &Inspect,
-    keep: bool,
-    session: &mut Session,
-) -> Result<(InspectionSummary, Vec<inspect_rows::Kept>)> {
-    let bar = session.progress(points.size(), "inspecting");
-    let reading = Reading {
-        numbers: session.numbers(),
-        skip_bad: verb.skip_bad,
-        keep,
-    };
-    let mut outcome = Ok((InspectionSummary::default(), Vec::new()));
-    let written = write_result(session, |out| {
-        task.writer.begin(&task.tolerance, out)?;
-        outcome = inspect_rows::all(task, points, &reading, &bar, out);
-        match &outcome {
-            Ok((summary, _)) => task.writer.end(summary, out),
-            // Nothing is written; what went wrong is in the outcome.
-            Err(_) => Err(std::io::Error::other("stopped")),
-        }
-    });
-    bar.finish_and_clear();
-    let found = outcome?;
-    written?;
+    task: &InspectionTask,
+    points: PointSource,
+    reading: &ReadingOptions,
+    writer: &InspectionWriter,
+    session: &Session,
+) -> Result<(InspectionSummary, Vec<KeptPoint>)> {
+    let mut found = (InspectionSummary::default(), Vec::new());
+    write_result(session, |out| {
+        writer.begin(task.tolerance(), out)?;
+        let append: verb::AppendPoint =
+            &|point, is_first, text| writer.point(point, is_first, text);
+        found = task.all(points, reading, append, out, &session.work)?;
+        writer.end(&found.0, out)
+    })?;
     Ok(found)
 }
 
@@ -169,116 +159,16 @@ fn exact_number(option: &str, text: &str) -> Result<Rational> {
     })
 }
 
-fn check_cloud(verb: &Inspect) -> Result<()> {
+fn check_cloud(flags: &Inspect) -> Result<()> {
     let is_ply = |path: &Path| {
         path.extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("ply"))
     };
-    match &verb.cloud {
+    match &flags.cloud {
         Some(path) if !is_ply(path) => Err(Error::Usage(format!(
             "--cloud {}: a cloud of points is a .ply file",
             path.display()
         ))),
         _ => Ok(()),
-    }
-}
-
-/// The surface or curve; an equation in x and y is a cylinder for points in space.
-fn subject(verb: &Inspect, dimension: usize, session: &mut Session) -> Result<Subject> {
-    let flags = FitFlags {
-        harmonics: verb.harmonics,
-        center: verb.center.clone(),
-        ..FitFlags::default()
-    };
-    let input = input::read(&verb.form, session)?;
-    let fitted = input::exact_form(input, &flags, session)?;
-    let form = input::through_equation(fitted.form, session)?;
-    let subject = match (form, dimension) {
-        (Form::Surface(surface), 3) => Subject::Surface(surface),
-        (Form::SpaceSuperquadric(shape), 3) => {
-            Subject::Surface(ImplicitSurface::new(shape.polynomial()?))
-        }
-        (Form::Surface(_) | Form::SpaceSuperquadric(_), _) => {
-            return Err(Error::Usage(
-                "this is a surface: its points are X,Y,Z, such as 0.8,0.6,0".into(),
-            ));
-        }
-        (Form::SpaceCurve(_) | Form::Intersection(_), _) => {
-            return Err(input::not_taken(INSPECT.0, INSPECT.1));
-        }
-        (form, 2) => Subject::Curve(input::implicit_curve(form, INSPECT, session)?),
-        (form, _) => {
-            let curve = input::implicit_curve(form, INSPECT, session)?;
-            Subject::Surface(input::cylinder(&curve))
-        }
-    };
-    let degree = match &subject {
-        Subject::Surface(surface) => surface.polynomial().degree().unwrap_or(0),
-        Subject::Curve(curve) => curve.polynomial().degree().unwrap_or(0) as u64,
-    };
-    session.check_degree(usize::try_from(degree).unwrap_or(usize::MAX))?;
-    Ok(subject)
-}
-
-impl Task {
-    /// What is certain of a row.
-    pub(super) fn inspect<'a>(&self, row: &'a Row<'a>) -> Result<InspectedPoint<'a>> {
-        let exactly = || self.relative(row.exactly());
-        let inspection = if self.is_centred() {
-            self.inspector.inspect_near(row.near, &exactly)
-        } else {
-            self.inspector.inspect(&exactly())
-        };
-        let ranges = if self.with_ranges {
-            self.ranges(&exactly())?
-        } else {
-            None
-        };
-        Ok(InspectedPoint {
-            written: row.written(),
-            inspection,
-            ranges,
-        })
-    }
-
-    /// A plane curve's polynomial is in coordinates about its centre.
-    fn relative(&self, point: [Rational; 3]) -> [Rational; 3] {
-        match &self.subject {
-            Subject::Surface(_) => point,
-            Subject::Curve(curve) => {
-                let [a, b] = curve.center();
-                let [x, y, z] = point;
-                [x - a, y - b, z]
-            }
-        }
-    }
-
-    fn is_centred(&self) -> bool {
-        match &self.subject {
-            Subject::Surface(_) => true,
-            Subject::Curve(curve) => curve.center().iter().all(Rational::is_zero),
-        }
-    }
-
-    /// Where the section is real; `None` beyond the limits of what is computed.
-    fn ranges(&self, point: &[Rational; 3]) -> Result<Option<Vec<AngleRange>>> {
-        let found = match &self.subject {
-            Subject::Surface(surface) => {
-                let section = SphereSection::new(surface.polynomial(), point, &self.tolerance);
-                if section.work() > MAX_SECTION_WORK {
-                    return Ok(None);
-                }
-                section.theta_ranges(&self.limits)
-            }
-            Subject::Curve(curve) => {
-                let polynomial = SparsePolynomial::from(curve.polynomial());
-                Ok(CircleSection::new(&polynomial, point, &self.tolerance).theta_ranges())
-            }
-        };
-        match found {
-            Ok(ranges) => Ok(Some(ranges)),
-            Err(Error::Limit { .. }) => Ok(None),
-            Err(error) => Err(error),
-        }
     }
 }

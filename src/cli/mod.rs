@@ -1,17 +1,13 @@
 //! The command line: a file per verb; what all verbs share is here.
 
-mod arcs;
 mod arguments;
 mod check;
 mod check_arguments;
-mod check_plot;
 mod describe;
 mod fit;
 mod implicitize;
 mod input;
 mod inspect;
-mod inspect_plot;
-mod inspect_rows;
 mod mesh;
 mod numbers;
 mod output;
@@ -19,10 +15,10 @@ mod paper;
 mod paper_figures;
 mod parametrize;
 mod plot;
-mod plot_space;
 mod sample;
 mod session;
 mod vectors;
+mod watch;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -54,19 +50,19 @@ pub(crate) fn main() -> ExitCode {
     let outcome = guarded(|| {
         let mut session = Session::new(arguments.common)?;
         match arguments.verb {
-            Verb::Describe(verb) => describe::run(&verb, &mut session),
-            Verb::Implicitize(verb) => implicitize::run(&verb, &mut session),
-            Verb::Parametrize(verb) => parametrize::run(&verb, &mut session),
-            Verb::Fit(verb) => fit::run(&verb, &mut session),
-            Verb::Sample(verb) => sample::run(&verb, &mut session),
+            Verb::Describe(verb) => describe::run(&verb, &session),
+            Verb::Implicitize(verb) => implicitize::run(&verb, &session),
+            Verb::Parametrize(verb) => parametrize::run(&verb, &session),
+            Verb::Fit(verb) => fit::run(&verb, &session),
+            Verb::Sample(verb) => sample::run(&verb, &session),
             Verb::Inspect(verb) => inspect::run(&verb, &mut session),
-            Verb::Mesh(verb) => mesh::run(&verb, &mut session),
-            Verb::Plot(verb) => plot::run(&verb, &mut session),
+            Verb::Mesh(verb) => mesh::run(&verb, &session),
+            Verb::Plot(verb) => plot::run(&verb, &session),
             Verb::Check(verb) => check::run(&verb, &mut session),
-            Verb::Vectors(verb) => vectors::run(&verb, &mut session),
+            Verb::Vectors(verb) => vectors::run(&verb, &session),
             Verb::Paper(verb) => paper::run(&verb, &mut session),
         }?;
-        session.finish()?;
+        session.finish();
         session.report_missing()?;
         Ok(session.answer_is_no)
     });

@@ -3,33 +3,46 @@
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use stellate::error::{Error, Result};
+use stellate::error::{Error, OUTPUT, Result};
 use tempfile::NamedTempFile;
 
 use super::session::Session;
 
 /// Writes the result of a verb to `-o FILE` or to standard output.
 pub(crate) fn write_result(
-    session: &mut Session,
-    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+    session: &Session,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    let path = session.common.output.clone();
     session.begin_writing();
-    session.stage("write", |session| match &path {
-        Some(path) => write_file(path, session, write),
-        None => {
-            let mut out = BufWriter::new(std::io::stdout().lock());
-            let written = write(&mut out).and_then(|()| out.flush());
-            written.map_err(|source| io_error(Path::new("standard output"), source))
-        }
+    session
+        .work
+        .stage("write", || match &session.common.output {
+            Some(path) => write_file(path, session, write),
+            None => {
+                let mut out = BufWriter::new(std::io::stdout().lock());
+                whole(write, &mut out, Path::new("standard output"))
+            }
+        })
+}
+
+/// Writes all of it; an error of the writer itself gets its name.
+fn whole(
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+    out: &mut dyn Write,
+    name: &Path,
+) -> Result<()> {
+    let written = write(out).and_then(|()| Ok(out.flush()?));
+    written.map_err(|error| match error {
+        Error::Io { path, source } if path == Path::new(OUTPUT) => io_error(name, source),
+        other => other,
     })
 }
 
 /// Writes another file than the result, in the same way.
-pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &mut Session) -> Result<()> {
+pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &Session) -> Result<()> {
     session.begin_writing();
-    session.stage("write", |session| {
-        write_file(path, session, |out| out.write_all(bytes))
+    session.work.stage("write", || {
+        write_file(path, session, |out| Ok(out.write_all(bytes)?))
     })
 }
 
@@ -38,13 +51,13 @@ pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &mut Session) -> 
 fn write_file(
     path: &Path,
     session: &Session,
-    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
     let failed = |source| io_error(path, source);
     if std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
         let device = std::fs::OpenOptions::new().write(true).open(path);
         let mut out = BufWriter::new(device.map_err(failed)?);
-        return write(&mut out).and_then(|()| out.flush()).map_err(failed);
+        return whole(write, &mut out, path);
     }
     // What a symbolic link points to is replaced, not the link.
     let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
@@ -52,9 +65,9 @@ fn write_file(
     let mut beside = new_file_in(&folder).map_err(failed)?;
     {
         let mut out = BufWriter::new(beside.as_file_mut());
-        write(&mut out).and_then(|()| out.flush()).map_err(failed)?;
+        whole(write, &mut out, path)?;
     }
-    session.check()?;
+    session.work.check()?;
     beside.persist(path).map_err(|e| failed(e.error))?;
     Ok(())
 }

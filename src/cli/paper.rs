@@ -1,13 +1,14 @@
 //! `stellate paper`: every statement of the paper, checked.
 
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use stellate::document::Format;
+use stellate::document::{Format, Kind};
 use stellate::error::{Error, Result};
 use stellate::paper::{
-    Entry, RUNGS, TimeComparison, compare, entries, write_entries, write_entry, write_report,
+    Entry, TimeComparison, compare, entries, write_entries, write_entry, write_report,
 };
 
 use super::arguments::Paper;
@@ -21,11 +22,7 @@ const PAGE: &str = "index.html";
 pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
-    if !matches!(format, Format::Text | Format::Json) {
-        return Err(Error::Usage(format!(
-            "--format {format}: the statements of the paper are written as text or json"
-        )));
-    }
+    Kind::Statements.check(format)?;
     if let Some(folder) = &verb.out {
         check_folder(folder)?;
     }
@@ -35,18 +32,15 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
         None => all,
         Some(id) => vec![find(all, id)?],
     };
-    let evaluated = session.stage("evaluate", |session| {
-        let bar = session.progress(chosen.len(), "checking the paper");
-        let outcomes: Result<Vec<_>> = chosen
-            .par_iter()
-            .map(|entry| {
-                let outcome = entry.evaluate(&session.limits)?;
-                bar.inc(1);
-                Ok((entry.clone(), outcome))
-            })
-            .collect();
-        bar.finish_and_clear();
-        outcomes
+    let evaluated = session.work.stage("evaluate", || {
+        let (done, total) = (AtomicU64::new(0), chosen.len() as u64);
+        let outcomes = chosen.par_iter().map(|entry| {
+            let outcome = entry.evaluate(&session.limits)?;
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            session.progress("checking the paper", done, total);
+            Ok((entry.clone(), outcome))
+        });
+        outcomes.collect::<Result<Vec<_>>>()
     })?;
     if evaluated.iter().any(|(_, outcome)| !outcome.expected) {
         session.answer_no();
@@ -73,10 +67,10 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     }
     match (&verb.only, &evaluated[..]) {
         (Some(_), [(entry, outcome)]) => write_result(session, |out| {
-            write_entry(entry, outcome, comparison, format, out)
+            Ok(write_entry(entry, outcome, comparison, format, out)?)
         }),
         _ => write_result(session, |out| {
-            write_entries(&evaluated, comparison, format, out)
+            Ok(write_entries(&evaluated, comparison, format, out)?)
         }),
     }
 }
@@ -92,17 +86,13 @@ fn compare_limit(verb: &Paper) -> Result<Duration> {
 }
 
 /// The comparison of times; other programs that run for it end with it, whatever ends it.
-fn measure(limit: Duration, session: &mut Session) -> Result<TimeComparison> {
-    session.stage("compare", |session| {
-        let bar = session.progress(RUNGS.len(), "measuring");
-        let found = session.ended_at_checkpoints(|| {
+fn measure(limit: Duration, session: &Session) -> Result<TimeComparison> {
+    session.work.stage("compare", || {
+        session.ended_at_checkpoints(|| {
             compare(limit, &session.limits, &|done, total| {
-                bar.set_length(total as u64);
-                bar.set_position(done as u64);
+                session.progress("measuring", done as u64, total as u64);
             })
-        });
-        bar.finish_and_clear();
-        found
+        })
     })
 }
 

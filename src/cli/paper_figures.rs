@@ -135,15 +135,15 @@ const FIGURES: [Drawn; 15] = [
 ];
 
 /// Draws them; the data of paper-examples and the fit of Example 9 are put into a temporary folder for that.
-pub(super) fn draw(session: &mut Session) -> Result<Vec<ReportFigure>> {
+pub(super) fn draw(session: &Session) -> Result<Vec<ReportFigure>> {
     let folder = tempfile::tempdir().map_err(failed)?;
     for (path, text) in EXAMPLE_DATA {
         write(folder.path(), path, text)?;
     }
     write(folder.path(), FIT, &fit_of_example_9(session)?)?;
-    let bar = session.progress(FIGURES.len(), "drawing the figures");
     let mut figures = Vec::new();
-    for (id, caption, words) in FIGURES {
+    for (done, (id, caption, words)) in (0..).zip(FIGURES) {
+        session.progress("drawing the figures", done, FIGURES.len() as u64);
         session.limits.check()?;
         figures.push(ReportFigure {
             id,
@@ -151,9 +151,9 @@ pub(super) fn draw(session: &mut Session) -> Result<Vec<ReportFigure>> {
             command: command(words),
             svg: svg(words, folder.path(), session)?,
         });
-        bar.inc(1);
     }
-    bar.finish_and_clear();
+    let total = FIGURES.len() as u64;
+    session.progress("drawing the figures", total, total);
     Ok(figures)
 }
 
@@ -192,7 +192,7 @@ fn fit_of_example_9(session: &Session) -> Result<String> {
         )));
     };
     let mut text = Vec::new();
-    write_fourier(&fit.radius, None, Format::Text, &mut text).map_err(failed)?;
+    write_fourier(&fit.radius, None, Format::Text, &mut text)?;
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
@@ -208,7 +208,7 @@ fn command(words: &[&str]) -> String {
     format!("stellate plot {}", typed.collect::<Vec<_>>().join(" "))
 }
 
-fn svg(words: &[&str], folder: &Path, session: &mut Session) -> Result<String> {
+fn svg(words: &[&str], folder: &Path, session: &Session) -> Result<String> {
     let words = words.iter().map(|word| {
         if is_data(word) {
             place(folder, word).into_os_string()

@@ -1,11 +1,13 @@
 //! Certified arcs as CSV rows, JSON and remarks.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
-use super::{Format, SCHEMA};
+use super::json::write_value;
+use super::{Format, Kind, SCHEMA};
 use crate::arcs::{ArcEnd, CurveArc, IntersectionArcs};
+use crate::error::Result;
 
 /// The arcs of a document.
 #[derive(Serialize)]
@@ -81,8 +83,8 @@ fn name(end: ArcEnd) -> &'static str {
 /// and `unresolved`.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for other formats.
-pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write) -> io::Result<()> {
+/// Those of `out`, and those of [`Kind::check`].
+pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write) -> Result<()> {
     match format {
         Format::Csv => {
             writeln!(out, "arc,point,x,y,z,bound,residual1,residual2")?;
@@ -101,13 +103,10 @@ pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write)
                 kind: "arcs",
                 arcs: Arcs::from(found),
             };
-            serde_json::to_writer(&mut *out, &document)?;
-            writeln!(out)
+            write_value(&document, out)?;
+            Ok(writeln!(out)?)
         }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "arcs are written as csv or json",
-        )),
+        _ => Err(Kind::Arcs.refused(format)),
     }
 }
 

@@ -1,14 +1,15 @@
 //! The report of a check: for people, as JSON, and as a table with a row for every comparison.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
-use super::json::Number;
-use super::terms::Notation;
-use super::{Format, SCHEMA};
+use super::json::{Number, write_value};
+use super::{Format, Kind, SCHEMA};
 use crate::check::{Comparison, DOUBLE_DIGITS, Diagnosis, Meaning, Place, Row, Scale};
+use crate::error::Result;
 use crate::exact::Rational;
+use crate::notation::Notation;
 
 /// Significant decimals of exact numbers: three more than a double has.
 const SHOWN_DIGITS: u32 = 20;
@@ -86,24 +87,21 @@ struct MistakeEntry<'a> {
 /// ```
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for other formats.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_check(
     found: &Comparison,
     mark: Option<u32>,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     match format {
         Format::Text => write_text(found, mark, out),
         Format::Csv => write_table(found, out),
         Format::Json => {
-            serde_json::to_writer(&mut *out, &document(found, mark))?;
-            writeln!(out)
+            write_value(&document(found, mark), out)?;
+            Ok(writeln!(out)?)
         }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a check is written as text, json or csv",
-        )),
+        _ => Err(Kind::Check.refused(format)),
     }
 }
 
@@ -201,7 +199,7 @@ fn meaning(scale: &Scale) -> Option<String> {
     })
 }
 
-fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> io::Result<()> {
+fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> Result<()> {
     write!(out, "{}: {} compared", what(found), found.rows.len())?;
     if found.scale.is_some() || !found.missing.is_empty() || !found.extra.is_empty() {
         write!(
@@ -269,7 +267,7 @@ fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> io:
     write_verdict(found, mark, out)
 }
 
-fn write_worst(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+fn write_worst(found: &Comparison, out: &mut dyn Write) -> Result<()> {
     let rows = found.worst(WORST);
     let lines: Vec<[String; 3]> = rows
         .iter()
@@ -321,7 +319,7 @@ fn write_worst(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn write_histogram(counts: &[usize], out: &mut dyn Write) -> io::Result<()> {
+fn write_histogram(counts: &[usize], out: &mut dyn Write) -> Result<()> {
     let most = counts.iter().copied().max().unwrap_or(1).max(1);
     let lowest = counts.iter().position(|&n| n > 0).unwrap_or(0);
     let highest = counts.iter().rposition(|&n| n > 0).unwrap_or(0);
@@ -343,15 +341,15 @@ fn write_histogram(counts: &[usize], out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn write_verdict(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> io::Result<()> {
+fn write_verdict(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> Result<()> {
     let failures = found.failures(mark);
     match mark {
         Some(digits) if failures.is_empty() => {
-            return writeln!(out, "passes: everything has {digits} digits");
+            return Ok(writeln!(out, "passes: everything has {digits} digits")?);
         }
         Some(digits) => writeln!(out, "fails: {} below {digits} digits:", failures.len())?,
         None if found.passes(None) => return Ok(()),
-        None => return writeln!(out, "fails: see above"),
+        None => return Ok(writeln!(out, "fails: see above")?),
     }
     for row in failures {
         writeln!(
@@ -364,7 +362,7 @@ fn write_verdict(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> 
     Ok(())
 }
 
-fn write_table(found: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+fn write_table(found: &Comparison, out: &mut dyn Write) -> Result<()> {
     let in_space = found.in_space;
     let [third, z] = if in_space { [",k", ",z"] } else { ["", ""] };
     match what(found) {

@@ -1,15 +1,19 @@
 //! Descriptions as text and JSON.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::angles::{Range, ranges_text};
+use super::facts::Annotations;
 use super::implicit::polynomial_text;
-use super::{Annotations, Format, SCHEMA, write_form};
+use super::json::{parsed, value_of, write_value};
+use super::{Format, Kind, SCHEMA, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
+use crate::error::Result;
 use crate::shape::{Form, ImplicitSurface};
+use crate::verb::Fact;
 
 /// Factors with a longer text are not printed in text.
 const LONGEST_FACTOR: usize = 300;
@@ -49,10 +53,10 @@ struct FactorEntry {
 }
 
 impl FactorEntry {
-    fn new(factor: &DescribedFactor) -> io::Result<Self> {
+    fn new(factor: &DescribedFactor) -> Result<Self> {
         Ok(Self {
             multiplicity: factor.multiplicity,
-            polynomial: serde_json::from_slice(&written(&factor.shape, Format::Json)?)?,
+            polynomial: parsed(&written(&factor.shape, Format::Json)?),
             proof: factor.proof.clone(),
             text: String::from_utf8_lossy(&written(&factor.shape, Format::Text)?).into_owned(),
         })
@@ -77,38 +81,36 @@ impl FactorEntry {
     }
 }
 
-fn written(shape: &Form, format: Format) -> io::Result<Vec<u8>> {
+fn written(shape: &Form, format: Format) -> Result<Vec<u8>> {
     let mut text = Vec::new();
-    write_form(shape, &Annotations::default(), format, &mut text)?;
+    write_form(shape, &[], format, &mut text)?;
     Ok(text)
 }
 
 /// Writes a description as `key: value` lines, or as the JSON document of kind `description`.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for formats other than text and JSON.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_description(
     description: &Description,
-    annotations: &Annotations,
+    facts: &[Fact],
     digits: u32,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
+    let annotations = Annotations::from(facts);
     let document = document(description, &annotations.notes, digits)?;
     match format {
         Format::Json => {
-            let mut value = serde_json::to_value(&document)?;
+            let mut value = value_of(&document);
             for (name, field) in &annotations.fields {
                 value[*name] = field.clone();
             }
-            serde_json::to_writer(&mut *out, &value)?;
-            writeln!(out)
+            write_value(&value, out)?;
+            Ok(writeln!(out)?)
         }
         Format::Text => write_text(&document, out),
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a description is written as text or json",
-        )),
+        _ => Err(Kind::Description.refused(format)),
     }
 }
 
@@ -118,10 +120,11 @@ pub fn write_description(
 /// As [`write_description`].
 pub fn write_space_curve_description(
     surfaces: &[ImplicitSurface],
-    annotations: &Annotations,
+    facts: &[Fact],
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
+    let annotations = Annotations::from(facts);
     let surfaces = surfaces.iter();
     let surfaces: Vec<ImplicitSurface> = surfaces
         .map(|s| ImplicitSurface::new(s.polynomial().primitive()))
@@ -130,8 +133,8 @@ pub fn write_space_curve_description(
         Format::Json => {
             let forms = surfaces.into_iter().map(Form::Surface);
             let entries: Vec<Value> = forms
-                .map(|form| Ok(serde_json::from_slice(&written(&form, Format::Json)?)?))
-                .collect::<io::Result<_>>()?;
+                .map(|form| Ok(parsed(&written(&form, Format::Json)?)))
+                .collect::<Result<_>>()?;
             let mut value = serde_json::json!({
                 "schema": SCHEMA,
                 "kind": "description",
@@ -141,8 +144,8 @@ pub fn write_space_curve_description(
             for (name, field) in &annotations.fields {
                 value[*name] = field.clone();
             }
-            serde_json::to_writer(&mut *out, &value)?;
-            writeln!(out)
+            write_value(&value, out)?;
+            Ok(writeln!(out)?)
         }
         Format::Text => {
             writeln!(out, "surfaces: {}", surfaces.len())?;
@@ -155,23 +158,16 @@ pub fn write_space_curve_description(
                     polynomial_text(f)
                 )?;
             }
-            annotations
-                .notes
-                .iter()
-                .try_for_each(|note| writeln!(out, "note: {note}"))
+            for note in &annotations.notes {
+                writeln!(out, "note: {note}")?;
+            }
+            Ok(())
         }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a description is written as text or json",
-        )),
+        _ => Err(Kind::Description.refused(format)),
     }
 }
 
-fn document<'a>(
-    d: &'a Description,
-    extra_notes: &[String],
-    digits: u32,
-) -> io::Result<Document<'a>> {
+fn document<'a>(d: &'a Description, extra_notes: &[String], digits: u32) -> Result<Document<'a>> {
     let fourier = d.fourier.as_ref();
     let positive: Option<Vec<Range>> =
         fourier.map(|f| f.positive.iter().map(|r| Range::new(r, digits)).collect());
@@ -202,12 +198,7 @@ fn document<'a>(
         factors: d
             .factors
             .as_ref()
-            .map(|factors| {
-                factors
-                    .iter()
-                    .map(FactorEntry::new)
-                    .collect::<io::Result<_>>()
-            })
+            .map(|factors| factors.iter().map(FactorEntry::new).collect::<Result<_>>())
             .transpose()?,
         perfect_square: fourier.map(|f| f.perfect_square),
         positive,
@@ -257,7 +248,7 @@ fn has_negative_radius(f: &FourierDescription) -> bool {
     !crate::parametrize::positive_ranges(&r).is_empty()
 }
 
-fn write_text(d: &Document, out: &mut dyn Write) -> io::Result<()> {
+fn write_text(d: &Document, out: &mut dyn Write) -> Result<()> {
     let yes_no = |b: bool| if b { "yes" } else { "no" };
     let degrees: Vec<String> = d
         .homogeneous_degrees

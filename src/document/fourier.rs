@@ -1,43 +1,28 @@
 //! Fourier radii in every format that can say one.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::json::Number;
-use super::terms::Notation;
-use super::{Format, SCHEMA, center_comment};
-use crate::error::Invariant;
+use super::{Format, Kind, SCHEMA, center_comment};
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
+use crate::fit::FitReport;
+use crate::notation::Notation;
 use crate::shape::FourierRadius;
 
-/// How well a Fourier radius fits the contour it was computed from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FitReport {
-    /// The largest difference in radius between the fit and a sample.
-    pub max_radial_error: f64,
-    /// The root of the mean square of these differences.
-    pub rms_radial_error: f64,
-    /// Whether every ray from the center meets the contour once.
-    pub star_shaped: bool,
-    /// The number of samples.
-    pub samples: usize,
-    /// The share of the directions in which a part of the contour hides behind another.
-    pub hidden_share: f64,
-}
-
-impl FitReport {
-    fn fields(&self) -> [(&'static str, String); 5] {
-        let number = |value: f64| {
-            let text = serde_json::to_string(&Number(value));
-            text.invariant("a number is written as JSON")
-        };
-        [
-            ("max_radial_error", number(self.max_radial_error)),
-            ("rms_radial_error", number(self.rms_radial_error)),
-            ("star_shaped", self.star_shaped.to_string()),
-            ("samples", self.samples.to_string()),
-            ("hidden_share", number(self.hidden_share)),
-        ]
-    }
+/// The fields of a document, as JSON.
+fn fields(report: &FitReport) -> [(&'static str, String); 5] {
+    let number = |value: f64| {
+        let text = serde_json::to_string(&Number(value));
+        text.invariant("a number is written as JSON")
+    };
+    [
+        ("max_radial_error", number(report.max_radial_error)),
+        ("rms_radial_error", number(report.rms_radial_error)),
+        ("star_shaped", report.star_shaped.to_string()),
+        ("samples", report.samples.to_string()),
+        ("hidden_share", number(report.hidden_share)),
+    ]
 }
 
 /// Writes `r = a0 + Σ (a_n cos nθ + b_n sin nθ)`, with the center if it is not the origin and with
@@ -57,20 +42,18 @@ impl FitReport {
 /// ```
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for a format that [`Format::check_fourier`] refuses.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_fourier(
     radius: &FourierRadius,
     fit: Option<&FitReport>,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
-    format
-        .check_fourier()
-        .map_err(|error| io::Error::new(io::ErrorKind::Unsupported, error))?;
+) -> Result<()> {
+    Kind::Radius.check(format)?;
     if format == Format::Json {
         return write_json(radius, fit, out);
     }
-    let fit = fit.map(FitReport::fields).into_iter().flatten();
+    let fit = fit.map(fields).into_iter().flatten();
     let fit = fit.map(|(name, value)| format!("{name}: {value}"));
     let comments: Vec<String> = center_comment(radius.center())
         .into_iter()
@@ -84,7 +67,7 @@ pub fn write_fourier(
             let separator = if i == 0 { "  " } else { "\n" };
             write!(out, "{separator}{comment}")?;
         }
-        return writeln!(out);
+        return Ok(writeln!(out)?);
     }
     for comment in &comments {
         writeln!(out, "{comment}")?;
@@ -97,8 +80,12 @@ pub fn write_fourier(
             }
             Ok(())
         }
-        Format::Maple => writeln!(out, "r = {};", expression(radius, format, "theta")),
-        _ => writeln!(out, "r = {}", expression(radius, format, "t")),
+        Format::Maple => Ok(writeln!(
+            out,
+            "r = {};",
+            expression(radius, format, "theta")
+        )?),
+        _ => Ok(writeln!(out, "r = {}", expression(radius, format, "t"))?),
     }
 }
 
@@ -153,11 +140,7 @@ fn latex_call(function: &str, n: usize) -> String {
     }
 }
 
-fn write_json(
-    radius: &FourierRadius,
-    fit: Option<&FitReport>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+fn write_json(radius: &FourierRadius, fit: Option<&FitReport>, out: &mut dyn Write) -> Result<()> {
     write!(out, "{{\"schema\":\"{SCHEMA}\",\"kind\":\"fourier\"")?;
     for (name, values) in [("cos", radius.cosines()), ("sin", radius.sines())] {
         write!(out, ",\"{name}\":[")?;
@@ -171,8 +154,8 @@ fn write_json(
     if fit.is_some() || center_comment(radius.center()).is_some() {
         write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
     }
-    for (name, value) in fit.map(FitReport::fields).into_iter().flatten() {
+    for (name, value) in fit.map(fields).into_iter().flatten() {
         write!(out, ",\"{name}\":{value}")?;
     }
-    writeln!(out, "}}")
+    Ok(writeln!(out, "}}")?)
 }

@@ -1,23 +1,16 @@
 //! Implicit curves and surfaces in every format.
 
-use std::io::{self, Write};
+use std::io::Write;
 
-use super::in_order::write_in_order;
-use super::terms::{Notation, Number, append_word};
+use super::facts::Annotations;
+use super::json::write_value;
 use super::{Format, SCHEMA, center_comment};
-use crate::error::Invariant;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
+use crate::notation::{Notation, Number, append_word, write_in_order};
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
-
-/// What a document says besides the polynomial.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Annotations {
-    /// Remarks for the reader: comments, or the field `notes` of a JSON document.
-    pub notes: Vec<String>,
-    /// More fields of the JSON document.
-    pub fields: Vec<(&'static str, serde_json::Value)>,
-}
+use crate::verb::Fact;
 
 /// A polynomial in x, y, z as the input language has it.
 pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
@@ -30,7 +23,7 @@ pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
 /// parallel; some megabytes of text are in memory at a time.
 ///
 /// ```
-/// use stellate::document::{Annotations, Format, write_implicit};
+/// use stellate::document::{Format, write_implicit};
 /// use stellate::language::{Numbers, parse_form};
 /// use stellate::shape::Form;
 ///
@@ -38,7 +31,7 @@ pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
 /// let Form::Curve(curve) = form else { panic!("a polynomial in x and y") };
 /// let write = |format| {
 ///     let mut out = Vec::new();
-///     write_implicit(&curve, &Annotations::default(), format, &mut out).unwrap();
+///     write_implicit(&curve, &[], format, &mut out).unwrap();
 ///     String::from_utf8(out).unwrap()
 /// };
 /// assert_eq!(write(Format::Text), "x^4 - 1/3x^2 + y^2 = 0\n");
@@ -50,10 +43,10 @@ pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
 /// Those of `out`.
 pub fn write_implicit(
     curve: &ImplicitCurve,
-    annotations: &Annotations,
+    facts: &[Fact],
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let f = curve.polynomial();
     let exponent = |e: usize| u32::try_from(e).invariant("a degree is below 2^32");
     let terms = f.integer_terms().map(|((i, j), c)| {
@@ -70,7 +63,7 @@ pub fn write_implicit(
         center: center_comment(curve.center()),
         center_json: curve.center(),
         z_is_missing: false,
-        annotations,
+        annotations: &facts.into(),
     }
     .write(&degrees, format, out)
 }
@@ -80,14 +73,14 @@ pub fn write_implicit(
 /// If z does not occur in f, formulas end with the term 0z: it says that this is a surface.
 ///
 /// ```
-/// use stellate::document::{Annotations, Format, write_surface};
+/// use stellate::document::{Format, write_surface};
 /// use stellate::language::{Numbers, parse_form};
 /// use stellate::shape::Form;
 ///
 /// let form = parse_form("x^2 + y^2 - 1 + 0z", "<form>", Numbers::Exact)?;
 /// let Form::Surface(cylinder) = form else { panic!("z occurs") };
 /// let mut out = Vec::new();
-/// write_surface(&cylinder, &Annotations::default(), Format::Text, &mut out).unwrap();
+/// write_surface(&cylinder, &[], Format::Text, &mut out).unwrap();
 /// assert_eq!(out, b"x^2 + y^2 - 1 + 0z = 0\n");
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
@@ -96,10 +89,10 @@ pub fn write_implicit(
 /// Those of `out`.
 pub fn write_surface(
     surface: &ImplicitSurface,
-    annotations: &Annotations,
+    facts: &[Fact],
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let f = surface.polynomial();
     let degree = |e: &[u32; 3]| e.iter().map(|&k| u64::from(k)).sum::<u64>();
     let mut degrees: Vec<u64> = f.terms().map(|(e, _)| degree(e)).collect();
@@ -110,7 +103,7 @@ pub fn write_surface(
         center: None,
         center_json: &[Rational::zero(), Rational::zero()],
         z_is_missing: f.terms().all(|(e, _)| e[2] == 0),
-        annotations,
+        annotations: &facts.into(),
     }
     .write(&degrees, format, out)
 }
@@ -126,7 +119,7 @@ struct Implicit<'a, T> {
 }
 
 impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
-    fn write(self, degrees: &[u64], format: Format, out: &mut dyn Write) -> io::Result<()> {
+    fn write(self, degrees: &[u64], format: Format, out: &mut dyn Write) -> Result<()> {
         match format {
             Format::Json => return self.write_json(degrees, out),
             // SymPy joins all lines, so there comments come last.
@@ -153,13 +146,13 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
                     out.write_all(b"  ")?;
                     out.write_all(&comments)?;
                 }
-                out.write_all(b"\n")
+                Ok(out.write_all(b"\n")?)
             }
         }
     }
 
     /// The center and the notes; every line starts as a comment.
-    fn write_comments(&self, end: &str, format: Format, out: &mut dyn Write) -> io::Result<()> {
+    fn write_comments(&self, end: &str, format: Format, out: &mut dyn Write) -> Result<()> {
         let notes = self.annotations.notes.iter().flat_map(|note| note.lines());
         let notes = notes.map(|line| format!("note: {line}"));
         for (i, comment) in self.center.iter().cloned().chain(notes).enumerate() {
@@ -176,7 +169,7 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
         notation: Notation,
         [before, after]: [&str; 2],
         out: &mut dyn Write,
-    ) -> io::Result<()> {
+    ) -> Result<()> {
         out.write_all(before.as_bytes())?;
         notation.write_sum(self.terms.map(|(e, c)| (c, e)), out)?;
         if self.z_is_missing {
@@ -186,10 +179,10 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
                 Notation::Latex | Notation::LatexInline => b" + 0 z",
             })?;
         }
-        out.write_all(after.as_bytes())
+        Ok(out.write_all(after.as_bytes())?)
     }
 
-    fn write_csv(self, out: &mut dyn Write) -> io::Result<()> {
+    fn write_csv(self, out: &mut dyn Write) -> Result<()> {
         let in_space = self.variables.len() == 3;
         let header = if in_space {
             "i,j,k,coefficient"
@@ -205,30 +198,30 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
             c.append(text);
             text.push(b'\n');
         };
-        write_in_order(self.terms, |(_, c)| c.size(), append, out)
+        Ok(write_in_order(self.terms, |(_, c)| c.size(), append, out)?)
     }
 
-    fn write_json(self, degrees: &[u64], out: &mut dyn Write) -> io::Result<()> {
+    fn write_json(self, degrees: &[u64], out: &mut dyn Write) -> Result<()> {
         write!(
             out,
             "{{\"schema\":\"{SCHEMA}\",\"kind\":\"implicit\",\"variables\":"
         )?;
-        serde_json::to_writer(&mut *out, self.variables)?;
+        write_value(self.variables, out)?;
         write!(out, ",\"degree\":")?;
-        serde_json::to_writer(&mut *out, &degrees.first())?;
+        write_value(&degrees.first(), out)?;
         write!(out, ",\"homogeneous_degrees\":")?;
-        serde_json::to_writer(&mut *out, degrees)?;
+        write_value(degrees, out)?;
         if self.center.is_some() {
             let [x, y] = self.center_json;
             write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
         }
         if !self.annotations.notes.is_empty() {
             write!(out, ",\"notes\":")?;
-            serde_json::to_writer(&mut *out, &self.annotations.notes)?;
+            write_value(&self.annotations.notes, out)?;
         }
         for (name, value) in &self.annotations.fields {
             write!(out, ",\"{name}\":")?;
-            serde_json::to_writer(&mut *out, value)?;
+            write_value(value, out)?;
         }
         write!(out, ",\"terms\":[")?;
         type Term<'a> = (usize, ([u32; 3], Number<'a>));
@@ -245,6 +238,6 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
             text.extend_from_slice(b"\"}");
         };
         write_in_order(self.terms.enumerate(), |(_, (_, c))| c.size(), append, out)?;
-        writeln!(out, "\n]}}")
+        Ok(writeln!(out, "\n]}}")?)
     }
 }

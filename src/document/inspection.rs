@@ -1,110 +1,45 @@
 //! Verdicts of an inspection as CSV, JSON and text, point by point; and as a cloud of coloured points.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
 use super::angles::{Range, ranges, ranges_text};
-use super::json::Number;
+use super::json::{Number, text_of, write_value};
 use super::{Format, SCHEMA};
+use crate::error::Result;
 use crate::exact::Rational;
-use crate::inspect::{Inspection, Verdict};
-use crate::parametrize::AngleRange;
+use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Verdict};
 
-/// A point as it was given, and what is certain of it.
-#[derive(Clone, Debug)]
-pub struct InspectedPoint<'a> {
-    /// Its coordinates as written, two or three.
-    pub written: &'a [&'a str],
-    /// The verdict and the distance.
-    pub inspection: Inspection,
-    /// Where the section of Theorem 8 is real, if that was asked.
-    pub ranges: Option<Vec<AngleRange>>,
-}
-
-/// How many points have which verdict.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct InspectionSummary {
-    /// Within the tolerance.
-    pub inside: usize,
-    /// Farther away.
-    pub outside: usize,
-    /// Neither could be proved.
-    pub undecided: usize,
-    /// Inside, but the sphere about the point misses the surface: a whole piece of it is inside the ball.
-    pub enclosed: usize,
-    /// Rows that are no points, and were passed over.
-    pub bad: usize,
-    /// The row, from 1, and the distance of the farthest point: at least so much.
-    pub worst: Option<(usize, f64)>,
-}
-
-impl InspectionSummary {
-    /// Counts one more point.
-    pub fn add(&mut self, row: usize, found: &Inspection) {
-        match found.verdict {
-            Verdict::Inside => self.inside += 1,
-            Verdict::Outside => self.outside += 1,
-            Verdict::Undecided => self.undecided += 1,
-        }
-        if found.verdict == Verdict::Inside && found.curve == Some(false) {
-            self.enclosed += 1;
-        }
-        if self.worst.is_none_or(|(_, low)| found.distance.low > low) {
-            self.worst = Some((row, found.distance.low));
-        }
-    }
-
-    /// Counts what comes after.
-    pub fn join(&mut self, later: &Self) {
-        self.inside += later.inside;
-        self.outside += later.outside;
-        self.undecided += later.undecided;
-        self.enclosed += later.enclosed;
-        self.bad += later.bad;
-        if let Some((row, low)) = later.worst
-            && self.worst.is_none_or(|(_, known)| low > known)
-        {
-            self.worst = Some((row, low));
-        }
-    }
-
-    /// All points.
-    #[must_use]
-    pub fn points(&self) -> usize {
-        self.inside + self.outside + self.undecided
-    }
-
-    /// One line for people; points are numbered by `number`: their row, or which point of those given.
-    #[must_use]
-    pub fn text(&self, number: &str) -> String {
-        let count = self.points();
-        let mut line = format!(
-            "{count} {}: {} inside, {} outside, {} undecided",
-            if count == 1 { "point" } else { "points" },
-            self.inside,
-            self.outside,
-            self.undecided
+/// One line for people; points are numbered by `number`: their row, or which point of those given.
+#[must_use]
+pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
+    let count = summary.points();
+    let mut line = format!(
+        "{count} {}: {} inside, {} outside, {} undecided",
+        if count == 1 { "point" } else { "points" },
+        summary.inside,
+        summary.outside,
+        summary.undecided
+    );
+    if summary.enclosed > 0 {
+        let _ = write!(
+            line,
+            "; {} inside whose sphere misses the surface: a whole piece of it is in the ball",
+            summary.enclosed
         );
-        if self.enclosed > 0 {
-            let _ = write!(
-                line,
-                "; {} inside whose sphere misses the surface: a whole piece of it is in the ball",
-                self.enclosed
-            );
-        }
-        if self.bad > 0 {
-            let _ = write!(line, "; {} rows were no points", self.bad);
-        }
-        if let Some((row, low)) = self.worst {
-            let _ = write!(
-                line,
-                "; the farthest is {number} {row}, at a distance of at least {low:?}"
-            );
-        }
-        line
     }
+    if summary.bad > 0 {
+        let _ = write!(line, "; {} rows were no points", summary.bad);
+    }
+    if let Some((row, low)) = summary.worst {
+        let _ = write!(
+            line,
+            "; the farthest is {number} {row}, at a distance of at least {low:?}"
+        );
+    }
+    line
 }
 
 /// Writes the inspected points one after the other.
@@ -150,7 +85,7 @@ impl InspectionWriter {
     ///
     /// # Errors
     /// [`crate::error::Error::Usage`] for a format other than csv, json and text.
-    pub fn new(format: Format, dimension: usize, digits: u32) -> crate::error::Result<Self> {
+    pub fn new(format: Format, dimension: usize, digits: u32) -> Result<Self> {
         match format {
             Format::Csv | Format::Json | Format::Text => Ok(Self {
                 format,
@@ -167,7 +102,7 @@ impl InspectionWriter {
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> io::Result<()> {
+    pub fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> Result<()> {
         match self.format {
             Format::Json => {
                 let head = Head {
@@ -175,13 +110,16 @@ impl InspectionWriter {
                     kind: "inspection",
                     tolerance: &tolerance.to_string(),
                 };
-                let head = serde_json::to_string(&head)?;
-                write!(out, "{},\"points\":[", head.trim_end_matches('}'))
+                let head = text_of(&head);
+                Ok(write!(out, "{},\"points\":[", head.trim_end_matches('}'))?)
             }
             Format::Text => Ok(()),
             _ => {
                 let axes = if self.dimension == 2 { "x,y" } else { "x,y,z" };
-                writeln!(out, "{axes},verdict,curve,distance_low,distance_high")
+                Ok(writeln!(
+                    out,
+                    "{axes},verdict,curve,distance_low,distance_high"
+                )?)
             }
         }
     }
@@ -190,12 +128,7 @@ impl InspectionWriter {
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn point(
-        &self,
-        point: &InspectedPoint,
-        is_first: bool,
-        out: &mut dyn Write,
-    ) -> io::Result<()> {
+    pub fn point(&self, point: &InspectedPoint, is_first: bool, out: &mut dyn Write) -> Result<()> {
         let found = &point.inspection;
         let verdict = verdict_name(found.verdict);
         let curve = match found.curve {
@@ -217,7 +150,7 @@ impl InspectionWriter {
                     ranges: point.ranges.as_ref().map(|list| ranges(list, self.digits)),
                 };
                 out.write_all(if is_first { b"\n" } else { b",\n" })?;
-                serde_json::to_writer(out, &entry)?;
+                write_value(&entry, out)?;
                 Ok(())
             }
             Format::Text => {
@@ -246,10 +179,10 @@ impl InspectionWriter {
                 match &point.ranges {
                     Some(list) if !list.is_empty() => {
                         let list = ranges(list, self.digits);
-                        writeln!(out, "  at {}", ranges_text(&list))
+                        Ok(writeln!(out, "  at {}", ranges_text(&list))?)
                     }
                     None if found.curve == Some(true) => {
-                        writeln!(out, "  (the angles would take too long)")
+                        Ok(writeln!(out, "  (the angles would take too long)")?)
                     }
                     _ => Ok(()),
                 }
@@ -259,7 +192,7 @@ impl InspectionWriter {
                     out.write_all(coordinate.as_bytes())?;
                     out.write_all(b",")?;
                 }
-                writeln!(out, "{verdict},{curve},{low:?},{high:?}")
+                Ok(writeln!(out, "{verdict},{curve},{low:?},{high:?}")?)
             }
         }
     }
@@ -268,7 +201,7 @@ impl InspectionWriter {
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> io::Result<()> {
+    pub fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> Result<()> {
         if self.format == Format::Json {
             let tail = Tail {
                 inside: summary.inside,
@@ -277,7 +210,7 @@ impl InspectionWriter {
                 enclosed: summary.enclosed,
                 bad: summary.bad,
             };
-            writeln!(out, "\n],\"summary\":{}}}", serde_json::to_string(&tail)?)?;
+            writeln!(out, "\n],\"summary\":{}}}", text_of(&tail))?;
         }
         Ok(())
     }
@@ -301,7 +234,7 @@ pub fn write_inspection_cloud(
     points: &[([f64; 3], Inspection)],
     comment: &str,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     write!(
         out,
         "ply\nformat binary_little_endian 1.0\ncomment {comment}\nelement vertex {}\n",

@@ -1,31 +1,31 @@
 //! Space curves as intersections of surfaces.
 
-use std::io::{self, Write};
+use std::io::Write;
 
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
+use super::facts::Annotations;
 use super::implicit::polynomial_text;
-use super::node::Node;
-use super::{Annotations, Format, SCHEMA, write_surface};
+use super::json::write_value;
+use super::{Format, Kind, SCHEMA, write_surface};
 use crate::error::Result;
-use crate::shape::{Form, ImplicitSurface};
+use crate::shape::ImplicitSurface;
+use crate::verb::Fact;
 
 /// Writes the surfaces of an intersection: equations one to a line, or a document of kind `intersection`.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for CSV, which has no room for two tables.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_intersection(
     surfaces: &[ImplicitSurface],
-    annotations: &Annotations,
+    facts: &[Fact],
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
+    let annotations = &Annotations::from(facts);
     match format {
         Format::Json => write_json(surfaces, annotations, out),
-        Format::Csv => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "an intersection is written as text, json, latex, sympy, maple or singular",
-        )),
+        Format::Csv => Err(Kind::Equations.refused(format)),
         Format::Text => {
             for note in &annotations.notes {
                 writeln!(out, "# note: {note}")?;
@@ -42,9 +42,9 @@ pub fn write_intersection(
             for note in &annotations.notes {
                 writeln!(out, "{} note: {note}", format.comment())?;
             }
-            surfaces.iter().try_for_each(|surface| {
-                write_surface(surface, &Annotations::default(), format, out)
-            })
+            surfaces
+                .iter()
+                .try_for_each(|surface| write_surface(surface, &[], format, out))
         }
     }
 }
@@ -53,44 +53,22 @@ fn write_json(
     surfaces: &[ImplicitSurface],
     annotations: &Annotations,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     write!(
         out,
         "{{\"schema\":\"{SCHEMA}\",\"kind\":\"intersection\",\"notes\":"
     )?;
-    serde_json::to_writer(&mut *out, &json!(annotations.notes))?;
+    write_value(&json!(annotations.notes), out)?;
     for (name, value) in &annotations.fields {
         write!(out, ",\"{name}\":")?;
-        serde_json::to_writer(&mut *out, value)?;
+        write_value(value, out)?;
     }
     write!(out, ",\"surfaces\":[")?;
     for (n, surface) in surfaces.iter().enumerate() {
         if n > 0 {
             write!(out, ",")?;
         }
-        write_surface(surface, &Annotations::default(), Format::Json, out)?;
+        write_surface(surface, &[], Format::Json, out)?;
     }
-    writeln!(out, "]}}")
-}
-
-/// Reads the surfaces of a document of kind `intersection`, with `read` for each.
-pub(super) fn read_intersection(
-    root: &Node<'_>,
-    object: &Map<String, Value>,
-    read: impl Fn(&Node<'_>) -> Result<Form>,
-) -> Result<Form> {
-    let list = root.field(object, "surfaces")?;
-    let entries = list.array()?;
-    if entries.len() < 2 {
-        return Err(list.wrong("expected at least two surfaces"));
-    }
-    let mut surfaces = Vec::new();
-    for n in 0..entries.len() {
-        let node = list.item(entries, n)?;
-        match read(&node)? {
-            Form::Surface(surface) => surfaces.push(surface),
-            _ => return Err(node.wrong("expected a surface, with the variables x, y and z")),
-        }
-    }
-    Ok(Form::Intersection(surfaces))
+    Ok(writeln!(out, "]}}")?)
 }

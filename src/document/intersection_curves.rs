@@ -1,14 +1,16 @@
 //! Documents of Theorem 7: parametric space curves for intersections of surfaces.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
 use super::arcs::{Arcs, arcs_text};
 use super::implicit::polynomial_text;
-use super::{Coordinates, Format, SCHEMA};
+use super::json::write_value;
+use super::{Coordinates, Format, SCHEMA, write_coordinates};
 use crate::arcs::IntersectionArcs;
+use crate::error::Result;
 use crate::parametrize::IntersectionParametrization;
 
 /// The first curve as in any parametric document, which is what is read back; then all of them.
@@ -43,13 +45,13 @@ struct Other {
 /// There must be a curve, or arcs of what has no parametrization; formats other than text and JSON have no room for arcs.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for CSV and Singular.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_intersection_curves(
     found: &IntersectionParametrization,
     arcs: Option<&IntersectionArcs>,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let curves: Vec<Coordinates> = found.curves.iter().map(Coordinates::from).collect();
     let axis = ["x", "y", "z"][found.axis];
     let others = found.others.iter().map(|other| Other {
@@ -79,8 +81,8 @@ pub fn write_intersection_curves(
                 arcs: arcs.map(Arcs::from),
                 notes: found.notes.clone(),
             };
-            serde_json::to_writer(&mut *out, &document)?;
-            writeln!(out)
+            write_value(&document, out)?;
+            Ok(writeln!(out)?)
         }
         Format::Text => {
             writeln!(
@@ -111,13 +113,15 @@ pub fn write_intersection_curves(
                     writeln!(out, "# curve {index}")?;
                 }
                 let mut text = Vec::new();
-                curve.write(Format::Text, &mut text)?;
+                write_coordinates(curve, Format::Text, &mut text)?;
                 for line in String::from_utf8_lossy(&text).lines() {
                     writeln!(out, "{hidden}{line}")?;
                 }
             }
             Ok(())
         }
-        _ => curves.iter().try_for_each(|curve| curve.write(format, out)),
+        _ => curves
+            .iter()
+            .try_for_each(|curve| write_coordinates(curve, format, out)),
     }
 }

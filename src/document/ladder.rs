@@ -1,13 +1,14 @@
 //! The paper's algorithm in doubles, rung by rung: text, JSON and CSV.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
 use super::check::tenths;
-use super::json::Number;
-use super::{Format, SCHEMA};
+use super::json::{Number, write_value};
+use super::{Format, Kind, SCHEMA};
 use crate::check::{DigitsKept, Rung};
+use crate::error::Result;
 
 #[derive(Serialize)]
 struct Document {
@@ -36,8 +37,8 @@ struct Kept {
 /// Writes what doubles keep for growing N: text, JSON of kind `check` with `what` = `self`, or CSV.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for other formats.
-pub fn write_ladder(rungs: &[Rung], format: Format, out: &mut dyn Write) -> io::Result<()> {
+/// Those of `out`, and those of [`Kind::check`].
+pub fn write_ladder(rungs: &[Rung], format: Format, out: &mut dyn Write) -> Result<()> {
     match format {
         Format::Text => write_text(rungs, out),
         Format::Csv => write_table(rungs, out),
@@ -48,13 +49,10 @@ pub fn write_ladder(rungs: &[Rung], format: Format, out: &mut dyn Write) -> io::
                 what: "self",
                 rungs: rungs.iter().map(entry).collect(),
             };
-            serde_json::to_writer(&mut *out, &document)?;
-            writeln!(out)
+            write_value(&document, out)?;
+            Ok(writeln!(out)?)
         }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a check is written as text, json or csv",
-        )),
+        _ => Err(Kind::Check.refused(format)),
     }
 }
 
@@ -77,7 +75,7 @@ fn entry(rung: &Rung) -> RungEntry {
     }
 }
 
-fn write_text(rungs: &[Rung], out: &mut dyn Write) -> io::Result<()> {
+fn write_text(rungs: &[Rung], out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
         "Theorem 2 in doubles beside exact arithmetic: correct digits, ≈ worst / median"
@@ -109,7 +107,7 @@ fn sign_distance(rung: &Rung) -> String {
         .map_or_else(|| "nowhere".into(), |d| format!("{d:e}"))
 }
 
-fn write_table(rungs: &[Rung], out: &mut dyn Write) -> io::Result<()> {
+fn write_table(rungs: &[Rung], out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
         "harmonics,degree,coefficients_worst,coefficients_median,radii_worst,radii_median,near_worst,near_median,sign_distance"

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use crate::error::Result;
 use crate::mesh::Mesh;
 
 /// A file format for meshes.
@@ -37,7 +38,7 @@ pub fn write_mesh(
     comment: &str,
     format: MeshFormat,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     match format {
         MeshFormat::Obj => write_obj(mesh, comment, out),
         MeshFormat::Ply => write_ply(mesh, comment, out),
@@ -45,7 +46,7 @@ pub fn write_mesh(
     }
 }
 
-fn write_obj(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> {
+fn write_obj(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "# {comment}")?;
     for [x, y, z] in &mesh.vertices {
         writeln!(out, "v {x:?} {y:?} {z:?}")?;
@@ -66,7 +67,7 @@ fn write_obj(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> 
     Ok(())
 }
 
-fn write_ply(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> {
+fn write_ply(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
     write!(
         out,
         "ply\nformat binary_little_endian 1.0\ncomment {comment}\nelement vertex {}\n",
@@ -99,7 +100,7 @@ fn write_ply(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> 
     Ok(())
 }
 
-fn write_stl(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> io::Result<()> {
+fn write_stl(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
     // A header that begins with "solid" would mean the text format.
     let mut header = [b' '; 80];
     for (slot, byte) in header.iter_mut().zip(comment.bytes()) {
@@ -134,4 +135,44 @@ fn facet_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
 )]
 fn single(value: f64) -> f32 {
     value as f32
+}
+
+/// What a mesh is, in sentences.
+#[must_use]
+pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
+    let topology = mesh.topology();
+    let pieces = match topology.components {
+        1 => "one piece".to_owned(),
+        n => format!("{n} pieces"),
+    };
+    let closed = if topology.is_watertight() {
+        "watertight".to_owned()
+    } else if topology.irregular_edges == 0 {
+        format!("open, with {} edges on the rim", topology.boundary_edges)
+    } else {
+        format!(
+            "not watertight: {} edges on the rim, {} with other than two triangles",
+            topology.boundary_edges, topology.irregular_edges
+        )
+    };
+    let mut lines = vec![
+        format!(
+            "{} vertices, {} triangles, {pieces}, {closed}, Euler characteristic {}",
+            mesh.vertices.len(),
+            mesh.triangles.len(),
+            topology.euler_characteristic
+        ),
+        format!(
+            "every vertex has a certified zero within {:.1e}",
+            mesh.vertex_bound
+        ),
+    ];
+    let [all, open] = mesh.cells;
+    if open > 0 {
+        lines.push(format!(
+            "{open} of {all} cells of side {:.2e} are not proved to hold a single smooth sheet: there the mesh may miss what is smaller",
+            mesh.cell
+        ));
+    }
+    lines
 }

@@ -1,6 +1,6 @@
 //! Parametric documents: the branches r(θ) of an implicit curve.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
@@ -9,12 +9,14 @@ use super::angles::{
 };
 use super::expression::expression_text;
 use super::fourier::expression;
+use super::json::write_value;
 use super::numeric::{
     EquationEntry, FitEntry, RootEntry, equation_entry, equations, fit_comments, fit_entry,
     root_entries, roots_text,
 };
 use super::rational::{self, Entry};
-use super::{Format, SCHEMA, center_comment};
+use super::{Format, Kind, SCHEMA, center_comment};
+use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::parametrize::{Branch, BranchFit, Parametrization, PolarMethod, Radius};
 
@@ -71,14 +73,14 @@ struct BranchEntry {
 /// series.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for Singular, and for CSV unless the first radius is a series.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_parametrization(
     curve: &Parametrization,
     fit: Option<&BranchFit>,
     digits: u32,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let series = curve
         .branches
         .first()
@@ -88,8 +90,8 @@ pub fn write_parametrization(
         });
     match (format, series) {
         (Format::Json, _) => {
-            serde_json::to_writer(&mut *out, &document(curve, fit, digits))?;
-            writeln!(out)
+            write_value(&document(curve, fit, digits), out)?;
+            Ok(writeln!(out)?)
         }
         (Format::Text, _) => write_text(curve, fit, digits, out),
         // The other branch of a series, −r(θ + π), has the same points.
@@ -109,9 +111,9 @@ pub fn write_parametrization(
                 }
             }
             if all.is_empty() {
-                return Err(io::Error::new(
-                    io::ErrorKind::Unsupported,
-                    "there is no formula for r; --format text or json describes the branches",
+                return Err(Error::Usage(
+                    "there is no formula for r; --format text or json describes the branches"
+                        .into(),
                 ));
             }
             write_rational(curve, format, out)
@@ -120,10 +122,7 @@ pub fn write_parametrization(
             .map_or(Ok(()), |fit| {
                 super::write_fourier(&fit.radius, None, format, out)
             }),
-        (Format::Csv | Format::Singular, None) => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "only a radius that is a Fourier series is written as csv",
-        )),
+        (Format::Csv | Format::Singular, None) => Err(Kind::ClosedForms.refused(format)),
     }
 }
 
@@ -177,7 +176,7 @@ fn write_text(
     fit: Option<&BranchFit>,
     digits: u32,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let step = if curve.step > 1 {
         format!(" in r^{}", curve.step)
     } else {
@@ -239,7 +238,7 @@ fn write_text(
 }
 
 /// What is known of rational parametrizations, as comments.
-fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) -> io::Result<()> {
+fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) -> Result<()> {
     let comments = curve
         .rational
         .iter()

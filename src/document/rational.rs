@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Format;
-use super::terms::Notation;
 use crate::exact::Rational;
+use crate::notation::Notation;
 use crate::parametrize::{Cover, FactorRationality, RationalCurve, Rationality};
 use crate::poly::{BinaryForm, IntegerPolynomial, RationalFunction};
 

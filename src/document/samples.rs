@@ -1,41 +1,14 @@
 //! Certified points as CSV and JSON.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
-use super::json::Number;
-use super::{Format, SCHEMA, center_comment};
-use crate::error::Invariant;
+use super::json::{Number, write_value};
+use super::{Format, Kind, SCHEMA, center_comment};
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
-use crate::sample::{Direction, Ray, Sample, SpaceDirection, UnitVector};
-
-/// A direction and what the curve or surface has in it.
-#[derive(Clone, Debug)]
-pub struct SampledRay<D = Direction, const V: usize = 2> {
-    /// The direction.
-    pub direction: D,
-    /// The points, or the whole line.
-    pub ray: Ray<V>,
-}
-
-/// A direction with its nominal angles, as it is written.
-pub trait NominalAngles<const V: usize>: UnitVector<V> {
-    /// θ, and φ in space.
-    fn angles(&self) -> (f64, Option<f64>);
-}
-
-impl NominalAngles<2> for Direction {
-    fn angles(&self) -> (f64, Option<f64>) {
-        (self.theta(), None)
-    }
-}
-
-impl NominalAngles<3> for SpaceDirection {
-    fn angles(&self) -> (f64, Option<f64>) {
-        (self.theta().theta(), Some(self.phi().theta()))
-    }
-}
+use crate::sample::{NominalAngles, Ray, Sample, SampledRay};
 
 #[derive(Serialize)]
 struct Point {
@@ -76,15 +49,15 @@ struct Document {
 /// `center`, which only the document carries.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for other formats.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_samples<D: NominalAngles<V>, const V: usize>(
     rays: &[SampledRay<D, V>],
     center: &[Rational; 2],
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     match format {
-        Format::Csv | Format::Text => {
+        Format::Csv => {
             writeln!(
                 out,
                 "{}",
@@ -126,13 +99,10 @@ pub fn write_samples<D: NominalAngles<V>, const V: usize>(
                     .map(|ray| line(&ray.direction))
                     .collect(),
             };
-            serde_json::to_writer(&mut *out, &document)?;
-            writeln!(out)
+            write_value(&document, out)?;
+            Ok(writeln!(out)?)
         }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "points are written as csv or json",
-        )),
+        _ => Err(Kind::Points.refused(format)),
     }
 }
 

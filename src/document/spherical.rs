@@ -1,41 +1,21 @@
 //! Parametric documents of surfaces: the branches R(θ, φ), and what is certain on meridians and in directions.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::angles::{Range, ranges, ranges_text_of};
 use super::expression::{condition_text, expression_text, form_text};
-use super::json::Number;
+use super::json::{Number, parsed, write_value};
 use super::parametric::validity;
-use super::{Annotations, Format, SCHEMA, write_space_superquadric, write_surface};
-use crate::parametrize::{
-    DirectionAnswer, MeridianBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource,
-};
+use super::{Format, Kind, SCHEMA, write_space_superquadric, write_surface};
+use crate::error::{Error, Result};
+use crate::parametrize::{SurfaceMethod, SurfaceParametrization, SurfaceSource};
 use crate::poly::{SpacePolynomial, TernaryForm};
-use crate::sample::{Direction, Ray, SpaceDirection};
-
-/// A meridian and the exact ranges of the branches on it.
-#[derive(Clone, Debug)]
-pub struct WrittenMeridian {
-    /// θ.
-    pub theta: Direction,
-    /// Where each branch is real.
-    pub branches: Vec<MeridianBranch>,
-}
-
-/// A direction, the certified answer there, and the certified points.
-#[derive(Clone, Debug)]
-pub struct WrittenDirection {
-    /// (θ, φ).
-    pub direction: SpaceDirection,
-    /// Which branches are real.
-    pub answer: DirectionAnswer,
-    /// All real roots, each factor's on its own.
-    pub rays: Vec<Ray<3>>,
-}
+use crate::sample::Ray;
+use crate::verb::{InDirection, OnMeridian};
 
 #[derive(Serialize)]
 struct Document {
@@ -123,29 +103,26 @@ struct DirectionEntry {
 /// which it is real, the discriminants as exact forms, and what was asked of meridians and directions.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for CSV and Singular, and where there is no formula for the other formats.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_surface_parametrization(
     surface: &SurfaceParametrization,
-    meridians: &[WrittenMeridian],
-    directions: &[WrittenDirection],
+    meridians: &[OnMeridian],
+    directions: &[InDirection],
     digits: u32,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
-    let unsupported = |why: &str| Err(io::Error::new(io::ErrorKind::Unsupported, why.to_owned()));
+) -> Result<()> {
     match format {
         Format::Text => write_text(surface, meridians, directions, digits, out),
         Format::Json => {
             let document = document(surface, meridians, directions, digits)?;
-            serde_json::to_writer(&mut *out, &document)?;
-            writeln!(out)
+            write_value(&document, out)?;
+            Ok(writeln!(out)?)
         }
-        Format::Csv | Format::Singular => unsupported(
-            "the radii of a surface are written as text, json, latex, sympy or maple; stellate sample writes points",
-        ),
-        _ if surface.branches.is_empty() => {
-            unsupported("there is no formula for R; --format text or json describes the surface")
-        }
+        Format::Csv | Format::Singular => Err(Kind::SurfaceRadii.refused(format)),
+        _ if surface.branches.is_empty() => Err(Error::Usage(
+            "there is no formula for R; --format text or json describes the surface".into(),
+        )),
         Format::Latex | Format::Sympy | Format::Maple => {
             for branch in &surface.branches {
                 let radius = expression_text(&branch.radius, format);
@@ -171,11 +148,11 @@ fn method(surface: &SurfaceParametrization) -> String {
 
 fn write_text(
     surface: &SurfaceParametrization,
-    meridians: &[WrittenMeridian],
-    directions: &[WrittenDirection],
+    meridians: &[OnMeridian],
+    directions: &[InDirection],
     digits: u32,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let step = if surface.step > 1 {
         format!(" in R^{}", surface.step)
     } else {
@@ -234,7 +211,7 @@ fn forms_text(polynomial: &SpacePolynomial) -> String {
     texts.collect::<Vec<_>>().join(" + ")
 }
 
-fn write_meridian(meridian: &WrittenMeridian, digits: u32, out: &mut dyn Write) -> io::Result<()> {
+fn write_meridian(meridian: &OnMeridian, digits: u32, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "# on the meridian theta = {}:", meridian.theta.theta())?;
     let real = meridian.branches.iter().filter(|b| !b.real.is_empty());
     let mut shown = 0;
@@ -254,7 +231,7 @@ fn write_meridian(meridian: &WrittenMeridian, digits: u32, out: &mut dyn Write) 
     Ok(())
 }
 
-fn write_direction(written: &WrittenDirection, out: &mut dyn Write) -> io::Result<()> {
+fn write_direction(written: &InDirection, out: &mut dyn Write) -> Result<()> {
     let (theta, phi) = (&written.direction.theta(), written.direction.phi());
     writeln!(
         out,
@@ -297,10 +274,10 @@ fn write_direction(written: &WrittenDirection, out: &mut dyn Write) -> io::Resul
 
 fn document(
     surface: &SurfaceParametrization,
-    meridians: &[WrittenMeridian],
-    directions: &[WrittenDirection],
+    meridians: &[OnMeridian],
+    directions: &[InDirection],
     digits: u32,
-) -> io::Result<Document> {
+) -> Result<Document> {
     let numbered = || surface.factors.iter().enumerate();
     let cones = numbered().filter(|(_, f)| f.is_cone());
     let discriminants = numbered().filter_map(|(i, f)| Some((i, f.discriminant.as_ref()?)));
@@ -343,11 +320,11 @@ fn document(
     })
 }
 
-fn source(of: &SurfaceSource) -> io::Result<(&'static str, Value)> {
+fn source(of: &SurfaceSource) -> Result<(&'static str, Value)> {
     let mut text = Vec::new();
     let name = match of {
         SurfaceSource::Polynomial(surface) => {
-            write_surface(surface, &Annotations::default(), Format::Json, &mut text)?;
+            write_surface(surface, &[], Format::Json, &mut text)?;
             "implicit"
         }
         SurfaceSource::Superquadric(shape) => {
@@ -355,7 +332,7 @@ fn source(of: &SurfaceSource) -> io::Result<(&'static str, Value)> {
             "superquadric"
         }
     };
-    Ok((name, serde_json::from_slice(&text)?))
+    Ok((name, parsed(&text)))
 }
 
 fn form_entry(factor: usize, form: &TernaryForm) -> FormEntry {
@@ -370,7 +347,7 @@ fn form_entry(factor: usize, form: &TernaryForm) -> FormEntry {
     }
 }
 
-fn meridian_entry(meridian: &WrittenMeridian, digits: u32) -> MeridianEntry {
+fn meridian_entry(meridian: &OnMeridian, digits: u32) -> MeridianEntry {
     let branches = meridian.branches.iter().map(|b| MeridianBranchEntry {
         factor: b.factor,
         branch: b.branch,
@@ -383,7 +360,7 @@ fn meridian_entry(meridian: &WrittenMeridian, digits: u32) -> MeridianEntry {
     }
 }
 
-fn direction_entry(written: &WrittenDirection) -> DirectionEntry {
+fn direction_entry(written: &InDirection) -> DirectionEntry {
     let radii = written.rays.iter().map(|ray| match ray {
         Ray::Line => None,
         Ray::Points(points) => Some(points.iter().map(|p| Number(p.r)).collect()),

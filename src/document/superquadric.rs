@@ -1,17 +1,16 @@
 //! Superquadrics as text and JSON, and what is certain about them.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
-use super::node::Node;
-use super::{Format, SCHEMA};
-use crate::error::{Error, Result};
+use super::json::write_value;
+use super::{Format, Kind, SCHEMA};
+use crate::error::Result;
 use crate::exact::Rational;
-use crate::language::{check_exponent, superquadric_of};
 use crate::poly::SparsePolynomial;
-use crate::shape::{Form, SpaceSuperquadric, Superquadric};
+use crate::shape::{SpaceSuperquadric, Superquadric};
 
 /// The document of kind `superquadric`.
 #[derive(Serialize)]
@@ -46,7 +45,7 @@ impl Document {
     }
 
     /// As the row of the input language or as JSON.
-    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+    fn write(&self, format: Format, out: &mut dyn Write) -> Result<()> {
         match format {
             Format::Text => {
                 let (a, e) = (self.a.join(","), self.e.join(","));
@@ -54,16 +53,13 @@ impl Document {
                 if self.level != "1" {
                     write!(out, " level={}", self.level)?;
                 }
-                writeln!(out)
+                Ok(writeln!(out)?)
             }
             Format::Json => {
-                serde_json::to_writer(&mut *out, self)?;
-                writeln!(out)
+                write_value(self, out)?;
+                Ok(writeln!(out)?)
             }
-            _ => Err(io::Error::new(
-                io::ErrorKind::Unsupported,
-                "a superquadric is written as text or json",
-            )),
+            _ => Err(Kind::Superquadric.refused(format)),
         }
     }
 }
@@ -84,12 +80,8 @@ impl Document {
 /// ```
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for formats other than text and JSON.
-pub fn write_superquadric(
-    shape: &Superquadric,
-    format: Format,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+/// Those of `out`, and those of [`Kind::check`].
+pub fn write_superquadric(shape: &Superquadric, format: Format, out: &mut dyn Write) -> Result<()> {
     Document::new(shape).write(format, out)
 }
 
@@ -101,45 +93,8 @@ pub fn write_space_superquadric(
     shape: &SpaceSuperquadric,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     Document::in_space(shape).write(format, out)
-}
-
-/// Reads the fields of a document of kind `superquadric`.
-pub(super) fn read_superquadric(root: &Node<'_>, object: &Map<String, Value>) -> Result<Form> {
-    let dimension = root.field(object, "dimension")?;
-    let count = match dimension.natural()? {
-        2 => 2,
-        3 => 3,
-        _ => return Err(dimension.wrong("expected 2 or 3")),
-    };
-    let (a, e) = (root.field(object, "a")?, root.field(object, "e")?);
-    let axes = positive_list(&a, count)?;
-    let epsilon = positive_list(&e, count - 1)?;
-    for value in &epsilon {
-        check_exponent(value).map_err(|limit| Error::limit(format!("{}: {limit}", e.place())))?;
-    }
-    let level = match object.get("level") {
-        None => Rational::one(),
-        Some(_) => positive(&root.field(object, "level")?)?,
-    };
-    superquadric_of(axes, epsilon, level).ok_or_else(|| root.wrong("expected positive numbers"))
-}
-
-fn positive_list(node: &Node<'_>, count: usize) -> Result<Vec<Rational>> {
-    let list = node.array()?;
-    if list.len() != count {
-        return Err(node.wrong(format!("expected a list of {count}, found {}", list.len())));
-    }
-    (0..count).map(|n| positive(&node.item(list, n)?)).collect()
-}
-
-fn positive(node: &Node<'_>) -> Result<Rational> {
-    let value = node.number()?;
-    if value.signum() > 0 {
-        return Ok(value);
-    }
-    Err(node.wrong("it must be positive"))
 }
 
 #[derive(Serialize)]
@@ -158,12 +113,12 @@ struct Description {
 /// Writes what is certain about a superquadric, as `key: value` lines or as a JSON document of kind `description`.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for formats other than text and JSON.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_superquadric_description(
     shape: &Superquadric,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let notes = vec![smoothness(shape).to_owned()];
     let description = Description {
         schema: SCHEMA,
@@ -178,18 +133,15 @@ pub fn write_superquadric_description(
     };
     match format {
         Format::Json => {
-            serde_json::to_writer(&mut *out, &description)?;
-            writeln!(out)
+            write_value(&description, out)?;
+            Ok(writeln!(out)?)
         }
         Format::Text => write_text(&description, out),
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a description is written as text or json",
-        )),
+        _ => Err(Kind::Description.refused(format)),
     }
 }
 
-fn write_text(d: &Description, out: &mut dyn Write) -> io::Result<()> {
+fn write_text(d: &Description, out: &mut dyn Write) -> Result<()> {
     let n = &d.exponent;
     let [a1, a2] = &d.superquadric.a[..] else {
         return Ok(());
@@ -222,12 +174,12 @@ fn write_text(d: &Description, out: &mut dyn Write) -> io::Result<()> {
 /// The same for a superquadric in space.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for formats other than text and JSON.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_space_superquadric_description(
     shape: &SpaceSuperquadric,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let [of_xy, of_sum, of_z] = shape.exponents().map(|q| q.to_string());
     let polynomial = shape.polynomial();
     let degree = polynomial.as_ref().ok().and_then(SparsePolynomial::degree);
@@ -245,8 +197,8 @@ pub fn write_space_superquadric_description(
                 "convex": shape.is_convex(),
             });
             description["notes"] = notes.into_iter().collect();
-            serde_json::to_writer(&mut *out, &description)?;
-            writeln!(out)
+            write_value(&description, out)?;
+            Ok(writeln!(out)?)
         }
         Format::Text => {
             let [a1, a2, a3] = shape.semi_axes().each_ref().map(ToString::to_string);
@@ -280,10 +232,7 @@ pub fn write_space_superquadric_description(
             }
             Ok(())
         }
-        _ => Err(io::Error::new(
-            io::ErrorKind::Unsupported,
-            "a description is written as text or json",
-        )),
+        _ => Err(Kind::Description.refused(format)),
     }
 }
 

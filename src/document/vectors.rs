@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::json::Number;
-use super::terms::Notation;
 use super::{SCHEMA, center_comment};
 use crate::check::{CoefficientVector, PointVector, RadiusVector, TestVectors, VectorInput};
+use crate::error::Result;
 use crate::exact::hex_literal;
+use crate::notation::Notation;
 
 #[derive(Serialize)]
 struct Document {
@@ -75,7 +76,7 @@ struct PointEntry {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_vectors(vectors: &TestVectors, out: &mut dyn Write) -> io::Result<()> {
+pub fn write_vectors(vectors: &TestVectors, out: &mut dyn Write) -> Result<()> {
     let axes = if vectors.in_space { 3 } else { 2 };
     let document = Document {
         schema: SCHEMA,
@@ -97,8 +98,8 @@ pub fn write_vectors(vectors: &TestVectors, out: &mut dyn Write) -> io::Result<(
         radii: vectors.radii.iter().map(radius).collect(),
         points: vectors.points.iter().map(|p| point(p, axes)).collect(),
     };
-    serde_json::to_writer_pretty(&mut *out, &document)?;
-    writeln!(out)
+    serde_json::to_writer_pretty(&mut *out, &document).map_err(io::Error::from)?;
+    Ok(writeln!(out)?)
 }
 
 fn double(value: f64) -> Double {

@@ -154,7 +154,7 @@ proptest! {
         let options = FitOptions {
             center: CenterChoice::Point([0.into(), 0.into()]),
             samples: Some(64),
-            size: FitSize::Harmonics(8),
+            size: Some(FitSize::Harmonics(8)),
             decimals: None,
         };
         let points = around(&radii);
@@ -230,7 +230,7 @@ proptest! {
         let options = FitOptions {
             center: CenterChoice::Centroid,
             samples: Some(512),
-            size: FitSize::Tolerance(tolerance),
+            size: Some(FitSize::Tolerance(tolerance)),
             decimals,
         };
         let Ok(fitted) = fit(&contour, &options) else {
@@ -241,11 +241,11 @@ proptest! {
         prop_assert!(fitted.max_radial_error <= tolerance);
         for n in 0..fitted.radius.harmonics() {
             let size = FitSize::Harmonics(n);
-            let fewer = fit(&contour, &FitOptions { size, ..options.clone() }).unwrap();
+            let fewer = fit(&contour, &FitOptions { size: Some(size), ..options.clone() }).unwrap();
             prop_assert!(fewer.max_radial_error > tolerance, "{n} harmonics would do");
         }
         let size = FitSize::Harmonics(fitted.radius.harmonics());
-        let same = fit(&contour, &FitOptions { size, ..options }).unwrap();
+        let same = fit(&contour, &FitOptions { size: Some(size), ..options }).unwrap();
         prop_assert_eq!(same.radius, fitted.radius);
         prop_assert!((same.max_radial_error - fitted.max_radial_error).abs() < 1e-12);
     }

@@ -57,15 +57,16 @@ pub enum FitSize {
 }
 
 /// What to fit, and how.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct FitOptions {
     /// The point that the radius is measured from.
     pub center: CenterChoice,
     /// Ns. By default max(8N, 1024) rounded up to a power of two for N harmonics; for a tolerance
     /// max(4096, twice the number of vertices) rounded up to a power of two, at most 131072.
     pub samples: Option<usize>,
-    /// How many harmonics.
-    pub size: FitSize,
+    /// How many harmonics; to be said before a fit is made.
+    pub size: Option<FitSize>,
     /// Round the centre (before r is sampled) and the coefficients to this many decimals.
     pub decimals: Option<u32>,
 }
@@ -74,37 +75,64 @@ impl FitOptions {
     /// Fits of this size about the centroid, with the default number of samples and no rounding.
     #[must_use]
     pub fn new(size: FitSize) -> Self {
-        Self {
-            center: CenterChoice::Centroid,
-            samples: None,
-            size,
-            decimals: None,
+        Self::default().size(Some(size))
+    }
+
+    /// How many harmonics.
+    #[must_use]
+    pub fn size(mut self, size: Option<FitSize>) -> Self {
+        self.size = size;
+        self
+    }
+
+    /// The point that the radius is measured from.
+    #[must_use]
+    pub fn center(mut self, center: CenterChoice) -> Self {
+        self.center = center;
+        self
+    }
+
+    /// Ns.
+    #[must_use]
+    pub fn samples(mut self, samples: Option<usize>) -> Self {
+        self.samples = samples;
+        self
+    }
+
+    /// Rounds the centre and the coefficients to this many decimals.
+    #[must_use]
+    pub fn decimals(mut self, decimals: Option<u32>) -> Self {
+        self.decimals = decimals;
+        self
+    }
+
+    /// The number of harmonics, if it is given.
+    #[must_use]
+    pub fn harmonics(&self) -> Option<usize> {
+        match self.size {
+            Some(FitSize::Harmonics(n)) => Some(n),
+            _ => None,
         }
     }
 
-    /// Ns for an outline with this many vertices.
-    fn sample_count(&self, vertices: usize) -> usize {
-        self.samples.unwrap_or_else(|| match self.size {
-            FitSize::Harmonics(n) => n
-                .saturating_mul(8)
-                .clamp(1024, MAX_SAMPLES)
-                .next_power_of_two(),
-            FitSize::Tolerance(_) => vertices
-                .saturating_mul(2)
-                .clamp(4096, MAX_DEFAULT_SAMPLES)
-                .next_power_of_two(),
+    /// The size, which must be given.
+    fn given_size(&self) -> Result<FitSize> {
+        self.size.ok_or_else(|| {
+            Error::Usage(
+                "a contour needs --harmonics N or --tolerance E, such as --harmonics 39".into(),
+            )
         })
     }
 
-    fn check(&self) -> Result<()> {
-        if let FitSize::Tolerance(e) = self.size
+    fn check(&self, size: FitSize) -> Result<()> {
+        if let FitSize::Tolerance(e) = size
             && !(e.is_finite() && e > 0.0)
         {
             return Err(Error::Usage(format!(
                 "the tolerance is {e}; it must be a number greater than 0"
             )));
         }
-        if let FitSize::Harmonics(n) = self.size
+        if let FitSize::Harmonics(n) = size
             && n > MAX_HARMONICS
         {
             return Err(Error::limit(format!(
@@ -148,6 +176,35 @@ pub struct Fit {
     /// Whether the outline is star-shaped about the centre, exactly.
     pub star_shaped: bool,
     /// The share (0 to 1) of the outline's length that the fit cannot see; 0 if it is star-shaped.
+    pub hidden_share: f64,
+}
+
+impl Fit {
+    /// How good it is, in numbers.
+    #[must_use]
+    pub fn report(&self) -> FitReport {
+        FitReport {
+            max_radial_error: self.max_radial_error,
+            rms_radial_error: self.rms_radial_error,
+            star_shaped: self.star_shaped,
+            samples: self.samples,
+            hidden_share: self.hidden_share,
+        }
+    }
+}
+
+/// How well a Fourier radius fits the contour it was computed from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitReport {
+    /// The largest difference in radius between the fit and a sample.
+    pub max_radial_error: f64,
+    /// The root of the mean square of these differences.
+    pub rms_radial_error: f64,
+    /// Whether every ray from the center meets the contour once.
+    pub star_shaped: bool,
+    /// The number of samples.
+    pub samples: usize,
+    /// The share of the directions in which a part of the contour hides behind another.
     pub hidden_share: f64,
 }
 
@@ -196,9 +253,12 @@ pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
 /// # Errors
 /// As [`fit`], and those of [`Limits::check`].
 pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> Result<Fit> {
-    options.check()?;
-    let samples = options.sample_count(contour.len());
-    let most = match options.size {
+    let size = options.given_size()?;
+    options.check(size)?;
+    let samples = options
+        .samples
+        .unwrap_or_else(|| default_samples(size, contour.len()));
+    let most = match size {
         FitSize::Harmonics(n) => n,
         FitSize::Tolerance(_) => (samples.saturating_sub(1) / 2).min(MAX_HARMONICS),
     };
@@ -214,7 +274,7 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
     let (cos, sin) = (nearest(&exact_cos), nearest(&exact_sin));
     limits.check()?;
     let check = CheckAngles::new(&outline, CHECKS_PER_SAMPLE * samples);
-    let (harmonics, assessment) = match options.size {
+    let (harmonics, assessment) = match size {
         FitSize::Harmonics(n) => (n, check.assess(&cos, &sin)),
         FitSize::Tolerance(tolerance) => {
             refuse_jump(tolerance, &outline)?;
@@ -235,6 +295,20 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
         hidden_share: outline.hidden_share(),
         center,
     })
+}
+
+/// Ns, for an outline with this many vertices.
+fn default_samples(size: FitSize, vertices: usize) -> usize {
+    match size {
+        FitSize::Harmonics(n) => n
+            .saturating_mul(8)
+            .clamp(1024, MAX_SAMPLES)
+            .next_power_of_two(),
+        FitSize::Tolerance(_) => vertices
+            .saturating_mul(2)
+            .clamp(4096, MAX_DEFAULT_SAMPLES)
+            .next_power_of_two(),
+    }
 }
 
 /// An error if r jumps so far that no series is within `tolerance` on both sides.

@@ -1,5 +1,6 @@
 //! One point after the other against one surface, each by the cheapest rule that decides it.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use super::distance::{Goal, nearest};
@@ -53,6 +54,8 @@ pub(super) enum Kind {
 #[derive(Debug)]
 pub struct Inspector {
     pub(super) kind: Kind,
+    /// What the polynomial of a plane curve is relative to, if that is not the origin.
+    center: Option<[Rational; 2]>,
     /// The irreducible factors, so that repeated ones change sign, too.
     factors: Vec<Field>,
     pub(super) tolerance: Rational,
@@ -172,7 +175,7 @@ impl Inspector {
         Self::new(Kind::Surface, factors, options, limits)
     }
 
-    /// For points (x, y, 0) of the plane.
+    /// For points (x, y, 0) of the plane, in the curve's original coordinates: its centre is taken into account.
     ///
     /// # Errors
     /// Likewise, and those of [`factor_plane`].
@@ -182,7 +185,11 @@ impl Inspector {
             .iter()
             .map(|f| SparsePolynomial::from(&f.polynomial))
             .collect();
-        Self::new(Kind::Plane, factors, options, limits)
+        let has_center = curve.center().iter().any(|c| !c.is_zero());
+        Ok(Self {
+            center: has_center.then(|| curve.center().clone()),
+            ..Self::new(Kind::Plane, factors, options, limits)?
+        })
     }
 
     fn new(
@@ -215,6 +222,7 @@ impl Inspector {
         };
         Ok(Self {
             kind,
+            center: None,
             factors: factors.iter().map(Field::new).collect(),
             tolerance: options.tolerance.clone(),
             around,
@@ -245,6 +253,7 @@ impl Inspector {
     /// expansion, in doubles; a search of cubes for other ones; exact arithmetic for points at the very tolerance.
     #[must_use]
     pub fn inspect(&self, point: &[Rational; 3]) -> Inspection {
+        let point = &*self.relative(point);
         let near = point.each_ref().map(Rational::to_f64);
         if !near.iter().all(|x| x.is_finite()) {
             return Inspection::UNKNOWN;
@@ -261,6 +270,9 @@ impl Inspector {
     /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
     #[must_use]
     pub fn inspect_near(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Inspection {
+        if self.center.is_some() {
+            return self.inspect(&exactly());
+        }
         if !near.iter().all(|x| x.is_finite()) {
             return Inspection::UNKNOWN;
         }
@@ -268,6 +280,17 @@ impl Inspector {
         let [x, y, z] = near.map(|x| Interval::from(x).abs());
         let slack = ((x + y + z) * UNIT + Interval::from(f64::MIN_POSITIVE)).high();
         self.of_point(&Point::new(near, slack, exactly))
+    }
+
+    /// A point in the coordinates of the polynomial.
+    fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
+        match &self.center {
+            None => Cow::Borrowed(point),
+            Some([a, b]) => {
+                let [x, y, z] = point;
+                Cow::Owned([x - a, y - b, z.clone()])
+            }
+        }
     }
 
     fn of_point(&self, p: &Point) -> Inspection {

@@ -18,10 +18,12 @@ mod gap;
 mod inspector;
 mod proof;
 mod sphere;
+mod summary;
 
 pub use chart::{CircleSection, SphereSection, sphere_about};
 pub use criterion::MAX_SECTION_WORK;
 pub use inspector::{InspectOptions, Inspector, MAX_EXACT_MONOMIALS};
+pub use summary::{InspectedPoint, InspectionSummary};
 
 /// What is proved of a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]

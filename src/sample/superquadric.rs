@@ -147,13 +147,13 @@ pub(super) fn nearest_multiple(
         return Ok(0.0);
     }
     let start = guess * factor.to_f64().abs();
-    let magnitude = nearest_double(start.max(0.0), |bound| {
+    // The boundary is beyond r where the point at r is inside.
+    let magnitude = nearest_double(start.max(0.0), |bound| -> Result<Ordering> {
         let r = bound / &factor.abs();
-        if r.signum() <= 0 {
-            return Ok(Ordering::Greater);
+        match r.signum() {
+            1 => Ok(compare(&r)?.reverse()),
+            _ => Ok(Ordering::Greater),
         }
-        // The boundary is beyond r where the point at r is inside.
-        Ok(compare(&r)?.reverse())
     })?;
     Ok(magnitude * f64::from(factor.signum()))
 }

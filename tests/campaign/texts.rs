@@ -3,11 +3,10 @@
 use std::fmt::Write as _;
 
 use num_traits::Zero;
-use stellate::document::{
-    Annotations, Format, read_coefficients_csv, read_points_csv, read_radii_csv, read_text,
-    write_form,
-};
+use stellate::check::{read_points_csv, read_radii_csv};
+use stellate::document::{Format, write_form};
 use stellate::language::{Numbers, parse_form};
+use stellate::reading::{read_coefficients_csv, read_text};
 use stellate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
 use super::draw::Draw;
@@ -123,11 +122,7 @@ pub(crate) fn expressions(draw: &mut Draw) -> Outcome {
 
 fn written(form: &Form, format: Format) -> String {
     let mut out = Vec::new();
-    let nothing = Annotations {
-        notes: Vec::new(),
-        fields: Vec::new(),
-    };
-    write_form(form, &nothing, format, &mut out).unwrap();
+    write_form(form, &[], format, &mut out).unwrap();
     String::from_utf8(out).unwrap()
 }
 

@@ -1,12 +1,11 @@
 //! The readers of text, in this process: any answer but a panic; what is read is written and read back as the same.
 
-use stellate::document::{
-    Annotations, Format, read_coefficients_csv, read_document, read_fourier_csv, read_points_csv,
-    read_radii_csv, read_text, write_form,
-};
+use stellate::check::{read_points_csv, read_radii_csv};
+use stellate::document::{Format, write_form};
 use stellate::exact::{double_literal, exact_literal};
 use stellate::fit::{ContourKind, contour_from_reader};
 use stellate::language::{Numbers, parse_form};
+use stellate::reading::{read_coefficients_csv, read_document, read_fourier_csv, read_text};
 use stellate::shape::Form;
 
 use super::draw::Draw;
@@ -32,9 +31,7 @@ fn numbers_as(draw: &mut Draw) -> Numbers {
 /// A form that was read is written as JSON and read back.
 fn again(form: &Form) {
     let mut out = Vec::new();
-    if write_form(form, &Annotations::default(), Format::Json, &mut out).is_err()
-        || out.len() > 1 << 16
-    {
+    if write_form(form, &[], Format::Json, &mut out).is_err() || out.len() > 1 << 16 {
         return;
     }
     let document = String::from_utf8(out).unwrap();
@@ -49,7 +46,7 @@ fn again(form: &Form) {
     ) {
         // How the half-angle parameter is chosen depends on the spelling, which the second time is that of the document.
         let mut again = Vec::new();
-        write_form(&back, &Annotations::default(), Format::Json, &mut again).unwrap();
+        write_form(&back, &[], Format::Json, &mut again).unwrap();
         assert_eq!(String::from_utf8(again).unwrap(), document);
     } else {
         assert_eq!(back, *form);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use stellate::document::{Annotations, Format, write_form};
+use stellate::document::{Format, write_form};
 use stellate::language::{Numbers, parse_form};
 use stellate::shape::Form;
 
@@ -54,14 +54,13 @@ pub(crate) fn formulas() -> &'static [Vec<u8>] {
 }
 
 fn written(format: Format) -> Vec<Vec<u8>> {
-    let nothing = Annotations::default();
     let texts = formulas()
         .iter()
         .map(|text| String::from_utf8(text.clone()).unwrap());
     let forms = texts.filter_map(|text| parse_form(&text, "seed", Numbers::Exact).ok());
     let write = |form: Form| {
         let mut out = Vec::new();
-        let done = write_form(&form, &nothing, format, &mut out).is_ok();
+        let done = write_form(&form, &[], format, &mut out).is_ok();
         (done && out.len() < 20_000).then_some(out)
     };
     forms.filter_map(write).collect()

@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use super::process::{Ended, run};
 use super::radius::System;
-use crate::document::Notation;
 use crate::error::Result;
 use crate::limits::Limits;
+use crate::notation::Notation;
 use crate::shape::FourierRadius;
 
 /// A program that reads a script on its standard input.

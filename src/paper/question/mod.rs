@@ -6,7 +6,7 @@ mod polar;
 
 use std::fmt;
 
-use crate::document::{Annotations, Format, write_form};
+use crate::document::{Format, write_form};
 use crate::error::{Error, Result};
 use crate::language::{Numbers, parse_form};
 use crate::limits::Limits;
@@ -163,22 +163,9 @@ fn text_of(f: &SparsePolynomial<3>) -> Result<String> {
         None => Form::Surface(ImplicitSurface::new(f)),
     };
     let mut text = Vec::new();
-    written(write_form(
-        &form,
-        &Annotations::default(),
-        Format::Text,
-        &mut text,
-    ))?;
+    write_form(&form, &[], Format::Text, &mut text)?;
     let text = String::from_utf8_lossy(&text);
     Ok(text.trim_end().trim_end_matches(" = 0").to_owned())
-}
-
-/// What a document writer said, which writes to memory here.
-fn written<T>(result: std::io::Result<T>) -> Result<T> {
-    result.map_err(|source| Error::Io {
-        path: "<statement>".into(),
-        source,
-    })
 }
 
 fn not_asked(subject: &str, expected: &str) -> Error {

@@ -1,7 +1,7 @@
 //! Questions about polar and spherical forms: §3 of the paper.
 
 use super::equations::{curve, fourier};
-use super::{Answer, form, joined, not_asked, written};
+use super::{Answer, form, joined, not_asked};
 use crate::document::{Coordinates, Format, write_parametrization, write_surface_parametrization};
 use crate::error::Result;
 use crate::implicitize::SquaredForm;
@@ -88,12 +88,12 @@ pub(super) fn lemma(subject: &str, claimed: &str, limits: &Limits) -> Result<Ans
 pub(super) fn radius(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let mut text = Vec::new();
     let (format, out) = (Format::Text, &mut text);
-    written(match polar(subject, limits)? {
+    match polar(subject, limits)? {
         Polar::Plane(found) => write_parametrization(&found, None, DECIMALS, format, out),
         Polar::Space(found) => {
             write_surface_parametrization(&found, &[], &[], DECIMALS, format, out)
         }
-    })?;
+    }?;
     let text = String::from_utf8_lossy(&text);
     let lines = text.lines().map(|line| line.trim_start_matches("# "));
     let radii = lines.filter(|line| line.starts_with("r = ") || line.starts_with("R = "));

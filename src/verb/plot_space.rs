@@ -1,35 +1,33 @@
-//! `stellate plot` in space: curves, patches and implicit surfaces in perspective.
+//! Forms over each other in space: curves, patches and implicit surfaces in perspective.
 
-use stellate::arcs::CurveArc;
-use stellate::document::{Coordinates, Format};
-use stellate::error::{Error, Result};
-use stellate::mesh::Mesh;
-use stellate::parametrize::parametrize_intersection;
-use stellate::picture::{Scene, SpaceLayer};
-use stellate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter};
+use super::arcs::{ArcSearch, arcs_of_others};
+use super::equation::cylinder;
+use super::mesh::{closed_bounds, of_superquadric, of_surface};
+use super::plot::{Frame, PlotOptions};
+use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
+use crate::arcs::CurveArc;
+use crate::error::{Error, Result};
+use crate::mesh::Mesh;
+use crate::notation::{Coordinates, Format};
+use crate::parametrize::parametrize_intersection;
+use crate::picture::{Scene, SpaceLayer};
+use crate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter, SpaceCurve};
 
-use super::arcs;
-use super::arguments::Plot;
-use super::input::{self, Content, Input};
-use super::mesh;
-use super::numbers::{Bounds, numbers_of, space_window};
-use super::session::Session;
-
-/// Points along a curve, and cells along each parameter of a patch without `--cells`.
+/// Points along a curve, and cells along each parameter of a patch, if nothing else is said.
 const CURVE_POINTS: u32 = 720;
 const PATCH_CELLS: u32 = 54;
 
 /// Cells along the longest side of the box of an implicit surface, and the angle by which edges may bend.
-pub(super) const SURFACE_CELLS: u32 = 36;
-pub(super) const SURFACE_ANGLE: f64 = 30.0;
+const SURFACE_CELLS: u32 = 36;
+const SURFACE_ANGLE: f64 = 30.0;
 
-/// Where the eye is without `--view`, in degrees.
+/// Where the eye is if nothing else is said, in degrees.
 pub(super) const VIEW: [f64; 2] = [30.0, 25.0];
 
 /// Whether a form is drawn in space.
-pub(crate) fn is_in_space(input: &Input) -> bool {
+pub(super) fn is_in_space(given: &Given) -> bool {
     matches!(
-        input.content,
+        given.content(),
         Content::Exact(
             Form::SpaceCurve(_)
                 | Form::Patch(_)
@@ -40,17 +38,33 @@ pub(crate) fn is_in_space(input: &Input) -> bool {
     )
 }
 
+/// How a surface is meshed for a picture.
+pub(super) fn for_pictures(window: Option<Bounds>, cells: Option<u32>) -> MeshingOptions {
+    MeshingOptions::default()
+        .window(window)
+        .resolution(cells.unwrap_or(SURFACE_CELLS))
+        .angle(SURFACE_ANGLE)
+}
+
+/// The box of a figure in space.
+pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<Bounds>> {
+    match frame {
+        None => Ok(None),
+        Some(Frame::Space(bounds)) => Ok(Some(bounds)),
+        Some(Frame::Plane(_)) => Err(Error::Usage(
+            "--window: these forms are in space; expected X0,X1,Y0,Y1,Z0,Z1, such as -1,1,-1,1,0,2"
+                .into(),
+        )),
+    }
+}
+
 /// The scene of several forms, as SVG.
-pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> Result<String> {
-    let ranges = ranges(verb)?;
-    let [azimuth, elevation] = view(&verb.view)?;
-    let window = verb.window.as_deref().map(space_window).transpose()?;
-    let points = verb.point.iter().map(|text| point(text));
-    let points = points.collect::<Result<Vec<_>>>()?;
+pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String> {
+    let window = space_window(options.window)?;
     let mut drawn: Vec<Drawn> = Vec::new();
-    let mut around = box_around(points.iter());
-    for input in inputs {
-        for next in drawn_of(input, verb, &ranges, window, session)? {
+    let mut around = box_around(options.points.iter());
+    for given in forms {
+        for next in drawn_of(given, options, window, work)? {
             if let Drawn::Layer(_, extent) = &next {
                 around = joined(around, *extent);
             }
@@ -58,12 +72,11 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
         }
     }
     // Surfaces that are bounded have a box of their own; the others are drawn in that of the rest.
-    let cells = verb.cells.unwrap_or(SURFACE_CELLS);
     let mut shown = window;
     if shown.is_none() {
         for next in &drawn {
             if let Drawn::Surface(_, surface) = next {
-                around = joined(around, mesh::closed_bounds(surface, session)?);
+                around = joined(around, closed_bounds(surface, work)?);
             }
         }
         shown = around;
@@ -73,29 +86,30 @@ pub(crate) fn scene(verb: &Plot, inputs: Vec<Input>, session: &mut Session) -> R
         match next {
             Drawn::Layer(layer, _) => layers.push(layer),
             Drawn::Surface(label, surface) => {
-                let mesh = mesh::of_surface(&surface, shown, cells, SURFACE_ANGLE, session)?;
+                let mesh = of_surface(&surface, &for_pictures(shown, options.cells), work)?;
                 shown = shown.or_else(|| box_around(mesh.vertices.iter()));
-                let mut layer = mesh_layer(&mesh);
-                layer.label = label;
-                layers.push(layer);
+                layers.push(SpaceLayer {
+                    label,
+                    ..mesh_layer(&mesh)
+                });
             }
         }
     }
-    if !points.is_empty() {
+    if !options.points.is_empty() {
         layers.push(SpaceLayer {
             label: "points".into(),
-            points,
+            points: options.points.clone(),
             ..SpaceLayer::default()
         });
     }
     let scene = Scene {
-        title: verb.title.clone(),
+        title: options.title.clone(),
         bounds: shown,
-        azimuth,
-        elevation,
+        azimuth: options.view[0],
+        elevation: options.view[1],
         layers,
     };
-    session.stage("draw", |_| scene.to_svg())
+    work.stage("draw", || scene.to_svg())
 }
 
 /// What a form becomes.
@@ -106,6 +120,7 @@ enum Drawn {
     Surface(String, ImplicitSurface),
 }
 
+/// The triangles of a mesh.
 pub(super) fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
     let mut layer = SpaceLayer {
         closed: mesh.topology().is_watertight(),
@@ -122,6 +137,7 @@ pub(super) fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
     layer
 }
 
+/// The box around both boxes.
 pub(super) fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
     match (a, b) {
         (Some(a), Some(b)) => Some([0, 1, 2].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])])),
@@ -129,71 +145,44 @@ pub(super) fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
     }
 }
 
-fn point(text: &str) -> Result<[f64; 3]> {
-    numbers_of::<3>(text)
-        .ok_or_else(|| Error::Usage(format!("--point {text}: expected X,Y,Z, such as 0.8,0.6,0")))
-}
-
-/// A parameter's name and the part of it that is drawn.
-pub(crate) type Range = (String, [f64; 2]);
-
-/// `--range NAME=A,B`
-pub(crate) fn ranges(verb: &Plot) -> Result<Vec<Range>> {
-    let read = |text: &String| {
-        let (name, numbers) = text.split_once('=')?;
-        let [a, b] = numbers_of::<2>(numbers)?;
-        (a < b).then(|| (name.trim().to_owned(), [a, b]))
-    };
-    verb.range
-        .iter()
-        .map(|text| {
-            read(text).ok_or_else(|| {
-                Error::Usage(format!(
-                    "--range {text}: expected NAME=A,B with A < B, such as t=-2,2"
-                ))
-            })
+/// The box around finite points.
+pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
+    points
+        .filter(|p| p.iter().all(|v| v.is_finite()))
+        .fold(None, |bounds: Option<Bounds>, p| {
+            let b = bounds.unwrap_or(p.map(|v| [v, v]));
+            Some([0, 1, 2].map(|k| [b[k][0].min(p[k]), b[k][1].max(p[k])]))
         })
-        .collect()
 }
 
-/// The range given for a parameter, if there is one.
-pub(crate) fn range_of(parameter: &Parameter, ranges: &[Range]) -> Option<[f64; 2]> {
+/// The range given for a parameter, if there is one; the last one counts.
+pub(super) fn range_of(parameter: &Parameter, ranges: &[(String, [f64; 2])]) -> Option<[f64; 2]> {
     let given = ranges.iter().rfind(|(name, _)| name == parameter.name());
     given.map(|(_, range)| *range)
 }
 
 /// What the legend says of the range of a parameter.
-pub(crate) fn range_text(parameter: &Parameter, range: Option<[f64; 2]>) -> Option<String> {
+pub(super) fn range_text(parameter: &Parameter, range: Option<[f64; 2]>) -> Option<String> {
     range.map(|[a, b]| format!("{} from {a} to {b}", parameter.name()))
 }
 
-fn view(text: &str) -> Result<[f64; 2]> {
-    let found = numbers_of::<2>(text).filter(|[_, elevation]| elevation.abs() < 90.0);
-    found.ok_or_else(|| {
-        Error::Usage(format!(
-            "--view {text}: expected AZIMUTH,ELEVATION in degrees, such as 30,25, with the elevation between -90 and 90"
-        ))
-    })
-}
-
 fn drawn_of(
-    input: Input,
-    verb: &Plot,
-    ranges: &[Range],
+    given: Given,
+    options: &PlotOptions,
     window: Option<Bounds>,
-    session: &mut Session,
+    work: &Work,
 ) -> Result<Vec<Drawn>> {
-    if let Content::Exact(Form::Intersection(surfaces)) = &input.content {
-        return intersection(surfaces, window, session);
+    if let Content::Exact(Form::Intersection(surfaces)) = given.content() {
+        return intersection(surfaces, window, work);
     }
-    Ok(vec![drawn_one(input, verb, ranges, session)?])
+    Ok(vec![drawn_one(given, options, work)?])
 }
 
 /// The surfaces, each by itself, and the curve where they meet if Theorem 7 gives it.
 fn intersection(
     surfaces: &[ImplicitSurface],
     window: Option<Bounds>,
-    session: &mut Session,
+    work: &Work,
 ) -> Result<Vec<Drawn>> {
     let degree = |surface: &ImplicitSurface| surface.polynomial().degree().unwrap_or(0);
     let all = surfaces.iter().map(|surface| {
@@ -201,11 +190,12 @@ fn intersection(
         Drawn::Surface(label, surface.clone())
     });
     let mut all: Vec<Drawn> = all.collect();
-    let found = session.stage("parametrize", |session| {
-        parametrize_intersection(surfaces, &session.limits)
+    let found = work.stage("parametrize", || {
+        parametrize_intersection(surfaces, work.bounds())
     })?;
     if !found.others.is_empty() && surfaces.len() == 2 {
-        let traced = arcs::arcs_of_others(&found, surfaces, window, None, session)?;
+        let search = ArcSearch::default().window(window);
+        let traced = arcs_of_others(&found, surfaces, &search, work)?;
         let lines: Vec<Vec<[f64; 3]>> = traced.arcs.iter().map(CurveArc::polyline).collect();
         let around = box_around(lines.iter().flatten());
         let layer = SpaceLayer {
@@ -216,16 +206,12 @@ fn intersection(
         all.push(Drawn::Layer(layer, around));
     } else {
         for other in &found.others {
-            session.note(&format!(
-                "a component of the curve is not drawn: {}",
-                other.reason
-            ));
+            work.remark(Remark::NotDrawn(other.reason.clone()));
         }
     }
     for curve in &found.curves {
-        let formulas = Coordinates::from(curve).formulas(Format::Text).join(", ");
         let layer = SpaceLayer {
-            label: format!("both: ({formulas})"),
+            label: format!("both: ({})", formulas(curve)),
             lines: curve.polylines(None, CURVE_POINTS),
             ..SpaceLayer::default()
         };
@@ -234,15 +220,15 @@ fn intersection(
     Ok(all)
 }
 
-fn drawn_one(input: Input, verb: &Plot, ranges: &[Range], session: &mut Session) -> Result<Drawn> {
-    let name = input.short_name();
+fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> {
+    let name = given.short_name();
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
         format!("{kind}, {name}{}", parts.collect::<String>())
     };
-    match input.content {
+    match given.into_content() {
         Content::Exact(Form::SpaceCurve(curve)) => {
-            let range = range_of(curve.parameter(), ranges);
+            let range = range_of(curve.parameter(), &options.ranges);
             let said = range_text(curve.parameter(), range);
             let drawn = SpaceLayer {
                 label: label("space curve", said.into_iter().collect()),
@@ -252,12 +238,13 @@ fn drawn_one(input: Input, verb: &Plot, ranges: &[Range], session: &mut Session)
             Ok(Drawn::Layer(drawn, curve.extent(range)))
         }
         Content::Exact(Form::Patch(patch)) => {
-            let given = patch.parameters().each_ref().map(|p| range_of(p, ranges));
-            let shown = patch.parameters().iter().zip(given).map(|(p, range)| {
+            let ranges = &options.ranges;
+            let ranges = patch.parameters().each_ref().map(|p| range_of(p, ranges));
+            let shown = patch.parameters().iter().zip(ranges).map(|(p, range)| {
                 let numbers = (!p.is_angle()).then_some(DRAWN_NUMBERS);
                 range_text(p, range.or(numbers))
             });
-            let grid = patch.grid(given, [verb.cells.unwrap_or(PATCH_CELLS); 2]);
+            let grid = patch.grid(ranges, [options.cells.unwrap_or(PATCH_CELLS); 2]);
             let drawn = SpaceLayer {
                 label: label("patch", shown.flatten().collect()),
                 facets: SpaceLayer::grid_facets(&grid),
@@ -273,14 +260,16 @@ fn drawn_one(input: Input, verb: &Plot, ranges: &[Range], session: &mut Session)
         }
         Content::Exact(Form::Curve(curve)) => {
             let label = label("cylinder", Vec::new());
-            Ok(Drawn::Surface(label, input::cylinder(&curve)))
+            Ok(Drawn::Surface(label, cylinder(&curve)))
         }
         Content::Exact(Form::SpaceSuperquadric(shape)) => {
             let [of_xy, _, of_z] = shape.exponents();
-            let cells = verb.cells.unwrap_or(SURFACE_CELLS);
-            let mesh = mesh::of_superquadric(&shape, cells, session)?;
-            let mut layer = mesh_layer(&mesh);
-            layer.label = format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}");
+            let cells = options.cells.unwrap_or(SURFACE_CELLS);
+            let mesh = of_superquadric(&shape, cells, work)?;
+            let layer = SpaceLayer {
+                label: format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}"),
+                ..mesh_layer(&mesh)
+            };
             Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))
         }
         _ => Err(Error::Usage(format!(
@@ -289,12 +278,7 @@ fn drawn_one(input: Input, verb: &Plot, ranges: &[Range], session: &mut Session)
     }
 }
 
-/// The box around finite points.
-pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
-    points
-        .filter(|p| p.iter().all(|v| v.is_finite()))
-        .fold(None, |bounds: Option<Bounds>, p| {
-            let b = bounds.unwrap_or(p.map(|v| [v, v]));
-            Some([0, 1, 2].map(|k| [b[k][0].min(p[k]), b[k][1].max(p[k])]))
-        })
+/// The coordinates as functions of the parameter.
+fn formulas(curve: &SpaceCurve) -> String {
+    Coordinates::from(curve).formulas(Format::Text).join(", ")
 }

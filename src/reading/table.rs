@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::json::check_exponents;
+use super::document::check_exponents;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{
@@ -16,7 +16,7 @@ use crate::shape::{Form, FourierRadius};
 /// `# center: p/q, p/q` gives the center of a curve.
 ///
 /// ```
-/// use stellate::document::read_coefficients_csv;
+/// use stellate::reading::read_coefficients_csv;
 /// use stellate::language::{Numbers, parse_form};
 /// let circle = read_coefficients_csv("2,0,1\n0,2,1\n0,0,-1\n", "circle.csv", Numbers::Exact)?;
 /// assert_eq!(circle, parse_form("x^2 + y^2 = 1", "<form>", Numbers::Exact)?);
@@ -66,7 +66,7 @@ pub fn read_coefficients_csv(text: &str, source_name: &str, numbers: Numbers) ->
 /// that are not given are 0; the comment `# center: p/q, p/q` gives the center.
 ///
 /// ```
-/// use stellate::document::read_fourier_csv;
+/// use stellate::reading::read_fourier_csv;
 /// use stellate::language::Numbers;
 /// let r = read_fourier_csv("n,cos,sin\n0,1,0\n3,1/5,0\n", "r.csv", Numbers::Exact)?;
 /// assert_eq!(r.cos(3).to_string(), "1/5");
@@ -115,16 +115,16 @@ pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Resu
 }
 
 /// The rows of a CSV file, all equally long, each with its place.
-pub(super) struct Table {
+pub(crate) struct Table {
     header: Option<(String, Vec<String>)>,
-    pub(super) rows: Vec<(String, Vec<String>)>,
+    pub(crate) rows: Vec<(String, Vec<String>)>,
     /// The line of each row, from 1.
-    pub(super) lines: Vec<usize>,
+    pub(crate) lines: Vec<usize>,
     center: Option<[Rational; 2]>,
 }
 
 impl Table {
-    pub(super) fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
+    pub(crate) fn read(text: &str, source_name: &str, numbers: Numbers) -> Result<Self> {
         check_size(text, source_name)?;
         let text = text.trim_start_matches('\u{feff}');
         let mut reader = ::csv::ReaderBuilder::new()
@@ -172,13 +172,13 @@ impl Table {
         Ok(table)
     }
 
-    pub(super) fn width(&self) -> Option<usize> {
+    pub(crate) fn width(&self) -> Option<usize> {
         let header = self.header.as_ref().map(|(_, row)| row.len());
         header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
     }
 
     /// Checks the names of the columns, if there are any.
-    pub(super) fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
+    pub(crate) fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
         let Some((place, names)) = &self.header else {
             return Ok(());
         };

@@ -1,39 +1,11 @@
 //! Charts of checks: the digits of every number, and what doubles keep for growing N.
 
-use std::path::Path;
-
-use stellate::check::{Comparison, DigitsKept, MOST_DIGITS, Place, Row, Rung};
-use stellate::error::Result;
-use stellate::picture::{Chart, Series};
-
-use super::output::{check_place, write_beside};
-use super::plot::Kind;
-use super::session::Session;
-
-/// A figure to be written, its place checked before any work is done.
-pub(super) struct Picture<'a> {
-    path: &'a Path,
-    kind: Kind,
-}
-
-impl<'a> Picture<'a> {
-    /// What `--plot` names.
-    pub(super) fn named(path: &'a Path) -> Result<Self> {
-        check_place("--plot", path)?;
-        Ok(Self {
-            path,
-            kind: Kind::of("--plot", path)?,
-        })
-    }
-
-    pub(super) fn write(&self, chart: &Chart, session: &mut Session) -> Result<()> {
-        let bytes = session.stage("draw", |_| self.kind.bytes(chart.to_svg()?))?;
-        write_beside(self.path, &bytes, session)
-    }
-}
+use crate::check::{Comparison, DigitsKept, MOST_DIGITS, Place, Row, Rung};
+use crate::picture::{Chart, Series};
 
 /// The digits of every number over its place: of a coefficient among the terms, of a point or a radius the angle.
-pub(super) fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart {
+#[must_use]
+pub fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart {
     let is_term = matches!(
         found.all().next().map(|row| &row.place),
         None | Some(Place::Term(_))
@@ -92,8 +64,9 @@ fn extent(series: &[Series]) -> Option<[f64; 2]> {
     Some([x().reduce(f64::min)?, x().reduce(f64::max)?])
 }
 
-/// What doubles keep over N.
-pub(super) fn ladder_chart(rungs: &[Rung], name: &str) -> Chart {
+/// What doubles keep over N, see [`super::check_doubles`].
+#[must_use]
+pub fn ladder_chart(rungs: &[Rung], name: &str) -> Chart {
     let series = |label: &str, digits: &dyn Fn(&Rung) -> f64| Series {
         label: label.into(),
         points: rungs

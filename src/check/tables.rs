@@ -1,15 +1,15 @@
 //! Tables of a float program: points and radii, every number a double, bit for bit.
 
-use super::csv::Table;
-use crate::check::{GivenPoint, GivenRadius};
+use super::{GivenPoint, GivenRadius};
 use crate::error::{Error, Result};
 use crate::language::{Numbers, number_at};
+use crate::reading::Table;
 
 /// Reads points `x,y` or `x,y,z` in rows; the header is optional. Decimals are the nearest doubles, `0x1.8p+1` is taken bit
 /// for bit.
 ///
 /// ```
-/// use stellate::document::read_points_csv;
+/// use stellate::check::read_points_csv;
 /// let points = read_points_csv("x,y\n# the first one\n0.1,0x1.8p+1\n", "points.csv", false)?;
 /// assert_eq!((points[0].line, points[0].position), (3, [0.1, 3.0, 0.0]));
 /// # Ok::<(), stellate::error::Error>(())
@@ -36,7 +36,7 @@ pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<
 /// Reads radii `theta,r` in rows, θ in radians; the header is optional. Numbers as in [`read_points_csv`].
 ///
 /// ```
-/// use stellate::document::read_radii_csv;
+/// use stellate::check::read_radii_csv;
 /// let radii = read_radii_csv("0.5,1.25\n", "radii.csv")?;
 /// assert_eq!((radii[0].line, radii[0].theta, radii[0].r), (1, 0.5, 1.25));
 /// # Ok::<(), stellate::error::Error>(())

@@ -18,7 +18,7 @@ const PARALLEL_FROM: u64 = 1 << 16;
 ///
 /// # Errors
 /// Those of `out`.
-pub(super) fn write_in_order<T: Send>(
+pub(crate) fn write_in_order<T: Send>(
     mut items: impl Iterator<Item = T>,
     size: impl Fn(&T) -> u64,
     append: impl Fn(&T, &mut Vec<u8>) + Sync,

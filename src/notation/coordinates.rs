@@ -1,20 +1,19 @@
 //! Parametric curves and patches as formulas: functions of s = tan(g·t/2) go back to cosines and sines.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
 
 use malachite::Integer;
-use serde::Serialize;
 
+use super::Format;
 use super::powers::{in_powers, units};
 use super::terms::Notation;
-use super::{Format, SCHEMA};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{Basis, Expansion, Parameter, ParametricCurve, Patch, quotient_in_harmonics};
 
-const NAMES: [&str; 3] = ["x", "y", "z"];
+/// The names of coordinates.
+pub(crate) const NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// The formulas of a parametric form, as every format needs them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,48 +76,8 @@ impl Coordinates {
         self.parameters.iter().map(Parameter::name).collect()
     }
 
-    /// Writes the form: `x = …; y = …` as text, statements for SymPy and Maple, or a JSON document of kind
-    /// `parametric`; text and JSON are read back.
-    ///
-    /// # Errors
-    /// Those of `out`; `Unsupported` for CSV and Singular.
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        let formulas = self.formulas(format);
-        let rows = NAMES.iter().zip(&formulas);
-        match format {
-            Format::Json => {
-                serde_json::to_writer(&mut *out, &self.document())?;
-                writeln!(out)
-            }
-            Format::Text => rows
-                .into_iter()
-                .try_for_each(|(n, f)| writeln!(out, "{n} = {f}")),
-            Format::Latex => rows
-                .into_iter()
-                .try_for_each(|(n, f)| writeln!(out, "{n} = {f} \\\\")),
-            Format::Maple => rows
-                .into_iter()
-                .try_for_each(|(n, f)| writeln!(out, "{n} := {f};")),
-            Format::Sympy => writeln!(out, "({})", formulas.join(", ")),
-            Format::Csv | Format::Singular => Err(io::Error::new(
-                io::ErrorKind::Unsupported,
-                "a parametric form is written as text, json, latex, sympy or maple",
-            )),
-        }
-    }
-
-    /// The JSON document.
-    pub(super) fn document(&self) -> Document {
-        Document {
-            schema: SCHEMA,
-            kind: "parametric",
-            parameters: self.parameters().into_iter().map(Into::into).collect(),
-            coordinates: self.fields(),
-        }
-    }
-
     /// `{"x": "…", "y": "…"}`
-    pub(super) fn fields(&self) -> BTreeMap<&'static str, String> {
+    pub(crate) fn fields(&self) -> BTreeMap<&'static str, String> {
         NAMES.into_iter().zip(self.formulas(Format::Text)).collect()
     }
 
@@ -222,15 +181,6 @@ fn raised(function: &str, exponent: u32, format: Format) -> String {
         (_, Format::Sympy) => format!("{function}**{exponent}"),
         _ => format!("{function}^{exponent}"),
     }
-}
-
-/// A document of kind `parametric` that gives coordinates.
-#[derive(Debug, Serialize)]
-pub(super) struct Document {
-    schema: &'static str,
-    kind: &'static str,
-    parameters: Vec<String>,
-    coordinates: BTreeMap<&'static str, String>,
 }
 
 /// A factor of a term, in a notation.

@@ -1,19 +1,20 @@
 //! Sums of terms in the notations of several systems.
 
 use std::borrow::Cow;
-use std::io::{self, Write};
+use std::io::Write;
 
 use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural};
 
 use super::in_order::write_in_order;
+use crate::error::Result;
 use crate::exact::{Rational, append_decimal};
 use crate::poly::SparsePolynomial;
 
 /// A coefficient, lent where it can be: it may be long.
 #[derive(Clone, Debug)]
-pub(super) enum Number<'a> {
+pub(crate) enum Number<'a> {
     Integer(&'a Integer),
     Rational(Cow<'a, Rational>),
 }
@@ -56,7 +57,7 @@ impl Number<'_> {
     }
 
     /// About as many bytes as digits.
-    pub(super) fn size(&self) -> u64 {
+    pub(crate) fn size(&self) -> u64 {
         let (above, below) = self.magnitude();
         let bits = above.significant_bits() + below.map_or(0, |q| q.significant_bits());
         // log 2 = 0.301
@@ -64,7 +65,7 @@ impl Number<'_> {
     }
 
     /// `-1/3`
-    pub(super) fn append(&self, text: &mut Vec<u8>) {
+    pub(crate) fn append(&self, text: &mut Vec<u8>) {
         if self.is_negative() {
             text.push(b'-');
         }
@@ -74,7 +75,7 @@ impl Number<'_> {
 
 /// What a coefficient is multiplied by.
 #[derive(Clone, Debug)]
-pub(super) enum Monomial {
+pub(crate) enum Monomial {
     /// `x^i y^j z^k`.
     Powers([u32; 3]),
     /// A product as it is written, empty for 1.
@@ -111,7 +112,7 @@ impl Monomial {
 }
 
 /// A small number in decimal.
-pub(super) fn append_word(word: u32, text: &mut Vec<u8>) {
+pub(crate) fn append_word(word: u32, text: &mut Vec<u8>) {
     text.extend_from_slice(itoa::Buffer::new().format(word).as_bytes());
 }
 
@@ -153,7 +154,7 @@ impl Notation {
     }
 
     /// `x^i y^j z^k`, empty for the constant monomial.
-    pub(super) fn monomial(self, exponents: &[u32; 3]) -> String {
+    pub(crate) fn monomial(self, exponents: &[u32; 3]) -> String {
         let mut text = Vec::new();
         self.append_powers(exponents, &mut text);
         String::from_utf8_lossy(&text).into_owned()
@@ -206,11 +207,11 @@ impl Notation {
     }
 
     /// `c1 m1 + c2 m2 - …`; the empty sum is 0.
-    pub(super) fn write_sum<'a, N: Into<Number<'a>>, M: Into<Monomial>>(
+    pub(crate) fn write_sum<'a, N: Into<Number<'a>>, M: Into<Monomial>>(
         self,
         terms: impl Iterator<Item = (N, M)>,
         out: &mut dyn Write,
-    ) -> io::Result<()> {
+    ) -> Result<()> {
         let terms = terms.enumerate().map(|(n, (c, monomial))| Term {
             is_first: n == 0,
             coefficient: c.into(),
@@ -218,10 +219,15 @@ impl Notation {
         });
         let mut terms = terms.peekable();
         if terms.peek().is_none() {
-            return out.write_all(b"0");
+            return Ok(out.write_all(b"0")?);
         }
         let size = |term: &Term| term.coefficient.size() + term.monomial.size();
-        write_in_order(terms, size, |term, text| self.append_term(term, text), out)
+        Ok(write_in_order(
+            terms,
+            size,
+            |term, text| self.append_term(term, text),
+            out,
+        )?)
     }
 
     /// ` - c m`

@@ -1,0 +1,127 @@
+//! What the person at the terminal sees of the work: notes, progress bars, and the times of stages.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use stellate::document::remark_text;
+use stellate::verb::{Remark, Watcher};
+
+use super::session::report;
+
+/// A progress bar waits this long before it shows itself.
+const PROGRESS_AFTER: Duration = Duration::from_secs(1);
+
+/// Watches the work of one run.
+pub(crate) struct Watch {
+    quiet: bool,
+    stages: Mutex<Vec<(&'static str, Duration)>>,
+    bar: Mutex<Option<ProgressBar>>,
+    /// Set once output may have begun, and while work ends at checkpoints only: then nothing ends the process from outside.
+    kept: AtomicBool,
+    /// Set once output may have begun.
+    writing: AtomicBool,
+}
+
+impl Watch {
+    pub(crate) fn new(quiet: bool) -> Self {
+        Self {
+            quiet,
+            stages: Mutex::default(),
+            bar: Mutex::default(),
+            kept: AtomicBool::new(false),
+            writing: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether the process may be ended at any moment.
+    pub(crate) fn may_end(&self) -> bool {
+        !self.kept.load(Ordering::SeqCst) && !self.writing.load(Ordering::SeqCst)
+    }
+
+    /// From here on it may not.
+    pub(crate) fn keep_going(&self) {
+        self.writing.store(true, Ordering::SeqCst);
+    }
+
+    /// It may not during this work.
+    pub(crate) fn while_kept<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.ends_by_itself(true);
+        let result = work();
+        self.ends_by_itself(false);
+        result
+    }
+
+    /// The stages so far, each with the sum of its times.
+    pub(crate) fn stages(&self) -> Vec<(&'static str, Duration)> {
+        locked(&self.stages).clone()
+    }
+
+    /// A remark for the person at the terminal.
+    pub(crate) fn note(&self, text: &str) {
+        if !self.quiet {
+            report(&format!("note: {text}"));
+        }
+    }
+
+    /// A bar that shows itself only if the work takes longer than a second.
+    fn new_bar(what: &'static str, total: u64) -> ProgressBar {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}") {
+            bar.set_style(style);
+        }
+        bar.set_message(what);
+        let shown = bar.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(PROGRESS_AFTER);
+            if !shown.is_finished() {
+                shown.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
+            }
+        });
+        bar
+    }
+}
+
+impl Watcher for Watch {
+    fn stage_finished(&self, name: &'static str, time: Duration) {
+        let mut stages = locked(&self.stages);
+        match stages.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, total)) => *total += time,
+            None => stages.push((name, time)),
+        }
+    }
+
+    fn progress(&self, what: &'static str, done: u64, total: u64) {
+        if self.quiet || !std::io::stderr().is_terminal() {
+            return;
+        }
+        let mut bar = locked(&self.bar);
+        if done >= total {
+            if let Some(bar) = bar.take() {
+                bar.finish_and_clear();
+            }
+            return;
+        }
+        let bar = bar.get_or_insert_with(|| Self::new_bar(what, total));
+        bar.set_length(total);
+        bar.set_position(done);
+    }
+
+    fn remark(&self, remark: &Remark) {
+        self.note(&remark_text(remark));
+    }
+
+    fn ends_by_itself(&self, is_so: bool) {
+        self.kept.store(is_so, Ordering::SeqCst);
+    }
+
+    fn limit_reached(&self) {
+        self.keep_going();
+    }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,131 @@
+//! Which kind of result is written in which format.
+
+use crate::error::{Error, Result};
+use crate::notation::Format::{self, Csv, Json, Latex, Maple, Singular, Sympy, Text};
+
+/// The kinds of results, each with the formats that it can be written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A Fourier radius.
+    Radius,
+    /// An implicit equation.
+    Equation,
+    /// The equations of surfaces that meet in a curve.
+    Equations,
+    /// Coordinates as functions of parameters.
+    ParametricForm,
+    /// A superquadric.
+    Superquadric,
+    /// What a form is.
+    Description,
+    /// Radii of a plane curve of which none is a Fourier series.
+    ClosedForms,
+    /// Radii of a surface.
+    SurfaceRadii,
+    /// Certified points in directions.
+    Points,
+    /// Certified arcs of the curve in which surfaces meet.
+    Arcs,
+    /// Verdicts of an inspection.
+    Verdicts,
+    /// How right the numbers of a float program are.
+    Check,
+    /// Test vectors for float programs.
+    Vectors,
+    /// The statements of the paper.
+    Statements,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 14] = [
+        Self::Radius,
+        Self::Equation,
+        Self::Equations,
+        Self::ParametricForm,
+        Self::Superquadric,
+        Self::Description,
+        Self::ClosedForms,
+        Self::SurfaceRadii,
+        Self::Points,
+        Self::Arcs,
+        Self::Verdicts,
+        Self::Check,
+        Self::Vectors,
+        Self::Statements,
+    ];
+
+    /// The table: what is written, the formats, and what else helps whoever wanted another one.
+    const fn row(self) -> (&'static str, &'static [Format], &'static str) {
+        const FORMULAS: &[Format] = &[Text, Json, Latex, Sympy, Maple];
+        match self {
+            Self::Radius => (
+                "a Fourier radius is",
+                &[Text, Json, Csv, Latex, Sympy, Maple],
+                "; Singular has no trigonometric functions, but reads what implicitize writes",
+            ),
+            Self::Equation => ("an equation is", &Format::ALL, ""),
+            Self::Equations => (
+                "several equations are",
+                &[Text, Json, Latex, Sympy, Maple, Singular],
+                "",
+            ),
+            Self::ParametricForm => ("a parametric form is", FORMULAS, ""),
+            Self::Superquadric => ("a superquadric is", &[Text, Json], ""),
+            Self::Description => ("a description is", &[Text, Json], ""),
+            Self::ClosedForms => (
+                "a radius that is no Fourier series is",
+                FORMULAS,
+                "; only a Fourier series is a table of coefficients",
+            ),
+            Self::SurfaceRadii => (
+                "the radii of a surface are",
+                FORMULAS,
+                "; stellate sample writes points",
+            ),
+            Self::Points => ("points are", &[Csv, Json], ""),
+            Self::Arcs => ("arcs are", &[Csv, Json], ""),
+            Self::Verdicts => ("verdicts are", &[Csv, Json, Text], ""),
+            Self::Check => ("a check is", &[Text, Json, Csv], ""),
+            Self::Vectors => ("test vectors are", &[Json], ""),
+            Self::Statements => ("the statements of the paper are", &[Text, Json], ""),
+        }
+    }
+
+    /// The formats of this kind; the first is the usual one.
+    #[must_use]
+    pub const fn formats(self) -> &'static [Format] {
+        self.row().1
+    }
+
+    /// Whether results of this kind can be written so, to be asked before any work is done.
+    ///
+    /// ```
+    /// use stellate::document::{Format, Kind};
+    /// assert!(Kind::Points.check(Format::Csv).is_ok());
+    /// let error = Kind::Points.check(Format::Latex).unwrap_err();
+    /// assert_eq!(error.to_string(), "--format latex: points are written as csv or json");
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Usage`] with the formats that there are.
+    pub fn check(self, format: Format) -> Result<()> {
+        match self.formats().contains(&format) {
+            true => Ok(()),
+            false => Err(self.refused(format)),
+        }
+    }
+
+    /// The one message for a format that this kind does not have.
+    pub(crate) fn refused(self, format: Format) -> Error {
+        let (what, formats, hint) = self.row();
+        let names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
+        let list = match names.split_last() {
+            Some((last, [])) => (*last).to_owned(),
+            Some((last, others)) => format!("{} or {last}", others.join(", ")),
+            None => String::new(),
+        };
+        Error::Usage(format!("--format {format}: {what} written as {list}{hint}"))
+    }
+}

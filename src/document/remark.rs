@@ -1,0 +1,78 @@
+//! What is said of the work, in sentences.
+
+use crate::inspect::MAX_EXACT_MONOMIALS;
+use crate::verb::{Missing, Part, Remark};
+
+/// Theorem 2 without even harmonics.
+pub(super) const PERFECT_SQUARE: &str = "F of Theorem 2 is a perfect square (a0 = 0 and only odd harmonics): this is its reduced equation";
+
+/// A remark as a sentence.
+///
+/// ```
+/// use stellate::document::remark_text;
+/// use stellate::verb::Remark;
+/// let text = remark_text(&Remark::RelativeTo([1.into(), 2.into()]));
+/// assert_eq!(text, "coordinates are relative to the centre (1, 2)");
+/// ```
+#[must_use]
+pub fn remark_text(remark: &Remark) -> String {
+    match remark {
+        Remark::Center {
+            point: [x, y],
+            origin,
+        } => format!("the centre is ({x}, {y}): {}", origin.describe()),
+        Remark::Hidden {
+            point: [x, y],
+            share,
+        } => format!(
+            "the outline is not star-shaped about ({x}, {y}): its outermost boundary is taken; {:.3} % of the outline's length is hidden behind it",
+            share * 100.0
+        ),
+        Remark::PerfectSquare => PERFECT_SQUARE.into(),
+        Remark::RelativeTo([a, b]) => format!("coordinates are relative to the centre ({a}, {b})"),
+        Remark::WholeLine { theta, phi: None } => format!(
+            "the whole line at theta = {theta} belongs to the curve: it has no rows"
+        ),
+        Remark::WholeLine {
+            theta,
+            phi: Some(phi),
+        } => format!(
+            "the whole line at theta = {theta}, phi = {phi} belongs to the surface: it has no rows"
+        ),
+        Remark::NoArcsNeeded => "every component has an exact parametrization: --window and --resolution are for arcs of the others".into(),
+        Remark::ComponentsLeftOut => "components without a parametrization are left out: text, json and csv have arcs of them, for two surfaces".into(),
+        Remark::NoFourierFit => "no positive radius without a closed form covers the full circle: there is no Fourier fit".into(),
+        Remark::Jumps(count) => format!(
+            "no branch covers the full circle: the outermost positive radius is fitted, which jumps between branches (angles: {count})"
+        ),
+        Remark::Rounded { rounded, total } => format!(
+            "{rounded} of {total} inputs were no doubles and were rounded; everything follows from the doubles exactly"
+        ),
+        Remark::NothingToFitTo => "no points were found to fit the picture to: it shows -1,1,-1,1; --window chooses another part".into(),
+        Remark::NotDrawn(reason) => format!("a component of the curve is not drawn: {reason}"),
+        Remark::DoublesAlone => format!(
+            "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
+        ),
+    }
+}
+
+/// A part of an answer, by a name.
+pub(super) fn part_text(part: Part) -> &'static str {
+    match part {
+        Part::Factors => "the factors over Q",
+        Part::BeyondCurve => {
+            "what the real zero set has beyond the curve, isolated points among it, and the real tracing index"
+        }
+        Part::BeyondPatch => "a point of the zero set beyond the patch",
+        Part::PolarPlane => "Eq. (1) of Theorem 1 and its factors",
+        Part::PolarSpaceCurve => "Eqs. (10) and (11) of Theorem 3 and their factors",
+        Part::PolarPatch => "Eq. (15) of Theorem 4 and its factors",
+    }
+}
+
+/// What a limit has cost, in words.
+#[must_use]
+pub fn missing_text(missing: &Missing) -> String {
+    let parts: Vec<&str> = missing.parts.iter().map(|&part| part_text(part)).collect();
+    format!("what is written lacks {}", parts.join(", and "))
+}

@@ -1,0 +1,80 @@
+//! The formats that results are written in.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::error::{Error, Result};
+
+/// How a result is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Format {
+    /// A formula in the input language.
+    #[default]
+    Text,
+    /// A document with every exact number as a string.
+    Json,
+    /// A table of coefficients.
+    Csv,
+    /// A formula to be typeset.
+    Latex,
+    /// An expression for SymPy, or for Python with x, y and Rational in scope.
+    Sympy,
+    /// A statement for Maple.
+    Maple,
+    /// Statements for Singular.
+    Singular,
+}
+
+use Format::{Csv, Json, Latex, Maple, Singular, Sympy, Text};
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 7] = [Text, Json, Csv, Latex, Sympy, Maple, Singular];
+
+    /// The name that the command line uses.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Text => "text",
+            Json => "json",
+            Csv => "csv",
+            Latex => "latex",
+            Sympy => "sympy",
+            Maple => "maple",
+            Singular => "singular",
+        }
+    }
+
+    /// What starts a comment; JSON has none.
+    pub(crate) fn comment(self) -> &'static str {
+        match self {
+            Latex => "%",
+            Singular => "//",
+            _ => "#",
+        }
+    }
+}
+
+impl fmt::Display for Format {
+    /// The name that the command line uses.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Format {
+    type Err = Error;
+
+    /// From the name that the command line uses.
+    ///
+    /// ```
+    /// use stellate::document::Format;
+    /// assert_eq!("latex".parse::<Format>()?, Format::Latex);
+    /// assert!("tex".parse::<Format>().is_err());
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    fn from_str(name: &str) -> Result<Self> {
+        let found = Self::ALL.into_iter().find(|format| format.name() == name);
+        found.ok_or_else(|| Error::Usage(format!("there is no format {name}")))
+    }
+}

@@ -1,0 +1,13 @@
+//! Formulas as people and other programs write them: numbers, polynomials and functions of parameters as text.
+
+mod coordinates;
+mod format;
+mod in_order;
+mod powers;
+mod terms;
+
+pub use coordinates::Coordinates;
+pub(crate) use coordinates::NAMES;
+pub use format::Format;
+pub(crate) use in_order::write_in_order;
+pub(crate) use terms::{Notation, Number, append_word};

@@ -1,0 +1,254 @@
+//! JSON documents: reading, with the place of whatever is wrong.
+
+use serde_json::{Map, Value};
+
+use super::SCHEMA;
+use super::node::{Node, Place};
+use super::superquadric::read_superquadric;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::language::{
+    MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, parse_form,
+};
+use crate::poly::SparsePolynomial;
+use crate::shape::{Form, FourierRadius};
+
+/// Reads a document of kind `implicit`, `fourier` or `superquadric`, or of a `parametric` one the exact Fourier
+/// radius of the first branch, the fit, or the superquadric. Fields that are not known are ignored.
+///
+/// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; either way
+/// they are taken from their text.
+///
+/// ```
+/// use stellate::reading::read_document;
+/// use stellate::language::Numbers;
+/// let text = r#"{"schema":"stellate/1","kind":"implicit","variables":["x","y"],
+///     "terms":[{"exponents":[2,0],"coefficient":"1"},{"exponents":[0,1],"coefficient":0.1}]}"#;
+/// assert!(read_document(text, "parabola.json", Numbers::Exact).is_ok());
+///
+/// let error = read_document(&text.replace("0.1", "true"), "parabola.json", Numbers::Exact);
+/// let message = "parabola.json: terms[1].coefficient: expected a number or a string such as \"1/3\"";
+/// assert_eq!(error.unwrap_err().to_string(), message);
+/// ```
+///
+/// # Errors
+/// [`Error::Syntax`] if the text is not JSON; [`Error::Data`] with the place if a field is missing or
+/// wrong, or if the kind is another one; [`Error::Limit`] beyond the limits of
+/// [`crate::language`].
+pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
+    check_size(text, source_name)?;
+    let body = text.trim_start_matches('\u{feff}');
+    let value: Value = serde_json::from_str(body)
+        .map_err(|error| not_json(&error, text, source_name, text.len() - body.len()))?;
+    let root = Node {
+        value: &value,
+        place: Place::Root(source_name),
+        numbers,
+    };
+    let object = root.object()?;
+    let schema = root.field(object, "schema")?;
+    if schema.string()? != SCHEMA {
+        return Err(schema.wrong(format!("expected \"{SCHEMA}\"")));
+    }
+    let kind = root.field(object, "kind")?;
+    match kind.string()? {
+        "implicit" => read_implicit(&root, object, source_name),
+        "fourier" => read_fourier(&root).map(Form::Fourier),
+        "superquadric" => read_superquadric(&root, object),
+        "intersection" => read_intersection(&root, object, |node| {
+            read_implicit(node, node.object()?, source_name)
+        }),
+        "parametric" if !object.contains_key("branches") && object.contains_key("coordinates") => {
+            read_coordinates(&root, object, source_name)
+        }
+        "parametric" => {
+            if object.contains_key("superquadric") {
+                let node = root.field(object, "superquadric")?;
+                return read_superquadric(&node, node.object()?);
+            }
+            if object.contains_key("implicit") {
+                let node = root.field(object, "implicit")?;
+                return read_implicit(&node, node.object()?, source_name);
+            }
+            let radius = if object.contains_key("fit") {
+                // What was fitted to a curve without a closed form (Lemma 6).
+                let fit = root.field(object, "fit")?;
+                read_fourier(&fit.field(fit.object()?, "fourier")?)?
+            } else {
+                let branches = root.field(object, "branches")?;
+                let first = branches.item(branches.array()?, 0)?;
+                read_fourier(&first.field(first.object()?, "fourier")?)?
+            };
+            // The branches have one center, which belongs to the whole document.
+            Ok(Form::Fourier(match root.center(object)? {
+                Some((_, center)) => radius.with_center(center),
+                None => radius,
+            }))
+        }
+        other => {
+            let shown: String = other.chars().take(30).collect();
+            Err(kind.wrong(format!(
+                "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
+                 \"fourier\", \"superquadric\", \"intersection\" and \"parametric\" with a Fourier radius, a \
+                 superquadric, an implicit surface or coordinates are"
+            )))
+        }
+    }
+}
+
+/// Reads the surfaces of a document of kind `intersection`, with `read` for each.
+fn read_intersection(
+    root: &Node<'_>,
+    object: &Map<String, Value>,
+    read: impl Fn(&Node<'_>) -> Result<Form>,
+) -> Result<Form> {
+    let list = root.field(object, "surfaces")?;
+    let entries = list.array()?;
+    if entries.len() < 2 {
+        return Err(list.wrong("expected at least two surfaces"));
+    }
+    let mut surfaces = Vec::new();
+    for n in 0..entries.len() {
+        let node = list.item(entries, n)?;
+        match read(&node)? {
+            Form::Surface(surface) => surfaces.push(surface),
+            _ => return Err(node.wrong("expected a surface, with the variables x, y and z")),
+        }
+    }
+    Ok(Form::Intersection(surfaces))
+}
+
+/// The coordinates of a parametric form, each a formula of the input language.
+fn read_coordinates(
+    root: &Node<'_>,
+    object: &Map<String, Value>,
+    source_name: &str,
+) -> Result<Form> {
+    let coordinates = root.field(object, "coordinates")?;
+    let fields = coordinates.object()?;
+    let mut text = String::new();
+    for name in fields.keys() {
+        let formula = coordinates.field(fields, name)?;
+        text.push_str(&format!("{name} = {}\n", formula.string()?));
+    }
+    let name = format!("{source_name}: coordinates");
+    match parse_form(&text, &name, root.numbers)? {
+        form @ (Form::PlaneCurve(_) | Form::SpaceCurve(_) | Form::Patch(_)) => Ok(form),
+        _ => {
+            Err(coordinates
+                .wrong("expected functions of a parameter, such as {\"x\": \"cos(t)\", …}"))
+        }
+    }
+}
+
+fn not_json(error: &serde_json::Error, text: &str, source_name: &str, skipped: usize) -> Error {
+    let before: usize = text[skipped..]
+        .split_inclusive('\n')
+        .take(error.line().saturating_sub(1))
+        .map(str::len)
+        .sum();
+    let message = error.to_string();
+    let reason = message.split(" at line ").next().unwrap_or(&message);
+    Error::Syntax {
+        message: format!("not a JSON document: {reason}"),
+        source_name: source_name.into(),
+        text: text.into(),
+        at: skipped + before + error.column().saturating_sub(1),
+    }
+}
+
+fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str) -> Result<Form> {
+    let variables = root.field(object, "variables")?;
+    let names: Vec<Option<&str>> = variables.array()?.iter().map(Value::as_str).collect();
+    let in_space = match names.as_slice() {
+        [Some("x"), Some("y")] => false,
+        [Some("x"), Some("y"), Some("z")] => true,
+        _ => return Err(variables.wrong("expected [\"x\",\"y\"] or [\"x\",\"y\",\"z\"]")),
+    };
+    let terms = root.field(object, "terms")?;
+    let list = terms.array()?;
+    let mut polynomial = SparsePolynomial::zero();
+    for n in 0..list.len() {
+        let term = terms.item(list, n)?;
+        let fields = term.object()?;
+        let exponents_node = term.field(fields, "exponents")?;
+        let powers = exponents_node.array()?;
+        if powers.len() != names.len() {
+            return Err(exponents_node.wrong(format!("expected {} exponents", names.len())));
+        }
+        let mut exponents = [0; 3];
+        for (i, exponent) in exponents.iter_mut().enumerate().take(powers.len()) {
+            *exponent = exponents_node.item(powers, i)?.natural()?;
+        }
+        if exponents.iter().any(|&e| e > MAX_DEGREE / 3) {
+            check_exponents(&exponents_node.place.to_string(), &exponents)?;
+        }
+        let coefficient = term.field(fields, "coefficient")?.number()?;
+        let (is_zero, len) = (coefficient.is_zero(), polynomial.len());
+        polynomial.add_term(exponents, coefficient);
+        if !is_zero && polynomial.len() <= len {
+            return Err(exponents_node.wrong("this term was given before"));
+        }
+    }
+    if let Some(value) = polynomial.as_constant() {
+        return Err(terms.wrong(constant_message(&value)));
+    }
+    let center = root.center(object)?;
+    if in_space && let Some((node, _)) = &center {
+        return Err(node.wrong("a center belongs to a plane curve, this is a surface"));
+    }
+    implicit(
+        polynomial,
+        in_space,
+        center.map(|(_, center)| center),
+        source_name,
+    )
+}
+
+fn read_fourier(node: &Node<'_>) -> Result<FourierRadius> {
+    let object = node.object()?;
+    let read = |name| -> Result<(Node<'_>, Vec<Rational>)> {
+        let list = node.field(object, name)?;
+        let values = list.array()?;
+        if values.len() > MAX_HARMONIC as usize + 1 {
+            let limit = format!("{}: a harmonic beyond {MAX_HARMONIC}", list.place);
+            return Err(Error::limit(limit));
+        }
+        let numbers: Result<Vec<Rational>> = (0..values.len())
+            .map(|n| list.item(values, n)?.number())
+            .collect();
+        Ok((list, numbers?))
+    };
+    let ((cos_node, cos), (sin_node, sin)) = (read("cos")?, read("sin")?);
+    if cos.is_empty() {
+        return Err(
+            cos_node.wrong("expected the coefficients of cos 0, cos t, …; the list is empty")
+        );
+    }
+    if cos.len() != sin.len() {
+        return Err(sin_node.wrong(format!(
+            "expected as many entries as in cos, {}; found {}",
+            cos.len(),
+            sin.len()
+        )));
+    }
+    if sin.first().is_some_and(|b| !b.is_zero()) {
+        return Err(sin_node.wrong("the first entry, of sin 0, is 0"));
+    }
+    let radius = FourierRadius::new(cos, sin);
+    Ok(match node.center(object)? {
+        Some((_, center)) => radius.with_center(center),
+        None => radius,
+    })
+}
+
+/// Refuses exponents beyond [`MAX_DEGREE`].
+pub(super) fn check_exponents(place: &str, exponents: &[u32; 3]) -> Result<()> {
+    let degree: u64 = exponents.iter().map(|&e| u64::from(e)).sum();
+    if degree > u64::from(MAX_DEGREE) {
+        return Err(Error::limit(format!(
+            "{place}: a degree beyond {MAX_DEGREE}"
+        )));
+    }
+    Ok(())
+}

@@ -1,0 +1,97 @@
+//! Arcs of intersections, for `parametrize`, `sample` and `plot`.
+
+use super::equation::check_surface;
+use super::options::options;
+use super::{Bounds, Work};
+use crate::arcs::{ArcOptions, IntersectionArcs, trace_intersection};
+use crate::error::{Error, Result};
+use crate::mesh::mesh_bounds;
+use crate::parametrize::IntersectionParametrization;
+use crate::shape::ImplicitSurface;
+
+const DEFAULT_RESOLUTION: u32 = 64;
+
+options! {
+    /// How the curve in which two surfaces meet is followed.
+    ArcSearch {
+        /// The box in which it is looked for; by default one around the smaller surface.
+        window: Option<Bounds> = None,
+        /// Steps along the longest side of the box, at least; by default 64.
+        resolution: Option<u32> = None,
+    }
+}
+
+/// The arcs of the two surfaces, in the given box or in one around the smaller of them.
+pub(super) fn arcs(
+    surfaces: &[ImplicitSurface],
+    search: &ArcSearch,
+    work: &Work,
+) -> Result<IntersectionArcs> {
+    let [first, second] = surfaces else {
+        return Err(Error::Usage(format!(
+            "arcs are traced where two surfaces meet; here are {}",
+            surfaces.len()
+        )));
+    };
+    for surface in surfaces {
+        check_surface(surface, work)?;
+    }
+    let bounds = match search.window {
+        Some(window) => window,
+        None => work.stage("bounds", || box_of([first, second], work))?,
+    };
+    let options = ArcOptions {
+        bounds,
+        resolution: search.resolution.unwrap_or(DEFAULT_RESOLUTION),
+    };
+    let progress = work.progress("arcs", 1000);
+    work.stage("arcs", || {
+        trace_intersection([first, second], &options, work.bounds(), &|done| {
+            progress.set(done);
+        })
+    })
+}
+
+/// The arcs of the components that have no parametrization.
+pub(super) fn arcs_of_others(
+    found: &IntersectionParametrization,
+    surfaces: &[ImplicitSurface],
+    search: &ArcSearch,
+    work: &Work,
+) -> Result<IntersectionArcs> {
+    let mut traced = arcs(surfaces, search, work)?;
+    if !found.curves.is_empty() {
+        let over: Vec<_> = found.others.iter().map(|o| &o.projection).collect();
+        traced.retain_on(&over);
+    }
+    Ok(traced)
+}
+
+/// Of the boxes around the surfaces that of a bounded one, or the smaller one.
+fn box_of(surfaces: [&ImplicitSurface; 2], work: &Work) -> Result<Bounds> {
+    let mut best: Option<(bool, f64, Bounds)> = None;
+    for surface in surfaces {
+        let Some((bounds, is_all)) = mesh_bounds(surface, work.bounds())? else {
+            continue;
+        };
+        let size: f64 = bounds.iter().map(|[a, b]| b - a).sum();
+        if best.is_none_or(|(all, known, _)| (is_all, -size) > (all, -known)) {
+            best = Some((is_all, size, bounds));
+        }
+    }
+    Ok(best.map_or([[-1.5, 1.5]; 3], |(_, _, bounds)| bounds))
+}
+
+/// Refuses the options for forms that are no intersections.
+pub(super) fn refuse_arcs(search: &ArcSearch) -> Result<()> {
+    let given = [
+        ("--window", search.window.is_some()),
+        ("--resolution", search.resolution.is_some()),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        Some((name, _)) => Err(Error::Usage(format!(
+            "{name} is for the curve in which two surfaces meet, such as 'x^2 + y^2 + z^2 = 1; x^2 + y^2 = z^2'"
+        ))),
+        None => Ok(()),
+    }
+}

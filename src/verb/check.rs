@@ -1,0 +1,279 @@
+//! A float program's numbers against the exact ones, and test vectors for float programs.
+
+use super::equation::{
+    Taken, check_curve, curve_of_superquadric, surface_of_superquadric, through_equation,
+};
+use super::fit::{exact_form, fit_quietly};
+use super::options::options;
+use super::{Content, Given, Remark, Work};
+use crate::check::{
+    Comparison, GivenPoint, GivenRadius, InputsOf, Reference, Rung, TestVectors, ladder,
+    read_points_csv, read_radii_csv, test_vectors,
+};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::fit::FitOptions;
+use crate::language::Numbers;
+use crate::poly::SparsePolynomial;
+use crate::reading::{read_coefficients_csv, read_document};
+use crate::shape::Form;
+
+/// More directions of test vectors than this are refused.
+pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
+
+/// The numbers of a float program.
+#[derive(Clone, Debug)]
+pub enum FloatNumbers {
+    /// Coefficients, every one a double.
+    Coefficients(Form),
+    /// Points.
+    Points(Vec<GivenPoint>),
+    /// Radii.
+    Radii(Vec<GivenRadius>),
+}
+
+/// What the numbers of a float program are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FloatKind {
+    /// An implicit document, or rows `i,j[,k],value`.
+    Coefficients,
+    /// Rows `x,y[,z]`.
+    Points,
+    /// Rows `theta,r`.
+    Radii,
+}
+
+options! {
+    /// What is compared with.
+    CheckOptions {
+        /// How a contour is fitted.
+        fit: FitOptions = FitOptions::default(),
+    }
+}
+
+options! {
+    /// What test vectors are made of.
+    VectorOptions {
+        /// How a contour is fitted.
+        fit: FitOptions = FitOptions::default(),
+        /// Certified radii and points in this many directions around the circle.
+        directions: usize = 16,
+    }
+}
+
+/// The exact form that a float program's numbers are compared with.
+#[derive(Debug)]
+pub struct CheckTask {
+    reference: Reference,
+    name: String,
+    /// Whether it was given by functions of parameters.
+    is_parametric: bool,
+}
+
+const CHECK: Taken = Taken {
+    verb: "check",
+    these: "plane curves and surfaces",
+};
+
+/// Makes an exact form ready for comparison; of a contour its fit, and the fit with one harmonic more.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, CheckOptions, FloatKind, Given, Work};
+/// let work = Work::default();
+/// let circle = Given::read("x^2 + y^2 = 1", Numbers::Exact)?;
+/// let task = verb::check(circle, &CheckOptions::default(), &work)?;
+/// let numbers = task.read(FloatKind::Points, "0.6,0.8\n1,0\n", "points.csv")?;
+/// let found = task.compare(&numbers, "points.csv", &work)?;
+/// assert!(found.passes(Some(15)));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the fit and of the equation; [`Error::Usage`] for a form that is neither a plane curve nor a surface.
+pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckTask> {
+    let name = given.short_name();
+    let next = match (given.content(), options.fit.harmonics()) {
+        (Content::Contour(contour), Some(n)) => fit_quietly(contour, &options.fit, n + 1, work),
+        _ => None,
+    };
+    let form = exact_form(given, &options.fit, work)?.form;
+    let is_parametric = matches!(form, Form::PlaneCurve(_) | Form::Patch(_));
+    let form = match form {
+        Form::Superquadric(shape) => Form::Curve(curve_of_superquadric(&shape)?),
+        Form::SpaceSuperquadric(shape) => Form::Surface(surface_of_superquadric(&shape)?),
+        other => through_equation(other, work)?,
+    };
+    let reference = work.stage("implicitize", || match &form {
+        Form::Fourier(radius) => {
+            work.check_degree(2 * radius.harmonics() + 2)?;
+            Reference::of_radius(radius)
+        }
+        Form::Curve(curve) => {
+            check_curve(curve, work)?;
+            Ok(Reference::of_curve(curve))
+        }
+        Form::Surface(surface) => Ok(Reference::of_surface(surface)),
+        _ => Err(CHECK.not_this()),
+    })?;
+    let center = reference.center();
+    if !center.iter().all(Rational::is_zero) {
+        work.remark(Remark::RelativeTo(center.clone()));
+    }
+    let reference = match next {
+        Some(next) => reference.with_next(next),
+        None => reference,
+    };
+    Ok(CheckTask {
+        reference,
+        name,
+        is_parametric,
+    })
+}
+
+impl CheckTask {
+    /// The name of the exact form.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Reads the numbers of a float program, every one a double, bit for bit; `source_name` is what messages call the text.
+    ///
+    /// # Errors
+    /// Those of [`read_points_csv`], [`read_radii_csv`], [`read_document`] and [`read_coefficients_csv`].
+    pub fn read(&self, kind: FloatKind, text: &str, source_name: &str) -> Result<FloatNumbers> {
+        Ok(match kind {
+            FloatKind::Coefficients => {
+                let start = text.trim_start_matches('\u{feff}').trim_start();
+                FloatNumbers::Coefficients(if start.starts_with('{') {
+                    read_document(text, source_name, Numbers::F64)?
+                } else {
+                    read_coefficients_csv(text, source_name, Numbers::F64)?
+                })
+            }
+            FloatKind::Points => {
+                let in_space = self.reference.in_space();
+                FloatNumbers::Points(read_points_csv(text, source_name, in_space)?)
+            }
+            FloatKind::Radii => FloatNumbers::Radii(read_radii_csv(text, source_name)?),
+        })
+    }
+
+    /// How right the numbers are; `source_name` is what messages call where they come from.
+    ///
+    /// # Errors
+    /// [`Error::Data`] for coefficients of another kind of form; those of the comparisons of [`Reference`].
+    pub fn compare(
+        &self,
+        numbers: &FloatNumbers,
+        source_name: &str,
+        work: &Work,
+    ) -> Result<Comparison> {
+        match numbers {
+            FloatNumbers::Coefficients(form) => {
+                let got = self.coefficients(form, source_name)?;
+                work.stage("check", || Ok(self.reference.check_coefficients(&got)))
+            }
+            FloatNumbers::Points(points) => work.stage("check", || {
+                self.reference.check_points(points, work.bounds())
+            }),
+            FloatNumbers::Radii(radii) => {
+                work.stage("check", || self.reference.check_radii(radii, work.bounds()))
+            }
+        }
+    }
+
+    /// The polynomial of a float program, about the same centre.
+    fn coefficients(&self, form: &Form, name: &str) -> Result<SparsePolynomial<3>> {
+        let wrong = |message: String| Error::data(name, message);
+        let reference = &self.reference;
+        let (polynomial, in_space) = match form {
+            Form::Curve(curve) => {
+                let center = curve.center().each_ref().map(|v| v.to_f64().to_bits());
+                let about = reference.center().each_ref().map(|v| v.to_f64().to_bits());
+                let [x, y] = curve.center();
+                if (!x.is_zero() || !y.is_zero()) && center != about {
+                    let [a, b] = reference.center();
+                    return Err(wrong(format!(
+                        "the coefficients are relative to ({x}, {y}), the reference to ({a}, {b})"
+                    )));
+                }
+                (SparsePolynomial::from(curve.polynomial()), false)
+            }
+            Form::Surface(surface) => (surface.polynomial().clone(), true),
+            _ => {
+                return Err(wrong(
+                    "expected the coefficients of a polynomial: a document of kind \"implicit\", or rows i,j[,k],value".into(),
+                ));
+            }
+        };
+        if in_space != reference.in_space() {
+            let [these, that] = if in_space {
+                ["a surface in x, y, z", "a curve in x, y"]
+            } else {
+                ["a curve in x, y", "a surface in x, y, z"]
+            };
+            return Err(wrong(format!(
+                "these are the coefficients of {these}, the reference is {that}"
+            )));
+        }
+        Ok(polynomial)
+    }
+}
+
+/// What the paper's own algorithm keeps in doubles, with more and more harmonics of a radius.
+///
+/// # Errors
+/// [`Error::Usage`] for a form that is no Fourier radius; those of [`ladder`].
+pub fn check_doubles(given: Given, options: &CheckOptions, work: &Work) -> Result<Vec<Rung>> {
+    let Form::Fourier(radius) = exact_form(given, &options.fit, work)?.form else {
+        return Err(Error::Usage(
+            "check --self takes a Fourier radius, or a contour with --harmonics N: Theorem 2 starts from one".into(),
+        ));
+    };
+    work.check_degree(2 * radius.harmonics() + 2)?;
+    work.stage("check", || ladder(&radius, work.bounds()))
+}
+
+/// Test vectors for float programs: inputs, exact results, nearest doubles and condition numbers.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, Given, VectorOptions, Work};
+/// let radius = Given::read("r = 1 + 1/5*cos(3*t)", Numbers::Exact)?;
+/// let vectors = verb::vectors(radius, &VectorOptions::default(), &Work::default())?;
+/// assert_eq!(vectors.rounded, 1); // 1/5 is no double
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`check`]; [`Error::Limit`] beyond [`MAX_VECTOR_DIRECTIONS`].
+pub fn vectors(given: Given, options: &VectorOptions, work: &Work) -> Result<TestVectors> {
+    if options.directions > MAX_VECTOR_DIRECTIONS {
+        return Err(Error::limit(format!(
+            "--directions {}: at most {MAX_VECTOR_DIRECTIONS} directions",
+            options.directions
+        )));
+    }
+    let task = check(
+        given,
+        &CheckOptions::default().fit(options.fit.clone()),
+        work,
+    )?;
+    let inputs = if task.is_parametric {
+        InputsOf::Nothing
+    } else {
+        InputsOf::Form
+    };
+    let vectors = work.stage("vectors", || {
+        test_vectors(&task.reference, inputs, options.directions, work.bounds())
+    })?;
+    if vectors.rounded > 0 {
+        work.remark(Remark::Rounded {
+            rounded: vectors.rounded,
+            total: vectors.inputs.len(),
+        });
+    }
+    Ok(vectors)
+}

@@ -1,0 +1,138 @@
+//! What a form is.
+
+use super::equation::Taken;
+use super::fit::exact_form;
+use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
+use super::options::options;
+use super::{Content, Fact, Given, Part, Work};
+use crate::describe::Description;
+use crate::error::Result;
+use crate::fit::FitOptions;
+use crate::limits::Limits;
+use crate::shape::{Form, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric};
+
+options! {
+    /// How a form is described.
+    DescribeOptions {
+        /// How a contour is fitted.
+        fit: FitOptions = FitOptions::default(),
+    }
+}
+
+/// What is known exactly of a form.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Described {
+    /// The kind of form, with what is known of it.
+    pub what: DescribedForm,
+    /// What is known besides.
+    pub facts: Vec<Fact>,
+}
+
+/// The kinds of forms that are described.
+#[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of these for each form that is described"
+)]
+pub enum DescribedForm {
+    /// A form with one equation.
+    Equation(Description),
+    /// A space curve, by the surfaces that meet in it.
+    Intersection(Vec<ImplicitSurface>),
+    /// A plane superquadric.
+    Superquadric(Superquadric),
+    /// A superquadric in space.
+    SpaceSuperquadric(SpaceSuperquadric),
+}
+
+const DESCRIBE: Taken = Taken {
+    verb: "describe",
+    these: "plane curves, surfaces and space curves",
+};
+
+/// What a form is: degree, homogeneous parts, which lemma applies, factors over Q, and more.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, DescribeOptions, DescribedForm, Given, Work};
+/// let given = Given::read("x^4 - x^2 + y^2 = 0", Numbers::Exact)?;
+/// let found = verb::describe(given, &DescribeOptions::default(), &Work::default())?;
+/// let DescribedForm::Equation(description) = found.what else { unreachable!() };
+/// assert_eq!(description.homogeneous_degrees, [4, 2]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the fit and of [`crate::implicitize`]. Where the factors are not found in time they are missing.
+pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<Described> {
+    let mut facts = Vec::new();
+    if let Content::Contour(contour) = given.content() {
+        facts.push(Fact::Outline {
+            vertices: contour.len(),
+            area: contour.area(),
+            centroid: contour.centroid(),
+        });
+    }
+    let fitted = exact_form(given, &options.fit, work)?;
+    facts.extend(fitted.report.map(Fact::Fit));
+    let form = match fitted.form {
+        Form::Superquadric(shape) => return Ok(described(DescribedForm::Superquadric(shape))),
+        Form::SpaceSuperquadric(shape) => {
+            return Ok(described(DescribedForm::SpaceSuperquadric(shape)));
+        }
+        form => work.stage("implicitize", || with_equation(form, &mut facts, work))?,
+    };
+    if let Form::Intersection(surfaces) = form {
+        let what = DescribedForm::Intersection(surfaces);
+        return Ok(Described { what, facts });
+    }
+    let description = work.stage("describe", || match &form {
+        Form::Fourier(radius) => {
+            work.check_degree(2 * radius.harmonics() + 2)?;
+            Description::of_radius(radius, work.bounds())
+        }
+        Form::Curve(curve) => of_curve(curve, work),
+        Form::Surface(surface) => of_surface(surface, work),
+        _ => Err(DESCRIBE.not_this()),
+    })?;
+    if description.factors.is_none() {
+        facts.push(Fact::Missing(Part::Factors));
+    }
+    let what = DescribedForm::Equation(description);
+    Ok(Described { what, facts })
+}
+
+fn described(what: DescribedForm) -> Described {
+    Described {
+        what,
+        facts: Vec::new(),
+    }
+}
+
+fn of_curve(curve: &ImplicitCurve, work: &Work) -> Result<Description> {
+    let whole = curve.clone();
+    let search = move |limits: &Limits| Description::of_curve(&whole, limits);
+    let found = work.unless_limited(Part::Factors, search)?;
+    Ok(found.unwrap_or_else(|| Description::unfactored_curve(curve)))
+}
+
+fn of_surface(surface: &ImplicitSurface, work: &Work) -> Result<Description> {
+    let whole = surface.clone();
+    let search = move |limits: &Limits| Description::of_surface(&whole, limits);
+    let found = work.unless_limited(Part::Factors, search)?;
+    Ok(found.unwrap_or_else(|| Description::unfactored_surface(surface)))
+}
+
+/// A parametric form as its implicit one, with what is known of the two.
+fn with_equation(form: Form, facts: &mut Vec<Fact>, work: &Work) -> Result<Form> {
+    let found = match &form {
+        Form::PlaneCurve(curve) => of_plane_curve(curve, false, work)?,
+        Form::SpaceCurve(curve) => of_space_curve(curve, false, work)?,
+        Form::Patch(patch) => of_patch(patch, false, work)?,
+        _ => return Ok(form),
+    };
+    facts.push(Fact::Parametric(form));
+    facts.extend(found.facts);
+    Ok(found.form)
+}

@@ -1,0 +1,211 @@
+//! What a user hands in: a form or a contour, from text or a file.
+
+use std::io::Read;
+use std::path::Path;
+
+use crate::error::{Error, Result};
+use crate::fit::{ContourKind, contour_from_reader, read_contour};
+use crate::language::{MAX_TEXT_BYTES, Numbers};
+use crate::reading::{read_coefficients_csv, read_fourier_csv, read_text};
+use crate::shape::{Contour, Form};
+
+/// A form or a contour, and what to call it in messages and legends.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{Content, Given};
+/// let given = Given::read("r = 1 + 1/5*cos(3*t)", Numbers::Exact)?;
+/// assert!(matches!(given.content(), Content::Exact(_)));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Given {
+    name: String,
+    content: Content,
+}
+
+/// What is handed in.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of these for each form that is handed in"
+)]
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// A form, exactly.
+    Exact(Form),
+    /// A contour, which becomes a form by a fit.
+    Contour(Contour),
+}
+
+impl From<Form> for Given {
+    fn from(form: Form) -> Self {
+        Self::new("the form", Content::Exact(form))
+    }
+}
+
+impl From<Contour> for Given {
+    fn from(contour: Contour) -> Self {
+        Self::new("the contour", Content::Contour(contour))
+    }
+}
+
+impl Given {
+    /// With a name for messages and legends.
+    #[must_use]
+    pub fn new(name: impl Into<String>, content: Content) -> Self {
+        Self {
+            name: name.into(),
+            content,
+        }
+    }
+
+    /// Reads text of the input language, or the file of which this is the name: what has a known extension is a file even if
+    /// it is missing, anything else only if there is a file or a pipe of this name.
+    ///
+    /// # Errors
+    /// Those of [`Given::from_path`] and of [`crate::language::parse_form`].
+    pub fn read(argument: &str, numbers: Numbers) -> Result<Self> {
+        let path = Path::new(argument);
+        if names_a_file(path) {
+            return Self::from_path(path, numbers);
+        }
+        let form = read_text(argument, "<form>", numbers);
+        let form = form.map_err(|error| folder_instead(path, error))?;
+        Ok(Self::new(argument.trim(), Content::Exact(form)))
+    }
+
+    /// Reads a file: a contour (`.csv` rows `x,y`, or a picture of a silhouette), a table of coefficients, a JSON document,
+    /// or text of the input language.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the file cannot be read; those of the readers in [`crate::reading`] and [`crate::fit`].
+    pub fn from_path(path: &Path, numbers: Numbers) -> Result<Self> {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let place = path.display().to_string();
+        let content = match ContourKind::of(path) {
+            Some(ContourKind::Rows) => table(&read_limited(open(path)?, &place)?, &place, numbers)?,
+            Some(ContourKind::Image) => Content::Contour(read_contour(path)?),
+            None => {
+                let text = read_limited(open(path)?, &place)?;
+                Content::Exact(read_text(&text, &place, numbers)?)
+            }
+        };
+        Ok(Self::new(name.to_string_lossy(), content))
+    }
+
+    /// Reads text that is all there is: rows of a contour, a table of coefficients, a JSON document, or the input language.
+    /// `place` names its source in messages.
+    ///
+    /// # Errors
+    /// Those of the readers in [`crate::reading`] and [`crate::fit`].
+    pub fn from_reader(reader: impl Read, place: &str, numbers: Numbers) -> Result<Self> {
+        let text = read_limited(reader, place)?;
+        let first = text
+            .lines()
+            .map(|l| l.split('#').next().unwrap_or("").trim())
+            .find(|l| !l.is_empty() && !l.starts_with("//"));
+        let looks_like_rows =
+            first.is_some_and(|l| l.contains(',') && !l.contains(['=', '{', '(']));
+        let content = if looks_like_rows {
+            table(&text, place, numbers)?
+        } else {
+            Content::Exact(read_text(&text, place, numbers)?)
+        };
+        Ok(Self::new(place, content))
+    }
+
+    /// What was handed in.
+    #[must_use]
+    pub fn content(&self) -> &Content {
+        &self.content
+    }
+
+    /// The same, to be taken apart.
+    #[must_use]
+    pub fn into_content(self) -> Content {
+        self.content
+    }
+
+    /// The name on one line, cut if it is long.
+    #[must_use]
+    pub fn short_name(&self) -> String {
+        const LONGEST: usize = 40;
+        let line: String = self.name.split_whitespace().collect::<Vec<_>>().join(" ");
+        if line.chars().count() <= LONGEST {
+            return line;
+        }
+        line.chars().take(LONGEST).chain(['…']).collect()
+    }
+}
+
+/// What is no form but the name of a folder was meant as a file.
+fn folder_instead(path: &Path, error: Error) -> Error {
+    if path.is_dir() {
+        Error::Usage(format!(
+            "{}: that is a folder; a form is text, a file, or - for standard input",
+            path.display()
+        ))
+    } else {
+        error
+    }
+}
+
+fn names_a_file(path: &Path) -> bool {
+    let known = ["csv", "png", "jpg", "jpeg", "bmp", "json", "txt"];
+    let extension = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .map(str::to_ascii_lowercase);
+    extension.is_some_and(|e| known.contains(&e.as_str())) || (path.exists() && !path.is_dir())
+}
+
+/// A CSV file is a contour, unless its header is that of a table of coefficients.
+fn table(text: &str, name: &str, numbers: Numbers) -> Result<Content> {
+    let mut rows = text
+        .lines()
+        .map(str::trim)
+        .filter(|l| !l.is_empty() && !l.starts_with('#'));
+    let header = rows.next().unwrap_or("");
+    let header = header.replace(' ', "").to_ascii_lowercase();
+    if header.starts_with("i,j,") {
+        return read_coefficients_csv(text, name, numbers).map(Content::Exact);
+    }
+    if header == "n,cos,sin" {
+        let radius = read_fourier_csv(text, name, numbers)?;
+        return Ok(Content::Exact(Form::Fourier(radius)));
+    }
+    contour_from_reader(text.as_bytes(), ContourKind::Rows, name).map(Content::Contour)
+}
+
+fn open(path: &Path) -> Result<std::fs::File> {
+    std::fs::File::open(path).map_err(|source| Error::Io {
+        path: path.to_path_buf(),
+        source,
+    })
+}
+
+/// A text of at most [`MAX_TEXT_BYTES`] bytes; `place` names its source in messages.
+///
+/// # Errors
+/// [`Error::Io`] if reading fails, [`Error::Limit`] if it is longer, [`Error::Data`] if it is not UTF-8.
+pub fn read_limited(source: impl Read, place: &str) -> Result<String> {
+    let failed = |source| Error::Io {
+        path: place.into(),
+        source,
+    };
+    let limit = MAX_TEXT_BYTES as u64;
+    let mut bytes = Vec::new();
+    source
+        .take(limit + 1)
+        .read_to_end(&mut bytes)
+        .map_err(failed)?;
+    if bytes.len() as u64 > limit {
+        return Err(Error::limit(format!(
+            "{place}: a text has at most {limit} bytes"
+        )));
+    }
+    String::from_utf8(bytes).map_err(|e| {
+        let byte = e.utf8_error().valid_up_to() + 1;
+        Error::data(place, format!("byte {byte} is not UTF-8 text"))
+    })
+}

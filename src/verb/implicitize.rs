@@ -1,0 +1,362 @@
+//! Theorems 1 to 4, and canonical forms of what is implicit already.
+
+use super::equation::{check_curve, curve_of_superquadric, surface_of_superquadric};
+use super::fit::{Fitted, exact_form};
+use super::options::options;
+use super::{BeyondCurve, Fact, Given, Part, PolarTheorem, Reach, Remark, Work};
+use crate::error::{Error, Invariant, Result};
+use crate::exact::Rational;
+use crate::fit::FitOptions;
+use crate::implicitize::{
+    Coverage, RealImage, Run, SquaredForm, implicitize_patch, implicitize_plane,
+    implicitize_space_curve, point_beyond, polar_patch, polar_plane, polar_space_curve,
+    real_counts, real_image,
+};
+use crate::limits::Limits;
+use crate::shape::{
+    Form, FourierRadius, ImplicitSurface, ParametricCurve, Patch, PlaneCurve, SpaceCurve,
+};
+
+/// The way from a parametric form to its equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImplicitizeMethod {
+    /// Theorems 1, 3 and 4 of the paper.
+    Polar,
+    /// By elimination of the parameter; plane curves only.
+    Resultant,
+}
+
+/// How the coefficients of an equation are scaled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Scale {
+    /// Coprime integers, the first term positive.
+    #[default]
+    Integer,
+    /// The first coefficient is 1.
+    Monic,
+}
+
+/// Where the coordinates of a contour's equation begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum CoordinatesFrom {
+    /// At the centre of the fit.
+    #[default]
+    Center,
+    /// Where the contour's own do.
+    Original,
+}
+
+options! {
+    /// How a form is implicitized.
+    ImplicitizeOptions {
+        /// How a contour is fitted.
+        fit: FitOptions = FitOptions::default(),
+        /// The way; by default Theorem 2 for radii, a resultant for plane curves, certified linear algebra in space.
+        method: Option<ImplicitizeMethod> = None,
+        /// How the coefficients are scaled.
+        scale: Scale = Scale::Integer,
+        /// Where the coordinates begin.
+        coordinates: CoordinatesFrom = CoordinatesFrom::Center,
+    }
+}
+
+/// An equation, or the equations of a space curve, and what is known of them.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Implicitization {
+    /// A [`Form::Curve`], a [`Form::Surface`] or a [`Form::Intersection`].
+    pub form: Form,
+    /// What is known of it.
+    pub facts: Vec<Fact>,
+}
+
+/// The exact equation of a form.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::shape::Form;
+/// use stellate::verb::{self, Given, ImplicitizeOptions, Work};
+/// let given = Given::read("r = 1 + 1/5*cos(t)", Numbers::Exact)?;
+/// let found = verb::implicitize(given, &ImplicitizeOptions::default(), &Work::default())?;
+/// let Form::Curve(curve) = found.form else { unreachable!() };
+/// assert_eq!(curve.polynomial().homogeneous_degrees(), [4, 3, 2]);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the theorems' functions in [`crate::implicitize`]; [`Error::Usage`] for a method that the form does not have.
+pub fn implicitize(
+    given: Given,
+    options: &ImplicitizeOptions,
+    work: &Work,
+) -> Result<Implicitization> {
+    let Fitted { form, .. } = exact_form(given, &options.fit, work)?;
+    refuse_method(options.method, &form)?;
+    let found = work.stage("implicitize", || {
+        let found = equation(form, options, work)?;
+        Ok(Implicitization {
+            form: scaled(found.form, options),
+            ..found
+        })
+    })?;
+    if let Form::Curve(curve) = &found.form {
+        check_curve(curve, work)?;
+    }
+    Ok(found)
+}
+
+/// The method chooses among ways from a parametric form.
+fn refuse_method(method: Option<ImplicitizeMethod>, form: &Form) -> Result<()> {
+    let Some(method) = method else {
+        return Ok(());
+    };
+    let message = match (method, form) {
+        (
+            _,
+            Form::Curve(_)
+            | Form::Surface(_)
+            | Form::Intersection(_)
+            | Form::Superquadric(_)
+            | Form::SpaceSuperquadric(_),
+        ) => "--method is for parametric forms; this one is implicit already",
+        (ImplicitizeMethod::Resultant, Form::SpaceCurve(_) | Form::Patch(_)) => {
+            "--method resultant is for plane curves; in space the default is certified linear algebra, and polar \
+             the paper's way"
+        }
+        _ => return Ok(()),
+    };
+    Err(Error::Usage(message.into()))
+}
+
+/// The implicit form, not yet scaled.
+fn equation(form: Form, options: &ImplicitizeOptions, work: &Work) -> Result<Implicitization> {
+    let polar = options.method == Some(ImplicitizeMethod::Polar);
+    let plain = |form| Implicitization {
+        form,
+        facts: Vec::new(),
+    };
+    Ok(match form {
+        Form::Fourier(radius) => of_radius(&radius, options, work)?,
+        Form::Superquadric(shape) => plain(Form::Curve(curve_of_superquadric(&shape)?)),
+        Form::SpaceSuperquadric(shape) => plain(Form::Surface(surface_of_superquadric(&shape)?)),
+        Form::PlaneCurve(curve) => of_plane_curve(&curve, polar, work)?,
+        Form::SpaceCurve(curve) => of_space_curve(&curve, polar, work)?,
+        Form::Patch(patch) => of_patch(&patch, polar, work)?,
+        implicit => plain(implicit),
+    })
+}
+
+fn of_radius(
+    radius: &FourierRadius,
+    options: &ImplicitizeOptions,
+    work: &Work,
+) -> Result<Implicitization> {
+    work.check_degree(2 * radius.harmonics() + 2)?;
+    if options.method == Some(ImplicitizeMethod::Resultant) {
+        let parametric = radius.to_plane_curve();
+        let equation = implicitize_plane(&parametric, work.bounds())?;
+        let (run, index) = (Run::of(&parametric), equation.tracing_index);
+        let counts = real_counts(&parametric, index, work.bounds())?;
+        let curve = equation.curve.with_center(radius.center().clone());
+        let degree = curve.polynomial().degree();
+        return Ok(Implicitization {
+            facts: vec![
+                Fact::Irreducible(degree.invariant("an equation is not 0") as u64),
+                Fact::TracingIndex(run.count(index)),
+                real_tracing(counts, run, index),
+            ],
+            form: Form::Curve(curve),
+        });
+    }
+    let form = SquaredForm::new(radius)?;
+    let mut facts = Vec::new();
+    if form.is_perfect_square() {
+        facts.push(Fact::PerfectSquare);
+        work.remark(Remark::PerfectSquare);
+    }
+    Ok(Implicitization {
+        form: Form::Curve(form.expand()),
+        facts,
+    })
+}
+
+/// The resultant, and Theorem 1 where it is asked for.
+pub(super) fn of_plane_curve(
+    curve: &PlaneCurve,
+    polar: bool,
+    work: &Work,
+) -> Result<Implicitization> {
+    let mut equation = implicitize_plane(curve, work.bounds())?;
+    let (run, index) = (Run::of(curve), equation.tracing_index);
+    let degree = equation.curve.polynomial().degree();
+    let mut facts = vec![
+        Fact::Irreducible(degree.invariant("an equation is not 0") as u64),
+        Fact::TracingIndex(run.count(index)),
+    ];
+    add_real_image(curve, index, run, &mut facts, work)?;
+    if polar {
+        let whole = curve.clone();
+        let polar =
+            work.unless_limited(Part::PolarPlane, move |limits| polar_plane(&whole, limits))?;
+        facts.push(match polar {
+            None => Fact::Missing(Part::PolarPlane),
+            Some(polar) => {
+                equation.curve = polar.curve;
+                Fact::Polar {
+                    theorem: PolarTheorem::One,
+                    inverse: polar.inverse,
+                    factors: polar.factors,
+                }
+            }
+        });
+    }
+    Ok(Implicitization {
+        form: Form::Curve(equation.curve),
+        facts,
+    })
+}
+
+/// The generators of the ideal, and Theorem 3 where it is asked for.
+pub(super) fn of_space_curve(
+    curve: &SpaceCurve,
+    polar: bool,
+    work: &Work,
+) -> Result<Implicitization> {
+    let equations = implicitize_space_curve(curve, work.bounds())?;
+    let (run, index) = (Run::of(curve), equations.tracing_index);
+    let mut facts = vec![
+        Fact::CutsOutCurve(equations.degree),
+        Fact::TracingIndex(run.count(index)),
+    ];
+    add_real_image(curve, index, run, &mut facts, work)?;
+    if polar {
+        let whole = curve.clone();
+        let polar = work.unless_limited(Part::PolarSpaceCurve, move |limits| {
+            polar_space_curve(&whole, limits)
+        })?;
+        facts.push(match polar {
+            None => Fact::Missing(Part::PolarSpaceCurve),
+            Some(polar) => Fact::PolarSpaceCurve {
+                surfaces: Box::new([polar.first, polar.second]),
+                components: polar.components,
+            },
+        });
+    }
+    Ok(Implicitization {
+        form: Form::Intersection(equations.surfaces),
+        facts,
+    })
+}
+
+/// Certified linear algebra, and Theorem 4 where it is asked for.
+pub(super) fn of_patch(patch: &Patch, polar: bool, work: &Work) -> Result<Implicitization> {
+    let mut equation = implicitize_patch(patch, work.bounds())?;
+    let run = Run::of_patch(patch);
+    let degree = equation.surface.polynomial().degree();
+    let index = equation.tracing_index;
+    let mut facts = vec![
+        Fact::Irreducible(degree.invariant("an equation is not 0")),
+        Fact::PatchTracingIndex(index.and_then(|index| run.checked_count(index))),
+    ];
+    let whole = (patch.clone(), equation.surface.clone());
+    let search = move |_: &Limits| Ok(point_beyond(&whole.0, &whole.1));
+    facts.push(match work.unless_limited(Part::BeyondPatch, search)? {
+        Some(found) => Fact::BeyondPatch(found),
+        None => Fact::Missing(Part::BeyondPatch),
+    });
+    if polar {
+        let whole = patch.clone();
+        let polar =
+            work.unless_limited(Part::PolarPatch, move |limits| polar_patch(&whole, limits))?;
+        facts.push(match polar {
+            None => Fact::Missing(Part::PolarPatch),
+            Some(polar) => {
+                equation.surface = polar.surface;
+                Fact::Polar {
+                    theorem: PolarTheorem::Four,
+                    inverse: polar.inverse,
+                    factors: polar.factors,
+                }
+            }
+        });
+    }
+    Ok(Implicitization {
+        form: Form::Surface(equation.surface),
+        facts,
+    })
+}
+
+/// What the zero set has beyond the curve, and how often real values of the parameter run over it.
+fn add_real_image<const N: usize>(
+    curve: &ParametricCurve<N>,
+    tracing_index: usize,
+    run: Run,
+    facts: &mut Vec<Fact>,
+    work: &Work,
+) -> Result<()> {
+    let whole = curve.clone();
+    let search = move |limits: &Limits| real_image(&whole, tracing_index, limits);
+    match work.unless_limited(Part::BeyondCurve, search)? {
+        Some(image) => {
+            facts.push(real_tracing(image.real_counts.clone(), run, tracing_index));
+            facts.push(Fact::BeyondCurve(beyond(curve, image)));
+        }
+        None => facts.push(Fact::Missing(Part::BeyondCurve)),
+    }
+    Ok(())
+}
+
+/// `counts` and `tracing_index` count values of s; the fact counts values of the parameter.
+fn real_tracing(counts: Option<Vec<usize>>, run: Run, tracing_index: usize) -> Fact {
+    let counts = counts.map(|counts| counts.iter().map(|&count| run.count(count)).collect());
+    Fact::RealTracing {
+        counts,
+        complex: run.count(tracing_index),
+    }
+}
+
+fn beyond<const N: usize>(curve: &ParametricCurve<N>, image: RealImage<N>) -> BeyondCurve {
+    let at = |s: f64| {
+        let point = match Rational::try_from(s) {
+            Ok(s) => curve.point(&s),
+            Err(_) => curve.point_at_infinity(),
+        };
+        point.map(|point| point.iter().map(Rational::to_f64).collect())
+    };
+    BeyondCurve {
+        parameter: curve.parameter().name().into(),
+        approached: image.approached.map(Vec::from),
+        reach: match image.coverage {
+            Coverage::Whole => Reach::Whole,
+            Coverage::Part(turns) => Reach::TurnsBack(turns.into_iter().map(at).collect()),
+            Coverage::Unknown => Reach::Unknown,
+        },
+        isolated: image.isolated.points,
+        are_all: (N == 2).then_some(image.isolated.complete),
+    }
+}
+
+fn scaled(form: Form, options: &ImplicitizeOptions) -> Form {
+    let surface = |surface: &ImplicitSurface| {
+        let f = surface.polynomial();
+        ImplicitSurface::new(match options.scale {
+            Scale::Integer => f.primitive(),
+            Scale::Monic => f.monic(),
+        })
+    };
+    match form {
+        Form::Curve(curve) => {
+            let curve = match options.coordinates {
+                CoordinatesFrom::Center => curve,
+                CoordinatesFrom::Original => curve.in_original_coordinates(),
+            };
+            Form::Curve(curve.map_polynomial(|f| match options.scale {
+                Scale::Integer => f.into_primitive(),
+                Scale::Monic => f.monic(),
+            }))
+        }
+        Form::Surface(s) => Form::Surface(surface(&s)),
+        Form::Intersection(all) => Form::Intersection(all.iter().map(surface).collect()),
+        other => other,
+    }
+}

@@ -1,0 +1,128 @@
+//! Triangles of a surface, for other programs.
+
+use super::equation::{check_surface, cylinder, through_equation};
+use super::fit::exact_form;
+use super::options::options;
+use super::{Bounds, Given, Work};
+use crate::error::{Error, Result};
+use crate::fit::FitOptions;
+use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_superquadric, mesh_surface};
+use crate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
+
+/// How often a box that was too small is made larger, and by how much.
+const GROWTHS: usize = 4;
+const GROWTH: f64 = 1.4;
+/// Degrees that an edge may bend by, at least.
+const MIN_ANGLE: f64 = 1.0;
+
+options! {
+    /// How a surface is meshed.
+    MeshingOptions {
+        /// The box that is covered; by default one around the surface.
+        window: Option<Bounds> = None,
+        /// Cells along the longest side of the box.
+        resolution: u32 = 64,
+        /// Edges are split where the surface bends by more than this, in degrees from 1 to 180.
+        angle: f64 = 20.0,
+    }
+}
+
+/// Triangles of a surface: every sheet, each vertex with a certified zero nearby.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, Given, MeshingOptions, Work};
+/// let given = Given::read("x^2 + y^2 + z^2 = 1", Numbers::Exact)?;
+/// let mesh = verb::mesh(given, &MeshingOptions::default().resolution(16), &Work::default())?;
+/// assert!(mesh.topology().is_watertight());
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] for a form that is no surface, an angle out of range, and a surface without a point in the box.
+pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh> {
+    if !(MIN_ANGLE..=180.0).contains(&options.angle) {
+        return Err(Error::Usage(format!(
+            "--angle {}: expected degrees between {MIN_ANGLE} and 180",
+            options.angle
+        )));
+    }
+    let name = given.short_name();
+    let fitted = exact_form(given, &FitOptions::default(), work)?;
+    let mesh = match through_equation(fitted.form, work)? {
+        Form::Surface(surface) => of_surface(&surface, options, work)?,
+        Form::Curve(curve) => of_surface(&cylinder(&curve), options, work)?,
+        Form::SpaceSuperquadric(shape) => of_superquadric(&shape, options.resolution, work)?,
+        _ => {
+            return Err(Error::Usage(
+                "mesh takes a surface: a polynomial in x, y and z, a patch, or a superquadric 3d"
+                    .into(),
+            ));
+        }
+    };
+    if mesh.triangles.is_empty() {
+        let place = match options.window {
+            Some(_) => " in the window",
+            None => "",
+        };
+        return Err(Error::Usage(format!(
+            "{name}: no part of the surface was found{place}"
+        )));
+    }
+    Ok(mesh)
+}
+
+/// The mesh in the window, or in a box around the surface that grows while a bounded surface does not fit in.
+pub(super) fn of_surface(
+    surface: &ImplicitSurface,
+    options: &MeshingOptions,
+    work: &Work,
+) -> Result<Mesh> {
+    check_surface(surface, work)?;
+    let found = match options.window {
+        Some(window) => Some((window, false)),
+        None => work.stage("bounds", || mesh_bounds(surface, work.bounds()))?,
+    };
+    let (mut bounds, may_grow) = found.unwrap_or(([[-1.5, 1.5]; 3], false));
+    work.stage("mesh", || {
+        let progress = work.progress("mesh", 1000);
+        let once = |bounds| {
+            let options = MeshOptions {
+                bounds,
+                resolution: options.resolution,
+                angle: options.angle,
+            };
+            mesh_surface(surface, &options, work.bounds(), &|done| progress.set(done))
+        };
+        for _ in 0..GROWTHS {
+            let mesh = once(bounds)?;
+            if !may_grow || mesh.topology().boundary_edges == 0 {
+                return Ok(mesh);
+            }
+            bounds = bounds.map(|[a, b]| {
+                let (middle, half) = (f64::midpoint(a, b), GROWTH * (b - a) / 2.0);
+                [middle - half, middle + half]
+            });
+        }
+        once(bounds)
+    })
+}
+
+/// `resolution` is that of the longest side: so many cells from pole to pole.
+pub(super) fn of_superquadric(
+    shape: &SpaceSuperquadric,
+    resolution: u32,
+    work: &Work,
+) -> Result<Mesh> {
+    let count = resolution.div_ceil(2).max(2) as usize;
+    work.stage("mesh", || {
+        let progress = work.progress("mesh", 1000);
+        mesh_superquadric(shape, count, work.bounds(), &|done| progress.set(done))
+    })
+}
+
+/// The box around a surface that is closed as far as its certified points in many directions tell.
+pub(super) fn closed_bounds(surface: &ImplicitSurface, work: &Work) -> Result<Option<Bounds>> {
+    let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
+    Ok(found.and_then(|(bounds, is_all)| is_all.then_some(bounds)))
+}

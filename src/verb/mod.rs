@@ -1,0 +1,78 @@
+//! What a user can ask, a file per verb: options in, an outcome out.
+//!
+//! Nothing here prints, and no file is touched but those that are handed in. The command line, the tests and every other
+//! program call these functions, so none of them can do what another cannot. A verb takes what is [`Given`], its options,
+//! which all have defaults, and the circumstances of the [`Work`]; what it returns is written by [`crate::document`].
+//!
+//! | verb | function | outcome |
+//! | --- | --- | --- |
+//! | describe | [`describe`] | [`Described`] |
+//! | implicitize | [`implicitize()`] | [`Implicitization`] |
+//! | parametrize | [`parametrize()`] | [`Parametrized`] |
+//! | fit | [`fit()`] | [`crate::fit::Fit`] |
+//! | sample | [`sample()`] | [`Samples`] |
+//! | inspect | [`inspect()`] | [`InspectionTask`], then a verdict for each point |
+//! | mesh | [`mesh()`] | [`crate::mesh::Mesh`] |
+//! | plot | [`plot()`] | SVG, and PNG by [`FigureFormat::bytes`] |
+//! | check | [`check()`], [`check_doubles`] | [`CheckTask`], then [`crate::check::Comparison`] |
+//! | vectors | [`vectors`] | [`crate::check::TestVectors`] |
+//!
+//! ```
+//! use stellate::document::{Format, write_implicitization};
+//! use stellate::language::Numbers;
+//! use stellate::verb::{self, Given, ImplicitizeOptions, Work};
+//!
+//! let given = Given::read("x = sin(t); y = sin(t)*cos(t)", Numbers::Exact)?;
+//! let found = verb::implicitize(given, &ImplicitizeOptions::default(), &Work::default())?;
+//! let mut out = Vec::new();
+//! write_implicitization(&found, Format::Text, &mut out)?;
+//! assert!(String::from_utf8_lossy(&out).ends_with("x^4 - x^2 + y^2 = 0\n"));
+//! # Ok::<(), stellate::error::Error>(())
+//! ```
+
+mod arcs;
+mod check;
+mod check_chart;
+mod describe;
+mod equation;
+mod fact;
+mod fit;
+mod given;
+mod implicitize;
+mod inspect;
+mod inspect_plot;
+mod mesh;
+mod options;
+mod parametrize;
+mod plot;
+mod plot_space;
+mod remark;
+mod rows;
+mod sample;
+mod work;
+
+pub use arcs::ArcSearch;
+pub use check::{
+    CheckOptions, CheckTask, FloatKind, FloatNumbers, MAX_VECTOR_DIRECTIONS, VectorOptions, check,
+    check_doubles, vectors,
+};
+pub use check_chart::{digits_chart, ladder_chart};
+pub use describe::{DescribeOptions, Described, DescribedForm, describe};
+pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
+pub use fit::fit;
+pub use given::{Content, Given, read_limited};
+pub use implicitize::{
+    CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions, Scale, implicitize,
+};
+pub use inspect::{InspectionOptions, InspectionTask, Subject, inspect};
+pub use mesh::{MeshingOptions, mesh};
+pub use parametrize::{InDirection, OnMeridian, ParametrizeOptions, Parametrized, parametrize};
+pub use plot::{FigureFormat, Frame, PlotOptions, plot};
+pub use remark::{Part, Remark};
+pub use rows::{AppendPoint, KeptPoint, PointRows, PointSource, ReadingOptions};
+pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};
+use work::Progress;
+pub use work::{DEFAULT_MAX_DEGREE, Missing, Watcher, Work};
+
+/// The sides of a box.
+pub type Bounds = [[f64; 2]; 3];

@@ -1,0 +1,319 @@
+//! Back to r(θ), R(θ, φ), or the coordinates of a curve in space.
+
+use super::arcs::{ArcSearch, arcs_of_others, refuse_arcs};
+use super::equation::{Taken, check_curve, check_surface, through_equation};
+use super::fit::{exact_form, refuse_contour_options};
+use super::options::options;
+use super::{Content, Given, Remark, Work};
+use crate::arcs::IntersectionArcs;
+use crate::error::{Error, Result};
+use crate::fit::FitOptions;
+use crate::implicitize::SquaredForm;
+use crate::limits::Limits;
+use crate::parametrize::{
+    Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, DirectionAnswer,
+    IntersectionParametrization, MeridianBranch, Parametrization, PolarMethod, Radius,
+    SurfaceParametrization, fit_branch, parametrize as parametrize_curve, parametrize_intersection,
+    parametrize_space_superquadric, parametrize_superquadric, parametrize_surface,
+};
+use crate::sample::{Direction, Ray, RaySolver, SpaceDirection};
+use crate::shape::{Form, FourierRadius, ImplicitSurface};
+
+options! {
+    /// How a form is parametrized.
+    ParametrizeOptions {
+        /// How a contour is fitted; of a form that is exact already the number of harmonics and samples and the decimals of
+        /// the Fourier fit of a branch without a closed form.
+        fit: FitOptions = FitOptions::default(),
+        /// The branch to fit a Fourier series to where there is no closed form; by default the outermost.
+        branch: Option<usize> = None,
+        /// Of a surface: the meridians whose exact ranges of φ are asked for; with φ the directions.
+        thetas: Vec<Direction> = Vec::new(),
+        /// Of a surface: what is certain in every direction (θ, φ) is asked for.
+        phis: Vec<Direction> = Vec::new(),
+        /// Of an intersection: how arcs of the components without a parametrization are followed.
+        arcs: ArcSearch = ArcSearch::default(),
+        /// Whether they are followed at all.
+        with_arcs: bool = true,
+    }
+}
+
+/// A form in parameters.
+#[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of these for each form that is parametrized"
+)]
+pub enum Parametrized {
+    /// A plane curve: its branches r(θ).
+    Curve {
+        /// The branches.
+        polar: Parametrization,
+        /// The Fourier fit of a branch without a closed form.
+        fit: Option<BranchFit>,
+    },
+    /// A surface: R(θ, φ).
+    Surface {
+        /// The branches.
+        spherical: SurfaceParametrization,
+        /// The answers on the meridians that were asked for.
+        meridians: Vec<OnMeridian>,
+        /// The answers in the directions that were asked for.
+        directions: Vec<InDirection>,
+    },
+    /// The curve in which surfaces meet.
+    Intersection {
+        /// The curves with a parametrization.
+        found: IntersectionParametrization,
+        /// Certified arcs of the components without one.
+        arcs: Option<IntersectionArcs>,
+    },
+}
+
+/// What is exact on a meridian.
+#[derive(Clone, Debug)]
+pub struct OnMeridian {
+    /// Its angle.
+    pub theta: Direction,
+    /// The ranges of every branch.
+    pub branches: Vec<MeridianBranch>,
+}
+
+/// What is certain in a direction.
+#[derive(Clone, Debug)]
+pub struct InDirection {
+    /// The direction.
+    pub direction: SpaceDirection,
+    /// What the formulas say.
+    pub answer: DirectionAnswer,
+    /// The certified points of every factor.
+    pub rays: Vec<Ray<3>>,
+}
+
+const PARAMETRIZE: Taken = Taken {
+    verb: "parametrize",
+    these: "plane curves, surfaces and intersections of surfaces",
+};
+
+/// The polar or spherical form of a curve or surface (§3 of the paper), or the parametric form of an intersection (Theorem 7).
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, Given, Parametrized, ParametrizeOptions, Work};
+/// let given = Given::read("x^4 - x^2 + y^2 = 0", Numbers::Exact)?;
+/// let found = verb::parametrize(given, &ParametrizeOptions::default(), &Work::default())?;
+/// let Parametrized::Curve { polar, .. } = found else { unreachable!() };
+/// assert_eq!(polar.branches.len(), 1);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of the functions of [`crate::parametrize`]; [`Error::Usage`] for an option that the form does not have.
+pub fn parametrize(
+    given: Given,
+    options: &ParametrizeOptions,
+    work: &Work,
+) -> Result<Parametrized> {
+    // What a fit of a branch (Lemma 6) should be like, for a form that is exact already.
+    let is_exact = matches!(given.content(), Content::Exact(_));
+    let fitted = if is_exact {
+        refuse_contour_options(&options.fit)?;
+        exact_form(given, &FitOptions::default(), work)?
+    } else {
+        exact_form(given, &options.fit, work)?
+    };
+    let form = through_equation(fitted.form, work)?;
+    if let Form::Intersection(surfaces) = &form {
+        return intersection(surfaces, options, work);
+    }
+    refuse_arcs(&options.arcs)?;
+    if let Form::Surface(surface) = &form {
+        return of_surface(surface, options, work);
+    }
+    if let Form::SpaceSuperquadric(shape) = &form {
+        if !options.thetas.is_empty() {
+            return Err(Error::Usage(
+                "--theta and --phi ask where R is real; that of a superquadric is real and positive in every direction".into(),
+            ));
+        }
+        return Ok(Parametrized::Surface {
+            spherical: parametrize_space_superquadric(shape),
+            meridians: Vec::new(),
+            directions: Vec::new(),
+        });
+    }
+    if !options.thetas.is_empty() {
+        return Err(Error::Usage(
+            "--theta and --phi are for surfaces: the ranges of a plane curve are over theta and given in full".into(),
+        ));
+    }
+    let polar = work.stage("parametrize", || match &form {
+        Form::Fourier(radius) => {
+            work.check_degree(2 * radius.harmonics() + 2)?;
+            of_radius(radius, work.bounds())
+        }
+        Form::Curve(curve) => {
+            check_curve(curve, work)?;
+            parametrize_curve(curve, work.bounds())
+        }
+        Form::Superquadric(shape) => Ok(parametrize_superquadric(shape)),
+        _ => Err(PARAMETRIZE.not_this()),
+    })?;
+    let fit = branch_fit(options, is_exact, &polar, work)?;
+    Ok(Parametrized::Curve { polar, fit })
+}
+
+impl Parametrized {
+    /// Whether it can be written as a table of the coefficients of a Fourier series.
+    #[must_use]
+    pub fn is_series(&self) -> bool {
+        match self {
+            Self::Curve { polar, fit } => {
+                let is_series = |b: &Branch| matches!(b.radius, Radius::Fourier(_));
+                polar.branches.first().is_some_and(is_series)
+                    || fit.is_some() && polar.method == PolarMethod::Numeric
+            }
+            Self::Surface { .. } | Self::Intersection { .. } => false,
+        }
+    }
+}
+
+/// Theorem 6: R(θ, φ), and the exact answers on the meridians and in the directions that are asked for.
+fn of_surface(
+    surface: &ImplicitSurface,
+    options: &ParametrizeOptions,
+    work: &Work,
+) -> Result<Parametrized> {
+    let given = [
+        ("--branch", options.branch.is_some()),
+        ("--harmonics", options.fit.harmonics().is_some()),
+        ("--samples", options.fit.samples.is_some()),
+        ("--decimals", options.fit.decimals.is_some()),
+    ];
+    if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
+        return Err(Error::Usage(format!(
+            "{name} belongs to Fourier series of plane radii; this is a surface"
+        )));
+    }
+    check_surface(surface, work)?;
+    let spherical = work.stage("parametrize", || {
+        parametrize_surface(surface, work.bounds())
+    })?;
+    let (thetas, phis) = (&options.thetas, &options.phis);
+    let (meridians, directions) = work.stage("ranges", || -> Result<_> {
+        if phis.is_empty() {
+            let meridians = thetas.iter().map(|theta| {
+                Ok(OnMeridian {
+                    branches: spherical.on_meridian(theta, work.bounds())?,
+                    theta: theta.clone(),
+                })
+            });
+            return Ok((meridians.collect::<Result<_>>()?, Vec::new()));
+        }
+        let pairs = thetas.iter().flat_map(|theta| {
+            let along = phis.iter();
+            along.map(|phi| SpaceDirection::new(theta.clone(), phi.clone()))
+        });
+        let answers = pairs.map(|direction| {
+            let factors = spherical.factors.iter();
+            InDirection {
+                answer: spherical.in_direction(&direction),
+                rays: factors
+                    .map(|f| RaySolver::new(&f.polynomial).solve(&direction))
+                    .collect(),
+                direction,
+            }
+        });
+        Ok((Vec::new(), answers.collect()))
+    })?;
+    Ok(Parametrized::Surface {
+        spherical,
+        meridians,
+        directions,
+    })
+}
+
+/// Theorem 7: the curve where surfaces meet; certified arcs of the components that have no parametrization.
+fn intersection(
+    surfaces: &[ImplicitSurface],
+    options: &ParametrizeOptions,
+    work: &Work,
+) -> Result<Parametrized> {
+    let found = work.stage("parametrize", || {
+        parametrize_intersection(surfaces, work.bounds())
+    })?;
+    let has_arcs = options.with_arcs && surfaces.len() == 2;
+    if found.curves.is_empty() && !has_arcs {
+        let reasons: Vec<&str> = found.others.iter().map(|o| o.reason.as_str()).collect();
+        return Err(Error::Hypothesis {
+            statement: "Theorem 7 with a rational or trigonometric relation",
+            witness: if reasons.is_empty() {
+                "the surfaces do not meet in a curve with a projection".into()
+            } else {
+                reasons.join("; ")
+            },
+        });
+    }
+    let search = &options.arcs;
+    let arcs = if found.others.is_empty() && !found.curves.is_empty() {
+        if search.window.is_some() || search.resolution.is_some() {
+            work.remark(Remark::NoArcsNeeded);
+        }
+        None
+    } else if has_arcs {
+        Some(arcs_of_others(&found, surfaces, search, work)?)
+    } else {
+        work.remark(Remark::ComponentsLeftOut);
+        None
+    };
+    Ok(Parametrized::Intersection { found, arcs })
+}
+
+/// The Fourier fit of a branch without a closed form, if there is one.
+fn branch_fit(
+    options: &ParametrizeOptions,
+    is_exact: bool,
+    polar: &Parametrization,
+    work: &Work,
+) -> Result<Option<BranchFit>> {
+    let fit = &options.fit;
+    let is_root = |b: &Branch| matches!(&b.radius, Radius::Root(root) if !root.is_point());
+    if !polar.branches.iter().any(is_root) {
+        let given = [
+            ("--branch", options.branch.is_some()),
+            ("--harmonics", is_exact && fit.harmonics().is_some()),
+            ("--samples", is_exact && fit.samples.is_some()),
+            ("--decimals", is_exact && fit.decimals.is_some()),
+        ];
+        return match given.iter().find(|(_, given)| *given) {
+            Some((name, _)) => Err(Error::Usage(format!(
+                "{name} is for contours and for branches without a closed form (Lemma 6); the radii of this form are exact"
+            ))),
+            None => Ok(None),
+        };
+    }
+    let options = BranchFitOptions {
+        branch: options.branch,
+        harmonics: fit.harmonics().unwrap_or(DEFAULT_HARMONICS),
+        samples: fit.samples,
+        decimals: fit.decimals,
+    };
+    let fit = work.stage("fit", || fit_branch(polar, &options, work.bounds()))?;
+    match &fit {
+        None => work.remark(Remark::NoFourierFit),
+        Some(fit) if !fit.jumps.is_empty() => work.remark(Remark::Jumps(fit.jumps.len())),
+        Some(_) => {}
+    }
+    Ok(fit)
+}
+
+/// A radius is parametric already; its document lists the branches of its implicit equation.
+fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Parametrization> {
+    let mut curve = parametrize_curve(&SquaredForm::new(radius)?.expand(), limits)?;
+    // Both describe the same points; the one that was given comes first.
+    let is_given = |b: &Branch| matches!(&b.radius, Radius::Fourier(r) if r == radius);
+    if let Some(given) = curve.branches.iter().position(is_given) {
+        curve.branches.swap(0, given);
+    }
+    Ok(curve)
+}

@@ -1,0 +1,329 @@
+//! Forms over each other.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use super::equation::{Taken, check_curve};
+use super::fit::{fit, refuse_fit_options};
+use super::options::options;
+use super::plot_space::{is_in_space, range_of, range_text, scene};
+use super::{Bounds, Content, Given, Remark, Work};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::fit::FitOptions;
+use crate::implicitize::SquaredForm;
+use crate::picture::{
+    Figure, Layer, Window, extent, isolated_origin, png_from_svg, trace_zero_set,
+};
+use crate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, Superquadric};
+
+/// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
+const POINTS_PER_HARMONIC: usize = 40;
+const MIN_POINTS: usize = 1440;
+
+/// Along the larger side of the window.
+pub(super) const CELLS: u32 = 240;
+
+/// Points drawn of a parametric curve.
+const CURVE_POINTS: u32 = 2880;
+
+/// Of each of the two kinds of points of a superquadric.
+const POINTS_PER_QUADRANT: usize = 90;
+
+/// PNG pixels per SVG unit.
+const PNG_SCALE: f32 = 2.0;
+
+/// The format of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FigureFormat {
+    /// Lines and text.
+    Svg,
+    /// Pixels, two for each unit of the SVG.
+    Png,
+}
+
+/// The part of the plane or of space that is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Frame {
+    /// Of the plane.
+    Plane(Window),
+    /// Of space.
+    Space(Bounds),
+}
+
+options! {
+    /// How forms are drawn.
+    PlotOptions {
+        /// How contours are fitted; without a size only their outlines are drawn.
+        fit: FitOptions = FitOptions::default(),
+        /// The part that is shown; by default all that is drawn.
+        window: Option<Frame> = None,
+        /// The parts of parameters that are drawn, by name.
+        ranges: Vec<(String, [f64; 2])> = Vec::new(),
+        /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y.
+        view: [f64; 2] = super::plot_space::VIEW,
+        /// The heading of the figure.
+        title: String = String::new(),
+        /// Cells along the larger side: for tracing implicit curves (240), for surfaces (36), along each parameter of a
+        /// patch (54).
+        cells: Option<u32> = None,
+        /// In space: points to be marked.
+        points: Vec<[f64; 3]> = Vec::new(),
+    }
+}
+
+const PLOT: Taken = Taken {
+    verb: "plot",
+    these: "plane curves here",
+};
+
+/// Draws forms over each other with equal axes, the first one lowest, as SVG; curves and surfaces in space in perspective.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, Given, PlotOptions, Work};
+/// let given = Given::read("x^4 - x^2 + y^2 = 0", Numbers::Exact)?;
+/// let svg = verb::plot(vec![given], &PlotOptions::default(), &Work::default())?;
+/// assert!(svg.starts_with("<svg"));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] where forms of the plane and of space are mixed, or an option does not belong to them.
+pub fn plot(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String> {
+    if forms.iter().any(is_in_space) {
+        refuse_fit_options(&options.fit)?;
+        scene(forms, options, work)
+    } else {
+        plane(forms, options, work)
+    }
+}
+
+/// The figure of forms in the plane.
+fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String> {
+    let window = plane_window(options.window)?;
+    if !options.points.is_empty() {
+        return Err(Error::Usage(
+            "--point X,Y,Z marks a point in space; these forms are in the plane".into(),
+        ));
+    }
+    let is_contour = |given: &Given| matches!(given.content(), Content::Contour(_));
+    if !forms.iter().any(is_contour) {
+        refuse_fit_options(&options.fit)?;
+    }
+    let mut drawing = Drawing::default();
+    for given in forms {
+        drawing.add(given, options, work)?;
+    }
+    let Drawing {
+        layers,
+        curves,
+        seen,
+    } = drawing;
+    let mut figure = Figure {
+        title: options.title.clone(),
+        window: match window {
+            Some(window) => window,
+            None => fitting_window(seen, &curves, work)?,
+        },
+        layers,
+    };
+    let shown = figure.shown_window()?;
+    let cells = options.cells.unwrap_or(CELLS);
+    for (index, curve) in curves {
+        work.stage("trace", || {
+            let _progress = work.progress("tracing", 1);
+            trace(&curve, &shown, cells, &mut figure.layers[index], work)
+        })?;
+    }
+    work.stage("draw", || figure.to_svg())
+}
+
+/// The window of a figure in the plane.
+pub(super) fn plane_window(frame: Option<Frame>) -> Result<Option<Window>> {
+    match frame {
+        None => Ok(None),
+        Some(Frame::Plane(window)) => Ok(Some(window)),
+        Some(Frame::Space(_)) => Err(Error::Usage(
+            "--window: these forms are in the plane; expected X0,X1,Y0,Y1, such as -1,1,-1,1"
+                .into(),
+        )),
+    }
+}
+
+impl FigureFormat {
+    /// What the extension of a file, given by an option, says.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for another extension than svg and png.
+    pub fn of(option: &str, path: &Path) -> Result<Self> {
+        let extension = path.extension().and_then(OsStr::to_str);
+        match extension.map(str::to_ascii_lowercase).as_deref() {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            _ => Err(Error::Usage(format!(
+                "{option} {}: a figure is a .svg or a .png file",
+                path.display()
+            ))),
+        }
+    }
+
+    /// The bytes of the file.
+    ///
+    /// # Errors
+    /// Those of [`png_from_svg`].
+    pub fn bytes(self, svg: String) -> Result<Vec<u8>> {
+        match self {
+            Self::Svg => Ok(svg.into_bytes()),
+            Self::Png => png_from_svg(&svg, PNG_SCALE),
+        }
+    }
+}
+
+/// The layers of a figure in the plane.
+#[derive(Default)]
+struct Drawing {
+    layers: Vec<Layer>,
+    /// Implicit curves are traced when the window is known, each into a layer.
+    curves: Vec<(usize, ImplicitCurve)>,
+    /// What the window must show.
+    seen: Vec<[f64; 2]>,
+}
+
+impl Drawing {
+    /// Adds the layers of a form.
+    fn add(&mut self, given: Given, options: &PlotOptions, work: &Work) -> Result<()> {
+        let name = given.short_name();
+        let before = self.layers.len();
+        match given.into_content() {
+            Content::Contour(contour) => {
+                self.layers
+                    .push(outline(&contour, format!("outline, {name}")));
+                if options.fit.size.is_some() {
+                    let fit = fit(&contour, &options.fit, work)?;
+                    self.layers.push(series(&fit.radius, &name));
+                    let form = SquaredForm::new(&fit.radius)?;
+                    let curve = work.stage("implicitize", || Ok(form.expand()))?;
+                    self.zero_set(curve, &name);
+                }
+            }
+            Content::Exact(Form::PlaneCurve(curve)) => {
+                let range = range_of(curve.parameter(), &options.ranges);
+                self.layers.push(parametric(&curve, &name, range));
+                if let Some([x, y]) = curve.extent(range) {
+                    self.seen.extend([[x[0], y[0]], [x[1], y[1]]]);
+                }
+                return Ok(());
+            }
+            Content::Exact(Form::Fourier(radius)) => self.layers.push(series(&radius, &name)),
+            Content::Exact(Form::Curve(curve)) => {
+                check_curve(&curve, work)?;
+                self.zero_set(curve, &name);
+            }
+            Content::Exact(Form::Superquadric(shape)) => self.layers.push(superquadric(&shape)),
+            Content::Exact(_) => return Err(PLOT.not_this()),
+        }
+        let added = self.layers[before..].iter().flat_map(|layer| &layer.lines);
+        self.seen.extend(added.flatten());
+        Ok(())
+    }
+
+    /// A layer to be traced.
+    fn zero_set(&mut self, curve: ImplicitCurve, name: &str) {
+        let degree = curve.polynomial().degree().unwrap_or(0);
+        self.layers.push(Layer {
+            label: format!("zero set, degree {degree}, {name}"),
+            ..Layer::default()
+        });
+        self.curves.push((self.layers.len() - 1, curve));
+    }
+}
+
+fn outline(contour: &Contour, label: String) -> Layer {
+    let mut line = contour.points().to_vec();
+    line.extend(contour.points().first());
+    Layer {
+        label,
+        lines: vec![line],
+        filled: true,
+        ..Layer::default()
+    }
+}
+
+fn series(radius: &FourierRadius, name: &str) -> Layer {
+    let n = radius.harmonics();
+    let points = radius.polyline((n * POINTS_PER_HARMONIC).max(MIN_POINTS));
+    Layer {
+        label: format!("Fourier radius, N = {n}, {name}"),
+        lines: vec![points],
+        ..Layer::default()
+    }
+}
+
+fn parametric(curve: &PlaneCurve, name: &str, range: Option<[f64; 2]>) -> Layer {
+    let said = range_text(curve.parameter(), range);
+    let said = said.map(|text| format!(", {text}")).unwrap_or_default();
+    Layer {
+        label: format!("parametric curve, {name}{said}"),
+        lines: curve.polylines(range, CURVE_POINTS),
+        ..Layer::default()
+    }
+}
+
+fn superquadric(shape: &Superquadric) -> Layer {
+    Layer {
+        label: format!("superquadric, 2/e = {}", shape.exponent()),
+        lines: vec![shape.polyline(POINTS_PER_QUADRANT)],
+        ..Layer::default()
+    }
+}
+
+/// Around everything that has an extent of its own; else around certified points of the curves.
+pub(super) fn fitting_window(
+    seen: Vec<[f64; 2]>,
+    curves: &[(usize, ImplicitCurve)],
+    work: &Work,
+) -> Result<Window> {
+    let window = match Window::around(seen) {
+        Some(window) => Some(window),
+        None => {
+            let mut points = Vec::new();
+            for (_, curve) in curves {
+                points.extend(extent(curve, work.bounds())?);
+            }
+            Window::around(points)
+        }
+    };
+    if let Some(window) = window.filter(|w| w.size() > 0.0) {
+        return Ok(window.padded(0.06));
+    }
+    work.remark(Remark::NothingToFitTo);
+    Ok(Window {
+        x: [-1.0, 1.0],
+        y: [-1.0, 1.0],
+    })
+}
+
+/// Traces a curve into its layer, in the curve's original coordinates.
+pub(super) fn trace(
+    curve: &ImplicitCurve,
+    window: &Window,
+    cells: u32,
+    layer: &mut Layer,
+    work: &Work,
+) -> Result<()> {
+    let [a, b] = curve.center().each_ref().map(Rational::to_f64);
+    let local = Window {
+        x: window.x.map(|v| v - a),
+        y: window.y.map(|v| v - b),
+    };
+    let lines = trace_zero_set(curve.polynomial(), &local, cells, work.bounds())?;
+    layer.lines = lines
+        .into_iter()
+        .map(|line| line.into_iter().map(|[x, y]| [x + a, y + b]).collect())
+        .collect();
+    if isolated_origin(curve.polynomial()) {
+        layer.points.push([a, b]);
+    }
+    Ok(())
+}

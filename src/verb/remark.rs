@@ -1,0 +1,74 @@
+//! What is said of the work, as data; `document` turns it into sentences.
+
+use crate::exact::Rational;
+use crate::fit::CenterOrigin;
+
+/// Something that the person who waits should know of the work. It is no part of the answer.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Remark {
+    /// A contour is measured from a point that was chosen for it.
+    Center {
+        /// The centre.
+        point: [f64; 2],
+        /// Why this one.
+        origin: CenterOrigin,
+    },
+    /// A contour is not star-shaped about the centre.
+    Hidden {
+        /// The centre.
+        point: [f64; 2],
+        /// The share of the outline's length that the fit cannot see.
+        share: f64,
+    },
+    /// The polynomial of Theorem 2 is a perfect square; its root is taken.
+    PerfectSquare,
+    /// Coordinates are relative to this point.
+    RelativeTo([Rational; 2]),
+    /// A whole line through the origin belongs to the form; it has no rows.
+    WholeLine {
+        /// The nominal angle θ.
+        theta: f64,
+        /// The nominal angle φ, in space.
+        phi: Option<f64>,
+    },
+    /// Arcs were asked for where every component has an exact parametrization.
+    NoArcsNeeded,
+    /// Components without a parametrization are left out.
+    ComponentsLeftOut,
+    /// There is no positive radius without a closed form over the full circle, so no Fourier fit.
+    NoFourierFit,
+    /// The outermost positive radius is fitted, which jumps so often between branches.
+    Jumps(usize),
+    /// So many of all inputs were no doubles and were rounded.
+    Rounded {
+        /// How many.
+        rounded: usize,
+        /// Of how many.
+        total: usize,
+    },
+    /// No points were found to fit a picture to.
+    NothingToFitTo,
+    /// A component of a curve is not drawn, for this reason.
+    NotDrawn(String),
+    /// Points that doubles do not decide are left undecided, because a factor has too many monomials.
+    DoublesAlone,
+}
+
+/// A part of an answer that a limit may cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Part {
+    /// The factors over Q.
+    Factors,
+    /// What the real zero set has beyond a curve, and the real tracing index.
+    BeyondCurve,
+    /// A point of the zero set beyond a patch.
+    BeyondPatch,
+    /// Eq. (1) of Theorem 1 and its factors.
+    PolarPlane,
+    /// Eqs. (10) and (11) of Theorem 3 and their factors.
+    PolarSpaceCurve,
+    /// Eq. (15) of Theorem 4 and its factors.
+    PolarPatch,
+}

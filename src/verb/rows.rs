@@ -1,0 +1,374 @@
+//! The points of an inspection: given one by one, or rows of any number, in bounded memory and in parallel.
+
+use std::io::{BufRead, Write};
+
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSlice;
+
+use super::inspect::InspectionTask;
+use super::options::options;
+use super::{Progress, Work};
+use crate::error::{Error, Invariant, Result};
+use crate::exact::{Rational, double_literal, exact_literal};
+use crate::inspect::{InspectedPoint, Inspection, InspectionSummary};
+use crate::language::Numbers;
+use crate::rows::{RowReader, double, fields, fields_of, row_error};
+
+/// Rows that are in memory at a time.
+const CHUNK: usize = 1 << 15;
+/// Rows that one thread takes at a time.
+const SHARE: usize = 64;
+/// Of so few points the section is shown, too.
+const FEW: usize = 16;
+/// At most so many points are kept.
+const MAX_KEPT: usize = 10_000_000;
+
+/// A point that is kept, as doubles.
+pub type KeptPoint = ([f64; 3], Inspection);
+
+/// Where the points of an inspection come from.
+pub enum PointSource {
+    /// Each a text `x,y` or `x,y,z`.
+    Texts(Vec<String>),
+    /// Rows `x,y` or `x,y,z` of any number; the header is optional.
+    Rows(PointRows),
+}
+
+/// Rows of points, looked at up to the first.
+pub struct PointRows {
+    place: String,
+    size: u64,
+    dimension: usize,
+    reader: Box<dyn BufRead>,
+}
+
+options! {
+    /// How points are read.
+    ReadingOptions {
+        /// How numbers are read.
+        numbers: Numbers = Numbers::Exact,
+        /// Rows that are no points are counted only.
+        skip_bad: bool = false,
+        /// The points are kept for a picture or a cloud.
+        keep: bool = false,
+        /// Of a few points that are given one by one, the ranges of the section are asked for, too.
+        with_ranges: bool = false,
+    }
+}
+
+impl std::fmt::Debug for PointSource {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Texts(texts) => f.debug_tuple("Texts").field(texts).finish(),
+            Self::Rows(rows) => f.debug_tuple("Rows").field(rows).finish(),
+        }
+    }
+}
+
+impl std::fmt::Debug for PointRows {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PointRows")
+            .field("place", &self.place)
+            .field("dimension", &self.dimension)
+            .finish_non_exhaustive()
+    }
+}
+
+impl PointRows {
+    /// Rows from a reader; `place` names it in messages, `size` is about its number of bytes, 0 if that is not known.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if reading fails.
+    pub fn new(mut reader: Box<dyn BufRead>, place: &str, size: u64) -> Result<Self> {
+        let buffer = reader.fill_buf().map_err(|source| Error::Io {
+            path: place.into(),
+            source,
+        })?;
+        let text = String::from_utf8_lossy(buffer);
+        let mut rows = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+        let first = rows.find(|row| !row.is_empty() && !row.starts_with('#'));
+        let is_flat = first.is_some_and(|row| fields(row).count() == 2);
+        Ok(Self {
+            place: place.into(),
+            size,
+            dimension: if is_flat { 2 } else { 3 },
+            reader,
+        })
+    }
+}
+
+impl PointSource {
+    /// The number of coordinates: 2 or 3.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for texts with another number, or not all with the same.
+    pub fn dimension(&self) -> Result<usize> {
+        match self {
+            Self::Texts(points) => {
+                let count = points.first().map_or(3, |text| fields(text).count());
+                let wrong = points
+                    .iter()
+                    .find(|text| fields(text).count() != count || !(2..=3).contains(&count));
+                match wrong {
+                    Some(text) => Err(Error::Usage(format!(
+                        "--point {text}: expected X,Y,Z, such as 0.8,0.6,0, or X,Y for a plane curve, the same for all points"
+                    ))),
+                    None => Ok(count),
+                }
+            }
+            Self::Rows(rows) => Ok(rows.dimension),
+        }
+    }
+
+    /// Whether there are so few that each is looked at closely.
+    #[must_use]
+    pub fn are_few(&self) -> bool {
+        matches!(self, Self::Texts(points) if points.len() <= FEW)
+    }
+
+    /// What the progress is measured against: points, or bytes.
+    fn size(&self) -> u64 {
+        match self {
+            Self::Texts(points) => points.len() as u64,
+            Self::Rows(rows) => rows.size,
+        }
+    }
+}
+
+/// A row with its fields as written.
+struct Row<'a> {
+    fields: [&'a str; 3],
+    dimension: usize,
+    numbers: Numbers,
+    /// Nearest doubles; z is 0 in the plane.
+    near: [f64; 3],
+}
+
+impl<'a> Row<'a> {
+    fn new(text: &'a str, dimension: usize, numbers: Numbers) -> std::result::Result<Self, String> {
+        let expected = columns(dimension);
+        let found = if dimension == 2 {
+            let [x, y] = fields_of(text, expected)?;
+            [x, y, ""]
+        } else {
+            fields_of(text, expected)?
+        };
+        let mut near = [0.0; 3];
+        for (value, field) in near.iter_mut().zip(found).take(dimension) {
+            *value = double(field).map_err(|m| format!("{m}; each row must be {expected}"))?;
+            if may_be_out_of_reach(field, *value) && exact_literal(field).is_err() {
+                return Err(format!(
+                    "{field} has an exponent that is too large to be read exactly"
+                ));
+            }
+        }
+        Ok(Self {
+            fields: found,
+            dimension,
+            numbers,
+            near,
+        })
+    }
+
+    /// The point as written, or as doubles.
+    fn exactly(&self) -> [Rational; 3] {
+        std::array::from_fn(|i| {
+            let read = match self.numbers {
+                _ if i >= self.dimension => return Rational::zero(),
+                Numbers::Exact => exact_literal(self.fields[i]),
+                Numbers::F64 => double_literal(self.fields[i]),
+            };
+            read.invariant("a field that was read as a double is a number")
+        })
+    }
+
+    fn inspected(&'a self, task: &InspectionTask, with_ranges: bool) -> Result<InspectedPoint<'a>> {
+        Ok(InspectedPoint {
+            written: &self.fields[..self.dimension],
+            inspection: task.point_near(self.near, &|| self.exactly()),
+            ranges: if with_ranges {
+                task.ranges(&self.exactly())?
+            } else {
+                None
+            },
+        })
+    }
+}
+
+/// Whether the field of this double may have an exponent that is not read exactly. One of a short text is within the limits if
+/// the double is normal.
+fn may_be_out_of_reach(field: &str, value: f64) -> bool {
+    const SHORT: usize = 100;
+    field.len() > SHORT || !value.is_normal() && field.contains(['e', 'E', 'p', 'P'])
+}
+
+fn columns(dimension: usize) -> &'static str {
+    if dimension == 2 { "x,y" } else { "x,y,z" }
+}
+
+/// How an inspected point is written; whether it is the first of all; where to.
+pub type AppendPoint<'a> =
+    &'a (dyn Fn(&InspectedPoint<'_>, bool, &mut Vec<u8>) -> Result<()> + Sync);
+
+impl InspectionTask {
+    /// Inspects all points and hands over what `append` makes of them, in their order: some thousands are in memory at a time.
+    /// The summary, and the points where they are to be kept.
+    ///
+    /// ```
+    /// use stellate::language::Numbers;
+    /// use stellate::verb::{self, Given, InspectionOptions, PointRows, PointSource, ReadingOptions, Work};
+    /// let work = Work::default();
+    /// let given = Given::read("x^2 + y^2 = 1", Numbers::Exact)?;
+    /// let task = verb::inspect(given, 2, &InspectionOptions::default(), &work)?;
+    /// let rows = PointRows::new(Box::new(&b"x,y\n1,1\n5,0\n"[..]), "points", 0)?;
+    /// let mut out = Vec::new();
+    /// let append: verb::AppendPoint = &|point, _, text| {
+    ///     text.extend(format!("{:?}\n", point.inspection.verdict).bytes());
+    ///     Ok(())
+    /// };
+    /// let reading = ReadingOptions::default();
+    /// let (summary, _) = task.all(PointSource::Rows(rows), &reading, append, &mut out, &work)?;
+    /// assert_eq!((summary.inside, summary.outside), (1, 1));
+    /// assert_eq!(out, b"Inside\nOutside\n");
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Data`] with the row of what is no point, unless such rows are skipped; [`Error::Limit`] for too many points to
+    /// be kept; those of `append` and `out`.
+    pub fn all(
+        &self,
+        points: PointSource,
+        reading: &ReadingOptions,
+        append: AppendPoint<'_>,
+        out: &mut dyn Write,
+        work: &Work,
+    ) -> Result<(InspectionSummary, Vec<KeptPoint>)> {
+        let progress = work.progress("inspecting", points.size());
+        let mut batch = Batch {
+            task: self,
+            dimension: points.dimension()?,
+            with_ranges: reading.with_ranges && points.are_few(),
+            reading,
+            append,
+            work,
+            summary: InspectionSummary::default(),
+            kept: Vec::new(),
+        };
+        match points {
+            PointSource::Texts(points) => {
+                let rows: Vec<(usize, String)> = (1..).zip(points).collect();
+                let wrong = |_, message| Error::Usage(format!("--point: {message}"));
+                batch.chunk(&rows, &wrong, out)?;
+            }
+            PointSource::Rows(rows) => batch.rows(rows, &progress, out)?,
+        }
+        Ok((batch.summary, batch.kept))
+    }
+}
+
+struct Batch<'a> {
+    task: &'a InspectionTask,
+    dimension: usize,
+    with_ranges: bool,
+    reading: &'a ReadingOptions,
+    append: AppendPoint<'a>,
+    work: &'a Work,
+    summary: InspectionSummary,
+    kept: Vec<KeptPoint>,
+}
+
+/// What one thread has found.
+#[derive(Default)]
+struct Share {
+    text: Vec<u8>,
+    summary: InspectionSummary,
+    kept: Vec<KeptPoint>,
+}
+
+/// The error for a row that is no point, from its number and what is wrong.
+type WrongRow<'a> = &'a (dyn Fn(usize, String) -> Error + Sync);
+
+impl Batch<'_> {
+    fn rows(
+        &mut self,
+        source: PointRows,
+        progress: &Progress<'_>,
+        out: &mut dyn Write,
+    ) -> Result<()> {
+        let place = &source.place;
+        let mut rows = RowReader::new(source.reader, place, columns(self.dimension));
+        loop {
+            let mut chunk = Vec::with_capacity(CHUNK);
+            let mut bytes = 0;
+            while chunk.len() < CHUNK
+                && let Some((number, row)) = rows.next_row()?
+            {
+                bytes += row.len() as u64 + 1;
+                chunk.push((number, row.to_owned()));
+            }
+            if chunk.is_empty() {
+                return Ok(());
+            }
+            self.chunk(&chunk, &|row, message| row_error(place, row, message), out)?;
+            progress.add(bytes);
+        }
+    }
+
+    fn chunk(
+        &mut self,
+        rows: &[(usize, String)],
+        wrong: WrongRow<'_>,
+        out: &mut dyn Write,
+    ) -> Result<()> {
+        let before = self.summary.points();
+        let shares = rows.par_chunks(SHARE).enumerate();
+        let shares = shares.map(|(n, rows)| self.share(rows, before + n == 0, wrong));
+        // The first row that is wrong, not the first that is found.
+        let shares: Vec<Result<Share>> = shares.collect();
+        for share in shares {
+            let share = share?;
+            out.write_all(&share.text)?;
+            self.summary.join(&share.summary);
+            if self.reading.keep {
+                if self.kept.len() + share.kept.len() > MAX_KEPT {
+                    return Err(Error::limit(format!(
+                        "{MAX_KEPT} points for --plot and --cloud"
+                    )));
+                }
+                self.kept.extend(share.kept);
+            }
+        }
+        Ok(())
+    }
+
+    fn share(
+        &self,
+        rows: &[(usize, String)],
+        is_first: bool,
+        wrong: WrongRow<'_>,
+    ) -> Result<Share> {
+        let mut share = Share::default();
+        for (number, text) in rows {
+            self.work.bounds().check()?;
+            let row = match Row::new(text, self.dimension, self.reading.numbers) {
+                Ok(row) => row,
+                Err(_) if self.reading.skip_bad => {
+                    share.summary.bad += 1;
+                    continue;
+                }
+                Err(message) => return Err(wrong(*number, message)),
+            };
+            let point = row.inspected(self.task, self.with_ranges)?;
+            // What was cut short is no verdict.
+            self.work.bounds().check()?;
+            let is_first = is_first && share.summary.points() == 0;
+            (self.append)(&point, is_first, &mut share.text)?;
+            share.summary.add(*number, &point.inspection);
+            if self.reading.keep {
+                share.kept.push((row.near, point.inspection));
+            }
+        }
+        Ok(share)
+    }
+}
