@@ -8,6 +8,18 @@
 //! in exact rational arithmetic: doubles enter only when roots are sampled at the very end, and each
 //! sample is then checked against the exact form.
 //!
+//! What the command line can do is a function of [`verb`] each: a form in, an outcome out, which [`document`] writes.
+//!
+//! ```
+//! use stellate::language::Numbers;
+//! use stellate::verb::{self, Given, ImplicitizeOptions, Work};
+//! let given = Given::read("r = 1 + 1/5*cos(t) + 0.1*sin(t)", Numbers::Exact)?;
+//! let found = verb::implicitize(given, &ImplicitizeOptions::default(), &Work::default())?;
+//! # Ok::<(), stellate::error::Error>(())
+//! ```
+//!
+//! The same with the engine itself:
+//!
 //! ```
 //! use stellate::implicitize::SquaredForm;
 //! use stellate::language::{Numbers, parse_form};
@@ -61,9 +73,9 @@
 //!
 //! # From below to above
 //!
-//! [`exact`] numbers, [`rows`] of them → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`] →
-//! [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`inspect`], [`check`] → [`document`], [`picture`] →
-//! [`paper`] → the command line. A file imports only from below it, and [`error`] and [`limits`].
+//! [`exact`] numbers, [`rows`] of them → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`],
+//! [`reading`] → [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`inspect`], [`check`], [`picture`] → [`verb`] →
+//! [`document`] → [`paper`] → the command line. A file imports only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
 //!

@@ -25,7 +25,7 @@ pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
 #[derive(Clone, Debug)]
 pub enum FloatNumbers {
     /// Coefficients, every one a double.
-    Coefficients(Form),
+    Coefficients(Box<Form>),
     /// Points.
     Points(Vec<GivenPoint>),
     /// Radii.
@@ -146,11 +146,11 @@ impl CheckTask {
         Ok(match kind {
             FloatKind::Coefficients => {
                 let start = text.trim_start_matches('\u{feff}').trim_start();
-                FloatNumbers::Coefficients(if start.starts_with('{') {
+                FloatNumbers::Coefficients(Box::new(if start.starts_with('{') {
                     read_document(text, source_name, Numbers::F64)?
                 } else {
                     read_coefficients_csv(text, source_name, Numbers::F64)?
-                })
+                }))
             }
             FloatKind::Points => {
                 let in_space = self.reference.in_space();

@@ -31,10 +31,6 @@ pub struct Described {
 
 /// The kinds of forms that are described.
 #[derive(Clone, Debug)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "there is one of these for each form that is described"
-)]
 pub enum DescribedForm {
     /// A form with one equation.
     Equation(Description),

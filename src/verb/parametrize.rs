@@ -103,7 +103,7 @@ const PARAMETRIZE: Taken = Taken {
 /// let given = Given::read("x^4 - x^2 + y^2 = 0", Numbers::Exact)?;
 /// let found = verb::parametrize(given, &ParametrizeOptions::default(), &Work::default())?;
 /// let Parametrized::Curve { polar, .. } = found else { unreachable!() };
-/// assert_eq!(polar.branches.len(), 1);
+/// assert_eq!(polar.branches.len(), 2); // r of either sign
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///

@@ -1,0 +1,349 @@
+//! What the program does a library user does in one call: every command of the README gives the same bytes either way.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+
+use common::program::run_in;
+use stellate::document::{
+    Format, InspectionWriter, MeshFormat, write_check, write_described, write_fourier,
+    write_implicitization, write_ladder, write_mesh, write_parametrized, write_sampled,
+    write_vectors,
+};
+use stellate::fit::{FitOptions, FitSize};
+use stellate::inspect::Verdict;
+use stellate::language::Numbers;
+use stellate::picture::Window;
+use stellate::sample::Direction;
+use stellate::shape::{Form, ImplicitCurve};
+use stellate::verb::{
+    self, Content, DescribeOptions, FigureFormat, FloatKind, Frame, Given, ImplicitizeMethod,
+    ImplicitizeOptions, InspectionOptions, MeshingOptions, ParametrizeOptions, PlotOptions,
+    PointRows, PointSource, ReadingOptions, SampleOptions, Scale, VectorOptions, Work,
+};
+use tempfile::TempDir;
+
+/// A command, taken apart.
+struct Words {
+    forms: Vec<String>,
+    options: HashMap<String, Vec<String>>,
+}
+
+impl Words {
+    fn new(words: &[String]) -> Self {
+        let (mut forms, mut options) = (Vec::new(), HashMap::<String, Vec<String>>::new());
+        let mut words = words.iter();
+        while let Some(word) = words.next() {
+            let Some(name) = word.strip_prefix('-') else {
+                forms.push(word.clone());
+                continue;
+            };
+            let name = name.trim_start_matches('-');
+            let (name, value) = match name.split_once('=') {
+                Some((name, value)) => (name, value.to_owned()),
+                None if ["positive", "quiet", "self"].contains(&name) => (name, String::new()),
+                None => (name, words.next().unwrap().clone()),
+            };
+            options.entry(name.into()).or_default().push(value);
+        }
+        Self { forms, options }
+    }
+
+    fn all(&self, name: &str) -> &[String] {
+        self.options.get(name).map_or(&[], Vec::as_slice)
+    }
+
+    fn one(&self, name: &str) -> Option<&str> {
+        self.all(name).first().map(String::as_str)
+    }
+
+    fn number<T: std::str::FromStr<Err: std::fmt::Debug>>(&self, name: &str) -> Option<T> {
+        self.one(name).map(|text| text.parse().unwrap())
+    }
+
+    fn doubles<const N: usize>(&self, name: &str) -> Option<[f64; N]> {
+        self.one(name).map(doubles)
+    }
+
+    fn format(&self, default: Format) -> Format {
+        self.number("format").unwrap_or(default)
+    }
+
+    fn fit(&self) -> FitOptions {
+        let size = self.number("harmonics").map(FitSize::Harmonics);
+        let size = size.or(self.number("tolerance").map(FitSize::Tolerance));
+        FitOptions::default()
+            .size(size)
+            .decimals(self.number("decimals"))
+    }
+
+    fn angles(&self, name: &str) -> Vec<Direction> {
+        let angle = |text: &String| match text.strip_suffix("deg") {
+            Some(degrees) => Direction::from_degrees(&degrees.parse().unwrap()),
+            None => Direction::from_radians(text.parse().unwrap()),
+        };
+        self.all(name).iter().map(angle).collect()
+    }
+}
+
+fn doubles<const N: usize>(text: &str) -> [f64; N] {
+    let numbers: Vec<f64> = text.split(',').map(|n| n.parse().unwrap()).collect();
+    numbers.try_into().unwrap()
+}
+
+/// The words of the commands in the README, without `stellate`.
+fn commands() -> Vec<Vec<String>> {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let lines = readme.lines();
+    let commands = lines.filter_map(|line| line.strip_prefix("$ stellate "));
+    commands
+        .map(|command| shell_words::split(command).unwrap())
+        .filter(|words| words[0] != "paper")
+        .collect()
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A folder in which the commands find the files that they name; nothing is written into those.
+fn folder() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    for words in commands() {
+        for word in words.iter().filter(|word| word.contains('/')) {
+            let from = root().join(word);
+            if from.is_file() {
+                let to = folder.path().join(word);
+                fs::create_dir_all(to.parent().unwrap()).unwrap();
+                fs::copy(from, to).unwrap();
+            }
+        }
+    }
+    folder
+}
+
+/// The form of an argument; files are looked for in the folder.
+fn given(folder: &Path, argument: &str) -> Given {
+    let path = folder.join(argument);
+    let argument = if path.is_file() {
+        path.to_str().unwrap()
+    } else {
+        argument
+    };
+    Given::read(argument, Numbers::Exact).unwrap()
+}
+
+/// What the library makes of a command.
+fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
+    let (verb, words) = (words[0].as_str(), Words::new(&words[1..]));
+    let work = Work::default();
+    let first = || given(folder, &words.forms[0]);
+    let (digits, mut out) = (words.number("digits").unwrap_or(16), Vec::new());
+    match verb {
+        "fit" => {
+            let content = first().into_content();
+            let Content::Contour(contour) = content else {
+                panic!("a contour")
+            };
+            let fit = verb::fit(&contour, &words.fit(), &work).unwrap();
+            let format = words.format(Format::Text);
+            write_fourier(&fit.radius, Some(&fit.report()), format, &mut out).unwrap();
+        }
+        "describe" => {
+            let options = DescribeOptions::default().fit(words.fit());
+            let found = verb::describe(first(), &options, &work).unwrap();
+            write_described(&found, digits, words.format(Format::Text), &mut out).unwrap();
+        }
+        "implicitize" => {
+            let polar = words.one("method").map(|_| ImplicitizeMethod::Polar);
+            let mut options = ImplicitizeOptions::default().fit(words.fit()).method(polar);
+            if words.one("scale") == Some("monic") {
+                options = options.scale(Scale::Monic);
+            }
+            let found = verb::implicitize(first(), &options, &work).unwrap();
+            write_implicitization(&found, words.format(Format::Text), &mut out).unwrap();
+        }
+        "parametrize" => {
+            let options = ParametrizeOptions::default()
+                .fit(words.fit())
+                .thetas(words.angles("theta"))
+                .phis(words.angles("phi"));
+            let found = verb::parametrize(first(), &options, &work).unwrap();
+            write_parametrized(&found, digits, words.format(Format::Text), &mut out).unwrap();
+        }
+        "sample" => {
+            let options = SampleOptions::default()
+                .fit(words.fit())
+                .directions(words.number("directions"))
+                .thetas(words.angles("theta"))
+                .phis(words.angles("phi"))
+                .positive(words.one("positive").is_some());
+            let found = verb::sample(first(), &options, &work).unwrap();
+            write_sampled(&found, words.format(Format::Csv), &mut out).unwrap();
+        }
+        "inspect" => inspected(&words, first(), folder, &mut out),
+        "mesh" => {
+            let mesh = verb::mesh(first(), &MeshingOptions::default(), &work).unwrap();
+            let comment = format!("stellate: {}", first().short_name());
+            write_mesh(&mesh, &comment, MeshFormat::Ply, &mut out).unwrap();
+        }
+        "plot" => {
+            let frame = |b: [f64; 6]| Frame::Space([[b[0], b[1]], [b[2], b[3]], [b[4], b[5]]]);
+            let mut options = PlotOptions::default()
+                .fit(words.fit())
+                .window(words.doubles("window").map(frame))
+                .points(words.all("point").iter().map(|p| doubles(p)).collect())
+                .title(words.one("title").unwrap_or("").into());
+            if let Some(view) = words.doubles("view") {
+                options = options.view(view);
+            }
+            let forms = words.forms.iter().map(|form| given(folder, form));
+            let svg = verb::plot(forms.collect(), &options, &work).unwrap();
+            let format = FigureFormat::of("-o", Path::new(words.one("o").unwrap())).unwrap();
+            out = format.bytes(svg).unwrap();
+        }
+        "check" if words.one("self").is_some() => {
+            let options = verb::CheckOptions::default().fit(words.fit());
+            let rungs = verb::check_doubles(first(), &options, &work).unwrap();
+            write_ladder(&rungs, Format::Text, &mut out).unwrap();
+        }
+        "check" => {
+            let options = verb::CheckOptions::default().fit(words.fit());
+            let task = verb::check(first(), &options, &work).unwrap();
+            let name = words.one("coefficients").unwrap();
+            let text = fs::read_to_string(folder.join(name)).unwrap();
+            let numbers = task.read(FloatKind::Coefficients, &text, name).unwrap();
+            let found = task.compare(&numbers, name, &work).unwrap();
+            write_check(&found, words.number("digits"), Format::Text, &mut out).unwrap();
+        }
+        "vectors" => {
+            let directions = words.number("directions").unwrap();
+            let options = VectorOptions::default().directions(directions);
+            let vectors = verb::vectors(first(), &options, &work).unwrap();
+            write_vectors(&vectors, &mut out).unwrap();
+        }
+        other => panic!("no verb of the library: {other}"),
+    }
+    out
+}
+
+fn inspected(words: &Words, given: Given, folder: &Path, out: &mut Vec<u8>) {
+    let work = Work::default();
+    let points = match words.one("points") {
+        Some(name) => {
+            let file = fs::File::open(folder.join(name)).unwrap();
+            let reader = Box::new(std::io::BufReader::new(file));
+            PointSource::Rows(PointRows::new(reader, name, 0).unwrap())
+        }
+        None => PointSource::Texts(words.all("point").to_vec()),
+    };
+    let dimension = points.dimension().unwrap();
+    let options = InspectionOptions::default().tolerance(words.number("tolerance").unwrap());
+    let task = verb::inspect(given, dimension, &options, &work).unwrap();
+    let format = words.format(Format::Csv);
+    let writer = InspectionWriter::new(format, dimension, 16).unwrap();
+    writer.begin(task.tolerance(), out).unwrap();
+    let append: verb::AppendPoint = &|point, is_first, text| writer.point(point, is_first, text);
+    let reading = ReadingOptions::default().with_ranges(format != Format::Csv);
+    let (summary, _) = task.all(points, &reading, append, out, &work).unwrap();
+    writer.end(&summary, out).unwrap();
+}
+
+#[test]
+fn the_library_gives_the_bytes_of_the_program() {
+    let folder = folder();
+    let commands = commands();
+    assert!(commands.len() > 40, "the README has its commands");
+    for words in &commands {
+        let arguments: Vec<&str> = words.iter().map(String::as_str).collect();
+        let run = run_in(folder.path(), &arguments, "");
+        assert!(run.code <= 1, "{words:?}: {}", run.err);
+        let file = arguments.iter().position(|word| *word == "-o");
+        let program = match file {
+            Some(at) => fs::read(folder.path().join(arguments[at + 1])).unwrap(),
+            None => run.out.into_bytes(),
+        };
+        let library = by_library(words, folder.path());
+        assert!(library == program, "{words:?}");
+    }
+}
+
+/// A circle of radius 1 whose polynomial is about (10, 0).
+fn circle_about_ten() -> ImplicitCurve {
+    let text = "# center: 10, 0\nx^2 + y^2 = 1";
+    match stellate::language::parse_form(text, "<form>", Numbers::Exact) {
+        Ok(Form::Curve(curve)) => curve,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_centre_is_lost_nowhere() {
+    let work = Work::default();
+    let curve = circle_about_ten();
+    let options = InspectionOptions::default().tolerance("1/10".parse().unwrap());
+    let task = verb::inspect(Form::Curve(curve.clone()).into(), 2, &options, &work).unwrap();
+    let verdict = |x: &str, y: &str| {
+        let point = [x, y, "0"].map(|q| q.parse().unwrap());
+        let near = stellate::inspect::Inspector::plane(
+            &curve,
+            &stellate::inspect::InspectOptions {
+                tolerance: "1/10".parse().unwrap(),
+                reach: 0.0,
+                digits: 6,
+                cubes: 1000,
+            },
+            &stellate::limits::Limits::none(),
+        );
+        let found = task.point(&point);
+        assert_eq!(near.unwrap().inspect(&point), found);
+        found.verdict
+    };
+    assert_eq!(verdict("11", "0"), Verdict::Inside);
+    assert_eq!(verdict("10.6", "0.8"), Verdict::Inside);
+    assert_eq!(verdict("1", "0"), Verdict::Outside);
+    assert_eq!(verdict("2.3", "0"), Verdict::Outside);
+    // Samples say what they are relative to, and pictures are drawn where the circle is.
+    let sampled = verb::sample(
+        Form::Curve(curve.clone()).into(),
+        &SampleOptions::default().directions(Some(4)),
+        &work,
+    );
+    let verb::SampledPoints::Plane { center, .. } = sampled.unwrap().points else {
+        panic!("a curve in the plane");
+    };
+    assert_eq!(center.map(|c| c.to_string()), ["10", "0"]);
+    let frame = |x: [f64; 2]| Frame::Plane(Window { x, y: [-2.0, 2.0] });
+    let drawn = |x| {
+        let options = PlotOptions::default().window(Some(frame(x)));
+        let given: Given = Form::Curve(curve.clone()).into();
+        verb::plot(vec![given], &options, &work).unwrap().len()
+    };
+    assert!(drawn([8.0, 12.0]) > drawn([-2.0, 2.0]) + 1000);
+}
+
+#[test]
+fn a_coordinate_that_cannot_be_read_exactly_is_refused() {
+    for (point, is_good) in [
+        ("1e-5000,0", true),
+        ("1e-999999999,0", false),
+        ("0e999999999,0", false),
+        ("0x1p-1074,0", true),
+    ] {
+        let run = run_in(
+            Path::new("."),
+            &["inspect", "x + y", "--tolerance", "0.1", "--point", point],
+            "",
+        );
+        assert_eq!(run.code == 0, is_good, "{point}: {}", run.err);
+        assert!(
+            is_good || run.err.contains("exponent"),
+            "{point}: {}",
+            run.err
+        );
+    }
+}
