@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
+use super::flags::{ArcFlags, FitFlags};
 
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 #[derive(Debug, Parser)]
@@ -368,54 +369,6 @@ pub(crate) struct Plot {
     /// In space: a point to be marked; may be repeated
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) point: Vec<String>,
-}
-
-impl Default for FitFlags {
-    fn default() -> Self {
-        Self {
-            harmonics: None,
-            tolerance: None,
-            center: "centroid".into(),
-            samples: None,
-            decimals: None,
-        }
-    }
-}
-
-/// How the curve in which two surfaces meet is followed.
-#[derive(Debug, Args)]
-pub(crate) struct ArcFlags {
-    /// For an intersection: the box in which it is looked for [default: around the smaller surface]
-    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true)]
-    pub(crate) window: Option<String>,
-    /// For an intersection: steps along the longest side of the box, at least [default: 64]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=4096))]
-    pub(crate) resolution: Option<u32>,
-}
-
-/// How a contour becomes a Fourier radius.
-#[derive(Debug, Args)]
-pub(crate) struct FitFlags {
-    /// Number of harmonics N
-    #[arg(long, value_name = "N", conflicts_with = "tolerance")]
-    pub(crate) harmonics: Option<usize>,
-    /// The fewest harmonics with which the largest radial error is at most E
-    #[arg(long, value_name = "E")]
-    pub(crate) tolerance: Option<f64>,
-    /// Where radii are measured from: centroid, or a point X,Y
-    #[arg(
-        long,
-        value_name = "centroid|X,Y",
-        default_value = "centroid",
-        allow_hyphen_values = true
-    )]
-    pub(crate) center: String,
-    /// Number of samples of the radius [default: at least 8N]
-    #[arg(long, value_name = "NS")]
-    pub(crate) samples: Option<usize>,
-    /// Round the centre and the coefficients to D decimals
-    #[arg(long, value_name = "D")]
-    pub(crate) decimals: Option<u32>,
 }
 
 /// The names of the formats, each with what it is.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::arguments::FitFlags;
+use super::flags::FitFlags;
 
 pub(crate) const CHECK_EXAMPLES: &str = "\
 Examples:

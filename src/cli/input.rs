@@ -5,7 +5,7 @@ use stellate::exact::{Rational, exact_literal};
 use stellate::fit::{CenterChoice, FitOptions, FitSize};
 use stellate::verb::{Given, read_limited};
 
-use super::arguments::FitFlags;
+use super::flags::FitFlags;
 use super::session::Session;
 
 /// Reads a FORM argument.

@@ -14,7 +14,8 @@ use stellate::verb::{
     ReadingOptions,
 };
 
-use super::arguments::{FitFlags, Inspect};
+use super::arguments::Inspect;
+use super::flags::FitFlags;
 use super::input;
 use super::numbers::frame;
 use super::output::{check_destination, check_place, write_beside, write_result};

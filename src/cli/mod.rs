@@ -5,6 +5,7 @@ mod check;
 mod check_arguments;
 mod describe;
 mod fit;
+mod flags;
 mod implicitize;
 mod input;
 mod inspect;
@@ -71,7 +72,7 @@ pub(crate) fn main() -> ExitCode {
         Ok(true) => ExitCode::from(ANSWER_IS_NO),
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            session::report(&format!("stellate: {error}"));
+            watch::report(&format!("stellate: {error}"));
             ExitCode::from(match error {
                 Error::Limit { .. } => LIMIT_REACHED,
                 Error::Internal { .. } => CONTRADICTION,

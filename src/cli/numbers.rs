@@ -6,7 +6,7 @@ use stellate::picture::Window;
 use stellate::sample::Direction;
 use stellate::verb::{ArcSearch, Bounds, Frame};
 
-use super::arguments::ArcFlags;
+use super::flags::ArcFlags;
 
 /// N finite numbers with commas between them.
 pub(crate) fn numbers_of<const N: usize>(text: &str) -> Option<[f64; N]> {

@@ -1,6 +1,5 @@
 //! One run of the program: limits, notes, stage times.
 
-use std::io::Write;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -12,7 +11,7 @@ use stellate::limits::Limits;
 use stellate::verb::{Missing, Work};
 
 use super::arguments::{Common, NumberReading};
-use super::watch::Watch;
+use super::watch::{Watch, report};
 
 /// A checkpoint gets this long after the deadline to end the work in good order.
 const GRACE: Duration = Duration::from_millis(200);
@@ -201,11 +200,6 @@ fn watch_deadline(time: Duration, seconds: f64, watch: &Arc<Watch>) {
             std::process::exit(i32::from(super::LIMIT_REACHED));
         }
     });
-}
-
-/// One line on standard error; if that is closed there is nobody to tell.
-pub(crate) fn report(text: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
 /// The peak resident memory of this process in bytes where the system tells (Linux), else null.

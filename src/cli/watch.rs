@@ -1,6 +1,6 @@
 //! What the person at the terminal sees of the work: notes, progress bars, and the times of stages.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -8,8 +8,6 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stellate::document::remark_text;
 use stellate::verb::{Remark, Watcher};
-
-use super::session::report;
 
 /// A progress bar waits this long before it shows itself.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
@@ -120,6 +118,11 @@ impl Watcher for Watch {
     fn limit_reached(&self) {
         self.keep_going();
     }
+}
+
+/// One line on standard error; if that is closed there is nobody to tell.
+pub(crate) fn report(text: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

@@ -7,11 +7,11 @@ use serde_json::Value;
 
 use super::angles::{Range, ranges_text};
 use super::facts::Annotations;
-use super::implicit::polynomial_text;
 use super::json::{parsed, value_of, write_value};
 use super::{Format, Kind, SCHEMA, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::error::Result;
+use crate::notation::polynomial_text;
 use crate::shape::{Form, ImplicitSurface};
 use crate::verb::Fact;
 

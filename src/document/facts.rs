@@ -3,11 +3,10 @@
 use serde_json::{Value, json};
 
 use super::Coordinates;
-use super::implicit::polynomial_text;
 use super::remark::part_text;
 use crate::exact::Rational;
 use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface};
-use crate::notation::Format;
+use crate::notation::{Format, polynomial_text};
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;
 use crate::verb::{BeyondCurve, Fact, PolarTheorem, Reach};

@@ -8,14 +8,8 @@ use super::{Format, SCHEMA, center_comment};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::notation::{Notation, Number, append_word, write_in_order};
-use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 use crate::verb::Fact;
-
-/// A polynomial in x, y, z as the input language has it.
-pub(super) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
-    Notation::Text.polynomial(f)
-}
 
 /// Writes `f(x, y) = 0`, terms in canonical order, and the center if it is not the origin.
 ///

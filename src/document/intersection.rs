@@ -5,10 +5,10 @@ use std::io::Write;
 use serde_json::json;
 
 use super::facts::Annotations;
-use super::implicit::polynomial_text;
 use super::json::write_value;
 use super::{Format, Kind, SCHEMA, write_surface};
 use crate::error::Result;
+use crate::notation::polynomial_text;
 use crate::shape::ImplicitSurface;
 use crate::verb::Fact;
 

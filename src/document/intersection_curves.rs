@@ -6,11 +6,11 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::arcs::{Arcs, arcs_text};
-use super::implicit::polynomial_text;
 use super::json::write_value;
 use super::{Coordinates, Format, SCHEMA, write_coordinates};
 use crate::arcs::IntersectionArcs;
 use crate::error::Result;
+use crate::notation::polynomial_text;
 use crate::parametrize::IntersectionParametrization;
 
 /// The first curve as in any parametric document, which is what is read back; then all of them.

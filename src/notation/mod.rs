@@ -10,4 +10,4 @@ pub use coordinates::Coordinates;
 pub(crate) use coordinates::NAMES;
 pub use format::Format;
 pub(crate) use in_order::write_in_order;
-pub(crate) use terms::{Notation, Number, append_word};
+pub(crate) use terms::{Notation, Number, append_word, polynomial_text};

@@ -264,3 +264,8 @@ struct Term<'a> {
     coefficient: Number<'a>,
     monomial: Monomial,
 }
+
+/// A polynomial in x, y, z as the input language has it.
+pub(crate) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
+    Notation::Text.polynomial(f)
+}

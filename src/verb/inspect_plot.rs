@@ -2,8 +2,9 @@
 
 use super::inspect::{InspectionTask, Subject};
 use super::mesh::of_surface;
-use super::plot::{CELLS, Frame, fitting_window, plane_window, trace};
-use super::plot_space::{VIEW, box_around, for_pictures, joined, mesh_layer, space_window};
+use super::plot::{CELLS, fitting_window, trace};
+use super::plot_options::{Frame, VIEW, plane_window, space_window};
+use super::plot_space::{box_around, for_pictures, joined, mesh_layer};
 use super::{KeptPoint, Work};
 use crate::arcs::{ArcOptions, CurveArc, trace_intersection};
 use crate::error::{Error, Result};

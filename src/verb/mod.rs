@@ -45,6 +45,7 @@ mod mesh;
 mod options;
 mod parametrize;
 mod plot;
+mod plot_options;
 mod plot_space;
 mod remark;
 mod rows;
@@ -67,7 +68,8 @@ pub use implicitize::{
 pub use inspect::{InspectionOptions, InspectionTask, Subject, inspect};
 pub use mesh::{MeshingOptions, mesh};
 pub use parametrize::{InDirection, OnMeridian, ParametrizeOptions, Parametrized, parametrize};
-pub use plot::{FigureFormat, Frame, PlotOptions, plot};
+pub use plot::plot;
+pub use plot_options::{FigureFormat, Frame, PlotOptions};
 pub use remark::{Part, Remark};
 pub use rows::{AppendPoint, KeptPoint, PointRows, PointSource, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};

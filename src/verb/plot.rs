@@ -1,20 +1,14 @@
 //! Forms over each other.
 
-use std::ffi::OsStr;
-use std::path::Path;
-
 use super::equation::{Taken, check_curve};
 use super::fit::{fit, refuse_fit_options};
-use super::options::options;
-use super::plot_space::{is_in_space, range_of, range_text, scene};
-use super::{Bounds, Content, Given, Remark, Work};
+use super::plot_options::{PlotOptions, plane_window, range_of, range_text};
+use super::plot_space::{is_in_space, scene};
+use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::fit::FitOptions;
 use crate::implicitize::SquaredForm;
-use crate::picture::{
-    Figure, Layer, Window, extent, isolated_origin, png_from_svg, trace_zero_set,
-};
+use crate::picture::{Figure, Layer, Window, extent, isolated_origin, trace_zero_set};
 use crate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, Superquadric};
 
 /// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
@@ -29,48 +23,6 @@ const CURVE_POINTS: u32 = 2880;
 
 /// Of each of the two kinds of points of a superquadric.
 const POINTS_PER_QUADRANT: usize = 90;
-
-/// PNG pixels per SVG unit.
-const PNG_SCALE: f32 = 2.0;
-
-/// The format of a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FigureFormat {
-    /// Lines and text.
-    Svg,
-    /// Pixels, two for each unit of the SVG.
-    Png,
-}
-
-/// The part of the plane or of space that is shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Frame {
-    /// Of the plane.
-    Plane(Window),
-    /// Of space.
-    Space(Bounds),
-}
-
-options! {
-    /// How forms are drawn.
-    PlotOptions {
-        /// How contours are fitted; without a size only their outlines are drawn.
-        fit: FitOptions = FitOptions::default(),
-        /// The part that is shown; by default all that is drawn.
-        window: Option<Frame> = None,
-        /// The parts of parameters that are drawn, by name.
-        ranges: Vec<(String, [f64; 2])> = Vec::new(),
-        /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y.
-        view: [f64; 2] = super::plot_space::VIEW,
-        /// The heading of the figure.
-        title: String = String::new(),
-        /// Cells along the larger side: for tracing implicit curves (240), for surfaces (36), along each parameter of a
-        /// patch (54).
-        cells: Option<u32> = None,
-        /// In space: points to be marked.
-        points: Vec<[f64; 3]> = Vec::new(),
-    }
-}
 
 const PLOT: Taken = Taken {
     verb: "plot",
@@ -137,47 +89,6 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
         })?;
     }
     work.stage("draw", || figure.to_svg())
-}
-
-/// The window of a figure in the plane.
-pub(super) fn plane_window(frame: Option<Frame>) -> Result<Option<Window>> {
-    match frame {
-        None => Ok(None),
-        Some(Frame::Plane(window)) => Ok(Some(window)),
-        Some(Frame::Space(_)) => Err(Error::Usage(
-            "--window: these forms are in the plane; expected X0,X1,Y0,Y1, such as -1,1,-1,1"
-                .into(),
-        )),
-    }
-}
-
-impl FigureFormat {
-    /// What the extension of a file, given by an option, says.
-    ///
-    /// # Errors
-    /// [`Error::Usage`] for another extension than svg and png.
-    pub fn of(option: &str, path: &Path) -> Result<Self> {
-        let extension = path.extension().and_then(OsStr::to_str);
-        match extension.map(str::to_ascii_lowercase).as_deref() {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Error::Usage(format!(
-                "{option} {}: a figure is a .svg or a .png file",
-                path.display()
-            ))),
-        }
-    }
-
-    /// The bytes of the file.
-    ///
-    /// # Errors
-    /// Those of [`png_from_svg`].
-    pub fn bytes(self, svg: String) -> Result<Vec<u8>> {
-        match self {
-            Self::Svg => Ok(svg.into_bytes()),
-            Self::Png => png_from_svg(&svg, PNG_SCALE),
-        }
-    }
 }
 
 /// The layers of a figure in the plane.

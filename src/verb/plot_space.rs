@@ -3,7 +3,7 @@
 use super::arcs::{ArcSearch, arcs_of_others};
 use super::equation::cylinder;
 use super::mesh::{closed_bounds, of_superquadric, of_surface};
-use super::plot::{Frame, PlotOptions};
+use super::plot_options::{PlotOptions, range_of, range_text, space_window};
 use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
 use crate::arcs::CurveArc;
 use crate::error::{Error, Result};
@@ -11,7 +11,7 @@ use crate::mesh::Mesh;
 use crate::notation::{Coordinates, Format};
 use crate::parametrize::parametrize_intersection;
 use crate::picture::{Scene, SpaceLayer};
-use crate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, Parameter, SpaceCurve};
+use crate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, SpaceCurve};
 
 /// Points along a curve, and cells along each parameter of a patch, if nothing else is said.
 const CURVE_POINTS: u32 = 720;
@@ -20,9 +20,6 @@ const PATCH_CELLS: u32 = 54;
 /// Cells along the longest side of the box of an implicit surface, and the angle by which edges may bend.
 const SURFACE_CELLS: u32 = 36;
 const SURFACE_ANGLE: f64 = 30.0;
-
-/// Where the eye is if nothing else is said, in degrees.
-pub(super) const VIEW: [f64; 2] = [30.0, 25.0];
 
 /// Whether a form is drawn in space.
 pub(super) fn is_in_space(given: &Given) -> bool {
@@ -44,18 +41,6 @@ pub(super) fn for_pictures(window: Option<Bounds>, cells: Option<u32>) -> Meshin
         .window(window)
         .resolution(cells.unwrap_or(SURFACE_CELLS))
         .angle(SURFACE_ANGLE)
-}
-
-/// The box of a figure in space.
-pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<Bounds>> {
-    match frame {
-        None => Ok(None),
-        Some(Frame::Space(bounds)) => Ok(Some(bounds)),
-        Some(Frame::Plane(_)) => Err(Error::Usage(
-            "--window: these forms are in space; expected X0,X1,Y0,Y1,Z0,Z1, such as -1,1,-1,1,0,2"
-                .into(),
-        )),
-    }
 }
 
 /// The scene of several forms, as SVG.
@@ -153,17 +138,6 @@ pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Opti
             let b = bounds.unwrap_or(p.map(|v| [v, v]));
             Some([0, 1, 2].map(|k| [b[k][0].min(p[k]), b[k][1].max(p[k])]))
         })
-}
-
-/// The range given for a parameter, if there is one; the last one counts.
-pub(super) fn range_of(parameter: &Parameter, ranges: &[(String, [f64; 2])]) -> Option<[f64; 2]> {
-    let given = ranges.iter().rfind(|(name, _)| name == parameter.name());
-    given.map(|(_, range)| *range)
-}
-
-/// What the legend says of the range of a parameter.
-pub(super) fn range_text(parameter: &Parameter, range: Option<[f64; 2]>) -> Option<String> {
-    range.map(|[a, b]| format!("{} from {a} to {b}", parameter.name()))
 }
 
 fn drawn_of(

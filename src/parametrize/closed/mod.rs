@@ -6,6 +6,7 @@ mod lemma2;
 mod lemma3;
 mod lemma4;
 mod lemma5;
+mod quartic;
 mod quartic_signs;
 
 use malachite::Integer;
@@ -18,7 +19,7 @@ use super::expression::Expression;
 use crate::poly::{BinaryForm, TernaryForm};
 
 pub(super) use forms::{LemmaForm, integer_square_part, squarefree_kernel};
-use lemma5::Index;
+use quartic::Index;
 use quartic_signs::{QuarticRoots, Signs};
 
 /// The formulas for the roots R of `Σ parts[i] R^(n−i) = 0`, n = 1 … 4.
@@ -63,7 +64,7 @@ pub(super) fn discriminant<F: LemmaForm>(parts: &[F]) -> Option<F> {
     match parts {
         [s, p, q] => Some(lemma3::discriminant([s, p, q])),
         [s, p, q, u] => Some(lemma4::discriminant([s, p, q, u])),
-        [s, p, q, u, v] => Some(lemma5::discriminant([s, p, q, u, v])),
+        [s, p, q, u, v] => Some(quartic::discriminant([s, p, q, u, v])),
         _ => None,
     }
 }

@@ -5,7 +5,7 @@ use malachite::base::polynomial::Polynomial;
 
 use super::forms::product;
 use super::lemma4::{rank_sign, sign_of_rank};
-use super::lemma5::{Index, depressed};
+use super::quartic::{Index, depressed};
 use crate::error::Invariant;
 use crate::parametrize::cells::Place;
 use crate::poly::{BinaryForm, Form, IntegerPolynomial, Ring, integer_sign, real_roots};

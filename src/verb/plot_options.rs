@@ -1,0 +1,120 @@
+//! How forms are drawn: the options of pictures, and what they mean.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use super::Bounds;
+use super::options::options;
+use crate::error::{Error, Result};
+use crate::fit::FitOptions;
+use crate::picture::{Window, png_from_svg};
+use crate::shape::Parameter;
+
+/// Where the eye is if nothing else is said, in degrees.
+pub(super) const VIEW: [f64; 2] = [30.0, 25.0];
+
+/// PNG pixels per SVG unit.
+const PNG_SCALE: f32 = 2.0;
+
+/// The format of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FigureFormat {
+    /// Lines and text.
+    Svg,
+    /// Pixels, two for each unit of the SVG.
+    Png,
+}
+
+/// The part of the plane or of space that is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Frame {
+    /// Of the plane.
+    Plane(Window),
+    /// Of space.
+    Space(Bounds),
+}
+
+options! {
+    /// How forms are drawn.
+    PlotOptions {
+        /// How contours are fitted; without a size only their outlines are drawn.
+        fit: FitOptions = FitOptions::default(),
+        /// The part that is shown; by default all that is drawn.
+        window: Option<Frame> = None,
+        /// The parts of parameters that are drawn, by name.
+        ranges: Vec<(String, [f64; 2])> = Vec::new(),
+        /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y.
+        view: [f64; 2] = VIEW,
+        /// The heading of the figure.
+        title: String = String::new(),
+        /// Cells along the larger side: for tracing implicit curves (240), for surfaces (36), along each parameter of a
+        /// patch (54).
+        cells: Option<u32> = None,
+        /// In space: points to be marked.
+        points: Vec<[f64; 3]> = Vec::new(),
+    }
+}
+
+/// The window of a figure in the plane.
+pub(super) fn plane_window(frame: Option<Frame>) -> Result<Option<Window>> {
+    match frame {
+        None => Ok(None),
+        Some(Frame::Plane(window)) => Ok(Some(window)),
+        Some(Frame::Space(_)) => Err(Error::Usage(
+            "--window: these forms are in the plane; expected X0,X1,Y0,Y1, such as -1,1,-1,1"
+                .into(),
+        )),
+    }
+}
+
+impl FigureFormat {
+    /// What the extension of a file, given by an option, says.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for another extension than svg and png.
+    pub fn of(option: &str, path: &Path) -> Result<Self> {
+        let extension = path.extension().and_then(OsStr::to_str);
+        match extension.map(str::to_ascii_lowercase).as_deref() {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            _ => Err(Error::Usage(format!(
+                "{option} {}: a figure is a .svg or a .png file",
+                path.display()
+            ))),
+        }
+    }
+
+    /// The bytes of the file.
+    ///
+    /// # Errors
+    /// Those of [`png_from_svg`].
+    pub fn bytes(self, svg: String) -> Result<Vec<u8>> {
+        match self {
+            Self::Svg => Ok(svg.into_bytes()),
+            Self::Png => png_from_svg(&svg, PNG_SCALE),
+        }
+    }
+}
+
+/// The box of a figure in space.
+pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<Bounds>> {
+    match frame {
+        None => Ok(None),
+        Some(Frame::Space(bounds)) => Ok(Some(bounds)),
+        Some(Frame::Plane(_)) => Err(Error::Usage(
+            "--window: these forms are in space; expected X0,X1,Y0,Y1,Z0,Z1, such as -1,1,-1,1,0,2"
+                .into(),
+        )),
+    }
+}
+
+/// The range given for a parameter, if there is one; the last one counts.
+pub(super) fn range_of(parameter: &Parameter, ranges: &[(String, [f64; 2])]) -> Option<[f64; 2]> {
+    let given = ranges.iter().rfind(|(name, _)| name == parameter.name());
+    given.map(|(_, range)| *range)
+}
+
+/// What the legend says of the range of a parameter.
+pub(super) fn range_text(parameter: &Parameter, range: Option<[f64; 2]>) -> Option<String> {
+    range.map(|[a, b]| format!("{} from {a} to {b}", parameter.name()))
+}
