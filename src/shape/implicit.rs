@@ -136,6 +136,7 @@ fn bounds(value: &Rational) -> [f64; 2] {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "bounds are compared bit by bit")]
 mod tests {
     use super::*;
 
