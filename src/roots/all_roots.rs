@@ -18,7 +18,8 @@ use crate::poly::{IntegerPolynomial, sign_at, squarefree_decomposition};
 ///
 /// ```
 /// use std::str::FromStr;
-/// use stellate::poly::{IntegerPolynomial, real_roots};
+/// use stellate::poly::IntegerPolynomial;
+/// use stellate::roots::real_roots;
 /// let f = IntegerPolynomial::from_str("x^5-2*x^3").unwrap(); // x³ (x² − 2)
 /// let roots = real_roots(&f);
 /// let shown: Vec<_> = roots.iter().map(|r| (r.to_f64(), r.multiplicity())).collect();

@@ -6,6 +6,7 @@ mod isolate;
 mod pair;
 mod real_root;
 mod root_sign;
+mod sign_changes;
 
 pub use all_roots::real_roots;
 pub(crate) use all_roots::sort_distinct;

@@ -332,7 +332,8 @@ impl RealRoot {
     ///
     /// ```
     /// use std::str::FromStr;
-    /// use stellate::poly::{IntegerPolynomial, real_roots};
+    /// use stellate::poly::IntegerPolynomial;
+    /// use stellate::roots::real_roots;
     /// let f = IntegerPolynomial::from_str("x^2-2").unwrap();
     /// assert_eq!(real_roots(&f)[1].to_decimal(30), "1.414213562373095048801688724210");
     /// ```

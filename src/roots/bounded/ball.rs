@@ -16,7 +16,7 @@ use std::cell::OnceCell;
 
 use malachite::Integer;
 
-use super::super::isolate::Changes;
+use super::super::sign_changes::Changes;
 use super::bernstein::{BernsteinTable, scaled_to_bernstein};
 use super::fixed::{Fixed, Fraction};
 use super::signed::Signed;

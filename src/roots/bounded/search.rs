@@ -1,6 +1,6 @@
 //! Descartes' rule by halving, in a bounded number of bits.
 
-use super::super::isolate::Changes;
+use super::super::sign_changes::Changes;
 use super::ball::Balls;
 use super::fixed::Fraction;
 
