@@ -11,7 +11,8 @@ use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 use stellate::exact::Rational;
 use stellate::implicitize::SquaredForm;
-use stellate::poly::{IntegerPolynomial, PlanePolynomial, real_roots};
+use stellate::poly::{IntegerPolynomial, PlanePolynomial};
+use stellate::roots::real_roots;
 use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::FourierRadius;
 

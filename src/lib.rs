@@ -73,9 +73,10 @@
 //!
 //! # From below to above
 //!
-//! [`exact`] numbers, [`rows`] of them → [`poly`]nomials → [`factor`] → [`shape`]s → [`implicitize`], [`fit`], [`language`],
-//! [`reading`] → [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] → [`inspect`], [`check`], [`picture`] → [`verb`] →
-//! [`document`] → [`paper`] → the command line. A file imports only from below it, and [`error`] and [`limits`].
+//! Arithmetic modulo primes, fast whole numbers → [`exact`] numbers, [`rows`] of them → [`poly`]nomials → their real [`roots`],
+//! [`factor`]s → [`shape`]s → [`implicitize`], [`fit`], [`language`], [`reading`] → [`parametrize`], [`sample`], [`mesh`],
+//! [`arcs`], [`describe`] → [`inspect`], [`check`], [`picture`] → [`verb`] → [`document`] → [`paper`] → the command line. A file
+//! imports only from below it, and [`error`] and [`limits`].
 //!
 //! # Conventions
 //!
@@ -87,12 +88,13 @@
 //! - θ is in radians from +x towards +y, φ from +z.
 //! - Fourier radii are `a0 + Σ a_n cos nθ + b_n sin nθ`: a0 is the mean, not twice it.
 //! - Ranges of angles lie in [0, 2π] and say at each end whether it belongs to them.
-//! - What is exact is a [`exact::Rational`]; what is certified is a [`poly::RealRoot`] or a
+//! - What is exact is a [`exact::Rational`]; what is certified is a [`roots::RealRoot`] or a
 //!   [`sample::Sample`]; what is approximate is an `f64`, printed after ≈.
 //!
 //! Departures from the paper are marked `DIFFERENCE` with the erratum.
 
 pub mod arcs;
+mod bigint;
 pub mod check;
 pub mod describe;
 pub mod document;
@@ -106,12 +108,14 @@ pub mod inspect;
 pub mod language;
 pub mod limits;
 pub mod mesh;
+mod modular;
 mod notation;
 pub mod paper;
 pub mod parametrize;
 pub mod picture;
 pub mod poly;
 pub mod reading;
+pub mod roots;
 pub mod rows;
 pub mod sample;
 pub mod shape;

@@ -12,7 +12,8 @@ use stellate::parametrize::{
     AngleRange, Branch, BranchFitOptions, Parametrization, PolarMethod, Radius, fit_branch,
     fourier_branches, parametrize,
 };
-use stellate::poly::{BinaryForm, PlanePolynomial, Ring, SparsePolynomial, real_roots};
+use stellate::poly::{BinaryForm, PlanePolynomial, Ring, SparsePolynomial};
+use stellate::roots::real_roots;
 use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::{Form, FourierRadius, ImplicitCurve};
 

@@ -1,7 +1,6 @@
 //! What a check finds: rows, and what they amount to.
 
 use super::deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
-use super::mistakes::Diagnosis;
 use super::scale::Scale;
 use crate::exact::Rational;
 
@@ -52,6 +51,21 @@ pub struct Row {
     pub deviation: Deviation,
     /// Of points.
     pub residual: Option<Residual>,
+}
+
+/// A usual mistake that explains what is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnosis {
+    /// A short name: `a0 halved`.
+    pub name: &'static str,
+    /// What a program with this mistake does, and what would be right.
+    pub explanation: &'static str,
+    /// The mark, in digits, at which faults were counted.
+    pub mark: u32,
+    /// How many numbers miss the mark beside the reference, missing and extra ones included …
+    pub faults: usize,
+    /// … and how many beside what the mistake leads to.
+    pub faults_left: usize,
 }
 
 /// A float program's numbers beside the exact ones.

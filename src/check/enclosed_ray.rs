@@ -11,9 +11,9 @@ use super::nearest::{Offset, nearest_to_zero};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, cosine_and_sine};
 use crate::poly::{
-    BinaryForm, IntegerPolynomial, PlanePolynomial, Ring, constant_sign, shift_by_one,
-    sign_at_rational,
+    BinaryForm, IntegerPolynomial, PlanePolynomial, Ring, shift_by_one, sign_at_rational,
 };
+use crate::roots::constant_sign;
 
 /// The precision that a direction is first enclosed with, in bits …
 const FIRST_BITS: u32 = 192;

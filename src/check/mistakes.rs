@@ -1,6 +1,6 @@
 //! The usual mistakes of programs that convert a radius into a polynomial, each as the exact curve that it leads to.
 
-use super::comparison::Comparison;
+use super::comparison::{Comparison, Diagnosis};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::implicitize::SquaredForm;
@@ -22,21 +22,6 @@ pub(super) struct Mistaken<T> {
     pub(super) explanation: &'static str,
     /// The exact form that such a program computes.
     pub(super) form: T,
-}
-
-/// A usual mistake that explains what is wrong.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Diagnosis {
-    /// A short name: `a0 halved`.
-    pub name: &'static str,
-    /// What a program with this mistake does, and what would be right.
-    pub explanation: &'static str,
-    /// The mark, in digits, at which faults were counted.
-    pub mark: u32,
-    /// How many numbers miss the mark beside the reference, missing and extra ones included …
-    pub faults: usize,
-    /// … and how many beside what the mistake leads to.
-    pub faults_left: usize,
 }
 
 /// The mistakes that explain a comparison far better than the reference does: at the highest of some marks at which

@@ -23,12 +23,11 @@ mod tables;
 mod vectors;
 
 pub use coefficients::compare_coefficients;
-pub use comparison::{Comparison, NOISE_DIGITS, Place, Residual, Row};
+pub use comparison::{Comparison, Diagnosis, NOISE_DIGITS, Place, Residual, Row};
 pub use condition::{RootConditions, coefficient_conditions};
 pub use deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
 pub use float_theorem2::FloatTheorem2;
 pub use ladder::{DigitsKept, Rung, ladder};
-pub use mistakes::Diagnosis;
 pub use points::GivenPoint;
 pub use radii::GivenRadius;
 pub use reference::Reference;

@@ -4,7 +4,8 @@ use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, RealRoot, real_roots, shift_by_one};
+use crate::poly::{IntegerPolynomial, shift_by_one};
+use crate::roots::{RealRoot, real_roots};
 
 /// Bits to which the distance from 1 is enclosed, relatively.
 const DISTANCE_BITS: i64 = 80;

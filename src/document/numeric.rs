@@ -7,7 +7,7 @@ use super::angles::{Angle, Coordinates, Fourier, Range, angle, coordinates, four
 use super::expression::equation_text;
 use super::fourier::expression;
 use crate::parametrize::{BranchFit, Parametrization, Radius, RootBranch, rounded_up};
-use crate::poly::real_roots;
+use crate::roots::real_roots;
 
 /// The equation of the roots of a factor that has no closed form.
 #[derive(Serialize)]

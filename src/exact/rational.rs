@@ -10,7 +10,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::{FromStringBase, ToStringBase};
 use malachite::{Integer, Natural};
 
-use super::decimal::Decimal;
+use crate::bigint::Decimal;
 use crate::error::{Error, Invariant};
 
 /// An exact rational number p/q in lowest terms, q > 0.

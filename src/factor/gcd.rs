@@ -8,7 +8,8 @@ use malachite::base::polynomial::Polynomial;
 use super::terms::{Exponents, Terms};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PrimeField, SplitMix, polynomial_gcd};
+use crate::modular::{PrimeField, SplitMix};
+use crate::poly::{IntegerPolynomial, polynomial_gcd};
 
 /// The prime that quick tests are made with: 2³¹ − 1.
 pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;

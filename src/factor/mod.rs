@@ -10,15 +10,12 @@
 //! and Geddes, Czapor & Labahn, *Algorithms for Computer Algebra*, chapters 7 and 8.
 
 mod gcd;
-mod hensel;
 mod multivariate;
-mod prime_field;
 mod proof;
 mod recombine;
 mod specialize;
 mod split;
 mod terms;
-mod truncated;
 mod univariate;
 
 use std::cmp::Ordering;

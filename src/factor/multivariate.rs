@@ -8,16 +8,15 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
 
 use super::gcd::{QUICK_PRIME, content_in};
-use super::hensel::lift;
 use super::recombine::{Sieve, recombine};
 use super::specialize::{Best, Specialized, specialize};
 use super::terms::{Exponents, Terms};
-use super::truncated::{TruncatedRing, balanced};
 use super::univariate::{fraction, power_above};
 use super::{Irreducibility, Variable, univariate};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PrimeField, SplitMix};
+use crate::modular::{PrimeField, SplitMix, TruncatedRing, balanced, lift};
+use crate::poly::IntegerPolynomial;
 
 /// The irreducible factors of f, squarefree and primitive in v (no factor is free of v), with proofs.
 ///

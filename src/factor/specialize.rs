@@ -9,7 +9,8 @@ use super::univariate::irreducible_factors;
 use super::{Irreducibility, Variable};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PrimeField};
+use crate::modular::PrimeField;
+use crate::poly::IntegerPolynomial;
 
 /// With so few factors two points are compared, otherwise [`POINTS`].
 const FEW_FACTORS: usize = 3;

@@ -7,14 +7,12 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
 use malachite::{Integer, Natural};
 
-use super::hensel::lift;
-use super::prime_field::{distinct_degrees, equal_degree};
 use super::recombine::{Sieve, degrees_of_products, intersect, recombine};
-use super::truncated::{TruncatedRing, balanced};
 use super::{Irreducibility, Variable};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PrimeField, divide_exactly, primitive_part};
+use crate::modular::{PrimeField, TruncatedRing, balanced, distinct_degrees, equal_degree, lift};
+use crate::poly::{IntegerPolynomial, divide_exactly, primitive_part};
 
 /// Primes are tried from here on.
 const FIRST_PRIME: u64 = 13;

@@ -6,7 +6,8 @@ use malachite::base::polynomial::Polynomial;
 
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, SparsePolynomial, real_roots};
+use crate::poly::{IntegerPolynomial, SparsePolynomial};
+use crate::roots::real_roots;
 use crate::shape::{Basis, ImplicitSurface, Patch, quotient_in_harmonics};
 
 /// A point of the zero set that is not on the patch, and why it is not.
@@ -58,7 +59,7 @@ fn point_with(surface: &ImplicitSurface, k: usize, value: &Rational) -> Option<[
             let root = if f == IntegerPolynomial::ZERO {
                 Some(0.0)
             } else {
-                real_roots(&f).first().map(crate::poly::RealRoot::to_f64)
+                real_roots(&f).first().map(crate::roots::RealRoot::to_f64)
             };
             if let Some(root) = root {
                 let mut point = [0.0; 3];

@@ -9,9 +9,9 @@ use rayon::prelude::*;
 use super::symmetric::{Rows, modulo};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
+use crate::modular::{Images, interpolate, inverse_mod, kernel_primes, reduce_integer};
 use crate::poly::{
-    Images, IntegerPolynomial, determinant, interpolate, inverse_mod, kernel_primes,
-    polynomial_gcd, reduce_integer, resultant_mod, squarefree_decomposition,
+    IntegerPolynomial, determinant, polynomial_gcd, resultant_mod, squarefree_decomposition,
 };
 
 /// Products of residues beyond which the work is refused: some tenths of a second.

@@ -9,9 +9,9 @@ use rayon::prelude::*;
 
 use super::residue_expansion::middle_and_low_by_residues;
 use super::summed::SummedHarmonics;
+use crate::bigint::{FlatPolynomial, Machine, Place, binomials, form_bits};
 use crate::error::Invariant;
-use crate::exact::Machine;
-use crate::poly::{BinaryForm, FlatPolynomial, Place, binomials, flat_form, form_bits};
+use crate::poly::{BinaryForm, flat_form};
 
 /// What [`square_away`](super::square_away) says of the sums, which are `unit` times those of the radius: the parts
 /// `unit² ρ^(N+1)`, `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all
@@ -214,7 +214,8 @@ fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poly::{IntegerPolynomial, bounded_integer};
+    use crate::bigint::bounded_integer;
+    use crate::poly::IntegerPolynomial;
     use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 

@@ -3,10 +3,10 @@
 use super::map::RationalMap;
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{
-    SparsePolynomial, SplitMix, gcd_mod, interpolate, inverse_mod, kernel_primes, power_mod,
-    reduce_integer, resultant_mod,
+use crate::modular::{
+    SplitMix, gcd_mod, interpolate, inverse_mod, kernel_primes, power_mod, reduce_integer,
 };
+use crate::poly::{SparsePolynomial, resultant_mod};
 use crate::shape::{Patch, PatchFunction};
 
 /// Random points at which the tangent vectors are looked at.

@@ -8,7 +8,8 @@ use rayon::prelude::*;
 use super::map::{RationalMap, Terms};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{SparsePolynomial, kernel_primes, power_mod, powers_mod, reduce_integer};
+use crate::modular::{kernel_primes, power_mod, powers_mod, reduce_integer};
+use crate::poly::SparsePolynomial;
 use crate::shape::SpaceCurve;
 
 /// Logarithms to the base 2 are rounded after multiplication by this.

@@ -14,9 +14,8 @@ use super::tracing::common_numerator;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{
-    IntegerPolynomial, RationalFunction, RealRoot, SparsePolynomial, polynomial_gcd, real_roots,
-};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, polynomial_gcd};
+use crate::roots::{RealRoot, real_roots};
 use crate::shape::ParametricCurve;
 
 /// What the real zero set has beyond the points of real parameters.

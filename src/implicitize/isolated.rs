@@ -11,7 +11,8 @@ use super::symmetric::{Rows, bezoutian, in_sum_and_product};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction, RealRoot, polynomial_gcd, real_roots};
+use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
+use crate::roots::{RealRoot, real_roots};
 
 /// Bits after the point of the first attempt and of the last one.
 const FIRST_BITS: u64 = 384;

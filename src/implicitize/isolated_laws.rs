@@ -8,7 +8,8 @@ use super::isolated::{IsolatedPoint, isolated};
 use super::tracing::tracing_index_bound;
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd, real_roots};
+use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
+use crate::roots::real_roots;
 
 fn poly(c: &[i64]) -> IntegerPolynomial {
     IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())

@@ -3,10 +3,8 @@
 use malachite::Integer;
 
 use crate::error::Invariant;
-use crate::poly::{
-    IntegerPolynomial, RationalFunction, SparsePolynomial, dot_mod, inverse_mod, powers_mod,
-    reduce_integer,
-};
+use crate::modular::{dot_mod, inverse_mod, powers_mod, reduce_integer};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{ParametricCurve, Patch, PatchFunction};
 
 /// A polynomial in at most two variables with integer coefficients.

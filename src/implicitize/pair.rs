@@ -8,7 +8,8 @@ use super::symmetric::{Rows, modulo};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction, RealRoot};
+use crate::poly::{IntegerPolynomial, RationalFunction};
+use crate::roots::RealRoot;
 
 /// The double points of a curve that is run over once: where these two polynomials in S = s + σ and P = sσ are 0.
 pub(super) struct DoublePoints<'a> {

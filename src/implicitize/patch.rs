@@ -5,7 +5,8 @@ use super::map::RationalMap;
 use super::vanishing::{LARGEST_DEGREE, kernel_modulo, lift, monomials};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{SparsePolynomial, kernel_primes};
+use crate::modular::kernel_primes;
+use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitSurface, Patch};
 
 /// The equation of a parametric surface.

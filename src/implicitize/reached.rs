@@ -10,9 +10,8 @@ use super::symmetric::{Rows, bezoutian, in_both};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{
-    IntegerPolynomial, RationalFunction, RealRoot, divide_exactly, polynomial_gcd, real_roots,
-};
+use crate::poly::{IntegerPolynomial, RationalFunction, divide_exactly, polynomial_gcd};
+use crate::roots::{RealRoot, real_roots};
 
 /// Whether a real parameter, infinity included, has this rational point, exactly: the numerators of x(t) − x and y(t) − y
 /// have a common real root, or both are 0 at infinity.

@@ -6,12 +6,11 @@ use malachite::Integer;
 use pulp::NullaryFnOnce;
 
 use super::summed::SummedHarmonics;
-use crate::error::broken;
-use crate::exact::Machine;
-use crate::poly::{
-    Bases, FlatPolynomial, FormSize, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet,
-    minus, plus, value_of_form, value_of_integers, value_of_rho,
+use crate::bigint::{
+    Bases, FlatPolynomial, FormSize, Lifting, Machine, Quad, Quartet, Residues, Sizes,
+    for_each_quartet, minus, plus, value_of_form, value_of_integers, value_of_rho,
 };
+use crate::error::broken;
 
 /// `ρ^⌊N/2+1⌋ · odd` and the low part, f(1, t); the odd sum is given.
 ///

@@ -5,7 +5,8 @@ use super::tracing::{common_numerator, tracing_index_bound};
 use super::vanishing::{kernel_modulo, lift, monomials};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{Span, SparsePolynomial, kernel_primes};
+use crate::modular::{Span, kernel_primes};
+use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitSurface, SpaceCurve};
 
 /// The equations of a parametric space curve.

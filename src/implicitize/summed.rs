@@ -1,6 +1,6 @@
 //! The sums of a radius over its odd and its even harmonics, as Theorem 2 squares them.
 
-use crate::poly::FlatPolynomial;
+use crate::bigint::FlatPolynomial;
 
 /// The two sums, times one integer, in the basis z^j w^(d−j): homogeneous of degree N where the parity is that of N, else
 /// N − 1.

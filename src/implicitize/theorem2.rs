@@ -5,11 +5,10 @@ use malachite::base::num::basic::traits::One;
 
 use super::expansion::primitive_parts;
 use super::summed::SummedHarmonics;
+use crate::bigint::FlatPolynomial;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::poly::{
-    BinaryForm, FlatPolynomial, PlanePolynomial, Ring, doubled_harmonics, flat_form, harmonic_bits,
-};
+use crate::poly::{BinaryForm, PlanePolynomial, Ring, doubled_harmonics, flat_form, harmonic_bits};
 use crate::shape::{FourierRadius, ImplicitCurve};
 
 /// The three homogeneous parts of `F = top − middle + low`, of degrees 2N+2, 2N+1 and 2N.

@@ -6,9 +6,8 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::greatest_common_divisor;
 use crate::limits::Limits;
-use crate::poly::{
-    IntegerPolynomial, RationalFunction, SparsePolynomial, gcd_mod, kernel_primes, reduce_integer,
-};
+use crate::modular::{gcd_mod, kernel_primes, reduce_integer};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 
 /// Values of the parameter that are tried.
 const TRIES: u64 = 4;

@@ -6,10 +6,8 @@ use super::map::RationalMap;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{
-    Kernel, Reconstruction, SparsePolynomial, SplitMix, kernel, kernel_primes, powers_mod,
-    term_order,
-};
+use crate::modular::{Kernel, Reconstruction, SplitMix, kernel, kernel_primes, powers_mod};
+use crate::poly::{SparsePolynomial, term_order};
 
 /// More rows than columns: each one more makes an accidental kernel 2³¹ times less likely.
 const MORE_ROWS: usize = 8;

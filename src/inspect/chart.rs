@@ -8,7 +8,8 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::parametrize::{AngleRange, ExactAngle, Parametrization, parametrize};
-use crate::poly::{IntegerPolynomial, PlanePolynomial, Ring, SparsePolynomial, real_roots};
+use crate::poly::{IntegerPolynomial, PlanePolynomial, Ring, SparsePolynomial};
+use crate::roots::real_roots;
 use crate::shape::ImplicitCurve;
 
 /// Where a surface meets a sphere, as a plane curve.

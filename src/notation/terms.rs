@@ -8,8 +8,9 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural};
 
 use super::in_order::write_in_order;
+use crate::bigint::append_decimal;
 use crate::error::Result;
-use crate::exact::{Rational, append_decimal};
+use crate::exact::Rational;
 use crate::poly::SparsePolynomial;
 
 /// A coefficient, lent where it can be: it may be long.

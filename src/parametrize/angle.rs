@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 
 use crate::exact::{Rational, arctangent, pi};
-use crate::poly::{IntegerPolynomial, RealRoot};
+use crate::poly::IntegerPolynomial;
+use crate::roots::RealRoot;
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 

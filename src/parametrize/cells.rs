@@ -7,9 +7,9 @@ use malachite::base::polynomial::Polynomial;
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
 use crate::poly::{
-    BinaryForm, IntegerPolynomial, RealRoot, divide_exactly, integer_sign, polynomial_gcd,
-    primitive_part, real_roots,
+    BinaryForm, IntegerPolynomial, divide_exactly, integer_sign, polynomial_gcd, primitive_part,
 };
+use crate::roots::{RealRoot, real_roots};
 
 /// The circle [0, 2π] cut at the zeros of some forms: marks (the cuts, and 0 and 2π) and the open
 /// cells between them, in which no form changes its sign.

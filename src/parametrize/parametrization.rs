@@ -16,7 +16,8 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::limits::Limits;
-use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, real_roots};
+use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial};
+use crate::roots::real_roots;
 use crate::sample::Direction;
 use crate::shape::{FourierRadius, ImplicitCurve, Superquadric};
 

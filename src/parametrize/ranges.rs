@@ -2,7 +2,8 @@
 
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics, real_roots};
+use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics};
+use crate::roots::real_roots;
 use crate::shape::FourierRadius;
 
 /// Where r(θ) > 0, ascending within [0, 2π]: open intervals, closed at 0 and 2π if r > 0 there.

@@ -8,7 +8,8 @@ use malachite::base::polynomial::Polynomial;
 
 use super::angle::ExactAngle;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, RealRoot};
+use crate::poly::IntegerPolynomial;
+use crate::roots::RealRoot;
 
 impl ExactAngle {
     /// A positive number below π/b if the two angles are known to differ by a multiple of π/b, for some b; `None` if they
@@ -146,7 +147,7 @@ fn is_minus_inverse(a: &RealRoot, b: &RealRoot) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poly::real_roots;
+    use crate::roots::real_roots;
     use proptest::prelude::*;
 
     fn poly(c: &[i64]) -> IntegerPolynomial {

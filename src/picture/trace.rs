@@ -16,7 +16,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use crate::error::Result;
 use crate::exact::Dyadic;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PlanePolynomial, numerator_at, real_roots};
+use crate::poly::{IntegerPolynomial, PlanePolynomial, numerator_at};
+use crate::roots::real_roots;
 
 /// An ambiguous cell is halved this often before its crossings are simply joined in its middle.
 const HALVINGS: u32 = 3;

@@ -10,9 +10,7 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::BinaryForm;
-use super::flat::FlatPolynomial;
-use super::limbs::negate;
-use super::mobius::change_of_basis;
+use crate::bigint::{FlatPolynomial, change_of_basis, negate};
 use crate::error::Invariant;
 use crate::exact::Rational;
 

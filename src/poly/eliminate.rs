@@ -7,14 +7,13 @@ use malachite::base::polynomial::Polynomial;
 use malachite::{Integer, Natural};
 use rayon::prelude::*;
 
-use super::kernel::Reconstruction;
-use super::modular::{
-    ABOVE_PRIMES, Images, dot_mod, interpolate, inverse_mod, inverses_mod, power_mod,
-    previous_prime, reduce_integer,
-};
-use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, PrimeField, RationalFunction};
+use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
+use crate::modular::{
+    ABOVE_PRIMES, Images, PrimeField, Reconstruction, dot_mod, interpolate, inverse_mod,
+    inverses_mod, power_mod, previous_prime, reduce_integer,
+};
 
 /// Products of residues beyond which the work is refused: some ten seconds.
 const MAX_WORK: f64 = 3e10;

@@ -5,8 +5,8 @@ use malachite::base::num::arithmetic::traits::{Content, DivExact, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::{MulPowerOfX, Polynomial};
 
-use super::binomials::binomials;
 use super::{IntegerPolynomial, Ring};
+use crate::bigint::binomials;
 use crate::error::Invariant;
 
 /// A homogeneous polynomial `f(x, y) = Σ_k f_k x^(d−k) y^k` with integer coefficients.

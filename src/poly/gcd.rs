@@ -6,8 +6,8 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::{Derivative, Polynomial};
 
 use super::IntegerPolynomial;
-use super::modular::{Images, gcd_mod, mul_mod, previous_prime, reduce_integer};
 use crate::error::Invariant;
+use crate::modular::{Images, gcd_mod, mul_mod, previous_prime, reduce_integer};
 
 /// The first prime tried; the others are found below it.
 const FIRST_PRIME: u64 = (1 << 61) - 1;

@@ -6,12 +6,12 @@ use malachite::{Integer, Natural};
 
 use super::SparsePolynomial;
 use super::eliminate::{as_f64, bits_of, resultant_mod};
-use super::modular::{
-    ABOVE_PRIMES, Images, interpolate, power_mod, previous_prime, reduce_integer,
-};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::modular::{
+    ABOVE_PRIMES, Images, interpolate, power_mod, previous_prime, reduce_integer,
+};
 
 /// Products of residues beyond which the work is refused: some seconds.
 const MAX_WORK: f64 = 3e9;

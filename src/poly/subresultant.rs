@@ -6,11 +6,11 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::IntegerPolynomial;
-use super::modular::{
-    ABOVE_PRIMES, Images, interpolate, inverse_mod, previous_prime, reduce_integer,
-};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
+use crate::modular::{
+    ABOVE_PRIMES, Images, interpolate, inverse_mod, previous_prime, reduce_integer,
+};
 
 /// Products of residues beyond which the work is refused: about a minute.
 const MAX_WORK: f64 = 3e10;

@@ -16,7 +16,7 @@ const LARGEST_DEGREE: usize = 24;
 const MAX_STEPS: usize = 1000;
 
 /// Approximate real roots, possibly none, in no order and with no promise: guesses for
-/// [`crate::poly::RealRoot`] to prove or ignore.
+/// [`crate::roots::RealRoot`] to prove or ignore.
 #[expect(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,

@@ -10,7 +10,7 @@ use malachite::Integer;
 use super::parts::Expansion;
 use super::point::Sample;
 use super::truncated::TruncatedForms;
-use crate::poly::Unproved;
+use crate::roots::Unproved;
 
 /// The number of precisions.
 pub(super) const LEVELS: usize = 6;

@@ -7,7 +7,8 @@ use malachite::base::num::arithmetic::traits::Pow;
 
 use super::{Direction, Ray, RaySolver, Sample, UnitVector};
 use crate::exact::Rational;
-use crate::poly::{Draw, PlanePolynomial};
+use crate::poly::PlanePolynomial;
+use crate::roots::Draw;
 
 impl Draw {
     fn sign(&mut self) -> i64 {

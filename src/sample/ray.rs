@@ -16,7 +16,8 @@ use super::parts::{Expansion, HomogeneousParts};
 use super::point::{Ray, Sample, in_order};
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, RealRoot, real_roots};
+use crate::poly::IntegerPolynomial;
+use crate::roots::{RealRoot, real_roots};
 
 /// A guess from floats is proved to this many bits or not used.
 const GUESS_BITS: i64 = 40;

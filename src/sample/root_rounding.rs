@@ -6,7 +6,7 @@ use malachite::Integer;
 
 use super::wide::Wide;
 use crate::error::Invariant;
-use crate::poly::BoundedRoot;
+use crate::roots::BoundedRoot;
 
 /// Neighbouring doubles that are tried when the guess is not the nearest.
 const TRIES: usize = 4;

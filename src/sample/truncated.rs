@@ -11,7 +11,7 @@ use super::parts::{Basis, ExpandedPart, Expansion};
 use super::point::{Sample, in_order};
 use super::root_rounding::RootRounding;
 use crate::error::Invariant;
-use crate::poly::{
+use crate::roots::{
     BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
     rotations,
 };

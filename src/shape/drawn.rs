@@ -3,7 +3,8 @@
 use super::{Parameter, ParametricCurve, Patch, PatchFunction};
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, real_roots};
+use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
+use crate::roots::real_roots;
 
 /// The part of a parameter that runs through all numbers that must be seen if the form goes to infinity, and
 /// all that is drawn of a patch.

@@ -2,7 +2,8 @@
 
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
-use stellate::poly::{RealRoot, real_roots, squarefree_decomposition};
+use stellate::poly::squarefree_decomposition;
+use stellate::roots::{RealRoot, real_roots};
 
 use super::draw::Draw;
 use super::exact::{

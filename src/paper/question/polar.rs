@@ -11,7 +11,7 @@ use crate::parametrize::{
     fourier_branches, parametrize, parametrize_intersection, parametrize_space_superquadric,
     parametrize_superquadric, parametrize_surface,
 };
-use crate::poly::real_roots;
+use crate::roots::real_roots;
 use crate::shape::Form;
 
 /// Decimals of angles that have no closed form.

@@ -8,7 +8,8 @@ use super::lemma4::{rank_sign, sign_of_rank};
 use super::quartic::{Index, depressed};
 use crate::error::Invariant;
 use crate::parametrize::cells::Place;
-use crate::poly::{BinaryForm, Form, IntegerPolynomial, Ring, integer_sign, real_roots};
+use crate::poly::{BinaryForm, Form, IntegerPolynomial, Ring, integer_sign};
+use crate::roots::real_roots;
 
 /// The forms that decide which roots are real, or their signs in a direction.
 #[derive(Clone, Copy)]
@@ -176,7 +177,7 @@ impl<'a> QuarticRoots<'a> {
         let count = |sign: i8| {
             let those = roots.iter().filter(|r| r.signum() == sign);
             those
-                .map(crate::poly::RealRoot::multiplicity)
+                .map(crate::roots::RealRoot::multiplicity)
                 .sum::<usize>()
         };
         let all = count(1) + count(0) + count(-1);

@@ -7,7 +7,8 @@ use super::{Sector, Tracing};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::parametrize::angle::{AngleRange, ExactAngle};
-use crate::poly::{BinaryForm, IntegerPolynomial, RealRoot, negate_odd, real_roots};
+use crate::poly::{BinaryForm, IntegerPolynomial, negate_odd};
+use crate::roots::{RealRoot, real_roots};
 use crate::sample::Direction;
 use malachite::base::polynomial::Polynomial;
 

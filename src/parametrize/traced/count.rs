@@ -5,7 +5,8 @@ use malachite::base::num::basic::traits::Zero;
 
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RealRoot, Weights, signed_subresultant};
+use crate::poly::{IntegerPolynomial, Weights, signed_subresultant};
+use crate::roots::RealRoot;
 
 /// The distinct roots of P(α, ·), without R = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,7 +97,7 @@ pub(super) fn zero_multiplicity(g: &IntegerPolynomial) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poly::real_roots;
+    use crate::roots::real_roots;
     use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 

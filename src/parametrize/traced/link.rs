@@ -10,7 +10,8 @@ use super::strip::{Strip, range};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RealRoot, Weights, real_roots, squarefree_decomposition};
+use crate::poly::{IntegerPolynomial, Weights, squarefree_decomposition};
+use crate::roots::{RealRoot, real_roots};
 
 /// How often an enclosure is shrunk before several roots that meet at one irrational t, and may as well
 /// only come near each other, are left unconnected. Each time it is 8 bits or more narrower.

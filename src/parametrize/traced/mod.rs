@@ -27,9 +27,10 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
-    BinaryForm, IntegerPolynomial, RealRoot, Weights, divide_exactly, polynomial_gcd,
-    primitive_part, real_roots, signed_subresultant, sort_distinct, squarefree_decomposition,
+    BinaryForm, IntegerPolynomial, Weights, divide_exactly, polynomial_gcd, primitive_part,
+    signed_subresultant, squarefree_decomposition,
 };
+use crate::roots::{RealRoot, real_roots, sort_distinct};
 use crate::sample::Direction;
 
 /// The polynomial in R = r^step whose coefficients are forms: `forms[i]` has degree `lowest + i·step`.

@@ -6,7 +6,8 @@ use malachite::base::polynomial::Polynomial;
 
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, IntegerPolynomial, constant_sign};
+use crate::poly::{BinaryForm, IntegerPolynomial};
+use crate::roots::constant_sign;
 
 /// P(t, R) = Σ a_i(t) R^i, in the chart where directions are (1, t), or (t, 1).
 #[derive(Clone, Debug)]

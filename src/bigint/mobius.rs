@@ -1,0 +1,219 @@
+//! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)`: from harmonics to powers.
+
+use malachite::Integer;
+
+use super::Machine;
+use super::binomials::binomials;
+use super::flat::{FlatPolynomial, OnNumbers};
+use super::form_size::form_bits;
+use super::limbs::{add, negate, shift_left, width_for};
+use super::residues::changed_by_residues;
+
+/// Up to this many coefficients of `bits` bits the n² additions of [`ByShifts`] are faster than two products of halves:
+/// 24 to 66 µs at n = 150 and 134 to 177 µs at 300, where they are compiled for the width, and else 164 to 164 at 250.
+fn shifts_up_to(bits: u64) -> usize {
+    if FlatPolynomial::is_compiled_for(bits) {
+        400
+    } else {
+        200
+    }
+}
+
+/// `h(T) = Σ_j g_j (1+T)^j (1−T)^(d−j)` for d + 1 coefficients g with Σ |g_j| < 2^`bits`; what it returns has room for
+/// integers below 2^[`form_bits`], at least.
+///
+/// With g in halves of k and d + 1 − k coefficients, `h = (1−T)^(d+1−k) h_low + (1+T)^k h_high`: numbers grow by a bit
+/// per degree only as degrees do, so that all levels together cost about twice the topmost, which is two products of
+/// polynomials of half the degree.
+pub(crate) fn change_of_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+    let machine = Machine::this();
+    if residues_are_faster(machine, g.len(), bits) {
+        changed_by_residues(machine, g, bits)
+    } else {
+        by_large_integers(g, bits)
+    }
+}
+
+/// Whether residues modulo primes are faster than products of large integers: 0.5 of their time at 600 coefficients
+/// and 0.3 at 1000, where it is the same time at 6000 bits; above that their steps that are quadratic in the bits count.
+fn residues_are_faster(machine: Machine, len: usize, bits: u64) -> bool {
+    machine.has_fused_products() && (300..100_000).contains(&len) && bits / 6 <= len as u64
+}
+
+fn by_large_integers(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+    changed(g, 0, g.len(), bits, &mut Vec::new())
+}
+
+/// `(1−T)^n` and `(1+T)^n` as large integers, for coefficients of one width.
+struct Powers {
+    exponent: usize,
+    width: usize,
+    minus: Integer,
+    plus: Integer,
+}
+
+impl Powers {
+    fn new(exponent: usize, width: usize) -> Self {
+        let row = binomials(exponent);
+        let mut row = FlatPolynomial::from_integers(row.iter(), exponent as u64 + 1);
+        let plus = row.packed(width);
+        row.coefficients_mut().skip(1).step_by(2).for_each(negate);
+        let minus = row.packed(width);
+        Self {
+            exponent,
+            width,
+            minus,
+            plus,
+        }
+    }
+}
+
+/// Halves of one level differ by one in length, so two entries of a level serve all.
+fn powers(levels: &mut Vec<Powers>, exponent: usize, width: usize) -> usize {
+    let known = |p: &Powers| p.exponent == exponent && p.width == width;
+    levels.iter().position(known).unwrap_or_else(|| {
+        levels.push(Powers::new(exponent, width));
+        levels.len() - 1
+    })
+}
+
+fn changed(
+    g: &FlatPolynomial,
+    start: usize,
+    len: usize,
+    bits: u64,
+    levels: &mut Vec<Powers>,
+) -> FlatPolynomial {
+    let room = form_bits(len - 1, bits);
+    if len <= shifts_up_to(room) {
+        let mut h = g.part(start, 1, len, room);
+        h.run(ByShifts);
+        return h;
+    }
+    let (low_len, width) = (len / 2, width_for(room));
+    let high_len = len - low_len;
+    let low = changed(g, start, low_len, bits, levels).packed(width);
+    let high = changed(g, start + low_len, high_len, bits, levels).packed(width);
+    let (minus, plus) = (
+        powers(levels, high_len, width),
+        powers(levels, low_len, width),
+    );
+    let value = low * &levels[minus].minus + high * &levels[plus].plus;
+    FlatPolynomial::unpacked(value, len, width)
+}
+
+/// The same in place, by (1+T)/(1−T) = −1 + 2/(1−T): two Taylor shifts, n² additions. What of it exceeds the width
+/// comes back into it.
+///
+/// With c(x) = g(x − 1), `h = Σ c_k 2^k (1−T)^(d−k)`. From the coefficients of h backwards, which are those of
+/// `Σ (−1)^(d−j) g_j …`, no sign but (−1)^k remains.
+struct ByShifts;
+
+impl OnNumbers for ByShifts {
+    fn run<C: AsRef<[u64]> + AsMut<[u64]>>(self, g: &mut [C]) {
+        ShiftByOne.run(g);
+        for (k, c) in g.iter_mut().enumerate() {
+            shift_left(c.as_mut(), k as u64);
+        }
+        negate_odd(g);
+        for end in 2..=g.len() {
+            add_neighbours(g[..end].iter_mut().rev());
+        }
+        negate_odd(g);
+    }
+}
+
+/// The Taylor shift f(x + 1) in place: n²/2 additions.
+pub(crate) struct ShiftByOne;
+
+impl OnNumbers for ShiftByOne {
+    fn run<C: AsRef<[u64]> + AsMut<[u64]>>(self, f: &mut [C]) {
+        for start in (0..f.len().saturating_sub(1)).rev() {
+            add_neighbours(f[start..].iter_mut());
+        }
+    }
+}
+
+fn negate_odd<C: AsMut<[u64]>>(g: &mut [C]) {
+    for c in g.iter_mut().skip(1).step_by(2) {
+        negate(c.as_mut());
+    }
+}
+
+/// To each number the next one is added.
+#[inline]
+fn add_neighbours<'a, C: AsRef<[u64]> + AsMut<[u64]> + 'a>(
+    mut numbers: impl Iterator<Item = &'a mut C>,
+) {
+    let Some(mut current) = numbers.next() else {
+        return;
+    };
+    for next in numbers {
+        add(current.as_mut(), next.as_ref());
+        current = next;
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::poly::negate_odd;
+    use crate::poly::{shift_by_minus_one, shift_by_one};
+    use malachite::base::polynomial::Polynomial;
+    use malachite::integer_polynomial::IntegerPolynomial;
+    use proptest::prelude::*;
+
+    /// Of absolute value below 2^size; as large as that allows if it is `extreme`.
+    pub(crate) fn bounded_integer(seed: i64, size: u64, extreme: bool) -> Integer {
+        let most = (Integer::from(1) << size) - Integer::from(1);
+        if extreme {
+            if seed < 0 { -most } else { most }
+        } else {
+            (Integer::from(seed) * most) >> 63u64
+        }
+    }
+
+    /// The slow twin: two Taylor shifts of integers of any size.
+    fn by_taylor_shifts(g: Vec<Integer>) -> IntegerPolynomial {
+        let len = g.len();
+        let zero = Integer::from(0);
+        let mut c =
+            shift_by_minus_one(IntegerPolynomial::from_coefficients_asc(g)).into_coefficients_asc();
+        c.resize(len, zero);
+        for (k, value) in c.iter_mut().enumerate() {
+            *value <<= k as u64;
+        }
+        c.reverse();
+        let h = shift_by_one(IntegerPolynomial::from_coefficients_asc(c));
+        let mut h = h.into_coefficients_asc();
+        negate_odd(&mut h);
+        IntegerPolynomial::from_coefficients_asc(h)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        /// Around every length where the way changes, for every width that has its own code and for larger ones; signs
+        /// that make all of h as large as it can be.
+        #[test]
+        fn the_change_of_basis_is_two_taylor_shifts(
+            len in prop_oneof![1usize..20, 198usize..203, 398usize..403, 798usize..803, 1usize..1200],
+            size in prop_oneof![0u64..4, 50u64..70, 100u64..900],
+            seed in prop::collection::vec(any::<i64>(), 1..500),
+            extreme in any::<bool>(),
+        ) {
+            let coefficient = |k: usize| bounded_integer(seed[k % seed.len()], size, extreme);
+            let g: Vec<Integer> = (0..len).map(coefficient).collect();
+            let bits = size + u64::from(len.ilog2()) + 1;
+            let flat = FlatPolynomial::from_integers(g.iter(), bits);
+            let expected = by_taylor_shifts(g);
+            prop_assert_eq!(by_large_integers(&flat, bits).to_polynomial(), expected.clone());
+            prop_assert_eq!(changed_by_residues(Machine::this(), &flat, bits).to_polynomial(), expected.clone());
+            // With all other instructions, where that does not take long.
+            if len < 60 {
+                for machine in Machine::all() {
+                    prop_assert_eq!(changed_by_residues(machine, &flat, bits).to_polynomial(), expected.clone());
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,502 @@
+//! Balls: numbers of W limbs that carry their errors.
+//!
+//! A ball is a midpoint, which is a [`Fixed`] number, and a radius, which counts ulps of the midpoint. It *holds* every real
+//! number that is at most its radius away from its midpoint. There is one rule: **the result of an operation holds the
+//! exact result for all numbers that its operands hold.** Each operation below says by how much it widens the radius,
+//! and proves it; nothing outside this file turns a rounding into a radius. What is not promised is the smallest ball.
+//!
+//! A radius is a non-negative double, perhaps infinite: then the ball holds every number, and no sign of it is known.
+//! Midpoints must stay inside (−128, 128). Lists keep the sum of their midpoints' sizes at most 64, so that sums, values at
+//! points of [0, 1], Bernstein coefficients and means stay inside.
+//!
+//! The laws are in `ball_laws.rs` and `unit_laws.rs`, one for every rule; they feed it limbs that are all ones, all zeros, one bit, or
+//! cancel.
+
+use std::cell::OnceCell;
+
+use malachite::Integer;
+
+use super::super::sign_changes::Changes;
+use super::bernstein::{BernsteinTable, scaled_to_bernstein};
+use super::fixed::{Fixed, Fraction};
+use super::signed::Signed;
+
+#[cfg(test)]
+#[path = "ball_laws.rs"]
+mod laws;
+#[cfg(test)]
+#[path = "unit_laws.rs"]
+mod unit_laws;
+
+/// **Lemma 1.** Let x be the double that at most 2^12 additions and multiplications of non-negative doubles give, each rounded
+/// to the nearest, without underflow. Then the exact result is at most x · SLACK, also after the product with SLACK is rounded.
+///
+/// Proof. Each rounding changes a non-negative result by a factor of at least 1 − 2^(−53), so the exact result is at most
+/// x (1 − 2^(−53))^(−4097) < x (1 + 2^(−40.9)), and SLACK = 1 + 2^(−40). Law: `sums_of_radii_are_covered`.
+const SLACK: f64 = 1.0 + 4096.0 * f64::EPSILON;
+
+/// Radii from 2^126 on are compared with midpoints by their bits alone.
+const LARGE_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0;
+
+const TWO_TO_64: f64 = 18_446_744_073_709_551_616.0;
+
+/// The sizes of the midpoints of a list add up to at most that.
+const LARGEST_SUM: f64 = 64.0;
+
+/// 2^k, exactly; 2^(−1000) where it is smaller than that, and infinity above 2^1000: never less than 2^k.
+fn power_of_two(k: i64) -> f64 {
+    match k {
+        1001.. => f64::INFINITY,
+        ..-1000 => power_of_two(-1000),
+        _ => f64::from_bits((k + 1023).unsigned_abs() << 52),
+    }
+}
+
+/// The radius of what is shifted down by s bits.
+///
+/// **Lemma 2.** If |x − mid| ≤ rad, then |x 2^(−s) − mid'| ≤ rad 2^(−s) + [s > 0], where mid' is mid · 2^(−s) cut towards 0.
+///
+/// Proof. The shift multiplies the old error by 2^(−s), whatever the sign of s. Only s > 0 cuts bits off, by less than one
+/// ulp. Law: `a_shift_keeps_the_number_inside`.
+fn radius_after_shift(radius: f64, s: i64) -> f64 {
+    if radius == 0.0 {
+        return f64::from(u8::from(s > 0));
+    }
+    (radius * power_of_two(-s) + f64::from(u8::from(s > 0))) * SLACK
+}
+
+/// The radius of the mean of two midpoints.
+///
+/// **Lemma 3.** If |x − a| ≤ r and |y − b| ≤ s, then |(x + y)/2 − m| ≤ (r + s)/2 + 1/2, where m is (a + b)/2 rounded down. The
+/// double that is returned is at least that.
+///
+/// Proof. (a + b)/2 is a multiple of half an ulp, so rounding down loses 0 or 1/2. Of the three roundings of the doubles two
+/// are covered by HALF, and the last one, of the final sum, by HALF for the part that is multiplied and by the other 1/2 of
+/// the 1 that is added. Law: `means_keep_the_numbers_inside`.
+#[inline]
+fn radius_of_mean(r: f64, s: f64) -> f64 {
+    const HALF: f64 = 0.5 * SLACK;
+    (r + s) * HALF + 1.0
+}
+
+/// The sign of all numbers within `radius` of `mid`, `None` if they do not have one, or may not have one.
+///
+/// **Lemma 4.** A sign that is returned is that of every number that is held, none of which is 0.
+///
+/// Proof. |mid| is a whole number of ulps, so it is above the radius if and only if it is above the radius rounded down. A large
+/// radius is below 2^(e + 1) for its exponent e, which is 1024 where it is infinite or not a number, and |mid| is at least
+/// 2^(bits − 1). Law: `a_sign_is_that_of_all_numbers_inside`.
+#[inline]
+fn known_sign<const W: usize>(mid: Fixed<W>, radius: f64) -> Option<i8> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the radius is not negative, fits, and is rounded down"
+    )]
+    let is_larger = if radius < TWO_TO_64 {
+        mid.is_larger_than((radius as u64).into())
+    } else if radius < LARGE_RADIUS {
+        mid.is_larger_than(radius as u128)
+    } else {
+        let exponent = (radius.to_bits() >> 52) as i64 - 1023;
+        mid.bits() - 1 > exponent
+    };
+    is_larger.then_some(if mid.is_negative() { -1 } else { 1 })
+}
+
+/// A number of W limbs with its error.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ball<const W: usize> {
+    mid: Fixed<W>,
+    /// In ulps.
+    radius: f64,
+}
+
+impl<const W: usize> Ball<W> {
+    /// 0, exactly.
+    pub(crate) const ZERO: Self = Self {
+        mid: Fixed::ZERO,
+        radius: 0.0,
+    };
+
+    /// value · 2^(−exponent), which must be in (−128, 128).
+    ///
+    /// **Lemma 5.** The radius is 0 if the bits of the value fit, else 1.
+    ///
+    /// Proof. Bits below the ulp are cut off, which are together less than one. Law: `integers_are_inside`.
+    pub(crate) fn of_integer(value: &Integer, exponent: i64) -> Self {
+        let (mid, is_cut) = Fixed::of_integer(value, exponent);
+        Self {
+            mid,
+            radius: f64::from(u8::from(is_cut)),
+        }
+    }
+
+    /// The sign of all numbers that are held (Lemma 4).
+    pub(crate) fn sign(self) -> Option<i8> {
+        known_sign(self.mid, self.radius)
+    }
+
+    /// About the midpoint.
+    pub(crate) fn to_f64(self) -> f64 {
+        self.mid.to_f64()
+    }
+}
+
+/// A ball times 2^exponent.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ScaledBall<const W: usize> {
+    pub(crate) ball: Ball<W>,
+    pub(crate) exponent: i64,
+}
+
+impl<const W: usize> ScaledBall<W> {
+    /// 0, exactly.
+    pub(crate) const ZERO: Self = Self {
+        ball: Ball::ZERO,
+        exponent: 0,
+    };
+
+    /// An integer, with as many leading bits as there is room for.
+    pub(crate) fn of_integer(value: &Integer) -> Self {
+        let exponent = Fixed::<W>::bits_of(value);
+        Self {
+            ball: Ball::of_integer(value, exponent),
+            exponent,
+        }
+    }
+
+    /// About log₂ |value|; `None` if it may be 0.
+    pub(crate) fn log2(&self) -> Option<i64> {
+        self.ball.sign()?;
+        Some(self.ball.mid.bits() - Fixed::<W>::FRACTION_BITS + self.exponent)
+    }
+}
+
+/// Coefficients c_0, …, c_d of a polynomial on [0, 1], in powers or in the Bernstein basis; the sizes of their midpoints
+/// add up to at most 64 in powers, and each is at most 64 in the Bernstein basis.
+#[derive(Clone, Debug)]
+pub(super) struct Balls<const W: usize> {
+    mids: Vec<Fixed<W>>,
+    radii: Vec<f64>,
+    /// The radii of the Bernstein coefficients, which are those for −y, too.
+    bernstein_radii: OnceCell<Vec<f64>>,
+    /// The radius of a value, at any point and of −y, too.
+    value_radius: OnceCell<f64>,
+}
+
+impl<const W: usize> Balls<W> {
+    /// Numbers, each times 2^(its shift), all times one power of two such that the sum of the sizes of the midpoints is at
+    /// most 64; `None` if all are 0.
+    ///
+    /// **Lemma 6.** The midpoints fit, and each ball holds its number times that power of two.
+    ///
+    /// Proof. After the shift each of the n midpoints is below 2^room, and n 2^room ≤ 64 ([`Fixed::room_for`]). The balls by
+    /// Lemma 2. Law: `aligned_numbers_are_inside`.
+    pub(super) fn aligned(
+        numbers: impl Iterator<Item = (ScaledBall<W>, i64)> + Clone,
+    ) -> Option<Self> {
+        let count = numbers.clone().count();
+        let sizes = numbers
+            .clone()
+            .filter(|(number, _)| !number.ball.mid.is_zero());
+        let largest = sizes.map(|(number, shift)| number.ball.mid.bits() + number.exponent + shift);
+        let top = largest.max()? - Fixed::<W>::FRACTION_BITS - Fixed::<W>::room_for(count);
+        let (mids, radii) = numbers
+            .map(|(number, shift)| {
+                let down = top - number.exponent - shift;
+                let Ball { mid, radius } = number.ball;
+                // What is 0 stays 0, however far it is shifted.
+                let down_mid = if mid.is_zero() { 0 } else { down };
+                (mid.shifted_down(down_mid), radius_after_shift(radius, down))
+            })
+            .unzip();
+        Some(Self::new(mids, radii))
+    }
+
+    fn new(mids: Vec<Fixed<W>>, radii: Vec<f64>) -> Self {
+        debug_assert_eq!(mids.len(), radii.len(), "a radius for each midpoint");
+        Self {
+            mids,
+            radii,
+            bernstein_radii: OnceCell::new(),
+            value_radius: OnceCell::new(),
+        }
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.mids.len()
+    }
+
+    /// The sign of a coefficient (Lemma 4).
+    pub(super) fn sign(&self, k: usize) -> Option<i8> {
+        known_sign(self.mids[k], self.radii[k])
+    }
+
+    /// About the midpoints.
+    pub(super) fn to_doubles(&self) -> Vec<f64> {
+        self.mids.iter().map(|c| c.to_f64()).collect()
+    }
+
+    /// The opposite of every second coefficient, from the one at `first` on: exact.
+    pub(super) fn negate_every_second(&mut self, first: usize) {
+        for c in self.mids.iter_mut().skip(first).step_by(2) {
+            *c = c.negated();
+        }
+    }
+
+    /// How often the signs of the sums c_0, c_0 + c_1, …, c_0 + … + c_d change.
+    ///
+    /// **Lemma 7.** The k-th sum is wrong by at most the sum of the radii so far: sums of midpoints are exact.
+    pub(super) fn changes_of_partial_sums(&self) -> Changes {
+        let (mut sum, mut radius) = (Fixed::ZERO, 0.0);
+        Changes::count(self.mids.iter().zip(&self.radii).map(|(c, own)| {
+            sum = sum.plus(*c);
+            radius += own;
+            known_sign(sum, radius * SLACK)
+        }))
+    }
+
+    /// How often the signs of the coefficients change.
+    pub(super) fn changes(&self) -> Changes {
+        Changes::count((0..self.len()).map(|k| self.sign(k)))
+    }
+
+    /// The radius of a value, at least Σ radii + W n (Lemma 8).
+    pub(super) fn radius_of_a_value(&self) -> f64 {
+        *self.value_radius.get_or_init(|| {
+            let rounding = float(W) * float(self.len());
+            (self.radii.iter().sum::<f64>() + rounding) * SLACK
+        })
+    }
+
+    /// Σ c_i y^i.
+    ///
+    /// **Lemma 8.** Horner's rule with n coefficients is wrong by less than Σ radii + W n ulps for 0 ≤ y < 1.
+    ///
+    /// Proof. One step takes the sum s to s y + c. It multiplies the error of s by y < 1, and adds less than W for the product,
+    /// which is cut, and the radius of c. Law: `values_are_inside`.
+    pub(super) fn value(&self, y: &Fraction<W>) -> Ball<W> {
+        let descending = self.mids.iter().rev();
+        let mid = descending.fold(Fixed::ZERO, |sum, c| sum.times(y).plus(*c));
+        let radius = self.radius_of_a_value();
+        Ball { mid, radius }
+    }
+
+    /// The value as [`Balls::value`] has it, and about the derivative.
+    pub(super) fn value_and_slope(&self, y: &Fraction<W>) -> (Ball<W>, f64) {
+        // The slope may be d times larger than a sum that has just room.
+        let bits = self.len().ilog2() + 1;
+        let (mut mid, mut slope) = (Fixed::ZERO, Fixed::ZERO);
+        for c in self.mids.iter().rev() {
+            slope = slope.times(y).plus(mid.shifted_down(i64::from(bits)));
+            mid = mid.times(y).plus(*c);
+        }
+        let radius = self.radius_of_a_value();
+        (
+            Ball { mid, radius },
+            slope.to_f64() * f64::from(bits).exp2(),
+        )
+    }
+
+    /// The Bernstein coefficients b_k = Σ_{i ≤ k} C(k, i)/C(d, i) c_i of a polynomial that is given in powers.
+    ///
+    /// **Lemma 9.** b_k is wrong by at most Σ_{i ≤ k} C(k, i)/C(d, i) r_i + W + 2, where r_i is the radius of c_i.
+    ///
+    /// Proof. C(d, k) b_k = Σ C(d − i, d − k) c_i is exact for the midpoints, and the r_i make an error that is the same sum
+    /// of them. Its midpoint times 1/C(d, k) is wrong by less than W + 2 ([`scaled_to_bernstein`]). The sums of doubles have
+    /// fewer than 2d roundings one after another, d ≤ 256 (Lemma 1). Law: `bernstein_coefficients_are_inside`.
+    pub(super) fn to_bernstein(&self, table: &BernsteinTable<W>) -> Self {
+        let radii = self.bernstein_radii.get_or_init(|| {
+            let mut sums: Vec<f64> = self.radii.iter().rev().copied().collect();
+            for start in (0..sums.len()).rev() {
+                let rest = &mut sums[start..];
+                for k in 1..rest.len() {
+                    rest[k - 1] += rest[k];
+                }
+            }
+            let rounding = float(W + 2);
+            let sums = sums.into_iter().rev().zip(table.inverses());
+            sums.map(|(sum, inverse)| (sum * inverse + rounding) * SLACK)
+                .collect()
+        });
+        Self::new(scaled_to_bernstein(&self.mids, table), radii.clone())
+    }
+
+    /// The Bernstein coefficients on [0, 1/2] and on [1/2, 1] of a polynomial that is given by those on [0, 1]: De Casteljau's
+    /// means, each wrong by what Lemma 3 says.
+    pub(super) fn halves(self) -> [Self; 2] {
+        let (mut high, mut high_radii) = (self.mids, self.radii);
+        let mut low = Vec::with_capacity(high.len());
+        let mut low_radii = Vec::with_capacity(high.len());
+        for left in (0..high.len()).rev() {
+            low.push(high[0]);
+            low_radii.push(high_radii[0]);
+            for k in 0..left {
+                high[k] = high[k].mean(high[k + 1]);
+            }
+            for k in 0..left {
+                high_radii[k] = radius_of_mean(high_radii[k], high_radii[k + 1]);
+            }
+        }
+        [Self::new(low, low_radii), Self::new(high, high_radii)]
+    }
+}
+
+/// A small count.
+#[expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
+fn float(count: usize) -> f64 {
+    count as f64
+}
+
+/// A number in [−1, 1] with its error: a midpoint in (−1, 1), and a radius in units of 2^(−64W).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnitBall<const W: usize> {
+    mid: Signed<W>,
+    radius: f64,
+}
+
+impl<const W: usize> UnitBall<W> {
+    /// 1: the largest fraction is one unit below.
+    pub(crate) const ONE: Self = Self {
+        mid: Signed::LARGEST,
+        radius: 1.0,
+    };
+
+    /// 0, exactly.
+    const ZERO: Self = Self {
+        mid: Signed::ZERO,
+        radius: 0.0,
+    };
+
+    /// p / q for |p| ≤ |q| ≠ 0.
+    ///
+    /// **Lemma 10.** The quotient is cut by less than one unit, or is ±1 and replaced by the largest fraction. Law:
+    /// `quotients_are_inside`.
+    pub(crate) fn quotient(p: &Integer, q: &Integer) -> Self {
+        Self {
+            mid: Signed::quotient(p, q),
+            radius: 1.0,
+        }
+    }
+
+    /// The product of two numbers in [−1, 1].
+    ///
+    /// **Lemma 11.** It is wrong by at most r + s + W units.
+    ///
+    /// Proof. x y − a b = x (y − b) + b (x − a) with |x| ≤ 1, |b| < 1, and the product of the midpoints is cut by less than
+    /// W. Law: `products_are_inside`.
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        Self {
+            mid: self.mid.times(&other.mid),
+            radius: (self.radius + other.radius + float(W)) * SLACK,
+        }
+    }
+}
+
+/// cos mθ and sin mθ for m = 0, …, `last`, from balls that hold cos θ and sin θ.
+///
+/// **Lemma 12.** Let Z and Y be complex numbers of modulus 1, and z and y computed ones, no farther from them than R and S
+/// units. The computed product of z and y is no farther from Z Y than R + S (1 + R 2^(−64W)) + 3W + 1 units.
+///
+/// Proof. Z Y − z y = Y (Z − z) + z (Y − y), and |z| ≤ 1 + R 2^(−64W). Four products are cut, each by less than W, so either
+/// coordinate is wrong by less than 2W more, and the point by less than 2√2 W < 3W. A coordinate that is at least 1 becomes
+/// the largest fraction, which is no farther from the true one, which is at most 1, than before or than 1 unit; that happens
+/// to one of the two coordinates at most. Law: `rotations_are_inside`.
+pub(crate) fn rotations<const W: usize>(
+    [cos, sin]: [UnitBall<W>; 2],
+    last: usize,
+) -> [Vec<UnitBall<W>>; 2] {
+    let step_radius = (cos.radius + sin.radius) * SLACK;
+    let (mut cosines, mut sines) = (vec![UnitBall::ONE], vec![UnitBall::ZERO]);
+    let (mut c, mut s, mut radius) = (cos.mid, sin.mid, step_radius);
+    for _ in 0..last {
+        cosines.push(UnitBall { mid: c, radius });
+        sines.push(UnitBall { mid: s, radius });
+        (c, s) = (
+            c.times(&cos.mid).plus(&s.times(&sin.mid).negated()),
+            s.times(&cos.mid).plus(&c.times(&sin.mid)),
+        );
+        let longer = 1.0 + radius * power_of_two(-64 * W as i64);
+        radius = (radius + step_radius * longer + float(3 * W + 1)) * SLACK;
+    }
+    [cosines, sines]
+}
+
+/// Values of functions at one point, each in [−1, 1].
+#[derive(Debug)]
+pub(crate) struct UnitBalls<const W: usize> {
+    mids: Vec<Signed<W>>,
+    /// At least the radius of each of them.
+    radius: f64,
+}
+
+impl<const W: usize> FromIterator<UnitBall<W>> for UnitBalls<W> {
+    fn from_iter<I: IntoIterator<Item = UnitBall<W>>>(balls: I) -> Self {
+        let mut radius = 0.0;
+        let mids = balls.into_iter().map(|ball| {
+            radius = f64::max(radius, ball.radius);
+            ball.mid
+        });
+        let mids = mids.collect();
+        Self { mids, radius }
+    }
+}
+
+/// Coefficients of a sum Σ c_i b_i over numbers b_i in [−1, 1]; the sizes of their midpoints add up to at most 64.
+#[derive(Debug)]
+pub(crate) struct Coefficients<const W: usize> {
+    /// Divided by 2^8.
+    mids: Vec<Signed<W>>,
+    /// The sum of the radii.
+    radius: f64,
+}
+
+impl<const W: usize> Coefficients<W> {
+    /// Integers, all divided by the power of two that is returned with them.
+    ///
+    /// **Lemma 13.** The midpoints fit, and each ball holds its quotient: as Lemmas 5 and 6.
+    pub(crate) fn of_integers<'a>(
+        integers: impl Iterator<Item = &'a Integer> + Clone,
+    ) -> (Self, i64) {
+        let bits = integers.clone().map(Fixed::<W>::bits_of);
+        let count = integers.clone().count();
+        let exponent = bits
+            .max()
+            .map_or(0, |bits| bits - Fixed::<W>::room_for(count));
+        // Each radius is 0 or 1, so that their sum is exact.
+        let mut radius = 0.0;
+        let mids = integers.map(|value| {
+            let ball = Ball::of_integer(value, exponent);
+            radius += ball.radius;
+            ball.mid.over_256()
+        });
+        let mids = mids.collect();
+        (Self { mids, radius }, exponent)
+    }
+
+    /// Σ c_i b_i, where b_i is the value at the i-th of `indices`.
+    ///
+    /// **Lemma 14.** If the b_i are wrong by at most R units of 2^(−64W), that is R/256 ulps, the sum of n products is wrong
+    /// by at most 64 R/256 + Σ r_i + W n ulps.
+    ///
+    /// Proof. x y − c b = y (x − c) + c (y − b) with |y| ≤ 1 and Σ |c| ≤ 64, and each product is rounded by less than W ulps.
+    /// Law: `sums_of_products_are_inside`.
+    pub(crate) fn combination(
+        &self,
+        values: &UnitBalls<W>,
+        indices: impl Iterator<Item = usize>,
+    ) -> Ball<W> {
+        let terms = self.mids.iter().zip(indices);
+        let mid = terms.fold(Fixed::ZERO, |sum, (c, i)| {
+            sum.plus_product(c, &values.mids[i])
+        });
+        let rounding = float(W) * float(self.mids.len());
+        let radius = LARGEST_SUM * values.radius / 256.0 + self.radius + rounding;
+        Ball {
+            mid,
+            radius: radius * SLACK,
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Certified real roots in a bounded number of bits.
+//!
+//! The coefficients are cut to balls of W limbs (`ball.rs`), and only signs that hold for all numbers of a ball are used. So what
+//! is found is proved: all real roots, simple, each between two bounds. Where W limbs do not suffice nothing is found, and the
+//! caller takes more or goes to exact arithmetic.
+//!
+//! With x = ±2^s y the axis is four intervals: y in (0, 1) and 1/y in (0, 1) for either sign, s such that the roots have
+//! mean size 1. On each of them Laguerre's rule or Descartes' rule in the Bernstein basis isolates, Newton's method encloses.
+
+mod ball;
+mod bernstein;
+#[cfg(test)]
+mod draw;
+mod fixed;
+#[cfg(test)]
+mod laws;
+mod newton;
+mod search;
+mod signed;
+
+use std::cell::LazyCell;
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::DivRound;
+use malachite::base::rounding_modes::RoundingMode;
+
+use ball::Balls;
+pub(crate) use ball::{Coefficients, ScaledBall, UnitBall, UnitBalls, rotations};
+use bernstein::BernsteinTable;
+#[cfg(test)]
+pub(crate) use draw::Draw;
+use fixed::Fraction;
+use search::Place;
+pub(crate) use search::Unproved;
+
+use crate::error::Invariant;
+use crate::exact::Dyadic;
+use crate::poly::IntegerPolynomial;
+
+/// Beyond this degree the tables of weights and d² are too much.
+const MAX_DEGREE: usize = 256;
+
+/// A simple root ±2^s y or ±2^s / y, with `low` < y < `high`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoundedRoot<const W: usize> {
+    pub(crate) is_negative: bool,
+    pub(crate) is_inverted: bool,
+    /// s.
+    pub(crate) scale: i64,
+    pub(crate) low: Fraction<W>,
+    pub(crate) high: Fraction<W>,
+    /// The sign of the polynomial towards smaller x.
+    sign_below: i8,
+}
+
+/// Relative lengths of enclosures: 58 bits, from which one in 32 cannot be rounded to a double of 53, and mostly there are more.
+pub(crate) const FOR_DOUBLES: f64 = 3.469_446_951_953_614e-18;
+/// The same where an exact root goes on from there: 12 bits.
+const FOR_REFINEMENT: f64 = 2.441_406_25e-4;
+
+/// All real roots of Σ c_i x^i, each enclosed in an interval that is about `longest` times as long, in no order.
+///
+/// Cost: 2d² additions of W limbs and d bits, less where Laguerre's rule decides, d²/2 means of W limbs for every interval
+/// of the search, some 10 d products for a root.
+///
+/// # Errors
+/// If W limbs do not prove that they are all and simple: for one if the first or the last coefficient may be 0.
+pub(crate) fn roots_of<const W: usize>(
+    coefficients: &[ScaledBall<W>],
+    longest: f64,
+) -> Result<Vec<BoundedRoot<W>>, Unproved> {
+    let [first, .., last] = coefficients else {
+        // A constant has no roots, if it is not 0.
+        let is_constant = coefficients.first().is_some_and(|c| c.log2().is_some());
+        return is_constant.then(Vec::new).ok_or(Unproved::Bits);
+    };
+    let degree = coefficients.len() - 1;
+    if degree > MAX_DEGREE {
+        return Err(Unproved::Close);
+    }
+    let log2 = |c: &ScaledBall<W>| c.log2().ok_or(Unproved::Bits);
+    let by = degree as i64;
+    // To the nearest: else roots of size 1 are found as those of size 1/2, which takes d bits more.
+    let scale = (log2(first)? - log2(last)? + by / 2).div_euclid(by);
+    let table = LazyCell::new(|| BernsteinTable::of_degree(degree));
+    let mut roots = Vec::new();
+    for is_inverted in [false, true] {
+        let mut piece = Piece {
+            coefficients,
+            scale,
+            is_negative: false,
+            is_inverted,
+        };
+        let mut polynomial = piece.polynomial();
+        for is_negative in [false, true] {
+            if is_negative {
+                piece.is_negative = true;
+                polynomial.negate_every_second(piece.first_odd());
+            }
+            let places = match search::by_partial_sums(&polynomial)? {
+                Some(places) => places,
+                None => search::isolate(polynomial.to_bernstein(&table))?,
+            };
+            for place in places {
+                let root = piece.enclose(&polynomial, &place, longest);
+                roots.push(root.ok_or(Unproved::Bits)?);
+            }
+        }
+    }
+    Ok(roots)
+}
+
+/// A quarter of the axis: x = ±2^s y or x = ±2^s / y, with 0 < y < 1.
+#[derive(Clone, Copy)]
+struct Piece<'a, const W: usize> {
+    coefficients: &'a [ScaledBall<W>],
+    scale: i64,
+    is_negative: bool,
+    is_inverted: bool,
+}
+
+impl<const W: usize> Piece<'_, W> {
+    /// f as a polynomial in y, times a power of y and a constant.
+    fn polynomial(&self) -> Balls<W> {
+        let scale = self.scale;
+        let scaled = |(i, c): (usize, &ScaledBall<W>)| (*c, scale * i as i64);
+        let terms = self.coefficients.iter().enumerate().map(scaled);
+        let aligned = if self.is_inverted {
+            Balls::aligned(terms.rev())
+        } else {
+            Balls::aligned(terms)
+        };
+        let mut polynomial = aligned.invariant("the first coefficient is not 0");
+        if self.is_negative {
+            polynomial.negate_every_second(self.first_odd());
+        }
+        polynomial
+    }
+
+    /// The index in [`Piece::polynomial`] of the first odd power of x.
+    fn first_odd(&self) -> usize {
+        if self.is_inverted {
+            self.coefficients.len() % 2
+        } else {
+            1
+        }
+    }
+
+    /// The root in `place`; `polynomial` is this piece's.
+    fn enclose(
+        &self,
+        polynomial: &Balls<W>,
+        place: &Place,
+        longest: f64,
+    ) -> Option<BoundedRoot<W>> {
+        let guess = polynomial.guess(place);
+        // Near 0 the high powers would leave their limbs empty: y = 2^(−drop) z, with z between 1/4 and 1.
+        let drop = drop_to_quarter(guess);
+        let bounds = place.bounds().map(|end| end.shifted_up(drop));
+        let guess = Fraction::from_f64(guess * f64::from(drop).exp2());
+        let (low, high, scale) = if drop == 0 {
+            let [low, high] = polynomial.enclose(&guess, bounds, place.sign_low, longest)?;
+            (low, high, self.scale)
+        } else {
+            let drop = i64::from(drop);
+            let sign = if self.is_inverted { 1 } else { -1 };
+            let scale = self.scale + sign * drop;
+            let local = Piece { scale, ..*self }.polynomial();
+            let [low, high] = local.enclose(&guess, bounds, place.sign_low, longest)?;
+            (low, high, scale)
+        };
+        Some(BoundedRoot {
+            is_negative: self.is_negative,
+            is_inverted: self.is_inverted,
+            scale,
+            low,
+            high,
+            // x grows with y, or falls.
+            sign_below: if self.is_negative == self.is_inverted {
+                place.sign_low
+            } else {
+                -place.sign_low
+            },
+        })
+    }
+}
+
+/// The largest k ≥ 0 with 2^k y < 1/2, for a y between 0 and 1.
+fn drop_to_quarter(y: f64) -> u32 {
+    let mut drop = 0;
+    let mut y = 2.0 * y;
+    while y < 0.5 && drop < 1000 {
+        y *= 2.0;
+        drop += 1;
+    }
+    drop
+}
+
+/// All real roots of f, as (low, high, sign of f at low) with one simple root between, f ≠ 0 at both and the intervals
+/// disjoint, short as W limbs tell, at most 2^−11 of its size; in no order.
+///
+/// # Errors
+/// If W limbs do not prove that.
+pub(crate) fn bounded_roots<const W: usize>(
+    f: &IntegerPolynomial,
+) -> Result<Vec<(Dyadic, Dyadic, i8)>, Unproved> {
+    let coefficients = f.coefficients_asc();
+    if coefficients.len() > MAX_DEGREE + 1 {
+        return Err(Unproved::Close);
+    }
+    let balls: Vec<_> = coefficients.iter().map(ScaledBall::of_integer).collect();
+    let roots = roots_of::<W>(&balls, FOR_REFINEMENT)?.into_iter();
+    Ok(roots.map(BoundedRoot::to_dyadic).collect())
+}
+
+impl<const W: usize> BoundedRoot<W> {
+    /// Bounds of the root itself, and the sign at the lower one.
+    fn to_dyadic(self) -> (Dyadic, Dyadic, i8) {
+        let width = 64 * W as u64;
+        let exponent = self.scale - 64 * W as i64;
+        let (low, high) = (self.low.to_integer(), self.high.to_integer());
+        let (low, high) = if self.is_inverted {
+            // 1/y, rounded outwards: that moves x by less than 2^(−64W), and y by less than that times y². The sign at the
+            // new end is that at the old one, since an enclosure is strictly inside its place (`newton::is_inside`).
+            let one = Integer::from(1) << (2 * width);
+            (&one / high, one.div_round(low, RoundingMode::Ceiling).0)
+        } else {
+            (low, high)
+        };
+        let (low, high) = (Dyadic::new(low, exponent), Dyadic::new(high, exponent));
+        if self.is_negative {
+            (high.negated(), low.negated(), self.sign_below)
+        } else {
+            (low, high, self.sign_below)
+        }
+    }
+}
