@@ -49,7 +49,7 @@ fn wrong_input_is_said_in_its_place() {
         "-o",
         "out.txt",
     ];
-    let cases: [(&[&str], &str, &str); 15] = [
+    let cases: [(&[&str], &str, &str); 17] = [
         (
             &coefficients,
             "2,0,1\n# note\n0,2,nan\n",
@@ -75,6 +75,16 @@ fn wrong_input_is_said_in_its_place() {
             &coefficients,
             "2,0,1e999\n",
             "data.csv, line 1: too large for a double",
+        ),
+        (
+            &points,
+            "x,y\n4,1/0x1p-1074\n",
+            "data.csv, line 2: 1/0x1p-1074 is too large for a double",
+        ),
+        (
+            &radii,
+            "0,1\n1/0x1p-1074,1.25\n",
+            "data.csv, line 2: 1/0x1p-1074 is too large for a double",
         ),
         (
             &coefficients,

@@ -11,6 +11,8 @@ use stellate::implicitize::{
     implicitize_space_curve, point_beyond, polar_patch, polar_plane, polar_space_curve, real_image,
 };
 use stellate::limits::Limits;
+use stellate::poly::RationalFunction;
+use stellate::shape::{Parameter, PlaneCurve};
 
 #[test]
 fn plane_classics_by_both_methods() {
@@ -473,7 +475,8 @@ fn example_4_has_more_than_the_patch() {
 fn what_is_no_curve_or_surface_is_refused() {
     let limits = Limits::none();
     let message = |result: Result<(), stellate::error::Error>| result.unwrap_err().to_string();
-    let point = implicitize_plane(&plane_curve("x = 1; y = cos(t)^2 + sin(t)^2"), &limits);
+    let constants = [RationalFunction::default(), RationalFunction::default()];
+    let point = implicitize_plane(&PlaneCurve::new(Parameter::number("t"), constants), &limits);
     assert!(message(point.map(|_| ())).contains("a point, not a curve"));
     let thin = implicitize_patch(&patch("x = u + v; y = (u + v)^2; z = u + v"), &limits);
     assert!(message(thin.map(|_| ())).contains("move along a curve only"));

@@ -65,8 +65,12 @@ fn read_doubles(text: &str, source_name: &str, columns: &[&str]) -> Result<Vec<(
     let rows = table.rows.iter().zip(&table.lines);
     rows.map(|((place, fields), line)| {
         let doubles = fields.iter().map(|field| {
-            let value = number_at(place, field, Numbers::F64)?;
-            Ok(value.to_f64())
+            let value = number_at(place, field, Numbers::F64)?.to_f64();
+            if value.is_finite() {
+                return Ok(value);
+            }
+            let message = format!("{field} is too large for a double");
+            Err(Error::data(place, message))
         });
         Ok((*line, doubles.collect::<Result<Vec<f64>>>()?))
     })

@@ -7,7 +7,7 @@ use malachite::base::polynomial::Polynomial as _;
 use super::angle::Angle;
 use super::evaluate::{Context, evaluate};
 use super::name::{Name, PARAMETERS};
-use super::quotient::{ParameterUse, Quotient, Quotients};
+use super::quotient::{MAX_MULTIPLE, ParameterUse, Quotients};
 use super::source::Span;
 use super::syntax::{Equation, Expr, ExprKind};
 use crate::error::{Invariant, Result};
@@ -65,8 +65,32 @@ pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result
         let coordinates: [PatchFunction; 3] = coordinates
             .try_into()
             .map_err(|_| missing(cx, equations, "z"))?;
-        let parameters = [first.clone(), second.clone()];
-        return Ok(Form::Patch(Patch::new(parameters, coordinates)));
+        // A parameter that falls away is none.
+        let occurs = [0, 1].map(|v| coordinates.iter().any(|f| f.degree_in(v) > 0));
+        match occurs {
+            [false, false] => return Err(a_point(cx, equations)),
+            [true, true] => {
+                for (v, parameter) in names.iter().enumerate() {
+                    for (f, (_, at)) in coordinates.iter().zip(&values) {
+                        check_multiples(cx, parameter, f.degree_in(v), *at)?;
+                    }
+                }
+                let parameters = [first.clone(), second.clone()];
+                return Ok(Form::Patch(Patch::new(parameters, coordinates)));
+            }
+            [is_first, _] => {
+                let (v, parameter) = if is_first { (0, first) } else { (1, second) };
+                let functions = coordinates.each_ref().map(|f| {
+                    let quotient = univariate(v, f.numerator(), f.denominator());
+                    quotient.invariant("a denominator is not 0")
+                });
+                for (f, (_, at)) in coordinates.iter().zip(&values) {
+                    check_multiples(cx, parameter, f.degree_in(v), *at)?;
+                }
+                let curve = ParametricCurve::new(parameter.clone(), functions);
+                return Ok(Form::SpaceCurve(curve));
+            }
+        }
     }
     let Some(parameter) = names.into_iter().next() else {
         let at = equations[0].left.span;
@@ -76,7 +100,14 @@ pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result
     };
     let mut coordinates = Vec::new();
     for (value, at) in &values {
-        coordinates.push(univariate(value).ok_or_else(|| no_function(*at))?);
+        let (above, below) = value.over_one_denominator();
+        let function = univariate(0, &above, &below).ok_or_else(|| no_function(*at))?;
+        let degree = u32::try_from(function.degree()).unwrap_or(u32::MAX);
+        check_multiples(cx, &parameter, degree, *at)?;
+        coordinates.push(function);
+    }
+    if coordinates.iter().all(RationalFunction::is_constant) {
+        return Err(a_point(cx, equations));
     }
     if in_space {
         let coordinates: [RationalFunction; 3] = coordinates
@@ -94,6 +125,26 @@ pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result
         parameter,
         coordinates,
     )))
+}
+
+/// Why constant coordinates are refused.
+fn a_point(cx: &Context<'_>, equations: &[Equation]) -> crate::error::Error {
+    let message =
+        "all coordinates are constant, whatever the parameter is: this is a point, not a curve";
+    cx.source.error(equations[0].left.span, message)
+}
+
+/// Refuses a coordinate of so high a degree in s = tan(step·t/2) that it has multiples of the angle beyond what is read: what is
+/// accepted can be written in them, and read again.
+fn check_multiples(cx: &Context<'_>, parameter: &Parameter, degree: u32, at: Span) -> Result<()> {
+    // An odd degree has odd multiples of half the angle.
+    let is_whole = degree.is_multiple_of(2);
+    let multiple = if is_whole { degree / 2 } else { degree };
+    if parameter.is_angle() && multiple > MAX_MULTIPLE {
+        let limit = format!("a multiple beyond {MAX_MULTIPLE} of the smallest angle");
+        return Err(cx.source.limit(at, limit));
+    }
+    Ok(())
 }
 
 fn missing(cx: &Context<'_>, equations: &[Equation], name: &str) -> crate::error::Error {
@@ -230,9 +281,12 @@ fn common_step(step: Option<Rational>, slope: &Rational) -> Rational {
     Rational::new(gcd, b * d).invariant("a denominator is not 0")
 }
 
-/// A quotient that has only one variable.
-fn univariate(value: &Quotient) -> Option<RationalFunction> {
-    let (above, below) = value.over_one_denominator();
+/// A quotient that has only one variable; `None` if its denominator is 0.
+fn univariate(
+    variable: usize,
+    above: &SparsePolynomial<2>,
+    below: &SparsePolynomial<2>,
+) -> Option<RationalFunction> {
     let denominator = above
         .terms()
         .chain(below.terms())
@@ -241,12 +295,13 @@ fn univariate(value: &Quotient) -> Option<RationalFunction> {
             Integer::from(lcm)
         });
     let integers = |f: &SparsePolynomial<2>| {
-        let length = f.terms().map(|(e, _)| e[0] as usize + 1).max().unwrap_or(0);
+        let power = |e: &[u32; 2]| e[variable] as usize;
+        let length = f.terms().map(|(e, _)| power(e) + 1).max().unwrap_or(0);
         let mut coefficients = vec![Integer::from(0); length];
         for (e, c) in f.terms() {
-            coefficients[e[0] as usize] = c.numerator() * (&denominator).div_exact(c.denominator());
+            coefficients[power(e)] = c.numerator() * (&denominator).div_exact(c.denominator());
         }
         IntegerPolynomial::from_coefficients_asc(coefficients)
     };
-    RationalFunction::new(integers(&above), integers(&below))
+    RationalFunction::new(integers(above), integers(below))
 }

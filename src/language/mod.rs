@@ -10,6 +10,9 @@
 //! | `x^2 + y^2 = 1; z = y^5` | the intersection of two or more surfaces |
 //! | `superquadric 2d a=1,2 e=1/2` | the curve `|x/a1|^(2/e) + |y/a2|^(2/e) = 1`; `level=3` makes it `= 3` |
 //!
+//! A parameter that falls away when the coordinates are simplified is none: `x = t; y = t^2; z = u^0` is a space curve, and
+//! where all coordinates are constant the form is a point and refused.
+//!
 //! A superquadric is a row of parameters, each once and in any order: positive numbers, and the numerator and the
 //! denominator of e at most [`MAX_SUPERQUADRIC_EXPONENT`]. The others are equations.
 //!

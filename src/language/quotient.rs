@@ -14,7 +14,7 @@ use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::Parameter;
 
 /// The largest integer multiple of the smallest angle.
-const MAX_MULTIPLE: u32 = 1000;
+pub(super) const MAX_MULTIPLE: u32 = 1000;
 
 /// One parameter of a form: what the variable s of its place stands for.
 #[derive(Debug)]
