@@ -140,6 +140,14 @@ mod all {
             let truth = Rational::from_parts(value, -exponent) * one::<W>();
             tightness.check(&truth, &ulps(ball.mid), ball.radius);
             assert_eq!(ball.radius == 0.0, truth == ulps(ball.mid));
+            // With all leading bits, and shifted by any number of them.
+            let value = draw.integer(W + 3);
+            let bits = Fixed::<W>::bits_of(&value);
+            let mut scaled = ScaledBall::<W>::of_integer(&value);
+            assert_eq!(scaled.log2(), (value != 0).then_some(bits));
+            let down = draw.below(60) as i64;
+            scaled.ball.mid = scaled.ball.mid.shifted_down(down);
+            assert_eq!(scaled.log2(), (value != 0).then_some(bits - down));
         }
         tightness.is_at_least(0.99);
     }
@@ -403,6 +411,21 @@ mod all {
             }
         }
         tightness.is_at_least(0.99);
+    }
+}
+
+/// A ball with a radius as large as its midpoint holds 0, also where radii begin to be compared in another way.
+#[test]
+fn no_sign_is_known_where_zero_is_at_the_end() {
+    for k in 0..180i64 {
+        let mid = Fixed::<3>::of_integer(&(Integer::from(1) << k.unsigned_abs()), 184).0;
+        for (mid, expected) in [(mid, 1), (mid.negated(), -1)] {
+            let sign = |radius| Ball { mid, radius }.sign();
+            let radius = power_of_two(k);
+            assert_eq!(sign(radius), None);
+            assert_eq!(sign(radius.next_up()), None);
+            assert_eq!(sign(radius / 8.0), Some(expected));
+        }
     }
 }
 

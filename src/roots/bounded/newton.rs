@@ -251,6 +251,16 @@ mod tests {
         assert!(!proves_root(&polynomial, &[at(5), at(6)], -1));
     }
 
+    /// An enclosure that shares an end with its place is not strictly inside it.
+    #[test]
+    fn no_end_is_shared() {
+        let at = |eighths| Fraction::<2>::dyadic(eighths, 3);
+        let place = [at(1), at(5)];
+        assert!(is_inside(&[at(2), at(4)], &place));
+        assert!(!is_inside(&[at(1), at(4)], &place));
+        assert!(!is_inside(&[at(2), at(5)], &place));
+    }
+
     fn exact(value: f64) -> Rational {
         Rational::try_from(value).expect("a finite double")
     }
