@@ -160,6 +160,15 @@ mod tests {
         ]
     }
 
+    /// Numbers without errors are told apart unless they are next to one another.
+    #[test]
+    fn exact_numbers_have_an_order() {
+        let [three, five, six] = [3, 5, 6].map(|n| Wide::exact(n, -2));
+        assert_eq!(three.certain_order(five), Some(Ordering::Less));
+        assert_eq!(six.certain_order(five), Some(Ordering::Greater));
+        assert_eq!(three.certain_order(three), None);
+    }
+
     proptest! {
         /// Against exact rational numbers.
         #[test]

@@ -104,6 +104,16 @@ impl Tightness {
     }
 }
 
+/// A radius is at least what a lemma says, and hardly more.
+pub(super) fn is_just(radius: f64, lemma: &Rational) {
+    let slack = Rational::one() + Rational::from_parts(Integer::from(1), -30);
+    let radius = exact(radius);
+    assert!(
+        *lemma <= radius && radius <= lemma * &slack,
+        "{radius} is not {lemma}"
+    );
+}
+
 /// Runs a law for several widths.
 macro_rules! for_widths {
     ($law:ident) => {
@@ -383,6 +393,13 @@ mod all {
                     sum + c * &weight.expect("a binomial coefficient is not 0")
                 });
                 tightness.check(&truth, &ulps(found.mids[k]), found.radii[k]);
+                // The radius is that of Lemma 9.
+                let terms = list.radii[..=k].iter().zip(above.iter().zip(&row));
+                let lemma = terms.fold(Rational::from(W as i64 + 2), |sum, (r, (above, below))| {
+                    let weight = Rational::new(above.clone(), below.clone());
+                    sum + exact(*r) * weight.expect("a binomial coefficient is not 0")
+                });
+                is_just(found.radii[k], &lemma);
             }
             // Also for −y.
             let mut reflected = list.clone();
