@@ -245,7 +245,13 @@ fn powers_of_two_need_no_exact_arithmetic() {
             let root =
                 power_of_two(k) * (Rational::one() + Rational::from(eighths) * power_of_two(-56));
             let (p, q) = (root.numerator(), root.denominator());
-            let f = polynomial([((1, 0), q), ((0, 0), -p)]);
+            // Times what has no real root and makes the mean size of roots another one.
+            let definite = PlanePolynomial::from_terms([
+                ((2, 0), Rational::one()),
+                ((0, 2), Rational::one()),
+                ((0, 0), power_of_two(2 * k + 6)),
+            ]);
+            let f = polynomial([((1, 0), q), ((0, 0), -p)]).product(&definite);
             let solver = RaySolver::new(&f);
             let Ray::Points(found) = solver.solve(&east) else {
                 panic!("{f:?} does not vanish on a line");
