@@ -172,6 +172,25 @@ mod tests {
     }
 
     proptest! {
+        /// The farthest corner of a patch is as far from its middle as is said.
+        #[test]
+        fn the_farthest_corner_is_at_the_radius(axis in 0usize..3, side in prop::sample::select(vec![-1.0, 1.0]), u in -0.75f64..0.75, w in -0.75f64..0.75, half in 0.01f64..0.25) {
+            let patch = Patch { axis, side, u, w, half };
+            let point = |u: f64, w: f64| -> [f64; 3] {
+                let mut v = [side; 3];
+                (v[(axis + 1) % 3], v[(axis + 2) % 3]) = (u, w);
+                let length = dot(v, v).sqrt();
+                v.map(|x| x / length)
+            };
+            let middle = point(u, w);
+            let corners = [(-half, -half), (-half, half), (half, -half), (half, half)];
+            let far = corners.map(|(a, b)| distance(point(u + a, w + b), middle));
+            let farthest = far.into_iter().fold(0.0, f64::max);
+            let radius = patch.radius(patch.normal());
+            prop_assert!(radius.low() <= farthest * (1.0 + 1e-12) && radius.high() >= farthest * (1.0 - 1e-12));
+            prop_assert!(radius.high() - radius.low() < 1e-12);
+        }
+
         /// No point of a sphere that is said to be free of zeros has another sign than another one.
         #[test]
         fn free_spheres_have_one_sign(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-2.0f64..2.0), d in 0.05f64..1.0, v in prop::array::uniform3(-1.0f64..1.0)) {
