@@ -206,6 +206,22 @@ mod tests {
         }
     }
 
+    /// The solution of a system satisfies it; a variable that does not occur stays.
+    #[test]
+    fn systems_are_solved() {
+        let rows = [[2, -1, 3], [5, 7, -2], [-4, 6, 1]].map(|row| row.map(Rational::from));
+        let b = [1, -2, 11].map(Rational::from);
+        let x = solved(&rows, &b).expect("the matrix is regular");
+        for (row, right) in rows.iter().zip(&b) {
+            let left: Rational = row.iter().zip(&x).map(|(a, x)| a * x).sum();
+            assert_eq!(left, *right);
+        }
+        let flat = [[2, 1, 0], [1, 3, 0], [0, 0, 0]].map(|row| row.map(Rational::from));
+        let found = solved(&flat, &[3, 4, 0].map(Rational::from));
+        assert_eq!(found, Some([1, 1, 0].map(Rational::from)));
+        assert_eq!(solved(&flat, &[3, 4, 1].map(Rational::from)), None);
+    }
+
     /// The minimum of a quadratic form is known by linear algebra, of the chains it is known from above, of a sum of a square and
     /// a constant it is the constant.
     #[test]
