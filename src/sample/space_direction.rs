@@ -114,6 +114,8 @@ mod tests {
         }
         let spread = SpaceDirection::fibonacci(50);
         assert_eq!(spread.len(), 50);
+        // The golden angle.
+        assert!((spread[1].theta().theta() - 2.399_963_229_728_653).abs() < 1e-14);
         for (k, direction) in spread.iter().enumerate() {
             let height = direction.components()[2].to_f64();
             assert!((height - (1.0 - (2.0 * k as f64 + 1.0) / 50.0)).abs() < 1e-14);
