@@ -115,14 +115,7 @@ impl Rational {
     /// ```
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        let rounded = f64::rounding_from(self.inner(), RoundingMode::Nearest).0;
-        if rounded.abs() >= f64::MAX {
-            // malachite stops at the largest finite double; IEEE 754 goes on to infinity.
-            if self.abs() >= beyond_all_doubles() {
-                return f64::INFINITY.copysign(rounded);
-            }
-        }
-        rounded
+        f64::rounding_from(self.inner(), RoundingMode::Nearest).0
     }
 
     /// The nearest multiple of 10^−`decimals` (ties to even).
@@ -371,6 +364,9 @@ mod tests {
             prop_assert_eq!(text.parse::<Rational>().unwrap(), expected);
             let after = text.split_once('.').map_or(0, |(_, fraction)| fraction.len());
             prop_assert_eq!(after, usize::try_from(decimals).unwrap());
+            // A digit before the point, and a sign only where something is left of the number.
+            prop_assert!(text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit()));
+            prop_assert_eq!(text.starts_with('-'), text.parse::<Rational>().unwrap().signum() < 0);
         }
 
         /// Beside powers of ten and midpoints, with exponents on both sides of every way of writing.
@@ -455,6 +451,13 @@ mod tests {
             let q = Rational::from(p) / Rational::from(10).pow(i64::from(places)).unwrap();
             let text = q.to_decimal(places);
             prop_assert_eq!(q.to_f64(), text.parse::<f64>().unwrap());
+        }
+
+        #[test]
+        fn the_floor_is_the_largest_integer_that_is_not_above(p in any::<i64>(), q in prop_oneof![Just(1), 1..100_i64, 1..i64::MAX]) {
+            let value = Rational::from(p) / Rational::from(q);
+            let floor = Rational::from(value.floor());
+            prop_assert!(floor <= value && value < floor + Rational::one());
         }
 
         #[test]

@@ -337,6 +337,28 @@ mod tests {
         }
     }
 
+    /// Boxes without a common zero that are excluded: one of the functions has none there, or the two cross at a small angle
+    /// elsewhere.
+    #[test]
+    fn boxes_apart_from_common_zeros_are_excluded() {
+        let [x, y, _] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+        let on = |f: &SparsePolynomial<3>| Field::new(f).on_box([0.0; 3], [0.5; 3]);
+        let tilted = y.plus(&x.scaled(&Rational::from(2).pow(-5).unwrap()));
+        let constant = |c: i64| SparsePolynomial::constant(Rational::from(c) / Rational::from(8));
+        let (here, tilted, beside, far) = (
+            on(&y),
+            on(&tilted),
+            on(&y.minus(&constant(1))),
+            on(&y.minus(&constant(8))),
+        );
+        // Each has a zero in the box, and they cross in it.
+        assert!(!here.exclude(&tilted) && !tilted.exclude(&here));
+        // Parallel, or nearly so: no common zero, though each has zeros in the box.
+        for (f, g) in [(&here, &beside), (&tilted, &beside), (&here, &far)] {
+            assert!(f.exclude(g) && g.exclude(f));
+        }
+    }
+
     #[test]
     fn verdicts_on_cubes() {
         let f = Field::new(&sphere(1));

@@ -44,6 +44,18 @@ fn intervals() -> impl Strategy<Value = (Interval, [Rational; 2])> {
     })
 }
 
+/// Signs are told where all members have one, and only there.
+#[test]
+fn signs_are_those_of_all_members() {
+    let sign = |low, high| Interval::between(low, high).sign();
+    for x in [f64::from_bits(1), 1.0, f64::MAX] {
+        assert_eq!([sign(x, x), sign(-x, -x)], [Some(1), Some(-1)]);
+        assert_eq!([sign(0.0, x), sign(-x, 0.0), sign(-x, x)], [None; 3]);
+        assert_eq!(sign(x, f64::INFINITY), Some(1));
+        assert_eq!(sign(f64::NEG_INFINITY, -x), Some(-1));
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 

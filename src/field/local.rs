@@ -190,6 +190,21 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
 
+        /// Lemma 9: the bound of the cubic form is not below Bombieri's norm, and hardly above it.
+        #[test]
+        fn norms_are_those_of_bombieri(f in nasty_cubics(), m in prop::array::uniform3(-2.0f64..2.0)) {
+            let field = Field::new(&f);
+            let cubes = field.polynomial().terms().filter(|(e, _)| e.iter().sum::<u32>() == 3);
+            let factorial = |k: u32| Rational::from((1..=i64::from(k)).product::<i64>());
+            let square: Rational = cubes.map(|(e, c)| {
+                let weight = e.iter().fold(Rational::one() / Rational::from(6), |product, k| product * factorial(*k));
+                c * c * weight
+            }).sum();
+            let found = field.local(m).norms.first().map_or_else(Rational::zero, |norm| rational(*norm));
+            prop_assert!(&found * &found >= square);
+            prop_assert!(found.to_f64() <= square.to_f64().sqrt() * (1.0 + 1e-13) + 1e-150);
+        }
+
         /// The bounds hold about the centre and about other centres, exactly, and so do those to one side of a plane.
         #[test]
         fn curvature_bounds_the_second_order(f in prop_oneof![nasty_cubics(), prop::collection::vec(-9i64..10, 20).prop_map(|c| cubic(&c))], m in prop::array::uniform3(-2.0f64..2.0), (a, b) in offsets(), n in prop::array::uniform3(-3i32..4)) {

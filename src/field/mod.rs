@@ -451,6 +451,46 @@ pub(crate) mod tests {
         assert!(most >= 0.125, "{most}");
     }
 
+    /// x² underflows, and y magnifies what is lost.
+    #[test]
+    fn losses_by_underflow_are_multiplied_by_the_other_factors() {
+        let [x, y, _] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+        let f = Field::new(&x.squared().times(&y));
+        for p in [
+            [1e-170, 1e150, 1.0],
+            [1e-180, 1e30, 0.0],
+            [1e-300, 1e300, 0.0],
+        ] {
+            assert!(f.sums(p).contains(&f.exact_value(p)), "{p:?}");
+        }
+    }
+
+    proptest! {
+        /// Values and gradients in doubles, of which no bound is promised, are nearly the exact ones.
+        #[test]
+        fn doubles_are_near_the_exact_values(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-3.0f64..3.0)) {
+            let field = Field::new(&cubic(&c));
+            let (value, gradient) = field.exact_value_and_gradient(&rationals(p));
+            let (found, slopes) = field.value_and_gradient(p);
+            let is_near = |found: f64, exact: &Rational| (found - exact.to_f64()).abs() < 1e-11;
+            prop_assert!(is_near(found, &value) && is_near(field.value(p), &value));
+            for (found, exact) in slopes.iter().zip(&gradient) {
+                prop_assert!(is_near(*found, exact));
+            }
+            prop_assert_eq!(field.gradient(p), slopes);
+            prop_assert_eq!(value, field.exact_value(p));
+        }
+    }
+
+    #[test]
+    fn vectors_are_multiplied_and_measured() {
+        let (a, b) = ([1.0, 2.0, 3.0], [5.0, -4.0, 0.5]);
+        assert!((dot(a, b) + 1.5).abs() < 1e-15);
+        assert!((distance(a, b) - (16.0f64 + 36.0 + 6.25).sqrt()).abs() < 1e-15);
+        let quarter = between(a, b, 0.25);
+        assert!(distance(quarter, [2.0, 0.5, 2.375]) < 1e-15);
+    }
+
     #[test]
     fn signs_are_exact_where_doubles_vanish() {
         // (x − y)² − 2⁻¹⁰⁰ z² beside x = y

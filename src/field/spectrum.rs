@@ -221,6 +221,15 @@ mod tests {
             prop_assert!(is_semidefinite(&exact_shifted(&m, -1, &rational(high))));
         }
 
+        /// Lemma 7 where the squares of the entries underflow, so that the cubic formula guesses badly: no guess is believed.
+        #[test]
+        fn spectra_of_tiny_matrices_are_enclosed(m in matrices(), exponent in -550i32..-500) {
+            let m = m * 2f64.powi(exponent);
+            let [low, high] = spectrum(&m);
+            prop_assert!(is_semidefinite(&exact_shifted(&m, 1, &rational(low))));
+            prop_assert!(is_semidefinite(&exact_shifted(&m, -1, &rational(high))));
+        }
+
         /// What is proved positive definite is so, also just beside a singular matrix.
         #[test]
         fn only_definite_matrices_are_proved(m in matrices(), nudge in -8i64..9) {

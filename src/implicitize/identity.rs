@@ -299,6 +299,28 @@ mod tests {
         f.terms().map(|(e, c)| (*e, c.numerator())).collect()
     }
 
+    /// A value of many terms, all as large as they can be, is that of exact arithmetic.
+    #[test]
+    fn long_sums_are_reduced() {
+        let prime = (1 << 31) - 1;
+        let largest = prime - 1;
+        let f = EquationModulo {
+            prime,
+            rows: vec![
+                ([0, 0], (0..40).map(|i| (i, largest)).collect()),
+                ([2, 1], (0..40).map(|i| (i, largest)).collect()),
+            ],
+            degrees: [39, 2, 1],
+        };
+        for point in [[largest, largest, largest], [1, 1, 1], [largest, 12_345, 3]] {
+            let [x, y, z] = point.map(u128::from);
+            let p = u128::from(prime);
+            let row = (0..40).fold(0, |sum, _| (sum * x + u128::from(largest)) % p);
+            let expected = (row + row * (y * y % p) % p * z) % p;
+            assert_eq!(u128::from(f.value(&point)), expected);
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(60))]
         #[test]

@@ -7,6 +7,10 @@ use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::field::{Field, Interval, dot, rational, rationals};
 
+#[cfg(test)]
+#[path = "exact_laws.rs"]
+mod laws;
+
 /// Bits after the point to which feet are refined, one after the other.
 const LEVELS: [i64; 3] = [128, 256, 640];
 /// Steps towards a foot: each gains some 40 bits.

@@ -181,6 +181,8 @@ mod tests {
             x.clone(),
             x.times(&y).minus(&z),
             power(&x, 3).plus(&y),
+            // Of height 1, and of a degree far above the power of two before it.
+            power(&x, 6).plus(&y),
             power(&z, 4).minus(&constant(1 << 40)),
         ];
         forms.extend([chain(1, 1).0, chain(7, 1).0, chain(30, 2).0, chain(3, 3).0]);
@@ -195,13 +197,29 @@ mod tests {
                     let d: Rational = d.parse().unwrap();
                     let bits = gap_bits(&f.primitive(), p, &d).unwrap();
                     let bound = squared_inverse_of_the_bound(&f, p, &d);
-                    // 2^bits is at least the bound's inverse, and not far beyond its square.
+                    // 2^bits is at least the square of the bound's inverse, and not far beyond it.
                     let size = i64::try_from(bound.significant_bits()).unwrap();
-                    assert!(2 * bits >= size, "{bits} {size}");
+                    assert!(bits >= size - 1, "{bits} {size}");
                     assert!(bits <= 2 * size, "{bits} {size}");
                 }
             }
         }
+    }
+
+    /// The solution of a system satisfies it; a variable that does not occur stays.
+    #[test]
+    fn systems_are_solved() {
+        let rows = [[2, -1, 3], [5, 7, -2], [-4, 6, 1]].map(|row| row.map(Rational::from));
+        let b = [1, -2, 11].map(Rational::from);
+        let x = solved(&rows, &b).expect("the matrix is regular");
+        for (row, right) in rows.iter().zip(&b) {
+            let left: Rational = row.iter().zip(&x).map(|(a, x)| a * x).sum();
+            assert_eq!(left, *right);
+        }
+        let flat = [[2, 1, 0], [1, 3, 0], [0, 0, 0]].map(|row| row.map(Rational::from));
+        let found = solved(&flat, &[3, 4, 0].map(Rational::from));
+        assert_eq!(found, Some([1, 1, 0].map(Rational::from)));
+        assert_eq!(solved(&flat, &[3, 4, 1].map(Rational::from)), None);
     }
 
     /// The minimum of a quadratic form is known by linear algebra, of the chains it is known from above, of a sum of a square and

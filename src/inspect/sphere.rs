@@ -84,7 +84,8 @@ impl Patch {
 /// Proof. f(x) − f(m) = G·(x₀ − m) + G·(x − x₀) + κ′|x − m|² with |κ′| ≤ κ; and (x − x₀)·n = −|x − x₀|²/(2d*), because both
 /// points are on the sphere.
 ///
-/// Laws: `free_spheres_have_one_sign`, `touching_spheres_are_not_called_free`.
+/// Laws: `free_spheres_have_one_sign`, `touching_spheres_are_not_called_free`,
+/// `doubles_beside_a_sphere_are_not_taken_for_its_points`.
 pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSphere {
     let mut patches = Vec::new();
     let h = 1.0 / f64::from(FIRST);
@@ -149,10 +150,11 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Rational;
+    use crate::exact::{Integer, Rational};
     use crate::field::tests::{cubic, sphere};
     use crate::field::{distance, dot, rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
+    use malachite::base::num::arithmetic::traits::CeilingSqrt;
     use proptest::prelude::*;
 
     #[test]
@@ -170,6 +172,25 @@ mod tests {
     }
 
     proptest! {
+        /// The farthest corner of a patch is as far from its middle as is said.
+        #[test]
+        fn the_farthest_corner_is_at_the_radius(axis in 0usize..3, side in prop::sample::select(vec![-1.0, 1.0]), u in -0.75f64..0.75, w in -0.75f64..0.75, half in 0.01f64..0.25) {
+            let patch = Patch { axis, side, u, w, half };
+            let point = |u: f64, w: f64| -> [f64; 3] {
+                let mut v = [side; 3];
+                (v[(axis + 1) % 3], v[(axis + 2) % 3]) = (u, w);
+                let length = dot(v, v).sqrt();
+                v.map(|x| x / length)
+            };
+            let middle = point(u, w);
+            let corners = [(-half, -half), (-half, half), (half, -half), (half, half)];
+            let far = corners.map(|(a, b)| distance(point(u + a, w + b), middle));
+            let farthest = far.into_iter().fold(0.0, f64::max);
+            let radius = patch.radius(patch.normal());
+            prop_assert!(radius.low() <= farthest * (1.0 + 1e-12) && radius.high() >= farthest * (1.0 - 1e-12));
+            prop_assert!(radius.high() - radius.low() < 1e-12);
+        }
+
         /// No point of a sphere that is said to be free of zeros has another sign than another one.
         #[test]
         fn free_spheres_have_one_sign(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-2.0f64..2.0), d in 0.05f64..1.0, v in prop::array::uniform3(-1.0f64..1.0)) {
@@ -198,6 +219,32 @@ mod tests {
             prop_assert!(on_sphere(&plane(reach.clone()), p, d, slack) != OnSphere::NoZeros);
             let beyond = reach + Rational::from(2).pow(nudge).unwrap();
             prop_assert!(on_sphere(&plane(beyond), p, d, slack) != OnSphere::Zeros);
+        }
+
+        /// Lemma 14 in the middle of a patch that is next to the origin. There a value is known much better than the middle,
+        /// and a sphere just beside a plane is not called divided because a double is on the other side.
+        #[test]
+        fn doubles_beside_a_sphere_are_not_taken_for_its_points(
+            axis in 0usize..3, side in prop::bool::ANY, level in 1u32..8, place in [0i64..1 << 30, 0i64..1 << 30], d in 0.05f64..4.0, nudge in -90i64..-58,
+        ) {
+            // The middle of a patch, times a power of two.
+            let one = 1i64 << level;
+            let [u, w] = place.map(|k| 2 * (k % one) + 1 - one);
+            let mut normal = [if side { one } else { -one }; 3];
+            normal[(axis + 1) % 3] = u;
+            normal[(axis + 2) % 3] = w;
+            let doubles = normal.map(|x| f64::from(i32::try_from(x).unwrap()));
+            let length = dot(doubles, doubles).sqrt();
+            let p = doubles.map(|x| -d * x / length);
+            let linear = [0, 1, 2].map(|i| SparsePolynomial::<3>::variable(i).scaled(&Rational::from(normal[i])));
+            let linear = linear[0].plus(&linear[1]).plus(&linear[2]);
+            // The length of the normal, less than 2^(−200) too large.
+            let square = normal.iter().map(|x| x * x).sum::<i64>();
+            let root = (Integer::from(square) << 400u64).ceiling_sqrt();
+            let far = linear.evaluate(&rationals(p)) + rational(d) * Rational::from_parts(root, -200);
+            let beyond = far + Rational::from(2).pow(nudge).unwrap();
+            let f = Field::new(&linear.minus(&SparsePolynomial::constant(beyond)));
+            prop_assert!(on_sphere(&f, p, d, 0.0) != OnSphere::Zeros);
         }
     }
 }

@@ -169,6 +169,12 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
+    fn angles_in_the_plane_have_one_part() {
+        use crate::sample::NominalAngles;
+        assert_eq!(Direction::from_radians(1.5).angles(), (1.5, None));
+    }
+
+    #[test]
     fn the_axes_are_exact() {
         let axes = Direction::around(4);
         let shown: Vec<String> = axes

@@ -235,6 +235,67 @@ fn roots_of_powers_are_found_and_rounded() {
     }
 }
 
+/// Below a power of two doubles are twice as close. Roots there and just beside it are rounded in bounded arithmetic.
+#[test]
+fn powers_of_two_need_no_exact_arithmetic() {
+    let east = Direction::from_degrees(&Rational::zero());
+    for k in -9..10i64 {
+        for eighths in [-7, -5, -3, -1, 0, 1, 3] {
+            // In eighths of the distance to the next double below.
+            let root =
+                power_of_two(k) * (Rational::one() + Rational::from(eighths) * power_of_two(-56));
+            let (p, q) = (root.numerator(), root.denominator());
+            // Times what has no real root and makes the mean size of roots another one.
+            let definite = PlanePolynomial::from_terms([
+                ((2, 0), Rational::one()),
+                ((0, 2), Rational::one()),
+                ((0, 0), power_of_two(2 * k + 6)),
+            ]);
+            let f = polynomial([((1, 0), q), ((0, 0), -p)]).product(&definite);
+            let solver = RaySolver::new(&f);
+            let Ray::Points(found) = solver.solve(&east) else {
+                panic!("{f:?} does not vanish on a line");
+            };
+            let radii: Vec<u64> = found.iter().map(|point| point.r.to_bits()).collect();
+            assert_eq!(radii, [root.to_f64().to_bits()], "{root}");
+            assert_eq!(solver.stage_counts().exact, 0, "{root}");
+        }
+    }
+}
+
+/// Points at both ends of the normal doubles and among the subnormal ones, on a line and on a circle.
+#[test]
+fn points_at_the_ends_of_the_doubles_are_rounded() {
+    let east = Direction::from_degrees(&Rational::zero());
+    let least = f64::MIN_POSITIVE;
+    let subnormal = [f64::from_bits(1), f64::from_bits(3), least / 2.0];
+    let normal = [least.next_down(), least, least.next_up(), 2.0 * least];
+    let top = [f64::MAX.next_down(), f64::MAX / 2.0];
+    for start in [subnormal.as_slice(), &normal, &top].concat() {
+        let exact = |value: f64| Rational::try_from(value).expect("a finite double");
+        let gap = exact(start.next_up()) - exact(start);
+        for eighths in 0..8 {
+            let root = exact(start) + &gap * &Rational::from(eighths) * power_of_two(-3);
+            let (p, q) = (root.numerator(), root.denominator());
+            let (pp, qq) = (&p * &p, &q * &q);
+            let line = polynomial([((1, 0), q), ((0, 0), -p)]);
+            let circle = polynomial([((2, 0), qq.clone()), ((0, 2), qq), ((0, 0), -pp)]);
+            for (f, count) in [(line, 1), (circle, 2)] {
+                let Ray::Points(found) = RaySolver::new(&f).solve(&east) else {
+                    panic!("{f:?} does not vanish on a line");
+                };
+                assert_eq!(found.len(), count);
+                let nearest = [root.to_f64(), -root.to_f64()];
+                let radii = found.iter().map(|point| point.r.to_bits());
+                assert!(
+                    radii.eq(nearest[..count].iter().map(|r| r.to_bits())),
+                    "{root}"
+                );
+            }
+        }
+    }
+}
+
 /// The one of which the count was wrong: a linear part of −1/4 ulp that was taken for +15.
 #[test]
 fn a_linear_part_that_nearly_vanishes_has_two_points() {

@@ -93,15 +93,33 @@ impl UnitVector<3> for SpaceDirection {
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_precision_loss, reason = "small numbers")]
 mod tests {
     use super::*;
+    use crate::sample::NominalAngles;
     use proptest::prelude::*;
 
     #[test]
     fn grids_hold_what_they_say() {
         assert_eq!(SpaceDirection::grid(6, 4).len(), 1 + 6 * 3);
+        // Ordered by θ, then φ; the pole is the first.
+        let angles = SpaceDirection::grid(6, 4);
+        let angles: Vec<_> = angles.iter().map(NominalAngles::angles).collect();
+        assert_eq!(angles[0], (0.0, Some(0.0)));
+        for (index, (theta, phi)) in angles[1..].iter().enumerate() {
+            let [sixth, quarter] = [index / 3, index % 3 + 1].map(|k| k as f64);
+            assert!((theta - sixth * std::f64::consts::FRAC_PI_3).abs() < 1e-14);
+            let phi = phi.expect("a direction in space has a polar angle");
+            assert!((phi - quarter * std::f64::consts::FRAC_PI_4).abs() < 1e-14);
+        }
         let spread = SpaceDirection::fibonacci(50);
         assert_eq!(spread.len(), 50);
+        // The golden angle.
+        assert!((spread[1].theta().theta() - 2.399_963_229_728_653).abs() < 1e-14);
+        for (k, direction) in spread.iter().enumerate() {
+            let height = direction.components()[2].to_f64();
+            assert!((height - (1.0 - (2.0 * k as f64 + 1.0) / 50.0)).abs() < 1e-14);
+        }
         let sum = spread.iter().fold([0.0; 3], |sum: [f64; 3], d| {
             let c = d.components();
             std::array::from_fn(|i| sum[i] + c[i].to_f64())

@@ -146,6 +146,29 @@ mod tests {
         })
     }
 
+    /// Limbs that are all ones, all zeros, one bit, or any.
+    fn limb() -> impl Strategy<Value = u64> {
+        let bit = (0..64u32).prop_map(|k| 1 << k);
+        let below = (0..64u32).prop_map(|k| (1 << k) - 1);
+        prop_oneof![
+            Just(u64::MAX),
+            Just(0),
+            bit,
+            below,
+            any::<u64>(),
+            any::<u64>()
+        ]
+    }
+
+    /// Numbers without errors are told apart unless they are next to one another.
+    #[test]
+    fn exact_numbers_have_an_order() {
+        let [three, five, six] = [3, 5, 6].map(|n| Wide::exact(n, -2));
+        assert_eq!(three.certain_order(five), Some(Ordering::Less));
+        assert_eq!(six.certain_order(five), Some(Ordering::Greater));
+        assert_eq!(three.certain_order(three), None);
+    }
+
     proptest! {
         /// Against exact rational numbers.
         #[test]
@@ -168,6 +191,39 @@ mod tests {
             }
             let whole = Wide::exact(a.unsigned_abs(), shift);
             prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_parts(Integer::from(a), shift)));
+        }
+
+        /// Quotients of integers of all lengths are cut by less than one in the last place of a mantissa of 128 bits.
+        #[test]
+        fn quotients_have_the_leading_bits(
+            p in prop::collection::vec(limb(), 1..7), q in prop::collection::vec(limb(), 1..7), negative in any::<bool>(),
+        ) {
+            let [p, q] = [p, q].map(|limbs| Integer::from(malachite::Natural::from_owned_limbs_asc(limbs)));
+            prop_assume!(p != 0 && q != 0);
+            let p = if negative { -p } else { p };
+            let found = Wide::quotient(&p, &q);
+            let exact = Rational::new(p, q).unwrap().abs();
+            prop_assert!(found.mantissa >> 127 == 1);
+            let last = Rational::from_parts(Integer::from(1), found.exponent);
+            let rest = exact - Rational::from_parts(Integer::from(found.mantissa), found.exponent);
+            prop_assert!(rest.signum() >= 0 && rest < last);
+            prop_assert_eq!(found.error, 1);
+        }
+
+        /// A product of mantissas loses less than 2 in its last place, whatever is carried.
+        #[test]
+        fn products_lose_less_than_two_in_the_last_place(a in [limb(), limb()], b in [limb(), limb()]) {
+            let [a, b] = [a, b].map(|[low, high]| Wide {
+                mantissa: u128::from(high | 1 << 63) << 64 | u128::from(low),
+                exponent: -5,
+                error: 0,
+            });
+            let product = a.times(b);
+            prop_assert!(product.mantissa >> 127 == 1);
+            let value = |w: Wide| Rational::from_parts(Integer::from(w.mantissa), w.exponent);
+            let lost = value(a) * value(b) - value(product);
+            prop_assert!(lost.signum() >= 0 && lost < Rational::from_parts(Integer::from(1), product.exponent + 1));
+            prop_assert_eq!(product.error, 4);
         }
 
         /// Leading bits hold every number that begins with them.

@@ -104,6 +104,16 @@ impl Tightness {
     }
 }
 
+/// A radius is at least what a lemma says, and hardly more.
+pub(super) fn is_just(radius: f64, lemma: &Rational) {
+    let slack = Rational::one() + Rational::from_parts(Integer::from(1), -30);
+    let radius = exact(radius);
+    assert!(
+        *lemma <= radius && radius <= lemma * &slack,
+        "{radius} is not {lemma}"
+    );
+}
+
 /// Runs a law for several widths.
 macro_rules! for_widths {
     ($law:ident) => {
@@ -140,6 +150,14 @@ mod all {
             let truth = Rational::from_parts(value, -exponent) * one::<W>();
             tightness.check(&truth, &ulps(ball.mid), ball.radius);
             assert_eq!(ball.radius == 0.0, truth == ulps(ball.mid));
+            // With all leading bits, and shifted by any number of them.
+            let value = draw.integer(W + 3);
+            let bits = Fixed::<W>::bits_of(&value);
+            let mut scaled = ScaledBall::<W>::of_integer(&value);
+            assert_eq!(scaled.log2(), (value != 0).then_some(bits));
+            let down = draw.below(60) as i64;
+            scaled.ball.mid = scaled.ball.mid.shifted_down(down);
+            assert_eq!(scaled.log2(), (value != 0).then_some(bits - down));
         }
         tightness.is_at_least(0.99);
     }
@@ -375,6 +393,13 @@ mod all {
                     sum + c * &weight.expect("a binomial coefficient is not 0")
                 });
                 tightness.check(&truth, &ulps(found.mids[k]), found.radii[k]);
+                // The radius is that of Lemma 9.
+                let terms = list.radii[..=k].iter().zip(above.iter().zip(&row));
+                let lemma = terms.fold(Rational::from(W as i64 + 2), |sum, (r, (above, below))| {
+                    let weight = Rational::new(above.clone(), below.clone());
+                    sum + exact(*r) * weight.expect("a binomial coefficient is not 0")
+                });
+                is_just(found.radii[k], &lemma);
             }
             // Also for −y.
             let mut reflected = list.clone();
@@ -403,6 +428,21 @@ mod all {
             }
         }
         tightness.is_at_least(0.99);
+    }
+}
+
+/// A ball with a radius as large as its midpoint holds 0, also where radii begin to be compared in another way.
+#[test]
+fn no_sign_is_known_where_zero_is_at_the_end() {
+    for k in 0..180i64 {
+        let mid = Fixed::<3>::of_integer(&(Integer::from(1) << k.unsigned_abs()), 184).0;
+        for (mid, expected) in [(mid, 1), (mid.negated(), -1)] {
+            let sign = |radius| Ball { mid, radius }.sign();
+            let radius = power_of_two(k);
+            assert_eq!(sign(radius), None);
+            assert_eq!(sign(radius.next_up()), None);
+            assert_eq!(sign(radius / 8.0), Some(expected));
+        }
     }
 }
 

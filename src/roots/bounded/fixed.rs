@@ -400,6 +400,7 @@ impl<const W: usize> Ord for Fraction<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use malachite::base::num::arithmetic::traits::{Abs, DivRound, Pow, UnsignedAbs};
     use malachite::base::rounding_modes::RoundingMode;
     use proptest::prelude::*;
@@ -419,6 +420,17 @@ mod tests {
     fn fixed(limbs: [u64; W]) -> Fixed<W> {
         // A few bits of headroom.
         Fixed(limbs).shifted_down(3)
+    }
+
+    /// Numbers with that much room have sums of at most 64, and not much less than they could.
+    #[test]
+    fn there_is_room_for_sums() {
+        for count in 1..5000usize {
+            let largest = |room: i64| 2f64.powi(i32::try_from(room).expect("small")) * count as f64;
+            let room = Fixed::<W>::room_for(count);
+            assert!(largest(room) <= 64.0 && largest(room + 2) > 64.0, "{count}");
+        }
+        assert_eq!(Fixed::<W>::room_for(0), Fixed::<W>::room_for(1));
     }
 
     proptest! {
@@ -453,14 +465,21 @@ mod tests {
             prop_assert_eq!((integer(m) << exponent.unsigned_abs()) >> (64 * W as u64 - 8), &expected << cut);
             prop_assert_eq!(is_cut, expected << cut != i);
             let (m, e) = f.leading();
-            if g != 0 {
+            if g == 0 {
+                prop_assert_eq!((m, e), (0, 0));
+            } else {
+                prop_assert!(m >> 127 == 1);
                 prop_assert_eq!(g >> ((64 * W as i64) + e).unsigned_abs(), Integer::from(m));
             }
         }
 
         #[test]
-        fn doubles(a in 0.0f64..1.0, b: [u64; W]) {
+        fn doubles(a in 0.0f64..1.0, down in 0i32..250, b: [u64; W]) {
             prop_assert!((Fraction::<W>::from_f64(a).to_f64() - a).abs() <= a * f64::EPSILON);
+            // Also where a double has bits in all limbs, or below them.
+            let small = a * 2f64.powi(-down);
+            let scaled = Rational::try_from(small).unwrap() * Rational::from_parts(Integer::from(1), 64 * W as i64);
+            prop_assert_eq!(Fraction::<W>::from_f64(small).to_integer(), scaled.floor());
             let x = fixed(b).to_f64();
             prop_assert!((x.abs() - fixed(b).negated().to_f64().abs()).abs() <= x.abs() * f64::EPSILON);
         }

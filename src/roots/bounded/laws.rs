@@ -1,6 +1,7 @@
 //! The laws of [`roots_of`]: it finds all real roots of polynomials built backwards, and does so where it can.
 
 use malachite::Integer;
+use malachite::base::polynomial::Polynomial;
 
 use super::draw::Draw;
 use super::*;
@@ -33,6 +34,12 @@ fn sign_at(f: &[Integer], x: &Rational) -> i8 {
         .rev()
         .fold(Rational::zero(), |sum, c| sum * x + Rational::from(c));
     value.signum()
+}
+
+/// A small count.
+#[expect(clippy::cast_precision_loss, reason = "a degree")]
+fn float(count: usize) -> f64 {
+    count as f64
 }
 
 /// How many polynomials were decided, of those drawn.
@@ -106,4 +113,46 @@ fn what_may_vanish_is_not_decided() {
     assert!(roots_of(&square, FOR_DOUBLES).is_err());
     let long = vec![one; MAX_DEGREE + 2];
     assert!(matches!(roots_of(&long, FOR_DOUBLES), Err(Unproved::Close)));
+}
+
+/// x^d − 2 has two roots for every even d up to the largest degree for which there are tables.
+#[test]
+fn the_largest_degree_is_decided() {
+    let polynomial = |degree: usize| {
+        let mut coefficients = vec![Integer::from(0); degree + 1];
+        coefficients[0] = Integer::from(-2);
+        coefficients[degree] = Integer::from(1);
+        IntegerPolynomial::from_coefficients_asc(coefficients)
+    };
+    for degree in [2, 4, MAX_DEGREE - 2, MAX_DEGREE] {
+        let f = polynomial(degree);
+        let mut roots = bounded_roots::<4>(&f).expect("simple roots");
+        roots.sort_by(|a, b| a.0.cmp(&b.0));
+        assert_eq!(roots.len(), 2);
+        let root = 2f64.powf(1.0 / float(degree));
+        for ((low, high, sign), expected) in roots.iter().zip([-root, root]) {
+            let [low, high] = [low, high].map(Dyadic::to_rational);
+            let bounds = [&low, &high].map(|end| sign_at(f.coefficients_asc(), end));
+            assert_eq!(bounds, [*sign, -sign]);
+            assert!((low.to_f64() - expected).abs() < 2.0 * FOR_REFINEMENT);
+            assert!(((high - low) / Rational::from(2)).to_f64() < 2.0 * FOR_REFINEMENT);
+        }
+    }
+    for degree in [MAX_DEGREE + 1, MAX_DEGREE + 2] {
+        let found = bounded_roots::<4>(&polynomial(degree));
+        assert!(matches!(found, Err(Unproved::Close)));
+    }
+}
+
+/// 2^k y is below 1/2, and is not after one more.
+#[test]
+fn small_numbers_are_scaled_up_to_a_quarter() {
+    for y in [0.9, 0.5, 0.49, 0.25, 0.2, 0.1, 1e-3, 1e-30, 1e-200] {
+        let scaled = y * f64::from(drop_to_quarter(y)).exp2();
+        assert!(
+            scaled >= 0.25 && (scaled < 0.5 || drop_to_quarter(y) == 0),
+            "{y}"
+        );
+    }
+    assert_eq!(drop_to_quarter(0.0), 1000);
 }

@@ -214,7 +214,7 @@ mod tests {
             let polynomial = balls::<W>(&product(&[-p, q], &without));
             let bounds = place.bounds();
             let guess = Fraction::from_f64(root.to_f64().min(1.0f64.next_down()));
-            let longest = if draw.below(2) == 0 { 1e-3 } else { 1e-17 };
+            let longest = [1e-3, 1e-17, 1e-28, 1e-33][draw.below(4)];
             let enclosure = polynomial.enclose(&guess, bounds, -1, longest);
             if let Some([low, high]) = enclosure {
                 found += 1;
@@ -223,7 +223,8 @@ mod tests {
                 let unit = Rational::from_parts(Integer::from(1), -(64 * W as i64));
                 let end = |k| Rational::from_parts(Integer::from(index + k), -i64::from(depth));
                 assert!(number(&low) - &unit >= end(0) && number(&high) + &unit <= end(1));
-                assert!(number(&high) - number(&low) < exact(4.0 * longest) * &root);
+                let room = exact(3.0 * ROOM * ulp::<W>());
+                assert!(number(&high) - number(&low) < exact(2.5 * longest) * &root + room);
             }
             // What is false is not proved.
             assert!(polynomial.enclose(&guess, bounds, 1, longest).is_none());
@@ -249,6 +250,16 @@ mod tests {
         assert!(proves_root(&polynomial, &[at(3), at(5)], -1));
         assert!(!proves_root(&polynomial, &[at(2), at(3)], -1));
         assert!(!proves_root(&polynomial, &[at(5), at(6)], -1));
+    }
+
+    /// An enclosure that shares an end with its place is not strictly inside it.
+    #[test]
+    fn no_end_is_shared() {
+        let at = |eighths| Fraction::<2>::dyadic(eighths, 3);
+        let place = [at(1), at(5)];
+        assert!(is_inside(&[at(2), at(4)], &place));
+        assert!(!is_inside(&[at(1), at(4)], &place));
+        assert!(!is_inside(&[at(2), at(5)], &place));
     }
 
     fn exact(value: f64) -> Rational {

@@ -150,6 +150,18 @@ mod tests {
         Balls::aligned(numbers).expect("the leading coefficient is not 0")
     }
 
+    /// Laguerre's rule alone finds a single root, and that there is none.
+    #[test]
+    fn partial_sums_find_a_single_root() {
+        let found = by_partial_sums(&with_roots(&[(1, 2), (-3, 1)])).expect("certain signs");
+        let [place] = found.expect("the rule decides")[..] else {
+            panic!("there is one root");
+        };
+        assert_eq!((place.index, place.depth, place.sign_low), (0, 0, -1));
+        let found = by_partial_sums(&with_roots(&[(-1, 2), (-3, 1)])).expect("certain signs");
+        assert!(found.is_some_and(|places| places.is_empty()));
+    }
+
     proptest! {
         /// Built backwards: the rules say how many roots there are, or nothing.
         #[test]

@@ -1,7 +1,7 @@
 //! The laws of the rules in `ball.rs` for numbers in [−1, 1], as those of `ball_laws.rs`.
 
 use super::super::draw::Draw;
-use super::laws::{CASES, Tightness, for_widths, one, ulps};
+use super::laws::{CASES, Tightness, exact, for_widths, is_just, one, ulps};
 use super::*;
 use crate::exact::Rational;
 use crate::poly::TrigPolynomial;
@@ -15,6 +15,7 @@ fn units<const W: usize>(value: &Signed<W>) -> Rational {
 for_widths!(quotients_are_inside);
 for_widths!(products_are_inside);
 for_widths!(rotations_are_inside);
+for_widths!(errors_of_steps_are_multiplied);
 for_widths!(sums_of_products_are_inside);
 
 mod all {
@@ -93,6 +94,53 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
+    /// The step is a quarter of a turn, computed with a cosine that is too large by much more than roundings; the radii are those
+    /// of Lemma 12.
+    pub(super) fn errors_of_steps_are_multiplied<const W: usize>(draw: &mut Draw) {
+        let width = 64 * W as u64;
+        let last = 12;
+        for _ in 0..CASES / 40 {
+            let bits = draw.word() % (width - 8);
+            let size =
+                Fraction::quotient(&(Integer::from(1) << bits), &(Integer::from(1) << width));
+            let off = power_of_two(i64::try_from(bits).expect("small"));
+            let cos = UnitBall::<W> {
+                mid: Signed {
+                    size,
+                    is_negative: draw.below(2) == 0,
+                },
+                radius: off,
+            };
+            let sin = UnitBall {
+                mid: Signed::LARGEST,
+                radius: if draw.below(2) == 0 {
+                    1.0
+                } else {
+                    1.0 + draw.radius()
+                },
+            };
+            let tables = rotations([cos, sin], last);
+            let step = exact(cos.radius) + exact(sin.radius);
+            let mut radius = step.clone();
+            for m in 1..=last {
+                let truths = [[1, 0, -1, 0][m % 4], [0, 1, 0, -1][m % 4]];
+                let mut tightness = Tightness::default();
+                for (table, truth) in tables.iter().zip(truths) {
+                    let truth = Rational::from_parts(Integer::from(truth), 64 * W as i64);
+                    tightness.check(&truth, &units(&table[m].mid), table[m].radius);
+                    is_just(table[m].radius, &radius);
+                }
+                // Where the other errors are small, some coordinate is wrong by nearly all of it.
+                if off > 1e4 * sin.radius && off > 1e4 * float(W) {
+                    tightness.is_at_least(0.95);
+                }
+                let longer = Rational::one()
+                    + &radius * &Rational::from_parts(Integer::from(1), -64 * W as i64);
+                radius = &radius + &(&step * &longer) + Rational::from(3 * W as i64 + 1);
+            }
+        }
+    }
+
     pub(super) fn sums_of_products_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES / 10 {
@@ -115,6 +163,13 @@ mod all {
                 sum + truth * &Rational::from(c)
             });
             tightness.check(&(truth * scale), &ulps(ball.mid), ball.radius);
+            // The radius is that of Lemma 14.
+            let of_values = exact(values.radius) * Rational::from(64) / Rational::from(256);
+            let rounding = Rational::from((W * count) as i64);
+            is_just(
+                ball.radius,
+                &(of_values + exact(coefficients.radius) + rounding),
+            );
         }
         tightness.is_at_least(0.4);
     }

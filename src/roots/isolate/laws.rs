@@ -25,6 +25,44 @@ fn roots_at_dyadic_points_and_beside_them() {
     check(&real_roots(&wilkinson), &five);
 }
 
+/// Where signs are not known, a number of changes is certain if it is the same whatever they are.
+#[test]
+fn changes_are_counted_for_all_unknown_signs() {
+    let changes = |signs: &[i8]| {
+        let signs: Vec<_> = signs.iter().filter(|sign| **sign != 0).collect();
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    };
+    for length in 0..7u32 {
+        for code in 0..3u32.pow(length) {
+            let known: Vec<_> = (0..length)
+                .map(|k| [None, Some(-1), Some(1)][(code / 3u32.pow(k) % 3) as usize])
+                .collect();
+            let unknown = known.iter().filter(|sign| sign.is_none()).count();
+            let counts = (0..3usize.pow(u32::try_from(unknown).unwrap())).map(|mut choice| {
+                let signs: Vec<i8> = known
+                    .iter()
+                    .map(|sign| {
+                        sign.unwrap_or_else(|| {
+                            let any = [-1, 0, 1][choice % 3];
+                            choice /= 3;
+                            any
+                        })
+                    })
+                    .collect();
+                changes(&signs)
+            });
+            let counts: Vec<_> = counts.collect();
+            let all = |n: usize| counts.iter().all(|count| *count == n);
+            match Changes::count(known.iter().copied()) {
+                Changes::None => assert!(all(0), "{known:?}"),
+                Changes::One => assert!(all(1), "{known:?}"),
+                // Nothing is left open between equal or opposite known signs without a reason.
+                Changes::More => assert!(unknown > 0 || counts[0] > 1, "{known:?}"),
+            }
+        }
+    }
+}
+
 #[test]
 fn mignotte_pairs_are_told_apart() {
     // x^d − 2 (a x − 1)²: two roots about a^(−(d+2)/2) apart near 1/a.
