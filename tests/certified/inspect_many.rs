@@ -1,7 +1,7 @@
 //! Many points at, just inside and just outside the tolerance, against distances that are exact by construction or by another
 //! arithmetic (num-rational).
 //!
-//! `STELLATE_POINTS=100000 cargo test --release --test inspect_many` takes so many of each kind instead of a few hundred.
+//! `STELLATE_POINTS=100000 cargo test --release --test certified inspect_many` takes so many of each kind instead of a few hundred.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
