@@ -1,0 +1,220 @@
+//! The usual mistakes, planted one by one: each is named.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use stellate::check::{GivenPoint, GivenRadius, Reference};
+use stellate::exact::Rational;
+use stellate::limits::Limits;
+use stellate::poly::{Ring, SparsePolynomial};
+use stellate::shape::{FourierRadius, ImplicitSurface};
+
+use crate::common::float_program::{Terms, changed, checked, lopsided, names, polynomial, rounded};
+use crate::common::forms::{plane, space};
+
+#[test]
+fn every_usual_mistake_of_the_series_is_named() {
+    let right = lopsided();
+    let of = |f: &dyn Fn(usize, f64, f64) -> [f64; 2]| rounded(&changed(&right, f));
+    let first = |n: usize, value: f64, other: f64| if n == 0 { value } else { other };
+    let cases: Vec<(&str, Terms)> = vec![
+        ("a0 halved", of(&|n, a, b| [first(n, a / 2.0, a), b])),
+        ("a0 doubled", of(&|n, a, b| [first(n, a * 2.0, a), b])),
+        ("all coefficients halved", of(&|_, a, b| [a / 2.0, b / 2.0])),
+        (
+            "all coefficients doubled",
+            of(&|_, a, b| [a * 2.0, b * 2.0]),
+        ),
+        (
+            "an and bn halved",
+            of(&|n, a, b| [first(n, a, a / 2.0), b / 2.0]),
+        ),
+        (
+            "an and bn doubled",
+            of(&|n, a, b| [first(n, a, a * 2.0), b * 2.0]),
+        ),
+        ("sine sign flipped", of(&|_, a, b| [a, -b])),
+        (
+            "last harmonic dropped",
+            of(&|n, a, b| if n < 3 { [a, b] } else { [0.0, 0.0] }),
+        ),
+    ];
+    for (name, got) in cases {
+        let found = checked(&right, &got);
+        assert_eq!(names(&found), [name]);
+        assert!(!found.passes(None) && !found.passes(Some(9)));
+    }
+}
+
+#[test]
+fn every_usual_mistake_of_the_polynomial_is_named() {
+    let right = lopsided();
+    let terms = rounded(&right);
+    let signed = |sign: &dyn Fn([u32; 3]) -> bool| -> Terms {
+        let term = |(e, c): &([u32; 3], f64)| (*e, if sign(*e) { -c } else { *c });
+        terms.iter().map(term).collect()
+    };
+    let times_rho: Terms = terms
+        .iter()
+        .flat_map(|([i, j, _], c)| [([i + 2, *j, 0], *c), ([*i, j + 2, 0], *c)])
+        .collect();
+    let cases: Vec<(&str, Terms)> = vec![
+        (
+            "x and y swapped",
+            terms
+                .iter()
+                .map(|([i, j, _], c)| ([*j, *i, 0], *c))
+                .collect(),
+        ),
+        ("sine sign flipped", signed(&|[_, j, _]| j % 2 == 1)),
+        ("x mirrored", signed(&|[i, _, _]| i % 2 == 1)),
+        (
+            "curve reflected in the origin",
+            signed(&|[i, j, _]| (i + j) % 2 == 1),
+        ),
+        ("degree too high by two", times_rho),
+    ];
+    for (name, got) in cases {
+        assert_eq!(names(&checked(&right, &got)), [name]);
+    }
+}
+
+#[test]
+fn the_unsquared_forms_and_the_square_are_named() {
+    // N = 2, by hand: r (r² − odd) = even with odd = x/2, even = ρ + (x² − y²)/4.
+    let right = FourierRadius::new(
+        vec![
+            1.into(),
+            Rational::from_parts(1.into(), -1),
+            Rational::from_parts(1.into(), -2),
+        ],
+        vec![],
+    );
+    let left = plane("x^2 + y^2 - x/2");
+    let even = plane("x^2 + y^2 + x^2/4 - y^2/4");
+    // Both are made primitive: 2x² + 2y² − x and 5x² + 3y².
+    let [left, even] = [left, even].map(|f| SparsePolynomial::from(&f));
+    let half = Rational::from_parts(1.into(), -1);
+    let quarter = Rational::from_parts(1.into(), -2);
+    let (left, even) = (left.scaled(&half), even.scaled(&quarter));
+    let reference = Reference::of_radius(&right).unwrap();
+    let f = reference.polynomial().clone();
+    assert_eq!(
+        f,
+        left.squared()
+            .times(&SparsePolynomial::from(&plane("x^2 + y^2")))
+            .minus(&even.squared()),
+        "Eq. (7)"
+    );
+    for (got, name) in [
+        (left.clone(), "unsquared form"),
+        (left.minus(&even), "unsquared form"),
+        (left.squared().minus(&even.squared()), "r^2 left out"),
+        (f.squared(), "squared once too often"),
+    ] {
+        assert_eq!(names(&reference.check_coefficients(&got)), [name]);
+    }
+}
+
+#[test]
+fn a_degree_too_high_by_a_harmonic_of_the_contour_is_named() {
+    let four = {
+        let mut cos = lopsided().cosines().to_vec();
+        cos.push(Rational::from(1) / Rational::from(17));
+        FourierRadius::new(cos, lopsided().sines().to_vec())
+    };
+    let reference = Reference::of_radius(&lopsided())
+        .unwrap()
+        .with_next(four.clone());
+    let found = reference.check_coefficients(&polynomial(&rounded(&four)));
+    assert_eq!(names(&found), ["one harmonic more"]);
+}
+
+#[test]
+fn mistakes_with_the_coordinates_of_a_surface_are_named() {
+    let f = space("x^4 + 2y^2 + 3z^2*x + z + y = 5");
+    let reference = Reference::of_surface(&ImplicitSurface::new(f));
+    for (text, name) in [
+        ("y^4 + 2x^2 + 3z^2*y + z + x = 5", "x and y swapped"),
+        ("z^4 + 2y^2 + 3x^2*z + x + y = 5", "x and z swapped"),
+        ("x^4 + 2z^2 + 3y^2*x + y + z = 5", "y and z swapped"),
+        ("x^4 + 2y^2 - 3z^2*x + z + y = 5", "x mirrored"),
+        ("x^4 + 2y^2 + 3z^2*x + z - y = 5", "y mirrored"),
+        ("x^4 + 2y^2 + 3z^2*x - z + y = 5", "z mirrored"),
+        ("x^4 + 2y^2 - 3z^2*x - z - y = 5", "reflected in the origin"),
+        ("16x^4 + 8y^2 + 24z^2*x + 2z + 2y = 5", "half the size"),
+        (
+            "(x^4 + 2y^2 + 3z^2*x + z + y - 5)*(x^2 + y^2 + z^2)",
+            "degree too high by two",
+        ),
+        (
+            "(x^4 + 2y^2 + 3z^2*x + z + y - 5)^2",
+            "squared once too often",
+        ),
+    ] {
+        assert_eq!(
+            names(&reference.check_coefficients(&space(text))),
+            [name],
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn one_wrong_coefficient_is_no_usual_mistake() {
+    let right = lopsided();
+    let mut got = rounded(&right);
+    got[7].1 *= 1.0 + 1e-5;
+    let found = checked(&right, &got);
+    assert_eq!(names(&found), Vec::<&str>::new());
+    assert_eq!(found.below(9).len(), 1);
+    assert!((found.worst(1)[0].deviation.digits() - 5.0).abs() < 1e-6);
+    assert!(found.passes(Some(4)) && !found.passes(Some(6)));
+}
+
+#[test]
+fn mistakes_in_radii_and_points_are_named() {
+    let right = lopsided();
+    let reference = Reference::of_radius(&right).unwrap();
+    let limits = Limits::none();
+    let angles = (0..90).map(|k| f64::from(k) * 0.07);
+    let r = |theta: f64| right.approximate(theta);
+    let cases: [(&str, &dyn Fn(f64) -> f64); 6] = [
+        ("a0 halved", &|t| r(t) - 0.5),
+        ("all coefficients halved", &|t| r(t) / 2.0),
+        ("sine sign flipped", &|t| r(-t)),
+        ("x and y swapped", &|t| r(std::f64::consts::FRAC_PI_2 - t)),
+        ("curve reflected in the origin", &|t| {
+            r(t + std::f64::consts::PI)
+        }),
+        ("reflected branch", &|t| -r(t + std::f64::consts::PI)),
+    ];
+    for (name, wrong) in cases {
+        let given: Vec<GivenRadius> = angles
+            .clone()
+            .map(|theta| GivenRadius {
+                line: 1,
+                theta,
+                r: wrong(theta),
+            })
+            .collect();
+        assert_eq!(
+            names(&reference.check_radii(&given, &limits).unwrap()),
+            [name]
+        );
+        if name == "reflected branch" {
+            // Its points are those of the curve.
+            continue;
+        }
+        let points: Vec<GivenPoint> = given
+            .iter()
+            .map(|g| GivenPoint {
+                line: 1,
+                position: [g.r * g.theta.cos(), g.r * g.theta.sin(), 0.0],
+            })
+            .collect();
+        assert_eq!(
+            names(&reference.check_points(&points, &limits).unwrap()),
+            [name]
+        );
+    }
+}

@@ -1,0 +1,282 @@
+//! Inspection on the command line: rows, verdicts, exit codes, pictures.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use crate::common::program::{done, json, run_in};
+use num_rational::BigRational;
+use tempfile::tempdir;
+
+const SPHERE: &str = "x^2 + y^2 + z^2 = 1";
+const PIPE: &str = "x^2 + y^2 = 1";
+
+#[test]
+fn a_point_has_a_row_and_the_verdict_is_the_exit_code() {
+    let here = Path::new(".");
+    let run = |p: &str| {
+        run_in(
+            here,
+            &["inspect", SPHERE, "--tolerance", "0.1", "--point", p],
+            "",
+        )
+    };
+    let touching = run("0.66,0.88,0");
+    assert_eq!(touching.code, 0);
+    let row = touching.out.lines().nth(1).unwrap();
+    assert!(row.starts_with("0.66,0.88,0,inside,true,"), "{row}");
+    assert_eq!(
+        touching.out.lines().next().unwrap(),
+        "x,y,z,verdict,curve,distance_low,distance_high"
+    );
+    assert!(
+        touching
+            .err
+            .starts_with("note: 1 point: 1 inside, 0 outside, 0 undecided")
+    );
+    let outside = run("0.66,0.8800000000000000000001,0");
+    assert_eq!(outside.code, 1);
+    // The largest double below 1/10, which 0.1 is not.
+    assert!(
+        outside
+            .out
+            .ends_with(",outside,false,0.09999999999999999,inf\n"),
+        "{}",
+        outside.out
+    );
+    // The double nearest to 0.88 is a little less than 0.88.
+    let double = run_in(
+        here,
+        &[
+            "inspect",
+            SPHERE,
+            "--tolerance",
+            "0.1",
+            "--numbers",
+            "f64",
+            "--point",
+            "0.66,0.88,0",
+        ],
+        "",
+    );
+    assert_eq!(double.code, 1 - i32::from(less_than_the_touching_point()));
+}
+
+/// Whether the point of the doubles nearest to 0.66 and 0.88 is within 1.1 of the origin, by another arithmetic.
+fn less_than_the_touching_point() -> bool {
+    let exact = |x: f64| BigRational::from_float(x).unwrap();
+    let (x, y) = (exact(0.66), exact(0.88));
+    let limit = BigRational::new(121.into(), 100.into());
+    &x * &x + &y * &y <= limit
+}
+
+#[test]
+fn example_12_with_its_angles() {
+    let point = [
+        "inspect",
+        PIPE,
+        "--tolerance",
+        "0.1",
+        "--point",
+        "0.8,0.6,0",
+    ];
+    let text = done(&[&point[..], &["--format", "text"]].concat());
+    assert!(text.starts_with("(0.8, 0.6, 0): inside; it lies on the form\n"));
+    let document = json(&done(&[&point[..], &["--format", "json"]].concat()));
+    assert_eq!(document["kind"], "inspection");
+    assert_eq!(document["summary"]["inside"], 1);
+    let ranges = document["points"][0]["ranges"].as_array().unwrap();
+    let ends: Vec<f64> = ranges
+        .iter()
+        .flat_map(|r| [&r["from"], &r["to"]])
+        .map(|end| end.as_str().unwrap().parse().unwrap())
+        .collect();
+    assert_eq!(ends.len(), 4);
+    for (end, expected) in ends
+        .iter()
+        .zip([0.688_910_6, 0.720_754_9, 1.688_910_6, 1.720_754_9])
+    {
+        assert!(
+            (end / std::f64::consts::PI - expected).abs() < 1e-7,
+            "{end}"
+        );
+        let value = 1.6 * end.cos() + 1.2 * end.sin();
+        assert!((value.abs() - 0.1).abs() < 1e-14, "{value}");
+    }
+    assert!(ranges[0]["closed"] == serde_json::json!([true, true]));
+}
+
+/// Every row against the exact distance to the unit sphere, over num-rational: |p|² against (1 ± d)².
+#[test]
+fn rows_in_any_number_are_all_right() {
+    let (mut rows, mut expected) = (String::from("# measured\nx,y,z\n"), Vec::new());
+    let mut state = 7u64;
+    let mut next = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        i64::try_from(state >> 33).unwrap() % 2_400_001 - 1_200_000
+    };
+    let number = |k: i64| BigRational::new(k.into(), 1_000_000.into());
+    let square = |q: &BigRational| q * q;
+    let limits = [9, 11].map(|k| square(&BigRational::new(k.into(), 10.into())));
+    for _ in 0..40_000 {
+        let p = [next(), next(), next()];
+        let [x, y, z] = p.map(|k| format!("{k}e-6"));
+        writeln!(rows, "{x},{y},{z}").unwrap();
+        let length: BigRational = p.iter().map(|k| square(&number(*k))).sum();
+        expected.push(limits[0] <= length && length <= limits[1]);
+    }
+    let folder = tempdir().unwrap();
+    std::fs::write(folder.path().join("p.csv"), &rows).unwrap();
+    let arguments = ["inspect", SPHERE, "--tolerance", "0.1", "--points"];
+    let run = run_in(folder.path(), &[&arguments[..], &["p.csv"]].concat(), "");
+    assert_eq!(run.code, 1);
+    let found: Vec<&str> = run.out.lines().skip(1).collect();
+    assert_eq!(found.len(), expected.len());
+    for (row, inside) in found.iter().zip(&expected) {
+        assert_eq!(row.contains(",inside,true,"), *inside, "{row}");
+        assert_eq!(row.contains(",outside,false,"), !inside, "{row}");
+    }
+    // From standard input, with another number of threads: the same bytes.
+    let other = [&arguments[..], &["-", "--threads", "1", "--quiet"]].concat();
+    let piped = run_in(folder.path(), &other, &rows);
+    assert_eq!(piped.out, run.out);
+    assert_eq!(piped.err, "");
+}
+
+#[test]
+fn a_bad_row_stops_it_or_is_counted() {
+    let folder = tempdir().unwrap();
+    let rows = "x,y,z\n1,0,0\n\n1,0\n0,1,0\n0,nan,1\n";
+    let base = [
+        "inspect",
+        SPHERE,
+        "--tolerance",
+        "0.1",
+        "--points",
+        "-",
+        "-o",
+        "out.csv",
+    ];
+    let stopped = run_in(folder.path(), &base, rows);
+    assert_eq!(stopped.code, 2);
+    assert_eq!(
+        stopped.err,
+        "stellate: standard input, row 4: found 2 columns; each row must be x,y,z\n"
+    );
+    assert!(!folder.path().join("out.csv").exists());
+    let skipped = run_in(folder.path(), &[&base[..], &["--skip-bad"]].concat(), rows);
+    assert_eq!(skipped.code, 0, "{}", skipped.err);
+    assert!(
+        skipped.err.contains("2 rows were no points"),
+        "{}",
+        skipped.err
+    );
+    let written = std::fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    assert_eq!(written.lines().count(), 3);
+}
+
+#[test]
+fn plane_curves_and_contours() {
+    let circle = [
+        "inspect",
+        "x^2 + y^2 = 1",
+        "--tolerance",
+        "1/10",
+        "--point",
+        "0.66,0.88",
+    ];
+    let text = done(&[&circle[..], &["--format", "text"]].concat());
+    assert!(text.contains("(0.66, 0.88): inside"), "{text}");
+    // The one common point is towards the origin.
+    assert!(
+        text.ends_with("  at theta in [2*pi - 2*atan(2), 2*pi - 2*atan(2)]\n"),
+        "{text}"
+    );
+    let csv = done(&circle);
+    assert!(
+        csv.starts_with("x,y,verdict,curve,distance_low,distance_high\n0.66,0.88,inside,true,"),
+        "{csv}"
+    );
+    // A Fourier radius goes through its equation; a centre is taken into account.
+    let radius =
+        r#"{"schema":"stellate/1","kind":"fourier","cos":["2"],"sin":["0"],"center":["10","20"]}"#;
+    let run = run_in(
+        Path::new("."),
+        &["inspect", "-", "--tolerance", "0.1", "--point", "12.05,20"],
+        radius,
+    );
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(
+        run.out.contains("12.05,20,inside,true,0.0499999"),
+        "{}",
+        run.out
+    );
+}
+
+#[test]
+fn pictures_and_clouds() {
+    let folder = tempdir().unwrap();
+    let rows = "1,0,0\n0,1.05,0\n0,0,1.2\n";
+    let arguments = [
+        "inspect",
+        SPHERE,
+        "--tolerance",
+        "0.1",
+        "--points",
+        "-",
+        "--plot",
+        "p.svg",
+        "--cloud",
+        "c.ply",
+        "-o",
+        "v.csv",
+    ];
+    let run = run_in(folder.path(), &arguments, rows);
+    assert_eq!(run.code, 1, "{}", run.err);
+    let svg = std::fs::read_to_string(folder.path().join("p.svg")).unwrap();
+    for label in [
+        "2 points inside: within 1/10",
+        "1 point outside: farther than 1/10",
+        "surface of degree 2",
+    ] {
+        assert!(svg.contains(label), "{label}");
+    }
+    let ply = std::fs::read(folder.path().join("c.ply")).unwrap();
+    let parser = ply_rs_bw::parser::Parser::<ply_rs_bw::ply::DefaultElement>::new();
+    let cloud = parser.read_ply(&mut ply.as_slice()).unwrap();
+    let vertices = &cloud.payload["vertex"];
+    assert_eq!(vertices.len(), 3);
+    let high = |k: usize| match vertices[k]["distance_high"] {
+        ply_rs_bw::ply::Property::Double(value) => value,
+        _ => panic!("not a double"),
+    };
+    assert!(high(0) <= 0.0 && (high(1) - 0.05).abs() < 1e-7 && high(2).is_infinite());
+}
+
+#[test]
+fn undecided_is_said_with_exit_code_3() {
+    // Nearly touching along a whole circle, one part in 10¹⁶ off, with almost no cubes allowed.
+    let torus = "(x^2+y^2+z^2+3)^2 = 16*(x^2+y^2)";
+    let arguments = [
+        "inspect",
+        torus,
+        "--tolerance",
+        "0.9999999999999999",
+        "--point",
+        "0,0,0",
+        "--budget",
+        "10",
+    ];
+    let run = run_in(Path::new("."), &arguments, "");
+    assert_eq!(run.code, 3, "{}", run.out);
+    assert!(run.out.contains(",undecided,"), "{}", run.out);
+    assert!(
+        run.err
+            .contains("limit reached: --budget 10 cubes (1 of 1 points are undecided"),
+        "{}",
+        run.err
+    );
+}

@@ -1,0 +1,13 @@
+//! Comparisons and inspections with a proof.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod check;
+mod check_bad_input;
+mod check_cli;
+mod check_mistakes;
+mod check_numpy;
+mod inspect;
+mod inspect_cli;
+mod inspect_many;

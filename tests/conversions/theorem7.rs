@@ -1,0 +1,138 @@
+//! Theorem 7: intersections of surfaces as parametric space curves.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use crate::common::program::{done, json, piped, run_in};
+use proptest::prelude::*;
+use stellate::document::{Coordinates, Format};
+use stellate::exact::Rational;
+use stellate::language::{Numbers, parse_form};
+use stellate::limits::Limits;
+use stellate::parametrize::{IntersectionParametrization, parametrize_intersection};
+use stellate::shape::{Form, ImplicitSurface};
+
+fn surfaces(text: &str) -> Vec<ImplicitSurface> {
+    match parse_form(text, "<form>", Numbers::Exact).unwrap() {
+        Form::Intersection(surfaces) => surfaces,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The curves, each checked at rational parameters in all the equations.
+fn curves(text: &str) -> (Vec<String>, IntersectionParametrization) {
+    let surfaces = surfaces(text);
+    let found = parametrize_intersection(&surfaces, &Limits::none()).unwrap();
+    for curve in &found.curves {
+        for s in -3i64..4 {
+            let s = Rational::from(s) / Rational::from(2);
+            let Some(point) = curve.point(&s) else {
+                continue;
+            };
+            for surface in &surfaces {
+                assert!(surface.polynomial().evaluate(&point).is_zero(), "{text}");
+            }
+        }
+    }
+    let formulas = found.curves.iter().map(|curve| {
+        let formulas = Coordinates::from(curve).formulas(Format::Text);
+        formulas.join(", ")
+    });
+    (formulas.collect(), found)
+}
+
+#[test]
+fn known_curves() {
+    for (text, expected) in [
+        // Example 11
+        ("x^2 + y^2 = 1; z = y^5", &["cos(t), sin(t), sin(t)^5"][..]),
+        // Viviani's curve, once
+        (
+            "x^2 + y^2 + z^2 = 4; (x-1)^2 + y^2 = 1",
+            &["2*cos(t)^2, sin(2*t), 2*sin(t)"],
+        ),
+        // The twisted cubic, in any order of the equations
+        ("z = x^3; y = x^2", &["t, t^2, t^3"]),
+        ("x^2 = y; x*y = z", &["t, t^2, t^3"]),
+        // Two circles: Steinmetz
+        (
+            "x^2 + y^2 = 1; y^2 + z^2 = 1",
+            &["cos(t), sin(t), -cos(t)", "cos(t), sin(t), cos(t)"],
+        ),
+        // Projected along x
+        ("y^2 + z^2 = 1; x = y*z", &["1/2*sin(2*t), cos(t), sin(t)"]),
+        // Parallel lines: two cylinders along one axis
+        ("x^2 = 1 + 0z; y = 0*z", &["1, 0, t", "-1, 0, t"]),
+        // A third surface takes a component away
+        (
+            "x^2 + y^2 = 1; y^2 + z^2 = 1; x = z",
+            &["cos(t), sin(t), cos(t)"],
+        ),
+    ] {
+        let (found, all) = curves(text);
+        assert_eq!(found, expected, "{text}");
+        assert!(all.others.is_empty(), "{text}");
+    }
+}
+
+#[test]
+fn what_has_no_parametrization_says_why() {
+    for (text, reason) in [
+        (
+            "x^2 + y^2 + z^2 = 1; x^2 + y^2 = z^2",
+            "no rational function of the parameter",
+        ),
+        ("x^2 + y^2 = 3; z = x", "no rational parametrization over Q"),
+        ("x^4 + y^4 = 1; z = x", "genus 3"),
+    ] {
+        let (found, all) = curves(text);
+        assert_eq!(found, [""; 0], "{text}");
+        assert!(
+            all.others[0].reason.contains(reason),
+            "{}",
+            all.others[0].reason
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// Built backwards: a graph over a circle, and a graph over a parabola, come back.
+    #[test]
+    fn graphs_over_known_curves_come_back(c in prop::array::uniform5(-4i64..5)) {
+        let [a, b, d, e, f] = c;
+        let graph = format!("{a}*x^2*y + {b}*y^3 + {d}*x + {e}*y + {f}");
+        for (base, degree) in [("x^2 + y^2 = 1", 1), ("y = x^2 + x", 1), ("x^3 + y^3 = 3*x*y", 1)] {
+            let (found, all) = curves(&format!("{base}; z = {graph}"));
+            prop_assert_eq!(found.len(), degree);
+            prop_assert!(all.others.is_empty());
+        }
+    }
+}
+
+#[test]
+fn on_the_command_line() {
+    let example_11 = "x^2 + y^2 = 1; z = y^5";
+    let text = done(&["parametrize", example_11]);
+    assert!(
+        text.ends_with("x = cos(t)\ny = sin(t)\nz = sin(t)^5\n"),
+        "{text}"
+    );
+    // And back: the equations of the curve.
+    assert_eq!(
+        piped(&["implicitize", "-"], &text),
+        done(&["implicitize", "x = cos(t); y = sin(t); z = sin(t)^5"])
+    );
+    let document = done(&["parametrize", example_11, "--format", "json"]);
+    let value = json(&document);
+    assert_eq!(value["method"], "theorem-7");
+    assert_eq!(value["curves"][0]["coordinates"]["z"], "sin(t)^5");
+    assert_eq!(
+        piped(&["implicitize", "-"], &document),
+        piped(&["implicitize", "-"], &text)
+    );
+    let shared = ["parametrize", "x*y = z*y; y = x*y"];
+    let run = run_in(std::path::Path::new("."), &shared, "");
+    assert_eq!((run.code, run.out.as_str()), (2, ""), "{}", run.err);
+    assert!(run.err.contains("a surface in common"), "{}", run.err);
+}

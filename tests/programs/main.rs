@@ -1,0 +1,12 @@
+//! The command line as a whole, and the texts that it reads and writes.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bad_input;
+mod cli;
+mod cli_session;
+mod documents;
+mod implicitize_cli;
+mod language;
+mod main_job;

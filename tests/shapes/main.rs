@@ -1,0 +1,11 @@
+//! Surfaces, meshes, arcs and superquadrics.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod arcs;
+mod mesh;
+mod superquadric;
+mod superquadric_space;
+mod surfaces;
+mod surfaces_cli;
