@@ -10,4 +10,5 @@ mod check_mistakes;
 mod check_numpy;
 mod inspect;
 mod inspect_cli;
+mod inspect_forms;
 mod inspect_many;

@@ -10,3 +10,4 @@ mod documents;
 mod implicitize_cli;
 mod language;
 mod main_job;
+mod verbs;

@@ -2,13 +2,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
 
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
-use common::program::run_in;
+use crate::common::program::run_in;
 use stellate::document::{
     Format, InspectionWriter, MeshFormat, write_check, write_described, write_fourier,
     write_implicitization, write_ladder, write_mesh, write_parametrized, write_sampled,
