@@ -8,7 +8,7 @@ use malachite::base::polynomial::Polynomial;
 use super::terms::{Exponents, Terms};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{PrimeField, SplitMix};
+use crate::modular::{PrimeField, SplitMix, trimmed};
 use crate::poly::{IntegerPolynomial, polynomial_gcd};
 
 /// The prime that quick tests are made with: 2³¹ − 1.
@@ -109,12 +109,9 @@ pub(super) fn image_modulo(field: &PrimeField, f: &Terms, v: usize, point: &[u64
             value = field.mul(value, powers[w][e[w] as usize]);
         }
         let slot: &mut u64 = &mut image[e[v] as usize];
-        *slot = (*slot + value) % field.prime();
+        *slot = field.sum(*slot, value);
     }
-    while image.last() == Some(&0) {
-        image.pop();
-    }
-    image
+    trimmed(image)
 }
 
 fn random_point() -> [u64; 3] {

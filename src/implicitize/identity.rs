@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::map::{RationalMap, Terms};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{kernel_primes, power_mod, powers_mod, reduce_integer};
+use crate::modular::{PrimeField, large_primes};
 use crate::poly::SparsePolynomial;
 use crate::shape::SpaceCurve;
 
@@ -52,7 +52,7 @@ impl RationalMap {
             .map(|(e, c)| (*e, c.numerator()))
             .collect();
         let cleared = Cleared::new(self, &f);
-        let mut usable = kernel_primes().filter(|&p| self.is_defined_modulo(p));
+        let mut usable = large_primes().filter(|&p| self.is_defined_modulo(p));
         let Some(first) = usable.next() else {
             return Ok(false);
         };
@@ -186,10 +186,11 @@ fn floor_log(p: u64) -> u64 {
 
 /// Whether N is 0 modulo a prime that keeps every denominator.
 fn vanishes_modulo(map: &RationalMap, f: &Equation, cleared: &Cleared, prime: u64) -> bool {
-    let (map, f) = (map.modulo(prime), EquationModulo::new(f, prime));
+    let field = PrimeField::new(prime);
+    let (map, f) = (map.modulo(prime), EquationModulo::new(f, field));
     let [in_s1, in_s2] = cleared.degrees;
     let degree = in_s1 + cleared.stride * in_s2;
-    let points = (0..prime).filter_map(|s1| map.at([s1, power_mod(s1, cleared.stride, prime)]));
+    let points = (0..prime).filter_map(|s1| map.at([s1, field.power(s1, cleared.stride)]));
     let mut count = 0;
     for point in points {
         if f.value(&point) != 0 {
@@ -209,24 +210,24 @@ type Row = Vec<(usize, u64)>;
 
 /// An equation modulo a prime.
 struct EquationModulo {
-    prime: u64,
+    field: PrimeField,
     /// By the exponents of y and z the coefficients of the powers of x.
     rows: Vec<([u32; 2], Row)>,
     degrees: [u32; 3],
 }
 
 impl EquationModulo {
-    fn new(f: &Equation, prime: u64) -> Self {
+    fn new(f: &Equation, field: PrimeField) -> Self {
         let mut rows = std::collections::BTreeMap::<[u32; 2], Row>::new();
         let mut degrees = [0; 3];
         for (e, c) in f {
             let [x, y, z] = *e;
             let row = rows.entry([y, z]).or_default();
-            row.push((x as usize, reduce_integer(c, prime)));
+            row.push((x as usize, field.reduce_integer(c)));
             degrees = std::array::from_fn(|v| e[v].max(degrees[v]));
         }
         Self {
-            prime,
+            field,
             rows: rows.into_iter().collect(),
             degrees,
         }
@@ -234,12 +235,12 @@ impl EquationModulo {
 
     /// The value at a point, whose missing coordinates do not occur.
     fn value(&self, point: &[u64]) -> u64 {
-        let p = self.prime;
+        let p = self.field.prime();
         let square = p * p;
         let [x, y, z] = [0, 1, 2].map(|v| {
             // A coordinate that the curve does not have does not occur in f, either.
             let value = point.get(v).copied().unwrap_or(0);
-            powers_mod(value, self.degrees[v] as usize + 1, p)
+            self.field.powers(value, self.degrees[v] as usize + 1)
         });
         let mut sum = 0;
         for ([j, k], row) in &self.rows {
@@ -344,7 +345,7 @@ mod tests {
         /// x + y on (m s, n s), with m + n the product of some primes: the only coefficient is m + n, and so is its bound.
         #[test]
         fn a_product_of_primes_is_not_taken_for_zero(count in 1usize..9, skipped in 0usize..3, share in 1u64..1000) {
-            let primes = kernel_primes().skip(skipped).take(count);
+            let primes = large_primes().skip(skipped).take(count);
             let product = primes.fold(Integer::ONE, |m, p| m * Integer::from(p));
             // Halves reach the bound, other shares lie below it by less than a bit.
             let m = &product * Integer::from(share) / Integer::from(1000u64);
@@ -390,7 +391,7 @@ mod tests {
 
     #[test]
     fn a_multiple_of_the_first_prime_is_not_taken_for_zero() {
-        let prime = kernel_primes().next().unwrap();
+        let prime = large_primes().next().unwrap();
         let constant = |c: u64| vec![([0, 0], Integer::from(c))];
         let s = |c: u64| vec![([1, 0], Integer::from(c))];
         let [x, y] = [0, 1].map(SparsePolynomial::<3>::variable);

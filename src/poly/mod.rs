@@ -24,7 +24,7 @@ mod trig;
 
 pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
 pub(crate) use circle::{doubled_harmonics, flat_form, harmonic_bits, scaled_harmonics};
-pub(crate) use eliminate::{eliminate, resultant_mod};
+pub(crate) use eliminate::eliminate;
 pub(crate) use evaluate::{integer_sign, leading_value};
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
 pub use form::BinaryForm;
@@ -42,6 +42,6 @@ pub use shift::{shift_by_minus_one, shift_by_one};
 pub use space::SpacePolynomial;
 pub use sparse::{SparsePolynomial, term_order, total_degree};
 pub use sqrt::polynomial_sqrt;
-pub(crate) use subresultant::{Weights, determinant, signed_subresultant};
+pub(crate) use subresultant::{Weights, signed_subresultant};
 pub use ternary::TernaryForm;
 pub use trig::TrigPolynomial;

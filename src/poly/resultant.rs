@@ -5,13 +5,11 @@ use malachite::base::polynomial::Polynomial;
 use malachite::{Integer, Natural};
 
 use super::SparsePolynomial;
-use super::eliminate::{as_f64, bits_of, resultant_mod};
+use super::eliminate::{as_f64, bits_of};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::modular::{
-    ABOVE_PRIMES, Images, interpolate, power_mod, previous_prime, reduce_integer,
-};
+use crate::modular::{Images, PrimeField, large_primes};
 
 /// Products of residues beyond which the work is refused: some seconds.
 const MAX_WORK: f64 = 3e9;
@@ -52,22 +50,23 @@ pub(crate) fn resultant(
         )));
     }
     let bound = (&norms[0]).pow(n as u64) * (&norms[1]).pow(m as u64);
-    let at = |[a, b]: [u64; 2], prime: u64| {
-        let [f, g] = [&f, &g].map(|p| p.in_v(v, [(u, a), (w, b)], prime));
-        resultant_mod(f, g, prime)
+    let at = |[a, b]: [u64; 2], field: &PrimeField| {
+        let [f, g] = [&f, &g].map(|p| p.in_v(v, [(u, a), (w, b)], field));
+        field.resultant(f, g)
     };
     let mut combined = Images::unknown((in_u + 1) * (in_w + 1));
-    let mut prime = ABOVE_PRIMES;
+    let mut primes = large_primes();
     while !combined.determine(&bound) {
         limits.check()?;
-        prime = previous_prime(prime);
+        let prime = primes.following();
+        let field = PrimeField::new(prime);
         let mut columns = Vec::new();
         for a in 0..=in_u as u64 {
-            let values = (0..=in_w as u64).map(|b| at([a, b], prime));
-            columns.push(interpolate(values.collect(), prime));
+            let values = (0..=in_w as u64).map(|b| at([a, b], &field));
+            columns.push(field.interpolate(values.collect()));
         }
         let rows = (0..=in_w).map(|j| columns.iter().map(|c| c[j]).collect());
-        let image: Vec<u64> = rows.flat_map(|row| interpolate(row, prime)).collect();
+        let image: Vec<u64> = rows.flat_map(|row| field.interpolate(row)).collect();
         combined.push(&image, prime);
     }
     let narrow = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
@@ -79,9 +78,9 @@ pub(crate) fn resultant(
         (e, c)
     });
     let found = Integers::from_terms(terms.collect());
-    let prime = previous_prime(prime);
-    let point = ANY_POINT.map(|c| c % prime);
-    if found.value([(u, point[0]), (w, point[1])], prime) != at(point, prime) {
+    let field = PrimeField::new(primes.following());
+    let point = ANY_POINT.map(|c| c % field.prime());
+    if found.value([(u, point[0]), (w, point[1])], &field) != at(point, &field) {
         return Err(Error::internal(
             "a resultant",
             "the resultant has the value of Sylvester's determinant modulo one more prime",
@@ -123,18 +122,18 @@ impl Integers {
     }
 
     /// The value of a polynomial in two of the variables.
-    fn value(&self, at: [(usize, u64); 2], prime: u64) -> u64 {
+    fn value(&self, at: [(usize, u64); 2], field: &PrimeField) -> u64 {
         let v = 3 - at[0].0 - at[1].0;
-        self.in_v(v, at, prime)[0]
+        self.in_v(v, at, field)[0]
     }
 
     /// As a polynomial in v of its full formal degree, the other variables having values.
-    fn in_v(&self, v: usize, [(u, a), (w, b)]: [(usize, u64); 2], prime: u64) -> Vec<u64> {
+    fn in_v(&self, v: usize, [(u, a), (w, b)]: [(usize, u64); 2], field: &PrimeField) -> Vec<u64> {
         let mut coefficients = vec![0; self.degrees[v] + 1];
         for (e, c) in &self.terms {
-            let monomial = power_mod(a, e[u].into(), prime) * power_mod(b, e[w].into(), prime);
+            let monomial = field.mul(field.power(a, e[u].into()), field.power(b, e[w].into()));
             let value = &mut coefficients[e[v] as usize];
-            *value = (*value + reduce_integer(c, prime) * (monomial % prime)) % prime;
+            *value = field.sum(*value, field.mul(field.reduce_integer(c), monomial));
         }
         coefficients
     }
@@ -155,13 +154,8 @@ mod tests {
 
     /// The product of the first primes that are used.
     fn modulus(primes: usize) -> Integer {
-        let mut prime = ABOVE_PRIMES;
-        let mut product = Integer::from(1);
-        for _ in 0..primes {
-            prime = previous_prime(prime);
-            product *= Integer::from(prime);
-        }
-        product
+        let primes = large_primes().take(primes);
+        primes.fold(Integer::from(1), |product, p| product * Integer::from(p))
     }
 
     #[test]

@@ -7,7 +7,6 @@ use malachite::base::num::factorization::traits::IsPrime;
 use super::quad::{PRIME_BITS, Quad};
 use crate::bigint::f64_from;
 use crate::error::Invariant;
-use crate::modular::power_mod;
 
 /// There are roots of unity of the orders that divide 3 · 2^ORDER_BITS.
 pub(super) const ORDER_BITS: u32 = 22;
@@ -59,16 +58,33 @@ fn next_prime(above: u64) -> Prime {
     }
     assert!(p > LEAST, "there are enough primes above 2^49.99");
     // The order of a power g^((p − 1)/ORDER) divides ORDER; it is no less if the halves and the thirds of it are not 1.
-    let mut roots = (2..p).map(|g| power_mod(g, (p - 1) / ORDER, p));
+    let mut roots = (2..p).map(|g| power(g, (p - 1) / ORDER, p));
     let is_primitive = |root: &u64| {
         [ORDER / 2, ORDER / 3]
             .iter()
-            .all(|&e| power_mod(*root, e, p) != 1)
+            .all(|&e| power(*root, e, p) != 1)
     };
     let root = roots
         .find(is_primitive)
         .invariant("the units modulo a prime are a cyclic group");
     Prime { p, root }
+}
+
+/// base^exponent modulo a prime of 50 bits.
+fn power(base: u64, mut exponent: u64, p: u64) -> u64 {
+    let mul = |a: u64, b: u64| {
+        let product = u128::from(a) * u128::from(b) % u128::from(p);
+        u64::try_from(product).invariant("a residue is less than its prime")
+    };
+    let (mut result, mut square) = (1, base % p);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = mul(result, square);
+        }
+        square = mul(square, square);
+        exponent >>= 1;
+    }
+    result
 }
 
 #[cfg(test)]
@@ -86,9 +102,9 @@ mod tests {
                 let (p, size) = (u64_from(p), u64_from(root.abs()));
                 assert!(p.is_prime() && size <= p / 2);
                 let root = if root < 0.0 { p - size } else { size };
-                assert_eq!(power_mod(root, ORDER, p), 1);
-                assert_eq!(power_mod(root, ORDER / 2, p), p - 1);
-                assert_ne!(power_mod(root, ORDER / 3, p), 1);
+                assert_eq!(power(root, ORDER, p), 1);
+                assert_eq!(power(root, ORDER / 2, p), p - 1);
+                assert_ne!(power(root, ORDER / 3, p), 1);
             }
         }
     }
