@@ -1,19 +1,14 @@
 //! A parametric form as a rational map, and its values modulo a prime.
 
-use malachite::Integer;
-
 use crate::error::Invariant;
 use crate::modular::PrimeField;
-use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
+use crate::poly::{IntegerTerms, RationalFunction};
 use crate::shape::{ParametricCurve, Patch, PatchFunction};
-
-/// A polynomial in at most two variables with integer coefficients.
-pub(super) type Terms = Vec<([u32; 2], Integer)>;
 
 /// The coordinates as quotients of polynomials in s1 and s2.
 pub(super) struct RationalMap {
     /// Numerator and denominator of each.
-    pub(super) coordinates: Vec<[Terms; 2]>,
+    pub(super) coordinates: Vec<[IntegerTerms<2>; 2]>,
 }
 
 impl RationalMap {
@@ -22,17 +17,9 @@ impl RationalMap {
     }
 
     pub(super) fn of_functions(functions: &[RationalFunction]) -> Self {
-        let terms = |f: &IntegerPolynomial| {
-            let coefficients = f.coefficients_asc().iter().enumerate();
-            let terms = coefficients.filter(|(_, c)| **c != 0);
-            terms
-                .map(|(k, c)| {
-                    let k = u32::try_from(k).invariant("a degree is below 2^32");
-                    ([k, 0], c.clone())
-                })
-                .collect()
+        let both = |f: &RationalFunction| {
+            [f.numerator(), f.denominator()].map(|p| IntegerTerms::from_univariate(p, 0))
         };
-        let both = |f: &RationalFunction| [terms(f.numerator()), terms(f.denominator())];
         Self {
             coordinates: functions.iter().map(both).collect(),
         }
@@ -43,14 +30,10 @@ impl RationalMap {
     }
 
     pub(super) fn of_patch_functions(functions: &[PatchFunction]) -> Self {
-        let terms = |f: &SparsePolynomial<2>| {
-            let terms = f.terms();
-            terms.map(|(e, c)| (*e, c.numerator())).collect()
-        };
         Self {
             coordinates: functions
                 .iter()
-                .map(|f| [terms(f.numerator()), terms(f.denominator())])
+                .map(|f| [f.numerator(), f.denominator()].map(IntegerTerms::of_numerators))
                 .collect(),
         }
     }
@@ -58,7 +41,7 @@ impl RationalMap {
     /// Whether no denominator is 0 modulo the prime.
     pub(super) fn is_defined_modulo(&self, prime: u64) -> bool {
         let field = PrimeField::new(prime);
-        let is_zero = |q: &Terms| q.iter().all(|(_, c)| field.reduce_integer(c) == 0);
+        let is_zero = |q: &IntegerTerms<2>| q.iter().all(|(_, c)| field.reduce_integer(c) == 0);
         self.coordinates.iter().all(|[_, q]| !is_zero(q))
     }
 
@@ -118,9 +101,9 @@ impl MapModulo {
     }
 }
 
-fn rows_modulo(terms: &Terms, field: &PrimeField) -> Vec<Vec<u64>> {
+fn rows_modulo(terms: &IntegerTerms<2>, field: &PrimeField) -> Vec<Vec<u64>> {
     let mut rows: Vec<Vec<u64>> = Vec::new();
-    for (e, c) in terms {
+    for (e, c) in terms.iter() {
         let [in_row, row] = e.map(|k| k as usize);
         rows.resize(rows.len().max(row + 1), Vec::new());
         let row = &mut rows[row];

@@ -19,6 +19,7 @@ mod space;
 mod sparse;
 mod sqrt;
 mod subresultant;
+mod terms;
 mod ternary;
 mod trig;
 
@@ -43,5 +44,8 @@ pub use space::SpacePolynomial;
 pub use sparse::{SparsePolynomial, term_order, total_degree};
 pub use sqrt::polynomial_sqrt;
 pub(crate) use subresultant::{Weights, signed_subresultant};
+pub(crate) use terms::IntegerTerms;
+#[cfg(test)]
+pub(crate) use terms::tests::terms as any_integer_terms;
 pub use ternary::TernaryForm;
 pub use trig::TrigPolynomial;
