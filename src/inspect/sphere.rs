@@ -1,7 +1,7 @@
 //! Whether a polynomial has zeros on a sphere: patches of the sphere, in doubles with bounds of their errors.
 
-use crate::field::interval::{exactly, minus, product, square};
-use crate::field::{Field, Interval};
+use crate::intervals::interval::{exactly, minus, product, square};
+use crate::intervals::{Field, Interval};
 
 /// So many patches at most.
 const MAX_PATCHES: usize = 30_000;
@@ -150,8 +150,8 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::tests::{cubic, sphere};
-    use crate::field::{distance, dot, rational, rationals};
+    use crate::intervals::tests::{cubic, sphere};
+    use crate::intervals::{distance, dot, rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 

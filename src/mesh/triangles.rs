@@ -6,7 +6,7 @@ use super::cells::Grid;
 use super::{collapse, refine, tetrahedra};
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
-use crate::field::{Crossing, Field};
+use crate::intervals::{Crossing, Field};
 use crate::limits::Limits;
 use crate::sample::{Ray, RaySolver, SpaceDirection};
 use crate::shape::ImplicitSurface;

@@ -139,10 +139,10 @@ mod tests {
     use proptest::prelude::*;
 
     fn ends(a: Wide) -> [Rational; 2] {
-        let value = Rational::from_parts(Integer::from(a.mantissa), a.exponent);
+        let value = Rational::from_dyadic(Integer::from(a.mantissa), a.exponent);
         [-1, 1].map(|sign| {
             let error = Integer::from(a.error) * Integer::from(sign);
-            &value + &value * Rational::from_parts(error, -127)
+            &value + &value * Rational::from_dyadic(error, -127)
         })
     }
 
@@ -167,7 +167,7 @@ mod tests {
                 prop_assert_eq!(order, shift.cmp(&0));
             }
             let whole = Wide::exact(a.unsigned_abs(), shift);
-            prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_parts(Integer::from(a), shift)));
+            prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_dyadic(Integer::from(a), shift)));
         }
 
         /// Leading bits hold every number that begins with them.
@@ -175,7 +175,7 @@ mod tests {
         fn leading_bits_hold_what_follows_them(mantissa in (1u128 << 127).., exponent in -300i64..300, rest in any::<u64>()) {
             let [low, high] = ends(Wide::from_leading((mantissa, exponent)));
             let number = (Integer::from(mantissa) << 64u64) + Integer::from(rest);
-            let number = Rational::from_parts(number, exponent - 64);
+            let number = Rational::from_dyadic(number, exponent - 64);
             prop_assert!(low <= number && number <= high);
         }
 

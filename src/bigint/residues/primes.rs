@@ -4,7 +4,7 @@ use std::sync::{Mutex, PoisonError};
 
 use malachite::base::num::factorization::traits::IsPrime;
 
-use super::quad::{PRIME_BITS, Quad};
+use super::lanes::{Lanes, PRIME_BITS};
 use crate::bigint::f64_from;
 use crate::error::Invariant;
 
@@ -31,15 +31,15 @@ static KNOWN: Mutex<Vec<Prime>> = Mutex::new(Vec::new());
 /// Lemma 1. All of them are above 2^49.99: of so many numbers that are 1 modulo [`ORDER`] one in some twelve is a prime, so that
 /// as many as [`MOST_PRIMES`](super::blocks::MOST_PRIMES) are needed take 0.7 % of the way to 2^49. Each is compared with
 /// [`LEAST`] when it is found. Law: `roots_have_the_order_that_is_said`.
-pub(super) fn fours_of_primes(count: usize) -> Vec<[Quad; 2]> {
+pub(super) fn fours_of_primes(count: usize) -> Vec<[Lanes; 2]> {
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     while known.len() < 4 * count {
         let above = known.last().map_or(1 << PRIME_BITS, |prime| prime.p);
         known.push(next_prime(above));
     }
     let fours = known.as_chunks::<4>().0.iter().take(count);
-    let quads = fours.map(|four| [four.map(|prime| f64_from(prime.p)), four.map(balanced_root)]);
-    quads.collect()
+    let lanes = fours.map(|four| [four.map(|prime| f64_from(prime.p)), four.map(balanced_root)]);
+    lanes.collect()
 }
 
 fn balanced_root(Prime { p, root }: Prime) -> f64 {
