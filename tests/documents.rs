@@ -432,3 +432,29 @@ proptest! {
         let _ = read_fourier_csv(&text, "t.csv", Numbers::Exact);
     }
 }
+
+proptest! {
+    #[test]
+    fn what_is_displayed_is_parsed_back(curve in curve(), surface in surface(), radius in radius()) {
+        for form in [curve, surface, Form::Fourier(radius)] {
+            let text = form.to_string();
+            prop_assert_eq!(&text.parse::<Form>().unwrap(), &form, "{}", text);
+            match form {
+                Form::Curve(curve) => {
+                    prop_assert_eq!(&curve.to_string().parse::<ImplicitCurve>().unwrap(), &curve);
+                    let f = curve.polynomial();
+                    prop_assert_eq!(&f.to_string().parse::<PlanePolynomial>().unwrap(), f);
+                }
+                Form::Surface(surface) => {
+                    prop_assert_eq!(&surface.to_string().parse::<ImplicitSurface>().unwrap(), &surface);
+                    let f = surface.polynomial();
+                    prop_assert_eq!(&f.to_string().parse::<SparsePolynomial<3>>().unwrap(), f);
+                }
+                Form::Fourier(radius) => {
+                    prop_assert_eq!(&radius.to_string().parse::<FourierRadius>().unwrap(), &radius);
+                }
+                _ => prop_assert!(false, "another form"),
+            }
+        }
+    }
+}

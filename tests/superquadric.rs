@@ -10,8 +10,8 @@ use stellate::document::{Format, write_superquadric};
 use stellate::exact::Rational;
 use stellate::language::{Numbers, parse_form};
 use stellate::reading::read_text;
-use stellate::sample::{Direction, Ray, RaySolver, Sample, SuperquadricSolver};
-use stellate::shape::{Form, Superquadric};
+use stellate::sample::{Direction, Ray, RaySolver, Sample, solve_radial};
+use stellate::shape::{Form, Radial, Superquadric};
 
 mod common;
 use common::program::{Run, done, json, piped, run_in};
@@ -42,7 +42,7 @@ fn superquadrics() -> impl Strategy<Value = Superquadric> {
 }
 
 fn points(shape: &Superquadric, direction: &Direction) -> Vec<Sample> {
-    match SuperquadricSolver::new(shape).solve(direction).unwrap() {
+    match solve_radial(shape, direction).unwrap() {
         Ray::Points(points) => points,
         Ray::Line => panic!("no lines"),
     }
@@ -181,10 +181,9 @@ proptest! {
     #[test]
     fn the_exact_curve_is_between_the_neighbouring_doubles(shape in superquadrics(), theta in 0.0f64..6.3) {
         let direction = Direction::from_radians(theta);
-        let solver = SuperquadricSolver::new(&shape);
         let at = |r: f64| {
             let r = Rational::try_from(r).unwrap();
-            solver.compare(&(&r * &direction.u()), &(&r * &direction.v())).unwrap()
+            shape.compare(&[&r * &direction.u(), &r * &direction.v()]).unwrap()
         };
         let both = points(&shape, &direction);
         let [positive, negative] = &both[..] else { panic!("two points") };
@@ -208,11 +207,10 @@ proptest! {
         let epsilon = rational(2 * i64::from(q), i64::from(p));
         let [px, py] = [point(x, &a[0]), -point(y, &a[1])];
         let shape = Superquadric::new(a, epsilon.clone(), level.clone()).unwrap();
-        let solver = SuperquadricSolver::new(&shape);
-        prop_assert_eq!(solver.compare(&px, &py).unwrap(), Ordering::Equal);
+        prop_assert_eq!(shape.compare(&[px.clone(), py.clone()]).unwrap(), Ordering::Equal);
         let little = rational(1, 1 << 60);
-        prop_assert_eq!(solver.compare(&(&px + &little), &py).unwrap(), Ordering::Greater);
-        prop_assert_eq!(solver.compare(&px, &(&py + &little)).unwrap(), Ordering::Less);
+        prop_assert_eq!(shape.compare(&[&px + &little, py.clone()]).unwrap(), Ordering::Greater);
+        prop_assert_eq!(shape.compare(&[px.clone(), &py + &little]).unwrap(), Ordering::Less);
     }
 }
 

@@ -11,10 +11,8 @@ use stellate::exact::Rational;
 use stellate::language::{Numbers, parse_form};
 use stellate::parametrize::parametrize_space_superquadric;
 use stellate::poly::SpacePolynomial;
-use stellate::sample::{
-    Ray, RaySolver, Sample, SpaceDirection, SpaceSuperquadricSolver, UnitVector,
-};
-use stellate::shape::{Form, SpaceSuperquadric};
+use stellate::sample::{Ray, RaySolver, Sample, SpaceDirection, UnitVector, solve_radial};
+use stellate::shape::{Form, Radial, SpaceSuperquadric};
 
 fn shape(text: &str) -> SpaceSuperquadric {
     match parse_form(text, "<form>", Numbers::Exact).unwrap() {
@@ -43,17 +41,14 @@ fn points_are_those_of_the_polynomial() {
     ] {
         let shape = shape(text);
         let polynomial = SpacePolynomial::from(&shape.polynomial().unwrap());
-        let (solver, roots) = (
-            SpaceSuperquadricSolver::new(&shape),
-            RaySolver::new(&polynomial),
-        );
+        let roots = RaySolver::new(&polynomial);
         let grid = SpaceDirection::grid(8, 4).into_iter();
         for direction in grid.chain(SpaceDirection::fibonacci(20)) {
             // Multiplicities differ: ε2/ε1 = 1/3 makes the poles triple roots of the polynomial.
             let places = |ray| -> Vec<(f64, [f64; 3])> {
                 points(ray).iter().map(|p| (p.r, p.position)).collect()
             };
-            let found = places(solver.solve(&direction).unwrap());
+            let found = places(solve_radial(&shape, &direction).unwrap());
             assert_eq!(found, places(roots.solve(&direction)), "{text}");
         }
     }
@@ -63,15 +58,14 @@ fn points_are_those_of_the_polynomial() {
 #[test]
 fn the_octahedron_is_exact() {
     let octahedron = shape("superquadric 3d a=1,1,1 e=2,2");
-    let solver = SpaceSuperquadricSolver::new(&octahedron);
     for direction in SpaceDirection::grid(12, 6) {
         let unit = direction.components();
         let sum = unit.iter().fold(Rational::zero(), |sum, u| sum + u.abs());
         let exact = sum.recip().unwrap();
-        let found = points(solver.solve(&direction).unwrap());
+        let found = points(solve_radial(&octahedron, &direction).unwrap());
         assert_eq!(found[0].r.to_bits(), exact.to_f64().to_bits());
         let on = unit.each_ref().map(|u| u * &exact);
-        assert_eq!(solver.compare(&on).unwrap(), std::cmp::Ordering::Equal);
+        assert_eq!(octahedron.compare(&on).unwrap(), std::cmp::Ordering::Equal);
     }
 }
 
@@ -86,10 +80,9 @@ proptest! {
     #[test]
     fn the_closed_form_is_the_certified_radius(a in prop::array::uniform3(small()), e in prop::array::uniform2(small()), level in small()) {
         let shape = SpaceSuperquadric::new(a.clone(), e.clone(), level.clone()).unwrap();
-        let solver = SpaceSuperquadricSolver::new(&shape);
         let closed = parametrize_space_superquadric(&shape);
         for direction in SpaceDirection::fibonacci(5) {
-            let found = points(solver.solve(&direction).unwrap());
+            let found = points(solve_radial(&shape, &direction).unwrap());
             prop_assert_eq!(found.len(), 2);
             let unit = direction.components().map(|u| u.to_f64());
             let formula = closed.branches[0].radius.approximate(unit);

@@ -272,8 +272,8 @@ pub(crate) struct Sample {
 
 #[derive(Debug, Args)]
 pub(crate) struct Inspect {
-    /// A surface in x, y, z or a plane curve in x, y (for points X,Y; for points X,Y,Z it is a cylinder), or what has such an
-    /// equation
+    /// A surface, or a curve of the plane (for points X,Y; for points X,Y,Z it is a cylinder) or of space. An equation stands for
+    /// its zero set, any other form for itself
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     /// The largest distance that is inside, exactly as written: 0.1 is one tenth

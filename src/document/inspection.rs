@@ -10,7 +10,7 @@ use super::json::{Number, text_of, write_value};
 use super::{Format, SCHEMA};
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Verdict};
+use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section, Verdict};
 
 /// One line for people; points are numbered by `number`: their row, or which point of those given.
 #[must_use]
@@ -147,7 +147,10 @@ impl InspectionWriter {
                     curve: found.curve,
                     distance_low: Number(low),
                     distance_high: Number(high),
-                    ranges: point.ranges.as_ref().map(|list| ranges(list, self.digits)),
+                    ranges: match &point.section {
+                        Section::At(list) => Some(ranges(list, self.digits)),
+                        Section::NotAsked | Section::TooLong => None,
+                    },
                 };
                 out.write_all(if is_first { b"\n" } else { b",\n" })?;
                 write_value(&entry, out)?;
@@ -176,12 +179,12 @@ impl InspectionWriter {
                         "  whether the {round} about it meets the form is undecided"
                     )?,
                 }
-                match &point.ranges {
-                    Some(list) if !list.is_empty() => {
+                match &point.section {
+                    Section::At(list) if !list.is_empty() => {
                         let list = ranges(list, self.digits);
                         Ok(writeln!(out, "  at {}", ranges_text(&list))?)
                     }
-                    None if found.curve == Some(true) => {
+                    Section::TooLong if found.curve == Some(true) => {
                         Ok(writeln!(out, "  (the angles would take too long)")?)
                     }
                     _ => Ok(()),

@@ -45,7 +45,7 @@ struct Other {
 /// There must be a curve, or arcs of what has no parametrization; formats other than text and JSON have no room for arcs.
 ///
 /// # Errors
-/// Those of `out`, and those of [`Kind::check`].
+/// Those of `out`, and those of [`super::Kind::check`].
 pub fn write_intersection_curves(
     found: &IntersectionParametrization,
     arcs: Option<&IntersectionArcs>,

@@ -7,6 +7,7 @@ mod angles;
 mod arcs;
 mod check;
 mod description;
+mod display;
 mod expression;
 mod facts;
 mod fourier;

@@ -4,26 +4,35 @@
 //! most d, but not necessary: a whole component may lie inside the ball. Both questions are answered here
 //! ([`Inspection::curve`], [`Inspection::verdict`]), with certified bounds of the distance itself.
 //!
-//! Doubles with error bounds decide nearly all points ([`Inspector`]): an expansion at the foot of the point, else cubes and
+//! A form that is given by parameters is inspected itself ([`CurveInspector`], [`PatchInspector`]), an equation as its zero set
+//! ([`Inspector`]): the zero set of a form's equation can have more points than the form.
+//!
+//! For an equation doubles with error bounds decide nearly all points ([`Inspector`]): an expansion at the foot of the point, else cubes and
 //! patches of the sphere. What they leave open is decided in exact arithmetic: at a refined foot, at rational points,
 //! by the exact angle ranges of the section ([`SphereSection`]), or by the gap between 0 and the smallest positive minimum. If
 //! that fails, too, the verdict is [`Verdict::Undecided`].
 
+mod boxes;
 mod chart;
 mod criterion;
+mod curve;
 mod distance;
 mod exact;
 mod foot;
 mod gap;
 mod inspector;
+mod patch;
 mod proof;
 mod sphere;
+mod squared_distance;
 mod summary;
 
 pub use chart::{CircleSection, SphereSection, sphere_about};
 pub use criterion::MAX_SECTION_WORK;
+pub use curve::CurveInspector;
 pub use inspector::{InspectOptions, Inspector, MAX_EXACT_MONOMIALS};
-pub use summary::{InspectedPoint, InspectionSummary};
+pub use patch::PatchInspector;
+pub use summary::{InspectedPoint, InspectionSummary, Section};
 
 /// What is proved of a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]

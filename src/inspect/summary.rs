@@ -10,8 +10,19 @@ pub struct InspectedPoint<'a> {
     pub written: &'a [&'a str],
     /// The verdict and the distance.
     pub inspection: Inspection,
-    /// Where the section of Theorem 8 is real, if that was asked.
-    pub ranges: Option<Vec<AngleRange>>,
+    /// The section of Theorem 8 about it.
+    pub section: Section,
+}
+
+/// The angles at which the sphere or circle about a point meets the form.
+#[derive(Clone, Debug)]
+pub enum Section {
+    /// They were not asked for, or the form is given by a parameter: then it is met in single points.
+    NotAsked,
+    /// They are beyond the limits of what is computed.
+    TooLong,
+    /// Exactly.
+    At(Vec<AngleRange>),
 }
 
 /// How many points have which verdict.

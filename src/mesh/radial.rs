@@ -1,4 +1,4 @@
-//! Meshes of superquadrics in space, direction by direction.
+//! Meshes of forms that every ray meets once, direction by direction.
 
 use nalgebra::Vector3;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -7,37 +7,41 @@ use super::triangles::Mesh;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::sample::{Direction, Ray, SpaceDirection, SpaceSuperquadricSolver};
-use crate::shape::SpaceSuperquadric;
+use crate::sample::{Direction, Ray, SpaceDirection, solve_radial};
+use crate::shape::Radial;
 
-/// The mesh of a superquadric: closed, each vertex correctly rounded from the exact point in an exact direction.
+/// The mesh of a form that every ray from the origin meets once: closed, each vertex correctly rounded from the exact point in an
+/// exact direction.
 ///
-/// There are 4·`count` directions around and 2·`count` + 1 from pole to pole (fewer where they fall together), dense where
-/// the surface bends. It serves for any exponents, also where there is no polynomial.
+/// The angles are those around, θ, from 0 below 2π, and those from pole to pole, φ, from 0 to π; both ascend.
 ///
 /// # Errors
-/// Those of [`SpaceSuperquadricSolver::solve`]; what `limits` returns.
+/// Those of [`solve_radial`]; what `limits` returns; [`Error::Usage`] for fewer than three angles of a kind.
 ///
 /// ```
 /// use stellate::exact::Rational;
 /// use stellate::limits::Limits;
-/// use stellate::mesh::mesh_superquadric;
+/// use stellate::mesh::mesh_radial;
 /// use stellate::shape::SpaceSuperquadric;
 ///
 /// let one = Rational::one;
 /// let shape = SpaceSuperquadric::new([one(), one(), one()], [3.into(), one()], one()).unwrap();
-/// let mesh = mesh_superquadric(&shape, 4, &Limits::none(), &|_| {})?;
+/// let mesh = mesh_radial(&shape, shape.angles(4), &Limits::none(), &|_| {})?;
 /// assert!(mesh.topology().is_watertight());
 /// assert_eq!(mesh.topology().euler_characteristic, 2);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
-pub fn mesh_superquadric(
-    shape: &SpaceSuperquadric,
-    count: usize,
+pub fn mesh_radial(
+    form: &dyn Radial<3>,
+    [thetas, phis]: [Vec<f64>; 2],
     limits: &Limits,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Mesh> {
-    let [thetas, phis] = shape.angles(count.max(1));
+    if thetas.len() < 3 || phis.len() < 3 {
+        return Err(Error::Usage(
+            "a closed mesh has at least three angles around and three from pole to pole".into(),
+        ));
+    }
     let around = thetas.len();
     let turned = thetas.iter().map(|&theta| Direction::from_radians(theta));
     let thetas: Vec<Direction> = turned.collect();
@@ -53,16 +57,18 @@ pub fn mesh_superquadric(
         let row = thetas.iter();
         directions.extend(row.map(|theta| SpaceDirection::new(theta.clone(), phi.clone())));
     }
-    let solver = SpaceSuperquadricSolver::new(shape);
     let total = directions.len() as u64;
     let done = std::sync::atomic::AtomicU64::new(0);
     let solve = |direction: SpaceDirection| -> Result<[f64; 3]> {
         limits.check()?;
-        let ray = solver.solve(&direction)?;
+        let ray = solve_radial(form, &direction)?;
         progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) * 1000 / total);
         match ray {
             Ray::Points(points) if !points.is_empty() => Ok(points[0].position),
-            _ => Err(Error::limit("a direction with a point of the superquadric")),
+            _ => Err(Error::internal(
+                "the mesh of a radial form",
+                "every direction has a point of it",
+            )),
         }
     };
     let vertices: Vec<[f64; 3]> = directions

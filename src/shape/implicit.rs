@@ -1,5 +1,8 @@
 //! Implicit curves and surfaces: zero sets of exact polynomials.
 
+use std::cmp::Ordering;
+
+use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::poly::{PlanePolynomial, SpacePolynomial, SparsePolynomial};
 
@@ -52,6 +55,28 @@ impl ImplicitCurve {
         &self.center
     }
 
+    /// Certified bounds of f at a point of doubles in the contour's own coordinates: the doubles next to the exact value, or that
+    /// value twice if it is a double. Their signs are that of f unless it is far below the smallest double.
+    ///
+    /// Cost: an exact evaluation. Infinite where the value is beyond the largest double.
+    ///
+    /// ```
+    /// use stellate::shape::ImplicitCurve;
+    /// let circle: ImplicitCurve = "x^2 + y^2 = 1".parse()?;
+    /// assert_eq!(circle.bounds_at([0.5, 0.0])?, [-0.75, -0.75]);
+    /// let [low, high] = circle.bounds_at([0.1, 0.0])?;
+    /// assert!(low < high && high == low.next_up());
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a point that is not finite.
+    pub fn bounds_at(&self, point: [f64; 2]) -> Result<[f64; 2]> {
+        let [x, y] = point.map(finite);
+        let [a, b] = &self.center;
+        Ok(bounds(&self.polynomial.evaluate(&(x? - a), &(y? - b))))
+    }
+
     /// The same curve with its polynomial expanded in the contour's own coordinates.
     #[must_use]
     pub fn in_original_coordinates(&self) -> Self {
@@ -98,5 +123,59 @@ impl ImplicitSurface {
     #[must_use]
     pub fn by_degree(&self) -> &SpacePolynomial {
         &self.by_degree
+    }
+
+    /// Certified bounds of f at a point of doubles; see [`ImplicitCurve::bounds_at`].
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a point that is not finite.
+    pub fn bounds_at(&self, point: [f64; 3]) -> Result<[f64; 2]> {
+        let [x, y, z] = point.map(finite);
+        Ok(bounds(&self.polynomial.evaluate(&[x?, y?, z?])))
+    }
+}
+
+/// A double exactly.
+fn finite(x: f64) -> Result<Rational> {
+    Rational::try_from(x)
+        .map_err(|_| Error::Usage(format!("a coordinate is {x}: expected a number")))
+}
+
+/// The largest double that is not above and the smallest that is not below.
+fn bounds(value: &Rational) -> [f64; 2] {
+    let near = value.to_f64();
+    match Rational::try_from(near) {
+        Ok(exact) => match exact.cmp(value) {
+            Ordering::Equal => [near, near],
+            Ordering::Less => [near, near.next_up()],
+            Ordering::Greater => [near.next_down(), near],
+        },
+        // Beyond the largest double.
+        Err(_) if near > 0.0 => [f64::MAX, near],
+        Err(_) => [near, f64::MIN],
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::float_cmp, reason = "bounds are compared bit by bit")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_the_doubles_around_a_value() {
+        let value = |text: &str| text.parse::<Rational>().expect("a number");
+        assert_eq!(bounds(&value("3/4")), [0.75, 0.75]);
+        for text in ["1/3", "-1/3", "1/10", "-7/3"] {
+            let [low, high] = bounds(&value(text));
+            assert_eq!(low.next_up().to_bits(), high.to_bits(), "{text}");
+            let exact = |x: f64| Rational::try_from(x).expect("finite");
+            assert!(
+                exact(low) < value(text) && value(text) < exact(high),
+                "{text}"
+            );
+        }
+        let huge = Rational::try_from(f64::MAX).expect("finite") * Rational::from(2);
+        assert_eq!(bounds(&huge), [f64::MAX, f64::INFINITY]);
+        assert_eq!(bounds(&-&huge), [f64::NEG_INFINITY, f64::MIN]);
     }
 }

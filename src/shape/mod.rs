@@ -11,7 +11,7 @@ mod implicit;
 mod orientation;
 mod parameter;
 mod patch;
-mod space_superquadric;
+mod radial;
 mod superquadric;
 mod swept_edge;
 
@@ -25,8 +25,8 @@ pub use implicit::{ImplicitCurve, ImplicitSurface};
 pub(crate) use orientation::orientation;
 pub use parameter::Parameter;
 pub use patch::{Patch, PatchFunction};
-pub use space_superquadric::SpaceSuperquadric;
-pub use superquadric::Superquadric;
+pub use radial::Radial;
+pub use superquadric::{MAX_ROOT_BITS, SpaceSuperquadric, Superquadric};
 pub(crate) use swept_edge::SweptEdge;
 
 /// Any form that the input language or a document can say exactly.

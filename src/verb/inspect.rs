@@ -1,22 +1,22 @@
 //! Points against a tolerance (Theorem 8).
 
-use super::equation::{
-    Taken, check_curve, check_surface, cylinder, implicit_curve, surface_of_superquadric,
-    through_equation,
-};
+use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
 use super::fit::exact_form;
 use super::options::options;
 use super::{Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
+use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK, SphereSection,
+    CircleSection, CurveInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
+    PatchInspector, Section, SphereSection, Verdict,
 };
 use crate::limits::Limits;
-use crate::parametrize::AngleRange;
 use crate::poly::SparsePolynomial;
-use crate::shape::{Form, ImplicitCurve, ImplicitSurface};
+use crate::shape::{
+    Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
+};
 
 /// Significant digits of distances, if nothing else is said.
 const DIGITS: u32 = 6;
@@ -39,20 +39,44 @@ options! {
     }
 }
 
-/// What points are held against.
+/// What points are held against, in original coordinates.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Subject {
-    /// Points have three coordinates.
+    /// The zero set of an equation in x, y and z.
     Surface(ImplicitSurface),
-    /// Points have two, in the curve's original coordinates.
+    /// The zero set of an equation in x and y.
     Curve(ImplicitCurve),
+    /// The curve r(θ).
+    Radius(FourierRadius),
+    /// A plane curve by its parameter.
+    PlaneCurve(PlaneCurve),
+    /// A space curve by its parameter.
+    SpaceCurve(SpaceCurve),
+    /// A patch by its parameters, and the surface of its equation.
+    Patch(Patch, ImplicitSurface),
+}
+
+/// How points are held against it.
+#[derive(Debug)]
+enum Against {
+    /// An equation.
+    Equation(Inspector),
+    /// A plane curve by its parameter; for points in space the cylinder over it.
+    Plane(CurveInspector<2>),
+    /// A space curve by its parameter.
+    Space(CurveInspector<3>),
+    /// A patch by its parameters.
+    Patch(Box<PatchInspector>),
 }
 
 /// A surface or plane curve with a tolerance, ready for points.
 #[derive(Debug)]
 pub struct InspectionTask {
     subject: Subject,
-    inspector: Inspector,
+    against: Against,
+    /// 2 or 3.
+    dimension: usize,
     tolerance: Rational,
     limits: Limits,
 }
@@ -60,7 +84,7 @@ pub struct InspectionTask {
 /// What is taken.
 const INSPECT: Taken = Taken {
     verb: "inspect",
-    these: "surfaces and plane curves",
+    these: "surfaces, and curves of the plane or with a parameter",
 };
 
 /// Makes a form ready for the inspection of points with two or three coordinates; an equation in x and y is a cylinder for
@@ -94,41 +118,88 @@ pub fn inspect(
         digits: options.digits,
         cubes: options.budget,
     };
-    let inspector = work.stage("factor", || match &subject {
-        Subject::Surface(surface) => Inspector::surface(surface, &asked, work.bounds()),
-        Subject::Curve(curve) => Inspector::plane(curve, &asked, work.bounds()),
+    let limits = work.bounds();
+    let against = work.stage("factor", || {
+        Ok(match &subject {
+            Subject::Surface(surface) => {
+                Against::Equation(Inspector::surface(surface, &asked, limits)?)
+            }
+            Subject::Curve(curve) => Against::Equation(Inspector::plane(curve, &asked, limits)?),
+            Subject::Radius(radius) => {
+                Against::Plane(CurveInspector::radius(radius, &asked, limits)?)
+            }
+            Subject::PlaneCurve(curve) => {
+                Against::Plane(CurveInspector::new(curve, &asked, limits)?)
+            }
+            Subject::SpaceCurve(curve) => {
+                Against::Space(CurveInspector::new(curve, &asked, limits)?)
+            }
+            Subject::Patch(patch, surface) => {
+                let inspector = PatchInspector::new(patch, surface, &asked, limits)?;
+                Against::Patch(Box::new(inspector))
+            }
+        })
     })?;
-    if inspector.is_in_doubles_alone() {
+    let is_in_doubles_alone = match &against {
+        Against::Equation(inspector) => inspector.is_in_doubles_alone(),
+        Against::Patch(inspector) => inspector.is_in_doubles_alone(),
+        Against::Plane(_) | Against::Space(_) => false,
+    };
+    if is_in_doubles_alone {
         work.remark(Remark::DoublesAlone);
     }
     Ok(InspectionTask {
         subject,
-        inspector,
+        against,
+        dimension,
         tolerance: options.tolerance.clone(),
-        limits: work.bounds().clone(),
+        limits: limits.clone(),
     })
 }
 
+/// A form that is given by a parameter is itself what points are held against; its equation can have more points.
 fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Result<Subject> {
-    let fitted = exact_form(given, fit, work)?;
-    let form = through_equation(fitted.form, work)?;
-    let subject = match (form, dimension) {
-        (Form::Surface(surface), 3) => Subject::Surface(surface),
-        (Form::SpaceSuperquadric(shape), 3) => Subject::Surface(surface_of_superquadric(&shape)?),
-        (Form::Surface(_) | Form::SpaceSuperquadric(_), _) => {
+    let form = exact_form(given, fit, work)?.form;
+    Ok(match (form, dimension) {
+        (Form::Fourier(radius), _) => {
+            work.check_degree(2 * radius.harmonics() + 2)?;
+            Subject::Radius(radius)
+        }
+        (Form::PlaneCurve(curve), _) => Subject::PlaneCurve(curve),
+        (Form::SpaceCurve(curve), 3) => Subject::SpaceCurve(curve),
+        (Form::Surface(surface), 3) => {
+            check_surface(&surface, work)?;
+            Subject::Surface(surface)
+        }
+        (Form::Patch(patch), 3) => {
+            let equation =
+                work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?;
+            check_surface(&equation.surface, work)?;
+            Subject::Patch(patch, equation.surface)
+        }
+        (Form::SpaceSuperquadric(shape), 3) => {
+            let surface = surface_of_superquadric(&shape)?;
+            check_surface(&surface, work)?;
+            Subject::Surface(surface)
+        }
+        (Form::Intersection(_), _) => return Err(INSPECT.not_this()),
+        (Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_), _) => {
             return Err(Error::Usage(
                 "this is a surface: its points are X,Y,Z, such as 0.8,0.6,0".into(),
             ));
         }
-        (Form::SpaceCurve(_) | Form::Intersection(_), _) => return Err(INSPECT.not_this()),
+        (Form::SpaceCurve(_), _) => {
+            return Err(Error::Usage(
+                "this is a curve in space: its points are X,Y,Z, such as 0.8,0.6,0".into(),
+            ));
+        }
         (form, 2) => Subject::Curve(implicit_curve(form, &INSPECT, work)?),
-        (form, _) => Subject::Surface(cylinder(&implicit_curve(form, &INSPECT, work)?)),
-    };
-    match &subject {
-        Subject::Surface(surface) => check_surface(surface, work)?,
-        Subject::Curve(curve) => check_curve(curve, work)?,
-    }
-    Ok(subject)
+        (form, _) => {
+            let surface = cylinder(&implicit_curve(form, &INSPECT, work)?);
+            check_surface(&surface, work)?;
+            Subject::Surface(surface)
+        }
+    })
 }
 
 impl InspectionTask {
@@ -136,6 +207,12 @@ impl InspectionTask {
     #[must_use]
     pub fn subject(&self) -> &Subject {
         &self.subject
+    }
+
+    /// The number of coordinates of a point, 2 or 3; a plane curve is a cylinder for points in space.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
     }
 
     /// The tolerance.
@@ -147,7 +224,23 @@ impl InspectionTask {
     /// What is certain of a point, in original coordinates; in the plane z is 0.
     #[must_use]
     pub fn point(&self, point: &[Rational; 3]) -> Inspection {
-        self.inspector.inspect(point)
+        match &self.against {
+            Against::Equation(inspector) => inspector.inspect(point),
+            Against::Plane(inspector) => {
+                let [x, y, _] = point;
+                let found = inspector.inspect(&[x.clone(), y.clone()]);
+                match self.dimension {
+                    2 => found,
+                    // The sphere meets a cylinder if and only if the disc does.
+                    _ => Inspection {
+                        curve: Some(found.verdict == Verdict::Inside),
+                        ..found
+                    },
+                }
+            }
+            Against::Space(inspector) => inspector.inspect(point),
+            Against::Patch(inspector) => inspector.inspect(point),
+        }
     }
 
     /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
@@ -156,19 +249,22 @@ impl InspectionTask {
         near: [f64; 3],
         exactly: &dyn Fn() -> [Rational; 3],
     ) -> Inspection {
-        self.inspector.inspect_near(near, exactly)
+        match &self.against {
+            Against::Equation(inspector) => inspector.inspect_near(near, exactly),
+            _ => self.point(&exactly()),
+        }
     }
 
-    /// Where the section of Theorem 8 about a point is real; `None` beyond the limits of what is computed.
+    /// Where the section of Theorem 8 about a point is real.
     ///
     /// # Errors
     /// [`Error::Interrupted`].
-    pub fn ranges(&self, point: &[Rational; 3]) -> Result<Option<Vec<AngleRange>>> {
+    pub fn section(&self, point: &[Rational; 3]) -> Result<Section> {
         let found = match &self.subject {
             Subject::Surface(surface) => {
                 let section = SphereSection::new(surface.polynomial(), point, &self.tolerance);
                 if section.work() > MAX_SECTION_WORK {
-                    return Ok(None);
+                    return Ok(Section::TooLong);
                 }
                 section.theta_ranges(&self.limits)
             }
@@ -178,10 +274,14 @@ impl InspectionTask {
                 let point = [x - a, y - b, z.clone()];
                 Ok(CircleSection::new(&polynomial, &point, &self.tolerance).theta_ranges())
             }
+            Subject::Radius(_)
+            | Subject::PlaneCurve(_)
+            | Subject::SpaceCurve(_)
+            | Subject::Patch(..) => return Ok(Section::NotAsked),
         };
         match found {
-            Ok(ranges) => Ok(Some(ranges)),
-            Err(Error::Limit { .. }) => Ok(None),
+            Ok(ranges) => Ok(Section::At(ranges)),
+            Err(Error::Limit { .. }) => Ok(Section::TooLong),
             Err(error) => Err(error),
         }
     }

@@ -5,7 +5,7 @@ use super::mesh::of_surface;
 use super::plot::{CELLS, fitting_window, trace};
 use super::plot_options::{Frame, VIEW, plane_window, space_window};
 use super::plot_space::{box_around, for_pictures, joined, mesh_layer};
-use super::{KeptPoint, Work};
+use super::{Bounds, KeptPoint, Work};
 use crate::arcs::{ArcOptions, CurveArc, trace_intersection};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -23,6 +23,12 @@ const SECTION_STEPS: u32 = 24;
 /// Segments of a drawn circle.
 const CIRCLE: u32 = 120;
 
+/// Points drawn of a curve that is given by a parameter.
+const CURVE_POINTS: usize = 1440;
+const CURVE_STEPS: u32 = 1440;
+/// Cells along each parameter of a patch.
+const PATCH_CELLS: u32 = 54;
+
 /// In the order of their colours: red for what is outside.
 const VERDICTS: [Verdict; 3] = [Verdict::Outside, Verdict::Inside, Verdict::Undecided];
 
@@ -37,10 +43,63 @@ impl InspectionTask {
         window: Option<Frame>,
         work: &Work,
     ) -> Result<String> {
+        let in_space = self.dimension() == 3;
         match self.subject() {
-            Subject::Surface(surface) => in_space(self, surface, points, window, work),
-            Subject::Curve(curve) => in_plane(self, curve, points, window, work),
+            Subject::Surface(surface) => in_space_surface(self, surface, points, window, work),
+            Subject::Curve(curve) => in_plane(self, &Drawn::Traced(curve), points, window, work),
+            Subject::Radius(radius) => {
+                let lines = vec![radius.polyline(CURVE_POINTS)];
+                if in_space {
+                    return in_space_lines(self, walls(&lines, points), points, window, work);
+                }
+                in_plane(self, &Drawn::Lines(lines), points, window, work)
+            }
+            Subject::PlaneCurve(curve) => {
+                let lines = curve.polylines(None, CURVE_STEPS);
+                if in_space {
+                    return in_space_lines(self, walls(&lines, points), points, window, work);
+                }
+                in_plane(self, &Drawn::Lines(lines), points, window, work)
+            }
+            Subject::Patch(patch, _) => {
+                let layer = SpaceLayer {
+                    facets: SpaceLayer::grid_facets(&patch.grid([None; 2], [PATCH_CELLS; 2])),
+                    ..SpaceLayer::default()
+                };
+                in_space_lines(self, layer, points, window, work)
+            }
+            Subject::SpaceCurve(curve) => {
+                let layer = SpaceLayer {
+                    lines: curve.polylines(None, CURVE_STEPS),
+                    ..SpaceLayer::default()
+                };
+                in_space_lines(self, layer, points, window, work)
+            }
         }
+    }
+}
+
+/// A plane curve in a picture.
+enum Drawn<'a> {
+    /// To be traced in the window.
+    Traced(&'a ImplicitCurve),
+    /// As it is.
+    Lines(Vec<Vec<[f64; 2]>>),
+}
+
+/// The cylinder over a plane curve, as high as the points.
+fn walls(lines: &[Vec<[f64; 2]>], points: &[KeptPoint]) -> SpaceLayer {
+    let heights = points.iter().map(|(p, _)| p[2]);
+    let [low, high] = heights.fold([-1.0f64, 1.0f64], |[low, high], z| {
+        [low.min(z), high.max(z)]
+    });
+    let facets = lines.iter().flat_map(|line| {
+        let row = |z: f64| line.iter().map(move |[x, y]| Some([*x, *y, z])).collect();
+        SpaceLayer::grid_facets(&[row(low), row(high)])
+    });
+    SpaceLayer {
+        facets: facets.collect(),
+        ..SpaceLayer::default()
     }
 }
 
@@ -68,50 +127,91 @@ fn dots(
     (count > 0).then(|| (format!("{count} {points} {what}{part}"), shown))
 }
 
-fn in_space(
+fn in_space_surface(
     task: &InspectionTask,
     surface: &ImplicitSurface,
     points: &[KeptPoint],
     window: Option<Frame>,
     work: &Work,
 ) -> Result<String> {
-    let tolerance = task.tolerance();
-    let d = tolerance.to_f64();
-    let around = box_around(points.iter().map(|(p, _)| p))
-        .map(|b| b.map(|[low, high]| [low - 2.0 * d, high + 2.0 * d]));
     let shown = match space_window(window)? {
         Some(window) => Some(window),
         None => {
             let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
-            joined(around, found.map(|(bounds, _)| bounds))
+            joined(around(task, points), found.map(|(bounds, _)| bounds))
         }
     };
     let mesh = of_surface(surface, &for_pictures(shown, None), work)?;
     let degree = surface.polynomial().degree().unwrap_or(0);
-    let mut layers = vec![SpaceLayer {
+    let body = SpaceLayer {
         label: format!("surface of degree {degree}"),
         ..mesh_layer(&mesh)
-    }];
+    };
     let mut section = SpaceLayer {
-        label: format!("the surface at the distance {tolerance} from a point"),
+        label: format!(
+            "the surface at the distance {} from a point",
+            task.tolerance()
+        ),
         ..SpaceLayer::default()
     };
     if points.len() <= FEW {
         for (p, _) in points {
-            let lines = section_lines(surface, *p, tolerance, work)?;
+            let lines = section_lines(surface, *p, task.tolerance(), work)?;
             section.lines.extend(lines);
         }
     }
+    scene(task, body, points, section, shown, work)
+}
+
+/// A curve in space, or the cylinder over one in the plane.
+fn in_space_lines(
+    task: &InspectionTask,
+    drawn: SpaceLayer,
+    points: &[KeptPoint],
+    window: Option<Frame>,
+    work: &Work,
+) -> Result<String> {
+    let shown = match space_window(window)? {
+        Some(window) => Some(window),
+        None => {
+            let corners = drawn.lines.iter().chain(&drawn.facets).flatten();
+            joined(around(task, points), box_around(corners))
+        }
+    };
+    let body = SpaceLayer {
+        label: "form".into(),
+        ..drawn
+    };
+    scene(task, body, points, SpaceLayer::default(), shown, work)
+}
+
+/// A box around the points, with room for the tolerance.
+fn around(task: &InspectionTask, points: &[KeptPoint]) -> Option<Bounds> {
+    let d = task.tolerance().to_f64();
+    box_around(points.iter().map(|(p, _)| p))
+        .map(|b| b.map(|[low, high]| [low - 2.0 * d, high + 2.0 * d]))
+}
+
+/// The form, the points by their verdicts, and what else is drawn over them.
+fn scene(
+    task: &InspectionTask,
+    body: SpaceLayer,
+    points: &[KeptPoint],
+    over: SpaceLayer,
+    shown: Option<Bounds>,
+    work: &Work,
+) -> Result<String> {
+    let mut layers = vec![body];
     for verdict in VERDICTS {
-        let (label, points) = dots(points, verdict, tolerance).unwrap_or_default();
+        let (label, points) = dots(points, verdict, task.tolerance()).unwrap_or_default();
         layers.push(SpaceLayer {
             label,
             points,
             ..SpaceLayer::default()
         });
     }
-    if !section.lines.is_empty() {
-        layers.push(section);
+    if !over.lines.is_empty() {
+        layers.push(over);
     }
     let scene = Scene {
         title: String::new(),
@@ -150,7 +250,7 @@ fn section_lines(
 
 fn in_plane(
     task: &InspectionTask,
-    curve: &ImplicitCurve,
+    drawn: &Drawn<'_>,
     points: &[KeptPoint],
     window: Option<Frame>,
     work: &Work,
@@ -158,10 +258,19 @@ fn in_plane(
     let tolerance = task.tolerance();
     let d = tolerance.to_f64();
     let flat = |p: &[f64; 3]| [p[0], p[1]];
-    let degree = curve.polynomial().degree().unwrap_or(0);
-    let mut layers = vec![Layer {
-        label: format!("curve of degree {degree}"),
-        ..Layer::default()
+    let mut layers = vec![match drawn {
+        Drawn::Traced(curve) => Layer {
+            label: format!(
+                "curve of degree {}",
+                curve.polynomial().degree().unwrap_or(0)
+            ),
+            ..Layer::default()
+        },
+        Drawn::Lines(lines) => Layer {
+            label: "curve".into(),
+            lines: lines.clone(),
+            ..Layer::default()
+        },
     }];
     for verdict in VERDICTS {
         let (label, points) = dots(points, verdict, tolerance).unwrap_or_default();
@@ -191,7 +300,13 @@ fn in_plane(
             let seen = points
                 .iter()
                 .flat_map(|(p, _)| [[p[0] - d, p[1] - d], [p[0] + d, p[1] + d]]);
-            fitting_window(seen.collect(), &[(0, curve.clone())], work)?
+            let mut seen: Vec<[f64; 2]> = seen.collect();
+            let mut curves = Vec::new();
+            match drawn {
+                Drawn::Traced(curve) => curves.push((0, (*curve).clone())),
+                Drawn::Lines(lines) => seen.extend(lines.iter().flatten()),
+            }
+            fitting_window(seen, &curves, work)?
         }
     };
     let mut figure = Figure {
@@ -200,8 +315,10 @@ fn in_plane(
         layers,
     };
     let shown: Window = figure.shown_window()?;
-    work.stage("trace", || {
-        trace(curve, &shown, CELLS, &mut figure.layers[0], work)
-    })?;
+    if let Drawn::Traced(curve) = drawn {
+        work.stage("trace", || {
+            trace(curve, &shown, CELLS, &mut figure.layers[0], work)
+        })?;
+    }
     work.stage("draw", || figure.to_svg())
 }

@@ -6,7 +6,7 @@ use super::options::options;
 use super::{Bounds, Given, Work};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
-use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_superquadric, mesh_surface};
+use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_radial, mesh_surface};
 use crate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
 
 /// How often a box that was too small is made larger, and by how much.
@@ -117,7 +117,8 @@ pub(super) fn of_superquadric(
     let count = resolution.div_ceil(2).max(2) as usize;
     work.stage("mesh", || {
         let progress = work.progress("mesh", 1000);
-        mesh_superquadric(shape, count, work.bounds(), &|done| progress.set(done))
+        let angles = shape.angles(count);
+        mesh_radial(shape, angles, work.bounds(), &|done| progress.set(done))
     })
 }
 

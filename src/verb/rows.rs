@@ -10,7 +10,7 @@ use super::options::options;
 use super::{Progress, Work};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, double_literal, exact_literal};
-use crate::inspect::{InspectedPoint, Inspection, InspectionSummary};
+use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section};
 use crate::language::Numbers;
 use crate::rows::{RowReader, double, fields, fields_of, row_error};
 
@@ -186,10 +186,10 @@ impl<'a> Row<'a> {
         Ok(InspectedPoint {
             written: &self.fields[..self.dimension],
             inspection: task.point_near(self.near, &|| self.exactly()),
-            ranges: if with_ranges {
-                task.ranges(&self.exactly())?
+            section: if with_ranges {
+                task.section(&self.exactly())?
             } else {
-                None
+                Section::NotAsked
             },
         })
     }

@@ -12,8 +12,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::sample::{
-    Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, SpaceSuperquadricSolver,
-    StageCounts, SuperquadricSolver,
+    Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts, solve_radial,
 };
 use crate::shape::{Form, ImplicitSurface};
 
@@ -107,8 +106,12 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     }
     if let Form::SpaceSuperquadric(shape) = &form {
         let directions = space_directions(options)?;
-        let solver = SpaceSuperquadricSolver::new(shape);
-        let rays = solve(|d| solver.solve(d), directions, options.positive, work)?;
+        let rays = solve(
+            |d| solve_radial(shape, d),
+            directions,
+            options.positive,
+            work,
+        )?;
         return Ok(uncounted(SampledPoints::Space(rays)));
     }
     if !options.phis.is_empty() {
@@ -122,8 +125,12 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     };
     directions.extend(options.thetas.iter().cloned());
     if let Form::Superquadric(shape) = &form {
-        let solver = SuperquadricSolver::new(shape);
-        let rays = solve(|d| solver.solve(d), directions, options.positive, work)?;
+        let rays = solve(
+            |d| solve_radial(shape, d),
+            directions,
+            options.positive,
+            work,
+        )?;
         let center = [Rational::zero(), Rational::zero()];
         return Ok(uncounted(SampledPoints::Plane { rays, center }));
     }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
-use stellate::sample::{Ray, SuperquadricSolver};
+use stellate::sample::{Ray, solve_radial};
 use stellate::shape::Superquadric;
 
 use super::draw::Draw;
@@ -39,7 +39,7 @@ pub(crate) fn plane(draw: &mut Draw) -> Outcome {
     draw.input = format!("{shape:?} --theta {theta}");
     let direction = stellate::sample::Direction::from_radians(theta);
     let [u, v] = [num(&direction.u()), num(&direction.v())];
-    let Ok(Ray::Points(points)) = SuperquadricSolver::new(&shape).solve(&direction) else {
+    let Ok(Ray::Points(points)) = solve_radial(&shape, &direction) else {
         return Outcome::Open;
     };
     assert_eq!(points.len(), 2);

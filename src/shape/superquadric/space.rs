@@ -1,10 +1,15 @@
 //! [`SpaceSuperquadric`]: the superquadrics in space of Example 10, Eq. (77).
 
+use std::cmp::Ordering;
+
+use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
 
+use super::roots::{Bounds, Exponent, FIRST_BITS, exact_power};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
+use crate::shape::Radial;
 
 /// The closed surface `[|x/a1|^(2/ε2) + |y/a2|^(2/ε2)]^(ε2/ε1) + |z/a3|^(2/ε1) = c` about the origin, with exact
 /// a1, a2, a3, ε1, ε2, c > 0; the paper has c = 1.
@@ -114,9 +119,8 @@ impl SpaceSuperquadric {
                 "with e2/e1 = {of_sum} the polynomial has a second sheet where 1 - |z/a3|^{of_z} is negative: its denominator must be odd"
             )));
         }
-        let small = |n: &malachite::Integer| {
-            u32::try_from(n).map_err(|_| Error::limit("exponents below 2^32"))
-        };
+        let small =
+            |n: &Integer| u32::try_from(n).map_err(|_| Error::limit("exponents below 2^32"));
         let (m, n) = (small(&of_xy.numerator())?, small(&of_z.numerator())?);
         let power = |axis: usize, exponent: u32| {
             let scale = self.semi_axes[axis]
@@ -132,11 +136,8 @@ impl SpaceSuperquadric {
     }
 }
 
-/// What is drawn: doubles, with no certificate.
-impl SpaceSuperquadric {
-    /// R in the direction of a unit vector, with no bound of its error.
-    #[must_use]
-    pub fn approximate_along(&self, direction: [f64; 3]) -> f64 {
+impl Radial<3> for SpaceSuperquadric {
+    fn approximate_along(&self, direction: [f64; 3]) -> f64 {
         let axes = self.semi_axes.each_ref().map(Rational::to_f64);
         let [m, _, n] = self.exponents().map(|q| q.to_f64());
         let scaled: [f64; 3] = std::array::from_fn(|i| (direction[i] / axes[i]).abs());
@@ -144,6 +145,65 @@ impl SpaceSuperquadric {
         self.level.to_f64().powf(1.0 / n) / norm(around, scaled[2], n)
     }
 
+    /// The exact order of `[|x/a1|^m + |y/a2|^m]^k + |z/a3|^n` and c, with rational m = 2/ε2, k = ε2/ε1, n = 2/ε1.
+    ///
+    /// Which side is larger is decided by integer roots at growing precision, in intervals. Where all the roots are rational
+    /// the sides are compared exactly, so that ties are found where they can be expected; a tie of nested radicals ends at
+    /// [`super::MAX_ROOT_BITS`] with a limit, never with a guess.
+    fn compare(&self, point: &[Rational; 3]) -> Result<Ordering> {
+        let exponents = self.exponents().each_ref().map(Exponent::from);
+        let check_size = |bits: u64| {
+            let why = || "the exponents or the numbers are too long".into();
+            exponents.iter().try_for_each(|e| e.check_size(bits, &why))
+        };
+        let bases: [Rational; 3] = std::array::from_fn(|i| (&point[i] / &self.semi_axes[i]).abs());
+        let size = bases.iter().map(Rational::bits).max().unwrap_or(0);
+        check_size(size)?;
+        if let Some(value) = exact_value(exponents, &bases) {
+            return Ok(value.cmp(&self.level));
+        }
+        let mut bits = FIRST_BITS;
+        loop {
+            check_size(bits + size)?;
+            let [around, of_sum, of_z] = exponents;
+            let [x, y] = [&bases[0], &bases[1]].map(|b| Bounds::of(b, bits).power(around, bits));
+            let sum = x.plus(&y).power(of_sum, bits);
+            let all = sum.plus(&Bounds::of(&bases[2], bits).power(of_z, bits));
+            let scaled = &self.level * &Rational::from(Integer::from(1) << bits);
+            let [low, high] = [all.low, all.high].map(|n| Rational::from(Integer::from(n)));
+            if low > scaled {
+                return Ok(Ordering::Greater);
+            }
+            if high < scaled {
+                return Ok(Ordering::Less);
+            }
+            bits *= 2;
+        }
+    }
+}
+
+/// The left side if it is a number that is known to be rational.
+fn exact_value(
+    [around, of_sum, of_z]: [Exponent; 3],
+    [x, y, z]: &[Rational; 3],
+) -> Option<Rational> {
+    let height = exact_power(z, of_z)?;
+    if x.is_zero() || y.is_zero() {
+        // One power of a power: its exponent is that of z.
+        return Some(exact_power(&(x + y), of_z)? + height);
+    }
+    let both = [exact_power(x, around), exact_power(y, around)];
+    if let [Some(x), Some(y)] = both {
+        return Some(exact_power(&(x + y), of_sum)? + height);
+    }
+    // (x^m + y^m)^k = x^n (1 + (y/x)^m)^k
+    let ratio = exact_power(&(y / x), around)?;
+    let factor = exact_power(&(Rational::one() + ratio), of_sum)?;
+    Some(exact_power(x, of_z)? * factor + height)
+}
+
+/// What is drawn: doubles, with no certificate.
+impl SpaceSuperquadric {
     /// The angles (θ, φ) of `4·count` directions around in `2·count + 1` rows from pole to pole, denser where the surface
     /// bends: those of the points `cos^ε1 η cos^ε2 ω, …` and evenly spaced ones, half of each.
     #[must_use]

@@ -1,9 +1,15 @@
 //! [`Superquadric`]: the plane superquadrics of Example 6, Eq. (20).
 
+use std::cmp::Ordering;
+
+use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
 
+use super::roots::{Exponent, FIRST_BITS, exact_root, scaled_root};
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::PlanePolynomial;
+use crate::shape::Radial;
 
 /// The closed curve `|x/a1|^(2/ε) + |y/a2|^(2/ε) = c` about the origin, with exact a1, a2, ε, c > 0.
 ///
@@ -98,18 +104,8 @@ impl Superquadric {
     }
 }
 
-/// What is drawn: doubles, with no certificate.
-impl Superquadric {
-    /// r(θ) in doubles, with no bound of its error.
-    #[must_use]
-    pub fn approximate(&self, theta: f64) -> f64 {
-        let (s, c) = theta.sin_cos();
-        self.approximate_along(c, s)
-    }
-
-    /// r in the direction of the unit vector (u, v), as [`Superquadric::approximate`].
-    #[must_use]
-    pub fn approximate_along(&self, u: f64, v: f64) -> f64 {
+impl Radial<2> for Superquadric {
+    fn approximate_along(&self, [u, v]: [f64; 2]) -> f64 {
         let [a1, a2] = self.semi_axes.each_ref().map(Rational::to_f64);
         let exponent = self.exponent().to_f64();
         let (u, v) = ((u / a1).abs(), (v / a2).abs());
@@ -117,6 +113,60 @@ impl Superquadric {
         let largest = u.max(v);
         let sum = (u / largest).powf(exponent) + (v / largest).powf(exponent);
         (self.level.to_f64() / sum).powf(1.0 / exponent) / largest
+    }
+
+    /// The exact order of `|x/a1|^(2/ε) + |y/a2|^(2/ε)` and c.
+    ///
+    /// With 2/ε = p/q in lowest terms this is `α^(1/q) + β^(1/q)` with rational `α = |x/a1|^p`, `β = |y/a2|^p`. Which side is
+    /// larger is decided by integer q-th roots at growing precision; equality of positive numbers needs both roots rational
+    /// (real radicals of different classes are linearly independent over Q: Besicovitch 1940), which is decided by exact roots.
+    /// So every comparison ends, up to [`super::MAX_ROOT_BITS`].
+    fn compare(&self, [x, y]: &[Rational; 2]) -> Result<Ordering> {
+        let exponent = Exponent::from(&self.exponent());
+        let why = || {
+            format!(
+                "the exponent 2/e = {} or the numbers are too long",
+                self.exponent()
+            )
+        };
+        let [a1, a2] = &self.semi_axes;
+        let bases = [(x / a1).abs(), (y / a2).abs()];
+        exponent.check_size(bases.iter().map(Rational::bits).max().unwrap_or(0), &why)?;
+        let power = i64::try_from(exponent.p).invariant("a power is within the limit of bits");
+        let radicands = bases.map(|base| base.pow(power).invariant("a power is not negative"));
+        let roots = radicands.each_ref().map(|r| exact_root(r, exponent.q));
+        if let [Some(first), Some(second)] = roots {
+            return Ok((first + second).cmp(&self.level));
+        }
+        let mut bits = FIRST_BITS;
+        loop {
+            exponent.check_size(bits, &why)?;
+            let unit = Rational::from(Integer::from(1) << bits);
+            let roots = radicands
+                .each_ref()
+                .map(|r| scaled_root(r, exponent.q, bits));
+            // Each root is less than one unit above its floor.
+            let low = Rational::from(Integer::from(&roots[0] + &roots[1]));
+            let scaled = &self.level * &unit;
+            if low >= scaled {
+                // The sum of the roots is no integer multiple of a unit unless both are, and they are irrational.
+                return Ok(Ordering::Greater);
+            }
+            if low + Rational::from(2) <= scaled {
+                return Ok(Ordering::Less);
+            }
+            bits *= 2;
+        }
+    }
+}
+
+/// What is drawn: doubles, with no certificate.
+impl Superquadric {
+    /// r(θ) in doubles, with no bound of its error.
+    #[must_use]
+    pub fn approximate(&self, theta: f64) -> f64 {
+        let (s, c) = theta.sin_cos();
+        self.approximate_along([c, s])
     }
 
     /// Points (x, y) of the curve for drawing, closed: `4·count` directions evenly spaced in θ, and as many evenly spaced

@@ -1,0 +1,192 @@
+//! A patch over boxes of its parameters, in doubles with bounds: what is proved of all its points at once.
+
+use crate::error::Invariant;
+use crate::intervals::Interval;
+use crate::poly::SparsePolynomial;
+use crate::shape::{Patch, PatchFunction};
+
+/// The coordinates of a patch as quotients of forms in the two parameters, so that infinite values are values like any other.
+#[derive(Debug)]
+pub(super) struct PatchBoxes {
+    coordinates: [Quotient; 3],
+    /// Whether no denominator has a zero among the values that the parameters take: then the patch is connected. Not said where
+    /// it could not be proved.
+    pub(super) is_connected: bool,
+}
+
+/// A numerator and a denominator of the same degrees.
+#[derive(Debug)]
+struct Quotient {
+    above: Terms,
+    below: Terms,
+    degrees: [usize; 2],
+}
+
+type Terms = Vec<([usize; 2], Interval)>;
+
+/// A box of parameters: for each one whether it is s or 1/s, and the part of [−1, 1] that it runs over.
+#[derive(Clone, Copy)]
+struct ParameterBox {
+    is_inverse: [bool; 2],
+    sides: [[f64; 2]; 2],
+}
+
+/// Boxes that are divided to prove that a patch is connected.
+const CONNECTED_BUDGET: usize = 10_000;
+
+impl PatchBoxes {
+    pub(super) fn new(patch: &Patch) -> Self {
+        let mut boxes = Self {
+            coordinates: patch.coordinates().each_ref().map(Quotient::new),
+            is_connected: false,
+        };
+        // A parameter that is a number takes no infinite value: there denominators are only looked at if they do not have it.
+        let is_closed = |f: &PatchFunction| {
+            let open = [0, 1]
+                .into_iter()
+                .filter(|&v| !patch.parameters()[v].is_angle());
+            let mut open = open.filter(|&v| f.denominator().terms().any(|(e, _)| e[v] > 0));
+            open.next().is_none()
+        };
+        let denominators = patch.coordinates().each_ref();
+        let denominators = denominators.map(|f| Quotient::of_denominator(f.denominator()));
+        boxes.is_connected = patch.coordinates().iter().all(is_closed)
+            && all(CONNECTED_BUDGET, |parameters| {
+                denominators.iter().all(|d| {
+                    let [_, below] = d.over(parameters);
+                    below.sign().is_some_and(|sign| sign != 0)
+                })
+            });
+        boxes
+    }
+
+    /// Whether all points of the patch are proved to be farther from a point than `radius`, with so many boxes at most.
+    ///
+    /// Lemma. |n/d − p| ≥ min |n − p d| / max |d| over a box. Proof. That is the least numerator over the largest denominator;
+    /// where d = 0 the patch has no point.
+    pub(super) fn are_farther(
+        &self,
+        point: &[Interval; 3],
+        radius: Interval,
+        budget: usize,
+    ) -> bool {
+        let level = radius.squared();
+        all(budget, |parameters| {
+            let mut sum = Interval::ZERO;
+            for (quotient, p) in self.coordinates.iter().zip(point) {
+                let [above, below] = quotient.over(parameters);
+                let least = Interval::from((above - *p * below).mignitude());
+                let most = below.magnitude();
+                if least.low() > 0.0 && most == 0.0 {
+                    return true;
+                }
+                if most > 0.0 {
+                    sum = sum + (least / Interval::from(most)).squared();
+                }
+            }
+            sum.low() > level.high()
+        })
+    }
+}
+
+/// Whether something is proved over every box of a division of all parameters.
+fn all(budget: usize, is_proved: impl Fn(&ParameterBox) -> bool) -> bool {
+    let charts = [[false, false], [false, true], [true, false], [true, true]];
+    let mut open: Vec<ParameterBox> = charts
+        .into_iter()
+        .map(|is_inverse| ParameterBox {
+            is_inverse,
+            sides: [[-1.0, 1.0]; 2],
+        })
+        .collect();
+    let mut divided = 0;
+    while let Some(next) = open.pop() {
+        if is_proved(&next) {
+            continue;
+        }
+        divided += 1;
+        if divided > budget {
+            return false;
+        }
+        open.extend(next.halves());
+    }
+    true
+}
+
+impl Quotient {
+    fn new(f: &PatchFunction) -> Self {
+        let terms = |g: &SparsePolynomial<2>| -> Terms {
+            let exponents = |e: &[u32; 2]| e.map(|k| k as usize);
+            g.terms()
+                .map(|(e, c)| (exponents(e), Interval::narrowest(c)))
+                .collect()
+        };
+        Self {
+            above: terms(f.numerator()),
+            below: terms(f.denominator()),
+            degrees: [0, 1].map(|v| f.degree_in(v) as usize),
+        }
+    }
+
+    /// A denominator alone, as a form of its own degrees.
+    fn of_denominator(f: &SparsePolynomial<2>) -> Self {
+        let terms: Terms = f
+            .terms()
+            .map(|(e, c)| (e.map(|k| k as usize), Interval::narrowest(c)))
+            .collect();
+        let degrees = [0, 1].map(|v| terms.iter().map(|(e, _)| e[v]).max().unwrap_or(0));
+        Self {
+            above: Vec::new(),
+            below: terms,
+            degrees,
+        }
+    }
+
+    /// Enclosures of numerator and denominator over a box.
+    fn over(&self, parameters: &ParameterBox) -> [Interval; 2] {
+        let powers: [Vec<Interval>; 2] = [0, 1].map(|v| {
+            let [low, high] = parameters.sides[v];
+            powers(Interval::between(low, high), self.degrees[v])
+        });
+        let exponent = |v: usize, e: usize| match parameters.is_inverse[v] {
+            false => e,
+            true => self.degrees[v] - e,
+        };
+        [&self.above, &self.below].map(|terms| {
+            let mut value = Interval::ZERO;
+            for ([i, j], c) in terms {
+                let monomial = powers[0][exponent(0, *i)] * powers[1][exponent(1, *j)];
+                value = value + *c * monomial;
+            }
+            value
+        })
+    }
+}
+
+impl ParameterBox {
+    /// Divided across the longer side.
+    fn halves(self) -> [Self; 2] {
+        let length = |v: usize| self.sides[v][1] - self.sides[v][0];
+        let across = usize::from(length(1) > length(0));
+        let [low, high] = self.sides[across];
+        let middle = f64::midpoint(low, high);
+        [[low, middle], [middle, high]].map(|side| {
+            let mut half = self;
+            half.sides[across] = side;
+            half
+        })
+    }
+}
+
+/// 1, x, x², …, squares where there are any, so that they are not negative.
+fn powers(x: Interval, degree: usize) -> Vec<Interval> {
+    let mut powers = vec![Interval::from(1.0)];
+    for k in 1..=degree {
+        let last = *powers.last().invariant("there is a first power");
+        powers.push(match k % 2 {
+            0 => powers[k / 2].squared(),
+            _ => last * x,
+        });
+    }
+    powers
+}

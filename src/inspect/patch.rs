@@ -1,0 +1,235 @@
+//! Points against a patch: against the patch itself, not the zero set of its equation, which can have more points.
+
+use super::boxes::PatchBoxes;
+use super::{DistanceBounds, InspectOptions, Inspection, Inspector, Verdict};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::intervals::Interval;
+use crate::limits::Limits;
+use crate::shape::{ImplicitSurface, Patch};
+
+/// Points of the patch, along each parameter, from which the nearest one is looked for.
+const STARTS: u32 = 48;
+/// So many of the nearest are followed.
+const FOLLOWED: usize = 4;
+/// Steps downhill from each.
+const STEPS: usize = 40;
+/// The first radii, as parts of the distance of the nearest point found, that the patch is proved to be farther than.
+const PARTS: [f64; 5] = [0.999, 0.98, 0.9, 0.5, 0.1];
+
+/// A patch that points are held against.
+///
+/// What the zero set of its equation is farther from the patch is farther from, too. A point of the patch within the tolerance is
+/// looked for in doubles, and decided exactly. What is left is decided by boxes of the parameters, or left undecided.
+#[derive(Debug)]
+pub struct PatchInspector {
+    zero_set: Inspector,
+    patch: Patch,
+    boxes: PatchBoxes,
+    /// Angles τ of the parameters, s = tan(τ/2), and the points there.
+    starts: Vec<([f64; 2], [f64; 3])>,
+    tolerance: Rational,
+    budget: usize,
+}
+
+impl PatchInspector {
+    /// For a patch and the surface of its equation.
+    ///
+    /// # Errors
+    /// Those of [`Inspector::surface`].
+    pub fn new(
+        patch: &Patch,
+        surface: &ImplicitSurface,
+        options: &InspectOptions,
+        limits: &Limits,
+    ) -> Result<Self> {
+        let boxes = PatchBoxes::new(patch);
+        let angle = |k: u32| {
+            let turn = (f64::from(k) + 0.5) / f64::from(STARTS);
+            std::f64::consts::TAU * turn - std::f64::consts::PI
+        };
+        let pairs = (0..STARTS).flat_map(|i| (0..STARTS).map(move |j| [angle(i), angle(j)]));
+        let mut inspector = Self {
+            zero_set: Inspector::surface(surface, options, limits)?,
+            patch: patch.clone(),
+            boxes,
+            starts: Vec::new(),
+            tolerance: options.tolerance.clone(),
+            budget: options.cubes,
+        };
+        let starts = pairs.filter_map(|at| Some((at, inspector.near(at)?)));
+        inspector.starts = starts.collect();
+        Ok(inspector)
+    }
+
+    /// Whether the equation has a factor that is too large for exact expansions; see [`Inspector::is_in_doubles_alone`].
+    #[must_use]
+    pub fn is_in_doubles_alone(&self) -> bool {
+        self.zero_set.is_in_doubles_alone()
+    }
+
+    /// What is certain of a point.
+    #[must_use]
+    pub fn inspect(&self, point: &[Rational; 3]) -> Inspection {
+        let of_zero_set = self.zero_set.inspect(point);
+        let found = self.nearest(point);
+        let high = found.as_ref().map_or(f64::INFINITY, upper_root);
+        let around = point.each_ref().map(Interval::narrowest);
+        let tolerance = Interval::narrowest(&self.tolerance);
+        let level = &self.tolerance * &self.tolerance;
+        let is_inside = found.is_some_and(|squared| squared <= level);
+        let verdict = if is_inside {
+            Verdict::Inside
+        } else if of_zero_set.verdict == Verdict::Outside
+            || self.boxes.are_farther(&around, tolerance, self.budget)
+        {
+            Verdict::Outside
+        } else {
+            Verdict::Undecided
+        };
+        let low = self.lower_bound(&around, of_zero_set.distance.low, high);
+        let (low, high) = match verdict {
+            Verdict::Inside => (low, high.min(tolerance.high())),
+            Verdict::Outside => (low.max(tolerance.low()), high),
+            Verdict::Undecided => (low, high),
+        };
+        Inspection {
+            verdict,
+            curve: match verdict {
+                Verdict::Outside => Some(false),
+                Verdict::Inside if of_zero_set.curve == Some(false) => Some(false),
+                Verdict::Inside if self.goes_out(point, &level) => Some(true),
+                _ => None,
+            },
+            distance: DistanceBounds {
+                low: low.min(high),
+                high,
+            },
+        }
+    }
+
+    /// Whether a patch with a point in the ball is proved to have one outside: it is connected then.
+    fn goes_out(&self, point: &[Rational; 3], level: &Rational) -> bool {
+        let center = point.each_ref().map(Rational::to_f64);
+        let farthest = self
+            .starts
+            .iter()
+            .max_by(|(_, a), (_, b)| squared(a, &center).total_cmp(&squared(b, &center)));
+        let exact = farthest.and_then(|(at, _)| self.exactly(*at, point));
+        self.boxes.is_connected && exact.is_some_and(|squared| squared >= *level)
+    }
+
+    /// Of the bound for the zero set and what the boxes prove, the better one.
+    fn lower_bound(&self, around: &[Interval; 3], known: f64, high: f64) -> f64 {
+        if !high.is_finite() || known >= PARTS[0] * high {
+            return known;
+        }
+        let proved = |part: &f64| {
+            let radius = Interval::from(part * high);
+            self.boxes.are_farther(around, radius, self.budget / 10)
+        };
+        let parts = PARTS.iter().filter(|part| **part * high > known);
+        let best = parts.copied().find(|part| proved(part));
+        best.map_or(known, |part| known.max(part * high))
+    }
+
+    /// The point at two angles, in doubles.
+    fn near(&self, at: [f64; 2]) -> Option<[f64; 3]> {
+        let s = at.map(|angle| (angle / 2.0).tan());
+        let value = |f: &crate::poly::SparsePolynomial<2>| -> f64 {
+            let power = |x: f64, e: u32| x.powi(i32::try_from(e).unwrap_or(i32::MAX));
+            let terms = f.terms();
+            terms
+                .map(|([i, j], c)| c.to_f64() * power(s[0], *i) * power(s[1], *j))
+                .sum()
+        };
+        let point = self
+            .patch
+            .coordinates()
+            .each_ref()
+            .map(|f| value(f.numerator()) / value(f.denominator()));
+        point.iter().all(|x| x.is_finite()).then_some(point)
+    }
+
+    /// The square of the distance between a point and that of the patch at two angles, exactly.
+    fn exactly(&self, at: [f64; 2], point: &[Rational; 3]) -> Option<Rational> {
+        let [s, t] = at.map(|angle| Rational::try_from((angle / 2.0).tan()).ok());
+        let q = self.patch.point(&[s?, t?])?;
+        let differences = q.iter().zip(point).map(|(a, b)| a - b);
+        Some(differences.fold(Rational::zero(), |sum, d| sum + &d * &d))
+    }
+
+    /// The square of the distance of the nearest point of the patch that is found.
+    fn nearest(&self, point: &[Rational; 3]) -> Option<Rational> {
+        let center = point.each_ref().map(Rational::to_f64);
+        let mut starts: Vec<&([f64; 2], [f64; 3])> = self.starts.iter().collect();
+        let count = FOLLOWED.min(starts.len());
+        let order = |a: &&([f64; 2], [f64; 3]), b: &&([f64; 2], [f64; 3])| {
+            squared(&a.1, &center).total_cmp(&squared(&b.1, &center))
+        };
+        if count < starts.len() {
+            starts.select_nth_unstable_by(count, order);
+        }
+        let ends = starts[..count]
+            .iter()
+            .map(|(at, _)| self.downhill(*at, &center));
+        ends.filter_map(|at| self.exactly(at, point)).min()
+    }
+
+    /// From two angles to a local minimum of the distance, by Gauss's and Newton's method with damping, in doubles.
+    fn downhill(&self, from: [f64; 2], center: &[f64; 3]) -> [f64; 2] {
+        const DIFFERENCE: f64 = 1e-6;
+        let distance = |at: [f64; 2]| self.near(at).map_or(f64::INFINITY, |q| squared(&q, center));
+        let (mut at, mut best, mut damping) = (from, distance(from), 1e-3);
+        for _ in 0..STEPS {
+            let Some(q) = self.near(at) else {
+                break;
+            };
+            let side = |v: usize, by: f64| {
+                let mut beside = at;
+                beside[v] += by;
+                self.near(beside)
+            };
+            let derivative = |v: usize| -> Option<[f64; 3]> {
+                let (a, b) = (side(v, -DIFFERENCE)?, side(v, DIFFERENCE)?);
+                Some([0, 1, 2].map(|i| (b[i] - a[i]) / (2.0 * DIFFERENCE)))
+            };
+            let (Some(u), Some(v)) = (derivative(0), derivative(1)) else {
+                break;
+            };
+            let off = [0, 1, 2].map(|i| center[i] - q[i]);
+            let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            let (uu, uv, vv) = (dot(&u, &u), dot(&u, &v), dot(&v, &v));
+            let (a, b) = (dot(&u, &off), dot(&v, &off));
+            let (uu, vv) = (uu * (1.0 + damping), vv * (1.0 + damping));
+            let determinant = uu * vv - uv * uv;
+            let step = [
+                (a * vv - b * uv) / determinant,
+                (b * uu - a * uv) / determinant,
+            ];
+            if !step.iter().all(|x| x.is_finite()) {
+                break;
+            }
+            let next = [at[0] + step[0], at[1] + step[1]];
+            let now = distance(next);
+            if now < best {
+                (at, best, damping) = (next, now, damping * 0.2);
+            } else {
+                damping = damping * 8.0 + 1e-9;
+            }
+            if step.iter().all(|x| x.abs() < 1e-15) {
+                break;
+            }
+        }
+        at
+    }
+}
+
+fn squared(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
+}
+
+/// A double that is not below the root.
+fn upper_root(squared: &Rational) -> f64 {
+    Interval::from(squared).sqrt().high()
+}

@@ -1,0 +1,109 @@
+//! Powers p/q of rational numbers: exactly where they are rational, else between integers in a unit of 2^−bits.
+
+use malachite::base::num::arithmetic::traits::{CheckedRoot, FloorRoot, Pow};
+use malachite::{Integer, Natural};
+
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+
+/// The precision that a comparison begins with, in bits after the point.
+pub(super) const FIRST_BITS: u64 = 128;
+
+/// The largest number, in bits, of which a root is taken before a comparison is given up.
+pub const MAX_ROOT_BITS: u64 = 1 << 22;
+
+/// p/q > 0
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exponent {
+    pub(super) p: u64,
+    pub(super) q: u64,
+}
+
+impl From<&Rational> for Exponent {
+    fn from(exponent: &Rational) -> Self {
+        // What does not fit meets the limit of the roots.
+        let small = |n: Integer| u64::try_from(&n).unwrap_or(u64::MAX);
+        Self {
+            p: small(exponent.numerator()),
+            q: small(exponent.denominator()),
+        }
+    }
+}
+
+impl Exponent {
+    /// Refuses roots of numbers with more than [`MAX_ROOT_BITS`] bits, for numbers with so many.
+    pub(super) fn check_size(self, bits: u64, why: &dyn Fn() -> String) -> Result<()> {
+        if bits.saturating_mul(self.p.max(self.q)) <= MAX_ROOT_BITS {
+            return Ok(());
+        }
+        Err(Error::limit(format!(
+            "a point of the superquadric needs roots of numbers with more than {MAX_ROOT_BITS} bits: {}",
+            why()
+        )))
+    }
+}
+
+/// The q-th root if it is rational.
+pub(super) fn exact_root(radicand: &Rational, q: u64) -> Option<Rational> {
+    let (above, below) = natural_parts(radicand);
+    let root = |n: Natural| n.checked_root(q).map(Integer::from);
+    Rational::new(root(above)?, root(below)?)
+}
+
+/// base^(p/q) if it is rational, for a base that is not negative.
+pub(super) fn exact_power(base: &Rational, Exponent { p, q }: Exponent) -> Option<Rational> {
+    // For q > 1 in lowest terms the power is rational exactly if the root of the base is.
+    exact_root(base, q)?.pow(i64::try_from(p).ok()?)
+}
+
+/// ⌊radicand^(1/q) · 2^bits⌋
+pub(super) fn scaled_root(radicand: &Rational, q: u64, bits: u64) -> Natural {
+    let (above, below) = natural_parts(radicand);
+    // ⌊⌊n⌋^(1/q)⌋ = ⌊n^(1/q)⌋
+    ((above << (bits * q)) / below).floor_root(q)
+}
+
+fn natural_parts(q: &Rational) -> (Natural, Natural) {
+    let natural = |n: Integer| n.unsigned_abs_ref().clone();
+    (natural(q.numerator()), natural(q.denominator()))
+}
+
+/// Bounds of a number, in units of 2^−bits.
+#[derive(Clone, Debug)]
+pub(super) struct Bounds {
+    pub(super) low: Natural,
+    pub(super) high: Natural,
+}
+
+impl Bounds {
+    pub(super) fn of(value: &Rational, bits: u64) -> Self {
+        let (above, below) = natural_parts(value);
+        let low = (above << bits) / below;
+        let high = &low + Natural::from(1u32);
+        Self { low, high }
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Self {
+            low: &self.low + &other.low,
+            high: &self.high + &other.high,
+        }
+    }
+
+    /// The (p/q)-th power. With v = n/2^b it is (n^p 2^(b(q − p)))^(1/q) units.
+    pub(super) fn power(&self, Exponent { p, q }: Exponent, bits: u64) -> Self {
+        let root = |n: &Natural, up: bool| {
+            let power = n.pow(p);
+            let scaled = if q >= p {
+                power << (bits * (q - p))
+            } else {
+                (power >> (bits * (p - q))) + Natural::from(u32::from(up))
+            };
+            scaled.floor_root(q) + Natural::from(u32::from(up))
+        };
+        Self {
+            low: root(&self.low, false),
+            high: root(&self.high, true),
+        }
+    }
+}
