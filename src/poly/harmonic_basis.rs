@@ -72,7 +72,7 @@ pub(crate) fn doubled_harmonics<'a>(
     g
 }
 
-/// From the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](super::form_bits).
+/// From the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](crate::bigint::form_bits).
 pub(crate) fn from_harmonic_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let mut h = change_of_basis(g, bits);
     // i^k: signs + + − −
