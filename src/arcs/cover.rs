@@ -9,7 +9,7 @@ use super::tube::{Enclosed, Tube};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
-use crate::field::{Field, Interval, rational, rationals};
+use crate::intervals::{Field, Interval, rational, rationals};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 use crate::shape::ImplicitSurface;
@@ -421,7 +421,7 @@ fn certified(chain: &Chain, polynomials: [&SparsePolynomial<3>; 2]) -> CurveArc 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::tests::sphere;
+    use crate::intervals::tests::sphere;
     use proptest::prelude::*;
 
     proptest! {

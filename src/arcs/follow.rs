@@ -1,7 +1,7 @@
 //! Following an arc from tube to tube.
 
 use super::tube::{Enclosed, Tube, enclose, newton, tube};
-use crate::field::{Field, between, distance};
+use crate::intervals::{Field, between, distance};
 
 /// Beyond both ends of a step its tube goes on by this part of it, so that tubes overlap.
 const OVERLAP: f64 = 0.25;

@@ -1,7 +1,7 @@
 //! What interval Newton proves of two surfaces on one box: a single smooth arc, or a single point.
 
 use crate::exact::Rational;
-use crate::field::{BoxBounds, Field, Interval, rational};
+use crate::intervals::{BoxBounds, Field, Interval, rational};
 
 /// Steps of Newton's method in doubles.
 const NEWTON_STEPS: usize = 40;
@@ -187,7 +187,7 @@ pub(super) fn enclose(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::rationals;
+    use crate::intervals::rationals;
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 

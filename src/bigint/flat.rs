@@ -91,7 +91,7 @@ impl FlatPolynomial {
     }
 
     /// `self ± x^at · other(x^step)`, for another that is not narrower; what of it does not fit is cut off.
-    pub(crate) fn add(&mut self, other: &Self, place: Place) {
+    pub(crate) fn add(&mut self, other: &Self, place: Target) {
         let targets = self.coefficients_mut().skip(place.at).step_by(place.step);
         let pairs = targets.zip(other.coefficients());
         if place.negative {
@@ -172,13 +172,13 @@ impl OnNumbers for TimesRho {
 
 /// Where a polynomial f is added: `± x^at · f(x^step)`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct Target {
     negative: bool,
     at: usize,
     step: usize,
 }
 
-impl Place {
+impl Target {
     /// `+ x^at · f(x^step)`
     pub(crate) fn of_sum(at: usize, step: usize) -> Self {
         let negative = false;
@@ -226,12 +226,12 @@ const LARGEST_PRODUCT: usize = 1 << 20;
 /// Law for both: `products_are_those_of_integer_polynomials`, with equal coefficients of the largest size, too.
 impl FlatPolynomial {
     /// Adds `f · g` at all these places; every sum `Σ |f_j| |g_(k−j)|` is below 2^`bits`.
-    pub(crate) fn add_product(&mut self, f: &Self, g: &Self, bits: u64, places: &[Place]) {
+    pub(crate) fn add_product(&mut self, f: &Self, g: &Self, bits: u64, places: &[Target]) {
         self.add_products(f, Some(g), bits, places, LARGEST_PRODUCT);
     }
 
     /// Adds `f²` at all these places; every sum `Σ |f_j| |f_(k−j)|` is below 2^`bits`.
-    pub(crate) fn add_square(&mut self, f: &Self, bits: u64, places: &[Place]) {
+    pub(crate) fn add_square(&mut self, f: &Self, bits: u64, places: &[Target]) {
         self.add_products(f, None, bits, places, LARGEST_PRODUCT);
     }
 
@@ -241,7 +241,7 @@ impl FlatPolynomial {
         f: &Self,
         g: Option<&Self>,
         bits: u64,
-        places: &[Place],
+        places: &[Target],
         largest: usize,
     ) {
         let width = width_for(bits).max(self.width);
@@ -259,7 +259,7 @@ impl FlatPolynomial {
         // Lemma 2.
         let room = bits + 2;
         let (f, g) = (f.halves_and_sum(room), g.map(|g| g.halves_and_sum(room)));
-        for (k, places) in Place::of_halves(places).iter().enumerate() {
+        for (k, places) in Target::of_halves(places).iter().enumerate() {
             self.add_products(&f[k], g.as_ref().map(|g| &g[k]), room, places, largest);
         }
     }
@@ -268,7 +268,7 @@ impl FlatPolynomial {
     fn halves_and_sum(&self, bits: u64) -> [Self; 3] {
         let [even, odd] = self.halves(bits);
         let mut sum = even.clone();
-        sum.add(&odd, Place::of_sum(0, 1));
+        sum.add(&odd, Target::of_sum(0, 1));
         [even, odd, sum]
     }
 
@@ -335,7 +335,7 @@ mod tests {
                 let bits = 64 * limbs - 1;
                 let flat = FlatPolynomial::from_integers(f.coefficients_asc().iter(), bits);
                 let mut square = FlatPolynomial::zero(3, bits);
-                square.add_products(&flat, None, bits, &[Place::of_sum(0, 1)], 1);
+                square.add_products(&flat, None, bits, &[Target::of_sum(0, 1)], 1);
                 assert_eq!(square.to_polynomial(), f.square());
             }
         }
@@ -354,7 +354,7 @@ mod tests {
                 for (other, expected) in [Some(flat(&b)), None].iter().zip(&expected) {
                     let len = a.len() + other.as_ref().map_or(a.len(), FlatPolynomial::len) - 1;
                     let mut sum = FlatPolynomial::zero(3 * len + 1, bits + 2);
-                    let places = [Place::of_sum(1, 3), Place::of_difference(0, 1), Place::of_sum(0, 1)];
+                    let places = [Target::of_sum(1, 3), Target::of_difference(0, 1), Target::of_sum(0, 1)];
                     sum.add_products(&flat(&a), other.as_ref(), bits, &places, largest);
                     let spread = expected.clone().compose_power_of_x(3).mul_power_of_x(1);
                     prop_assert_eq!(sum.to_polynomial(), spread);
@@ -369,12 +369,12 @@ mod tests {
             let flat = FlatPolynomial::from_integers(a.iter(), 128);
             let [even, odd] = flat.halves(bits);
             let mut joined = FlatPolynomial::zero(len + 2 * power, bits);
-            joined.add(&even, Place::of_sum(0, 2));
-            joined.add(&odd, Place::of_sum(1, 2));
+            joined.add(&even, Target::of_sum(0, 2));
+            joined.add(&odd, Target::of_sum(1, 2));
             prop_assert_eq!(joined.to_polynomial(), flat.to_polynomial());
             let mut cancelled = joined.clone();
-            cancelled.add(&even, Place::of_difference(0, 2));
-            cancelled.add(&odd, Place::of_difference(1, 2));
+            cancelled.add(&even, Target::of_difference(0, 2));
+            cancelled.add(&odd, Target::of_difference(1, 2));
             prop_assert!(cancelled.is_zero());
             joined.multiply_by_rho(power);
             let rho = IntegerPolynomial::from_coefficients_asc([1, 0, 1].map(Integer::from).to_vec());

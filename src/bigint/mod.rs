@@ -1,6 +1,6 @@
 //! The fast layer for whole numbers: limbs, flat polynomials, residues modulo many primes, long numbers in decimal.
 //!
-//! Results are the same as those of the plain arithmetic that they stand for, bit by bit; each file has a law that says so.
+//! All results are exact: they are the integers that plain arithmetic gives, and laws compare the two.
 
 mod binomials;
 mod columns;
@@ -18,7 +18,7 @@ pub(crate) use columns::{
     Columns, DIGIT_BITS, Sums, digits, digits_for, digits_of_bits, halves_of_product,
 };
 pub(crate) use decimal::{Decimal, append_decimal};
-pub(crate) use flat::{FlatPolynomial, Place};
+pub(crate) use flat::{FlatPolynomial, Target};
 pub(crate) use form_size::{FormSize, form_bits};
 pub(crate) use limbs::{negate, sign_limb, widen};
 pub(crate) use machine::Machine;
@@ -26,7 +26,7 @@ pub(crate) use machine::Machine;
 pub(crate) use mobius::tests::bounded_integer;
 pub(crate) use mobius::{ShiftByOne, change_of_basis};
 pub(crate) use residues::{
-    Bases, Lifting, Quad, Quartet, Residues, Sizes, for_each_quartet, minus, plus, value_of_form,
+    Bases, Lanes, Lifting, Quartet, Residues, Sizes, for_each_quartet, minus, plus, value_of_form,
     value_of_integers, value_of_rho,
 };
 pub(crate) use whole::{f64_from, u64_from};

@@ -187,7 +187,7 @@ mod tests {
             prop_assume!(!radius.is_zero());
             let f = expanded(&radius);
             let mut sums = std::collections::BTreeMap::<(usize, usize), Rational>::new();
-            let half = Rational::from_parts(1.into(), -1);
+            let half = Rational::from_dyadic(1.into(), -1);
             for n in 0..=radius.harmonics() {
                 for is_sine in [false, true] {
                     // The input times 3/2 less the input times 1/2 is the input times the derivative.

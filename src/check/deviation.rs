@@ -97,7 +97,7 @@ pub(super) fn unit_in_the_last_place(double: f64) -> Rational {
     match (at(next), at(double.abs())) {
         (Some(next), Some(here)) => next - here,
         // Beyond the doubles: as for the largest ones.
-        _ => Rational::from_parts(1.into(), 971),
+        _ => Rational::from_dyadic(1.into(), 971),
     }
 }
 
@@ -127,7 +127,7 @@ pub(super) fn close_root(q: &Rational) -> Rational {
     let bits = product.significant_bits().cast_signed();
     let k = (BITS - bits / 2).max(0);
     let root = (product << (2 * k)).floor_sqrt();
-    Rational::from_parts(root, -k) / Rational::from(d)
+    Rational::from_dyadic(root, -k) / Rational::from(d)
 }
 
 #[cfg(test)]
@@ -175,7 +175,7 @@ mod tests {
             prop_assert_eq!(nearest_root(&q).to_bits(), v.sqrt().to_bits());
             if v > 0.0 {
                 let square = close_root(&q).pow(2).unwrap();
-                prop_assert!((&square - &q).abs() <= q * Rational::from_parts(1.into(), -119));
+                prop_assert!((&square - &q).abs() <= q * Rational::from_dyadic(1.into(), -119));
             }
         }
     }

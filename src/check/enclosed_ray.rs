@@ -189,7 +189,7 @@ impl Enclosed {
             (&offset.high, &offset.low)
         };
         // A little room around the root, so that signs differ.
-        let part = |size: &Rational, bits: i64| size * &Rational::from_parts(Integer::ONE, -bits);
+        let part = |size: &Rational, bits: i64| size * &Rational::from_dyadic(Integer::ONE, -bits);
         let reach = (inner - &part(inner, REACH_BITS)).abs();
         let room = part(&offset.size(), ROOT_BITS) * Rational::from(i32::from(inner.signum()));
         let (inner, outer) = (inner - &room, outer + &room);

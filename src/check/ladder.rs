@@ -98,7 +98,7 @@ fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
     } else {
         mean
     };
-    let factor = Rational::from_parts(Integer::from(1), -nearest_power(&size));
+    let factor = Rational::from_dyadic(Integer::from(1), -nearest_power(&size));
     // What is beyond the doubles stays so.
     let rounded = |c: &Rational| {
         let scaled = c * &factor;

@@ -63,7 +63,7 @@ pub(super) fn diagnose<T>(
 
 /// Radii that come of mistakes with the series, without those that change nothing here.
 pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadius>> {
-    let half = || Rational::from_parts(1.into(), -1);
+    let half = || Rational::from_dyadic(1.into(), -1);
     let (one, two) = (Rational::one, || Rational::from(2));
     let scaled = |mean: Rational, others: Rational| {
         mapped(radius, |n, a, b| {
@@ -286,7 +286,7 @@ fn of_coordinates(
         (
             "twice the size",
             "all coordinates are doubled",
-            scaled(&all_axes, Rational::from_parts(1.into(), -1)),
+            scaled(&all_axes, Rational::from_dyadic(1.into(), -1)),
         ),
     ];
     if in_space {

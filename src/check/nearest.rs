@@ -89,7 +89,7 @@ fn enclosed(root: &RealRoot) -> Offset {
             high: high.to_rational(),
         };
         let width = &offset.high - &offset.low;
-        if width <= offset.size() * Rational::from_parts(Integer::from(1), -DISTANCE_BITS) {
+        if width <= offset.size() * Rational::from_dyadic(Integer::from(1), -DISTANCE_BITS) {
             return offset;
         }
         bits *= 2;

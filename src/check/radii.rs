@@ -167,7 +167,7 @@ fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational
         }
         let width = &high - &low;
         let is_close =
-            |size: &Rational, k: i64| width <= size * &Rational::from_parts(1.into(), -k);
+            |size: &Rational, k: i64| width <= size * &Rational::from_dyadic(1.into(), -k);
         let nearer = |a: Rational, b: Rational| {
             if a.signum() == b.signum() {
                 a.abs().min(b.abs())

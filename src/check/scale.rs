@@ -66,7 +66,7 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
     for unit in [Rational::one(), first.clone(), largest.clone()] {
         let value = &mode * &unit;
         let simple = WINDOWS.iter().map(|&k| {
-            let reach = value.abs() * Rational::from_parts(Integer::from(1), -k);
+            let reach = value.abs() * Rational::from_dyadic(Integer::from(1), -k);
             Rational::simplest_between(&(&value - &reach), &(&value + &reach))
         });
         let simple = simple.filter(|q| length(q) <= SIMPLE_BITS);
@@ -74,7 +74,7 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
             bits: length(&q),
             factor: q / &unit,
         }));
-        let power = Rational::from_parts(Integer::from(value.signum()), nearest_power(&value));
+        let power = Rational::from_dyadic(Integer::from(value.signum()), nearest_power(&value));
         candidates.push(Candidate {
             bits: 2,
             factor: power / &unit,
@@ -86,7 +86,7 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
         .map(|candidate| (quartile(&some, &candidate.factor), candidate))
         .collect();
     let best = judged.iter().map(|(error, _)| error).min()?.clone();
-    let rounding = Rational::from_parts(Integer::from(1), -52);
+    let rounding = Rational::from_dyadic(Integer::from(1), -52);
     let allowed = (best * Rational::from(2)).max(rounding);
     judged.retain(|(error, _)| *error <= allowed);
     let (_, chosen) = judged.into_iter().min_by_key(|(_, c)| c.bits)?;
@@ -132,7 +132,7 @@ pub(super) fn nearest_power(q: &Rational) -> i64 {
     let bits = |n: &Integer| n.significant_bits().cast_signed();
     let k = bits(&q.numerator()) - bits(&q.denominator());
     let one = Integer::from(1);
-    let off = |k: i64| (q.abs() - Rational::from_parts(one.clone(), k)).abs();
+    let off = |k: i64| (q.abs() - Rational::from_dyadic(one.clone(), k)).abs();
     match off(k - 1).cmp(&off(k)) {
         Ordering::Less => k - 1,
         _ if off(k + 1) < off(k) => k + 1,
@@ -147,7 +147,7 @@ fn length(q: &Rational) -> u64 {
 
 fn meaning(factor: &Rational, first: &Rational, largest: &Rational) -> Option<Meaning> {
     let power = nearest_power(factor);
-    if factor.abs() == Rational::from_parts(Integer::from(1), power) {
+    if factor.abs() == Rational::from_dyadic(Integer::from(1), power) {
         return Some(Meaning::PowerOfTwo(power));
     }
     if length(factor) <= SIMPLE_BITS {
@@ -186,7 +186,7 @@ mod tests {
             p in 1i32..40, q in 1i32..40, power in -60i64..60, sign in any::<bool>(), spoiled in any::<u16>()
         ) {
             let fraction = Rational::from(if sign { p } else { -p }) / Rational::from(q);
-            for factor in [fraction, Rational::from_parts(Integer::from(1), power)] {
+            for factor in [fraction, Rational::from_dyadic(Integer::from(1), power)] {
                 let pairs: Vec<[Rational; 2]> = c
                     .iter()
                     .enumerate()

@@ -163,9 +163,9 @@ mod tests {
                 sum = sum + r.cos(n) * &c + r.sin(n) * &s;
                 size = size + r.cos(n).abs() + r.sin(n).abs();
             }
-            let slack = &size * &Rational::from_parts(Integer::ONE, -i64::from(bits) - 60);
+            let slack = &size * &Rational::from_dyadic(Integer::ONE, -i64::from(bits) - 60);
             prop_assert!(&low - &slack <= sum && sum <= &high + &slack);
-            prop_assert!(high - low <= size * Rational::from_parts(Integer::ONE, -i64::from(bits)));
+            prop_assert!(high - low <= size * Rational::from_dyadic(Integer::ONE, -i64::from(bits)));
         }
 
         /// Far finer bounds lie within coarse ones.

@@ -7,7 +7,7 @@ use malachite::Integer;
 use super::Format;
 use crate::exact::Rational;
 use crate::parametrize::{Condition, Expression, Relation};
-use crate::poly::{BinaryForm, Form};
+use crate::poly::{BinaryForm, HomogeneousPolynomial};
 
 /// How tightly an expression binds: what it may stand in without parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,7 +18,10 @@ pub(super) enum Strength {
 }
 
 /// The expression in the given format: text (the input language's notation), LaTeX, SymPy or Maple.
-pub(super) fn expression_text<F: Form>(expression: &Expression<F>, format: Format) -> String {
+pub(super) fn expression_text<F: HomogeneousPolynomial>(
+    expression: &Expression<F>,
+    format: Format,
+) -> String {
     written(expression, format).0
 }
 
@@ -75,7 +78,10 @@ pub(super) fn condition_text(condition: &Condition) -> String {
     }
 }
 
-fn written<F: Form>(expression: &Expression<F>, format: Format) -> (String, Strength) {
+fn written<F: HomogeneousPolynomial>(
+    expression: &Expression<F>,
+    format: Format,
+) -> (String, Strength) {
     let inner = |e: &Expression<F>, least: Strength| {
         let (text, strength) = written(e, format);
         if strength >= least {
@@ -174,7 +180,11 @@ fn pi_text(q: &Rational, format: Format) -> String {
     }
 }
 
-fn call<F: Form>(function: &str, argument: &Expression<F>, format: Format) -> String {
+fn call<F: HomogeneousPolynomial>(
+    function: &str,
+    argument: &Expression<F>,
+    format: Format,
+) -> String {
     let argument = written(argument, format).0;
     match (format, function) {
         (Format::Latex, _) => format!("\\{function}\\left({argument}\\right)"),
@@ -208,7 +218,7 @@ fn root_text(k: u32, a: &str, format: Format) -> String {
 
 /// A form at (cos θ, sin θ) or (sin φ cos θ, sin φ sin θ, cos φ), expanded; θ falls out where
 /// cos² θ + sin² θ = 1 removes it.
-pub(super) fn form_text<F: Form>(form: &F, format: Format) -> (String, Strength) {
+pub(super) fn form_text<F: HomogeneousPolynomial>(form: &F, format: Format) -> (String, Strength) {
     if let Some(terms) = form.of_revolution() {
         let of_phi = |e: usize, k: usize| {
             let powers = [
@@ -258,7 +268,7 @@ fn sum_text<'a>(
 }
 
 /// The powers of cosines and sines of one term.
-fn monomial<F: Form>([i, j, k]: [usize; 3], format: Format) -> Vec<String> {
+fn monomial<F: HomogeneousPolynomial>([i, j, k]: [usize; 3], format: Format) -> Vec<String> {
     let theta = [
         power("cos", "theta", i, format),
         power("sin", "theta", j, format),

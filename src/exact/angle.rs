@@ -29,7 +29,7 @@ const HALVINGS: u32 = 8;
 pub fn arctangent(q: &Rational, bits: u32) -> (Rational, Rational) {
     let precision = bits + GUARD_BITS;
     let Approximation { value, error } = fixed_arctangent(q, precision);
-    let bound = |v: Integer| Rational::from_parts(v, -i64::from(precision));
+    let bound = |v: Integer| Rational::from_dyadic(v, -i64::from(precision));
     (bound(&value - &error), bound(value + error))
 }
 
@@ -141,9 +141,9 @@ mod tests {
         let mut largest = 0.0f64;
         for precision in [9, 10, 16, 17, 31, 32, 33, 49, 64, 65, 200, 1000] {
             let ends = [0i64, 1, 2, 3].map(Rational::from);
-            let unit = Rational::from_parts(Integer::ONE, -i64::from(precision));
+            let unit = Rational::from_dyadic(Integer::ONE, -i64::from(precision));
             let near = ends.iter().flat_map(|q| {
-                let below = &unit * &Rational::from_parts(Integer::ONE, -3);
+                let below = &unit * &Rational::from_dyadic(Integer::ONE, -3);
                 [q.clone(), q + &below, q - &below, q + &unit, q - &unit]
             });
             let inner = (1..40).map(|k| Rational::from(k) / Rational::from(41));
@@ -163,7 +163,7 @@ mod tests {
                 Rational::from(1) / Rational::from(3),
             ] {
                 let (low, high) = arctangent(&q, bits);
-                let promised = Rational::from_parts(Integer::ONE, 1 - i64::from(bits));
+                let promised = Rational::from_dyadic(Integer::ONE, 1 - i64::from(bits));
                 assert!(high - low <= promised, "{bits} bits");
             }
         }

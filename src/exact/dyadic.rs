@@ -72,7 +72,7 @@ impl Dyadic {
     /// The same number as a fraction.
     #[must_use]
     pub fn to_rational(&self) -> Rational {
-        Rational::from_parts(self.mantissa.clone(), self.exponent)
+        Rational::from_dyadic(self.mantissa.clone(), self.exponent)
     }
 
     /// The nearest double.

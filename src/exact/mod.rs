@@ -4,14 +4,14 @@
 //! `num-rational` convert to and from it.
 
 mod angle;
-mod circle;
+mod cosine;
 mod dyadic;
 mod literal;
 mod rational;
 mod rounding;
 
 pub use angle::{arctangent, pi};
-pub use circle::cosine_and_sine;
+pub use cosine::cosine_and_sine;
 pub use dyadic::Dyadic;
 pub use literal::{double_literal, exact_literal, hex_literal};
 pub use malachite::Integer;

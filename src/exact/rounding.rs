@@ -91,7 +91,7 @@ fn decimal_of_binary(binary: i64) -> i64 {
 
 /// Half an ulp above the largest double, (2^53 − 1) 2^971: from here on numbers are rounded to ∞.
 fn beyond_all_doubles() -> Rational {
-    Rational::from_parts(Integer::from((1_i64 << 54) - 1), 970)
+    Rational::from_dyadic(Integer::from((1_i64 << 54) - 1), 970)
 }
 
 /// The exact midpoint of two neighbouring doubles; beyond the largest, half an ulp above it.
@@ -222,7 +222,7 @@ impl Rational {
 
     /// Built from malachite's own type by the modules next door.
     #[must_use]
-    pub fn from_parts(numerator: Integer, power_of_two: i64) -> Rational {
+    pub fn from_dyadic(numerator: Integer, power_of_two: i64) -> Rational {
         Rational::from_inner(malachite::Rational::from(numerator) << power_of_two)
     }
 }
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn beyond_the_doubles_the_nearest_is_infinite() {
-        let huge = Rational::from_parts(Integer::from(1), 5000);
+        let huge = Rational::from_dyadic(Integer::from(1), 5000);
         let nearest = |value: Rational| nearest_double(1.0, |m| Ok::<_, ()>(value.cmp(m))).unwrap();
         assert_eq!(nearest(huge.clone()), f64::INFINITY);
         assert_eq!(nearest(-huge), f64::NEG_INFINITY);
@@ -293,13 +293,13 @@ mod tests {
 
     /// Fractions that are much smaller than 1: 0, powers of two, and those with low bits that are all 0, all 1 or any.
     fn tiny() -> impl Strategy<Value = Rational> {
-        let power = |bits: i64| Rational::from_parts(Integer::from(1), -bits);
+        let power = |bits: i64| Rational::from_dyadic(Integer::from(1), -bits);
         let one_bit = prop_oneof![Just(60_i64), 2_i64..70, 100_i64..2000].prop_map(power);
         let limb = prop_oneof![Just(0), Just(u64::MAX), any::<u64>()];
         let long = prop::collection::vec(limb, 2..32).prop_map(move |limbs| {
             let bits = 64 * i64::try_from(limbs.len()).unwrap();
             let size = Integer::from(malachite::Natural::from_owned_limbs_asc(limbs));
-            Rational::from_parts(size, -bits) * power(7)
+            Rational::from_dyadic(size, -bits) * power(7)
         });
         prop_oneof![Just(Rational::zero()), one_bit, long]
     }
@@ -314,7 +314,7 @@ mod tests {
             let above = double.next_up();
             let exact = Rational::try_from(double).unwrap();
             // Up to where the next double would be if there were one.
-            let gap = Rational::try_from(above).map_or_else(|_| Rational::from_parts(Integer::from(1), 971), |above| above - &exact);
+            let gap = Rational::try_from(above).map_or_else(|_| Rational::from_dyadic(Integer::from(1), 971), |above| above - &exact);
             let half = Rational::one() / Rational::from(2);
             let part = match at {
                 0 => tiny.clone(),
@@ -431,7 +431,7 @@ mod tests {
             let value = Rational::from(p) / Rational::from(q);
             let guess = f64::from_bits(bits);
             prop_assume!(!guess.is_nan());
-            for value in [value.clone(), value * Rational::from_parts(Integer::from(1), -1074)] {
+            for value in [value.clone(), value * Rational::from_dyadic(Integer::from(1), -1074)] {
                 let found = nearest_double(guess, |m| Ok::<_, ()>(value.cmp(m))).unwrap();
                 prop_assert_eq!(found, value.to_f64());
             }

@@ -5,11 +5,10 @@ use malachite::base::num::arithmetic::traits::{Gcd, Mod};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
-use super::terms::{Exponents, Terms};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{PrimeField, SplitMix};
-use crate::poly::{IntegerPolynomial, polynomial_gcd};
+use crate::modular::{PrimeField, SplitMix, trimmed};
+use crate::poly::{IntegerPolynomial, IntegerTerms, polynomial_gcd};
 
 /// The prime that quick tests are made with: 2³¹ − 1.
 pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;
@@ -23,7 +22,11 @@ pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;
 ///
 /// # Errors
 /// What `limits` returns.
-pub(super) fn gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
+pub(super) fn gcd(
+    f: &IntegerTerms<3>,
+    g: &IntegerTerms<3>,
+    limits: &Limits,
+) -> Result<IntegerTerms<3>> {
     if f.is_zero() || g.is_zero() {
         let other = if f.is_zero() { g } else { f };
         let sign = Integer::from(if other.signed_content() < 0 { -1 } else { 1 });
@@ -35,11 +38,15 @@ pub(super) fn gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
     Ok(primitive_gcd(&f, &g, limits)?.scaled(&content))
 }
 
-fn primitive_gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
+fn primitive_gcd(
+    f: &IntegerTerms<3>,
+    g: &IntegerTerms<3>,
+    limits: &Limits,
+) -> Result<IntegerTerms<3>> {
     let (df, dg) = (f.degrees(), g.degrees());
     let shared: Vec<usize> = (0..3).filter(|&v| df[v] > 0 && dg[v] > 0).collect();
     if shared.iter().all(|&v| image_is_coprime(f, g, v)) {
-        return Ok(Terms::constant(Integer::ONE));
+        return Ok(IntegerTerms::constant(Integer::ONE));
     }
     if f == g {
         return Ok(f.clone());
@@ -47,10 +54,10 @@ fn primitive_gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
     let used: Vec<usize> = (0..3).filter(|&v| df[v] > 0 || dg[v] > 0).collect();
     if let [v] = used[..] {
         let common = polynomial_gcd(&f.to_univariate(v), &g.to_univariate(v));
-        return Ok(Terms::from_univariate(&common, v));
+        return Ok(IntegerTerms::from_univariate(&common, v));
     }
     let Some(&v) = used.iter().min_by_key(|&&v| df[v].max(dg[v])) else {
-        return Ok(Terms::constant(Integer::ONE));
+        return Ok(IntegerTerms::constant(Integer::ONE));
     };
     let mut point = f.height().min(g.height()) * Integer::from(2) + Integer::from(29);
     let mut failures = 0;
@@ -72,7 +79,7 @@ fn primitive_gcd(f: &Terms, g: &Terms, limits: &Limits) -> Result<Terms> {
 }
 
 /// The polynomial in v whose value at `v = base` is `image` and whose coefficients are at most base/2.
-fn from_digits(image: &Terms, v: usize, base: &Integer) -> Terms {
+fn from_digits(image: &IntegerTerms<3>, v: usize, base: &Integer) -> IntegerTerms<3> {
     let mut terms = Vec::new();
     for (e, c) in image.iter() {
         let mut rest = c.clone();
@@ -89,32 +96,7 @@ fn from_digits(image: &Terms, v: usize, base: &Integer) -> Terms {
             k += 1;
         }
     }
-    Terms::new(terms)
-}
-
-/// The values of the other variables modulo the prime, and f there, as a polynomial in v.
-pub(super) fn image_modulo(field: &PrimeField, f: &Terms, v: usize, point: &[u64; 3]) -> Vec<u64> {
-    let degrees = f.degrees();
-    let powers: [Vec<u64>; 3] = std::array::from_fn(|w| {
-        let mut row = vec![1];
-        for k in 0..degrees[w] as usize {
-            row.push(field.mul(row[k], point[w]));
-        }
-        row
-    });
-    let mut image = vec![0; degrees[v] as usize + 1];
-    for (e, c) in f.iter() {
-        let mut value = field.reduce_integer(c);
-        for w in (0..3).filter(|&w| w != v) {
-            value = field.mul(value, powers[w][e[w] as usize]);
-        }
-        let slot: &mut u64 = &mut image[e[v] as usize];
-        *slot = (*slot + value) % field.prime();
-    }
-    while image.last() == Some(&0) {
-        image.pop();
-    }
-    image
+    IntegerTerms::new(terms)
 }
 
 fn random_point() -> [u64; 3] {
@@ -123,27 +105,31 @@ fn random_point() -> [u64; 3] {
 }
 
 /// Whether an image modulo a prime proves that the gcd is free of v.
-fn image_is_coprime(f: &Terms, g: &Terms, v: usize) -> bool {
+fn image_is_coprime(f: &IntegerTerms<3>, g: &IntegerTerms<3>, v: usize) -> bool {
     let field = PrimeField::new(QUICK_PRIME);
     let point = random_point();
     let (a, b) = (
-        image_modulo(&field, f, v, &point),
-        image_modulo(&field, g, v, &point),
+        trimmed(f.image(v, &point, &field)),
+        trimmed(g.image(v, &point, &field)),
     );
-    let full = |image: &[u64], f: &Terms| image.len() == f.degrees()[v] as usize + 1;
+    let full = |image: &[u64], f: &IntegerTerms<3>| image.len() == f.degrees()[v] as usize + 1;
     // The leading coefficient of the gcd divides both, so one that survives is enough.
     (full(&a, f) || full(&b, g)) && field.gcd(a, b).len() == 1
 }
 
 /// The gcd of the coefficients of the powers of v, primitive; and f divided by it.
-pub(super) fn content_in(f: &Terms, v: usize, limits: &Limits) -> Result<(Terms, Terms)> {
-    let mut rows: Vec<Terms> = f.coefficients_in(v).into_values().collect();
-    rows.sort_by_key(Terms::cells);
-    let mut content = Terms::constant(Integer::ZERO);
+pub(super) fn content_in(
+    f: &IntegerTerms<3>,
+    v: usize,
+    limits: &Limits,
+) -> Result<(IntegerTerms<3>, IntegerTerms<3>)> {
+    let mut rows: Vec<IntegerTerms<3>> = f.coefficients_in(v).into_values().collect();
+    rows.sort_by_key(IntegerTerms::cells);
+    let mut content = IntegerTerms::constant(Integer::ZERO);
     for row in &rows {
         content = gcd(&content, row, limits)?;
         if content.is_constant() {
-            return Ok((Terms::constant(Integer::ONE), f.clone()));
+            return Ok((IntegerTerms::constant(Integer::ONE), f.clone()));
         }
     }
     let content = content.primitive();
@@ -154,9 +140,9 @@ pub(super) fn content_in(f: &Terms, v: usize, limits: &Limits) -> Result<(Terms,
 }
 
 /// Whether an image modulo a prime proves that f, primitive in v, is squarefree.
-fn image_is_squarefree(f: &Terms, v: usize) -> bool {
+fn image_is_squarefree(f: &IntegerTerms<3>, v: usize) -> bool {
     let field = PrimeField::new(QUICK_PRIME);
-    let image = image_modulo(&field, f, v, &random_point());
+    let image = trimmed(f.image(v, &random_point(), &field));
     image.len() == f.degrees()[v] as usize + 1 && field.is_squarefree(&image)
 }
 
@@ -165,10 +151,10 @@ fn image_is_squarefree(f: &Terms, v: usize) -> bool {
 /// # Errors
 /// What `limits` returns.
 pub(super) fn squarefree_parts(
-    f: &Terms,
+    f: &IntegerTerms<3>,
     v: usize,
     limits: &Limits,
-) -> Result<Vec<(usize, Terms)>> {
+) -> Result<Vec<(usize, IntegerTerms<3>)>> {
     if image_is_squarefree(f, v) {
         return Ok(vec![(1, f.clone())]);
     }
@@ -176,12 +162,13 @@ pub(super) fn squarefree_parts(
         let parts = crate::poly::squarefree_decomposition(&f.to_univariate(only));
         return Ok(parts
             .into_iter()
-            .map(|(m, part)| (m, Terms::from_univariate(&part, only)))
+            .map(|(m, part)| (m, IntegerTerms::from_univariate(&part, only)))
             .collect());
     }
     let derivative = f.derivative(v);
     let repeated = gcd(f, &derivative, limits)?;
-    let exact = |a: &Terms, b: &Terms| a.divided_by(b).invariant("a gcd divides");
+    let exact =
+        |a: &IntegerTerms<3>, b: &IntegerTerms<3>| a.divided_by(b).invariant("a gcd divides");
     let mut w = exact(f, &repeated);
     let mut y = exact(&derivative, &repeated);
     let mut parts = Vec::new();
@@ -202,7 +189,7 @@ pub(super) fn squarefree_parts(
 
 /// The largest form that divides a polynomial in the two given variables: the gcd of its homogeneous
 /// parts, each a univariate polynomial in disguise. Neither variable may divide f.
-pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
+pub(super) fn form_content(f: &IntegerTerms<3>, u: usize, v: usize) -> IntegerTerms<3> {
     let mut parts = std::collections::BTreeMap::<u32, Vec<(u32, Integer)>>::new();
     for (e, c) in f.iter() {
         parts
@@ -226,8 +213,8 @@ pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
     }
     let degree =
         u32::try_from(common.coefficients_asc().len() - 1).invariant("exponents are below 2^32");
-    Terms::from_univariate(&common, u).map_exponents(|e| {
-        let mut form: Exponents = [0; 3];
+    IntegerTerms::from_univariate(&common, u).map_exponents(|e| {
+        let mut form: [u32; 3] = [0; 3];
         form[u] = e[u];
         form[v] = degree - e[u];
         form
@@ -236,8 +223,8 @@ pub(super) fn form_content(f: &Terms, u: usize, v: usize) -> Terms {
 
 #[cfg(test)]
 mod tests {
-    use super::super::terms::tests::terms;
     use super::*;
+    use crate::poly::any_integer_terms as terms;
     use proptest::prelude::*;
 
     proptest! {
@@ -250,7 +237,7 @@ mod tests {
             prop_assert!(d.divided_by(&h).is_some());
             let (p, q) = (a.divided_by(&d).unwrap(), b.divided_by(&d).unwrap());
             let rest = gcd(&p, &q, &limits).unwrap();
-            prop_assert_eq!(rest, Terms::constant(Integer::ONE));
+            prop_assert_eq!(rest, IntegerTerms::constant(Integer::ONE));
         }
 
         #[test]
@@ -262,7 +249,7 @@ mod tests {
             let parts = squarefree_parts(&rest, 0, &limits).unwrap();
             let back = parts
                 .iter()
-                .fold(Terms::constant(Integer::ONE), |p, (m, part)| p.product(&part.pow(*m)));
+                .fold(IntegerTerms::constant(Integer::ONE), |p, (m, part)| p.product(&part.pow(*m)));
             prop_assert_eq!(back.primitive(), rest.primitive());
         }
     }

@@ -15,7 +15,6 @@ mod proof;
 mod recombine;
 mod specialize;
 mod split;
-mod terms;
 mod univariate;
 
 use std::cmp::Ordering;
@@ -29,9 +28,10 @@ pub use proof::{Irreducibility, Variable};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PlanePolynomial, SparsePolynomial, TernaryForm, term_order};
+use crate::poly::{
+    IntegerPolynomial, IntegerTerms, PlanePolynomial, SparsePolynomial, TernaryForm, term_order,
+};
 use split::Found;
-use terms::Terms;
 
 /// A polynomial as `content · ∏ polynomial^multiplicity`, exactly.
 ///
@@ -118,7 +118,7 @@ pub(crate) fn squarefree_form(
     let narrow =
         |e: [usize; 3]| -> Result<[u32; 3]> { Ok([narrow(e[0])?, narrow(e[1])?, narrow(e[2])?]) };
     let terms = form.terms().map(|(e, c)| Ok((narrow(e)?, c.clone())));
-    let mut rest = Terms::new(terms.collect::<Result<_>>()?).primitive();
+    let mut rest = IntegerTerms::new(terms.collect::<Result<_>>()?).primitive();
     let mut parts = Vec::new();
     // Whatever is free of the main variable is decomposed in the next one.
     while let Some(&v) = rest.used().first() {
@@ -127,7 +127,7 @@ pub(crate) fn squarefree_form(
         rest = content;
     }
     let wide = |e: &[u32; 3]| e.map(|k| k as usize);
-    let form = |part: Terms| {
+    let form = |part: IntegerTerms<3>| {
         let terms: Vec<_> = part.iter().map(|(e, c)| (wide(e), c.clone())).collect();
         let degree = terms.first().map_or(0, |(e, _)| e.iter().sum());
         let form = TernaryForm::from_terms(degree, terms);
@@ -141,14 +141,14 @@ pub(crate) fn squarefree_form(
     Ok(parts.into_iter().map(|(m, part)| (m, form(part))).collect())
 }
 
-fn primitive_terms<const V: usize>(f: &SparsePolynomial<V>) -> Terms {
+fn primitive_terms<const V: usize>(f: &SparsePolynomial<V>) -> IntegerTerms<3> {
     let padded = |e: &[u32; V]| std::array::from_fn(|v| if v < V { e[v] } else { 0 });
     let primitive = f.primitive();
     let terms = primitive.terms().map(|(e, c)| (padded(e), c.numerator()));
-    Terms::new(terms.collect())
+    IntegerTerms::new(terms.collect())
 }
 
-fn canonical<const V: usize>(f: &Terms) -> SparsePolynomial<V> {
+fn canonical<const V: usize>(f: &IntegerTerms<3>) -> SparsePolynomial<V> {
     let terms = f.iter();
     let terms = terms.map(|(e, c)| (std::array::from_fn(|v| e[v]), Rational::from(c)));
     SparsePolynomial::from_terms(terms).primitive()
@@ -184,7 +184,7 @@ pub fn factor_univariate(
     f: &IntegerPolynomial,
     limits: &Limits,
 ) -> Result<Factorization<IntegerPolynomial>> {
-    let (content, found) = factor_terms(Terms::from_univariate(f, 0), limits)?;
+    let (content, found) = factor_terms(IntegerTerms::from_univariate(f, 0), limits)?;
     Ok(Factorization {
         content: Rational::from(content),
         factors: factors_as(found, |g| g.to_univariate(0)),
@@ -230,7 +230,7 @@ pub fn factor_plane(
             terms.push(([narrow(part.degree() - k)?, narrow(k)?, 0], c.clone()));
         }
     }
-    let (content, found) = factor_terms(Terms::new(terms), limits)?;
+    let (content, found) = factor_terms(IntegerTerms::new(terms), limits)?;
     let factors = factors_as(found, |g| {
         PlanePolynomial::from_terms(
             g.iter()
@@ -272,7 +272,7 @@ pub fn factor_space(
     });
     let scale = Rational::from(&denominator);
     let terms = f.terms().map(|(e, c)| (*e, (c * &scale).numerator()));
-    let (content, found) = factor_terms(Terms::new(terms.collect()), limits)?;
+    let (content, found) = factor_terms(IntegerTerms::new(terms.collect()), limits)?;
     let factors = factors_as(found, |g| {
         SparsePolynomial::from_terms(g.iter().map(|(e, c)| (*e, Rational::from(c))))
     });
@@ -286,7 +286,7 @@ fn narrow(exponent: usize) -> Result<u32> {
     u32::try_from(exponent).map_err(|_| Error::limit("exponents below 2^32"))
 }
 
-fn factors_as<P>(found: Vec<Found>, convert: impl Fn(&Terms) -> P) -> Vec<Factor<P>> {
+fn factors_as<P>(found: Vec<Found>, convert: impl Fn(&IntegerTerms<3>) -> P) -> Vec<Factor<P>> {
     let factors = found.into_iter().map(|found| Factor {
         polynomial: convert(&found.polynomial),
         multiplicity: found.multiplicity,
@@ -296,7 +296,7 @@ fn factors_as<P>(found: Vec<Found>, convert: impl Fn(&Terms) -> P) -> Vec<Factor
 }
 
 /// The content and the factors in canonical order and with canonical signs, multiplied back.
-fn factor_terms(f: Terms, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
+fn factor_terms(f: IntegerTerms<3>, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
     if f.is_zero() {
         return Err(Error::Usage(
             "the zero polynomial has no factorization".into(),
@@ -314,7 +314,7 @@ fn factor_terms(f: Terms, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
     };
     let primitive = f.primitive();
     let mut found = split::factors(&primitive, limits)?;
-    let mut product = Terms::constant(Integer::ONE);
+    let mut product = IntegerTerms::constant(Integer::ONE);
     for factor in &found {
         limits.check()?;
         product = product.product(&factor.polynomial.pow(factor.multiplicity));
@@ -338,7 +338,7 @@ fn factor_terms(f: Terms, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
 }
 
 /// The terms by total degree, then by exponents, both descending.
-fn graded_terms(f: &Terms) -> Vec<&([u32; 3], Integer)> {
+fn graded_terms(f: &IntegerTerms<3>) -> Vec<&([u32; 3], Integer)> {
     let mut terms: Vec<_> = f.iter().collect();
     terms.sort_by(|(a, _), (b, _)| term_order(a, b));
     terms
@@ -346,7 +346,7 @@ fn graded_terms(f: &Terms) -> Vec<&([u32; 3], Integer)> {
 
 /// By total degree, then term by term: what comes first in the order of terms, then smaller
 /// coefficients.
-fn canonical_order(f: &Terms, g: &Terms) -> Ordering {
+fn canonical_order(f: &IntegerTerms<3>, g: &IntegerTerms<3>) -> Ordering {
     let (f, g) = (graded_terms(f), graded_terms(g));
     let total = |terms: &[&([u32; 3], Integer)]| {
         terms

@@ -10,13 +10,12 @@ use malachite::base::polynomial::Polynomial;
 use super::gcd::{QUICK_PRIME, content_in};
 use super::recombine::{Sieve, recombine};
 use super::specialize::{Best, Specialized, specialize};
-use super::terms::{Exponents, Terms};
 use super::univariate::{fraction, power_above};
 use super::{Irreducibility, Variable, univariate};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 use crate::modular::{PrimeField, SplitMix, TruncatedRing, balanced, lift};
-use crate::poly::IntegerPolynomial;
+use crate::poly::{IntegerPolynomial, IntegerTerms};
 
 /// The irreducible factors of f, squarefree and primitive in v (no factor is free of v), with proofs.
 ///
@@ -29,16 +28,16 @@ use crate::poly::IntegerPolynomial;
 /// [`crate::error::Error::Limit`] when too many subsets would have to be tried, and what `limits`
 /// returns.
 pub(super) fn irreducible_factors(
-    f: &Terms,
+    f: &IntegerTerms<3>,
     v: usize,
     limits: &Limits,
-) -> Result<Vec<(Terms, Irreducibility)>> {
+) -> Result<Vec<(IntegerTerms<3>, Irreducibility)>> {
     if let [only] = f.used()[..] {
         let variable = Variable::from_index(only);
         let factors = univariate::irreducible_factors(&f.to_univariate(only), variable, limits)?;
         return Ok(factors
             .into_iter()
-            .map(|(g, proof)| (Terms::from_univariate(&g, only), proof))
+            .map(|(g, proof)| (IntegerTerms::from_univariate(&g, only), proof))
             .collect());
     }
     let linear = Irreducibility::Linear {
@@ -80,7 +79,7 @@ pub(super) fn irreducible_factors(
 
 /// f with the chosen point moved to the origin, and its monic factors as power series there.
 struct Local {
-    f: Terms,
+    f: IntegerTerms<3>,
     variables: Roles,
     ring: TruncatedRing,
     factors: Vec<IntegerPolynomial>,
@@ -94,7 +93,7 @@ struct Roles {
 }
 
 impl Roles {
-    fn new(f: &Terms, main: usize) -> Self {
+    fn new(f: &IntegerTerms<3>, main: usize) -> Self {
         let degrees = f.degrees();
         let mut others: Vec<usize> = (0..3).filter(|&w| w != main).collect();
         // An unused variable plays z.
@@ -108,7 +107,7 @@ impl Roles {
 }
 
 impl Local {
-    fn lift(f: &Terms, v: usize, best: &Best, limits: &Limits) -> Result<Self> {
+    fn lift(f: &IntegerTerms<3>, v: usize, best: &Best, limits: &Limits) -> Result<Self> {
         let f = (0..3).fold(f.clone(), |g, w| {
             g.shifted(w, &Integer::from(best.point[w]))
         });
@@ -175,10 +174,10 @@ impl Local {
     /// The factor of `rest` that is lc(rest) times the chosen local factors, and the quotient.
     fn try_product(
         &self,
-        rest: &Terms,
+        rest: &IntegerTerms<3>,
         subset: &[usize],
         limits: &Limits,
-    ) -> Result<Option<(Terms, Terms)>> {
+    ) -> Result<Option<(IntegerTerms<3>, IntegerTerms<3>)>> {
         limits.check()?;
         let ring = &self.ring;
         let start = ring.lead(&pack(ring, &self.variables, rest));
@@ -230,7 +229,7 @@ fn good_prime(factors: &[IntegerPolynomial]) -> PrimeField {
     }
 }
 
-fn pack(ring: &TruncatedRing, roles: &Roles, f: &Terms) -> IntegerPolynomial {
+fn pack(ring: &TruncatedRing, roles: &Roles, f: &IntegerTerms<3>) -> IntegerPolynomial {
     let size = (f.degrees()[roles.main] as usize + 1) * ring.block();
     let mut coefficients = vec![Integer::ZERO; size];
     for (e, c) in f.iter() {
@@ -240,16 +239,16 @@ fn pack(ring: &TruncatedRing, roles: &Roles, f: &Terms) -> IntegerPolynomial {
     ring.normalize(IntegerPolynomial::from_coefficients_asc(coefficients))
 }
 
-fn unpack(ring: &TruncatedRing, roles: &Roles, f: &IntegerPolynomial) -> Terms {
+fn unpack(ring: &TruncatedRing, roles: &Roles, f: &IntegerPolynomial) -> IntegerTerms<3> {
     let narrow = |k: usize| u32::try_from(k).invariant("exponents are below 2^32");
     let terms = f.coefficients_asc().iter().enumerate();
     let terms = terms.filter(|(_, c)| **c != 0).filter_map(|(k, c)| {
         let (j, l) = ring.exponents(k)?;
-        let mut e: Exponents = [0; 3];
+        let mut e: [u32; 3] = [0; 3];
         e[roles.main] = narrow(k / ring.block());
         e[roles.y] = narrow(j);
         e[roles.z] = narrow(l);
         Some((e, balanced(c, &ring.modulus)))
     });
-    Terms::new(terms.collect())
+    IntegerTerms::new(terms.collect())
 }

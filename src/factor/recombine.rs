@@ -32,7 +32,7 @@ pub(super) fn recombine(
     limits: &Limits,
     accept: impl FnMut(&[usize]) -> Result<bool>,
 ) -> Result<()> {
-    let mut search = Search {
+    let mut search = Recombination {
         sieve,
         limits,
         accept,
@@ -64,7 +64,7 @@ pub(super) fn recombine(
     Ok(())
 }
 
-struct Search<'a, F> {
+struct Recombination<'a, F> {
     sieve: &'a Sieve,
     limits: &'a Limits,
     accept: F,
@@ -73,7 +73,7 @@ struct Search<'a, F> {
     seen: u64,
 }
 
-impl<F: FnMut(&[usize]) -> Result<bool>> Search<'_, F> {
+impl<F: FnMut(&[usize]) -> Result<bool>> Recombination<'_, F> {
     /// Chooses `more` of `left[from..]`; whether a factor was found, which is then in `chosen`.
     fn extend(&mut self, from: usize, more: usize, sum: u64) -> Result<bool> {
         if more == 0 {

@@ -2,15 +2,14 @@
 
 use malachite::Integer;
 
-use super::gcd::{QUICK_PRIME, image_modulo};
+use super::gcd::QUICK_PRIME;
 use super::recombine::{degrees_of_products, intersect};
-use super::terms::Terms;
 use super::univariate::irreducible_factors;
 use super::{Irreducibility, Variable};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::PrimeField;
-use crate::poly::IntegerPolynomial;
+use crate::modular::{PrimeField, trimmed};
+use crate::poly::{IntegerPolynomial, IntegerTerms};
 
 /// With so few factors two points are compared, otherwise [`POINTS`].
 const FEW_FACTORS: usize = 3;
@@ -36,7 +35,7 @@ pub(super) struct Best {
 ///
 /// # Errors
 /// Those of the univariate factorization.
-pub(super) fn specialize(f: &Terms, v: usize, limits: &Limits) -> Result<Specialized> {
+pub(super) fn specialize(f: &IntegerTerms<3>, v: usize, limits: &Limits) -> Result<Specialized> {
     let degree = f.degrees()[v] as usize;
     let others: Vec<usize> = f.used().into_iter().filter(|&w| w != v).collect();
     let field = PrimeField::new(QUICK_PRIME);
@@ -46,7 +45,7 @@ pub(super) fn specialize(f: &Terms, v: usize, limits: &Limits) -> Result<Special
     for point in points(&others) {
         limits.check()?;
         let residues = point.map(|a| field.reduce_integer(&Integer::from(a)));
-        let image = image_modulo(&field, f, v, &residues);
+        let image = trimmed(f.image(v, &residues, &field));
         if image.len() != degree + 1 || !field.is_squarefree(&image) {
             continue;
         }

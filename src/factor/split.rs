@@ -5,11 +5,11 @@ use malachite::base::num::arithmetic::traits::Parity;
 
 use super::gcd::{content_in, form_content, squarefree_parts};
 use super::multivariate::irreducible_factors;
-use super::terms::Terms;
 use super::univariate::is_power;
 use super::{Irreducibility, Variable};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
+use crate::poly::IntegerTerms;
 
 /// The largest dense table of coefficients that is worked on.
 pub(super) const CELLS_AT_MOST: usize = 1 << 21;
@@ -22,7 +22,7 @@ pub(super) const EXPONENTS_AT_MOST: u64 = 1 << 20;
 
 /// An irreducible factor, its multiplicity and the proof.
 pub(super) struct Found {
-    pub(super) polynomial: Terms,
+    pub(super) polynomial: IntegerTerms<3>,
     pub(super) multiplicity: usize,
     pub(super) proof: Irreducibility,
 }
@@ -32,7 +32,7 @@ pub(super) struct Found {
 /// # Errors
 /// [`Error::Limit`] beyond [`EXPONENTS_AT_MOST`], [`CELLS_AT_MOST`], [`DEGREE_AT_MOST`] or too many subsets, and what
 /// `limits` returns.
-pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
+pub(super) fn factors(f: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     let total = f
         .iter()
         .map(|(e, _)| e.iter().map(|&k| u64::from(k)).sum::<u64>());
@@ -45,7 +45,7 @@ pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
     let monomial = f.monomial_content();
     for v in (0..3).filter(|&v| monomial[v] > 0) {
         found.push(Found {
-            polynomial: Terms::variable(v),
+            polynomial: IntegerTerms::variable(v),
             multiplicity: monomial[v] as usize,
             proof: Irreducibility::Linear {
                 variable: Variable::from_index(v),
@@ -76,7 +76,7 @@ pub(super) fn factors(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
 }
 
 /// The factors of a form without monomial factors: those of its value at `last variable = 1`.
-fn of_form(form: &Terms, limits: &Limits) -> Result<Vec<Found>> {
+fn of_form(form: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     let Some(&last) = form.used().last() else {
         return Ok(Vec::new());
     };
@@ -97,7 +97,7 @@ fn of_form(form: &Terms, limits: &Limits) -> Result<Vec<Found>> {
 }
 
 /// The factors of f, not divisible by a variable: of the polynomial in powers of the variables first.
-fn deflated(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
+fn deflated(f: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     let powers = f.exponent_gcds().map(|k| k.max(1));
     let small = f.map_exponents(|e| std::array::from_fn(|v| e[v] / powers[v]));
     let mut found = Vec::new();
@@ -124,7 +124,10 @@ fn deflated(f: &Terms, limits: &Limits) -> Result<Vec<Found>> {
 }
 
 /// Squarefree pairwise coprime parts with multiplicities, and a variable in which each is primitive.
-fn squarefree(f: &Terms, limits: &Limits) -> Result<Vec<(usize, Terms, usize)>> {
+fn squarefree(
+    f: &IntegerTerms<3>,
+    limits: &Limits,
+) -> Result<Vec<(usize, IntegerTerms<3>, usize)>> {
     let degrees = f.degrees();
     let Some(v) = f.used().into_iter().min_by_key(|&v| degrees[v]) else {
         return Ok(Vec::new());
@@ -138,7 +141,7 @@ fn squarefree(f: &Terms, limits: &Limits) -> Result<Vec<(usize, Terms, usize)>> 
     Ok(parts)
 }
 
-fn within_limits(f: &Terms) -> Result<()> {
+fn within_limits(f: &IntegerTerms<3>) -> Result<()> {
     if f.cells() > CELLS_AT_MOST {
         return Err(Error::limit(format!(
             "a polynomial with {:?} as degrees in x, y, z has room for more than {CELLS_AT_MOST} terms",
@@ -196,7 +199,7 @@ fn inflate(g: Found, v: usize, q: u32, limits: &Limits) -> Result<Vec<Found>> {
 /// Capelli: for an irreducible g of degree n in v with root α over K = Q(other variables), and a prime
 /// q, g(v^q) is reducible only if α is a q-th power in K(α); then its norm, (−1)^n g(0)/lc(g), is one
 /// in K, and so are the values of that at points, in Q.
-fn stays_irreducible(g: &Terms, v: usize, q: u32) -> bool {
+fn stays_irreducible(g: &IntegerTerms<3>, v: usize, q: u32) -> bool {
     let rows = g.coefficients_in(v);
     let (Some((_, constant)), Some((&n, lead))) = (rows.first_key_value(), rows.last_key_value())
     else {

@@ -9,10 +9,8 @@ use rayon::prelude::*;
 use super::symmetric::{Rows, modulo};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
-use crate::modular::{Images, interpolate, inverse_mod, kernel_primes, reduce_integer};
-use crate::poly::{
-    IntegerPolynomial, determinant, polynomial_gcd, resultant_mod, squarefree_decomposition,
-};
+use crate::modular::{Images, PrimeField, determinant, large_primes};
+use crate::poly::{IntegerPolynomial, polynomial_gcd, squarefree_decomposition};
 
 /// Products of residues beyond which the work is refused: some tenths of a second.
 const MAX_WORK: u64 = 100_000_000;
@@ -186,8 +184,8 @@ impl Minor<'_> {
                 MAX_WORK = as_f64(MAX_WORK)
             )));
         }
-        let primes: Vec<u64> = kernel_primes()
-            .filter(|&p| reduce_integer(lead, p) != 0)
+        let primes: Vec<u64> = large_primes()
+            .filter(|&p| PrimeField::new(p).reduce_integer(lead) != 0)
             .take(count + 1)
             .collect();
         let mut images: Option<Images> = None;
@@ -212,10 +210,11 @@ impl Minor<'_> {
             return Err(Error::internal("an eliminant", "a bound needs a prime"));
         };
         let quotient = images.balanced();
+        let check_field = PrimeField::new(*check);
         let image = self.image(divisor, degree, *check);
         let agrees = image.iter().enumerate().all(|(k, &c)| {
             let found = quotient.coefficients_asc().get(k);
-            found.map_or(0, |c| reduce_integer(c, *check)) == c
+            found.map_or(0, |c| check_field.reduce_integer(c)) == c
         });
         if agrees {
             Ok(quotient)
@@ -226,18 +225,15 @@ impl Minor<'_> {
 
     /// The coefficients of the quotient modulo a prime.
     fn image(&self, divisor: &IntegerPolynomial, degree: usize, p: u64) -> Vec<u64> {
-        let reduce = |f: &IntegerPolynomial| -> Vec<u64> {
-            let coefficients = f.coefficients_asc().iter();
-            coefficients.map(|c| reduce_integer(c, p)).collect()
-        };
+        let field = PrimeField::new(p);
+        let reduce = |f: &IntegerPolynomial| field.residues(f);
         let [f, g] = [self.f, self.g].map(|f| f.rows().iter().map(reduce).collect::<Vec<_>>());
         let divisor = reduce(divisor);
-        let at = |f: &[u64], x: u64| f.iter().rev().fold(0, |v, c| (v * x + c) % p);
         // Where the divisor is not 0: the first places that follow one another.
         let mut start = 0;
         let mut below = Vec::with_capacity(degree + 1);
         while below.len() <= degree {
-            match at(&divisor, (start + below.len() as u64) % p) {
+            match field.value(&divisor, (start + below.len() as u64) % p) {
                 0 => {
                     start += below.len() as u64 + 1;
                     below.clear();
@@ -247,15 +243,19 @@ impl Minor<'_> {
         }
         let values = below.iter().zip(start..).map(|(&below, x)| {
             let x = x % p;
-            let [f, g] = [&f, &g].map(|f| f.iter().map(|row| at(row, x)).collect::<Vec<u64>>());
-            let value = self.value(f, g, p);
+            let [f, g] = [&f, &g].map(|f| {
+                f.iter()
+                    .map(|row| field.value(row, x))
+                    .collect::<Vec<u64>>()
+            });
+            let value = self.value(f, g, &field);
             if below == 1 {
                 value
             } else {
-                value * inverse_mod(below, p) % p
+                field.mul(value, field.inverse(below))
             }
         });
-        let mut image = interpolate(values.collect(), p);
+        let mut image = field.interpolate(values.collect());
         // From x − start to x.
         let minus = (p - start % p) % p;
         for k in 0..image.len() {
@@ -267,9 +267,9 @@ impl Minor<'_> {
     }
 
     /// The determinant modulo a prime for two polynomials in Y.
-    fn value(&self, f: Vec<u64>, g: Vec<u64>, p: u64) -> u64 {
+    fn value(&self, f: Vec<u64>, g: Vec<u64>, field: &PrimeField) -> u64 {
         if self.j == 0 {
-            return resultant_mod(f, g, p);
+            return field.resultant(f, g);
         }
         let [of_f, of_g] = self.counts();
         let size = of_f + of_g;
@@ -282,7 +282,7 @@ impl Minor<'_> {
         };
         let rows = (0..of_f).rev().map(|r| row(&f, r));
         let rows = rows.chain((0..of_g).rev().map(|r| row(&g, r)));
-        determinant(rows.collect(), p)
+        determinant(rows.collect(), field.prime())
     }
 }
 

@@ -87,7 +87,7 @@ impl Precision {
 
     /// The bounds as rational numbers.
     pub(super) fn bounds(self, a: &Enclosure) -> [Rational; 2] {
-        let unit = Rational::from_parts(Integer::from(1), 0)
+        let unit = Rational::from_dyadic(Integer::from(1), 0)
             / Rational::from(Integer::from(1) << self.bits);
         [&a.low, &a.high].map(|v| Rational::from(v) * &unit)
     }
@@ -234,7 +234,8 @@ mod tests {
     /// Numbers with many bits below the precision, near 0 and near powers of two, of either sign.
     fn number() -> impl Strategy<Value = Rational> {
         let small = (-40i64..41, -90i64..20, -3i64..4).prop_map(|(m, e, d)| {
-            Rational::from_parts(Integer::from(m), e) + Rational::from_parts(Integer::from(d), -130)
+            Rational::from_dyadic(Integer::from(m), e)
+                + Rational::from_dyadic(Integer::from(d), -130)
         });
         let fraction =
             (-1000i64..1000, 1i64..1000).prop_map(|(p, q)| Rational::from(p) / Rational::from(q));

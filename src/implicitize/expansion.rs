@@ -9,9 +9,9 @@ use rayon::prelude::*;
 
 use super::residue_expansion::middle_and_low_by_residues;
 use super::summed::SummedHarmonics;
-use crate::bigint::{FlatPolynomial, Machine, Place, binomials, form_bits};
+use crate::bigint::{FlatPolynomial, Machine, Target, binomials, form_bits};
 use crate::error::Invariant;
-use crate::poly::{BinaryForm, flat_form};
+use crate::poly::{BinaryForm, from_harmonic_basis};
 
 /// What [`square_away`](super::square_away) says of the sums, which are `unit` times those of the radius: the parts
 /// `unit² ρ^(N+1)`, `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all
@@ -110,8 +110,11 @@ fn middle_and_low(sums: &SummedHarmonics) -> (Option<Part>, Part) {
 }
 
 fn by_large_integers(sums: &SummedHarmonics) -> (Option<FlatPolynomial>, FlatPolynomial) {
-    let odd = sums.odd.as_ref().map(|odd| flat_form(odd, sums.bits));
-    let even = flat_form(&sums.even, sums.bits);
+    let odd = sums
+        .odd
+        .as_ref()
+        .map(|odd| from_harmonic_basis(odd, sums.bits));
+    let even = from_harmonic_basis(&sums.even, sums.bits);
     let middle = odd.as_ref().map(|odd| middle_part(odd, sums));
     (middle, low_part(odd.as_ref(), &even, sums))
 }
@@ -158,7 +161,7 @@ fn by_products(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial 
     let rho = FlatPolynomial::from_integers(binomials(power).iter(), power as u64);
     let mut middle = FlatPolynomial::zero(odd.len() + 2 * power, room);
     for (half, at) in odd.halves(room).iter().zip(0..) {
-        middle.add_product(half, &rho, room, &[Place::of_sum(at, 2)]);
+        middle.add_product(half, &rho, room, &[Target::of_sum(at, 2)]);
     }
     middle
 }
@@ -174,7 +177,7 @@ fn low_part(
     // a² and ρ b² are forms of degree 2N, of which the coefficients in the other basis add up to at most the square.
     let room = form_bits(2 * harmonics, 2 * sums.bits);
     let mut low = FlatPolynomial::zero(2 * harmonics + 1, room + 1);
-    let (plus, minus) = (Place::of_sum, Place::of_difference);
+    let (plus, minus) = (Target::of_sum, Target::of_difference);
     let squares = match odd {
         Some(odd) if !harmonics.is_multiple_of(2) => [
             (Some(odd), vec![plus(0, 1)]),

@@ -3,10 +3,8 @@
 use super::map::RationalMap;
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{
-    SplitMix, gcd_mod, interpolate, inverse_mod, kernel_primes, power_mod, reduce_integer,
-};
-use crate::poly::{SparsePolynomial, resultant_mod};
+use crate::modular::{PrimeField, SplitMix, large_primes, trimmed};
+use crate::poly::SparsePolynomial;
 use crate::shape::{Patch, PatchFunction};
 
 /// Random points at which the tangent vectors are looked at.
@@ -15,11 +13,12 @@ const TRIES: usize = 5;
 /// Whether the tangent vectors are independent somewhere: proved if they are, else wrong with a probability
 /// below 10⁻⁴⁰.
 pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
-    let prime = kernel_primes()
+    let prime = large_primes()
         .next()
         .invariant("there are primes below 2^31");
     let mut random = SplitMix(1);
     let map = RationalMap::of_patch(patch).modulo(prime);
+    let field = PrimeField::new(prime);
     let mut tries = 0;
     while tries < TRIES {
         let s = [random.next() % prime, random.next() % prime];
@@ -31,7 +30,7 @@ pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
         let tangents: Vec<[u64; 2]> = patch
             .coordinates()
             .iter()
-            .map(|f| gradient(f, s, prime))
+            .map(|f| gradient(f, s, &field))
             .collect();
         let independent = |i: usize, j: usize| {
             let [a, b] = [tangents[i], tangents[j]];
@@ -45,26 +44,26 @@ pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
 }
 
 /// (p_v q − p q_v) for v = s1, s2.
-fn gradient(f: &PatchFunction, s: [u64; 2], prime: u64) -> [u64; 2] {
+fn gradient(f: &PatchFunction, s: [u64; 2], field: &PrimeField) -> [u64; 2] {
     let value = |p: &SparsePolynomial<2>, derivative: Option<usize>| {
         p.terms().fold(0, |sum, (e, c)| {
             let mut e = *e;
-            let mut factor = reduce_integer(&c.numerator(), prime);
+            let mut factor = field.reduce_integer(&c.numerator());
             if let Some(v) = derivative {
-                factor = factor * (u64::from(e[v]) % prime) % prime;
+                factor = field.mul(factor, u64::from(e[v]) % field.prime());
                 e[v] = e[v].saturating_sub(1);
             }
-            let [a, b] = [0, 1].map(|v| power_mod(s[v], e[v].into(), prime));
-            (sum + factor * (a * b % prime)) % prime
+            let [a, b] = [0, 1].map(|v| field.power(s[v], e[v].into()));
+            field.sum(sum, field.mul(factor, field.mul(a, b)))
         })
     };
     let (p, q) = (f.numerator(), f.denominator());
     [0, 1].map(|v| {
         let (plus, minus) = (
-            value(p, Some(v)) * value(q, None) % prime,
-            value(p, None) * value(q, Some(v)) % prime,
+            field.mul(value(p, Some(v)), value(q, None)),
+            field.mul(value(p, None), value(q, Some(v))),
         );
-        (plus + prime - minus) % prime
+        field.minus(plus, minus)
     })
 }
 
@@ -78,22 +77,23 @@ fn gradient(f: &PatchFunction, s: [u64; 2], prime: u64) -> [u64; 2] {
 /// # Errors
 /// What `limits` returns.
 pub(super) fn generic_fibre(patch: &Patch, limits: &Limits) -> Result<usize> {
-    let prime = kernel_primes()
+    let prime = large_primes()
         .next()
         .invariant("there are primes below 2^31");
+    let field = PrimeField::new(prime);
     let mut random = SplitMix(2);
     let functions = over_one_denominator(patch, limits)?;
     let [second, first]: [Vec<u64>; 2] = std::array::from_fn(|_| {
         let planes: [Dense; 2] = std::array::from_fn(|_| {
             let weights: Vec<u64> = functions.iter().map(|_| random.next() % prime).collect();
-            Dense::combination(&functions, &weights, prime)
+            Dense::combination(&functions, &weights, &field)
         });
-        eliminant(&planes, prime)
+        eliminant(&planes, &field)
     });
     if first.is_empty() || second.is_empty() {
         return Ok(0);
     }
-    let fixed = gcd_mod(first.clone(), second, prime);
+    let fixed = field.gcd(first.clone(), second);
     Ok(first.len() - fixed.len())
 }
 
@@ -122,42 +122,32 @@ struct Dense {
 }
 
 impl Dense {
-    fn combination(functions: &[SparsePolynomial<2>], weights: &[u64], prime: u64) -> Self {
+    fn combination(functions: &[SparsePolynomial<2>], weights: &[u64], field: &PrimeField) -> Self {
         let degree = |v: usize| {
             let terms = functions.iter().flat_map(SparsePolynomial::terms);
             let degree = terms.map(|(e, _)| e[v] as usize).max();
             degree.invariant("a denominator has a term")
         };
         let mut rows = vec![vec![0; degree(0) + 1]; degree(1) + 1];
-        for (f, weight) in functions.iter().zip(weights) {
+        for (f, &weight) in functions.iter().zip(weights) {
             for (e, c) in f.terms() {
                 let value = &mut rows[e[1] as usize][e[0] as usize];
-                *value = (*value + weight * reduce_integer(&c.numerator(), prime)) % prime;
+                let more = field.mul(weight, field.reduce_integer(&c.numerator()));
+                *value = field.sum(*value, more);
             }
         }
         Self { rows }
     }
 
     /// As a polynomial in s2.
-    fn at(&self, s1: u64, prime: u64) -> Vec<u64> {
-        let value = |row: &Vec<u64>| row.iter().rev().fold(0, |v, c| (v * s1 + c) % prime);
-        self.rows.iter().map(value).collect()
+    fn at(&self, s1: u64, field: &PrimeField) -> Vec<u64> {
+        self.rows.iter().map(|row| field.value(row, s1)).collect()
     }
 }
 
 /// The resultant with respect to s2, monic and trimmed; empty if it is 0.
-fn eliminant([f, g]: &[Dense; 2], prime: u64) -> Vec<u64> {
+fn eliminant([f, g]: &[Dense; 2], field: &PrimeField) -> Vec<u64> {
     let degree = 2 * (f.rows.len() - 1) * (f.rows[0].len() - 1);
-    let values = (0..=degree as u64).map(|s| resultant_mod(f.at(s, prime), g.at(s, prime), prime));
-    let mut result = interpolate(values.collect(), prime);
-    while result.last() == Some(&0) {
-        result.pop();
-    }
-    if let Some(&lead) = result.last() {
-        let inverse = inverse_mod(lead, prime);
-        for c in &mut result {
-            *c = *c * inverse % prime;
-        }
-    }
-    result
+    let values = (0..=degree as u64).map(|s| field.resultant(f.at(s, field), g.at(s, field)));
+    field.monic(trimmed(field.interpolate(values.collect())))
 }

@@ -1,15 +1,15 @@
 //! Whether a polynomial vanishes identically on a rational map, proved modulo primes.
 
-use malachite::base::num::arithmetic::traits::{CeilingLogBase2, FloorLogBase2, Mod, Pow};
+use malachite::base::num::arithmetic::traits::{CeilingLogBase2, FloorLogBase2, Pow};
 use malachite::base::num::basic::traits::One;
 use malachite::{Integer, Natural};
 use rayon::prelude::*;
 
-use super::map::{RationalMap, Terms};
+use super::map::RationalMap;
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{kernel_primes, power_mod, powers_mod, reduce_integer};
-use crate::poly::SparsePolynomial;
+use crate::modular::{PrimeField, large_primes};
+use crate::poly::{IntegerTerms, SparsePolynomial};
 use crate::shape::SpaceCurve;
 
 /// Logarithms to the base 2 are rounded after multiplication by this.
@@ -17,9 +17,6 @@ const UNIT: u64 = 16;
 
 /// So many primes share one division of the long coefficients.
 const GROUP: usize = 16;
-
-/// Polynomials in x, y and z with integer coefficients.
-type Equation = Vec<([u32; 3], Integer)>;
 
 impl RationalMap {
     /// Whether f vanishes identically on the map.
@@ -46,13 +43,9 @@ impl RationalMap {
     /// # Errors
     /// Those of `limits`.
     pub(super) fn annihilates(&self, f: &SparsePolynomial<3>, limits: &Limits) -> Result<bool> {
-        let f: Equation = f
-            .primitive()
-            .terms()
-            .map(|(e, c)| (*e, c.numerator()))
-            .collect();
+        let f = IntegerTerms::of_numerators(&f.primitive());
         let cleared = Cleared::new(self, &f);
-        let mut usable = kernel_primes().filter(|&p| self.is_defined_modulo(p));
+        let mut usable = large_primes().filter(|&p| self.is_defined_modulo(p));
         let Some(first) = usable.next() else {
             return Ok(false);
         };
@@ -71,7 +64,7 @@ impl RationalMap {
             let product = primes
                 .iter()
                 .fold(Integer::ONE, |m, &p| m * Integer::from(p));
-            let f: Equation = f.iter().map(|(e, c)| (*e, c.mod_op(&product))).collect();
+            let f = f.modulo(&product);
             let vanishes = primes.iter().try_fold(true, |vanishes, &p| {
                 limits.check()?;
                 Ok(vanishes && vanishes_modulo(self, &f, &cleared, p))
@@ -100,10 +93,10 @@ struct Cleared {
 }
 
 impl Cleared {
-    fn new(map: &RationalMap, f: &Equation) -> Self {
+    fn new(map: &RationalMap, f: &IntegerTerms<3>) -> Self {
         let coordinates = &map.coordinates[..map.coordinates.len().min(3)];
         // The denominators, each once, and which coordinates have them.
-        let mut below: Vec<(&Terms, Vec<usize>)> = Vec::new();
+        let mut below: Vec<(&IntegerTerms<2>, Vec<usize>)> = Vec::new();
         for (v, [_, q]) in coordinates.iter().enumerate() {
             match below.iter_mut().find(|(known, _)| *known == q) {
                 Some((_, shared)) => shared.push(v),
@@ -122,7 +115,11 @@ impl Cleared {
                 (Size::of(q), power.unwrap_or(0), shared)
             })
             .collect();
-        let all = map.coordinates.iter().flatten().flatten();
+        let all = map
+            .coordinates
+            .iter()
+            .flatten()
+            .flat_map(IntegerTerms::iter);
         let in_s1 = all.map(|(e, _)| u64::from(e[0])).max();
         let in_s1 = in_s1.invariant("a denominator has a term");
         let mut cleared = Self {
@@ -130,7 +127,7 @@ impl Cleared {
             stride: 0,
             bound: 0,
         };
-        for (e, c) in f {
+        for (e, c) in f.iter() {
             let factors = above.iter().zip(e).map(|(size, &k)| (size, u64::from(k)));
             let missing = below
                 .iter()
@@ -157,16 +154,10 @@ struct Size {
 }
 
 impl Size {
-    fn of(terms: &Terms) -> Self {
-        let degree = |v: usize| terms.iter().map(|(e, _)| u64::from(e[v])).max();
-        let norm = terms
-            .iter()
-            .map(|(_, c)| c.unsigned_abs_ref())
-            .sum::<Natural>();
+    fn of(terms: &IntegerTerms<2>) -> Self {
         Self {
-            // A numerator may be 0.
-            degrees: [0, 1].map(|v| degree(v).unwrap_or(0)),
-            norm: ceiling_log(&Integer::from(norm)),
+            degrees: terms.degrees().map(u64::from),
+            norm: ceiling_log(&Integer::from(terms.norm())),
         }
     }
 }
@@ -185,11 +176,12 @@ fn floor_log(p: u64) -> u64 {
 }
 
 /// Whether N is 0 modulo a prime that keeps every denominator.
-fn vanishes_modulo(map: &RationalMap, f: &Equation, cleared: &Cleared, prime: u64) -> bool {
-    let (map, f) = (map.modulo(prime), EquationModulo::new(f, prime));
+fn vanishes_modulo(map: &RationalMap, f: &IntegerTerms<3>, cleared: &Cleared, prime: u64) -> bool {
+    let field = PrimeField::new(prime);
+    let (map, f) = (map.modulo(prime), EquationModulo::new(f, field));
     let [in_s1, in_s2] = cleared.degrees;
     let degree = in_s1 + cleared.stride * in_s2;
-    let points = (0..prime).filter_map(|s1| map.at([s1, power_mod(s1, cleared.stride, prime)]));
+    let points = (0..prime).filter_map(|s1| map.at([s1, field.power(s1, cleared.stride)]));
     let mut count = 0;
     for point in points {
         if f.value(&point) != 0 {
@@ -209,24 +201,24 @@ type Row = Vec<(usize, u64)>;
 
 /// An equation modulo a prime.
 struct EquationModulo {
-    prime: u64,
+    field: PrimeField,
     /// By the exponents of y and z the coefficients of the powers of x.
     rows: Vec<([u32; 2], Row)>,
     degrees: [u32; 3],
 }
 
 impl EquationModulo {
-    fn new(f: &Equation, prime: u64) -> Self {
+    fn new(f: &IntegerTerms<3>, field: PrimeField) -> Self {
         let mut rows = std::collections::BTreeMap::<[u32; 2], Row>::new();
         let mut degrees = [0; 3];
-        for (e, c) in f {
+        for (e, c) in f.iter() {
             let [x, y, z] = *e;
             let row = rows.entry([y, z]).or_default();
-            row.push((x as usize, reduce_integer(c, prime)));
+            row.push((x as usize, field.reduce_integer(c)));
             degrees = std::array::from_fn(|v| e[v].max(degrees[v]));
         }
         Self {
-            prime,
+            field,
             rows: rows.into_iter().collect(),
             degrees,
         }
@@ -234,12 +226,12 @@ impl EquationModulo {
 
     /// The value at a point, whose missing coordinates do not occur.
     fn value(&self, point: &[u64]) -> u64 {
-        let p = self.prime;
+        let p = self.field.prime();
         let square = p * p;
         let [x, y, z] = [0, 1, 2].map(|v| {
             // A coordinate that the curve does not have does not occur in f, either.
             let value = point.get(v).copied().unwrap_or(0);
-            powers_mod(value, self.degrees[v] as usize + 1, p)
+            self.field.powers(value, self.degrees[v] as usize + 1)
         });
         let mut sum = 0;
         for ([j, k], row) in &self.rows {
@@ -267,10 +259,7 @@ mod tests {
 
     /// Over Q: every term with the numerators and denominators multiplied out.
     fn annihilates_exactly(map: &RationalMap, f: &SparsePolynomial<3>) -> bool {
-        let polynomial = |terms: &Terms| {
-            let terms = terms.iter().map(|(e, c)| (*e, Rational::from(c)));
-            SparsePolynomial::<2>::from_terms(terms)
-        };
+        let polynomial = IntegerTerms::<2>::to_sparse;
         let degrees = f.terms().fold([0; 3], |d: [u32; 3], (e, _)| {
             std::array::from_fn(|v| d[v].max(e[v]))
         });
@@ -295,8 +284,8 @@ mod tests {
         prop::collection::vec(term, 1..4).prop_map(sum)
     }
 
-    fn terms(f: &SparsePolynomial<2>) -> Terms {
-        f.terms().map(|(e, c)| (*e, c.numerator())).collect()
+    fn terms(f: &SparsePolynomial<2>) -> IntegerTerms<2> {
+        IntegerTerms::of_numerators(f)
     }
 
     /// A value of many terms, all as large as they can be, is that of exact arithmetic.
@@ -305,7 +294,7 @@ mod tests {
         let prime = (1 << 31) - 1;
         let largest = prime - 1;
         let f = EquationModulo {
-            prime,
+            field: PrimeField::new(prime),
             rows: vec![
                 ([0, 0], (0..40).map(|i| (i, largest)).collect()),
                 ([2, 1], (0..40).map(|i| (i, largest)).collect()),
@@ -366,12 +355,12 @@ mod tests {
         /// x + y on (m s, n s), with m + n the product of some primes: the only coefficient is m + n, and so is its bound.
         #[test]
         fn a_product_of_primes_is_not_taken_for_zero(count in 1usize..9, skipped in 0usize..3, share in 1u64..1000) {
-            let primes = kernel_primes().skip(skipped).take(count);
+            let primes = large_primes().skip(skipped).take(count);
             let product = primes.fold(Integer::ONE, |m, p| m * Integer::from(p));
             // Halves reach the bound, other shares lie below it by less than a bit.
             let m = &product * Integer::from(share) / Integer::from(1000u64);
-            let linear = |c: Integer| vec![([1, 0], c)];
-            let constant = || vec![([0, 0], Integer::ONE)];
+            let linear = |c: Integer| IntegerTerms::new(vec![([1, 0], c)]);
+            let constant = || IntegerTerms::new(vec![([0, 0], Integer::ONE)]);
             let [x, y] = [0, 1].map(SparsePolynomial::<3>::variable);
             let sum = x.plus(&y);
             for m in [m, &product >> 1u64] {
@@ -412,9 +401,9 @@ mod tests {
 
     #[test]
     fn a_multiple_of_the_first_prime_is_not_taken_for_zero() {
-        let prime = kernel_primes().next().unwrap();
-        let constant = |c: u64| vec![([0, 0], Integer::from(c))];
-        let s = |c: u64| vec![([1, 0], Integer::from(c))];
+        let prime = large_primes().next().unwrap();
+        let constant = |c: u64| IntegerTerms::new(vec![([0, 0], Integer::from(c))]);
+        let s = |c: u64| IntegerTerms::new(vec![([1, 0], Integer::from(c))]);
         let [x, y] = [0, 1].map(SparsePolynomial::<3>::variable);
         let multiple = x.scaled(&Rational::from(Integer::from(prime)));
         // (s, p s), and (s/p, s), whose denominator is 0 modulo p.

@@ -14,7 +14,7 @@ use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 /// Whether w is a rational function of m.
 pub(super) enum Inverse {
     /// `w = above(m)/below(m)`: the coefficients by powers of m.
-    Function(Fraction),
+    Function(Quotient),
     /// m is constant.
     Constant,
     /// For a general value of m there are so many of w, complex ones included.
@@ -22,14 +22,14 @@ pub(super) enum Inverse {
 }
 
 /// `Σ above_k m^k / Σ below_k m^k` with integer coefficients.
-pub(super) struct Fraction {
+pub(super) struct Quotient {
     pub(super) above: Vec<(u32, Rational)>,
     pub(super) below: Vec<(u32, Rational)>,
     /// The larger one of the degrees.
     pub(super) degree: u32,
 }
 
-impl Fraction {
+impl Quotient {
     /// As a function of m.
     pub(super) fn to_function(&self) -> Option<RationalFunction> {
         let [p, q] = [&self.above, &self.below].map(|terms| {
@@ -83,7 +83,7 @@ pub(super) fn invert(
             // The first coefficient of the denominator is positive.
             let negative = part(1).next().is_some_and(|(_, c)| c.signum() < 0);
             let signed = |c: &Rational, flip: bool| if flip { -c.clone() } else { c.clone() };
-            return Ok(Inverse::Function(Fraction {
+            return Ok(Inverse::Function(Quotient {
                 above: part(0).map(|(e, c)| (e[0], signed(c, !negative))).collect(),
                 below: part(1).map(|(e, c)| (e[0], signed(c, negative))).collect(),
                 degree,

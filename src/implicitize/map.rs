@@ -1,19 +1,14 @@
 //! A parametric form as a rational map, and its values modulo a prime.
 
-use malachite::Integer;
-
 use crate::error::Invariant;
-use crate::modular::{dot_mod, inverse_mod, powers_mod, reduce_integer};
-use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
+use crate::modular::PrimeField;
+use crate::poly::{IntegerTerms, RationalFunction};
 use crate::shape::{ParametricCurve, Patch, PatchFunction};
-
-/// A polynomial in at most two variables with integer coefficients.
-pub(super) type Terms = Vec<([u32; 2], Integer)>;
 
 /// The coordinates as quotients of polynomials in s1 and s2.
 pub(super) struct RationalMap {
     /// Numerator and denominator of each.
-    pub(super) coordinates: Vec<[Terms; 2]>,
+    pub(super) coordinates: Vec<[IntegerTerms<2>; 2]>,
 }
 
 impl RationalMap {
@@ -22,17 +17,9 @@ impl RationalMap {
     }
 
     pub(super) fn of_functions(functions: &[RationalFunction]) -> Self {
-        let terms = |f: &IntegerPolynomial| {
-            let coefficients = f.coefficients_asc().iter().enumerate();
-            let terms = coefficients.filter(|(_, c)| **c != 0);
-            terms
-                .map(|(k, c)| {
-                    let k = u32::try_from(k).invariant("a degree is below 2^32");
-                    ([k, 0], c.clone())
-                })
-                .collect()
+        let both = |f: &RationalFunction| {
+            [f.numerator(), f.denominator()].map(|p| IntegerTerms::from_univariate(p, 0))
         };
-        let both = |f: &RationalFunction| [terms(f.numerator()), terms(f.denominator())];
         Self {
             coordinates: functions.iter().map(both).collect(),
         }
@@ -43,33 +30,31 @@ impl RationalMap {
     }
 
     pub(super) fn of_patch_functions(functions: &[PatchFunction]) -> Self {
-        let terms = |f: &SparsePolynomial<2>| {
-            let terms = f.terms();
-            terms.map(|(e, c)| (*e, c.numerator())).collect()
-        };
         Self {
             coordinates: functions
                 .iter()
-                .map(|f| [terms(f.numerator()), terms(f.denominator())])
+                .map(|f| [f.numerator(), f.denominator()].map(IntegerTerms::of_numerators))
                 .collect(),
         }
     }
 
     /// Whether no denominator is 0 modulo the prime.
     pub(super) fn is_defined_modulo(&self, prime: u64) -> bool {
-        let is_zero = |q: &Terms| q.iter().all(|(_, c)| reduce_integer(c, prime) == 0);
+        let field = PrimeField::new(prime);
+        let is_zero = |q: &IntegerTerms<2>| q.iter().all(|(_, c)| field.reduce_integer(c) == 0);
         self.coordinates.iter().all(|[_, q]| !is_zero(q))
     }
 
     /// The map modulo a prime below 2³¹.
     pub(super) fn modulo(&self, prime: u64) -> MapModulo {
+        let field = PrimeField::new(prime);
         let coordinates = self.coordinates.iter();
         let coordinates: Vec<[Vec<Vec<u64>>; 2]> = coordinates
-            .map(|both| both.each_ref().map(|terms| rows_modulo(terms, prime)))
+            .map(|both| both.each_ref().map(|terms| rows_modulo(terms, &field)))
             .collect();
         let rows = coordinates.iter().flatten().flatten();
         MapModulo {
-            prime,
+            field,
             length: rows
                 .map(Vec::len)
                 .max()
@@ -81,7 +66,7 @@ impl RationalMap {
 
 /// A rational map modulo a prime.
 pub(super) struct MapModulo {
-    prime: u64,
+    field: PrimeField,
     /// One more than the largest exponent of s1.
     length: usize,
     /// Of each numerator and denominator the coefficients of the powers of s2, ascending in s1.
@@ -91,11 +76,11 @@ pub(super) struct MapModulo {
 impl MapModulo {
     /// The point at (s1, s2), `None` at a pole.
     pub(super) fn at(&self, [s1, s2]: [u64; 2]) -> Option<Vec<u64>> {
-        let p = self.prime;
-        let powers = powers_mod(s1, self.length, p);
+        let (field, p) = (&self.field, self.field.prime());
+        let powers = field.powers(s1, self.length);
         let value = |rows: &[Vec<u64>]| {
             let rows = rows.iter().rev();
-            rows.fold(0, |v, row| (v * s2 + dot_mod(row, &powers, p)) % p)
+            rows.fold(0, |v, row| (v * s2 + field.dot(row, &powers)) % p)
         };
         // Neighbours often have one denominator.
         let mut last: Option<(&Vec<Vec<u64>>, u64)> = None;
@@ -106,24 +91,24 @@ impl MapModulo {
                 _ => match value(below) {
                     0 => return None,
                     1 => 1,
-                    other => inverse_mod(other, p),
+                    other => field.inverse(other),
                 },
             };
             last = Some((below, inverse));
-            point.push(value(above) * inverse % p);
+            point.push(field.mul(value(above), inverse));
         }
         Some(point)
     }
 }
 
-fn rows_modulo(terms: &Terms, prime: u64) -> Vec<Vec<u64>> {
+fn rows_modulo(terms: &IntegerTerms<2>, field: &PrimeField) -> Vec<Vec<u64>> {
     let mut rows: Vec<Vec<u64>> = Vec::new();
-    for (e, c) in terms {
+    for (e, c) in terms.iter() {
         let [in_row, row] = e.map(|k| k as usize);
         rows.resize(rows.len().max(row + 1), Vec::new());
         let row = &mut rows[row];
         row.resize(row.len().max(in_row + 1), 0);
-        row[in_row] = reduce_integer(c, prime);
+        row[in_row] = field.reduce_integer(c);
     }
     rows
 }

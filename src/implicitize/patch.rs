@@ -5,7 +5,7 @@ use super::map::RationalMap;
 use super::vanishing::{LARGEST_DEGREE, kernel_modulo, lift, monomials};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::kernel_primes;
+use crate::modular::large_primes;
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitSurface, Patch};
 
@@ -83,7 +83,7 @@ fn least_equation(
     degrees: impl Iterator<Item = usize>,
     limits: &Limits,
 ) -> Result<SparsePolynomial<3>> {
-    let prime = kernel_primes()
+    let prime = large_primes()
         .next()
         .invariant("there are primes below 2^31");
     let mut none_up_to = 0;

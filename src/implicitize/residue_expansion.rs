@@ -7,7 +7,7 @@ use pulp::NullaryFnOnce;
 
 use super::summed::SummedHarmonics;
 use crate::bigint::{
-    Bases, FlatPolynomial, FormSize, Lifting, Machine, Quad, Quartet, Residues, Sizes,
+    Bases, FlatPolynomial, FormSize, Lanes, Lifting, Machine, Quartet, Residues, Sizes,
     for_each_quartet, minus, plus, value_of_form, value_of_integers, value_of_rho,
 };
 use crate::error::broken;
@@ -77,10 +77,10 @@ fn check_values(sums: &SummedHarmonics, odd: &FlatPolynomial, [middle, low]: &[V
 struct Workspace {
     bases: Bases,
     /// ρ = 1 + t², for one of t and −t, and powers of it.
-    rho: Vec<Quad>,
-    rho_powers: Vec<Quad>,
-    odd: Vec<Quad>,
-    even: Vec<Quad>,
+    rho: Vec<Lanes>,
+    rho_powers: Vec<Lanes>,
+    odd: Vec<Lanes>,
+    even: Vec<Lanes>,
 }
 
 /// The residues modulo four primes that are asked for of both parts: of the middle one there may be none.

@@ -5,7 +5,7 @@ use super::tracing::{common_numerator, tracing_index_bound};
 use super::vanishing::{kernel_modulo, lift, monomials};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{Span, kernel_primes};
+use crate::modular::{Span, large_primes};
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitSurface, SpaceCurve};
 
@@ -72,7 +72,7 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
     let tracing_index = tracing_index(curve, limits)?;
     let degree = projective_degree(curve) / tracing_index;
     let map = RationalMap::of_curve(curve);
-    let prime = kernel_primes()
+    let prime = large_primes()
         .next()
         .invariant("there are primes below 2^31");
     let mut surfaces: Vec<SparsePolynomial<3>> = Vec::new();

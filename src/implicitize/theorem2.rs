@@ -8,7 +8,9 @@ use super::summed::SummedHarmonics;
 use crate::bigint::FlatPolynomial;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, PlanePolynomial, Ring, doubled_harmonics, flat_form, harmonic_bits};
+use crate::poly::{
+    BinaryForm, PlanePolynomial, Ring, doubled_harmonics, from_harmonic_basis, harmonic_bits,
+};
 use crate::shape::{FourierRadius, ImplicitCurve};
 
 /// The three homogeneous parts of `F = top − middle + low`, of degrees 2N+2, 2N+1 and 2N.
@@ -193,7 +195,7 @@ impl SquaredForm {
 
     /// One of the sums as a form.
     fn form(&self, sum: &FlatPolynomial) -> BinaryForm {
-        let in_t = flat_form(sum, self.sums.bits);
+        let in_t = from_harmonic_basis(sum, self.sums.bits);
         BinaryForm::from_dehomogenized(in_t.len() - 1, in_t.to_polynomial())
     }
 

@@ -6,7 +6,7 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::greatest_common_divisor;
 use crate::limits::Limits;
-use crate::modular::{gcd_mod, kernel_primes, reduce_integer};
+use crate::modular::{PrimeField, large_primes, trimmed};
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 
 /// Values of the parameter that are tried.
@@ -21,7 +21,7 @@ pub(super) fn tracing_index_bound(functions: &[RationalFunction]) -> usize {
     let moving: Vec<&RationalFunction> = functions.iter().filter(|f| !f.is_constant()).collect();
     // 0 for a point.
     let mut least = moving.iter().map(|f| f.degree()).min().unwrap_or(0);
-    let mut primes = kernel_primes();
+    let mut primes = large_primes();
     for k in 0..TRIES {
         let prime = primes.next().invariant("there are primes below 2^31");
         // Any number does; these have no pattern.
@@ -35,35 +35,26 @@ pub(super) fn tracing_index_bound(functions: &[RationalFunction]) -> usize {
 
 /// The degree of the gcd of the forms p(s) q(σ) − q(s) p(σ); `None` if all of them vanish.
 fn common_degree(functions: &[&RationalFunction], sigma: u64, prime: u64) -> Option<usize> {
+    let field = PrimeField::new(prime);
     let mut common: Option<Vec<u64>> = None;
     let mut at_infinity = usize::MAX;
     for f in functions {
         let reduce = |p: &IntegerPolynomial| {
-            let residues = p
-                .coefficients_asc()
-                .iter()
-                .map(|c| reduce_integer(c, prime));
-            let mut residues: Vec<u64> = residues.collect();
+            let mut residues = field.residues(p);
             residues.resize(f.degree() + 1, 0);
             residues
         };
-        let value = |p: &[u64]| p.iter().rev().fold(0, |v, c| (v * sigma + c) % prime);
         let (p, q) = (reduce(f.numerator()), reduce(f.denominator()));
-        let (p_value, q_value) = (value(&p), value(&q));
-        let mut form: Vec<u64> = p
-            .iter()
-            .zip(&q)
-            .map(|(p, q)| (p * q_value + (prime - q) * p_value) % prime)
-            .collect();
-        while form.last() == Some(&0) {
-            form.pop();
-        }
+        let (p_value, q_value) = (field.value(&p, sigma), field.value(&q, sigma));
+        let terms = p.iter().zip(&q);
+        let form = terms.map(|(p, q)| (p * q_value + (prime - q) * p_value) % prime);
+        let form = trimmed(form.collect());
         if form.is_empty() {
             continue;
         }
         at_infinity = at_infinity.min(f.degree() + 1 - form.len());
         common = Some(match common {
-            Some(other) => gcd_mod(other, form, prime),
+            Some(other) => field.gcd(other, form),
             None => form,
         });
     }

@@ -6,7 +6,7 @@ use super::map::RationalMap;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::modular::{Kernel, Reconstruction, SplitMix, kernel, kernel_primes, powers_mod};
+use crate::modular::{Kernel, PrimeField, Reconstruction, SplitMix, kernel, large_primes};
 use crate::poly::{SparsePolynomial, term_order};
 
 /// More rows than columns: each one more makes an accidental kernel 2³¹ times less likely.
@@ -56,13 +56,13 @@ pub(super) fn kernel_modulo(
             monomials.len()
         )));
     }
-    let map = map.modulo(prime);
+    let (map, field) = (map.modulo(prime), PrimeField::new(prime));
     let mut random = SplitMix(prime);
     let mut rows = Vec::with_capacity(monomials.len() + MORE_ROWS);
     while rows.len() < monomials.len() + MORE_ROWS {
         let s = [random.next() % prime, random.next() % prime];
         if let Some(point) = map.at(s) {
-            rows.push(values(&point, monomials, prime));
+            rows.push(values(&point, monomials, &field));
         }
     }
     limits.check()?;
@@ -70,19 +70,19 @@ pub(super) fn kernel_modulo(
 }
 
 /// The monomials at a point.
-fn values(point: &[u64], monomials: &[[u32; 3]], prime: u64) -> Vec<u64> {
+fn values(point: &[u64], monomials: &[[u32; 3]], field: &PrimeField) -> Vec<u64> {
     let degree = monomials.iter().flatten().max();
     let degree = *degree.invariant("there are monomials");
     let powers: Vec<Vec<u64>> = (0..3)
         .map(|v| {
             // A coordinate that the curve does not have does not occur in the monomials, either.
             let value = point.get(v).copied().unwrap_or(0);
-            powers_mod(value, degree as usize + 1, prime)
+            field.powers(value, degree as usize + 1)
         })
         .collect();
     let value = |e: &[u32; 3]| {
         let [x, y, z] = [0, 1, 2].map(|v| powers[v][e[v] as usize]);
-        x * y % prime * z % prime
+        field.mul(field.mul(x, y), z)
     };
     monomials.iter().map(value).collect()
 }
@@ -100,7 +100,7 @@ pub(super) fn vanishing(
     monomials: &[[u32; 3]],
     limits: &Limits,
 ) -> Result<Vec<SparsePolynomial<3>>> {
-    let prime = kernel_primes().next();
+    let prime = large_primes().next();
     let prime = prime.invariant("there are primes below 2^31");
     let first = kernel_modulo(map, monomials, prime, limits)?;
     let lifted = first.vectors.iter();
@@ -127,7 +127,7 @@ pub(super) fn lift(
         .map(|(e, _)| *e)
         .collect();
     let mut reconstruction = Reconstruction::new();
-    for prime in kernel_primes().take(MAX_PRIMES) {
+    for prime in large_primes().take(MAX_PRIMES) {
         let found = kernel_modulo(map, &support, prime, limits)?;
         let [image] = &found.vectors[..] else {
             continue;

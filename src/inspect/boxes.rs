@@ -1,7 +1,7 @@
 //! A patch over boxes of its parameters, in doubles with bounds: what is proved of all its points at once.
 
 use crate::error::Invariant;
-use crate::field::Interval;
+use crate::intervals::Interval;
 use crate::poly::SparsePolynomial;
 use crate::shape::{Patch, PatchFunction};
 

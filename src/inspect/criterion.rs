@@ -6,8 +6,8 @@ use super::foot::difference;
 use super::inspector::{Inspector, Known, Point};
 use super::sphere::{OnSphere, on_sphere};
 use crate::exact::Rational;
-use crate::field::interval::{exactly, minus, square};
-use crate::field::{Field, Interval, dot, rationals};
+use crate::intervals::interval::{exactly, minus, square};
+use crate::intervals::{Field, Interval, dot, rationals};
 
 /// Sections that are more work than this ([`SphereSection::work`]) are left undecided, or their angles unsaid.
 pub const MAX_SECTION_WORK: f64 = 1e11;

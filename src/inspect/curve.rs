@@ -8,7 +8,7 @@ use super::squared_distance::{Against, DistanceForms, SquaredDistance};
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
-use crate::field::Interval;
+use crate::intervals::Interval;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction};
 use crate::shape::{FourierRadius, ParametricCurve};

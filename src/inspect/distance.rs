@@ -5,8 +5,8 @@ use std::collections::BinaryHeap;
 
 use super::DistanceBounds;
 use super::foot::{approach, enclose};
-use crate::field::interval::{cross, exactly, minus, product, separation, square};
-use crate::field::{BoxBounds, Field, Interval, distance};
+use crate::intervals::interval::{cross, exactly, minus, product, separation, square};
+use crate::intervals::{BoxBounds, Field, Interval, distance};
 use crate::limits::Limits;
 
 /// Cubes are not divided below this part of the reach.
@@ -275,7 +275,7 @@ pub(super) fn holds_no_closed_piece(left: &[Cube], p: [f64; 3], is_flat: bool) -
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::rational;
+    use crate::intervals::rational;
     use proptest::prelude::*;
 
     proptest! {

@@ -5,7 +5,7 @@ use nalgebra::{Vector3, Vector4};
 use super::foot::{difference, lagrange};
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::field::{Field, Interval, dot, rational, rationals};
+use crate::intervals::{Field, Interval, dot, rational, rationals};
 
 #[cfg(test)]
 #[path = "exact_laws.rs"]
@@ -62,7 +62,7 @@ pub(super) fn power_of_two(k: i64) -> Rational {
 
 /// Rounded down to so many bits after the point.
 fn rounded(x: &Rational, bits: i64) -> Rational {
-    Rational::from_parts((x * &power_of_two(bits)).floor(), -bits)
+    Rational::from_dyadic((x * &power_of_two(bits)).floor(), -bits)
 }
 
 /// Whether there is a zero within d of p, from the expansion about the foot near `start`; f has the given sign at p. The

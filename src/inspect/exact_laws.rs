@@ -1,7 +1,7 @@
 //! The laws of `exact.rs`, on spheres, whose distances are known.
 
 use super::*;
-use crate::field::tests::sphere;
+use crate::intervals::tests::sphere;
 use proptest::prelude::*;
 
 #[test]

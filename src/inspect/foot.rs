@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Matrix4, Vector4};
 
 use super::DistanceBounds;
-use crate::field::interval::{exactly, minus, product, square};
-use crate::field::{Field, Interval, Local, distance, dot};
+use crate::intervals::interval::{exactly, minus, product, square};
+use crate::intervals::{Field, Interval, Local, distance, dot};
 
 /// Steps towards the foot.
 const STEPS: usize = 24;
@@ -132,8 +132,8 @@ pub(super) fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::rational;
-    use crate::field::tests::{cubic, sphere};
+    use crate::intervals::rational;
+    use crate::intervals::tests::{cubic, sphere};
     use proptest::prelude::*;
 
     proptest! {

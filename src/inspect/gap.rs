@@ -5,7 +5,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use super::chart::sphere_about;
 use super::exact::{exact_difference, power_of_two, squared_length};
 use crate::exact::Rational;
-use crate::field::{Field, rationals};
+use crate::intervals::{Field, rationals};
 use crate::poly::SparsePolynomial;
 
 /// Evaluations go to so many bits at most.

@@ -4,7 +4,7 @@ use super::boxes::PatchBoxes;
 use super::{DistanceBounds, InspectOptions, Inspection, Inspector, Verdict};
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::field::Interval;
+use crate::intervals::Interval;
 use crate::limits::Limits;
 use crate::shape::{ImplicitSurface, Patch};
 

@@ -6,8 +6,8 @@ use super::foot::{approach, stationary};
 use super::gap::zero_in_ball;
 use super::inspector::{Inspector, Known, Point};
 use crate::exact::Rational;
-use crate::field::interval::{exactly, minus, separation, square};
-use crate::field::{Field, Interval, distance, rational, rationals};
+use crate::intervals::interval::{exactly, minus, separation, square};
+use crate::intervals::{Field, Interval, distance, rational, rationals};
 
 /// Of the cubes so many are tried as places of feet and of rational zeros.
 const CANDIDATES: usize = 24;

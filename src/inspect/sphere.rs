@@ -1,7 +1,7 @@
 //! Whether a polynomial has zeros on a sphere: patches of the sphere, in doubles with bounds of their errors.
 
-use crate::field::interval::{exactly, minus, product, square};
-use crate::field::{Field, Interval};
+use crate::intervals::interval::{exactly, minus, product, square};
+use crate::intervals::{Field, Interval};
 
 /// So many patches at most.
 const MAX_PATCHES: usize = 30_000;
@@ -151,8 +151,8 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
 mod tests {
     use super::*;
     use crate::exact::{Integer, Rational};
-    use crate::field::tests::{cubic, sphere};
-    use crate::field::{distance, dot, rational, rationals};
+    use crate::intervals::tests::{cubic, sphere};
+    use crate::intervals::{distance, dot, rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
     use malachite::base::num::arithmetic::traits::CeilingSqrt;
     use proptest::prelude::*;
@@ -241,7 +241,7 @@ mod tests {
             // The length of the normal, less than 2^(−200) too large.
             let square = normal.iter().map(|x| x * x).sum::<i64>();
             let root = (Integer::from(square) << 400u64).ceiling_sqrt();
-            let far = linear.evaluate(&rationals(p)) + rational(d) * Rational::from_parts(root, -200);
+            let far = linear.evaluate(&rationals(p)) + rational(d) * Rational::from_dyadic(root, -200);
             let beyond = far + Rational::from(2).pow(nudge).unwrap();
             let f = Field::new(&linear.minus(&SparsePolynomial::constant(beyond)));
             prop_assert!(on_sphere(&f, p, d, 0.0) != OnSphere::Zeros);

@@ -3,7 +3,7 @@
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::error::Result;
-use crate::field::{Field, Verdict};
+use crate::intervals::{BoxProof, Field};
 use crate::limits::Limits;
 
 /// A grid of equal cubes.
@@ -90,13 +90,13 @@ impl Grid {
         let half = self.side * f64::from(size) / 2.0;
         let middle = self.point(first).map(|x| x + half);
         let verdict = field.on_box(middle, [half; 3]).verdict();
-        if verdict == Verdict::Empty {
+        if verdict == BoxProof::Empty {
             return Ok(());
         }
         if size == 1 {
             cells.push(Cell {
                 index: first,
-                is_regular: verdict == Verdict::Regular,
+                is_regular: verdict == BoxProof::Regular,
             });
             return Ok(());
         }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::refine::edges;
 use crate::error::Invariant;
-use crate::field::{Crossing, distance};
+use crate::intervals::{Crossing, distance};
 
 /// Triangles beside a collapsed edge turn by less than the angle with this cosine.
 const LEAST_COSINE: f64 = 0.3;

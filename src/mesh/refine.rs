@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use crate::field::{Crossing, Field, between, distance};
+use crate::intervals::{Crossing, Field, between, distance};
 
 /// How far from the middle of an edge the surface is looked for, in parts of the edge.
 const STEPS: [f64; 5] = [1.0 / 32.0, 1.0 / 16.0, 0.125, 0.25, 0.5];

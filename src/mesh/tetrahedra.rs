@@ -7,7 +7,7 @@ use rayon::slice::ParallelSliceMut;
 
 use super::cells::{Cell, Grid};
 use crate::error::Invariant;
-use crate::field::{Crossing, Field};
+use crate::intervals::{Crossing, Field};
 
 /// The corners of a cell as bits: x is 1, y is 2, z is 4. Kuhn's six tetrahedra all have the diagonal from 0 to 7,
 /// and the triangulations of neighbouring cells fit.

@@ -6,9 +6,8 @@ use super::cells::Grid;
 use super::{collapse, refine, tetrahedra};
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
-use crate::field::{Crossing, Field};
+use crate::intervals::{Crossing, Field};
 use crate::limits::Limits;
-use crate::poly::SpacePolynomial;
 use crate::sample::{Ray, RaySolver, SpaceDirection};
 use crate::shape::ImplicitSurface;
 
@@ -218,8 +217,7 @@ pub fn mesh_bounds(
     surface: &ImplicitSurface,
     limits: &Limits,
 ) -> Result<Option<([[f64; 2]; 3], bool)>> {
-    let polynomial = SpacePolynomial::from(surface.polynomial());
-    let solver = RaySolver::new(&polynomial);
+    let solver = RaySolver::new(surface.by_degree());
     let rays = SpaceDirection::fibonacci(DIRECTIONS)
         .into_par_iter()
         .map(|direction| {

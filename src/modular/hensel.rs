@@ -6,7 +6,7 @@ use malachite::base::polynomial::Polynomial;
 use malachite::integer_polynomial::IntegerPolynomial;
 
 use super::PrimeField;
-use super::truncated::TruncatedRing;
+use super::power_series::TruncatedRing;
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 

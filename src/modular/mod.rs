@@ -1,18 +1,27 @@
-//! Arithmetic modulo primes and their powers: residues, polynomials, kernels of matrices, Chinese remainders.
+//! Arithmetic modulo primes below 2³¹ and their powers: fields, polynomials, linear algebra, Chinese remainders, factors
+//! and their lifting.
+//!
+//! There is one arithmetic: [`PrimeField`] has the operations on residues and, in `polynomial.rs`, on polynomials, which are
+//! ascending lists of residues.
 
 mod factors;
 mod hensel;
-mod kernel;
+mod images;
+mod linear;
+mod polynomial;
+mod power_series;
 mod prime_field;
-mod residue;
-mod truncated;
+mod primes;
+mod random;
+mod reconstruction;
 
 pub(crate) use factors::{distinct_degrees, equal_degree};
 pub(crate) use hensel::lift;
-pub(crate) use kernel::{Kernel, Reconstruction, Span, kernel, kernel_primes};
+pub(crate) use images::Images;
+pub(crate) use linear::{Kernel, Span, determinant, kernel};
+pub(crate) use polynomial::trimmed;
+pub(crate) use power_series::{TruncatedRing, balanced};
 pub(crate) use prime_field::PrimeField;
-pub(crate) use residue::{
-    ABOVE_PRIMES, Images, SplitMix, dot_mod, gcd_mod, interpolate, inverse_mod, inverses_mod,
-    mul_mod, power_mod, powers_mod, previous_prime, reduce_integer,
-};
-pub(crate) use truncated::{TruncatedRing, balanced};
+pub(crate) use primes::large_primes;
+pub(crate) use random::SplitMix;
+pub(crate) use reconstruction::Reconstruction;

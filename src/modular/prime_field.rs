@@ -1,12 +1,11 @@
-//! Polynomials over a prime field with fewer than 2³¹ elements.
+//! The integers modulo a prime below 2³¹.
 
-use malachite::Integer;
-use malachite::integer_polynomial::IntegerPolynomial;
+use malachite::base::num::arithmetic::traits::Mod;
+use malachite::{Integer, Natural};
 
-use super::residue::{inverse_mod, reduce_integer};
 use crate::error::Invariant;
 
-/// The integers modulo a prime p < 2³¹, and polynomials over them as ascending trimmed vectors.
+/// The integers modulo a prime p < 2³¹. Residues are numbers in [0, p).
 ///
 /// Products of residues fit 62 bits, so sums of products are kept below p² by a conditional
 /// subtraction and divided once.
@@ -27,165 +26,142 @@ impl PrimeField {
         self.p
     }
 
+    /// p².
+    pub(super) fn square(&self) -> u64 {
+        self.square
+    }
+
+    pub(crate) fn sum(&self, a: u64, b: u64) -> u64 {
+        (a + b) % self.p
+    }
+
+    /// a − b.
+    pub(crate) fn minus(&self, a: u64, b: u64) -> u64 {
+        if a >= b { a - b } else { a + self.p - b }
+    }
+
     pub(crate) fn mul(&self, a: u64, b: u64) -> u64 {
         a * b % self.p
     }
 
-    /// 1/a for a ≠ 0.
-    pub(crate) fn inverse(&self, a: u64) -> u64 {
-        inverse_mod(a, self.p)
-    }
-
-    pub(crate) fn reduce_integer(&self, value: &Integer) -> u64 {
-        reduce_integer(value, self.p)
-    }
-
-    pub(crate) fn reduce(&self, f: &IntegerPolynomial) -> Vec<u64> {
-        let coefficients = f.coefficients_asc().iter();
-        trimmed(coefficients.map(|c| self.reduce_integer(c)).collect())
-    }
-
-    /// The multiple with leading coefficient 1.
-    pub(crate) fn monic(&self, mut f: Vec<u64>) -> Vec<u64> {
-        if let Some(&lead) = f.last()
-            && lead != 1
-        {
-            let inverse = self.inverse(lead);
-            for c in &mut f {
-                *c = self.mul(*c, inverse);
+    /// base^exponent.
+    pub(crate) fn power(&self, base: u64, mut exponent: u64) -> u64 {
+        let (mut result, mut square) = (1, base % self.p);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = self.mul(result, square);
             }
-        }
-        f
-    }
-
-    pub(crate) fn derivative(&self, f: &[u64]) -> Vec<u64> {
-        let mut k = 0;
-        let terms = f.iter().skip(1).map(|&c| {
-            k = if k + 1 == self.p { 0 } else { k + 1 };
-            self.mul(c, k)
-        });
-        trimmed(terms.collect())
-    }
-
-    pub(crate) fn difference(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
-        let length = f.len().max(g.len());
-        let at = |f: &[u64], k: usize| f.get(k).copied().unwrap_or(0);
-        trimmed(
-            (0..length)
-                .map(|k| (at(f, k) + self.p - at(g, k)) % self.p)
-                .collect(),
-        )
-    }
-
-    /// f · g, classical.
-    pub(crate) fn product(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
-        if f.is_empty() || g.is_empty() {
-            return Vec::new();
-        }
-        let mut product = vec![0u64; f.len() + g.len() - 1];
-        for (i, &a) in f.iter().enumerate().filter(|(_, a)| **a != 0) {
-            for (slot, &b) in product[i..].iter_mut().zip(g) {
-                *slot += a * b;
-                if *slot >= self.square {
-                    *slot -= self.square;
-                }
-            }
-        }
-        for c in &mut product {
-            *c %= self.p;
-        }
-        trimmed(product)
-    }
-
-    /// f modulo g ≠ 0 in place, trimmed; the quotient is returned.
-    pub(crate) fn divide(&self, f: &mut Vec<u64>, g: &[u64]) -> Vec<u64> {
-        let Some((&lead, low)) = g.split_last() else {
-            return Vec::new();
-        };
-        let length = (f.len() + 1).saturating_sub(g.len());
-        let inverse = if lead == 1 { 1 } else { self.inverse(lead) };
-        let mut quotient = vec![0; length];
-        for k in (0..length).rev() {
-            let top = f
-                .pop()
-                .invariant("the dividend is no shorter than the divisor")
-                % self.p;
-            if top == 0 {
-                continue;
-            }
-            let q = self.mul(top, inverse);
-            quotient[k] = q;
-            let minus = self.p - q;
-            for (slot, &c) in f[k..].iter_mut().zip(low) {
-                *slot += minus * c;
-                if *slot >= self.square {
-                    *slot -= self.square;
-                }
-            }
-        }
-        for c in f.iter_mut() {
-            *c %= self.p;
-        }
-        while f.last() == Some(&0) {
-            f.pop();
-        }
-        trimmed(quotient)
-    }
-
-    /// The quotient of f by a divisor.
-    pub(crate) fn quotient(&self, mut f: Vec<u64>, g: &[u64]) -> Vec<u64> {
-        self.divide(&mut f, g)
-    }
-
-    /// The monic gcd, by Euclid; empty if both are 0.
-    pub(crate) fn gcd(&self, mut f: Vec<u64>, mut g: Vec<u64>) -> Vec<u64> {
-        while !g.is_empty() {
-            self.divide(&mut f, &g);
-            std::mem::swap(&mut f, &mut g);
-        }
-        self.monic(f)
-    }
-
-    /// Whether f has no repeated factor (and its derivative is not 0).
-    pub(crate) fn is_squarefree(&self, f: &[u64]) -> bool {
-        f.len() <= 1 || self.gcd(f.to_vec(), self.derivative(f)).len() == 1
-    }
-
-    /// The inverse of f modulo `modulus`, if the two are coprime: the extended Euclidean algorithm.
-    pub(crate) fn inverse_modulo(&self, f: &[u64], modulus: &[u64]) -> Option<Vec<u64>> {
-        let (mut a, mut b) = (modulus.to_vec(), f.to_vec());
-        self.divide(&mut b, modulus);
-        let (mut u, mut v) = (Vec::new(), vec![1]);
-        while b.len() > 1 {
-            let q = self.divide(&mut a, &b);
-            u = self.difference(&u, &self.product(&q, &v));
-            std::mem::swap(&mut a, &mut b);
-            std::mem::swap(&mut u, &mut v);
-        }
-        let scale = [self.inverse(*b.first()?)];
-        let mut result = self.product(&v, &scale);
-        self.divide(&mut result, modulus);
-        Some(result)
-    }
-
-    /// f^exponent modulo `modulus`, for exponent ≥ 1 and f already reduced.
-    pub(crate) fn power_modulo(&self, f: &[u64], exponent: u64, modulus: &[u64]) -> Vec<u64> {
-        let mut result = f.to_vec();
-        for bit in (0..exponent.max(1).ilog2()).rev() {
-            result = self.product(&result, &result);
-            self.divide(&mut result, modulus);
-            if exponent >> bit & 1 == 1 {
-                result = self.product(&result, f);
-                self.divide(&mut result, modulus);
-            }
+            square = self.mul(square, square);
+            exponent >>= 1;
         }
         result
     }
+
+    /// 1, a, a², …: so many powers.
+    pub(crate) fn powers(&self, a: u64, count: usize) -> Vec<u64> {
+        let mut powers = vec![1; count];
+        if let Some(first) = powers.get_mut(1) {
+            *first = a;
+        }
+        for k in 2..count {
+            // Shorter chains of products that wait for each other than one by one.
+            powers[k] = self.mul(powers[k / 2], powers[k - k / 2]);
+        }
+        powers
+    }
+
+    /// 1/a for a ≠ 0, by Euclid.
+    pub(crate) fn inverse(&self, a: u64) -> u64 {
+        let (mut r, mut next) = (self.p, a);
+        // The cofactors of a, whose signs alternate.
+        let (mut t, mut cofactor) = (0, 1);
+        let mut negative = false;
+        while next > 1 {
+            let quotient = r / next;
+            (r, next) = (next, r - quotient * next);
+            (t, cofactor) = (cofactor, t + quotient * cofactor);
+            negative = !negative;
+        }
+        if negative {
+            self.p - cofactor
+        } else {
+            cofactor
+        }
+    }
+
+    /// The inverses of the numbers below n ≤ p, with 0 for 0.
+    pub(crate) fn inverses(&self, n: usize) -> Vec<u64> {
+        let mut inverses = vec![0; n];
+        if let Some(one) = inverses.get_mut(1) {
+            *one = 1;
+        }
+        for k in 2..n {
+            // p = qk + r, so 1/k = −q/r.
+            let (quotient, rest) = (
+                self.p / k as u64,
+                usize::try_from(self.p % k as u64).invariant("a rest is less than its divisor"),
+            );
+            inverses[k] = self.mul(self.p - quotient, inverses[rest]);
+        }
+        inverses
+    }
+
+    /// Σ f_i g_i of residues, as far as both go.
+    pub(crate) fn dot(&self, f: &[u64], g: &[u64]) -> u64 {
+        const HALF: u64 = (1 << 32) - 1;
+        // Two sums of halves cannot overflow, and the processor takes several products at once.
+        let (mut low, mut high) = (0, 0);
+        for (a, b) in f.iter().zip(g) {
+            let product = (a & HALF) * (b & HALF);
+            low += product & HALF;
+            high += product >> 32;
+        }
+        (high % self.p * ((1 << 32) % self.p) + low) % self.p
+    }
+
+    /// The residue of an integer.
+    pub(crate) fn reduce_integer(&self, value: &Integer) -> u64 {
+        u64::try_from(&value.mod_op(Integer::from(self.p)))
+            .invariant("a residue is less than its prime")
+    }
+
+    /// The residue of a natural number.
+    pub(super) fn reduce_natural(&self, value: &Natural) -> u64 {
+        u64::try_from(&(value % Natural::from(self.p)))
+            .invariant("a residue is less than its prime")
+    }
 }
 
-fn trimmed(mut f: Vec<u64>) -> Vec<u64> {
-    while f.last() == Some(&0) {
-        f.pop();
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const P: u64 = 2_147_483_647;
+
+    proptest! {
+        #[test]
+        fn inverses_are_those_of_fermat(a in 1..P) {
+            let field = PrimeField::new(P);
+            for a in [a, 1, P - 1] {
+                prop_assert_eq!(field.inverse(a), field.power(a, P - 2));
+            }
+            let n = usize::try_from(a % 100).unwrap() + 2;
+            let small = PrimeField::new(101);
+            prop_assert_eq!(small.inverses(n)[n - 1], small.power(n as u64 - 1, 99));
+        }
+
+        #[test]
+        fn sums_and_powers_are_those_made_one_by_one(
+            f in prop::collection::vec(0..P, 0..20), g in prop::collection::vec(0..P, 0..20), a in 0..P,
+        ) {
+            let field = PrimeField::new(P);
+            let sum = f.iter().zip(&g).fold(0, |sum, (a, b)| field.sum(sum, field.mul(*a, *b)));
+            prop_assert_eq!(field.dot(&f, &g), sum);
+            prop_assert_eq!(field.dot(&[P - 1; 4000], &[P - 1; 4000]), 4000);
+            for (k, power) in field.powers(a, f.len()).into_iter().enumerate() {
+                prop_assert_eq!(power, field.power(a, k as u64));
+            }
+        }
     }
-    f
 }

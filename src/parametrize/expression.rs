@@ -3,7 +3,7 @@
 use malachite::Integer;
 
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, Form};
+use crate::poly::{BinaryForm, HomogeneousPolynomial};
 
 /// An expression in the components of a unit vector, with exact coefficients: in θ for binary forms, in θ
 /// and φ for ternary ones.
@@ -37,7 +37,7 @@ pub enum Expression<F = BinaryForm> {
     Power(Box<Self>, Rational),
 }
 
-impl<F: Form> Expression<F> {
+impl<F: HomogeneousPolynomial> Expression<F> {
     /// The value at a unit vector in doubles, with no bound of its error: for drawing and comparing. In the plane the
     /// vector is [cos θ, sin θ, 0]. NaN where an even root of a negative number is taken.
     #[must_use]

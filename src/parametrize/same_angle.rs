@@ -230,14 +230,14 @@ mod tests {
             let by_half = ExactAngle::of_half_tangent(root.clone());
             let twice = ExactAngle::Pi(Rational::from(2 * a) / Rational::from(Integer::from(b)));
             prop_assert_eq!(by_half.compare(&twice), Ordering::Equal);
-            let near = ExactAngle::Pi(Rational::from(a) / Rational::from(Integer::from(b)) + Rational::from_parts(Integer::from(1), -300));
+            let near = ExactAngle::Pi(Rational::from(a) / Rational::from(Integer::from(b)) + Rational::from_dyadic(Integer::from(1), -300));
             prop_assert_eq!(angle.compare(&near), Ordering::Less);
         }
     }
 
     #[test]
     fn angles_that_differ_in_a_far_bit_differ() {
-        let tiny = Rational::from_parts(Integer::from(1), -20_000);
+        let tiny = Rational::from_dyadic(Integer::from(1), -20_000);
         let half = Rational::from(1) / Rational::from(3);
         let tangent = doubled(&half).unwrap();
         let by_half = ExactAngle::of_half_tangent(rational_root(&half));

@@ -9,7 +9,7 @@ use super::expression::Expression;
 use super::parametrization::{Branch, Parametrization, PolarMethod, Radius};
 use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource};
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, Form, TernaryForm};
+use crate::poly::{BinaryForm, HomogeneousPolynomial, TernaryForm};
 use crate::shape::{SpaceSuperquadric, Superquadric};
 
 /// `r(θ) = (c / (|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)))^(ε/2)` (Eq. (20)): real and positive for every θ.
@@ -135,12 +135,12 @@ pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParam
 }
 
 /// a/q with the denominator of q multiplied up: `3*cos(theta)/2`.
-fn over<F: Form>(a: Expression<F>, q: &Rational) -> Expression<F> {
+fn over<F: HomogeneousPolynomial>(a: Expression<F>, q: &Rational) -> Expression<F> {
     a.times(F::constant(q.denominator()))
         .over(F::constant(q.numerator()))
 }
 
-fn power<F: Form>(a: Expression<F>, q: &Rational) -> Expression<F> {
+fn power<F: HomogeneousPolynomial>(a: Expression<F>, q: &Rational) -> Expression<F> {
     let inverse = u32::try_from(&q.denominator())
         .ok()
         .filter(|_| q.numerator() == 1);

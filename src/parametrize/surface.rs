@@ -151,7 +151,7 @@ pub fn parametrize_surface(
         result.method = SurfaceMethod::Factors;
         result.step = 1;
     }
-    let lowest = SpacePolynomial::from(f).homogeneous_degrees().pop();
+    let lowest = surface.by_degree().homogeneous_degrees().pop();
     if let Some(multiplicity) = lowest.filter(|&m| m > 0) {
         result.notes.push(format!(
             "the origin belongs to the surface, with multiplicity {multiplicity}"

@@ -10,10 +10,7 @@ use rayon::prelude::*;
 use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{
-    ABOVE_PRIMES, Images, PrimeField, Reconstruction, dot_mod, interpolate, inverse_mod,
-    inverses_mod, power_mod, previous_prime, reduce_integer,
-};
+use crate::modular::{Images, PrimeField, Reconstruction, large_primes};
 
 /// Products of residues beyond which the work is refused: some ten seconds.
 const MAX_WORK: f64 = 3e10;
@@ -53,11 +50,11 @@ pub(crate) fn eliminate<T>(
     let mut monic = Reconstruction::new();
     let mut last = IntegerPolynomial::default();
     let mut pivot = None;
-    let mut prime = ABOVE_PRIMES;
-    let (mut primes, mut next_try) = (0, 2);
+    let mut primes = large_primes();
+    let (mut tried, mut next_try) = (0, 2);
     loop {
         limits.check()?;
-        prime = previous_prime(prime);
+        let prime = primes.following();
         let image = image([x, y], [m, n], prime);
         if pivot.is_none() {
             pivot = image.iter().rposition(|&c| c != 0);
@@ -65,18 +62,19 @@ pub(crate) fn eliminate<T>(
         if let Some(pivot) = pivot
             && image[pivot] != 0
         {
-            let inverse = inverse_mod(image[pivot], prime);
-            let scaled: Vec<u64> = image.iter().map(|c| c * inverse % prime).collect();
+            let field = PrimeField::new(prime);
+            let inverse = field.inverse(image[pivot]);
+            let scaled: Vec<u64> = image.iter().map(|&c| field.mul(c, inverse)).collect();
             monic.push(&scaled, prime);
         }
         combined.push(&image, prime);
-        primes += 1;
+        tried += 1;
         let complete = combined.determine(&bound);
-        if primes < next_try && !complete {
+        if tried < next_try && !complete {
             continue;
         }
         // A quarter more each time: trying is not much cheaper than one more prime.
-        next_try = primes + 1 + primes / 4;
+        next_try = tried + 1 + tried / 4;
         if let Some(found) = monic.attempt() {
             let found = IntegerPolynomial::from_coefficients_asc(found);
             if let Some(result) = prove(&polynomial(&found, m))? {
@@ -122,12 +120,9 @@ fn polynomial(flat: &IntegerPolynomial, m: usize) -> PlanePolynomial {
 
 /// The coefficients modulo a prime, in the order of [`polynomial`].
 fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<u64> {
+    let field = PrimeField::new(prime);
     let reduce = |f: &IntegerPolynomial, degree: usize| {
-        let mut residues: Vec<u64> = f
-            .coefficients_asc()
-            .iter()
-            .map(|c| reduce_integer(c, prime))
-            .collect();
+        let mut residues = field.residues(f);
         residues.resize(degree + 1, 0);
         residues
     };
@@ -135,31 +130,32 @@ fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<
         [f.numerator(), f.denominator()].map(|p| reduce(p, degree))
     };
     let (in_x, in_y) = (both(x, m), both(y, n));
-    let inverses = inverses_mod(n + 1, prime);
+    let inverses = field.inverses(n + 1);
     // For each y the coefficients of the powers of x, then for each of these the powers of y.
     let rows: Vec<Vec<u64>> = (0..=m as u64)
         .into_par_iter()
         .map(|y| {
-            let g = pencil(&in_y, y, prime);
-            let row = in_traces(&in_x, &g, &inverses, prime);
-            row.unwrap_or_else(|| on_grid(&in_x, &g, prime))
+            let g = pencil(&in_y, y, &field);
+            let row = in_traces(&in_x, &g, &inverses, &field);
+            row.unwrap_or_else(|| on_grid(&in_x, &g, &field))
         })
         .collect();
     (0..=n)
-        .flat_map(|i| interpolate(rows.iter().map(|row| row[i]).collect(), prime))
+        .flat_map(|i| field.interpolate(rows.iter().map(|row| row[i]).collect()))
         .collect()
 }
 
 /// q v − p
-fn pencil([p, q]: &[Vec<u64>; 2], v: u64, prime: u64) -> Vec<u64> {
+fn pencil([p, q]: &[Vec<u64>; 2], v: u64, field: &PrimeField) -> Vec<u64> {
+    let prime = field.prime();
     let terms = q.iter().zip(p);
     terms.map(|(q, p)| (q * v + prime - p) % prime).collect()
 }
 
 /// The coefficients of the powers of X in `Res(q X − p, g)`, from its values at 0, 1, 2, …, by Euclid.
-fn on_grid(x: &[Vec<u64>; 2], g: &[u64], prime: u64) -> Vec<u64> {
-    let values = (0..g.len() as u64).map(|v| resultant_mod(pencil(x, v, prime), g.to_vec(), prime));
-    interpolate(values.collect(), prime)
+fn on_grid(x: &[Vec<u64>; 2], g: &[u64], field: &PrimeField) -> Vec<u64> {
+    let values = (0..g.len() as u64).map(|v| field.resultant(pencil(x, v, field), g.to_vec()));
+    field.interpolate(values.collect())
 }
 
 /// The same as [`on_grid`] for all X at once, if the leading coefficient of g and `Res(q, g)` are not 0.
@@ -169,10 +165,14 @@ fn on_grid(x: &[Vec<u64>; 2], g: &[u64], prime: u64) -> Vec<u64> {
 /// `s^i h^k` that of `(s^i h) h^(k−1)`. Coefficients from power sums, for g and back, by Newton's identities (von zur
 /// Gathen & Gerhard, *Modern Computer Algebra*, Exercise 6.5; Shoup 1999). Cost: n³ products, n the degree of g,
 /// where the grid takes n inverses for each of n + 1 values of X besides.
-fn in_traces([p, q]: &[Vec<u64>; 2], g: &[u64], inverses: &[u64], prime: u64) -> Option<Vec<u64>> {
-    let field = PrimeField::new(prime);
-    let n = g.len() - 1;
-    let resultant = resultant_mod(q.clone(), g.to_vec(), prime);
+fn in_traces(
+    [p, q]: &[Vec<u64>; 2],
+    g: &[u64],
+    inverses: &[u64],
+    field: &PrimeField,
+) -> Option<Vec<u64>> {
+    let (n, prime) = (g.len() - 1, field.prime());
+    let resultant = field.resultant(q.clone(), g.to_vec());
     if g[n] == 0 || n == 0 || resultant == 0 {
         return None;
     }
@@ -201,53 +201,22 @@ fn in_traces([p, q]: &[Vec<u64>; 2], g: &[u64], inverses: &[u64], prime: u64) ->
     for k in 1..n {
         // p_k + e_1 p_(k−1) + … + e_(k−1) p_1 + k e_k = 0
         let earlier: Vec<u64> = form[1..].iter().rev().copied().collect();
-        let sum = dot_mod(&descending[1..], &earlier, prime) + descending[k] * k as u64 % prime;
+        let sum = field.dot(&descending[1..], &earlier) + descending[k] * k as u64 % prime;
         form.push((2 * prime - sum) % prime);
     }
     let mut sums: Vec<u64> = Vec::with_capacity(n);
     for _ in 0..n {
-        form = shifted.iter().map(|f| dot_mod(f, &form, prime)).collect();
+        form = shifted.iter().map(|f| field.dot(f, &form)).collect();
         sums.push(form[0]);
     }
     let mut row = vec![1];
     for k in 1..=n {
         let later: Vec<u64> = sums[..k].iter().rev().copied().collect();
-        let sum = dot_mod(&row, &later, prime);
+        let sum = field.dot(&row, &later);
         row.push((prime - sum) % prime * inverses[k] % prime);
     }
     row.reverse();
     Some(row.iter().map(|c| c * resultant % prime).collect())
-}
-
-/// The resultant of two polynomials modulo a prime below 2³¹ whose formal degrees are their lengths less one.
-pub(crate) fn resultant_mod(mut f: Vec<u64>, mut g: Vec<u64>, p: u64) -> u64 {
-    let field = PrimeField::new(p);
-    let odd = |f: &[u64], g: &[u64]| (f.len() - 1) * (g.len() - 1) % 2 == 1;
-    let mut value = 1;
-    if g.last() == Some(&0) {
-        if f.last() == Some(&0) {
-            return 0;
-        }
-        if odd(&f, &g) {
-            value = p - 1;
-        }
-        std::mem::swap(&mut f, &mut g);
-    }
-    // From here on the leading coefficient of g is not 0.
-    while g.len() > 1 {
-        if odd(&f, &g) {
-            value = (p - value) % p;
-        }
-        let formal = f.len() - 1;
-        let lead = g[g.len() - 1];
-        field.divide(&mut f, &g);
-        let Some(degree) = f.len().checked_sub(1) else {
-            return 0;
-        };
-        value = value * power_mod(lead, (formal - degree) as u64, p) % p;
-        std::mem::swap(&mut f, &mut g);
-    }
-    value * power_mod(g[0], f.len() as u64 - 1, p) % p
 }
 
 /// The sum of the absolute values of all coefficients.
@@ -278,47 +247,7 @@ mod tests {
 
     const P: u64 = 2_147_483_647;
 
-    /// c ∏ (s − r)
-    fn with_roots(c: u64, roots: &[u64]) -> Vec<u64> {
-        let mut f = vec![c];
-        for r in roots {
-            f.insert(0, 0);
-            for i in 1..f.len() {
-                f[i - 1] = (f[i - 1] + (P - r) * f[i]) % P;
-            }
-        }
-        f
-    }
-
     proptest! {
-        #[test]
-        fn a_resultant_is_the_product_of_differences(
-            a in 1u64..100, b in 1u64..100,
-            r in prop::collection::vec(0u64..1000, 0..6),
-            q in prop::collection::vec(0u64..1000, 0..6),
-            drop in 0usize..3,
-        ) {
-            // a^n b^m ∏ (r − q)
-            let mut expected = power_mod(a, q.len() as u64, P) * power_mod(b, r.len() as u64, P) % P;
-            for r in &r {
-                for q in &q {
-                    expected = expected * ((P + r - q) % P) % P;
-                }
-            }
-            let (f, g) = (with_roots(a, &r), with_roots(b, &q));
-            prop_assert_eq!(resultant_mod(f.clone(), g.clone(), P), expected);
-            // Leading zeros of g: each is a root at infinity, the factor is lc(f) up to sign.
-            let mut formal = g.clone();
-            formal.extend(vec![0; drop]);
-            let found = resultant_mod(f.clone(), formal.clone(), P);
-            let factor = power_mod(a, drop as u64, P);
-            prop_assert_eq!(found, expected * factor % P);
-            // Res(g, f) = (−1)^(mn) Res(f, g)
-            let swapped = resultant_mod(formal.clone(), f.clone(), P);
-            let odd = (f.len() - 1) * (formal.len() - 1) % 2 == 1;
-            prop_assert_eq!(swapped, if odd { (P - found) % P } else { found });
-        }
-
         #[test]
         fn traces_and_the_grid_agree(
             p in prop::collection::vec(0..P, 0..9),
@@ -333,9 +262,10 @@ mod tests {
             p.resize(formal, 0);
             q.resize(formal, 0);
             let x = [p, q];
-            let inverses = inverses_mod(g.len(), P);
-            match in_traces(&x, &g, &inverses, P) {
-                Some(row) => prop_assert_eq!(row, on_grid(&x, &g, P)),
+            let field = PrimeField::new(P);
+            let inverses = field.inverses(g.len());
+            match in_traces(&x, &g, &inverses, &field) {
+                Some(row) => prop_assert_eq!(row, on_grid(&x, &g, &field)),
                 None => prop_assert!(small || g.len() == 1),
             }
         }

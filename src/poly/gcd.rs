@@ -1,16 +1,20 @@
 //! Greatest common divisors, exact division and squarefree decomposition over the integers.
 
+use std::borrow::Cow;
+
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{CanonicalPrimitivePart, DivRem, Gcd};
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::arithmetic::traits::{CanonicalPrimitivePart, DivRem, Gcd, Mod};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::{Derivative, Polynomial};
 
 use super::IntegerPolynomial;
 use crate::error::Invariant;
-use crate::modular::{Images, gcd_mod, mul_mod, previous_prime, reduce_integer};
+use crate::modular::{Images, PrimeField, large_primes};
 
-/// The first prime tried; the others are found below it.
-const FIRST_PRIME: u64 = (1 << 61) - 1;
+/// So many primes share one division of the long coefficients: of 5000 bits and degree 20 the gcd of degree 10 takes 2.7 ms,
+/// with 8 it takes 3.2 ms.
+const GROUP: usize = 24;
 
 /// The primitive part with positive leading coefficient (0 for 0).
 #[must_use]
@@ -23,11 +27,11 @@ pub fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
 ///
 /// gcd(f, 0) is the primitive part of f, and gcd(0, 0) is 0.
 ///
-/// Method: images modulo 61-bit primes are combined until one more prime changes nothing. Exact division of f and g then proves
+/// Method: images modulo 31-bit primes are combined until one more prime changes nothing. Exact division of f and g then proves
 /// the candidate.
 ///
 /// Cost, for degrees ≤ d and coefficients of ≤ b bits: O(d² + d·b) word operations for each prime. Coprime inputs take one
-/// prime, barring unlucky ones; others about one more than the leading coefficient times the gcd has words, and two exact
+/// prime, barring unlucky ones; others about one more than the leading coefficient times the gcd has half words, and two exact
 /// divisions.
 ///
 /// ```
@@ -52,18 +56,26 @@ pub fn polynomial_gcd(f: &IntegerPolynomial, g: &IntegerPolynomial) -> IntegerPo
     };
     let lead = Integer::from(a.unsigned_abs_ref().gcd(b.unsigned_abs_ref()));
     let mut combined: Option<Images> = None;
-    let mut prime = FIRST_PRIME;
+    let mut all = large_primes();
+    // The first prime tells coprime polynomials.
+    let mut count = 1;
     loop {
-        let (fp, gp) = (reduce(&f, prime), reduce(&g, prime));
-        // A prime that divides a leading coefficient may give too large a gcd.
-        if fp.len() == f.coefficients_asc().len() && gp.len() == g.coefficients_asc().len() {
-            let mut image = gcd_mod(fp, gp, prime);
+        let primes: Vec<u64> = all.by_ref().take(count).collect();
+        let (f_short, g_short) = (shortened(&f, &primes), shortened(&g, &primes));
+        for prime in primes {
+            let field = PrimeField::new(prime);
+            let (fp, gp) = (field.reduce(&f_short), field.reduce(&g_short));
+            // A prime that divides a leading coefficient may give too large a gcd.
+            if fp.len() != f.coefficients_asc().len() || gp.len() != g.coefficients_asc().len() {
+                continue;
+            }
+            let mut image = field.gcd(fp, gp);
             if image.len() <= 1 {
                 return IntegerPolynomial::one();
             }
-            let lead_mod = reduce_integer(&lead, prime);
+            let lead_mod = field.reduce_integer(&lead);
             for c in &mut image {
-                *c = mul_mod(*c, lead_mod, prime);
+                *c = field.mul(*c, lead_mod);
             }
             let stable = match &mut combined {
                 Some(images) if images.residues.len() < image.len() => false, // unlucky prime
@@ -82,8 +94,23 @@ pub fn polynomial_gcd(f: &IntegerPolynomial, g: &IntegerPolynomial) -> IntegerPo
                 }
             }
         }
-        prime = previous_prime(prime);
+        count = GROUP;
     }
+}
+
+/// f with coefficients modulo the product of the primes, if they are longer than that.
+fn shortened<'a>(f: &'a IntegerPolynomial, primes: &[u64]) -> Cow<'a, IntegerPolynomial> {
+    let longest = f.coefficients_asc().iter().map(|c| c.significant_bits());
+    if primes.len() == 1 || longest.max().unwrap_or(0) <= 32 * GROUP as u64 {
+        return Cow::Borrowed(f);
+    }
+    let product = primes
+        .iter()
+        .fold(Integer::ONE, |m, &p| m * Integer::from(p));
+    let coefficients = f.coefficients_asc().iter().map(|c| c.mod_op(&product));
+    Cow::Owned(IntegerPolynomial::from_coefficients_asc(
+        coefficients.collect(),
+    ))
 }
 
 /// The quotient `f / g` if g divides f over the integers.
@@ -175,18 +202,6 @@ pub fn squarefree_decomposition(f: &IntegerPolynomial) -> Vec<(usize, IntegerPol
     parts
 }
 
-fn reduce(f: &IntegerPolynomial, prime: u64) -> Vec<u64> {
-    let mut residues: Vec<u64> = f
-        .coefficients_asc()
-        .iter()
-        .map(|c| reduce_integer(c, prime))
-        .collect();
-    while residues.last() == Some(&0) {
-        residues.pop();
-    }
-    residues
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -206,9 +221,9 @@ mod tests {
             .prop_map(|limbs| Integer::from(malachite::Natural::from_owned_limbs_asc(limbs)));
         let power = (0_u64..700, -1_i64..2)
             .prop_map(|(k, more)| (Integer::from(1) << k) + Integer::from(more));
-        let unlucky = (0_u64..3, 1_i64..4).prop_map(|(k, c)| {
-            let primes = (0..k).fold(FIRST_PRIME, |p, _| previous_prime(p));
-            Integer::from(primes) * Integer::from(c)
+        let unlucky = (0_usize..12, 1_i64..4).prop_map(|(k, c)| {
+            let prime = large_primes().take(k + 1).last().expect("there are primes");
+            Integer::from(prime) * Integer::from(c)
         });
         let size = prop_oneof![runs, power, unlucky, (0_i64..50).prop_map(Integer::from)];
         let signed = (size, any::<bool>()).prop_map(|(c, negative)| if negative { -c } else { c });

@@ -10,7 +10,7 @@ use super::{BinaryForm, Ring, TernaryForm};
 ///
 /// The lemmas of §3 of the paper are the same in the plane and in space: Lemmas 7 to 10 are Lemmas 2 to
 /// 5 with forms in (α, β, γ) for forms in (cos θ, sin θ). So they are written once, for any form.
-pub trait Form: Ring + PartialEq + Debug {
+pub trait HomogeneousPolynomial: Ring + PartialEq + Debug {
     /// 2 or 3.
     const VARIABLES: usize;
 
@@ -48,7 +48,7 @@ pub trait Form: Ring + PartialEq + Debug {
     fn monomials(&self) -> Vec<([usize; 3], &Integer)>;
 }
 
-impl Form for BinaryForm {
+impl HomogeneousPolynomial for BinaryForm {
     const VARIABLES: usize = 2;
 
     fn constant(value: Integer) -> Self {
@@ -86,7 +86,7 @@ impl Form for BinaryForm {
     }
 }
 
-impl Form for TernaryForm {
+impl HomogeneousPolynomial for TernaryForm {
     const VARIABLES: usize = 3;
 
     fn constant(value: Integer) -> Self {

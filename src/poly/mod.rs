@@ -4,12 +4,12 @@
 //! polynomial *is* its homogeneous parts, and a binary form of degree d is the univariate
 //! polynomial f(1, t) together with d.
 
-mod circle;
 mod eliminate;
 mod evaluate;
 mod form;
 mod function;
 mod gcd;
+mod harmonic_basis;
 mod homogeneous;
 mod plane;
 mod resultant;
@@ -19,18 +19,21 @@ mod space;
 mod sparse;
 mod sqrt;
 mod subresultant;
+mod terms;
 mod ternary;
 mod trig;
 
-pub use circle::{doubled_form_from_harmonics, harmonics_of_form};
-pub(crate) use circle::{doubled_harmonics, flat_form, harmonic_bits, scaled_harmonics};
-pub(crate) use eliminate::{eliminate, resultant_mod};
+pub(crate) use eliminate::eliminate;
 pub(crate) use evaluate::{integer_sign, leading_value};
 pub use evaluate::{numerator_at, sign_at, sign_at_rational};
 pub use form::BinaryForm;
 pub use function::RationalFunction;
 pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
-pub use homogeneous::Form;
+pub use harmonic_basis::{doubled_form_from_harmonics, harmonics_of_form};
+pub(crate) use harmonic_basis::{
+    doubled_harmonics, from_harmonic_basis, harmonic_bits, scaled_harmonics,
+};
+pub use homogeneous::HomogeneousPolynomial;
 pub use malachite::integer_polynomial::IntegerPolynomial;
 pub use plane::PlanePolynomial;
 pub(crate) use resultant::resultant;
@@ -42,6 +45,9 @@ pub use shift::{shift_by_minus_one, shift_by_one};
 pub use space::SpacePolynomial;
 pub use sparse::{SparsePolynomial, term_order, total_degree};
 pub use sqrt::polynomial_sqrt;
-pub(crate) use subresultant::{Weights, determinant, signed_subresultant};
+pub(crate) use subresultant::{Weights, signed_subresultant};
+pub(crate) use terms::IntegerTerms;
+#[cfg(test)]
+pub(crate) use terms::tests::terms as any_integer_terms;
 pub use ternary::TernaryForm;
 pub use trig::TrigPolynomial;

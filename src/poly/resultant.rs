@@ -2,16 +2,12 @@
 
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::polynomial::Polynomial;
-use malachite::{Integer, Natural};
 
-use super::SparsePolynomial;
-use super::eliminate::{as_f64, bits_of, resultant_mod};
+use super::eliminate::{as_f64, bits_of};
+use super::{IntegerTerms, SparsePolynomial};
 use crate::error::{Error, Invariant, Result};
-use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::modular::{
-    ABOVE_PRIMES, Images, interpolate, power_mod, previous_prime, reduce_integer,
-};
+use crate::modular::{Images, PrimeField, large_primes};
 
 /// Products of residues beyond which the work is refused: some seconds.
 const MAX_WORK: f64 = 3e9;
@@ -38,13 +34,14 @@ pub(crate) fn resultant(
     v: usize,
     limits: &Limits,
 ) -> Result<SparsePolynomial<3>> {
-    let [f, g] = [f, g].map(Integers::new);
+    let [f, g] = [f, g].map(|f| IntegerTerms::of_numerators(&f.primitive()));
+    let [of_f, of_g] = [&f, &g].map(|f| f.degrees().map(|d| d as usize));
     let [u, w] = [(v + 1) % 3, (v + 2) % 3];
-    let (m, n) = (f.degrees[v], g.degrees[v]);
-    let [in_u, in_w] = [u, w].map(|k| n * f.degrees[k] + m * g.degrees[k]);
+    let (m, n) = (of_f[v], of_g[v]);
+    let [in_u, in_w] = [u, w].map(|k| n * of_f[k] + m * of_g[k]);
     let norms = [f.norm(), g.norm()];
     let bits = as_f64(n) * bits_of(&norms[0]) + as_f64(m) * bits_of(&norms[1]);
-    let cost = (m + 1) * (n + 1) + f.terms.len() + g.terms.len();
+    let cost = (m + 1) * (n + 1) + f.len() + g.len();
     let work = (bits / 30.9 + 1.0) * as_f64((in_u + 1) * (in_w + 1)) * as_f64(cost);
     if work > MAX_WORK {
         return Err(Error::limit(format!(
@@ -52,22 +49,28 @@ pub(crate) fn resultant(
         )));
     }
     let bound = (&norms[0]).pow(n as u64) * (&norms[1]).pow(m as u64);
-    let at = |[a, b]: [u64; 2], prime: u64| {
-        let [f, g] = [&f, &g].map(|p| p.in_v(v, [(u, a), (w, b)], prime));
-        resultant_mod(f, g, prime)
+    let point_of = |[a, b]: [u64; 2]| {
+        let mut point = [0; 3];
+        (point[u], point[w]) = (a, b);
+        point
+    };
+    let at = |[a, b]: [u64; 2], field: &PrimeField| {
+        let [f, g] = [&f, &g].map(|p| p.image(v, &point_of([a, b]), field));
+        field.resultant(f, g)
     };
     let mut combined = Images::unknown((in_u + 1) * (in_w + 1));
-    let mut prime = ABOVE_PRIMES;
+    let mut primes = large_primes();
     while !combined.determine(&bound) {
         limits.check()?;
-        prime = previous_prime(prime);
+        let prime = primes.following();
+        let field = PrimeField::new(prime);
         let mut columns = Vec::new();
         for a in 0..=in_u as u64 {
-            let values = (0..=in_w as u64).map(|b| at([a, b], prime));
-            columns.push(interpolate(values.collect(), prime));
+            let values = (0..=in_w as u64).map(|b| at([a, b], &field));
+            columns.push(field.interpolate(values.collect()));
         }
         let rows = (0..=in_w).map(|j| columns.iter().map(|c| c[j]).collect());
-        let image: Vec<u64> = rows.flat_map(|row| interpolate(row, prime)).collect();
+        let image: Vec<u64> = rows.flat_map(|row| field.interpolate(row)).collect();
         combined.push(&image, prime);
     }
     let narrow = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
@@ -78,72 +81,28 @@ pub(crate) fn resultant(
         e[w] = narrow(index / (in_u + 1));
         (e, c)
     });
-    let found = Integers::from_terms(terms.collect());
-    let prime = previous_prime(prime);
-    let point = ANY_POINT.map(|c| c % prime);
-    if found.value([(u, point[0]), (w, point[1])], prime) != at(point, prime) {
+    let found = IntegerTerms::new(terms.collect());
+    let field = PrimeField::new(primes.following());
+    let point = ANY_POINT.map(|c| c % field.prime());
+    if found.image(v, &point_of(point), &field)[0] != at(point, &field) {
         return Err(Error::internal(
             "a resultant",
             "the resultant has the value of Sylvester's determinant modulo one more prime",
         ));
     }
-    let terms = found.terms.into_iter();
-    Ok(SparsePolynomial::from_terms(
-        terms.map(|(e, c)| (e, Rational::from(c))),
-    ))
+    Ok(found.to_sparse())
 }
 
 /// Where the result is compared: no point of the grid. A wrong polynomial of degrees k and l vanishes at less than one in
 /// 2^31/(k + l) points.
 const ANY_POINT: [u64; 2] = [0x9e37_79b9_7f4a_7c15, 0xbf58_476d_1ce4_e5b9];
 
-struct Integers {
-    terms: Vec<([u32; 3], Integer)>,
-    degrees: [usize; 3],
-}
-
-impl Integers {
-    fn new(f: &SparsePolynomial<3>) -> Self {
-        let primitive = f.primitive();
-        let terms = primitive.terms().map(|(e, c)| (*e, c.numerator()));
-        Self::from_terms(terms.collect())
-    }
-
-    fn from_terms(terms: Vec<([u32; 3], Integer)>) -> Self {
-        let degrees = terms.iter().fold([0; 3], |d: [usize; 3], (e, _)| {
-            std::array::from_fn(|v| d[v].max(e[v] as usize))
-        });
-        Self { terms, degrees }
-    }
-
-    /// The sum of the absolute values of the coefficients.
-    fn norm(&self) -> Natural {
-        let magnitudes = self.terms.iter().map(|(_, c)| c.unsigned_abs_ref());
-        magnitudes.sum()
-    }
-
-    /// The value of a polynomial in two of the variables.
-    fn value(&self, at: [(usize, u64); 2], prime: u64) -> u64 {
-        let v = 3 - at[0].0 - at[1].0;
-        self.in_v(v, at, prime)[0]
-    }
-
-    /// As a polynomial in v of its full formal degree, the other variables having values.
-    fn in_v(&self, v: usize, [(u, a), (w, b)]: [(usize, u64); 2], prime: u64) -> Vec<u64> {
-        let mut coefficients = vec![0; self.degrees[v] + 1];
-        for (e, c) in &self.terms {
-            let monomial = power_mod(a, e[u].into(), prime) * power_mod(b, e[w].into(), prime);
-            let value = &mut coefficients[e[v] as usize];
-            *value = (*value + reduce_integer(c, prime) * (monomial % prime)) % prime;
-        }
-        coefficients
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::poly::Ring;
+    use malachite::{Integer, Natural};
     use proptest::prelude::*;
 
     fn polynomial() -> impl Strategy<Value = SparsePolynomial<3>> {
@@ -155,13 +114,8 @@ mod tests {
 
     /// The product of the first primes that are used.
     fn modulus(primes: usize) -> Integer {
-        let mut prime = ABOVE_PRIMES;
-        let mut product = Integer::from(1);
-        for _ in 0..primes {
-            prime = previous_prime(prime);
-            product *= Integer::from(prime);
-        }
-        product
+        let primes = large_primes().take(primes);
+        primes.fold(Integer::from(1), |product, p| product * Integer::from(p))
     }
 
     #[test]

@@ -8,9 +8,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use super::IntegerPolynomial;
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
-use crate::modular::{
-    ABOVE_PRIMES, Images, interpolate, inverse_mod, previous_prime, reduce_integer,
-};
+use crate::modular::{Images, PrimeField, determinant, large_primes};
 
 /// Products of residues beyond which the work is refused: about a minute.
 const MAX_WORK: f64 = 3e10;
@@ -57,19 +55,21 @@ pub(crate) fn signed_subresultant(
     }
     let bound = matrix.bound(p);
     let mut combined = Images::unknown(degree + 1);
-    let mut prime = ABOVE_PRIMES;
+    let mut primes = large_primes();
     while !combined.determine(&bound) {
         limits.check()?;
-        prime = previous_prime(prime);
-        let residues = residues(p, prime);
-        let values = (0..=degree as u64).map(|t| matrix.value(&residues, t, prime));
-        combined.push(&interpolate(values.collect(), prime), prime);
+        let prime = primes.following();
+        let field = PrimeField::new(prime);
+        let residues = residues(p, &field);
+        let values = (0..=degree as u64).map(|t| matrix.value(&residues, t, &field));
+        combined.push(&field.interpolate(values.collect()), prime);
     }
     let found = combined.balanced();
-    let prime = previous_prime(prime);
-    let point = ANY_POINT % prime;
-    let of_found = &residues(std::slice::from_ref(&found), prime)[0];
-    if value_mod(of_found, point, prime) != matrix.value(&residues(p, prime), point, prime) {
+    let field = PrimeField::new(primes.following());
+    let point = ANY_POINT % field.prime();
+    if field.value(&field.residues(&found), point)
+        != matrix.value(&residues(p, &field), point, &field)
+    {
         return Err(Error::internal(
             "a subresultant",
             "the subresultant has the value of its determinant modulo one more prime",
@@ -83,17 +83,8 @@ pub(crate) fn signed_subresultant(
 const ANY_POINT: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// The coefficients of polynomials modulo a prime.
-fn residues(p: &[IntegerPolynomial], prime: u64) -> Vec<Vec<u64>> {
-    let reduced = |a: &IntegerPolynomial| {
-        let c = a.coefficients_asc().iter();
-        c.map(|c| reduce_integer(c, prime)).collect()
-    };
-    p.iter().map(reduced).collect()
-}
-
-/// The value of a polynomial modulo a prime.
-fn value_mod(a: &[u64], t: u64, prime: u64) -> u64 {
-    a.iter().rev().fold(0, |v, c| (v * t + c) % prime)
+fn residues(p: &[IntegerPolynomial], field: &PrimeField) -> Vec<Vec<u64>> {
+    p.iter().map(|a| field.residues(a)).collect()
 }
 
 #[expect(clippy::cast_precision_loss, reason = "sizes are far below 2^53")]
@@ -167,13 +158,13 @@ impl Matrix {
     }
 
     /// The determinant at a point modulo a prime.
-    fn value(&self, residues: &[Vec<u64>], t: u64, prime: u64) -> u64 {
-        let p: Vec<u64> = residues.iter().map(|a| value_mod(a, t, prime)).collect();
+    fn value(&self, residues: &[Vec<u64>], t: u64, field: &PrimeField) -> u64 {
+        let p: Vec<u64> = residues.iter().map(|a| field.value(a, t)).collect();
         let derivative: Vec<u64> = p
             .iter()
             .enumerate()
             .skip(1)
-            .map(|(i, c)| c * i as u64 % prime)
+            .map(|(i, &c)| field.mul(c, i as u64))
             .collect();
         let mut rows = Vec::with_capacity(self.size);
         for index in 0..self.size {
@@ -190,7 +181,7 @@ impl Matrix {
             };
             rows.push((0..self.size).map(column).collect());
         }
-        determinant(rows, prime)
+        determinant(rows, field.prime())
     }
 }
 
@@ -209,32 +200,6 @@ fn one_norm_bits(a: &IntegerPolynomial) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a bound, rounded up elsewhere")]
     let value = (top as f64).log2() + shift as f64;
     value.max(0.0)
-}
-
-/// The determinant of a square matrix modulo a prime below 2³¹, by Gauss.
-pub(crate) fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
-    let n = rows.len();
-    let mut value = 1;
-    for k in 0..n {
-        let Some(pivot) = (k..n).find(|&i| rows[i][k] != 0) else {
-            return 0;
-        };
-        if pivot != k {
-            rows.swap(pivot, k);
-            value = (p - value) % p;
-        }
-        value = value * rows[k][k] % p;
-        let inverse = inverse_mod(rows[k][k], p);
-        let (done, open) = rows.split_at_mut(k + 1);
-        let top = &done[k];
-        for row in open.iter_mut().filter(|row| row[k] != 0) {
-            let factor = p - row[k] * inverse % p;
-            for (c, t) in row[k..].iter_mut().zip(&top[k..]) {
-                *c = (*c + factor * t) % p;
-            }
-        }
-    }
-    value
 }
 
 #[cfg(test)]
@@ -267,10 +232,9 @@ mod tests {
     #[test]
     fn the_bound_is_reached_at_half_the_modulus() {
         // The determinant is the derivative of c t R.
-        let (mut prime, mut modulus) = (ABOVE_PRIMES, Integer::from(1));
+        let (mut all, mut modulus) = (large_primes(), Integer::from(1));
         for primes in 1..6 {
-            prime = previous_prime(prime);
-            modulus *= Integer::from(prime);
+            modulus *= Integer::from(all.following());
             for more in -3..4 {
                 for sign in [1, -1] {
                     let c = ((&modulus >> 1u64) + Integer::from(more)) * Integer::from(sign);

@@ -27,7 +27,7 @@ const GUARD_BITS: u64 = 64;
 /// What [`isolate`] finds: `exact` roots, and open intervals that hold one root each of
 /// `rest`, the polynomial that is left when the exact roots are divided out.
 #[derive(Clone, Debug)]
-pub(crate) struct Isolated {
+pub(crate) struct Isolation {
     pub(crate) exact: Vec<Dyadic>,
     pub(crate) rest: IntegerPolynomial,
     pub(crate) intervals: Vec<(Dyadic, Dyadic)>,
@@ -36,7 +36,7 @@ pub(crate) struct Isolated {
 /// Isolates all real roots of a squarefree polynomial of positive degree.
 ///
 /// At both ends of every interval `rest` is not 0, and it has opposite signs there.
-pub(crate) fn isolate(f: &IntegerPolynomial) -> Isolated {
+pub(crate) fn isolate(f: &IntegerPolynomial) -> Isolation {
     let mut exact = Vec::new();
     let mut rest = f.clone();
     if rest.coefficients_asc().first() == Some(&Integer::ZERO) {
@@ -66,7 +66,7 @@ pub(crate) fn isolate(f: &IntegerPolynomial) -> Isolated {
                 }
             }
         }
-        return Isolated {
+        return Isolation {
             exact,
             rest,
             intervals,
@@ -95,7 +95,7 @@ fn positive_roots(f: &[Integer]) -> Result<Vec<(Dyadic, Dyadic)>, Dyadic> {
     let bernstein = scaled_bernstein(f, exponent);
     let mut bits = bernstein.degree as u64 + GUARD_BITS;
     loop {
-        let mut search = Search {
+        let mut search = Bisection {
             exact: &exact,
             exponent,
             found: Vec::new(),
@@ -184,13 +184,13 @@ struct Node {
     error: Integer,
 }
 
-struct Search<'a> {
+struct Bisection<'a> {
     exact: &'a IntegerPolynomial,
     exponent: i64,
     found: Vec<(Dyadic, Dyadic)>,
 }
 
-impl Search<'_> {
+impl Bisection<'_> {
     fn run(&mut self, bernstein: &ScaledBernstein, bits: u64) -> Result<(), Stop> {
         let sizes = bernstein.numerators.iter().zip(&bernstein.binomials);
         let largest = sizes

@@ -18,12 +18,12 @@ const MAX_STEP: u32 = 1 << 16;
 #[derive(Clone, Debug)]
 pub struct RealRoot {
     polynomial: Arc<IntegerPolynomial>,
-    place: Place,
+    place: Location,
     multiplicity: usize,
 }
 
 #[derive(Clone, Debug)]
-enum Place {
+enum Location {
     Exact(Dyadic),
     /// The one root of the (squarefree) polynomial in this open interval; `sign_low` is its sign
     /// at `low`, and it has the opposite one at `high`.
@@ -43,7 +43,7 @@ impl RealRoot {
     ) -> Self {
         Self {
             polynomial: Arc::clone(polynomial),
-            place: Place::Exact(point),
+            place: Location::Exact(point),
             multiplicity,
         }
     }
@@ -57,7 +57,7 @@ impl RealRoot {
     ) -> Self {
         Self {
             polynomial: Arc::clone(polynomial),
-            place: Place::Between {
+            place: Location::Between {
                 low,
                 high,
                 sign_low,
@@ -76,8 +76,8 @@ impl RealRoot {
     #[must_use]
     pub fn bounds(&self) -> (&Dyadic, &Dyadic) {
         match &self.place {
-            Place::Exact(point) => (point, point),
-            Place::Between { low, high, .. } => (low, high),
+            Location::Exact(point) => (point, point),
+            Location::Between { low, high, .. } => (low, high),
         }
     }
 
@@ -85,10 +85,10 @@ impl RealRoot {
     #[must_use]
     pub fn cmp_rational(&self, q: &Rational) -> Ordering {
         match &self.place {
-            Place::Exact(root) => root.to_rational().cmp(q),
-            Place::Between { low, .. } if *q <= low.to_rational() => Ordering::Greater,
-            Place::Between { high, .. } if *q >= high.to_rational() => Ordering::Less,
-            Place::Between { sign_low, .. } => {
+            Location::Exact(root) => root.to_rational().cmp(q),
+            Location::Between { low, .. } if *q <= low.to_rational() => Ordering::Greater,
+            Location::Between { high, .. } if *q >= high.to_rational() => Ordering::Less,
+            Location::Between { sign_low, .. } => {
                 side(*sign_low, sign_at_rational(&self.polynomial, q))
             }
         }
@@ -98,10 +98,10 @@ impl RealRoot {
     #[must_use]
     pub fn cmp_dyadic(&self, point: &Dyadic) -> Ordering {
         match &self.place {
-            Place::Exact(root) => root.cmp(point),
-            Place::Between { low, .. } if point <= low => Ordering::Greater,
-            Place::Between { high, .. } if point >= high => Ordering::Less,
-            Place::Between { sign_low, .. } => side(*sign_low, sign_at(&self.polynomial, point)),
+            Location::Exact(root) => root.cmp(point),
+            Location::Between { low, .. } if point <= low => Ordering::Greater,
+            Location::Between { high, .. } if point >= high => Ordering::Less,
+            Location::Between { sign_low, .. } => side(*sign_low, sign_at(&self.polynomial, point)),
         }
     }
 
@@ -119,8 +119,8 @@ impl RealRoot {
     #[must_use]
     pub fn is_root_of(&self, g: &IntegerPolynomial) -> bool {
         match &self.place {
-            Place::Exact(point) => sign_at(g, point) == 0,
-            Place::Between { low, high, .. } => {
+            Location::Exact(point) => sign_at(g, point) == 0,
+            Location::Between { low, high, .. } => {
                 // A common factor that changes sign in the interval has the one root there is.
                 let common = polynomial_gcd(&self.polynomial, g);
                 common.coefficients_asc().len() > 1
@@ -135,15 +135,15 @@ impl RealRoot {
         let (low, high) = other.bounds();
         let is_inside = self.cmp_dyadic(low).is_ge() && self.cmp_dyadic(high).is_le();
         match &other.place {
-            Place::Exact(point) => self.cmp_dyadic(point).is_eq(),
-            Place::Between { .. } => is_inside && self.is_root_of(&other.polynomial),
+            Location::Exact(point) => self.cmp_dyadic(point).is_eq(),
+            Location::Between { .. } => is_inside && self.is_root_of(&other.polynomial),
         }
     }
 
     /// The root as a fraction, if it is rational.
     #[must_use]
     pub fn as_rational(&self) -> Option<Rational> {
-        if let Place::Exact(point) = &self.place {
+        if let Location::Exact(point) = &self.place {
             return Some(point.to_rational());
         }
         // p/q in lowest terms has q | lead: two such fractions are at least 1/lead² apart, and
@@ -180,7 +180,7 @@ impl RealRoot {
     /// Takes a guess: if the root is proved to lie within 2^−`bits` of it (relatively), the enclosure
     /// shrinks to that. Two exact signs.
     pub(crate) fn try_guess(&mut self, guess: f64, bits: i64) {
-        let Place::Between { low, high, .. } = &self.place else {
+        let Location::Between { low, high, .. } = &self.place else {
             return;
         };
         let Some(point) = Dyadic::from_f64(guess) else {
@@ -200,9 +200,9 @@ impl RealRoot {
     /// Uses an exact comparison with `point` to shrink the enclosure.
     fn shrink_to(&mut self, point: &Dyadic) {
         let order = self.cmp_dyadic(point);
-        if let Place::Between { low, high, .. } = &mut self.place {
+        if let Location::Between { low, high, .. } = &mut self.place {
             match order {
-                Ordering::Equal => self.place = Place::Exact(point.clone()),
+                Ordering::Equal => self.place = Location::Exact(point.clone()),
                 Ordering::Greater if point > low => *low = point.clone(),
                 Ordering::Less if point < high => *high = point.clone(),
                 _ => {}
@@ -211,7 +211,7 @@ impl RealRoot {
     }
 
     fn bisect(&mut self) {
-        if let Place::Between { low, high, .. } = &self.place {
+        if let Location::Between { low, high, .. } = &self.place {
             let middle = low.midpoint(high);
             self.shrink_to(&middle);
         }
@@ -225,7 +225,7 @@ impl RealRoot {
     pub fn refine(&mut self, bits: i64) {
         let mut step = 2u32;
         loop {
-            let Place::Between { low, high, .. } = &self.place else {
+            let Location::Between { low, high, .. } = &self.place else {
                 return;
             };
             if low.signum() * high.signum() < 0 {
@@ -258,7 +258,7 @@ impl RealRoot {
     /// Shrinks the enclosure until it is at most `2^exponent` wide.
     pub fn refine_to_width(&mut self, exponent: i64) {
         let mut step = 2u32;
-        while let Place::Between { low, high, .. } = &self.place {
+        while let Location::Between { low, high, .. } = &self.place {
             if high.minus(low).log2().is_none_or(|width| width < exponent) {
                 return;
             }
@@ -273,7 +273,7 @@ impl RealRoot {
     /// The enclosure touches 0 and the root is not 0: cuts it at ever smaller powers of two.
     fn approach_zero(&mut self) {
         let mut drop = 4;
-        while let Place::Between { low, high, .. } = &self.place {
+        while let Location::Between { low, high, .. } = &self.place {
             let (outer, sign) = if low.signum() == 0 {
                 (high, 1)
             } else {
@@ -282,7 +282,7 @@ impl RealRoot {
             let Some(size) = outer.log2() else { return };
             let cut = Dyadic::new(Integer::from(sign), size - drop);
             self.shrink_to(&cut);
-            if let Place::Between { low, high, .. } = &self.place
+            if let Location::Between { low, high, .. } = &self.place
                 && low.signum() != 0
                 && high.signum() != 0
             {
@@ -294,7 +294,7 @@ impl RealRoot {
 
     /// One step of quadratic interval refinement with 2^`step` subintervals; whether it succeeded.
     fn secant(&mut self, step: u32) -> bool {
-        let Place::Between { low, high, .. } = &self.place else {
+        let Location::Between { low, high, .. } = &self.place else {
             return true;
         };
         let (low, high) = (low.clone(), high.clone());
@@ -364,7 +364,7 @@ impl RealRoot {
         if scale.is_zero() {
             return 0.0;
         }
-        if let Place::Exact(point) = &self.place {
+        if let Location::Exact(point) = &self.place {
             if k == 1 {
                 return (point.to_rational() * scale).to_f64();
             }
@@ -448,7 +448,7 @@ fn root_f64(q: &Rational, k: u32) -> f64 {
     let bits = |n: &Integer| n.significant_bits().cast_signed();
     let exponent = bits(&q.numerator()) - bits(&q.denominator());
     let whole = exponent.div_euclid(i64::from(k));
-    let mantissa = (q * &Rational::from_parts(Integer::from(1), -whole * i64::from(k))).to_f64();
+    let mantissa = (q * &Rational::from_dyadic(Integer::from(1), -whole * i64::from(k))).to_f64();
     let root = mantissa.powf(1.0 / f64::from(k));
     let value = root * (whole as f64).exp2();
     if value.is_finite() { value } else { f64::MAX }

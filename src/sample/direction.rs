@@ -153,7 +153,7 @@ trait RoundRational {
 
 impl RoundRational for Integer {
     fn rounding_from_rational(q: &Rational) -> Integer {
-        let half = Rational::from_parts(Integer::ONE, -1);
+        let half = Rational::from_dyadic(Integer::ONE, -1);
         let shifted = q + &half;
         if shifted.is_zero() {
             Integer::ZERO

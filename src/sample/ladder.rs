@@ -159,7 +159,7 @@ mod tests {
         let circle = PlanePolynomial::from_terms(circle);
         let one = PlanePolynomial::from_terms([term((0, 0), 1)]);
         let power = (0..k).fold(one, |power, _| power.product(&circle));
-        let radius = crate::exact::Rational::from_parts(Integer::from(-1), -(shift as i64));
+        let radius = crate::exact::Rational::from_dyadic(Integer::from(-1), -(shift as i64));
         PlanePolynomial::from_terms(power.terms().chain([((0, 0), radius)]))
     }
 

@@ -50,7 +50,7 @@ fn polynomial(terms: impl IntoIterator<Item = ((usize, usize), Integer)>) -> Pla
 }
 
 fn power_of_two(k: i64) -> Rational {
-    Rational::from_parts(Integer::from(1), k)
+    Rational::from_dyadic(Integer::from(1), k)
 }
 
 /// k (V x − U y) + ε x, which is ε U in the direction (U, V), relatively smaller by as many bits as k has.

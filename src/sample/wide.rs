@@ -139,10 +139,10 @@ mod tests {
     use proptest::prelude::*;
 
     fn ends(a: Wide) -> [Rational; 2] {
-        let value = Rational::from_parts(Integer::from(a.mantissa), a.exponent);
+        let value = Rational::from_dyadic(Integer::from(a.mantissa), a.exponent);
         [-1, 1].map(|sign| {
             let error = Integer::from(a.error) * Integer::from(sign);
-            &value + &value * Rational::from_parts(error, -127)
+            &value + &value * Rational::from_dyadic(error, -127)
         })
     }
 
@@ -190,7 +190,7 @@ mod tests {
                 prop_assert_eq!(order, shift.cmp(&0));
             }
             let whole = Wide::exact(a.unsigned_abs(), shift);
-            prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_parts(Integer::from(a), shift)));
+            prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_dyadic(Integer::from(a), shift)));
         }
 
         /// Quotients of integers of all lengths are cut by less than one in the last place of a mantissa of 128 bits.
@@ -204,8 +204,8 @@ mod tests {
             let found = Wide::quotient(&p, &q);
             let exact = Rational::new(p, q).unwrap().abs();
             prop_assert!(found.mantissa >> 127 == 1);
-            let last = Rational::from_parts(Integer::from(1), found.exponent);
-            let rest = exact - Rational::from_parts(Integer::from(found.mantissa), found.exponent);
+            let last = Rational::from_dyadic(Integer::from(1), found.exponent);
+            let rest = exact - Rational::from_dyadic(Integer::from(found.mantissa), found.exponent);
             prop_assert!(rest.signum() >= 0 && rest < last);
             prop_assert_eq!(found.error, 1);
         }
@@ -220,9 +220,9 @@ mod tests {
             });
             let product = a.times(b);
             prop_assert!(product.mantissa >> 127 == 1);
-            let value = |w: Wide| Rational::from_parts(Integer::from(w.mantissa), w.exponent);
+            let value = |w: Wide| Rational::from_dyadic(Integer::from(w.mantissa), w.exponent);
             let lost = value(a) * value(b) - value(product);
-            prop_assert!(lost.signum() >= 0 && lost < Rational::from_parts(Integer::from(1), product.exponent + 1));
+            prop_assert!(lost.signum() >= 0 && lost < Rational::from_dyadic(Integer::from(1), product.exponent + 1));
             prop_assert_eq!(product.error, 4);
         }
 
@@ -231,7 +231,7 @@ mod tests {
         fn leading_bits_hold_what_follows_them(mantissa in (1u128 << 127).., exponent in -300i64..300, rest in any::<u64>()) {
             let [low, high] = ends(Wide::from_leading((mantissa, exponent)));
             let number = (Integer::from(mantissa) << 64u64) + Integer::from(rest);
-            let number = Rational::from_parts(number, exponent - 64);
+            let number = Rational::from_dyadic(number, exponent - 64);
             prop_assert!(low <= number && number <= high);
         }
 

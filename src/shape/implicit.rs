@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::poly::{PlanePolynomial, SparsePolynomial};
+use crate::poly::{PlanePolynomial, SpacePolynomial, SparsePolynomial};
 
 /// The plane curve `f(x, y) = 0`, in coordinates relative to `center`.
 ///
@@ -85,23 +85,44 @@ impl ImplicitCurve {
     }
 }
 
-/// The surface `f(x, y, z) = 0`.
+/// The surface `f(x, y, z) = 0`, with f by its terms and by its homogeneous parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImplicitSurface {
     polynomial: SparsePolynomial<3>,
+    by_degree: SpacePolynomial,
 }
 
 impl ImplicitSurface {
     /// The zero set of `polynomial`.
     #[must_use]
     pub fn new(polynomial: SparsePolynomial<3>) -> Self {
-        Self { polynomial }
+        let by_degree = SpacePolynomial::from(&polynomial);
+        Self {
+            polynomial,
+            by_degree,
+        }
     }
 
     /// f.
     #[must_use]
     pub fn polynomial(&self) -> &SparsePolynomial<3> {
         &self.polynomial
+    }
+
+    /// f by its homogeneous parts.
+    ///
+    /// ```
+    /// use stellate::language::{Numbers, parse_form};
+    /// use stellate::shape::Form;
+    ///
+    /// let form = parse_form("x^4 + y^4 + z^4 = x*y", "example", Numbers::Exact)?;
+    /// let Form::Surface(surface) = form else { unreachable!() };
+    /// assert_eq!(surface.by_degree().homogeneous_degrees(), [4, 2]);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn by_degree(&self) -> &SpacePolynomial {
+        &self.by_degree
     }
 
     /// Certified bounds of f at a point of doubles; see [`ImplicitCurve::bounds_at`].

@@ -11,7 +11,6 @@ use crate::arcs::IntersectionArcs;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
-use crate::poly::SpacePolynomial;
 use crate::sample::{
     Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts, solve_radial,
 };
@@ -160,8 +159,7 @@ fn uncounted(points: SampledPoints) -> Samples {
 fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -> Result<Samples> {
     let directions = space_directions(options)?;
     check_surface(surface, work)?;
-    let polynomial = SpacePolynomial::from(surface.polynomial());
-    let solver = RaySolver::new(&polynomial);
+    let solver = RaySolver::new(surface.by_degree());
     let rays = solve(|d| Ok(solver.solve(d)), directions, options.positive, work)?;
     remark_lines(&rays, work);
     Ok(Samples {

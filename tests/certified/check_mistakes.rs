@@ -84,8 +84,8 @@ fn the_unsquared_forms_and_the_square_are_named() {
     let right = FourierRadius::new(
         vec![
             1.into(),
-            Rational::from_parts(1.into(), -1),
-            Rational::from_parts(1.into(), -2),
+            Rational::from_dyadic(1.into(), -1),
+            Rational::from_dyadic(1.into(), -2),
         ],
         vec![],
     );
@@ -93,8 +93,8 @@ fn the_unsquared_forms_and_the_square_are_named() {
     let even = plane("x^2 + y^2 + x^2/4 - y^2/4");
     // Both are made primitive: 2x² + 2y² − x and 5x² + 3y².
     let [left, even] = [left, even].map(|f| SparsePolynomial::from(&f));
-    let half = Rational::from_parts(1.into(), -1);
-    let quarter = Rational::from_parts(1.into(), -2);
+    let half = Rational::from_dyadic(1.into(), -1);
+    let quarter = Rational::from_dyadic(1.into(), -2);
     let (left, even) = (left.scaled(&half), even.scaled(&quarter));
     let reference = Reference::of_radius(&right).unwrap();
     let f = reference.polynomial().clone();

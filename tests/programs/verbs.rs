@@ -2,7 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;

@@ -9,7 +9,7 @@
 //! most 61 products below 2^80, below 2^86. There are less than 2^10 groups ([`MOST_PRIMES`]): below 2^97 < 2^99.98 < p1 p2.
 //!
 //! Lemma 3 (unreduced sums). The sum of [`UNREDUCED`] products of values of at most 3p and p/2, and of a value of at most p/2 + 1, is below 8p.
-//! Proof. A product is at most (1/2 + 3/8 · 3/2) p = 17/16 p (Lemma 2 of quad.rs); 6 · 17/16 + 1/2 < 7.
+//! Proof. A product is at most (1/2 + 3/8 · 3/2) p = 17/16 p (Lemma 2 of lanes.rs); 6 · 17/16 + 1/2 < 7.
 //!
 //! Lemma 4 (carrying). In [`Blocks::put_together`] no sum leaves 64 bits.
 //! Proof. `first` < 2^50; |low| ≤ 2^47, `high` ≤ 2^52 (Lemma 1 of columns.rs, as p1 p2 < 2^100), moved up by 8 bits 2^60; q is at most the number
@@ -21,7 +21,7 @@ use malachite::Natural;
 use malachite::base::num::arithmetic::traits::DivExact;
 use pulp::NullaryFnOnce;
 
-use super::quad::{Quad, QuadField, minus, plus};
+use super::lanes::{LaneFields, Lanes, minus, plus};
 use super::quartet::Quartet;
 use super::transform::Transform;
 use crate::bigint::{
@@ -52,10 +52,10 @@ const UNREDUCED: usize = 6;
 ///
 /// Cost: for n primes n words times a group's length, n/24 + n/27 transforms and (n/36)² products of `LEN` values.
 pub(super) struct Blocks {
-    fields: [QuadField; 2],
+    fields: [LaneFields; 2],
     transforms: [Transform; 2],
     /// 1/p modulo the second prime, p the first one; of at most p/2.
-    inverse: Quad,
+    inverse: Lanes,
     /// For each group P_G/p.
     groups: Vec<Columns>,
     /// For each prime, each [`UNREDUCED`] groups, and block after block of all P/P_G: their values, scaled for the way back,
@@ -158,7 +158,7 @@ impl Blocks {
     ///
     /// A digit r1 modulo p1 and r2 modulo p2 is `r1 + p1 ((r2 − r1) / p1 mod p2)`.
     #[inline(always)]
-    fn put_together(&self, values: &[Vec<Quad>; 2], q: [u64; LANES], target: &mut [[u64; LANES]]) {
+    fn put_together(&self, values: &[Vec<Lanes>; 2], q: [u64; LANES], target: &mut [[u64; LANES]]) {
         const MASK: u64 = (1 << SHORT_BITS) - 1;
         let [field, second_field] = &self.fields;
         let (mut above, mut carry) = ([0_u64; LANES], [0_i64; LANES]);
@@ -212,7 +212,7 @@ impl Blocks {
 
 /// The digits of sums, which have no more than there is room for, or the program stops. Lemma 1.
 #[inline(always)]
-fn set_digits(sums: &[Sums], digits: &mut [Quad; LEN]) {
+fn set_digits(sums: &[Sums], digits: &mut [Lanes; LEN]) {
     *digits = [[0.0; 4]; LEN];
     for (lane, sums) in sums.iter().enumerate() {
         let mut at = 0;
@@ -226,7 +226,12 @@ fn set_digits(sums: &[Sums], digits: &mut [Quad; LEN]) {
 /// Adds to the values of all blocks those of some groups times those in the tables. From at most p/2 + 1 to at most p/2 + 1, by
 /// Lemma 3.
 #[inline(always)]
-fn add_products(field: &QuadField, values: &mut [Quad], of_groups: &[[Quad; LEN]], tables: &[f64]) {
+fn add_products(
+    field: &LaneFields,
+    values: &mut [Lanes],
+    of_groups: &[[Lanes; LEN]],
+    tables: &[f64],
+) {
     let tables = tables.chunks_exact(LEN * of_groups.len());
     for (values, tables) in values.chunks_exact_mut(LEN).zip(tables) {
         for (k, value) in values.iter_mut().enumerate() {
@@ -276,14 +281,14 @@ impl NullaryFnOnce for Tables<'_> {
 
 /// 1/p modulo the second of two primes, p the first one.
 struct Inverse {
-    fields: [QuadField; 2],
+    fields: [LaneFields; 2],
 }
 
 impl NullaryFnOnce for Inverse {
-    type Output = Quad;
+    type Output = Lanes;
 
     #[inline(always)]
-    fn call(self) -> Quad {
+    fn call(self) -> Lanes {
         let [first, second] = self.fields;
         second.reduced(second.inverse_of(second.reduced(first.p)))
     }

@@ -14,7 +14,7 @@ use pulp::NullaryFnOnce;
 use smallvec::SmallVec;
 
 use super::blocks::{Blocks, LANES, MOST_PRIMES};
-use super::quad::{Quad, plus};
+use super::lanes::{Lanes, plus};
 use super::quartet::Quartet;
 use crate::bigint::limbs::{LIMB_BITS, sign_limb, width_for};
 use crate::bigint::{Columns, Machine, Sums, digits, digits_for, f64_from};
@@ -26,7 +26,7 @@ use crate::error::Invariant;
 pub(super) struct Remainders<'a> {
     quartets: &'a [Quartet],
     /// (P/p)^(−1) mod p.
-    weights: Vec<Quad>,
+    weights: Vec<Lanes>,
     /// How many limbs −P has in two's complement.
     width: usize,
     sum: Sum,
@@ -87,14 +87,14 @@ impl<'a> Remainders<'a> {
 /// The inverses of residues in [0, p).
 struct Inverses<'a> {
     quartets: &'a [Quartet],
-    residues: &'a [Quad],
+    residues: &'a [Lanes],
 }
 
 impl NullaryFnOnce for Inverses<'_> {
-    type Output = Vec<Quad>;
+    type Output = Vec<Lanes>;
 
     #[inline(always)]
-    fn call(self) -> Vec<Quad> {
+    fn call(self) -> Vec<Lanes> {
         let mut inverses = self.residues.to_vec();
         for (inverse, quartet) in inverses.iter_mut().zip(self.quartets) {
             *inverse = quartet.field.inverse_of(*inverse);
@@ -107,7 +107,7 @@ impl NullaryFnOnce for Inverses<'_> {
 /// the next one, …
 pub(super) struct Lift<'a> {
     pub(super) remainders: &'a Remainders<'a>,
-    pub(super) residues: &'a [&'a [Quad]],
+    pub(super) residues: &'a [&'a [Lanes]],
     pub(super) target: &'a mut [u64],
     pub(super) width: usize,
 }
@@ -235,10 +235,10 @@ mod tests {
                 let p = Integer::try_from(p).unwrap();
                 f64_from(u64::try_from(&x.mod_op(p)).unwrap())
             };
-            let residues: Vec<Vec<Quad>> = quartets.iter().map(|quartet| {
+            let residues: Vec<Vec<Lanes>> = quartets.iter().map(|quartet| {
                 integers.iter().map(|x| quartet.field.p.map(|p| residue(x, p))).collect()
             }).collect();
-            let residues: Vec<&[Quad]> = residues.iter().map(Vec::as_slice).collect();
+            let residues: Vec<&[Lanes]> = residues.iter().map(Vec::as_slice).collect();
             for direct in [usize::MAX, 0] {
                 let remainders = Remainders::new(machine, &quartets, direct);
                 for width in [remainders.width, remainders.width + 2] {

@@ -14,7 +14,7 @@ use malachite::base::num::basic::traits::Zero;
 use rayon::prelude::*;
 
 use super::chinese::{Lift, Remainders};
-use super::quad::Quad;
+use super::lanes::Lanes;
 use super::quartet::Quartet;
 use crate::bigint::limbs::{to_integer, width_for};
 use crate::bigint::{FlatPolynomial, Machine};
@@ -51,7 +51,7 @@ impl Sizes {
 pub(crate) struct Residues {
     /// The number of the first of these coefficients.
     pub(crate) start: usize,
-    pub(crate) values: Vec<Quad>,
+    pub(crate) values: Vec<Lanes>,
 }
 
 /// The way from residues to polynomials with integer coefficients: the smaller a coefficient, the fewer primes.
@@ -160,7 +160,7 @@ impl<'a> Lifting<'a> {
         let set = self.set(sizes.bits[k]);
         let from = k * TOGETHER;
         let residues = residues[..self.len(set)].iter();
-        let residues: Vec<&[Quad]> = residues.map(|r| &r.values[from - r.start..]).collect();
+        let residues: Vec<&[Lanes]> = residues.map(|r| &r.values[from - r.start..]).collect();
         self.machine.dispatch(Lift {
             remainders: self.remainders(set),
             residues: &residues,
@@ -188,7 +188,7 @@ fn for_each_part<T: Send>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bigint::residues::quad::plus;
+    use crate::bigint::residues::lanes::plus;
     use malachite::base::num::arithmetic::traits::Pow;
     use proptest::prelude::*;
 
@@ -209,7 +209,7 @@ mod tests {
             let quartets = Quartet::enough_for(bits);
             let flat = FlatPolynomial::from_integers(integers.iter(), bits);
             // The other representatives are residues as well.
-            let residues: Vec<Vec<Quad>> = quartets.iter().map(|quartet| {
+            let residues: Vec<Vec<Lanes>> = quartets.iter().map(|quartet| {
                 let residues = flat.coefficients().map(|limbs| quartet.field.residue(limbs));
                 residues.map(|r| if random.next().is_multiple_of(2) { plus(r, quartet.field.p) } else { r }).collect()
             }).collect();
@@ -218,7 +218,7 @@ mod tests {
             // All sums directly, and all in blocks.
             for direct in [usize::MAX, 0] {
                 let lifting = Lifting::with_blocks_above(Machine::this(), &quartets, direct);
-                let asked = |(k, residues): (usize, &Vec<Quad>)| {
+                let asked = |(k, residues): (usize, &Vec<Lanes>)| {
                     let asked = lifting.asked(&sizes, k);
                     Residues { start: asked.start, values: residues[asked].to_vec() }
                 };

@@ -4,10 +4,9 @@ use std::sync::{Mutex, PoisonError};
 
 use malachite::base::num::factorization::traits::IsPrime;
 
-use super::quad::{PRIME_BITS, Quad};
+use super::lanes::{Lanes, PRIME_BITS};
 use crate::bigint::f64_from;
 use crate::error::Invariant;
-use crate::modular::power_mod;
 
 /// There are roots of unity of the orders that divide 3 · 2^ORDER_BITS.
 pub(super) const ORDER_BITS: u32 = 22;
@@ -32,15 +31,15 @@ static KNOWN: Mutex<Vec<Prime>> = Mutex::new(Vec::new());
 /// Lemma 1. All of them are above 2^49.99: of so many numbers that are 1 modulo [`ORDER`] one in some twelve is a prime, so that
 /// as many as [`MOST_PRIMES`](super::blocks::MOST_PRIMES) are needed take 0.7 % of the way to 2^49. Each is compared with
 /// [`LEAST`] when it is found. Law: `roots_have_the_order_that_is_said`.
-pub(super) fn fours_of_primes(count: usize) -> Vec<[Quad; 2]> {
+pub(super) fn fours_of_primes(count: usize) -> Vec<[Lanes; 2]> {
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     while known.len() < 4 * count {
         let above = known.last().map_or(1 << PRIME_BITS, |prime| prime.p);
         known.push(next_prime(above));
     }
     let fours = known.as_chunks::<4>().0.iter().take(count);
-    let quads = fours.map(|four| [four.map(|prime| f64_from(prime.p)), four.map(balanced_root)]);
-    quads.collect()
+    let lanes = fours.map(|four| [four.map(|prime| f64_from(prime.p)), four.map(balanced_root)]);
+    lanes.collect()
 }
 
 fn balanced_root(Prime { p, root }: Prime) -> f64 {
@@ -59,16 +58,33 @@ fn next_prime(above: u64) -> Prime {
     }
     assert!(p > LEAST, "there are enough primes above 2^49.99");
     // The order of a power g^((p − 1)/ORDER) divides ORDER; it is no less if the halves and the thirds of it are not 1.
-    let mut roots = (2..p).map(|g| power_mod(g, (p - 1) / ORDER, p));
+    let mut roots = (2..p).map(|g| power(g, (p - 1) / ORDER, p));
     let is_primitive = |root: &u64| {
         [ORDER / 2, ORDER / 3]
             .iter()
-            .all(|&e| power_mod(*root, e, p) != 1)
+            .all(|&e| power(*root, e, p) != 1)
     };
     let root = roots
         .find(is_primitive)
         .invariant("the units modulo a prime are a cyclic group");
     Prime { p, root }
+}
+
+/// base^exponent modulo a prime of 50 bits.
+fn power(base: u64, mut exponent: u64, p: u64) -> u64 {
+    let mul = |a: u64, b: u64| {
+        let product = u128::from(a) * u128::from(b) % u128::from(p);
+        u64::try_from(product).invariant("a residue is less than its prime")
+    };
+    let (mut result, mut square) = (1, base % p);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = mul(result, square);
+        }
+        square = mul(square, square);
+        exponent >>= 1;
+    }
+    result
 }
 
 #[cfg(test)]
@@ -86,9 +102,9 @@ mod tests {
                 let (p, size) = (u64_from(p), u64_from(root.abs()));
                 assert!(p.is_prime() && size <= p / 2);
                 let root = if root < 0.0 { p - size } else { size };
-                assert_eq!(power_mod(root, ORDER, p), 1);
-                assert_eq!(power_mod(root, ORDER / 2, p), p - 1);
-                assert_ne!(power_mod(root, ORDER / 3, p), 1);
+                assert_eq!(power(root, ORDER, p), 1);
+                assert_eq!(power(root, ORDER / 2, p), p - 1);
+                assert_ne!(power(root, ORDER / 3, p), 1);
             }
         }
     }

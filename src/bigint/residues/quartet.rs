@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::lanes::{LaneFields, Lanes};
 use super::primes::fours_of_primes;
-use super::quad::{Quad, QuadField};
 use super::transform::Transform;
 use crate::bigint::u64_from;
 use crate::error::Invariant;
@@ -14,8 +14,8 @@ const BITS_OF_QUARTET: u64 = 199;
 /// Four primes between 2^49.99 and 2^50.
 #[derive(Clone, Debug)]
 pub(crate) struct Quartet {
-    pub(super) field: QuadField,
-    root: Quad,
+    pub(super) field: LaneFields,
+    root: Lanes,
 }
 
 impl Quartet {
@@ -28,7 +28,7 @@ impl Quartet {
     pub(crate) fn enough_for(bits: u64) -> Vec<Self> {
         let fours = fours_of_primes(Self::number_for(bits));
         let quartets = fours.into_iter().map(|[p, root]| Self {
-            field: QuadField::new(p),
+            field: LaneFields::new(p),
             root,
         });
         quartets.collect()
@@ -48,7 +48,7 @@ impl Quartet {
     /// One of the primes, four times.
     pub(super) fn of_one_prime(&self, i: usize) -> Self {
         Self {
-            field: QuadField::new([self.field.p[i]; 4]),
+            field: LaneFields::new([self.field.p[i]; 4]),
             root: [self.root[i]; 4],
         }
     }

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use pulp::NullaryFnOnce;
 
+use super::lanes::{LaneFields, Lanes, negated};
 use super::lifting::{Lifting, Residues, Sizes};
 use super::one_more_prime::{value_after_change, value_of_flat};
-use super::quad::{Quad, QuadField, negated};
 use super::quartet::{Quartet, for_each_quartet};
 use super::transform::{Transform, transform_len};
 use crate::bigint::{FlatPolynomial, FormSize, Machine};
@@ -15,16 +15,16 @@ use crate::error::broken;
 /// What changes of basis of degree at most D have in common.
 #[derive(Debug, Default)]
 pub(crate) struct Bases {
-    field: QuadField,
+    field: LaneFields,
     transform: Transform,
     /// k!, 1/k! and (−2)^k / k! for k ≤ D, of at most (1/2 + 2^-20) p.
-    factorials: Vec<Quad>,
-    inverse_factorials: Vec<Quad>,
-    powers: Vec<Quad>,
+    factorials: Vec<Lanes>,
+    inverse_factorials: Vec<Lanes>,
+    powers: Vec<Lanes>,
     /// The values of `Σ x^t/t!`, scaled for the way back, of at most p/2.
-    exponential: Vec<Quad>,
+    exponential: Vec<Lanes>,
     /// That of the transform.
-    scale: Quad,
+    scale: Lanes,
 }
 
 impl Bases {
@@ -49,7 +49,7 @@ impl Bases {
     }
 
     /// Lemma 1. A product of a residue of at most p and a number k < 2^29 is at most (1/2 + 2^-20) p.
-    /// Proof. Lemma 2 of quad.rs with A = 1 and B < 2^29/2^49.99 < 2^-20. Transforms of more than 2^29 numbers there are none.
+    /// Proof. Lemma 2 of lanes.rs with A = 1 and B < 2^29/2^49.99 < 2^-20. Transforms of more than 2^29 numbers there are none.
     /// Law: `the_change_of_basis_is_two_taylor_shifts` of mobius.rs.
     #[inline(always)]
     fn set_factorials(&mut self, degree: usize) {
@@ -83,7 +83,7 @@ impl Bases {
     /// With c(x) = g(x − 1), `k! c_k = Σ_j j! g_j (−1)^(j−k) / (j−k)!` and `h = Σ_k 2^k c_k (1−T)^(d−k)`, of which the
     /// same sum is made: with m = d − k, `i! (−1)^i h_i = Σ_m m! 2^k c_k / (m−i)!`.
     #[inline(always)]
-    pub(crate) fn change(&self, g: &FlatPolynomial, values: &mut Vec<Quad>) {
+    pub(crate) fn change(&self, g: &FlatPolynomial, values: &mut Vec<Lanes>) {
         let Self {
             field,
             factorials,
@@ -125,7 +125,7 @@ impl Bases {
 
     /// The values of the form f(1, t) = h(it), of at most p/2, at the points of the transform: i^k leaves the signs + + − −.
     #[inline(always)]
-    pub(crate) fn values_of_form(&self, g: &FlatPolynomial, values: &mut Vec<Quad>) {
+    pub(crate) fn values_of_form(&self, g: &FlatPolynomial, values: &mut Vec<Lanes>) {
         self.change(g, values);
         for (k, value) in values.iter_mut().enumerate() {
             if k % 4 >= 2 {
@@ -140,7 +140,7 @@ impl Bases {
 
     /// From values of at most 2p at the points of the transform to some of the coefficients, of at most p.
     #[inline(always)]
-    pub(crate) fn coefficients(&self, values: &mut [Quad], range: Range<usize>) -> Residues {
+    pub(crate) fn coefficients(&self, values: &mut [Lanes], range: Range<usize>) -> Residues {
         self.transform.backward(values);
         let by = self.field.factor(self.scale);
         let start = range.start;
@@ -156,18 +156,18 @@ impl Bases {
 
     /// The squares of the points: one for each pair of values.
     #[inline(always)]
-    pub(crate) fn set_squared_points(&self, points: &mut Vec<Quad>) {
+    pub(crate) fn set_squared_points(&self, points: &mut Vec<Lanes>) {
         self.transform.set_squared_points(points);
     }
 
     #[inline(always)]
-    pub(crate) fn field(&self) -> QuadField {
+    pub(crate) fn field(&self) -> LaneFields {
         self.field
     }
 
     /// The product with `Σ x^t/t!` modulo x^len − 1, in place: from at most 2p to at most 2p.
     #[inline(always)]
-    fn times_exponential(&self, values: &mut [Quad]) {
+    fn times_exponential(&self, values: &mut [Lanes]) {
         self.transform.forward(values);
         for (value, by) in values.iter_mut().zip(&self.exponential) {
             *value = self.field.times(*value, *by);
@@ -210,7 +210,7 @@ pub(crate) fn changed_by_residues(
 }
 
 struct Change<'a> {
-    workspace: &'a mut (Bases, Vec<Quad>),
+    workspace: &'a mut (Bases, Vec<Lanes>),
     quartet: &'a Quartet,
     g: &'a FlatPolynomial,
     asked: Range<usize>,

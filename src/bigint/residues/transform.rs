@@ -2,7 +2,7 @@
 //!
 //! Lemma 1 (forward). From numbers of at most Ap, A ≤ 3, two steps of [`Transform::forward_power_of_two`] lead to numbers of at most 3p,
 //! and no sum between is more than 8p.
-//! Proof. x2 and x3 times c are at most (1/2 + 3/16 A) p ≤ 17/16 p (Lemma 3 of quad.rs), so s1, d1 ≤ (3 + 17/16) p < 4.07p, and their products
+//! Proof. x2 and x3 times c are at most (1/2 + 3/16 A) p ≤ 17/16 p (Lemma 3 of lanes.rs), so s1, d1 ≤ (3 + 17/16) p < 4.07p, and their products
 //! with a root at most (1/2 + 3/16 · 4.07) p < 1.27p. x0 ≤ p/2 + 1, s0 and d0 ≤ (1/2 + 17/16) p + 1; the results ≤ 2.83p + 1 < 3p.
 //!
 //! Lemma 2 (backward). From numbers of at most 2p two steps of [`Transform::backward_power_of_two`] lead to numbers of at most 2p, and no
@@ -21,8 +21,8 @@
 //! Laws: `forward_are_the_values_and_backward_takes_them_back`, with numbers of exactly 2p; all sums and differences of the largest numbers are
 //! in `the_largest_numbers_stay_as_small_as_is_said`.
 
+use super::lanes::{LaneFields, Lanes, minus, negated, plus};
 use super::primes::ORDER_BITS;
-use super::quad::{Quad, QuadField, minus, negated, plus};
 use crate::bigint::f64_from;
 
 /// The transforms of n = m, 3/2 m or 5/4 m numbers modulo four primes, m = 2^k ≥ 4.
@@ -32,11 +32,11 @@ use crate::bigint::f64_from;
 /// by those at θ times the m'-th roots of unity, θ of order 3m': polynomials modulo (x^m − 1) (x^m' − ω), ω of order 3.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Transform {
-    field: QuadField,
+    field: LaneFields,
     /// m.
     power: usize,
     /// c for block after block: 1, i, √i, i√i, …, m/2 of them. The first ones do not depend on m.
-    roots: Vec<Quad>,
+    roots: Vec<Lanes>,
     /// For n > m.
     more: Option<More>,
 }
@@ -45,13 +45,13 @@ pub(crate) struct Transform {
 #[derive(Clone, Debug, Default)]
 struct More {
     /// ω.
-    third: Quad,
+    third: Lanes,
     /// θ^j for j < m'.
-    twists: Vec<Quad>,
+    twists: Vec<Lanes>,
     /// m/m' κ θ^(−j) with κ = 1/(ω^(m/m') − 1).
-    untwists: Vec<Quad>,
+    untwists: Vec<Lanes>,
     /// κ and κω.
-    weights: [Quad; 2],
+    weights: [Lanes; 2],
 }
 
 /// The least length of a transform that is at least `len`.
@@ -70,10 +70,10 @@ pub(crate) fn transform_len(len: usize) -> usize {
 /// given, the first bit last.
 #[inline(always)]
 fn set_products(
-    products: &mut Vec<Quad>,
-    field: &QuadField,
-    first: Quad,
-    factors: impl Iterator<Item = Quad>,
+    products: &mut Vec<Lanes>,
+    field: &LaneFields,
+    first: Lanes,
+    factors: impl Iterator<Item = Lanes>,
 ) {
     products.clear();
     products.push(first);
@@ -87,7 +87,7 @@ fn set_products(
 
 /// x, x², x⁴, …, so many of them.
 #[inline(always)]
-fn squares(field: &QuadField, x: Quad, count: u32) -> Vec<Quad> {
+fn squares(field: &LaneFields, x: Lanes, count: u32) -> Vec<Lanes> {
     let mut squares = vec![x];
     for k in 1..count as usize {
         let last = squares[k - 1];
@@ -99,7 +99,7 @@ fn squares(field: &QuadField, x: Quad, count: u32) -> Vec<Quad> {
 impl More {
     /// For θ of order 3m', with m' = 2^bits; m/m' is 2 or 4.
     #[inline(always)]
-    fn set(&mut self, field: &QuadField, theta: Quad, bits: u32, parts: f64) {
+    fn set(&mut self, field: &LaneFields, theta: Lanes, bits: u32, parts: f64) {
         self.third = field.reduced(field.power(theta, 1 << bits));
         // ω² or ω⁴.
         let mut power = field.reduced(field.times(self.third, self.third));
@@ -120,7 +120,7 @@ impl More {
 impl Transform {
     /// Makes it one for a length of [`transform_len`], with a root of unity of order 3 · 2^[`ORDER_BITS`].
     #[inline(always)]
-    pub(super) fn set(&mut self, field: QuadField, root: Quad, len: usize) {
+    pub(super) fn set(&mut self, field: LaneFields, root: Lanes, len: usize) {
         let bits = len.ilog2();
         let thirds = squares(&field, root, ORDER_BITS + 1);
         // Of order 3 · 2^bits.
@@ -149,13 +149,13 @@ impl Transform {
 
     /// 1/m: [`Transform::backward`] multiplies by m.
     #[inline(always)]
-    pub(super) fn scale(&self) -> Quad {
+    pub(super) fn scale(&self) -> Lanes {
         self.field.inverse_of_divisor(f64_from(self.power as u64))
     }
 
     /// From coefficients, of at most 2p, to values, of at most 3p.
     #[inline(always)]
-    pub(crate) fn forward(&self, values: &mut [Quad]) {
+    pub(crate) fn forward(&self, values: &mut [Lanes]) {
         if let Some(more) = &self.more {
             more.forward(&self.field, values);
         }
@@ -168,7 +168,7 @@ impl Transform {
 
     /// From values, of at most 2p, to m times the coefficients, of at most 2p.
     #[inline(always)]
-    pub(crate) fn backward(&self, values: &mut [Quad]) {
+    pub(crate) fn backward(&self, values: &mut [Lanes]) {
         let (first, beyond) = values.split_at_mut(self.power);
         self.backward_power_of_two(first);
         if !beyond.is_empty() {
@@ -181,7 +181,7 @@ impl Transform {
 
     /// The squares of the points: the values come in pairs, at a point and at minus that point.
     #[inline(always)]
-    pub(crate) fn set_squared_points(&self, points: &mut Vec<Quad>) {
+    pub(crate) fn set_squared_points(&self, points: &mut Vec<Lanes>) {
         let field = &self.field;
         points.clear();
         for c in &self.roots {
@@ -198,7 +198,7 @@ impl Transform {
 
     /// Two steps at a time, from at most 3p to at most 3p. Lemma 1.
     #[inline(always)]
-    fn forward_power_of_two(&self, values: &mut [Quad]) {
+    fn forward_power_of_two(&self, values: &mut [Lanes]) {
         let field = &self.field;
         let mut len = values.len();
         while len >= 4 {
@@ -233,7 +233,7 @@ impl Transform {
 
     /// Two steps at a time, from at most 2p to at most 2p. Lemma 2.
     #[inline(always)]
-    fn backward_power_of_two(&self, values: &mut [Quad]) {
+    fn backward_power_of_two(&self, values: &mut [Lanes]) {
         let field = &self.field;
         let mut len = 4;
         if !values.len().ilog2().is_multiple_of(2) {
@@ -274,7 +274,7 @@ impl Transform {
     /// The exponents of the blocks 2^i … 2^(i+1) − 1 are those of the same blocks, from the last to the first, taken from
     /// half the order of the group: and that power is −1.
     #[inline(always)]
-    fn inverse_root(&self, b: usize) -> Quad {
+    fn inverse_root(&self, b: usize) -> Lanes {
         if b == 0 {
             return [1.0; 4];
         }
@@ -288,7 +288,7 @@ impl More {
     ///
     /// f has one term in y = x^m' more than x^m has parts. Lemma 3.
     #[inline(always)]
-    fn forward(&self, field: &QuadField, values: &mut [Quad]) {
+    fn forward(&self, field: &LaneFields, values: &mut [Lanes]) {
         let third = field.factor(self.third);
         let more = self.twists.len();
         let (values, last) = values.split_at_mut(values.len() - more);
@@ -304,7 +304,7 @@ impl More {
     ///
     /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. Lemma 4.
     #[inline(always)]
-    fn backward(&self, field: &QuadField, values: &mut [Quad]) {
+    fn backward(&self, field: &LaneFields, values: &mut [Lanes]) {
         let weights = [field.factor(self.weights[0]), field.factor(self.weights[1])];
         let more = self.untwists.len();
         let (values, last) = values.split_at_mut(values.len() - more);
@@ -325,7 +325,7 @@ impl More {
 /// `more` apart in `values`, and of the next power the one that is given. With s_i the sum of every third term they are
 /// s0 − s2 and s1 − s2: at most 6p, if all are at most 2p.
 #[inline(always)]
-fn folded(values: &[Quad], j: usize, more: usize, last: Quad) -> [Quad; 2] {
+fn folded(values: &[Lanes], j: usize, more: usize, last: Lanes) -> [Lanes; 2] {
     let (first, second) = (values[j], values[j + more]);
     if values.len() == 2 * more {
         return [minus(first, last), minus(second, last)];
@@ -339,7 +339,7 @@ fn folded(values: &[Quad], j: usize, more: usize, last: Quad) -> [Quad; 2] {
 
 /// Numbers of one place in the four quarters.
 #[inline(always)]
-fn quarters(block: &mut [Quad]) -> impl Iterator<Item = [&mut Quad; 4]> {
+fn quarters(block: &mut [Lanes]) -> impl Iterator<Item = [&mut Lanes; 4]> {
     let (first, second) = block.split_at_mut(block.len() / 2);
     let (a0, a1) = first.split_at_mut(first.len() / 2);
     let (a2, a3) = second.split_at_mut(second.len() / 2);
@@ -351,7 +351,7 @@ fn quarters(block: &mut [Quad]) -> impl Iterator<Item = [&mut Quad; 4]> {
 mod tests {
     use super::*;
     use crate::bigint::residues::Quartet;
-    use crate::bigint::residues::quad::tests::{congruent, integer};
+    use crate::bigint::residues::lanes::tests::{congruent, integer};
     use crate::bigint::{f64_from, u64_from};
     use malachite::Integer;
     use proptest::prelude::*;
@@ -378,7 +378,7 @@ mod tests {
             prop_assert_eq!(len, transform_len(len));
             let mut random = crate::modular::SplitMix(seed);
             // Up to twice p, of both signs.
-            let coefficients: Vec<Quad> = (0..len).map(|_| field.p.map(|p| {
+            let coefficients: Vec<Lanes> = (0..len).map(|_| field.p.map(|p| {
                 let size = if largest { 2.0 * p } else { f64_from(random.next() % u64_from(2.0 * p)) };
                 if random.next().is_multiple_of(2) { size } else { -size }
             })).collect();
@@ -425,8 +425,8 @@ mod tests {
             let (field, transform) = (quartet.field, quartet.transform(transform_len(len)));
             // Signs that depend on some bits of the place alone: all equal, in turn, in pairs, …
             let sign = |k: usize| if signs >> ((k >> by) % 64) & 1 == 1 { -1.0 } else { 1.0 };
-            let all = |size: f64| (0..transform.len()).map(|k| field.p.map(|p| (size * p).trunc() * sign(k))).collect::<Vec<Quad>>();
-            let largest = |values: &[Quad], size: f64| {
+            let all = |size: f64| (0..transform.len()).map(|k| field.p.map(|p| (size * p).trunc() * sign(k))).collect::<Vec<Lanes>>();
+            let largest = |values: &[Lanes], size: f64| {
                 values.iter().all(|v| (0..4).all(|i| v[i].abs() <= size * field.p[i]))
             };
             let mut values = all(2.0);
@@ -448,14 +448,14 @@ mod tests {
             let len = transform_len(a.len() + b.len() - 1);
             let (field, transform) = (quartet.field, quartet.transform(len));
             let values = |c: &[i32]| {
-                let mut values: Vec<Quad> = c.iter().map(|c| [f64::from(*c); 4]).collect();
+                let mut values: Vec<Lanes> = c.iter().map(|c| [f64::from(*c); 4]).collect();
                 values.resize(transform.len(), [0.0; 4]);
                 transform.forward(&mut values);
                 values
             };
             let (of_a, of_b) = (values(&a), values(&b));
-            let times = |(a, b): (&Quad, &Quad)| field.times(field.reduced(*a), field.reduced(*b));
-            let mut product: Vec<Quad> = of_a.iter().zip(&of_b).map(times).collect();
+            let times = |(a, b): (&Lanes, &Lanes)| field.times(field.reduced(*a), field.reduced(*b));
+            let mut product: Vec<Lanes> = of_a.iter().zip(&of_b).map(times).collect();
             transform.backward(&mut product);
             let scale = transform.scale();
             for (k, c) in product.iter().enumerate() {

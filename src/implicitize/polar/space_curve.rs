@@ -4,7 +4,7 @@ use super::{PolarFactor, Role, squared_radius};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_space;
-use crate::implicitize::inverse::{Fraction, Inverse, invert};
+use crate::implicitize::inverse::{Inverse, Quotient, invert};
 use crate::implicitize::map::RationalMap;
 use crate::limits::Limits;
 use crate::poly::{RationalFunction, Ring, SparsePolynomial, resultant};
@@ -75,7 +75,7 @@ pub fn polar_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<PolarSpa
     let first = inverse(&k2, ratio(&k2, &plane), ["z^2", "z^2/(x^2 + y^2)"], limits)?;
     let second = inverse(&k2, ratio(k, g), ["z^2", "z/y"], limits)?;
     let map = RationalMap::of_curve(curve);
-    let surface = |upper: &std::result::Result<Fraction, String>,
+    let surface = |upper: &std::result::Result<Quotient, String>,
                    power: &dyn Fn(u32, u32) -> SparsePolynomial<3>|
      -> Result<std::result::Result<PolarSurface, String>> {
         match (&in_plane, upper) {
@@ -124,7 +124,7 @@ fn inverse(
     m: Option<RationalFunction>,
     [w_name, m_name]: [&str; 2],
     limits: &Limits,
-) -> Result<std::result::Result<Fraction, String>> {
+) -> Result<std::result::Result<Quotient, String>> {
     let Some(m) = m else {
         return Ok(Err(format!(
             "{m_name} has the denominator 0 on the whole curve"

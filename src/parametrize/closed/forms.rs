@@ -8,7 +8,8 @@ use malachite::base::polynomial::Polynomial;
 use crate::factor::squarefree_form;
 use crate::limits::Limits;
 use crate::poly::{
-    BinaryForm, Form, IntegerPolynomial, Ring, TernaryForm, squarefree_decomposition,
+    BinaryForm, HomogeneousPolynomial, IntegerPolynomial, Ring, TernaryForm,
+    squarefree_decomposition,
 };
 
 /// Square factors of constants are taken out of roots up to this prime.
@@ -18,7 +19,7 @@ const LARGEST_SQUARE_PRIME: u32 = 1000;
 const LARGEST_SQUARE_DEGREE: usize = 24;
 
 /// A form whose square factors can be taken out of a root.
-pub(in crate::parametrize) trait LemmaForm: Form {
+pub(in crate::parametrize) trait LemmaForm: HomogeneousPolynomial {
     /// (h, g) with `form = h² g` and g squarefree up to constants, as far as that is looked for.
     fn squarefree_kernel(&self) -> (Self, Self);
 }
@@ -61,22 +62,22 @@ impl LemmaForm for TernaryForm {
 }
 
 /// c · the product of some forms.
-pub(super) fn product<F: Form>(c: i64, forms: &[&F]) -> F {
+pub(super) fn product<F: HomogeneousPolynomial>(c: i64, forms: &[&F]) -> F {
     let one = F::constant(Integer::from(c));
     forms.iter().fold(one, |product, form| product.times(form))
 }
 
 /// The constant form c.
-pub(super) fn constant<F: Form>(c: i64) -> F {
+pub(super) fn constant<F: HomogeneousPolynomial>(c: i64) -> F {
     product(c, &[])
 }
 
-pub(super) fn negative<F: Form>(form: &F) -> F {
+pub(super) fn negative<F: HomogeneousPolynomial>(form: &F) -> F {
     form.scaled(&Integer::from(-1))
 }
 
 /// Forms divided by the gcd of all their coefficients, the last one with its first sign positive.
-pub(super) fn reduced<F: Form, const N: usize>(forms: [F; N]) -> [F; N] {
+pub(super) fn reduced<F: HomogeneousPolynomial, const N: usize>(forms: [F; N]) -> [F; N] {
     let mut content = Integer::ZERO;
     for form in &forms {
         content = Integer::from(

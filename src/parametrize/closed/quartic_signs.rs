@@ -8,7 +8,7 @@ use super::lemma4::{rank_sign, sign_of_rank};
 use super::quartic::{Index, depressed};
 use crate::error::Invariant;
 use crate::parametrize::cells::Place;
-use crate::poly::{BinaryForm, Form, IntegerPolynomial, Ring, integer_sign};
+use crate::poly::{BinaryForm, HomogeneousPolynomial, IntegerPolynomial, Ring, integer_sign};
 use crate::roots::real_roots;
 
 /// The forms that decide which roots are real, or their signs in a direction.

@@ -318,7 +318,7 @@ impl Bounds {
 fn power_of_two_above(q: &Rational) -> Rational {
     let bits = q.numerator().significant_bits() + 1;
     let exponent = bits.cast_signed() - q.denominator().significant_bits().cast_signed();
-    Rational::from_parts(Integer::from(1), exponent)
+    Rational::from_dyadic(Integer::from(1), exponent)
 }
 
 /// A rational number strictly between two roots, a < b.

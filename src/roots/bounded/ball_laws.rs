@@ -69,12 +69,12 @@ pub(super) fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
 
 /// As a number.
 pub(super) fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
-    Rational::from_parts(fraction.to_integer(), -(64 * W as i64))
+    Rational::from_dyadic(fraction.to_integer(), -(64 * W as i64))
 }
 
 /// 2^(64W − 8): how many ulps are 1.
 pub(super) fn one<const W: usize>() -> Rational {
-    Rational::from_parts(Integer::from(1), Fixed::<W>::FRACTION_BITS)
+    Rational::from_dyadic(Integer::from(1), Fixed::<W>::FRACTION_BITS)
 }
 
 /// The largest share of a radius that an error had.
@@ -106,7 +106,7 @@ impl Tightness {
 
 /// A radius is at least what a lemma says, and hardly more.
 pub(super) fn is_just(radius: f64, lemma: &Rational) {
-    let slack = Rational::one() + Rational::from_parts(Integer::from(1), -30);
+    let slack = Rational::one() + Rational::from_dyadic(Integer::from(1), -30);
     let radius = exact(radius);
     assert!(
         *lemma <= radius && radius <= lemma * &slack,
@@ -147,7 +147,7 @@ mod all {
             let value = draw.integer(W + 3);
             let exponent = Fixed::<W>::bits_of(&value) - 7 + 1 + draw.below(90) as i64;
             let ball = Ball::<W>::of_integer(&value, exponent);
-            let truth = Rational::from_parts(value, -exponent) * one::<W>();
+            let truth = Rational::from_dyadic(value, -exponent) * one::<W>();
             tightness.check(&truth, &ulps(ball.mid), ball.radius);
             assert_eq!(ball.radius == 0.0, truth == ulps(ball.mid));
             // With all leading bits, and shifted by any number of them.
@@ -173,7 +173,7 @@ mod all {
             // Nothing is cut off by a shift upwards, or by none.
             assert!(shift > 0 || ball.radius > 0.0 || radius == 0.0);
             assert!(shift > 0 || radius <= ball.radius * power_of_two(-shift) * SLACK);
-            let truth = truth * Rational::from_parts(Integer::from(1), -shift);
+            let truth = truth * Rational::from_dyadic(Integer::from(1), -shift);
             tightness.check(&truth, &ulps(shifted), radius);
         }
         tightness.is_at_least(0.99);
@@ -310,7 +310,7 @@ mod all {
             for ((_, shift, value), (mid, radius)) in
                 numbers.iter().zip(list.mids.iter().zip(&list.radii))
             {
-                let truth = Rational::from_parts(value.clone(), shift - top) * one::<W>();
+                let truth = Rational::from_dyadic(value.clone(), shift - top) * one::<W>();
                 tightness.check(&truth, &ulps(*mid), *radius);
             }
         }
@@ -479,7 +479,7 @@ fn sums_of_radii_are_covered() {
 #[test]
 fn powers_of_two_are_not_too_small() {
     for k in -1100i64..=1000 {
-        let two = Rational::from_parts(Integer::from(1), k);
+        let two = Rational::from_dyadic(Integer::from(1), k);
         assert!(exact(power_of_two(k)) >= two);
         let expected = if k < -1000 {
             power_of_two(-1000)

@@ -478,7 +478,7 @@ mod tests {
             prop_assert!((Fraction::<W>::from_f64(a).to_f64() - a).abs() <= a * f64::EPSILON);
             // Also where a double has bits in all limbs, or below them.
             let small = a * 2f64.powi(-down);
-            let scaled = Rational::try_from(small).unwrap() * Rational::from_parts(Integer::from(1), 64 * W as i64);
+            let scaled = Rational::try_from(small).unwrap() * Rational::from_dyadic(Integer::from(1), 64 * W as i64);
             prop_assert_eq!(Fraction::<W>::from_f64(small).to_integer(), scaled.floor());
             let x = fixed(b).to_f64();
             prop_assert!((x.abs() - fixed(b).negated().to_f64().abs()).abs() <= x.abs() * f64::EPSILON);

@@ -52,7 +52,7 @@ fn decided<const W: usize>(draw: &mut Draw, count: usize, longest: f64) -> usize
                 let size = draw.below(1 << 20) as i64 + 1;
                 let down = draw.below(40) as i64;
                 // Odd over a power of 3: no point of bisection.
-                Rational::from_parts(Integer::from(sign * (2 * size + 1)), -down)
+                Rational::from_dyadic(Integer::from(sign * (2 * size + 1)), -down)
                     / Rational::from(3i64.pow(12))
             })
             .collect();

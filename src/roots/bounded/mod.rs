@@ -30,7 +30,7 @@ use bernstein::BernsteinTable;
 #[cfg(test)]
 pub(crate) use draw::Draw;
 use fixed::Fraction;
-use search::Place;
+use search::IsolatingInterval;
 pub(crate) use search::Unproved;
 
 use crate::error::Invariant;
@@ -150,7 +150,7 @@ impl<const W: usize> Piece<'_, W> {
     fn enclose(
         &self,
         polynomial: &Balls<W>,
-        place: &Place,
+        place: &IsolatingInterval,
         longest: f64,
     ) -> Option<BoundedRoot<W>> {
         let guess = polynomial.guess(place);

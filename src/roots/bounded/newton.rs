@@ -2,7 +2,7 @@
 
 use super::ball::Balls;
 use super::fixed::{Fixed, Fraction};
-use super::search::Place;
+use super::search::IsolatingInterval;
 
 /// Steps in doubles; they stop earlier when they gain nothing.
 const DOUBLE_STEPS: usize = 40;
@@ -93,7 +93,7 @@ impl<const W: usize> Balls<W> {
     }
 
     /// About the root in an isolating interval, by Newton's method in doubles, halving where it is slow.
-    pub(super) fn guess(&self, place: &Place) -> f64 {
+    pub(super) fn guess(&self, place: &IsolatingInterval) -> f64 {
         let sign_low = place.sign_low;
         let [mut low, mut high] = place.bounds::<W>().map(Fraction::to_f64);
         let coefficients = self.to_doubles();
@@ -177,7 +177,7 @@ mod tests {
     }
 
     fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
-        Rational::from_parts(fraction.to_integer(), -(64 * W as i64))
+        Rational::from_dyadic(fraction.to_integer(), -(64 * W as i64))
     }
 
     /// A polynomial with positive coefficients of more bits than W limbs have, which has no root in (0, 1).
@@ -196,7 +196,7 @@ mod tests {
             // A place (index, index + 1) 2^(−depth), and a root p/q in it, often very near to one of its ends.
             let depth = u32::try_from(draw.below(30)).expect("small");
             let index = draw.below(1 << depth) as u64;
-            let place = Place {
+            let place = IsolatingInterval {
                 index,
                 depth,
                 sign_low: -1,
@@ -220,8 +220,8 @@ mod tests {
                 found += 1;
                 assert!(number(&low) < root && root < number(&high));
                 // An end that is moved by less than one unit in the last place is still inside the place.
-                let unit = Rational::from_parts(Integer::from(1), -(64 * W as i64));
-                let end = |k| Rational::from_parts(Integer::from(index + k), -i64::from(depth));
+                let unit = Rational::from_dyadic(Integer::from(1), -(64 * W as i64));
+                let end = |k| Rational::from_dyadic(Integer::from(index + k), -i64::from(depth));
                 assert!(number(&low) - &unit >= end(0) && number(&high) + &unit <= end(1));
                 let room = exact(3.0 * ROOM * ulp::<W>());
                 assert!(number(&high) - number(&low) < exact(2.5 * longest) * &root + room);

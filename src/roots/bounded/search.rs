@@ -31,13 +31,13 @@ impl Unproved {
 
 /// An interval (index, index + 1) · 2^(−depth) with exactly one root, and the sign at its lower end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct IsolatingInterval {
     pub(super) index: u64,
     pub(super) depth: u32,
     pub(super) sign_low: i8,
 }
 
-impl Place {
+impl IsolatingInterval {
     /// The ends of the interval.
     pub(super) fn bounds<const W: usize>(&self) -> [Fraction<W>; 2] {
         [self.index, self.index + 1].map(|index| Fraction::dyadic(index, self.depth))
@@ -49,12 +49,12 @@ impl Place {
 /// even number. `None` if that leaves it open. Cost: d additions.
 pub(super) fn by_partial_sums<const W: usize>(
     polynomial: &Balls<W>,
-) -> Result<Option<Vec<Place>>, Unproved> {
+) -> Result<Option<Vec<IsolatingInterval>>, Unproved> {
     match polynomial.changes_of_partial_sums() {
         Changes::None => Ok(Some(Vec::new())),
         Changes::One => {
             let sign_low = polynomial.sign(0).ok_or(Unproved::Bits)?;
-            let whole = Place {
+            let whole = IsolatingInterval {
                 index: 0,
                 depth: 0,
                 sign_low,
@@ -79,7 +79,9 @@ struct Node<const W: usize> {
 /// ([`Changes::count`]). No end of an interval is a root: its sign is known.
 ///
 /// At most 4d + 64 intervals are looked at, each of d²/2 means.
-pub(super) fn isolate<const W: usize>(polynomial: Balls<W>) -> Result<Vec<Place>, Unproved> {
+pub(super) fn isolate<const W: usize>(
+    polynomial: Balls<W>,
+) -> Result<Vec<IsolatingInterval>, Unproved> {
     let length = polynomial.len();
     let mut left = 4 * length + 64;
     let mut found = Vec::new();
@@ -95,7 +97,7 @@ pub(super) fn isolate<const W: usize>(polynomial: Balls<W>) -> Result<Vec<Place>
         left = left.checked_sub(1).ok_or(Unproved::Close)?;
         match node.polynomial.changes() {
             Changes::None => {}
-            Changes::One => found.push(Place {
+            Changes::One => found.push(IsolatingInterval {
                 index: node.index,
                 depth: node.depth,
                 sign_low: node.polynomial.sign(0).ok_or(Unproved::Bits)?,

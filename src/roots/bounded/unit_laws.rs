@@ -33,7 +33,7 @@ mod all {
             is_negative: draw.below(2) == 0,
         };
         let radius = draw.radius();
-        let unit = Rational::from_parts(Integer::from(1), 64 * W as i64);
+        let unit = Rational::from_dyadic(Integer::from(1), 64 * W as i64);
         let truth = draw.held(&units(&mid), radius);
         (UnitBall { mid, radius }, truth.min(unit.clone()).max(-unit))
     }
@@ -62,7 +62,7 @@ mod all {
         for _ in 0..CASES {
             let ((a, x), (b, y)) = (unit_ball::<W>(draw), unit_ball::<W>(draw));
             let product = a.times(&b);
-            let truth = x * y * Rational::from_parts(Integer::from(1), -(64 * W as i64));
+            let truth = x * y * Rational::from_dyadic(Integer::from(1), -(64 * W as i64));
             tightness.check(&truth, &units(&product.mid), product.radius);
         }
         tightness.is_at_least(0.99);
@@ -86,7 +86,7 @@ mod all {
                 let truths = [TrigPolynomial::cosine(index), TrigPolynomial::sine(index)];
                 for (table, truth) in tables.iter().zip(truths) {
                     let truth = truth.evaluate(&c, &s)
-                        * Rational::from_parts(Integer::from(1), 64 * W as i64);
+                        * Rational::from_dyadic(Integer::from(1), 64 * W as i64);
                     tightness.check(&truth, &units(&table[m].mid), table[m].radius);
                 }
             }
@@ -126,7 +126,7 @@ mod all {
                 let truths = [[1, 0, -1, 0][m % 4], [0, 1, 0, -1][m % 4]];
                 let mut tightness = Tightness::default();
                 for (table, truth) in tables.iter().zip(truths) {
-                    let truth = Rational::from_parts(Integer::from(truth), 64 * W as i64);
+                    let truth = Rational::from_dyadic(Integer::from(truth), 64 * W as i64);
                     tightness.check(&truth, &units(&table[m].mid), table[m].radius);
                     is_just(table[m].radius, &radius);
                 }
@@ -135,7 +135,7 @@ mod all {
                     tightness.is_at_least(0.95);
                 }
                 let longer = Rational::one()
-                    + &radius * &Rational::from_parts(Integer::from(1), -64 * W as i64);
+                    + &radius * &Rational::from_dyadic(Integer::from(1), -64 * W as i64);
                 radius = &radius + &(&step * &longer) + Rational::from(3 * W as i64 + 1);
             }
         }
@@ -156,7 +156,7 @@ mod all {
                 (0..count).map(|i| if cancels { i } else { count - 1 - i }),
             );
             let scale =
-                Rational::from_parts(Integer::from(1), -exponent - 64 * W as i64) * one::<W>();
+                Rational::from_dyadic(Integer::from(1), -exponent - 64 * W as i64) * one::<W>();
             let terms = integers.iter().enumerate();
             let truth = terms.fold(Rational::zero(), |sum, (i, c)| {
                 let truth = &truths[if cancels { i } else { count - 1 - i }];

@@ -214,7 +214,7 @@ proptest! {
         let exactly = |x: f64| Rational::try_from(x).unwrap();
         let start = f64::from_bits(bits);
         let ulp = exactly(start.next_up()) - exactly(start);
-        let part = |k: u64| Rational::from_parts(Integer::ONE, -k.cast_signed());
+        let part = |k: u64| Rational::from_dyadic(Integer::ONE, -k.cast_signed());
         let half = part(1);
         let offsets = [
             Rational::zero(), part(60), part(200), &half - part(200), &half - part(60), half.clone(), &half + part(200),
@@ -243,7 +243,7 @@ proptest! {
     fn close_pairs_are_roots_on_one_side_only(
         mantissa in 1_i64..1 << 53, exponent in -60_i64..10, k in prop_oneof![1_u64..80, 80_u64..700], other in 1_i64..9,
     ) {
-        let root = Rational::from_parts(Integer::from(mantissa), exponent);
+        let root = Rational::from_dyadic(Integer::from(mantissa), exponent);
         let (p, q) = (root.numerator(), root.denominator());
         let square = IntegerPolynomial::from_coefficients_asc(vec![-p, q]).pow(2);
         let quadratic = poly(&[other, 1, 1]);

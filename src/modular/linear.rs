@@ -1,17 +1,6 @@
-//! Kernels of matrices modulo a prime, and their vectors over the rational numbers.
+//! Linear algebra modulo a prime, by Gauss: kernels, spans, determinants.
 
-use malachite::base::num::arithmetic::traits::{Abs, Mod};
-use malachite::base::num::basic::traits::{One, Zero};
-use malachite::{Integer, Natural};
-
-use super::residue::{ABOVE_PRIMES, Images, inverse_mod, previous_prime};
-
-/// The primes that kernels are computed modulo: below 2³¹, descending.
-pub(crate) fn kernel_primes() -> impl Iterator<Item = u64> {
-    std::iter::successors(Some(previous_prime(ABOVE_PRIMES)), |&p| {
-        Some(previous_prime(p))
-    })
-}
+use super::PrimeField;
 
 /// The kernel of a matrix modulo a prime.
 pub(crate) struct Kernel {
@@ -24,7 +13,8 @@ pub(crate) struct Kernel {
 ///
 /// What is still to be eliminated is kept below p² and divided when it is looked at.
 pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel {
-    let square = p * p;
+    let field = PrimeField::new(p);
+    let square = field.square();
     let mut pivots: Vec<usize> = Vec::new();
     let mut free = Vec::new();
     for column in 0..columns {
@@ -37,7 +27,7 @@ pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel 
             continue;
         };
         rows.swap(rank, found);
-        let inverse = inverse_mod(rows[rank][column], p);
+        let inverse = field.inverse(rows[rank][column]);
         for c in &mut rows[rank][column..] {
             *c = *c % p * inverse % p;
         }
@@ -94,8 +84,8 @@ impl Span {
 
     /// Whether the vector was not in the space; then it is added.
     pub(crate) fn add(&mut self, mut vector: Vec<u64>) -> bool {
-        let p = self.prime;
-        let square = p * p;
+        let field = PrimeField::new(self.prime);
+        let (p, square) = (self.prime, field.square());
         // Kept below p², and divided when it is looked at.
         for column in 0..vector.len() {
             vector[column] %= p;
@@ -113,7 +103,7 @@ impl Span {
                     }
                 }
                 None => {
-                    let inverse = inverse_mod(vector[column], p);
+                    let inverse = field.inverse(vector[column]);
                     for c in &mut vector[column..] {
                         *c = *c % p * inverse % p;
                     }
@@ -127,96 +117,38 @@ impl Span {
     }
 }
 
-/// A vector of rational numbers, one of them 1, from its images modulo primes.
-pub(crate) struct Reconstruction {
-    images: Option<Images>,
-    last: Option<Vec<Integer>>,
-}
-
-impl Reconstruction {
-    pub(crate) fn new() -> Self {
-        Self {
-            images: None,
-            last: None,
+/// The determinant of a square matrix modulo a prime below 2³¹, by Gauss.
+pub(crate) fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
+    let (n, field) = (rows.len(), PrimeField::new(p));
+    let mut value = 1;
+    for k in 0..n {
+        let Some(pivot) = (k..n).find(|&i| rows[i][k] != 0) else {
+            return 0;
+        };
+        if pivot != k {
+            rows.swap(pivot, k);
+            value = (p - value) % p;
         }
-    }
-
-    /// One more image. The vector with coprime integers, if it is found and this image did not change it.
-    pub(crate) fn add(&mut self, image: &[u64], prime: u64) -> Option<Vec<Integer>> {
-        self.push(image, prime);
-        self.attempt()
-    }
-
-    /// One more image.
-    pub(crate) fn push(&mut self, image: &[u64], prime: u64) {
-        match &mut self.images {
-            Some(images) => images.push(image, prime),
-            None => self.images = Some(Images::new(image, prime)),
-        }
-    }
-
-    /// The vector with coprime integers, if it is found and the same as at the last attempt.
-    pub(crate) fn attempt(&mut self) -> Option<Vec<Integer>> {
-        let images = self.images.as_ref()?;
-        let found = integers(&images.residues, &images.modulus);
-        let stable = found.is_some() && found == self.last;
-        self.last = found;
-        if stable { self.last.clone() } else { None }
-    }
-}
-
-/// The integers n_i with n_i/d = residue_i modulo m, for one small d.
-fn integers(residues: &[Natural], modulus: &Natural) -> Option<Vec<Integer>> {
-    let modulus = Integer::from(modulus);
-    let mut denominator = Integer::ONE;
-    let balanced = |value: Integer| {
-        let value = value.mod_op(&modulus);
-        if &value + &value > modulus {
-            value - &modulus
-        } else {
-            value
-        }
-    };
-    for residue in residues {
-        let value = balanced(Integer::from(residue) * &denominator);
-        if (&value * &value) << 1u64 >= modulus {
-            let part = small_denominator(&value, &modulus)?;
-            denominator *= part;
-            if (&denominator * &denominator) << 1u64 >= modulus {
-                return None;
+        value = value * rows[k][k] % p;
+        let inverse = field.inverse(rows[k][k]);
+        let (done, open) = rows.split_at_mut(k + 1);
+        let top = &done[k];
+        for row in open.iter_mut().filter(|row| row[k] != 0) {
+            let factor = p - row[k] * inverse % p;
+            for (c, t) in row[k..].iter_mut().zip(&top[k..]) {
+                *c = (*c + factor * t) % p;
             }
         }
     }
-    let all = residues
-        .iter()
-        .map(|residue| balanced(Integer::from(residue) * &denominator));
-    Some(all.collect())
-}
-
-/// The d > 0 with d·value small modulo m, by Euclid: both at most √(m/2). `None` if there is none.
-fn small_denominator(value: &Integer, modulus: &Integer) -> Option<Integer> {
-    let (mut r0, mut r1) = (modulus.clone(), value.mod_op(modulus));
-    let (mut t0, mut t1) = (Integer::ZERO, Integer::ONE);
-    while (&r1 * &r1) << 1u64 >= *modulus {
-        let quotient = &r0 / &r1;
-        let (r2, t2) = (&r0 - &quotient * &r1, &t0 - &quotient * &t1);
-        (r0, r1, t0, t1) = (r1, r2, t1, t2);
-    }
-    ((&t1 * &t1) << 1u64 < *modulus && t1 != 0).then(|| t1.abs())
+    value
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Rational;
     use proptest::prelude::*;
 
     const P: u64 = 1_000_003;
-
-    fn lcm(a: &Integer, b: &Integer) -> Integer {
-        use malachite::base::num::arithmetic::traits::Lcm;
-        Integer::from(a.unsigned_abs_ref().lcm(b.unsigned_abs_ref()))
-    }
 
     proptest! {
         #[test]
@@ -236,24 +168,8 @@ mod tests {
             // Random vectors are independent, but for an exception of probability 1e-5.
             prop_assert_eq!(kernel.vectors.len(), 7 - basis.len());
         }
-
-        #[test]
-        fn fractions_come_back(values in prop::collection::vec((-1000i64..1000, 1i64..1000), 1..5)) {
-            let mut vector: Vec<Rational> = values.iter().map(|&(p, q)| Rational::new(p.into(), q.into()).unwrap()).collect();
-            vector.push(Rational::one());
-            let common = vector.iter().fold(Integer::ONE, |d, c| lcm(&d, &c.denominator()));
-            let expected: Vec<Integer> = vector.iter().map(|c| (c * &Rational::from(&common)).numerator()).collect();
-            let mut reconstruction = Reconstruction::new();
-            let found = kernel_primes().take(8).find_map(|p| {
-                let image: Vec<u64> = vector.iter().map(|c| {
-                    let residue = |n: Integer| u64::try_from(&n.mod_op(Integer::from(p))).unwrap();
-                    residue(c.numerator()) * inverse_mod(residue(c.denominator()), p) % p
-                }).collect();
-                reconstruction.add(&image, p)
-            });
-            prop_assert_eq!(found, Some(expected));
-        }
     }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(12))]
         #[test]

@@ -23,8 +23,8 @@
 use crate::bigint::limbs::is_negative;
 use crate::bigint::{f64_from, u64_from};
 
-/// Four numbers side by side, one for each prime of a [`QuadField`]: integers below 2^53, which doubles hold exactly.
-pub(crate) type Quad = [f64; 4];
+/// Four numbers side by side, one for each prime of [`LaneFields`]: integers below 2^53, which doubles hold exactly.
+pub(crate) type Lanes = [f64; 4];
 
 /// Primes are between 2^(PRIME_BITS − 1) and 2^PRIME_BITS.
 pub(super) const PRIME_BITS: u64 = 50;
@@ -33,79 +33,79 @@ pub(super) const PRIME_BITS: u64 = 50;
 ///
 /// Everything here is compiled into its caller, and with the instructions that are allowed there.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct QuadField {
-    pub(super) p: Quad,
+pub(crate) struct LaneFields {
+    pub(super) p: Lanes,
     /// 1/p, rounded.
-    inverse: Quad,
+    inverse: Lanes,
 }
 
 #[inline(always)]
-fn each(a: Quad, f: impl Fn(f64) -> f64) -> Quad {
+fn each(a: Lanes, f: impl Fn(f64) -> f64) -> Lanes {
     [f(a[0]), f(a[1]), f(a[2]), f(a[3])]
 }
 
 #[inline(always)]
-fn pairwise(a: Quad, b: Quad, f: impl Fn(f64, f64) -> f64) -> Quad {
+fn pairwise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
 /// `a b + c` with one rounding.
 #[inline(always)]
-fn fused(a: Quad, b: Quad, c: Quad) -> Quad {
+fn fused(a: Lanes, b: Lanes, c: Lanes) -> Lanes {
     let one = |i: usize| a[i].mul_add(b[i], c[i]);
     [one(0), one(1), one(2), one(3)]
 }
 
 /// The sum; exact up to 2^53.
 #[inline(always)]
-pub(crate) fn plus(a: Quad, b: Quad) -> Quad {
+pub(crate) fn plus(a: Lanes, b: Lanes) -> Lanes {
     pairwise(a, b, |a, b| a + b)
 }
 
 /// The difference; exact up to 2^53.
 #[inline(always)]
-pub(crate) fn minus(a: Quad, b: Quad) -> Quad {
+pub(crate) fn minus(a: Lanes, b: Lanes) -> Lanes {
     pairwise(a, b, |a, b| a - b)
 }
 
 #[inline(always)]
-pub(crate) fn negated(a: Quad) -> Quad {
+pub(crate) fn negated(a: Lanes) -> Lanes {
     each(a, |a| -a)
 }
 
 #[inline(always)]
-fn product(a: Quad, b: Quad) -> Quad {
+fn product(a: Lanes, b: Lanes) -> Lanes {
     pairwise(a, b, |a, b| a * b)
 }
 
 #[inline(always)]
-fn rounded(a: Quad) -> Quad {
+fn rounded(a: Lanes) -> Lanes {
     each(a, f64::round_ties_even)
 }
 
 /// A factor w of many products, |w| ≤ p/2, and w/p rounded.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Factor {
-    w: Quad,
-    quotient: Quad,
+    w: Lanes,
+    quotient: Lanes,
 }
 
-impl QuadField {
-    pub(super) fn new(p: Quad) -> Self {
+impl LaneFields {
+    pub(super) fn new(p: Lanes) -> Self {
         let inverse = each(p, |p| 1.0 / p);
         Self { p, inverse }
     }
 
     /// The residue of at most p/2 + 1 of an integer of at most 8p. Lemma 1.
     #[inline(always)]
-    pub(crate) fn reduced(&self, a: Quad) -> Quad {
+    pub(crate) fn reduced(&self, a: Lanes) -> Lanes {
         let q = rounded(product(a, self.inverse));
         fused(negated(q), self.p, a)
     }
 
     /// The product of residues of at most Ap and Bp with AB ≤ 4: at most (1/2 + 3/8 AB) p. Lemma 2.
     #[inline(always)]
-    pub(crate) fn times(&self, a: Quad, b: Quad) -> Quad {
+    pub(crate) fn times(&self, a: Lanes, b: Lanes) -> Lanes {
         let h = product(a, b);
         let l = fused(a, b, negated(h));
         let q = rounded(product(h, self.inverse));
@@ -113,7 +113,7 @@ impl QuadField {
     }
 
     #[inline(always)]
-    pub(super) fn factor(&self, w: Quad) -> Factor {
+    pub(super) fn factor(&self, w: Lanes) -> Factor {
         let quotient = product(w, self.inverse);
         Factor { w, quotient }
     }
@@ -121,7 +121,7 @@ impl QuadField {
     /// The product of a residue of at most Ap, A ≤ 8, and a factor: at most (1/2 + 3/16 A) p. Lemma 3: the quotient does not wait
     /// for the product.
     #[inline(always)]
-    pub(super) fn times_factor(&self, a: Quad, Factor { w, quotient }: Factor) -> Quad {
+    pub(super) fn times_factor(&self, a: Lanes, Factor { w, quotient }: Factor) -> Lanes {
         let h = product(a, w);
         let l = fused(a, w, negated(h));
         let q = rounded(product(a, quotient));
@@ -130,7 +130,7 @@ impl QuadField {
 
     /// a^exponent, for a of at most p: of at most 7/8 p. Lemma 4.
     #[inline(always)]
-    pub(super) fn power(&self, a: Quad, exponent: u64) -> Quad {
+    pub(super) fn power(&self, a: Lanes, exponent: u64) -> Lanes {
         let mut power = [a];
         self.raise(&mut power, exponent);
         power[0]
@@ -139,7 +139,7 @@ impl QuadField {
     /// a^exponent in the place of each a of at most p: of at most 7/8 p, or a itself. Some at a time: one would wait for each
     /// product.
     #[inline(always)]
-    pub(crate) fn raise(&self, values: &mut [Quad], exponent: u64) {
+    pub(crate) fn raise(&self, values: &mut [Lanes], exponent: u64) {
         const TOGETHER: usize = 16;
         let mut bases = [[1.0; 4]; TOGETHER];
         for powers in values.chunks_mut(TOGETHER) {
@@ -164,7 +164,7 @@ impl QuadField {
     /// a^(p − 2) = 1/a, for a of at most p: of at most 7/8 p. The exponents are different: where a bit is 0, the product is
     /// not taken.
     #[inline(always)]
-    pub(super) fn inverse_of(&self, a: Quad) -> Quad {
+    pub(super) fn inverse_of(&self, a: Lanes) -> Lanes {
         let exponents = each(self.p, |p| p - 2.0).map(u64_from);
         let (mut result, mut square) = ([1.0; 4], a);
         for bit in 0..PRIME_BITS {
@@ -184,13 +184,13 @@ impl QuadField {
 
     /// 1/n, for n that divides p − 1: as n (p − 1)/n = −1.
     #[inline(always)]
-    pub(super) fn inverse_of_divisor(&self, n: f64) -> Quad {
+    pub(super) fn inverse_of_divisor(&self, n: f64) -> Lanes {
         each(self.p, |p| -(p - 1.0) / n)
     }
 
     /// The residues in [0, p) of integers of at most 8p. Lemma 1.
     #[inline(always)]
-    pub(super) fn canonical(&self, a: Quad) -> Quad {
+    pub(super) fn canonical(&self, a: Lanes) -> Lanes {
         let a = self.reduced(a);
         pairwise(a, self.p, |a, p| if a < 0.0 { a + p } else { a })
     }
@@ -200,7 +200,7 @@ impl QuadField {
     /// Lemma 5. With w = 2^32 and |value| ≤ p the next value is at most p again. Proof. By Lemma 3 the product is at most 11/16 p,
     /// and 2^32 < 5/16 p. Law: `residues_of_long_integers_are_congruent`.
     #[inline(always)]
-    pub(super) fn residue(&self, limbs: &[u64]) -> Quad {
+    pub(super) fn residue(&self, limbs: &[u64]) -> Lanes {
         // By Horner's rule in 2^32.
         let by = self.factor([f64_from(1 << 32); 4]);
         let mut value = [if is_negative(limbs) { -1.0 } else { 0.0 }; 4];
@@ -214,7 +214,7 @@ impl QuadField {
 
     /// About a/p, for the sum of such fractions.
     #[inline(always)]
-    pub(super) fn fraction(&self, a: Quad) -> Quad {
+    pub(super) fn fraction(&self, a: Lanes) -> Lanes {
         product(a, self.inverse)
     }
 }

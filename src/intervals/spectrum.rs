@@ -157,7 +157,7 @@ pub(super) fn least_across(m: &Matrix3<f64>, n: [Interval; 3]) -> f64 {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::{rational, rationals};
+    use crate::intervals::{rational, rationals};
     use proptest::prelude::*;
 
     /// Whether a matrix of rationals has no negative eigenvalue: no principal minor is negative. Exact.

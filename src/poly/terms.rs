@@ -1,32 +1,33 @@
-//! Integer polynomials in three variables as sorted terms: what multivariate factoring works on.
+//! Integer polynomials in a few variables as sorted terms: what is factored, eliminated and evaluated modulo primes.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivAssignRem, DivExact, Gcd, Pow, UnsignedAbs};
+use malachite::base::num::arithmetic::traits::{
+    DivAssignRem, DivExact, Gcd, Mod, Pow, UnsignedAbs,
+};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
+use malachite::{Integer, Natural};
 
+use super::{IntegerPolynomial, SparsePolynomial};
 use crate::error::Invariant;
-use crate::poly::IntegerPolynomial;
-
-/// Exponents of x, y, z.
-pub(super) type Exponents = [u32; 3];
+use crate::exact::Rational;
+use crate::modular::PrimeField;
 
 /// A dense table is used while it has at most this many cells per product of two terms.
 const SPARSE_FACTOR: usize = 4;
 
-/// A polynomial in x, y, z with integer coefficients; its non-zero terms in descending lexicographic
+/// A polynomial in V variables with integer coefficients; its non-zero terms in descending lexicographic
 /// order of exponents. Variables are told by index.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Terms(Vec<(Exponents, Integer)>);
+pub(crate) struct IntegerTerms<const V: usize>(Vec<([u32; V], Integer)>);
 
-impl Terms {
+impl<const V: usize> IntegerTerms<V> {
     /// The sum of the given terms.
-    pub(super) fn new(mut terms: Vec<(Exponents, Integer)>) -> Self {
+    pub(crate) fn new(mut terms: Vec<([u32; V], Integer)>) -> Self {
         terms.sort_by_key(|(e, _)| Reverse(*e));
-        let mut merged: Vec<(Exponents, Integer)> = Vec::with_capacity(terms.len());
+        let mut merged: Vec<([u32; V], Integer)> = Vec::with_capacity(terms.len());
         for (e, c) in terms {
             match merged.last_mut() {
                 Some((last, sum)) if *last == e => *sum += c,
@@ -37,58 +38,79 @@ impl Terms {
         Self(merged)
     }
 
-    pub(super) fn constant(value: Integer) -> Self {
-        Self::new(vec![([0; 3], value)])
+    pub(crate) fn constant(value: Integer) -> Self {
+        Self::new(vec![([0; V], value)])
     }
 
     /// The variable with index v.
-    pub(super) fn variable(v: usize) -> Self {
-        let mut exponents = [0; 3];
+    pub(crate) fn variable(v: usize) -> Self {
+        let mut exponents = [0; V];
         exponents[v] = 1;
         Self::new(vec![(exponents, Integer::ONE)])
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &(Exponents, Integer)> {
+    /// The numerators of a polynomial, whose denominators are 1.
+    pub(crate) fn of_numerators(f: &SparsePolynomial<V>) -> Self {
+        Self::new(f.terms().map(|(e, c)| (*e, c.numerator())).collect())
+    }
+
+    /// The same polynomial with its type for rational coefficients.
+    pub(crate) fn to_sparse(&self) -> SparsePolynomial<V> {
+        SparsePolynomial::from_terms(self.0.iter().map(|(e, c)| (*e, Rational::from(c))))
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &([u32; V], Integer)> {
         self.0.iter()
     }
 
-    pub(super) fn is_zero(&self) -> bool {
+    /// How many terms there are.
+    pub(crate) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
-    pub(super) fn is_constant(&self) -> bool {
-        self.degrees() == [0; 3]
+    pub(crate) fn is_constant(&self) -> bool {
+        self.degrees() == [0; V]
     }
 
     /// The degree in each variable, 0 for the zero polynomial.
-    pub(super) fn degrees(&self) -> Exponents {
+    pub(crate) fn degrees(&self) -> [u32; V] {
         self.0
             .iter()
-            .fold([0; 3], |d, (e, _)| std::array::from_fn(|v| d[v].max(e[v])))
+            .fold([0; V], |d, (e, _)| std::array::from_fn(|v| d[v].max(e[v])))
     }
 
     /// The variables that occur.
-    pub(super) fn used(&self) -> Vec<usize> {
+    pub(crate) fn used(&self) -> Vec<usize> {
         let degrees = self.degrees();
-        (0..3).filter(|&v| degrees[v] > 0).collect()
+        (0..V).filter(|&v| degrees[v] > 0).collect()
     }
 
     /// Σ c² .
-    pub(super) fn norm_squared(&self) -> Integer {
+    pub(crate) fn norm_squared(&self) -> Integer {
         use malachite::base::num::arithmetic::traits::Square;
         self.0
             .iter()
             .fold(Integer::ZERO, |sum, (_, c)| sum + c.square())
     }
 
+    /// Σ |c|.
+    pub(crate) fn norm(&self) -> Natural {
+        let magnitudes = self.0.iter().map(|(_, c)| c.unsigned_abs_ref());
+        magnitudes.sum()
+    }
+
     /// The largest absolute value of a coefficient.
-    pub(super) fn height(&self) -> Integer {
+    pub(crate) fn height(&self) -> Integer {
         let abs = self.0.iter().map(|(_, c)| c.unsigned_abs());
         abs.max().map_or(Integer::ZERO, Integer::from)
     }
 
     /// The gcd of the coefficients, with the sign of the first one.
-    pub(super) fn signed_content(&self) -> Integer {
+    pub(crate) fn signed_content(&self) -> Integer {
         let mut content = Integer::ZERO;
         for (_, c) in &self.0 {
             content = Integer::from(content.unsigned_abs_ref().gcd(c.unsigned_abs_ref()));
@@ -104,7 +126,7 @@ impl Terms {
     }
 
     /// Coprime coefficients, the first one positive.
-    pub(super) fn primitive(mut self) -> Self {
+    pub(crate) fn primitive(mut self) -> Self {
         let content = self.signed_content();
         if content != 0 && content != 1 {
             for (_, c) in &mut self.0 {
@@ -114,7 +136,7 @@ impl Terms {
         self
     }
 
-    pub(super) fn scaled(mut self, factor: &Integer) -> Self {
+    pub(crate) fn scaled(mut self, factor: &Integer) -> Self {
         for (_, c) in &mut self.0 {
             *c *= factor;
         }
@@ -122,35 +144,41 @@ impl Terms {
         self
     }
 
+    /// Every coefficient modulo a number.
+    pub(crate) fn modulo(&self, modulus: &Integer) -> Self {
+        let terms = self.0.iter().map(|(e, c)| (*e, c.mod_op(modulus)));
+        Self(terms.filter(|(_, c)| *c != 0).collect())
+    }
+
     /// The same coefficients at other exponents.
-    pub(super) fn map_exponents(&self, map: impl Fn(&Exponents) -> Exponents) -> Self {
+    pub(crate) fn map_exponents(&self, map: impl Fn(&[u32; V]) -> [u32; V]) -> Self {
         Self::new(self.0.iter().map(|(e, c)| (map(e), c.clone())).collect())
     }
 
     /// The largest monomial that divides every term; 1 for the zero polynomial.
-    pub(super) fn monomial_content(&self) -> Exponents {
+    pub(crate) fn monomial_content(&self) -> [u32; V] {
         let mut terms = self.0.iter().map(|(e, _)| *e);
-        let first = terms.next().unwrap_or_default();
+        let first = terms.next().unwrap_or([0; V]);
         terms.fold(first, |d, e| std::array::from_fn(|v| d[v].min(e[v])))
     }
 
     /// For each variable the gcd of its exponents.
-    pub(super) fn exponent_gcds(&self) -> Exponents {
+    pub(crate) fn exponent_gcds(&self) -> [u32; V] {
         self.0
             .iter()
-            .fold([0; 3], |d, (e, _)| std::array::from_fn(|v| d[v].gcd(e[v])))
+            .fold([0; V], |d, (e, _)| std::array::from_fn(|v| d[v].gcd(e[v])))
     }
 
     /// Whether all the terms have the same total degree.
-    pub(super) fn is_homogeneous(&self) -> bool {
+    pub(crate) fn is_homogeneous(&self) -> bool {
         let mut totals = self.0.iter().map(|(e, _)| e.iter().sum::<u32>());
         let first = totals.next();
         totals.all(|d| Some(d) == first)
     }
 
     /// The non-zero coefficients of the powers of variable v, ascending in the power.
-    pub(super) fn coefficients_in(&self, v: usize) -> BTreeMap<u32, Terms> {
-        let mut rows: BTreeMap<u32, Vec<(Exponents, Integer)>> = BTreeMap::new();
+    pub(crate) fn coefficients_in(&self, v: usize) -> BTreeMap<u32, Self> {
+        let mut rows: BTreeMap<u32, Vec<([u32; V], Integer)>> = BTreeMap::new();
         for (e, c) in &self.0 {
             let mut rest = *e;
             rest[v] = 0;
@@ -161,7 +189,7 @@ impl Terms {
     }
 
     /// The value at `v = a`, free of v.
-    pub(super) fn evaluated(&self, v: usize, a: &Integer) -> Self {
+    pub(crate) fn evaluated(&self, v: usize, a: &Integer) -> Self {
         let degree = self.degrees()[v];
         let mut powers = vec![Integer::ONE];
         for _ in 0..degree {
@@ -181,12 +209,12 @@ impl Terms {
     }
 
     /// f(…, v + a, …), by synthetic division in every row.
-    pub(super) fn shifted(&self, v: usize, a: &Integer) -> Self {
+    pub(crate) fn shifted(&self, v: usize, a: &Integer) -> Self {
         if *a == 0 {
             return self.clone();
         }
         let degree = self.degrees()[v] as usize;
-        let mut rows: BTreeMap<Exponents, Vec<Integer>> = BTreeMap::new();
+        let mut rows: BTreeMap<[u32; V], Vec<Integer>> = BTreeMap::new();
         for (e, c) in &self.0 {
             let mut key = *e;
             key[v] = 0;
@@ -212,7 +240,7 @@ impl Terms {
         Self::new(terms)
     }
 
-    pub(super) fn derivative(&self, v: usize) -> Self {
+    pub(crate) fn derivative(&self, v: usize) -> Self {
         let terms = self.0.iter().filter(|(e, _)| e[v] > 0).map(|(e, c)| {
             let mut lower = *e;
             lower[v] -= 1;
@@ -221,20 +249,20 @@ impl Terms {
         Self::new(terms.collect())
     }
 
-    pub(super) fn difference(&self, other: &Self) -> Self {
+    pub(crate) fn difference(&self, other: &Self) -> Self {
         let minus = other.0.iter().map(|(e, c)| (*e, -c));
         Self::new(self.0.iter().cloned().chain(minus).collect())
     }
 
     /// The product: into a dense table, or into a map when that would be mostly empty.
-    pub(super) fn product(&self, other: &Self) -> Self {
+    pub(crate) fn product(&self, other: &Self) -> Self {
         let (a, b) = (self.degrees(), other.degrees());
         let table = Table::for_degrees(std::array::from_fn(|v| {
             a[v].checked_add(b[v]).invariant("exponents are below 2^32")
         }));
         let work = self.0.len().saturating_mul(other.0.len());
         if table.cells > work.saturating_mul(SPARSE_FACTOR) {
-            let mut sum: BTreeMap<Exponents, Integer> = BTreeMap::new();
+            let mut sum: BTreeMap<[u32; V], Integer> = BTreeMap::new();
             for (e, c) in &self.0 {
                 for (f, d) in &other.0 {
                     *sum.entry(std::array::from_fn(|v| e[v] + f[v])).or_default() += c * d;
@@ -254,10 +282,10 @@ impl Terms {
 
     /// `self / divisor` if the divisor divides it over the integers. The remainder is a dense table of
     /// the size of self; a wrong divisor is refused as soon as a degree or a coefficient does not fit.
-    pub(super) fn divided_by(&self, divisor: &Self) -> Option<Self> {
+    pub(crate) fn divided_by(&self, divisor: &Self) -> Option<Self> {
         let (lead_exponents, lead) = divisor.0.first()?;
         let (degrees, lower) = (self.degrees(), divisor.degrees());
-        if (0..3).any(|v| lower[v] > degrees[v]) {
+        if (0..V).any(|v| lower[v] > degrees[v]) {
             return None;
         }
         let table = Table::for_degrees(degrees);
@@ -275,8 +303,8 @@ impl Terms {
                 continue;
             }
             let e = table.exponents(at);
-            let mut q = [0; 3];
-            for v in 0..3 {
+            let mut q = [0; V];
+            for v in 0..V {
                 q[v] = e[v].checked_sub(lead_exponents[v])?;
                 if q[v] + lower[v] > degrees[v] {
                     return None;
@@ -296,7 +324,7 @@ impl Terms {
     }
 
     /// By repeated squaring.
-    pub(super) fn pow(&self, exponent: usize) -> Self {
+    pub(crate) fn pow(&self, exponent: usize) -> Self {
         let mut result = Self::constant(Integer::ONE);
         for bit in (0..usize::BITS - exponent.leading_zeros()).rev() {
             result = result.product(&result);
@@ -308,7 +336,7 @@ impl Terms {
     }
 
     /// As a polynomial in v; the other variables must not occur.
-    pub(super) fn to_univariate(&self, v: usize) -> IntegerPolynomial {
+    pub(crate) fn to_univariate(&self, v: usize) -> IntegerPolynomial {
         let mut coefficients = vec![Integer::ZERO; self.degrees()[v] as usize + 1];
         for (e, c) in &self.0 {
             coefficients[e[v] as usize] = c.clone();
@@ -316,9 +344,9 @@ impl Terms {
         IntegerPolynomial::from_coefficients_asc(coefficients)
     }
 
-    pub(super) fn from_univariate(f: &IntegerPolynomial, v: usize) -> Self {
+    pub(crate) fn from_univariate(f: &IntegerPolynomial, v: usize) -> Self {
         let terms = (0u32..).zip(f.coefficients_asc()).map(|(k, c)| {
-            let mut e = [0; 3];
+            let mut e = [0; V];
             e[v] = k;
             (e, c.clone())
         });
@@ -326,51 +354,71 @@ impl Terms {
     }
 
     /// The number of cells of a dense table for this polynomial.
-    pub(super) fn cells(&self) -> usize {
+    pub(crate) fn cells(&self) -> usize {
         Table::for_degrees(self.degrees()).cells
     }
 
+    /// The polynomial in v that is left modulo a prime where the other variables have values, with as many coefficients as the
+    /// degree in v says; `point[v]` is not looked at.
+    pub(crate) fn image(&self, v: usize, point: &[u64; V], field: &PrimeField) -> Vec<u64> {
+        let degrees = self.degrees();
+        let powers: [Vec<u64>; V] = std::array::from_fn(|w| {
+            let count = if w == v { 0 } else { degrees[w] as usize + 1 };
+            field.powers(point[w], count)
+        });
+        let mut image = vec![0; degrees[v] as usize + 1];
+        for (e, c) in &self.0 {
+            let mut value = field.reduce_integer(c);
+            for w in (0..V).filter(|&w| w != v) {
+                value = field.mul(value, powers[w][e[w] as usize]);
+            }
+            let slot = &mut image[e[v] as usize];
+            *slot = field.sum(*slot, value);
+        }
+        image
+    }
+
     /// The value at a point.
-    pub(super) fn value(&self, point: &[Integer; 3]) -> Integer {
+    pub(crate) fn value(&self, point: &[Integer; V]) -> Integer {
         self.0.iter().fold(Integer::ZERO, |sum, (e, c)| {
-            let monomial = (0..3).fold(c.clone(), |m, v| m * (&point[v]).pow(u64::from(e[v])));
+            let monomial = (0..V).fold(c.clone(), |m, v| m * (&point[v]).pow(u64::from(e[v])));
             sum + monomial
         })
     }
 }
 
 /// A dense table of the monomials up to given degrees; ascending index is ascending lexicographic order.
-struct Table {
-    strides: [usize; 3],
+struct Table<const V: usize> {
+    strides: [usize; V],
     cells: usize,
 }
 
-impl Table {
-    fn for_degrees(degrees: Exponents) -> Self {
-        let [x, y, z] = degrees.map(|d| d as usize + 1);
-        let row = y.saturating_mul(z);
-        Self {
-            strides: [row, z, 1],
-            cells: x.saturating_mul(row),
+impl<const V: usize> Table<V> {
+    fn for_degrees(degrees: [u32; V]) -> Self {
+        let (mut strides, mut cells) = ([1; V], 1usize);
+        for v in (0..V).rev() {
+            strides[v] = cells;
+            cells = cells.saturating_mul(degrees[v] as usize + 1);
         }
+        Self { strides, cells }
     }
 
-    fn index(&self, e: &Exponents) -> usize {
-        (0..3).map(|v| e[v] as usize * self.strides[v]).sum()
+    fn index(&self, e: &[u32; V]) -> usize {
+        (0..V).map(|v| e[v] as usize * self.strides[v]).sum()
     }
 
-    fn exponents(&self, index: usize) -> Exponents {
-        let narrow = |k: usize| u32::try_from(k).invariant("exponents are below 2^32");
-        [
-            narrow(index / self.strides[0]),
-            narrow(index % self.strides[0] / self.strides[1]),
-            narrow(index % self.strides[1]),
-        ]
+    fn exponents(&self, index: usize) -> [u32; V] {
+        let mut rest = index;
+        self.strides.map(|stride| {
+            let k = rest / stride;
+            rest %= stride;
+            u32::try_from(k).invariant("exponents are below 2^32")
+        })
     }
 
-    fn terms(&self, cells: Vec<Integer>) -> Terms {
+    fn terms(&self, cells: Vec<Integer>) -> IntegerTerms<V> {
         let terms = cells.into_iter().enumerate().rev();
-        Terms(
+        IntegerTerms(
             terms
                 .filter(|(_, c)| *c != 0)
                 .map(|(at, c)| (self.exponents(at), c))
@@ -384,7 +432,7 @@ pub(super) mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    pub(in crate::factor) fn terms() -> impl Strategy<Value = Terms> {
+    pub(crate) fn terms() -> impl Strategy<Value = IntegerTerms<3>> {
         // Small ones, and ones next to multiples of a power of two.
         let coefficient = prop_oneof![
             (-9i64..9).prop_map(Integer::from),
@@ -392,7 +440,7 @@ pub(super) mod tests {
                 .prop_map(|(c, bits, more)| (Integer::from(c) << bits) + Integer::from(more)),
         ];
         prop::collection::vec((prop::array::uniform3(0u32..4), coefficient), 1..6)
-            .prop_map(Terms::new)
+            .prop_map(IntegerTerms::new)
     }
 
     proptest! {
@@ -400,7 +448,7 @@ pub(super) mod tests {
         fn a_product_divides_back(f in terms(), g in terms(), k in 0usize..4) {
             prop_assume!(!f.is_zero() && !g.is_zero());
             prop_assert_eq!(f.product(&g).divided_by(&g), Some(f.clone()));
-            let power = (0..k).fold(Terms::constant(Integer::ONE), |p, _| p.product(&f));
+            let power = (0..k).fold(IntegerTerms::constant(Integer::ONE), |p, _| p.product(&f));
             prop_assert_eq!(f.pow(k), power);
         }
 

@@ -172,9 +172,9 @@ impl Local {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::interval::{exactly, minus};
-    use crate::field::tests::{cubic, nasty_cubics};
-    use crate::field::{rational, rationals};
+    use crate::intervals::interval::{exactly, minus};
+    use crate::intervals::tests::{cubic, nasty_cubics};
+    use crate::intervals::{rational, rationals};
     use proptest::prelude::*;
 
     /// Points of thirds of a power of two, so that forms of degree 3 count for much or little.

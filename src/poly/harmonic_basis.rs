@@ -30,7 +30,7 @@ pub fn doubled_form_from_harmonics<'a>(
     let harmonics: Vec<_> = harmonics.into_iter().collect();
     let bits = harmonic_bits(harmonics.iter().map(|&(_, a, b)| [a, b]));
     let g = doubled_harmonics(degree, harmonics.into_iter(), bits);
-    BinaryForm::from_dehomogenized(degree, flat_form(&g, bits).to_polynomial())
+    BinaryForm::from_dehomogenized(degree, from_harmonic_basis(&g, bits).to_polynomial())
 }
 
 /// An e with Σ |a_m + b_m| + |a_m − b_m| < 2^e, over the harmonics [a_m, b_m]; at most 2 more than the least one.
@@ -72,8 +72,8 @@ pub(crate) fn doubled_harmonics<'a>(
     g
 }
 
-/// From the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](super::form_bits).
-pub(crate) fn flat_form(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
+/// From the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](crate::bigint::form_bits).
+pub(crate) fn from_harmonic_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let mut h = change_of_basis(g, bits);
     // i^k: signs + + − −
     for (k, c) in h.coefficients_mut().enumerate() {
@@ -98,7 +98,7 @@ pub(crate) fn flat_form(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
 #[must_use]
 pub fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
     let exponent = -i64::try_from(form.degree()).invariant("degrees are below 2^63");
-    let over = |c| Rational::from_parts(c, exponent);
+    let over = |c| Rational::from_dyadic(c, exponent);
     let harmonics = scaled_harmonics(form).into_iter();
     harmonics.map(|(m, a, b)| (m, over(a), over(b))).collect()
 }

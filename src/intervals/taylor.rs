@@ -159,8 +159,8 @@ impl Field {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::rationals;
-    use crate::field::tests::{nasty_cubics, nasty_points, taylor_coefficient};
+    use crate::intervals::rationals;
+    use crate::intervals::tests::{nasty_cubics, nasty_points, taylor_coefficient};
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 

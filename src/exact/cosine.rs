@@ -37,10 +37,10 @@ pub fn cosine_and_sine(angle: &Rational, bits: u32) -> [Rational; 2] {
         .invariant("an angle has fewer than 2^32 bits");
     let (low, _) = pi(precision.saturating_add(whole));
     let right_angle = low / Rational::from(2);
-    let half = Rational::from_parts(Integer::ONE, -1);
+    let half = Rational::from_dyadic(Integer::ONE, -1);
     let quarters = (angle / &right_angle + half).floor();
     let rest = angle - Rational::from(&quarters) * right_angle;
-    let scaled = rest * Rational::from_parts(Integer::ONE, i64::from(precision));
+    let scaled = rest * Rational::from_dyadic(Integer::ONE, i64::from(precision));
     let [c, s] = fixed_series(&(scaled.floor() >> HALVINGS), precision);
     let [c, s] = match u8::try_from(&quarters.mod_power_of_2(2)) {
         Ok(0) => [c, s],
@@ -48,7 +48,7 @@ pub fn cosine_and_sine(angle: &Rational, bits: u32) -> [Rational; 2] {
         Ok(2) => [-c, -s],
         _ => [s, -c],
     };
-    [c, s].map(|v| Rational::from_parts(v, -i64::from(precision)))
+    [c, s].map(|v| Rational::from_dyadic(v, -i64::from(precision)))
 }
 
 /// cos and sin of 2^HALVINGS times the small angle x, everything in units of 2^−precision.
@@ -103,7 +103,7 @@ mod tests {
         fn they_are_near_the_circle_and_the_doubles(theta in -1e4f64..1e4, bits in 64u32..400) {
             let [c, s] = cosine_and_sine(&Rational::try_from(theta).unwrap(), bits);
             let defect = (&c * &c + &s * &s - Rational::one()).abs();
-            prop_assert!(defect < Rational::from_parts(4.into(), -i64::from(bits)));
+            prop_assert!(defect < Rational::from_dyadic(4.into(), -i64::from(bits)));
             prop_assert!((c.to_f64() - theta.cos()).abs() < 1e-15);
             prop_assert!((s.to_f64() - theta.sin()).abs() < 1e-15);
         }
@@ -114,7 +114,7 @@ mod tests {
             let theta = Rational::from(p) / Rational::from(1000);
             let [c, s] = cosine_and_sine(&theta, bits);
             let (low, high) = arctangent(&(s / c), bits);
-            let slack = Rational::from_parts(8.into(), -i64::from(bits));
+            let slack = Rational::from_dyadic(8.into(), -i64::from(bits));
             prop_assert!(low - &slack <= theta && theta <= high + slack);
         }
     }

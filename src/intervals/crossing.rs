@@ -76,8 +76,8 @@ impl Field {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::tests::sphere;
-    use crate::field::{rational, rationals};
+    use crate::intervals::tests::sphere;
+    use crate::intervals::{rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 

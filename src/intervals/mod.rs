@@ -7,7 +7,7 @@ mod local;
 mod spectrum;
 mod taylor;
 
-pub(crate) use bounds::{BoxBounds, Verdict};
+pub(crate) use bounds::{BoxBounds, BoxProof};
 pub(crate) use crossing::Crossing;
 pub(crate) use interval::Interval;
 pub(crate) use local::Local;

@@ -22,7 +22,7 @@ pub(crate) struct BoxBounds {
 
 /// What is proved of f on a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Verdict {
+pub(crate) enum BoxProof {
     /// It has no zero there.
     Empty,
     /// Any two of its gradients there make an acute angle: one sheet at most, without singular points.
@@ -146,15 +146,15 @@ impl BoxBounds {
 
     /// What is certain of f on the box: the sheet is regular where the gradients, each component within its bounds, have
     /// positive products (the small normal variation of Plantinga & Vegter, SGP 2004).
-    pub(crate) fn verdict(&self) -> Verdict {
+    pub(crate) fn verdict(&self) -> BoxProof {
         if self.is_empty() {
-            return Verdict::Empty;
+            return BoxProof::Empty;
         }
         let [x, y, z] = [0, 1, 2].map(|axis| self.slope(axis));
         if (x * x + y * y + z * z).is_positive() {
-            Verdict::Regular
+            BoxProof::Regular
         } else {
-            Verdict::Open
+            BoxProof::Open
         }
     }
 }
@@ -215,8 +215,8 @@ impl Field {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::field::tests::{cubic, nasty_cubics, nasty_points, sphere};
-    use crate::field::{rational, rationals};
+    use crate::intervals::tests::{cubic, nasty_cubics, nasty_points, sphere};
+    use crate::intervals::{rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 
@@ -363,10 +363,10 @@ mod tests {
     fn verdicts_on_cubes() {
         let f = Field::new(&sphere(1));
         let on = |middle, half: f64| f.on_box(middle, [half; 3]).verdict();
-        assert_eq!(on([0.0; 3], 0.5), Verdict::Empty);
-        assert_eq!(on([0.0; 3], 0.6), Verdict::Open);
-        assert_eq!(on([1.0, 0.0, 0.0], 0.2), Verdict::Regular);
-        assert_eq!(on([1.3, 0.0, 0.0], 0.2), Verdict::Empty);
+        assert_eq!(on([0.0; 3], 0.5), BoxProof::Empty);
+        assert_eq!(on([0.0; 3], 0.6), BoxProof::Open);
+        assert_eq!(on([1.0, 0.0, 0.0], 0.2), BoxProof::Regular);
+        assert_eq!(on([1.3, 0.0, 0.0], 0.2), BoxProof::Empty);
     }
 
     proptest! {
@@ -392,7 +392,7 @@ mod tests {
         fn empty_cubes_have_one_sign(c in prop::collection::vec(-9i64..10, 20), m in prop::array::uniform3(-3.0f64..3.0), half in 0.01f64..0.5, at in prop::array::uniform3(-1.0f64..1.0)) {
             let all = (0..4u32).flat_map(|i| (0..4 - i).flat_map(move |j| (0..4 - i - j).map(move |k| [i, j, k])));
             let f = Field::new(&SparsePolynomial::from_terms(all.zip(c.into_iter().map(Rational::from))));
-            if f.on_box(m, [half; 3]).verdict() == Verdict::Empty {
+            if f.on_box(m, [half; 3]).verdict() == BoxProof::Empty {
                 let p = std::array::from_fn(|i| m[i] + half * at[i]);
                 prop_assert_eq!(f.sign(p), f.sign(m));
             }
