@@ -69,7 +69,7 @@
 //! | Theorem 8, Example 12 (inspection) | [`inspect`] |
 //! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
 //! | all of it, statement by statement, with its errata | [`paper`] |
-//! | the time comparison that it leaves to others | [`paper::compare`] |
+//! | the time comparison that it leaves to others | `compare`, with the feature `cli` |
 //!
 //! # From below to above
 //!
@@ -96,6 +96,8 @@
 pub mod arcs;
 mod bigint;
 pub mod check;
+#[cfg(feature = "cli")]
+pub mod compare;
 pub mod describe;
 pub mod document;
 pub mod error;
@@ -112,6 +114,7 @@ mod modular;
 mod notation;
 pub mod paper;
 pub mod parametrize;
+#[cfg(feature = "pictures")]
 pub mod picture;
 pub mod poly;
 pub mod reading;

@@ -5,11 +5,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use stellate::compare::{TimeComparison, compare};
 use stellate::document::{Format, Kind};
 use stellate::error::{Error, Result};
-use stellate::paper::{
-    Entry, TimeComparison, compare, entries, write_entries, write_entry, write_report,
-};
+use stellate::paper::{Appendix, Entry, entries, write_entries, write_entry, write_report};
 
 use super::arguments::Paper;
 use super::output::{check_destination, check_place, write_beside, write_result};
@@ -53,24 +52,23 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     if comparison.is_some_and(TimeComparison::has_wrong_answer) {
         session.answer_no();
     }
+    let appendix = comparison.map(|found| found as &dyn Appendix);
     if let Some(folder) = &verb.out {
         let figures = paper_figures::draw(session)?;
         let mut page = Vec::new();
-        let written = write_report(&evaluated, &figures, comparison, &mut page);
-        written
-            .and_then(|()| std::fs::create_dir_all(folder))
-            .map_err(|source| Error::Io {
-                path: folder.clone(),
-                source,
-            })?;
+        write_report(&evaluated, &figures, appendix, &mut page)?;
+        std::fs::create_dir_all(folder).map_err(|source| Error::Io {
+            path: folder.clone(),
+            source,
+        })?;
         write_beside(&folder.join(PAGE), &page, session)?;
     }
     match (&verb.only, &evaluated[..]) {
         (Some(_), [(entry, outcome)]) => write_result(session, |out| {
-            Ok(write_entry(entry, outcome, comparison, format, out)?)
+            write_entry(entry, outcome, appendix, format, out)
         }),
         _ => write_result(session, |out| {
-            Ok(write_entries(&evaluated, comparison, format, out)?)
+            write_entries(&evaluated, appendix, format, out)
         }),
     }
 }

@@ -15,6 +15,7 @@ mod read;
 mod residual;
 mod rows;
 mod series;
+#[cfg(feature = "images")]
 mod silhouette;
 mod sweep;
 mod tolerance;

@@ -5,6 +5,7 @@ use std::io::{BufReader, Read};
 use std::path::Path;
 
 use super::rows::read_rows;
+#[cfg(feature = "images")]
 use super::silhouette::trace_silhouette;
 use crate::error::{Error, Result};
 use crate::shape::Contour;
@@ -95,10 +96,23 @@ pub fn contour_from_reader(reader: impl Read, kind: ContourKind, place: &str) ->
             if limited.limit() == 0 {
                 return Err(too_long(place));
             }
-            trace_silhouette(&bytes, place)?
+            outline_of(&bytes, place)?
         }
     };
     Ok(contour)
+}
+
+#[cfg(feature = "images")]
+fn outline_of(picture: &[u8], place: &str) -> Result<Contour> {
+    trace_silhouette(picture, place)
+}
+
+/// Without the feature `images` no picture is read.
+#[cfg(not(feature = "images"))]
+fn outline_of(_: &[u8], place: &str) -> Result<Contour> {
+    Err(Error::Usage(format!(
+        "{place}: pictures are read by stellate with the feature `images` only"
+    )))
 }
 
 fn too_long(place: &str) -> Error {

@@ -1,20 +1,19 @@
 //! What came of the statements, as a table, in full, and as JSON.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::Serialize;
 
-use super::compare::{ComparisonDocument, TimeComparison, write_text};
+use super::appendix::Appendix;
 use super::entry::{Entry, Finding, Outcome, TestPart, Verdict};
-use crate::document::{Format, SCHEMA};
+use crate::document::{Format, Kind, SCHEMA};
+use crate::error::{Invariant, Result};
 
 #[derive(Serialize)]
 struct Document<'a> {
     schema: &'static str,
     kind: &'static str,
     entries: Vec<EntryDocument<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    comparison: Option<ComparisonDocument<'a>>,
 }
 
 #[derive(Serialize)]
@@ -30,32 +29,36 @@ struct EntryDocument<'a> {
     seconds: f64,
 }
 
-/// Writes a table by sections, or the JSON document of kind `paper`; then the comparison of times, if it was made.
+/// Writes a table by sections, or the JSON document of kind `paper`; then the appendix, if there is one.
 ///
 /// # Errors
-/// Those of `out`; `Unsupported` for formats other than text and JSON.
+/// Those of `out`, and those of [`Kind::check`].
 pub fn write_entries(
     entries: &[(Entry<'_>, Outcome)],
-    comparison: Option<&TimeComparison>,
+    appendix: Option<&dyn Appendix>,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     match format {
         Format::Text => {
             write_table(entries, out)?;
-            write_comparison(comparison, out)
+            write_appendix(appendix, out)
         }
         Format::Json => {
             let document = Document {
                 schema: SCHEMA,
                 kind: "paper",
                 entries: entries.iter().map(|(e, o)| document(e, o)).collect(),
-                comparison: comparison.map(ComparisonDocument::new),
             };
-            serde_json::to_writer(&mut *out, &document)?;
-            writeln!(out)
+            let document = serde_json::to_string(&document);
+            let mut text = document.invariant("what a document holds has a form in JSON");
+            if let Some(appendix) = appendix {
+                text.truncate(text.len() - 1);
+                text.push_str(&format!(",\"comparison\":{}}}", appendix.json()));
+            }
+            Ok(writeln!(out, "{text}")?)
         }
-        _ => Err(unsupported()),
+        _ => Err(Kind::Statements.refused(format)),
     }
 }
 
@@ -66,13 +69,13 @@ pub fn write_entries(
 pub fn write_entry(
     entry: &Entry<'_>,
     outcome: &Outcome,
-    comparison: Option<&TimeComparison>,
+    appendix: Option<&dyn Appendix>,
     format: Format,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     if format != Format::Text {
         let one = [(entry.clone(), outcome.clone())];
-        return write_entries(&one, comparison, format, out);
+        return write_entries(&one, appendix, format, out);
     }
     writeln!(out, "{}: {}", entry.id, entry.title)?;
     writeln!(out, "section: {}", entry.section)?;
@@ -94,25 +97,18 @@ pub fn write_entry(
         outcome.verdict,
         unexpected(entry, outcome)
     )?;
-    write_comparison(comparison, out)
+    write_appendix(appendix, out)
 }
 
-/// The comparison below the statements.
-fn write_comparison(comparison: Option<&TimeComparison>, out: &mut dyn Write) -> io::Result<()> {
-    match comparison {
+/// What stands below the statements.
+fn write_appendix(appendix: Option<&dyn Appendix>, out: &mut dyn Write) -> Result<()> {
+    match appendix {
         None => Ok(()),
-        Some(comparison) => {
+        Some(appendix) => {
             writeln!(out)?;
-            write_text(comparison, out)
+            appendix.write_text(out)
         }
     }
-}
-
-fn unsupported() -> io::Error {
-    io::Error::new(
-        io::ErrorKind::Unsupported,
-        "the paper's statements are written as text or json",
-    )
 }
 
 fn document<'a>(entry: &Entry<'a>, outcome: &Outcome) -> EntryDocument<'a> {
@@ -150,7 +146,7 @@ pub(super) fn unexpected(entry: &Entry<'_>, outcome: &Outcome) -> String {
     }
 }
 
-fn write_table(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Result<()> {
+fn write_table(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
     let width = |text: &str| text.chars().count();
     let of_id = entries.iter().map(|(e, _)| width(e.id)).max().unwrap_or(0);
     let verdicts = entries.iter().map(|(_, o)| width(o.verdict.name()));
@@ -173,10 +169,10 @@ fn write_table(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Res
     let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
     let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
     let parts = Verdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
-    writeln!(
+    Ok(writeln!(
         out,
         "{} statements: {}; {unexpected} not as expected",
         entries.len(),
         parts.join(", ")
-    )
+    )?)
 }

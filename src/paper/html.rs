@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 
 /// Begins a figure with its picture, which the page contains, and the words for those who do not see it.
-pub(super) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "<figure>\n<img alt=\"{}\" src=\"data:image/svg+xml,{}\"/>",
@@ -14,7 +14,7 @@ pub(super) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::
 }
 
 /// Text within HTML.
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut result = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -10,23 +10,21 @@
 //! the answer that is claimed. One code path evaluates the printed and the corrected part, and the verdict follows from what
 //! comes out: [`Verdict`].
 //!
-//! What the paper says of speed is measured: [`compare`].
+//! What the paper says of speed is measured elsewhere, and reported with it as an [`Appendix`].
 
-mod compare;
+mod appendix;
 mod data;
 mod document;
 mod entry;
 mod formula;
-mod html;
+pub(crate) mod html;
 mod identity;
 mod mathml;
 mod question;
 mod report;
 mod statements;
 
-pub use compare::{
-    AbsentProgram, MethodTimes, RUNGS, Run, RunOutcome, TimeComparison, compare, ladder_radius,
-};
+pub use appendix::Appendix;
 pub use data::EXAMPLE_DATA;
 pub use document::{write_entries, write_entry};
 pub use entry::{Entry, Finding, Outcome, Test, TestPart, Verdict};

@@ -1,13 +1,14 @@
 //! The whole paper as one page of HTML: no network, no script, readable on a phone, on paper, light and dark. It is
 //! well-formed XML, too.
 
-use std::io::{self, Write};
+use std::io::Write;
 
-use super::compare::{TimeComparison, write_section};
+use super::appendix::Appendix;
 use super::document::{line, unexpected};
 use super::entry::{Entry, Outcome, Test, TestKind, TestPart, Verdict};
 use super::html::{escaped, write_picture};
 use super::mathml;
+use crate::error::Result;
 
 /// A figure of the report.
 #[derive(Clone, Debug)]
@@ -24,16 +25,16 @@ pub struct ReportFigure {
 
 const STYLE: &str = include_str!("report.css");
 
-/// Writes the report, with the comparison of times if it was made.
+/// Writes the report, with the appendix if there is one.
 ///
 /// # Errors
 /// Those of `out`.
 pub fn write_report(
     entries: &[(Entry<'_>, Outcome)],
     figures: &[ReportFigure],
-    comparison: Option<&TimeComparison>,
+    appendix: Option<&dyn Appendix>,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
     let counts = Verdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
     let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
@@ -52,7 +53,7 @@ pub fn write_report(
         entries.len(),
         counts.join(", ")
     )?;
-    write_contents(entries, comparison.is_some(), out)?;
+    write_contents(entries, appendix.is_some(), out)?;
     writeln!(out, "<main id=\"content\">")?;
     write_errata(entries, out)?;
     let mut section = "";
@@ -74,11 +75,11 @@ pub fn write_report(
     if !section.is_empty() {
         writeln!(out, "</section>")?;
     }
-    if let Some(comparison) = comparison {
-        write_section(comparison, out)?;
+    if let Some(appendix) = appendix {
+        appendix.write_section(out)?;
     }
     write_times(entries, out)?;
-    writeln!(out, "</main>\n</body>\n</html>")
+    Ok(writeln!(out, "</main>\n</body>\n</html>")?)
 }
 
 /// The sections, each with links to its statements.
@@ -86,7 +87,7 @@ fn write_contents(
     entries: &[(Entry<'_>, Outcome)],
     has_comparison: bool,
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     writeln!(
         out,
         "<nav aria-label=\"Contents\">\n<ul>\n<li><a href=\"#errata\">Errata</a></li>"
@@ -117,11 +118,14 @@ fn write_contents(
             "<li><a href=\"#comparison\">The time comparison</a></li>"
         )?;
     }
-    writeln!(out, "<li><a href=\"#times\">Times</a></li>\n</ul>\n</nav>")
+    Ok(writeln!(
+        out,
+        "<li><a href=\"#times\">Times</a></li>\n</ul>\n</nav>"
+    )?)
 }
 
 /// Everything that is not true as printed.
-fn write_errata(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Result<()> {
+fn write_errata(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
         "<section aria-labelledby=\"errata\">\n<h2 id=\"errata\">Errata</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" \
@@ -139,7 +143,7 @@ fn write_errata(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Re
             escaped(entry.correct)
         )?;
     }
-    writeln!(out, "</tbody>\n</table>\n</div>\n</section>")
+    Ok(writeln!(out, "</tbody>\n</table>\n</div>\n</section>")?)
 }
 
 fn write_article(
@@ -147,7 +151,7 @@ fn write_article(
     outcome: &Outcome,
     figures: &[ReportFigure],
     out: &mut dyn Write,
-) -> io::Result<()> {
+) -> Result<()> {
     writeln!(
         out,
         "<article id=\"{id}\" aria-labelledby=\"title-{id}\">\n<h3 id=\"title-{id}\">{id}: {} <span class=\"verdict {}\">{}{}</span></h3>",
@@ -192,11 +196,11 @@ fn write_article(
             escaped(&line(finding))
         )?;
     }
-    writeln!(out, "</ul>\n</details>\n</article>")
+    Ok(writeln!(out, "</ul>\n</details>\n</article>")?)
 }
 
 /// The identities of one part of an entry, typeset.
-fn write_formulas(tests: &[Test<'_>], part: TestPart, out: &mut dyn Write) -> io::Result<()> {
+fn write_formulas(tests: &[Test<'_>], part: TestPart, out: &mut dyn Write) -> Result<()> {
     for test in tests.iter().filter(|t| t.part == part) {
         if let TestKind::Identity {
             sides: [left, right],
@@ -211,7 +215,7 @@ fn write_formulas(tests: &[Test<'_>], part: TestPart, out: &mut dyn Write) -> io
 }
 
 /// What the symbols of an entry stand for.
-fn write_meanings(entry: &Entry<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn write_meanings(entry: &Entry<'_>, out: &mut dyn Write) -> Result<()> {
     let equations = entry.meanings();
     if equations.is_empty() {
         return Ok(());
@@ -220,15 +224,15 @@ fn write_meanings(entry: &Entry<'_>, out: &mut dyn Write) -> io::Result<()> {
         .iter()
         .map(|[left, right]| mathml::equation(left, right))
         .collect();
-    writeln!(
+    Ok(writeln!(
         out,
         "<p class=\"formula\" tabindex=\"0\">where {}</p>",
         shown.join("; ")
-    )
+    )?)
 }
 
 /// The slowest statements.
-fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Result<()> {
+fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
     /// So many are listed.
     const LISTED: usize = 10;
     let mut by_time: Vec<_> = entries.iter().collect();
@@ -249,7 +253,7 @@ fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> io::Res
             id = entry.id
         )?;
     }
-    writeln!(out, "</tbody>\n</table>\n</section>")
+    Ok(writeln!(out, "</tbody>\n</table>\n</section>")?)
 }
 
 fn class(verdict: Verdict) -> &'static str {

@@ -121,9 +121,3 @@ pub(super) fn of_superquadric(
         mesh_radial(shape, angles, work.bounds(), &|done| progress.set(done))
     })
 }
-
-/// The box around a surface that is closed as far as its certified points in many directions tell.
-pub(super) fn closed_bounds(surface: &ImplicitSurface, work: &Work) -> Result<Option<Bounds>> {
-    let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
-    Ok(found.and_then(|(bounds, is_all)| is_all.then_some(bounds)))
-}

@@ -32,6 +32,7 @@
 
 mod arcs;
 mod check;
+#[cfg(feature = "pictures")]
 mod check_chart;
 mod describe;
 mod equation;
@@ -40,12 +41,16 @@ mod fit;
 mod given;
 mod implicitize;
 mod inspect;
+#[cfg(feature = "pictures")]
 mod inspect_plot;
 mod mesh;
 mod options;
 mod parametrize;
+#[cfg(feature = "pictures")]
 mod plot;
+#[cfg(feature = "pictures")]
 mod plot_options;
+#[cfg(feature = "pictures")]
 mod plot_space;
 mod remark;
 mod rows;
@@ -57,6 +62,7 @@ pub use check::{
     CheckOptions, CheckTask, FloatKind, FloatNumbers, MAX_VECTOR_DIRECTIONS, VectorOptions, check,
     check_doubles, vectors,
 };
+#[cfg(feature = "pictures")]
 pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
@@ -68,7 +74,9 @@ pub use implicitize::{
 pub use inspect::{InspectionOptions, InspectionTask, Subject, inspect};
 pub use mesh::{MeshingOptions, mesh};
 pub use parametrize::{InDirection, OnMeridian, ParametrizeOptions, Parametrized, parametrize};
+#[cfg(feature = "pictures")]
 pub use plot::plot;
+#[cfg(feature = "pictures")]
 pub use plot_options::{FigureFormat, Frame, PlotOptions};
 pub use remark::{Part, Remark};
 pub use rows::{AppendPoint, KeptPoint, PointRows, PointSource, ReadingOptions};

@@ -2,12 +2,12 @@
 
 use super::arcs::{ArcSearch, arcs_of_others};
 use super::equation::cylinder;
-use super::mesh::{closed_bounds, of_superquadric, of_surface};
+use super::mesh::{of_superquadric, of_surface};
 use super::plot_options::{PlotOptions, range_of, range_text, space_window};
 use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
 use crate::arcs::CurveArc;
 use crate::error::{Error, Result};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, mesh_bounds};
 use crate::notation::{Coordinates, Format};
 use crate::parametrize::parametrize_intersection;
 use crate::picture::{Scene, SpaceLayer};
@@ -255,4 +255,10 @@ fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> 
 /// The coordinates as functions of the parameter.
 fn formulas(curve: &SpaceCurve) -> String {
     Coordinates::from(curve).formulas(Format::Text).join(", ")
+}
+
+/// The box around a surface that is closed as far as its certified points in many directions tell.
+fn closed_bounds(surface: &ImplicitSurface, work: &Work) -> Result<Option<Bounds>> {
+    let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
+    Ok(found.and_then(|(bounds, is_all)| is_all.then_some(bounds)))
 }

@@ -10,7 +10,7 @@ use super::{AbsentProgram, MethodTimes, RunOutcome, TimeComparison};
 
 /// The field `comparison` of the JSON document.
 #[derive(Serialize)]
-pub(in crate::paper) struct ComparisonDocument<'a> {
+pub(super) struct ComparisonDocument<'a> {
     radius: &'static str,
     limit_seconds: f64,
     cores: usize,
@@ -45,7 +45,7 @@ struct AbsentDocument<'a> {
 }
 
 impl<'a> ComparisonDocument<'a> {
-    pub(in crate::paper) fn new(comparison: &'a TimeComparison) -> Self {
+    pub(super) fn new(comparison: &'a TimeComparison) -> Self {
         let runs = |method: &'a MethodTimes| {
             let document = |run: &'a super::Run| RunDocument {
                 harmonics: run.harmonics,
@@ -102,10 +102,7 @@ const WIDTH: usize = 8;
 ///
 /// # Errors
 /// Those of `out`.
-pub(in crate::paper) fn write_text(
-    comparison: &TimeComparison,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub(super) fn write_text(comparison: &TimeComparison, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "The time comparison: from a radius with N harmonics to its equation"

@@ -1,21 +1,19 @@
 //! The comparison as a section of the report.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::document::{absence, cell, degree, failures, growth, measured, shown};
 use super::growth::{chart, letter, ratio};
 use super::radius::RADIUS_TEXT;
 use super::{MethodTimes, TimeComparison};
+use crate::error::Result;
 use crate::paper::html::{escaped, write_picture};
 
 /// Writes the section: what was asked, the chart, the table, and what it means.
 ///
 /// # Errors
 /// Those of `out`.
-pub(in crate::paper) fn write_section(
-    comparison: &TimeComparison,
-    out: &mut dyn Write,
-) -> io::Result<()> {
+pub(super) fn write_section(comparison: &TimeComparison, out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
         "<section aria-labelledby=\"comparison\">\n<h2 id=\"comparison\">The time comparison</h2>\n\
@@ -52,10 +50,10 @@ pub(in crate::paper) fn write_section(
     for sentence in meaning(comparison) {
         writeln!(out, "<p>{}</p>", escaped(&sentence))?;
     }
-    writeln!(out, "</section>")
+    Ok(writeln!(out, "</section>")?)
 }
 
-fn write_table(comparison: &TimeComparison, out: &mut dyn Write) -> io::Result<()> {
+fn write_table(comparison: &TimeComparison, out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
         "<p id=\"measured\">≈ seconds, {}. Below: how many times as long as A.</p>\n\
@@ -88,7 +86,7 @@ fn write_table(comparison: &TimeComparison, out: &mut dyn Write) -> io::Result<(
         }
         writeln!(out, "</tr>")?;
     }
-    writeln!(out, "</tbody>\n</table>\n</div>")
+    Ok(writeln!(out, "</tbody>\n</table>\n</div>")?)
 }
 
 /// The chart in words.

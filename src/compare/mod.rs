@@ -21,10 +21,11 @@ mod radius;
 pub use climb::compare;
 pub use radius::{RUNGS, ladder_radius};
 
-pub(super) use document::{ComparisonDocument, write_text};
-pub(super) use page::write_section;
-
+use std::io::Write;
 use std::time::Duration;
+
+use crate::error::{Invariant, Result};
+use crate::paper::Appendix;
 
 /// What came of a comparison.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,5 +119,20 @@ impl TimeComparison {
     pub fn has_wrong_answer(&self) -> bool {
         let mut runs = self.methods.iter().flat_map(|method| &method.runs);
         runs.any(|run| run.outcome == RunOutcome::Wrong)
+    }
+}
+
+impl Appendix for TimeComparison {
+    fn json(&self) -> String {
+        let document = serde_json::to_string(&document::ComparisonDocument::new(self));
+        document.invariant("what a document holds has a form in JSON")
+    }
+
+    fn write_text(&self, out: &mut dyn Write) -> Result<()> {
+        Ok(document::write_text(self, out)?)
+    }
+
+    fn write_section(&self, out: &mut dyn Write) -> Result<()> {
+        page::write_section(self, out)
     }
 }
