@@ -1,7 +1,5 @@
 //! Float programs against exact: laws and oracles of the comparison.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use proptest::prelude::*;

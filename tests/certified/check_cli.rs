@@ -1,7 +1,5 @@
 //! `check` and `vectors` end to end: what they print, their exit codes, their files.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::fs;
 use std::path::Path;
 

@@ -1,7 +1,5 @@
 //! The usual mistakes, planted one by one: each is named.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use stellate::check::{GivenPoint, GivenRadius, Reference};
 use stellate::exact::Rational;
 use stellate::limits::Limits;

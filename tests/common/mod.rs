@@ -1,5 +1,6 @@
 //! Shared inputs and oracles.
 #![allow(dead_code, reason = "every test file uses its own part of this")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 pub(crate) mod float_program;
 pub(crate) mod forms;

@@ -1,7 +1,5 @@
 //! Parametric → implicit: Theorems 1, 3 and 4 on the paper's examples and on classics with known equations.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use crate::common::forms::{patch, plane, plane_curve, space, space_curve};
 use stellate::exact::Rational;
 use stellate::implicitize::{

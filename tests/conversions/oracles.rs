@@ -1,7 +1,5 @@
 //! Independent oracles: other arithmetic, naive algorithms.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;

@@ -16,7 +16,7 @@ use crate::common::oracle_theorem_2::theorem_2;
 use crate::common::program::{Run, json};
 use roxmltree::{Document, Node, ParsingOptions};
 use serde_json::Value;
-use stellate::paper::{RUNGS, ladder_radius};
+use stellate::compare::{RUNGS, ladder_radius};
 use tempfile::TempDir;
 
 /// A folder of programs, and what stands for the PATH: the folder, and what a shell script needs.

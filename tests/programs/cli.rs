@@ -1,7 +1,5 @@
 //! Forms from end to end: what the verbs print and write of them.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::fs;
 use std::path::Path;
 

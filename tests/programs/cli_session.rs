@@ -1,7 +1,5 @@
 //! The program as a citizen: files, pipes, threads, notes, statistics, pictures.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::fs;
 use std::path::Path;
 

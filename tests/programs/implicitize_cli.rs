@@ -1,7 +1,5 @@
 //! Parametric forms from end to end on the command line.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use crate::common::program::{done, done_in, json, piped, run_in};
 use tempfile::TempDir;
 

@@ -1,7 +1,5 @@
 //! Surfaces on the command line: parametrize, sample and plot in space.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::path::Path;
 
 use crate::common::program::{done, done_in, json, piped, run_in};

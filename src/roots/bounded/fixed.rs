@@ -425,9 +425,10 @@ mod tests {
     /// Numbers with that much room have sums of at most 64, and not much less than they could.
     #[test]
     fn there_is_room_for_sums() {
-        for count in 1..5000usize {
-            let largest = |room: i64| 2f64.powi(i32::try_from(room).expect("small")) * count as f64;
-            let room = Fixed::<W>::room_for(count);
+        for count in 1..5000u32 {
+            let largest =
+                |room: i64| 2f64.powi(i32::try_from(room).expect("small")) * f64::from(count);
+            let room = Fixed::<W>::room_for(count as usize);
             assert!(largest(room) <= 64.0 && largest(room + 2) > 64.0, "{count}");
         }
         assert_eq!(Fixed::<W>::room_for(0), Fixed::<W>::room_for(1));
