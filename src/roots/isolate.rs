@@ -184,6 +184,14 @@ struct Node {
     error: Integer,
 }
 
+impl Node {
+    /// Sign changes of the exact coefficients, as far as they are known.
+    fn changes(&self) -> Changes {
+        let signs = self.coefficients.iter().map(|c| known_sign(c, &self.error));
+        Changes::count(signs)
+    }
+}
+
 struct Bisection<'a> {
     exact: &'a IntegerPolynomial,
     exponent: i64,
@@ -218,8 +226,7 @@ impl Bisection<'_> {
             error: Integer::ONE,
         }];
         while let Some(node) = stack.pop() {
-            let signs = node.coefficients.iter().map(|c| known_sign(c, &node.error));
-            match Changes::count(signs) {
+            match node.changes() {
                 Changes::None => {}
                 Changes::One => {
                     let low = self.dyadic(&node.index, node.depth);
@@ -243,7 +250,11 @@ impl Bisection<'_> {
                             Stop::MoreBits
                         });
                     }
-                    stack.push(right);
+                    // On the way down to a root near 0 there are as many halves without roots as the root has bits: they are
+                    // not kept until the end.
+                    if !matches!(right.changes(), Changes::None) {
+                        stack.push(right);
+                    }
                     stack.push(left);
                 }
             }

@@ -277,3 +277,18 @@ fn roots_beyond_the_doubles_are_infinite_or_zero() {
     let y: f64 = row[6].parse().unwrap();
     assert!((y / 1e304 - 1.0).abs() < 1e-9, "{y}");
 }
+
+/// Ranges that are all but empty: their ends differ from multiples of pi/6 by about 10^-1500.
+#[test]
+fn far_apart_coefficients_do_not_take_memory_by_the_square_of_their_length() {
+    let folder = TempDir::new().unwrap();
+    let table = "n,cos,sin\n0,1/2,0\n1,0,0\n2,0,0\n3,1/3,1e1500\n";
+    fs::write(folder.path().join("table.csv"), table).unwrap();
+    let arguments = ["describe", "table.csv", "--stats", "--quiet"];
+    let run = run_in(folder.path(), &arguments, "");
+    assert_eq!(run.code, 0, "{}", run.err);
+    let bytes = json(&run.err)["stats"]["peak_rss_bytes"].clone();
+    if let Some(bytes) = bytes.as_u64() {
+        assert!(bytes < 100_000_000, "{bytes}");
+    }
+}
