@@ -28,7 +28,7 @@ enum By {
 /// ```
 /// use std::time::Duration;
 /// use stellate::limits::Limits;
-/// use stellate::paper::compare;
+/// use stellate::compare::compare;
 /// // Elimination may take no time at all.
 /// let found = compare(Duration::ZERO, &Limits::none(), &|_, _| ())?;
 /// let theorem_2 = &found.methods[0];

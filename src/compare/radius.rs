@@ -18,7 +18,7 @@ pub(super) const RADIUS_TEXT: &str =
 /// `a0 = 1, a_n = (2 (7n mod 19) − 19)/200, b_n = (2 (11n mod 19) − 19)/200`.
 ///
 /// ```
-/// use stellate::paper::ladder_radius;
+/// use stellate::compare::ladder_radius;
 /// let radius = ladder_radius(2);
 /// assert_eq!(radius.cosines(), ["1", "-1/40", "9/200"].map(|q| q.parse().unwrap()));
 /// ```
