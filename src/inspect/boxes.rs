@@ -36,28 +36,27 @@ const CONNECTED_BUDGET: usize = 10_000;
 
 impl PatchBoxes {
     pub(super) fn new(patch: &Patch) -> Self {
-        let mut boxes = Self {
-            coordinates: patch.coordinates().each_ref().map(Quotient::new),
-            is_connected: false,
+        // A parameter that is a number takes no infinite value: a denominator that has it is not looked at.
+        let is_closed = |f: &SparsePolynomial<2>| {
+            f.terms().all(|(e, _)| {
+                let mut with_parameters = e.iter().zip(patch.parameters());
+                with_parameters.all(|(e, parameter)| *e == 0 || parameter.is_angle())
+            })
         };
-        // A parameter that is a number takes no infinite value: there denominators are only looked at if they do not have it.
-        let is_closed = |f: &PatchFunction| {
-            let open = [0, 1]
-                .into_iter()
-                .filter(|&v| !patch.parameters()[v].is_angle());
-            let mut open = open.filter(|&v| f.denominator().terms().any(|(e, _)| e[v] > 0));
-            open.next().is_none()
-        };
-        let denominators = patch.coordinates().each_ref();
-        let denominators = denominators.map(|f| Quotient::of_denominator(f.denominator()));
-        boxes.is_connected = patch.coordinates().iter().all(is_closed)
-            && all(CONNECTED_BUDGET, |parameters| {
+        let denominators = patch.coordinates().each_ref().map(|f| f.denominator());
+        let is_connected = denominators.iter().all(|f| is_closed(f)) && {
+            let denominators = denominators.map(Quotient::of_polynomial);
+            all(CONNECTED_BUDGET, |parameters| {
                 denominators.iter().all(|d| {
-                    let [_, below] = d.over(parameters);
-                    below.sign().is_some_and(|sign| sign != 0)
+                    let [value, _] = d.over(parameters);
+                    value.sign().is_some()
                 })
-            });
-        boxes
+            })
+        };
+        Self {
+            coordinates: patch.coordinates().each_ref().map(Quotient::new),
+            is_connected,
+        }
     }
 
     /// Whether all points of the patch are proved to be farther from a point than `radius`, with so many boxes at most.
@@ -113,14 +112,16 @@ fn all(budget: usize, is_proved: impl Fn(&ParameterBox) -> bool) -> bool {
     true
 }
 
+/// The terms of a polynomial, with enclosures of the coefficients.
+fn terms(f: &SparsePolynomial<2>) -> Terms {
+    let terms = f.terms();
+    terms
+        .map(|(e, c)| (e.map(|k| k as usize), Interval::narrowest(c)))
+        .collect()
+}
+
 impl Quotient {
     fn new(f: &PatchFunction) -> Self {
-        let terms = |g: &SparsePolynomial<2>| -> Terms {
-            let exponents = |e: &[u32; 2]| e.map(|k| k as usize);
-            g.terms()
-                .map(|(e, c)| (exponents(e), Interval::narrowest(c)))
-                .collect()
-        };
         Self {
             above: terms(f.numerator()),
             below: terms(f.denominator()),
@@ -128,17 +129,14 @@ impl Quotient {
         }
     }
 
-    /// A denominator alone, as a form of its own degrees.
-    fn of_denominator(f: &SparsePolynomial<2>) -> Self {
-        let terms: Terms = f
-            .terms()
-            .map(|(e, c)| (e.map(|k| k as usize), Interval::narrowest(c)))
-            .collect();
-        let degrees = [0, 1].map(|v| terms.iter().map(|(e, _)| e[v]).max().unwrap_or(0));
+    /// A polynomial over 1, as a form of its own degrees.
+    fn of_polynomial(f: &SparsePolynomial<2>) -> Self {
+        let above = terms(f);
+        let degree = |v: usize| above.iter().map(|(e, _)| e[v]).fold(0, usize::max);
         Self {
-            above: Vec::new(),
-            below: terms,
-            degrees,
+            degrees: [0, 1].map(degree),
+            below: vec![([0, 0], Interval::from(1.0))],
+            above,
         }
     }
 

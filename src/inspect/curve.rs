@@ -4,14 +4,15 @@
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
-use super::squared_distance::{Against, DistanceForms, SquaredDistance};
+use super::squared_distance::{
+    Against, DistanceForms, SquaredDistance, squared_in_doubles, upper_root,
+};
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
-use crate::intervals::Interval;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction};
-use crate::shape::{FourierRadius, ParametricCurve};
+use crate::poly::RationalFunction;
+use crate::shape::{CurveInDoubles, FourierRadius, ParametricCurve};
 
 /// Points of the curve from which the nearest one is looked for, for each degree of its coordinates.
 const STARTS_PER_DEGREE: usize = 12;
@@ -50,8 +51,8 @@ pub struct CurveInspector<const N: usize> {
 enum Guess<const N: usize> {
     /// r(τ) = Σ a_n cos nτ + b_n sin nτ: the coefficients by n.
     Radius(Vec<[f64; 2]>),
-    /// Numerators and denominators in s.
-    Functions(Box<[[Vec<f64>; 2]; N]>),
+    /// Rational functions of s.
+    Functions(CurveInDoubles<N>),
 }
 
 impl CurveInspector<2> {
@@ -95,14 +96,8 @@ impl<const N: usize> CurveInspector<N> {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        let doubles = |f: &IntegerPolynomial| {
-            let coefficients = f.coefficients_asc().iter();
-            coefficients.map(|c| Rational::from(c).to_f64()).collect()
-        };
-        let both = |f: &RationalFunction| [doubles(f.numerator()), doubles(f.denominator())];
-        let functions = curve.coordinates().each_ref().map(both);
         let origin = std::array::from_fn(|_| Rational::zero());
-        let guess = Guess::Functions(Box::new(functions));
+        let guess = Guess::Functions(curve.in_doubles());
         Self::with_guess(curve, guess, origin, options, limits)
     }
 
@@ -119,8 +114,8 @@ impl<const N: usize> CurveInspector<N> {
                 options.tolerance
             )));
         }
-        let degree = curve.coordinates().iter().map(RationalFunction::degree);
-        let count = (STARTS_PER_DEGREE * degree.max().unwrap_or(0)).max(MIN_STARTS);
+        let degrees = curve.coordinates().iter().map(RationalFunction::degree);
+        let count = degrees.fold(MIN_STARTS, |count, d| count.max(STARTS_PER_DEGREE * d));
         let starts: Vec<(f64, [f64; N])> = (0..count)
             .map(|k| -std::f64::consts::PI + std::f64::consts::TAU * part(k, count))
             .map(|angle| (angle, guess.at(angle)))
@@ -157,8 +152,8 @@ impl<const N: usize> CurveInspector<N> {
         let point: [Rational; N] = std::array::from_fn(|i| &point[i] - &self.center[i]);
         let distance = self.forms.to_point(&point);
         let level = &self.tolerance * &self.tolerance;
-        let bounds = self.bounds(&point.each_ref().map(Rational::to_f64), &distance);
-        let (nearest, bounds) = bounds;
+        let near = point.each_ref().map(Rational::to_f64);
+        let (nearest, bounds) = self.bounds(&near, &distance);
         let verdict = if nearest <= level {
             Verdict::Inside
         } else if exactly(bounds.low).is_some_and(|low| low > self.tolerance) {
@@ -172,25 +167,13 @@ impl<const N: usize> CurveInspector<N> {
         Inspection {
             verdict,
             curve: Some(verdict == Verdict::Inside && self.goes_out(&distance, &level)),
-            distance: self.at_the_tolerance(bounds, verdict),
+            distance: bounds.given(verdict, &self.tolerance),
         }
     }
 
     /// Whether a curve with a point in the ball has one on the sphere: it is connected, or its pieces go to infinity.
     fn goes_out(&self, distance: &SquaredDistance, level: &Rational) -> bool {
         self.forms.is_unbounded || distance.against(level) == Against::Meets
-    }
-
-    /// What the verdict says of the distance, too.
-    fn at_the_tolerance(&self, mut bounds: DistanceBounds, verdict: Verdict) -> DistanceBounds {
-        let tolerance = Interval::narrowest(&self.tolerance);
-        match verdict {
-            Verdict::Inside => bounds.high = bounds.high.min(tolerance.high()),
-            Verdict::Outside => bounds.low = bounds.low.max(tolerance.low()),
-            Verdict::Undecided => {}
-        }
-        bounds.low = bounds.low.min(bounds.high);
-        bounds
     }
 
     /// The square of the distance of some point of the curve, and bounds of the distance of the nearest.
@@ -200,11 +183,7 @@ impl<const N: usize> CurveInspector<N> {
         let relative = 0.25 * 0.1f64.powi(i32::try_from(self.digits).unwrap_or(14));
         let mut high = upper_root(&best);
         if high <= NEARLY_ON * self.size && distance.against(&Rational::zero()) == Against::Meets {
-            let zero = DistanceBounds {
-                low: 0.0,
-                high: 0.0,
-            };
-            return (Rational::zero(), zero);
+            return (Rational::zero(), DistanceBounds::ZERO);
         }
         for _ in 0..TURNS {
             let low = high * (1.0 - relative);
@@ -255,26 +234,18 @@ impl<const N: usize> CurveInspector<N> {
 
     /// The angle of the nearest of the points in doubles.
     fn nearest_start(&self, point: &[f64; N]) -> f64 {
-        let squared = |q: &[f64; N]| -> f64 {
-            let differences = q.iter().zip(point).map(|(a, b)| (a - b) * (a - b));
-            differences.sum()
-        };
-        let first = (f64::INFINITY, self.starts[0].0);
-        let nearest = self.starts.iter().fold(first, |best, (angle, q)| {
-            let now = squared(q);
-            if now < best.0 { (now, *angle) } else { best }
+        let nearest = self.starts.iter().min_by(|(_, a), (_, b)| {
+            squared_in_doubles(a, point).total_cmp(&squared_in_doubles(b, point))
         });
-        nearest.1
+        let (angle, _) = nearest.invariant("there is a start");
+        *angle
     }
 
     /// The square of the distance of a point of the curve near to that at an angle, at a minimum of the distance as far as
     /// doubles tell; exactly.
     fn descend(&self, angle: f64, point: &[f64; N], distance: &SquaredDistance) -> Rational {
         let step = std::f64::consts::TAU / part(self.starts.len(), 1);
-        let squared = |angle: f64| -> f64 {
-            let q = self.guess.at(angle);
-            q.iter().zip(point).map(|(a, b)| (a - b) * (a - b)).sum()
-        };
+        let squared = |angle: f64| squared_in_doubles(&self.guess.at(angle), point);
         let golden = (5f64.sqrt() - 1.0) / 2.0;
         let [mut low, mut high] = [angle - 1.5 * step, angle + 1.5 * step];
         let mut inner = [high - golden * (high - low), low + golden * (high - low)];
@@ -318,7 +289,7 @@ impl<const N: usize> Guess<N> {
         match self {
             Self::Radius(series) => {
                 let (sin, cos) = angle.sin_cos();
-                // cos nτ and sin nτ, n = 0, 1, …
+                // cos nτ and sin nτ, n = 0, 1, …, by rotations: a guess may be a little off, and is asked for often.
                 let (mut turned, mut r) = ([1.0, 0.0], 0.0);
                 for [a, b] in series {
                     r += a * turned[0] + b * turned[1];
@@ -335,24 +306,10 @@ impl<const N: usize> Guess<N> {
             }
             Self::Functions(functions) => {
                 let (sin, cos) = (angle / 2.0).sin_cos();
-                let quotient = |[above, below]: &[Vec<f64>; 2]| {
-                    let degree = above.len().max(below.len());
-                    form(above, degree, [sin, cos]) / form(below, degree, [sin, cos])
-                };
-                functions.each_ref().map(quotient)
+                functions.at([sin, cos])
             }
         }
     }
-}
-
-/// A polynomial as a form with so many coefficients at s = a/b.
-fn form(coefficients: &[f64], length: usize, [a, b]: [f64; 2]) -> f64 {
-    let (mut value, mut power) = (0.0, 1.0);
-    for k in (0..length).rev() {
-        value = value * a + coefficients.get(k).unwrap_or(&0.0) * power;
-        power *= b;
-    }
-    value
 }
 
 #[expect(clippy::cast_precision_loss, reason = "counts of points are small")]
@@ -366,11 +323,6 @@ fn norm(point: &[f64]) -> f64 {
 
 fn exactly(x: f64) -> Option<Rational> {
     Rational::try_from(x).ok()
-}
-
-/// A double that is not below the root.
-fn upper_root(squared: &Rational) -> f64 {
-    Interval::from(squared).sqrt().high()
 }
 
 /// Farther than any point that is looked for.

@@ -34,6 +34,9 @@ pub use inspector::{InspectOptions, Inspector, MAX_EXACT_MONOMIALS};
 pub use patch::PatchInspector;
 pub use summary::{InspectedPoint, InspectionSummary, Section};
 
+use crate::exact::Rational;
+use crate::intervals::Interval;
+
 /// What is proved of a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceBounds {
@@ -54,6 +57,18 @@ impl DistanceBounds {
         low: 0.0,
         high: 0.0,
     };
+
+    /// With what a verdict says of the distance, too.
+    fn given(mut self, verdict: Verdict, tolerance: &Rational) -> Self {
+        let tolerance = Interval::narrowest(tolerance);
+        match verdict {
+            Verdict::Inside => self.high = self.high.min(tolerance.high()),
+            Verdict::Outside => self.low = self.low.max(tolerance.low()),
+            Verdict::Undecided => {}
+        }
+        self.low = self.low.min(self.high);
+        self
+    }
 }
 
 /// Whether the distance is at most the tolerance.

@@ -1,12 +1,13 @@
 //! Points against a patch: against the patch itself, not the zero set of its equation, which can have more points.
 
 use super::boxes::PatchBoxes;
+use super::squared_distance::{squared_in_doubles, upper_root};
 use super::{DistanceBounds, InspectOptions, Inspection, Inspector, Verdict};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::intervals::Interval;
 use crate::limits::Limits;
-use crate::shape::{ImplicitSurface, Patch};
+use crate::shape::{ImplicitSurface, Patch, PatchInDoubles};
 
 /// Points of the patch, along each parameter, from which the nearest one is looked for.
 const STARTS: u32 = 48;
@@ -25,6 +26,7 @@ const PARTS: [f64; 5] = [0.999, 0.98, 0.9, 0.5, 0.1];
 pub struct PatchInspector {
     zero_set: Inspector,
     patch: Patch,
+    doubles: PatchInDoubles,
     boxes: PatchBoxes,
     /// Angles τ of the parameters, s = tan(τ/2), and the points there.
     starts: Vec<([f64; 2], [f64; 3])>,
@@ -43,7 +45,6 @@ impl PatchInspector {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        let boxes = PatchBoxes::new(patch);
         let angle = |k: u32| {
             let turn = (f64::from(k) + 0.5) / f64::from(STARTS);
             std::f64::consts::TAU * turn - std::f64::consts::PI
@@ -52,7 +53,8 @@ impl PatchInspector {
         let mut inspector = Self {
             zero_set: Inspector::surface(surface, options, limits)?,
             patch: patch.clone(),
-            boxes,
+            doubles: patch.in_doubles(),
+            boxes: PatchBoxes::new(patch),
             starts: Vec::new(),
             tolerance: options.tolerance.clone(),
             budget: options.cubes,
@@ -88,11 +90,6 @@ impl PatchInspector {
             Verdict::Undecided
         };
         let low = self.lower_bound(&around, of_zero_set.distance.low, high);
-        let (low, high) = match verdict {
-            Verdict::Inside => (low, high.min(tolerance.high())),
-            Verdict::Outside => (low.max(tolerance.low()), high),
-            Verdict::Undecided => (low, high),
-        };
         Inspection {
             verdict,
             curve: match verdict {
@@ -101,20 +98,16 @@ impl PatchInspector {
                 Verdict::Inside if self.goes_out(point, &level) => Some(true),
                 _ => None,
             },
-            distance: DistanceBounds {
-                low: low.min(high),
-                high,
-            },
+            distance: DistanceBounds { low, high }.given(verdict, &self.tolerance),
         }
     }
 
     /// Whether a patch with a point in the ball is proved to have one outside: it is connected then.
     fn goes_out(&self, point: &[Rational; 3], level: &Rational) -> bool {
         let center = point.each_ref().map(Rational::to_f64);
-        let farthest = self
-            .starts
-            .iter()
-            .max_by(|(_, a), (_, b)| squared(a, &center).total_cmp(&squared(b, &center)));
+        let farthest = self.starts.iter().max_by(|(_, a), (_, b)| {
+            squared_in_doubles(a, &center).total_cmp(&squared_in_doubles(b, &center))
+        });
         let exact = farthest.and_then(|(at, _)| self.exactly(*at, point));
         self.boxes.is_connected && exact.is_some_and(|squared| squared >= *level)
     }
@@ -135,20 +128,11 @@ impl PatchInspector {
 
     /// The point at two angles, in doubles.
     fn near(&self, at: [f64; 2]) -> Option<[f64; 3]> {
-        let s = at.map(|angle| (angle / 2.0).tan());
-        let value = |f: &crate::poly::SparsePolynomial<2>| -> f64 {
-            let power = |x: f64, e: u32| x.powi(i32::try_from(e).unwrap_or(i32::MAX));
-            let terms = f.terms();
-            terms
-                .map(|([i, j], c)| c.to_f64() * power(s[0], *i) * power(s[1], *j))
-                .sum()
+        let ratio = |angle: f64| {
+            let (sin, cos) = (angle / 2.0).sin_cos();
+            [sin, cos]
         };
-        let point = self
-            .patch
-            .coordinates()
-            .each_ref()
-            .map(|f| value(f.numerator()) / value(f.denominator()));
-        point.iter().all(|x| x.is_finite()).then_some(point)
+        self.doubles.at(at.map(ratio))
     }
 
     /// The square of the distance between a point and that of the patch at two angles, exactly.
@@ -165,7 +149,7 @@ impl PatchInspector {
         let mut starts: Vec<&([f64; 2], [f64; 3])> = self.starts.iter().collect();
         let count = FOLLOWED.min(starts.len());
         let order = |a: &&([f64; 2], [f64; 3]), b: &&([f64; 2], [f64; 3])| {
-            squared(&a.1, &center).total_cmp(&squared(&b.1, &center))
+            squared_in_doubles(&a.1, &center).total_cmp(&squared_in_doubles(&b.1, &center))
         };
         if count < starts.len() {
             starts.select_nth_unstable_by(count, order);
@@ -179,7 +163,10 @@ impl PatchInspector {
     /// From two angles to a local minimum of the distance, by Gauss's and Newton's method with damping, in doubles.
     fn downhill(&self, from: [f64; 2], center: &[f64; 3]) -> [f64; 2] {
         const DIFFERENCE: f64 = 1e-6;
-        let distance = |at: [f64; 2]| self.near(at).map_or(f64::INFINITY, |q| squared(&q, center));
+        let distance = |at: [f64; 2]| {
+            self.near(at)
+                .map_or(f64::INFINITY, |q| squared_in_doubles(&q, center))
+        };
         let (mut at, mut best, mut damping) = (from, distance(from), 1e-3);
         for _ in 0..STEPS {
             let Some(q) = self.near(at) else {
@@ -223,13 +210,4 @@ impl PatchInspector {
         }
         at
     }
-}
-
-fn squared(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
-}
-
-/// A double that is not below the root.
-fn upper_root(squared: &Rational) -> f64 {
-    Interval::from(squared).sqrt().high()
 }

@@ -7,6 +7,7 @@ use malachite::base::polynomial::{Derivative, Polynomial};
 
 use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational};
+use crate::intervals::Interval;
 use crate::poly::{IntegerPolynomial, divide_exactly, numerator_at, polynomial_gcd};
 use crate::roots::real_roots;
 use crate::shape::ParametricCurve;
@@ -173,4 +174,14 @@ fn value(f: &IntegerPolynomial, s: &Dyadic) -> Rational {
     let degree = f.coefficients_asc().len().saturating_sub(1) as u64;
     let scale = Integer::from(1) << (lowered * degree);
     Rational::from(numerator_at(f, s)) / Rational::from(scale)
+}
+
+/// The squared distance of two points, in doubles.
+pub(super) fn squared_in_doubles<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
+}
+
+/// A double that is not below the root.
+pub(super) fn upper_root(squared: &Rational) -> f64 {
+    Interval::from(squared).sqrt().high()
 }

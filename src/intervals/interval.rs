@@ -92,7 +92,9 @@ impl Interval {
             Ok(Ordering::Equal) => Self::from(rounded),
             Ok(Ordering::Less) => Self::ordered(rounded, rounded.next_up()),
             Ok(Ordering::Greater) => Self::ordered(rounded.next_down(), rounded),
-            Err(_) => Self::from(x),
+            // Beyond the largest double.
+            Err(_) if rounded > 0.0 => Self::ordered(f64::MAX, rounded),
+            Err(_) => Self::ordered(rounded, f64::MIN),
         }
     }
 

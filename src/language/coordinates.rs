@@ -65,32 +65,28 @@ pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result
         let coordinates: [PatchFunction; 3] = coordinates
             .try_into()
             .map_err(|_| missing(cx, equations, "z"))?;
+        for (v, parameter) in names.iter().enumerate() {
+            for (f, (_, at)) in coordinates.iter().zip(&values) {
+                check_multiples(cx, parameter, f.degree_in(v), *at)?;
+            }
+        }
         // A parameter that falls away is none.
-        let occurs = [0, 1].map(|v| coordinates.iter().any(|f| f.degree_in(v) > 0));
-        match occurs {
-            [false, false] => return Err(a_point(cx, equations)),
-            [true, true] => {
-                for (v, parameter) in names.iter().enumerate() {
-                    for (f, (_, at)) in coordinates.iter().zip(&values) {
-                        check_multiples(cx, parameter, f.degree_in(v), *at)?;
-                    }
-                }
+        let occurs = |v: usize| coordinates.iter().any(|f| f.degree_in(v) > 0);
+        let (v, parameter) = match (occurs(0), occurs(1)) {
+            (false, false) => return Err(a_point(cx, equations)),
+            (true, true) => {
                 let parameters = [first.clone(), second.clone()];
                 return Ok(Form::Patch(Patch::new(parameters, coordinates)));
             }
-            [is_first, _] => {
-                let (v, parameter) = if is_first { (0, first) } else { (1, second) };
-                let functions = coordinates.each_ref().map(|f| {
-                    let quotient = univariate(v, f.numerator(), f.denominator());
-                    quotient.invariant("a denominator is not 0")
-                });
-                for (f, (_, at)) in coordinates.iter().zip(&values) {
-                    check_multiples(cx, parameter, f.degree_in(v), *at)?;
-                }
-                let curve = ParametricCurve::new(parameter.clone(), functions);
-                return Ok(Form::SpaceCurve(curve));
-            }
-        }
+            (true, false) => (0, first),
+            (false, true) => (1, second),
+        };
+        let functions = coordinates.each_ref().map(|f| {
+            let quotient = univariate(v, f.numerator(), f.denominator());
+            quotient.invariant("a denominator is not 0")
+        });
+        let curve = ParametricCurve::new(parameter.clone(), functions);
+        return Ok(Form::SpaceCurve(curve));
     }
     let Some(parameter) = names.into_iter().next() else {
         let at = equations[0].left.span;
@@ -102,7 +98,7 @@ pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result
     for (value, at) in &values {
         let (above, below) = value.over_one_denominator();
         let function = univariate(0, &above, &below).ok_or_else(|| no_function(*at))?;
-        let degree = u32::try_from(function.degree()).unwrap_or(u32::MAX);
+        let degree = u32::try_from(function.degree()).invariant("a degree is below 2^32");
         check_multiples(cx, &parameter, degree, *at)?;
         coordinates.push(function);
     }

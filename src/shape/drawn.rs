@@ -53,16 +53,13 @@ impl<const N: usize> ParametricCurve<N> {
     #[must_use]
     pub fn polylines(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Vec<[f64; N]>> {
         let values = self.parameter().values(range, count.max(1));
+        let curve = self.in_doubles();
         let mut lines: Vec<Vec<[f64; N]>> = vec![Vec::new()];
         let mut signs: Option<[bool; N]> = None;
         for s in values {
-            let mut point = [0.0; N];
-            let mut now = [false; N];
-            for (k, f) in self.coordinates().iter().enumerate() {
-                let (p, q) = forms(f, s);
-                point[k] = p / q;
-                now[k] = q > 0.0;
-            }
+            let forms = curve.forms(s);
+            let point = forms.map(|[p, q]| p / q);
+            let now = forms.map(|[_, q]| q > 0.0);
             // Through a pole the denominator changes its sign.
             let jumps = signs.is_some_and(|before| before != now);
             if jumps && !self.is_bounded() {
@@ -129,23 +126,45 @@ fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f6
     Some(bounds)
 }
 
-/// Numerator and denominator at s = a/b as forms of the same degree.
-fn forms(f: &RationalFunction, [a, b]: Ratio) -> (f64, f64) {
-    let degree = f.degree();
-    let value = |p: &IntegerPolynomial| {
-        let mut value = 0.0;
-        let coefficients = p.coefficients_asc();
-        let mut power = 1.0;
-        for k in (0..=degree).rev() {
-            let c = coefficients
-                .get(k)
-                .map_or(0.0, |c| Rational::from(c).to_f64());
-            value = value * a + c * power;
-            power *= b;
+/// The coordinates of a curve in doubles, with no certificate: numerators and denominators in s.
+#[derive(Debug)]
+pub(crate) struct CurveInDoubles<const N: usize> {
+    coordinates: [[Vec<f64>; 2]; N],
+}
+
+impl<const N: usize> ParametricCurve<N> {
+    pub(crate) fn in_doubles(&self) -> CurveInDoubles<N> {
+        let doubles = |f: &IntegerPolynomial| {
+            let coefficients = f.coefficients_asc().iter();
+            coefficients.map(|c| Rational::from(c).to_f64()).collect()
+        };
+        let both = |f: &RationalFunction| [doubles(f.numerator()), doubles(f.denominator())];
+        CurveInDoubles {
+            coordinates: self.coordinates().each_ref().map(both),
         }
-        value
-    };
-    (value(f.numerator()), value(f.denominator()))
+    }
+}
+
+impl<const N: usize> CurveInDoubles<N> {
+    /// The point at s.
+    pub(crate) fn at(&self, s: Ratio) -> [f64; N] {
+        self.forms(s).map(|[p, q]| p / q)
+    }
+
+    /// Numerators and denominators at s = a/b, each pair as forms of the same degree.
+    fn forms(&self, [a, b]: Ratio) -> [[f64; 2]; N] {
+        self.coordinates.each_ref().map(|both| {
+            let length = both[0].len().max(both[1].len());
+            both.each_ref().map(|coefficients| {
+                let (mut value, mut power) = (0.0, 1.0);
+                for k in (0..length).rev() {
+                    value = value * a + coefficients.get(k).unwrap_or(&0.0) * power;
+                    power *= b;
+                }
+                value
+            })
+        })
+    }
 }
 
 impl Patch {
@@ -167,20 +186,37 @@ impl Patch {
             };
             parameter.values(range, counts[k].max(1))
         });
-        let functions: Vec<[Doubles; 2]> = self.coordinates().iter().map(Doubles::of).collect();
-        let point = |at: [Ratio; 2]| {
-            let mut point = [0.0; 3];
-            for (value, [p, q]) in point.iter_mut().zip(&functions) {
-                *value = p.at(at) / q.at(at);
-            }
-            point.iter().all(|v| v.is_finite()).then_some(point)
-        };
+        let patch = self.in_doubles();
+        let point = |at: [Ratio; 2]| patch.at(at);
         let row = |s: &Ratio| second.iter().map(|t| point([*s, *t])).collect();
         first.iter().map(row).collect()
     }
 }
 
+/// The coordinates of a patch in doubles, with no certificate.
+#[derive(Debug)]
+pub(crate) struct PatchInDoubles {
+    functions: [[Doubles; 2]; 3],
+}
+
+impl Patch {
+    pub(crate) fn in_doubles(&self) -> PatchInDoubles {
+        PatchInDoubles {
+            functions: self.coordinates().each_ref().map(Doubles::of),
+        }
+    }
+}
+
+impl PatchInDoubles {
+    /// The point at (s1, s2); `None` at a pole.
+    pub(crate) fn at(&self, s: [Ratio; 2]) -> Option<[f64; 3]> {
+        let point = self.functions.each_ref().map(|[p, q]| p.at(s) / q.at(s));
+        point.iter().all(|v| v.is_finite()).then_some(point)
+    }
+}
+
 /// A polynomial in doubles, as a form in each variable.
+#[derive(Debug)]
 struct Doubles {
     terms: Vec<([i32; 2], f64)>,
     degrees: [i32; 2],

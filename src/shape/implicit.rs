@@ -1,9 +1,8 @@
 //! Implicit curves and surfaces: zero sets of exact polynomials.
 
-use std::cmp::Ordering;
-
 use crate::error::{Error, Result};
 use crate::exact::Rational;
+use crate::intervals::Interval;
 use crate::poly::{PlanePolynomial, SpacePolynomial, SparsePolynomial};
 
 /// The plane curve `f(x, y) = 0`, in coordinates relative to `center`.
@@ -141,19 +140,10 @@ fn finite(x: f64) -> Result<Rational> {
         .map_err(|_| Error::Usage(format!("a coordinate is {x}: expected a number")))
 }
 
-/// The largest double that is not above and the smallest that is not below.
+/// The doubles around a value.
 fn bounds(value: &Rational) -> [f64; 2] {
-    let near = value.to_f64();
-    match Rational::try_from(near) {
-        Ok(exact) => match exact.cmp(value) {
-            Ordering::Equal => [near, near],
-            Ordering::Less => [near, near.next_up()],
-            Ordering::Greater => [near.next_down(), near],
-        },
-        // Beyond the largest double.
-        Err(_) if near > 0.0 => [f64::MAX, near],
-        Err(_) => [near, f64::MIN],
-    }
+    let around = Interval::narrowest(value);
+    [around.low(), around.high()]
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ pub use contour::Contour;
 pub(crate) use contour::coordinate_fault;
 pub use curve::{ParametricCurve, PlaneCurve, SpaceCurve};
 pub use drawn::DRAWN_NUMBERS;
+pub(crate) use drawn::{CurveInDoubles, PatchInDoubles};
 pub use fourier::FourierRadius;
 pub(crate) use harmonics::{Basis, Expansion, quotient_in_harmonics};
 pub use implicit::{ImplicitCurve, ImplicitSurface};

@@ -9,5 +9,6 @@ mod cli_session;
 mod documents;
 mod implicitize_cli;
 mod language;
+mod language_parameters;
 mod main_job;
 mod verbs;

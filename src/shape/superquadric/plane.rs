@@ -131,7 +131,7 @@ impl Radial<2> for Superquadric {
         };
         let [a1, a2] = &self.semi_axes;
         let bases = [(x / a1).abs(), (y / a2).abs()];
-        exponent.check_size(bases.iter().map(Rational::bits).max().unwrap_or(0), &why)?;
+        exponent.check_size(bases[0].bits().max(bases[1].bits()), &why)?;
         let power = i64::try_from(exponent.p).invariant("a power is within the limit of bits");
         let radicands = bases.map(|base| base.pow(power).invariant("a power is not negative"));
         let roots = radicands.each_ref().map(|r| exact_root(r, exponent.q));

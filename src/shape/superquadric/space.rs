@@ -157,7 +157,7 @@ impl Radial<3> for SpaceSuperquadric {
             exponents.iter().try_for_each(|e| e.check_size(bits, &why))
         };
         let bases: [Rational; 3] = std::array::from_fn(|i| (&point[i] / &self.semi_axes[i]).abs());
-        let size = bases.iter().map(Rational::bits).max().unwrap_or(0);
+        let size = bases.iter().map(Rational::bits).fold(0, u64::max);
         check_size(size)?;
         if let Some(value) = exact_value(exponents, &bases) {
             return Ok(value.cmp(&self.level));
