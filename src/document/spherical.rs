@@ -12,8 +12,9 @@ use super::json::{Number, parsed, write_value};
 use super::parametric::validity;
 use super::{Format, Kind, SCHEMA, write_space_superquadric, write_surface};
 use crate::error::{Error, Result};
+use crate::exact::Integer;
 use crate::parametrize::{SurfaceMethod, SurfaceParametrization, SurfaceSource};
-use crate::poly::{SpacePolynomial, TernaryForm};
+use crate::poly::SpacePolynomial;
 use crate::sample::Ray;
 use crate::verb::{InDirection, OnMeridian};
 
@@ -206,8 +207,9 @@ fn write_text(
 
 fn forms_text(polynomial: &SpacePolynomial) -> String {
     let texts = polynomial
-        .parts()
-        .map(|form| form_text(form, Format::Text).0);
+        .homogeneous_degrees()
+        .into_iter()
+        .map(|degree| form_text(&polynomial.part(degree), Format::Text).0);
     texts.collect::<Vec<_>>().join(" + ")
 }
 
@@ -306,9 +308,16 @@ fn document(
         step: surface.step,
         lines: [],
         cones: cones
-            .flat_map(|(i, f)| f.polynomial.parts().map(move |form| form_entry(i, form)))
+            .flat_map(|(i, f)| {
+                let parts = f.polynomial.parts();
+                parts.map(move |(degree, terms)| {
+                    form_entry(i, degree, terms.iter().map(|(e, c)| (*e, c)))
+                })
+            })
             .collect(),
-        discriminants: discriminants.map(|(i, form)| form_entry(i, form)).collect(),
+        discriminants: discriminants
+            .map(|(i, form)| form_entry(i, form.degree(), form.terms()))
+            .collect(),
         branches: branches.collect(),
         meridians: meridians
             .iter()
@@ -335,14 +344,18 @@ fn source(of: &SurfaceSource) -> Result<(&'static str, Value)> {
     Ok((name, parsed(&text)))
 }
 
-fn form_entry(factor: usize, form: &TernaryForm) -> FormEntry {
-    let terms = form.terms().map(|(exponents, c)| Term {
+fn form_entry<'a>(
+    factor: usize,
+    degree: usize,
+    terms: impl Iterator<Item = ([usize; 3], &'a Integer)>,
+) -> FormEntry {
+    let terms = terms.map(|(exponents, c)| Term {
         exponents,
         coefficient: c.to_string(),
     });
     FormEntry {
         factor,
-        degree: form.degree(),
+        degree,
         terms: terms.collect(),
     }
 }

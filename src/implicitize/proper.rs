@@ -26,12 +26,23 @@ pub(super) fn proper_parametrization<const N: usize>(
     index: usize,
     limits: &Limits,
 ) -> Result<Option<[RationalFunction; N]>> {
-    let Some(s) = generator(functions, index) else {
-        return Ok(None);
-    };
+    for s in generators(functions, index) {
+        if let Some(proper) = as_functions_of(&s, functions, limits)? {
+            return Ok(Some(proper));
+        }
+    }
+    Ok(None)
+}
+
+/// The functions of t as functions of s(t), if all of them are.
+fn as_functions_of<const N: usize>(
+    s: &RationalFunction,
+    functions: &[RationalFunction; N],
+    limits: &Limits,
+) -> Result<Option<[RationalFunction; N]>> {
     let mut proper = Vec::new();
     for f in functions {
-        let Inverse::Function(fraction) = invert(f, &s, limits)? else {
+        let Inverse::Function(fraction) = invert(f, s, limits)? else {
             return Ok(None);
         };
         proper.extend(fraction.to_function());
@@ -39,16 +50,24 @@ pub(super) fn proper_parametrization<const N: usize>(
     Ok(proper.try_into().ok())
 }
 
-/// A function of degree `index` of which all of these are functions, if there is one.
-fn generator(functions: &[RationalFunction], index: usize) -> Option<RationalFunction> {
+/// Functions of degree `index`, of which all of these are functions if the two fibres behind it are in general position.
+///
+/// A fibre of the right degree need not be: where the curve has a cusp, or parameters at infinity, fewer points are counted more
+/// often.
+fn generators(
+    functions: &[RationalFunction],
+    index: usize,
+) -> impl Iterator<Item = RationalFunction> {
     let general = |f: &IntegerPolynomial| f.coefficients_asc().len() == index + 1;
-    let mut fibres = (1..=TRIES)
+    let fibres: Vec<IntegerPolynomial> = (1..=TRIES)
         .filter_map(|sigma| fibre(functions, &Rational::from(sigma)))
-        .filter(general);
-    let first = fibres.next()?;
-    let mut quotients = fibres.filter_map(|f| RationalFunction::new(f, first.clone()));
+        .filter(general)
+        .collect();
+    let pairs = (1..fibres.len()).flat_map(|k| (0..k).map(move |j| (j, k)));
+    let quotients =
+        pairs.filter_map(move |(j, k)| RationalFunction::new(fibres[k].clone(), fibres[j].clone()));
     // Of a smaller degree if both are the same points.
-    quotients.find(|s| s.degree() == index)
+    quotients.filter(move |s| s.degree() == index)
 }
 
 /// The parameters of the point at σ: the gcd of the numerators of x(t) − x(σ), y(t) − y(σ), …; `None` at a pole.
@@ -115,11 +134,28 @@ mod tests {
             let proper = proper_parametrization(&functions, index, &Limits::none()).unwrap();
             let proper = proper.ok_or_else(|| TestCaseError::fail("no number was general"))?;
             prop_assert_eq!(super::super::tracing::tracing_index_bound(&proper), 1);
-            let generator = generator(&functions, index).unwrap();
+            let is_of = |s: &RationalFunction| {
+                let mut pairs = functions.iter().zip(&proper);
+                pairs.all(|(f, proper)| composed(proper, s).as_ref() == Some(f))
+            };
+            prop_assert!(generators(&functions, index).any(|s| is_of(&s)));
             for (f, proper) in functions.iter().zip(&proper) {
                 prop_assert_eq!(proper.degree() * index, f.degree());
-                prop_assert_eq!(composed(proper, &generator), Some(f.clone()));
             }
         }
+    }
+    /// At t = 2 and at infinity s has a pole, where the curve has a cusp: the fibre of 2 is 2 twice, and of the right degree.
+    #[test]
+    fn a_fibre_over_a_cusp_is_no_general_one() {
+        let polynomial = |c: &[i64]| {
+            IntegerPolynomial::from_coefficients_asc(c.iter().copied().map(Integer::from).collect())
+        };
+        let function =
+            |p: &[i64], q: &[i64]| RationalFunction::new(polynomial(p), polynomial(q)).unwrap();
+        let s = function(&[0, 4, -1], &[-4, 2]);
+        let once = [function(&[1], &[0, 0, 1]), function(&[-1], &[0, 1, 1])];
+        let functions = once.each_ref().map(|f| composed(f, &s).unwrap());
+        let proper = proper_parametrization(&functions, 2, &Limits::none()).unwrap();
+        assert!(proper.is_some_and(|proper| proper.iter().all(|f| f.degree() == 2)));
     }
 }

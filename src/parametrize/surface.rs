@@ -2,7 +2,7 @@
 
 use malachite::base::num::arithmetic::traits::Gcd;
 
-use super::closed::{Rule, Solved, branches_of, discriminant, solve};
+use super::closed::{LARGEST_SOLVED_DEGREE, Rule, Solved, branches_of, discriminant, solve};
 use super::condition::Condition;
 use super::expression::Expression;
 use crate::error::{Error, Result};
@@ -60,6 +60,9 @@ pub struct SurfaceFactor {
     pub discriminant: Option<TernaryForm>,
     /// The k of R^k; 0 for a form, whose zero set is a cone.
     pub step: usize,
+    /// Its degree in R^k without the smallest power of R; 0 for a cone.
+    pub(super) degree_in_power: usize,
+    /// The parts, descending, between which R^k is the step; none unless there is a closed form.
     pub(super) parts: Vec<TernaryForm>,
     pub(super) solved: Option<Solved<TernaryForm>>,
 }
@@ -163,18 +166,23 @@ pub fn parametrize_surface(
 fn factor(polynomial: SpacePolynomial) -> SurfaceFactor {
     let degrees = polynomial.homogeneous_degrees();
     let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
-    let parts: Vec<TernaryForm> = match (degrees.first(), degrees.last()) {
-        (Some(&top), Some(&low)) if step > 0 => {
-            let all = (0..=(top - low) / step).map(|j| polynomial.part(top - j * step));
+    let degree_in_power = match (degrees.first(), degrees.last()) {
+        (Some(&top), Some(&low)) if step > 0 => (top - low) / step,
+        _ => 0,
+    };
+    let parts: Vec<TernaryForm> = match degrees.first() {
+        Some(&top) if (1..=LARGEST_SOLVED_DEGREE).contains(&degree_in_power) => {
+            let all = (0..=degree_in_power).map(|j| polynomial.part(top - j * step));
             all.collect()
         }
-        _ => polynomial.parts().cloned().collect(),
+        _ => Vec::new(),
     };
     SurfaceFactor {
         discriminant: discriminant(&parts),
-        solved: if step > 0 { solve(&parts) } else { None },
+        solved: solve(&parts),
         polynomial,
         step,
+        degree_in_power,
         parts,
     }
 }
@@ -188,7 +196,7 @@ fn add_branches(
         return Ok(());
     }
     let k = u32::try_from(factor.step).map_err(|_| Error::limit("the step of the degrees"))?;
-    let degree = factor.parts.len() - 1;
+    let degree = factor.degree_in_power;
     result.step = factor.step;
     let Some(solved) = &factor.solved else {
         result.method = SurfaceMethod::Numeric;

@@ -3,16 +3,20 @@
 use std::collections::BTreeMap;
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
-use malachite::base::num::basic::traits::One;
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm, Pow};
+use malachite::base::num::basic::traits::{One, Zero};
 
 use super::{BinaryForm, PlanePolynomial, SparsePolynomial, TernaryForm};
 
 /// A polynomial in x, y and z by its non-zero homogeneous parts over one common denominator:
 /// `f = (1/D) Σ_d f_d`. The three-dimensional sibling of [`PlanePolynomial`].
+///
+/// The parts are held by their terms: a form of degree d has (d + 1)(d + 2)/2 coefficients, of which few are not 0 where the
+/// degree is high.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpacePolynomial {
-    parts: BTreeMap<usize, TernaryForm>,
+    /// The terms of every part in descending lexicographic order of their exponents.
+    parts: BTreeMap<usize, Vec<([usize; 3], Integer)>>,
     denominator: Integer,
 }
 
@@ -30,15 +34,25 @@ impl SpacePolynomial {
     }
 
     /// D times the homogeneous part of the given degree, the zero form if there is none.
+    ///
+    /// Memory: that of the rows of a [`TernaryForm`], up to its largest power of y.
     #[must_use]
     pub fn part(&self, degree: usize) -> TernaryForm {
-        let part = self.parts.get(&degree).cloned();
-        part.unwrap_or_else(|| TernaryForm::zero(degree))
+        let terms = self.parts.get(&degree).into_iter().flatten().cloned();
+        TernaryForm::from_terms(degree, terms)
     }
 
-    /// The parts (times D), descending in degree.
-    pub fn parts(&self) -> impl DoubleEndedIterator<Item = &TernaryForm> {
-        self.parts.values().rev()
+    /// The degrees of the parts, descending, each with the terms (of D times the part) as exponents of x, y, z and coefficient,
+    /// in descending lexicographic order of the exponents.
+    pub fn parts(&self) -> impl DoubleEndedIterator<Item = (usize, &[([usize; 3], Integer)])> {
+        let parts = self.parts.iter().rev();
+        parts.map(|(degree, terms)| (*degree, terms.as_slice()))
+    }
+
+    /// The degrees of the parts, descending, with the values of D times the part at an integer vector.
+    pub fn values_at(&self, vector: &[Integer; 3]) -> impl Iterator<Item = (usize, Integer)> {
+        self.parts()
+            .map(|(degree, terms)| (degree, value(terms, vector)))
     }
 
     /// D, the common denominator of the parts.
@@ -57,17 +71,66 @@ impl SpacePolynomial {
         let mut above = top;
         let mut power = Integer::ONE;
         let mut parts: Vec<BinaryForm> = Vec::new();
-        for part in self.parts() {
-            for _ in part.degree()..above {
-                power *= c;
-            }
-            above = part.degree();
-            parts.push(part.on_meridian(a, b, c).scaled(&power));
+        for (degree, terms) in self.parts() {
+            power *= raised(c, above - degree);
+            above = degree;
+            parts.push(on_meridian(degree, terms, [a, b, c]).scaled(&power));
         }
         // Every part is now c^top too large.
-        let scale = (0..top).fold(self.denominator.clone(), |d, _| d * c);
-        PlanePolynomial::from_parts(parts, scale)
+        PlanePolynomial::from_parts(parts, raised(c, top) * &self.denominator)
     }
+}
+
+/// `base^exponent`.
+fn raised(base: &Integer, exponent: usize) -> Integer {
+    match exponent {
+        0 => Integer::ONE,
+        1 => base.clone(),
+        _ => base.pow(exponent as u64),
+    }
+}
+
+/// Σ c u^i v^j w^k for terms in descending order: Horner's rule in u, and in v for every power of u.
+fn value(terms: &[([usize; 3], Integer)], [u, v, w]: &[Integer; 3]) -> Integer {
+    let mut sum = Integer::ZERO;
+    let mut above = terms.first().map_or(0, |([i, ..], _)| *i);
+    for row in terms.chunk_by(|([i, ..], _), ([next, ..], _)| i == next) {
+        let ([i, first, k], _) = row[0];
+        sum *= raised(u, above - i);
+        above = i;
+        let mut inner = Integer::ZERO;
+        let (mut j_above, mut k_above, mut w_power) = (first, k, raised(w, k));
+        for ([_, j, k], c) in row {
+            inner *= raised(v, j_above - j);
+            w_power *= raised(w, k - k_above);
+            (j_above, k_above) = (*j, *k);
+            inner += c * &w_power;
+        }
+        sum += inner * raised(v, j_above);
+    }
+    sum * raised(u, above)
+}
+
+/// The part on the plane through the z axis and (a, b, 0): with a² + b² = c², the binary form `c^d f(aY/c, bY/c, X)` in (X, Y).
+fn on_meridian(
+    degree: usize,
+    terms: &[([usize; 3], Integer)],
+    [a, b, c]: [&Integer; 3],
+) -> BinaryForm {
+    let mut beside_z: BTreeMap<usize, Vec<([usize; 3], Integer)>> = BTreeMap::new();
+    for ([i, j, k], coefficient) in terms {
+        let row = beside_z.entry(*k).or_default();
+        row.push(([*i, *j, 0], coefficient.clone()));
+    }
+    let (mut below, mut power) = (0, Integer::ONE);
+    // Beside X^k Y^(d−k).
+    let mut coefficients = vec![Integer::ZERO; degree + 1];
+    for (k, row) in beside_z {
+        power *= raised(c, k - below);
+        below = k;
+        coefficients[degree - k] = value(&row, &[a.clone(), b.clone(), Integer::ONE]) * &power;
+    }
+    BinaryForm::from_coefficients(coefficients)
 }
 
 impl From<&SparsePolynomial<3>> for SpacePolynomial {
@@ -86,10 +149,64 @@ impl From<&SparsePolynomial<3>> for SpacePolynomial {
                 .or_default()
                 .push((exponents, numerator));
         }
-        let parts = terms
-            .into_iter()
-            .map(|(degree, terms)| (degree, TernaryForm::from_terms(degree, terms)))
-            .collect();
-        Self { parts, denominator }
+        for part in terms.values_mut() {
+            part.sort_by(|(e, _), (next, _)| next.cmp(e));
+        }
+        Self {
+            parts: terms,
+            denominator,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Rational;
+    use proptest::prelude::*;
+
+    fn sparse() -> impl Strategy<Value = SparsePolynomial<3>> {
+        let exponent = || prop_oneof![4 => 0u32..6, 1 => 6u32..40];
+        let term = ([exponent(), exponent(), exponent()], -9i64..10, 1i64..5);
+        prop::collection::vec(term, 1..12).prop_map(|terms| {
+            let ratio = |n: i64, d: i64| Rational::new(n.into(), d.into()).unwrap();
+            SparsePolynomial::from_terms(terms.into_iter().map(|(e, n, d)| (e, ratio(n, d))))
+        })
+    }
+
+    proptest! {
+        /// The parts have the values of the polynomial, and are the same as dense forms.
+        #[test]
+        fn parts_have_the_values_of_the_polynomial(f in sparse(), at in prop::array::uniform3(-9i64..10)) {
+            let parts = SpacePolynomial::from(&f);
+            let at = at.map(Integer::from);
+            let sum = parts.values_at(&at).map(|(_, value)| value).sum::<Integer>();
+            let value = f.evaluate(&at.each_ref().map(Rational::from));
+            prop_assert_eq!(Rational::from(sum), value * Rational::from(parts.denominator()));
+            for (degree, value) in parts.values_at(&at) {
+                prop_assert_eq!(parts.part(degree).evaluate(&at), value);
+            }
+        }
+
+        /// On a meridian a part is the binary form of the dense one.
+        #[test]
+        fn meridians_are_those_of_dense_forms(f in sparse()) {
+            let [a, b, c] = [3, 4, 5].map(Integer::from);
+            for (degree, terms) in SpacePolynomial::from(&f).parts() {
+                let dense = TernaryForm::from_terms(degree, terms.iter().cloned());
+                prop_assert_eq!(on_meridian(degree, terms, [&a, &b, &c]), dense.on_meridian(&a, &b, &c));
+            }
+        }
+    }
+
+    #[test]
+    fn high_powers_take_little_memory() {
+        let z = SparsePolynomial::from_terms([([0, 0, 4_000_000_000], Rational::one())]);
+        let parts = SpacePolynomial::from(&z);
+        assert_eq!(parts.homogeneous_degrees(), [4_000_000_000]);
+        assert_eq!(
+            parts.values_at(&[5.into(), 7.into(), 1.into()]).next(),
+            Some((4_000_000_000, Integer::ONE))
+        );
     }
 }

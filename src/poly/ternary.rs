@@ -3,8 +3,9 @@
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::polynomial::Polynomial;
 
-use super::{BinaryForm, Ring};
+use super::{BinaryForm, IntegerPolynomial, Ring};
 
 /// A homogeneous polynomial `f(x, y, z) = Σ_j f_j(x, y) z^j` with integer coefficients: a binary form of
 /// degree d − j for every power of z.
@@ -45,17 +46,23 @@ impl TernaryForm {
         degree: usize,
         terms: impl IntoIterator<Item = ([usize; 3], Integer)>,
     ) -> Self {
-        let mut rows: Vec<Vec<Integer>> = (0..=degree)
-            .map(|k| vec![Integer::ZERO; degree - k + 1])
-            .collect();
+        // Only as long as the terms ask.
+        let mut rows: Vec<Vec<Integer>> = vec![Vec::new(); degree + 1];
         for ([i, j, k], c) in terms {
             assert_eq!(i + j + k, degree, "the terms of a form have one degree");
-            rows[k][j] += c;
+            let row = &mut rows[k];
+            if row.len() <= j {
+                row.resize(j + 1, Integer::ZERO);
+            }
+            row[j] += c;
         }
+        let rows = rows.into_iter().enumerate();
         Self::from_rows(
-            rows.into_iter()
-                .map(BinaryForm::from_coefficients)
-                .collect(),
+            rows.map(|(k, row)| {
+                let row = IntegerPolynomial::from_coefficients_asc(row);
+                BinaryForm::from_dehomogenized(degree - k, row)
+            })
+            .collect(),
         )
     }
 
@@ -137,7 +144,7 @@ impl TernaryForm {
     #[must_use]
     pub fn divided_by_rho(&self) -> Option<Self> {
         let degree = self.degree();
-        if degree < 2 {
+        if degree < 2 || !self.vanishes_at_an_isotropic_vector() {
             return None;
         }
         // From the highest power of z down: q_j = f_(j+2) − (x² + y²) q_(j+2).
@@ -151,6 +158,22 @@ impl TernaryForm {
         quotient.reverse();
         let divides = rest[0].is_zero() && rest[1].is_zero();
         divides.then(|| Self::from_rows(quotient))
+    }
+
+    /// Whether f(3, 4, 5i) = 0, as it is where x² + y² + z² divides f: 3² + 4² + (5i)² = 0. A division of f, which fills its zeros
+    /// with coefficients, costs far more than this value.
+    fn vanishes_at_an_isotropic_vector(&self) -> bool {
+        let (three, four) = (Integer::from(3), Integer::from(4));
+        // Horner's rule in z² = −25 for the even and for the odd powers of z.
+        let mut sums = [Integer::ZERO, Integer::ZERO];
+        for (j, row) in self.rows.iter().enumerate().rev() {
+            let sum = &mut sums[j % 2];
+            *sum *= Integer::from(-25);
+            if !row.is_zero() {
+                *sum += row.evaluate(&three, &four);
+            }
+        }
+        sums.iter().all(|sum| *sum == 0)
     }
 
     /// The largest e such that `(x² + y² + z²)^e` divides f, and the quotient; `None` for the zero form.

@@ -88,12 +88,13 @@ impl HomogeneousParts<3> for SpacePolynomial {
 
     fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, 3>>)> {
         let parts = self.parts();
-        parts.map(|p| (p.degree(), p.terms().collect())).collect()
+        let parts =
+            parts.map(|(degree, terms)| (degree, terms.iter().map(|(e, c)| (*e, c)).collect()));
+        parts.collect()
     }
 
     fn values_at(&self, vector: &[Integer; 3]) -> Vec<(usize, Integer)> {
-        let parts = self.parts();
-        parts.map(|p| (p.degree(), p.evaluate(vector))).collect()
+        SpacePolynomial::values_at(self, vector).collect()
     }
 }
 

@@ -4,10 +4,12 @@ use std::any::Any;
 use std::cell::{Cell, RefCell};
 use std::env;
 use std::fmt::Write as _;
+use std::fs;
 use std::io::{self, Write as _};
+use std::ops::Range;
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::{Mutex, RwLock};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use super::draw::Draw;
@@ -79,8 +81,13 @@ const SEEDS_OF_A_TURN: u64 = 1 << 20;
 const TURN: Duration = Duration::from_millis(300);
 /// How often counts are printed.
 const REPORT: Duration = Duration::from_secs(30);
+/// More memory than this for one case is a finding.
+const LARGEST_MEMORY: u64 = 1 << 30;
 /// Only so many findings of a kind are printed in full.
 const FINDINGS_SHOWN: usize = 5;
+
+/// Turns read it; it is written where nothing may run beside a case.
+static ALONE: RwLock<()> = RwLock::new(());
 
 thread_local! {
     static IN_A_CASE: Cell<bool> = const { Cell::new(false) };
@@ -118,6 +125,40 @@ fn run_case(kind: &Kind, seed: u64) -> Result<Outcome, Finding> {
         input: draw.input,
         differed: format!("{} ({})", text_of(payload.as_ref()), PLACE.take()),
     })
+}
+
+/// The largest memory that this process has had since the last call, in bytes; 0 where the system does not tell.
+fn peak_memory() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    // The peak is set back to what is in use.
+    let _ = fs::write("/proc/self/clear_refs", "5");
+    let kilobytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());
+    kilobytes.unwrap_or(0) * 1024
+}
+
+/// Repeats the cases of a turn one by one, and nothing beside them: those for which much memory is taken.
+fn large_cases(kind: &Kind, seeds: Range<u64>) -> Vec<Finding> {
+    let _alone = ALONE.write().unwrap();
+    let mut large = Vec::new();
+    for seed in seeds {
+        peak_memory();
+        let before = peak_memory();
+        let mut draw = Draw::new(kind.name, seed);
+        IN_A_CASE.set(true);
+        let _ = panic::catch_unwind(AssertUnwindSafe(|| (kind.run)(&mut draw)));
+        IN_A_CASE.set(false);
+        let taken = peak_memory().saturating_sub(before);
+        if taken > LARGEST_MEMORY {
+            large.push(Finding {
+                kind: kind.name,
+                seed,
+                input: draw.input,
+                differed: format!("{} MB of memory", taken >> 20),
+            });
+        }
+    }
+    large
 }
 
 fn say(text: &str) {
@@ -211,6 +252,7 @@ pub(crate) fn campaign(name: &'static str, kinds: &[Kind]) {
     let plan = Plan::of_environment(name);
     let counts: Vec<Count> = kinds.iter().map(|_| Count::default()).collect();
     let findings = Mutex::new(Vec::new());
+    let times_large = AtomicU64::new(0);
     let next_turn = AtomicU64::new(0);
     let threads = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     if plan.time.is_some() {
@@ -231,7 +273,20 @@ pub(crate) fn campaign(name: &'static str, kinds: &[Kind]) {
                 return;
             }
             let index = (turn % turns) as usize;
-            run_turn(kinds[index], &counts[index], &plan, turn, &findings);
+            let alone = ALONE.read().unwrap();
+            let large_before = times_large.load(Relaxed);
+            let seeds = run_turn(kinds[index], &counts[index], &plan, turn, &findings);
+            if peak_memory() > LARGEST_MEMORY {
+                times_large.fetch_add(1, Relaxed);
+            }
+            drop(alone);
+            // By a case of this turn, or by another one beside it.
+            if times_large.load(Relaxed) > large_before {
+                for finding in large_cases(kinds[index], seeds) {
+                    counts[index].failed.fetch_add(1, Relaxed);
+                    record(finding, name, &findings);
+                }
+            }
             let mut last = last_report.lock().unwrap();
             if plan.time.is_some() && last.elapsed() >= REPORT {
                 *last = Instant::now();
@@ -264,12 +319,28 @@ pub(crate) fn campaign(name: &'static str, kinds: &[Kind]) {
     assert!(all.is_empty(), "{} findings\n{}", all.len(), all.join("\n"));
 }
 
-/// One kind for a while, or its few cases.
-fn run_turn(kind: &Kind, count: &Count, plan: &Plan, turn: u64, findings: &Mutex<Vec<Finding>>) {
+/// Prints a finding, unless enough of its kind are known.
+fn record(finding: Finding, name: &str, findings: &Mutex<Vec<Finding>>) {
+    let mut all = findings.lock().unwrap();
+    if all.iter().filter(|f| f.kind == finding.kind).count() < FINDINGS_SHOWN {
+        say(&shown(name, &finding));
+        all.push(finding);
+    }
+}
+
+/// One kind for a while, or its few cases; the seeds that were run.
+fn run_turn(
+    kind: &Kind,
+    count: &Count,
+    plan: &Plan,
+    turn: u64,
+    findings: &Mutex<Vec<Finding>>,
+) -> Range<u64> {
     let start = Instant::now();
     let first = plan.time.map_or(plan.seed, |_| {
         plan.seed.wrapping_add(turn.wrapping_mul(SEEDS_OF_A_TURN))
     });
+    let mut end = first;
     // Where one kind is repeated from a seed, it begins with that seed.
     for i in 0..SEEDS_OF_A_TURN {
         let is_over = match plan.time {
@@ -280,21 +351,19 @@ fn run_turn(kind: &Kind, count: &Count, plan: &Plan, turn: u64, findings: &Mutex
         if is_over && i > 0 {
             break;
         }
+        end = first.wrapping_add(i + 1);
         match run_case(kind, first.wrapping_add(i)) {
             Ok(Outcome::Checked) => count.checked.fetch_add(1, Relaxed),
             Ok(Outcome::Open) => count.open.fetch_add(1, Relaxed),
             Err(finding) => {
-                let mut all = findings.lock().unwrap();
-                if all.iter().filter(|f| f.kind == kind.name).count() < FINDINGS_SHOWN {
-                    say(&shown(plan.name, &finding));
-                    all.push(finding);
-                }
+                record(finding, plan.name, findings);
                 count.failed.fetch_add(1, Relaxed)
             }
         };
     }
     let spent = start.elapsed().as_micros() as u64;
     count.microseconds.fetch_add(spent, Relaxed);
+    first..end
 }
 
 #[test]
@@ -316,4 +385,29 @@ fn a_wrong_answer_is_a_finding_with_its_seed_and_input() {
         assert!(again.differed.contains("is odd") && again.differed.contains("harness.rs"));
         assert!(shown("NAME", finding).contains(&format!("SEED={}", finding.seed)));
     }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_case_that_takes_much_memory_is_found_among_others() {
+    fn large(draw: &mut Draw) -> Outcome {
+        let n = draw.below(100);
+        draw.input = format!("n = {n}");
+        let size = if n == 7 {
+            LARGEST_MEMORY + (64 << 20)
+        } else {
+            1
+        };
+        let bytes = vec![1_u8; size as usize];
+        assert_eq!(bytes[bytes.len() / 2], 1);
+        Outcome::Checked
+    }
+    let kind = Kind::new("large", Weight::Cheap, 1, large);
+    let found = large_cases(&kind, 0..300);
+    let drawn = (0..300).filter(|seed| Draw::new("large", *seed).below(100) == 7);
+    assert_eq!(
+        found.iter().map(|f| f.seed).collect::<Vec<_>>(),
+        drawn.collect::<Vec<_>>()
+    );
+    assert!(!found.is_empty() && found.iter().all(|f| f.input == "n = 7"));
 }

@@ -227,9 +227,9 @@ fn residual(c: &[f64], r: Complex<f64>) -> f64 {
 fn coefficients(f: &SpacePolynomial, direction: &SpaceDirection) -> Vec<f64> {
     let (vector, w) = direction.over_common_denominator();
     let w = Rational::from(&w);
-    let values = f.parts().map(|part| {
-        let power = w.pow(i64::try_from(part.degree()).unwrap()).unwrap();
-        (Rational::from(part.evaluate(&vector)) / power).to_f64()
+    let values = f.values_at(&vector).map(|(degree, value)| {
+        let power = w.pow(i64::try_from(degree).unwrap()).unwrap();
+        (Rational::from(value) / power).to_f64()
     });
     values.collect()
 }

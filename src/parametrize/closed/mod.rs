@@ -48,6 +48,9 @@ pub(super) enum Rule {
     Biquadratic(Index),
 }
 
+/// The lemmas solve polynomials in R^k up to this degree.
+pub(super) const LARGEST_SOLVED_DEGREE: usize = 4;
+
 /// The closed forms for 2 to 5 parts, in descending order; `None` for another number.
 pub(super) fn solve<F: LemmaForm>(parts: &[F]) -> Option<Solved<F>> {
     match parts {
