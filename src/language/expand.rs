@@ -4,7 +4,7 @@
 //! univariate one by Kronecker's substitution (x, y, z become powers of one variable with strides
 //! that keep the answer's exponents apart), which a fast univariate product then multiplies.
 
-use malachite::base::num::arithmetic::traits::{Lcm, Pow};
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial as _;
@@ -17,6 +17,9 @@ use crate::exact::{Integer, Rational};
 use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial, total_degree};
 
 type Polynomial = SparsePolynomial<3>;
+
+/// Powers of polynomials with at most so many terms are found coefficient by coefficient.
+const FEW_TERMS: usize = 32;
 
 /// The error for a degree beyond [`MAX_DEGREE`].
 pub(super) fn degree_limit(cx: &Context<'_>, at: Span) -> Error {
@@ -103,7 +106,11 @@ pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> R
             per_factor.saturating_mul(u64::from(n)),
             at,
         )?;
-        let powered = (&packed.polynomial).pow(u64::from(n));
+        let powered = if f.len() <= FEW_TERMS {
+            power_of_few_terms(&packed.polynomial, n)
+        } else {
+            (&packed.polynomial).pow(u64::from(n))
+        };
         return Ok(packing.unpack(&powered, &packed.denominator.pow(u64::from(n))));
     }
     let mut result = f.clone();
@@ -117,6 +124,40 @@ pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> R
         }
     }
     Ok(result)
+}
+
+/// f^n for f ≠ 0, coefficient by coefficient, in the memory of the answer.
+///
+/// With f = x^s Σ_j c_j x^(e_j), e_0 = 0, the power P of the sum has P_0 = c_0^n, and f P' = n f' P says of the coefficient of
+/// x^(m − 1) that `m c_0 P_m = Σ_(j ≥ 1) ((n + 1) e_j − m) c_j P_(m − e_j)` (Euler). All divisions are exact.
+///
+/// Cost: one product for every coefficient of the answer and term of f; the zeros between the terms cost next to nothing.
+fn power_of_few_terms(f: &IntegerPolynomial, n: u32) -> IntegerPolynomial {
+    let coefficients = f.coefficients_asc();
+    let mut terms = coefficients.iter().enumerate().filter(|(_, c)| **c != 0);
+    let (shift, first) = terms
+        .next()
+        .invariant("a polynomial that is not 0 has a term");
+    let rest: Vec<(usize, &Integer)> = terms.map(|(e, c)| (e - shift, c)).collect();
+    let times = n as usize;
+    let length = (coefficients.len() - 1 - shift) * times + 1;
+    let mut power = vec![Integer::ZERO; shift * times + length];
+    let (_, answer) = power.split_at_mut(shift * times);
+    answer[0] = first.pow(u64::from(n));
+    for m in 1..length {
+        let mut sum = Integer::ZERO;
+        for (e, c) in rest.iter().take_while(|(e, _)| *e <= m) {
+            let before = &answer[m - e];
+            if *before != 0 {
+                let weight = Integer::from((times + 1) * e) - Integer::from(m);
+                sum += *c * before * weight;
+            }
+        }
+        if sum != 0 {
+            answer[m] = sum.div_exact(first * Integer::from(m));
+        }
+    }
+    IntegerPolynomial::from_coefficients_asc(power)
 }
 
 /// Checks a result of at most `terms` terms of about `bits` bits each.
@@ -288,5 +329,21 @@ impl Packing {
             exponents[i] = u32::try_from(left).invariant("exponents are below 2^32");
         }
         exponents
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Coefficient by coefficient the power is the same as by products; cancelling coefficients and gaps included.
+        #[test]
+        fn powers_of_few_terms_are_powers(c in prop::collection::vec(prop_oneof![3 => Just(0i64), 2 => -9i64..10, 1 => any::<i64>()], 1..20), n in 2u32..12) {
+            let f = IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());
+            prop_assume!(!f.coefficients_asc().is_empty());
+            prop_assert_eq!(power_of_few_terms(&f, n), (&f).pow(u64::from(n)));
+        }
     }
 }
