@@ -93,10 +93,18 @@ impl EnclosedRays {
         }
     }
 
-    /// f(λ got cos θ, λ got sin θ) without powers of λ.
+    /// f(λ got cos θ, λ got sin θ) without powers of λ, up to a positive factor.
+    ///
+    /// Lemma 1. Let C and S be less than 2 away from 2^b cos θ and 2^b sin θ, and h a form of degree m ≥ 1 with 8m < 2^b. Then
+    /// ⌊h(C, S)/2^(b(m − 1))⌋ is at most 4m‖h‖ + 1 away from 2^b h(cos θ, sin θ), ‖h‖ the sum of the sizes of the coefficients.
+    /// Proof. With ε = 2·2^−b, C/2^b and S/2^b are at most 1 + ε in size. Replacing the m factors of a monomial one after another
+    /// changes it by at most mε(1 + ε)^(m − 1) ≤ mε e^(mε) ≤ 2mε, since mε < 1/4. That is 4m in units of 2^−b. The
+    /// floor takes less than 1 more.
+    ///
+    /// Law: `coefficients_are_within_their_errors_and_reach_them`.
     fn enclosed(&self, theta: &Rational, got: &Rational, bits: u32) -> Enclosed {
         let unit = Integer::ONE << bits;
-        // Within two units.
+        // Less than a quarter of a unit away, and less than one more by the floor.
         let fixed = |v: Rational| (v * Rational::from(&unit)).floor();
         let [c, s] = cosine_and_sine(theta, bits + 2).map(fixed);
         let exact = theta.is_zero();
@@ -106,7 +114,7 @@ impl EnclosedRays {
         let mut errors = middle.clone();
         let (p, q) = (got.numerator(), got.denominator());
         for (d, form) in &self.parts {
-            // h(C, S) is 2^(bits m) h(c, s), |h(c, s) − h(c0, s0)| ≤ m ε 2 ‖h‖ with ε two units and m ε < 1/4.
+            // By Lemma 1; a constant is exact.
             let m = form.degree();
             let value = form.evaluate(&c, &s);
             let value = if m == 0 {
@@ -178,6 +186,10 @@ impl Enclosed {
     }
 
     /// The nearest root of the true polynomial, if that is proved; `Some(None)` if it is proved that there is none.
+    ///
+    /// Lemma 2. For |λ − 1| ≤ ρ the true polynomial differs from the middle one by at most E = Σ e_d (1 + ρ)^d. So it has the
+    /// sign of middle − E and middle + E where these have one sign: no zero on an interval on which they have, and one between two
+    /// points at which these signs are opposite. Proof. |λ| ≤ 1 + ρ, and every coefficient is off by at most e_d.
     fn nearest_proved(&self) -> Option<Option<Offset>> {
         let shifted = shift_by_one(Self::polynomial(&self.middle));
         let Some(offset) = nearest_to_zero(&shifted) else {
@@ -233,7 +245,7 @@ impl Enclosed {
         has_no_zero([&less, &more], &-&reach, &reach, MOST_HALVINGS)
     }
 
-    /// Σ e_d M^d, rounded up: bounds what the true polynomial differs by wherever |λ − 1| ≤ reach.
+    /// E of Lemma 2 for |λ − 1| ≤ reach, rounded up.
     fn error_within(&self, reach: &Rational) -> Integer {
         let most = Rational::one() + reach;
         let value = self
@@ -271,4 +283,46 @@ fn has_no_zero(
         return false;
     }
     has_no_zero(both, low, &middle, halvings - 1) && has_no_zero(both, &middle, high, halvings - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The coefficients with few bits against those with many, for forms of which each has one part beside a constant.
+    #[test]
+    fn coefficients_are_within_their_errors_and_reach_them() {
+        const BITS: u32 = 24;
+        let mut largest = Rational::zero();
+        for m in 1..9 {
+            for n in 0..60 {
+                // x^m, whose error is all of its slope where cos θ is near 1, and a form with all monomials.
+                let monomial = (0..=m).map(|k| Integer::from(i32::from(k == 0)));
+                let dense = (0..=m).map(|k| Integer::from(if k % 2 == 0 { 3 } else { -5 }));
+                let forms = [monomial.collect::<Vec<_>>(), dense.collect()];
+                let theta = Rational::new((7 * n + 1).into(), (100 * m + n).into()).unwrap();
+                for form in forms.map(BinaryForm::from_coefficients) {
+                    let whole = [form, BinaryForm::from_coefficients(vec![Integer::ONE])];
+                    let rays = EnclosedRays::new(&PlanePolynomial::from_parts(whole, Integer::ONE));
+                    let few = rays.enclosed(&theta, &Rational::one(), BITS);
+                    let many = rays.enclosed(&theta, &Rational::one(), 8 * BITS);
+                    let parts = few.middle.iter().zip(&few.errors);
+                    for ((few, error), many) in parts.zip(&many.middle) {
+                        let off = (Rational::from(few)
+                            - Rational::from_dyadic(many.clone(), -7 * i64::from(BITS)))
+                        .abs();
+                        assert!(off <= Rational::from(error), "{off} beyond {error}");
+                        if *error != 0 {
+                            largest = largest.max(off / Rational::from(error));
+                        }
+                    }
+                }
+            }
+        }
+        assert!(
+            largest > Rational::new(1.into(), 8.into()).unwrap(),
+            "{}",
+            largest.to_f64()
+        );
+    }
 }

@@ -235,3 +235,25 @@ fn union(mut ranges: Vec<AngleRange>) -> Vec<AngleRange> {
     }
     merged
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// z = ±1 touches the unit sphere in a pole alone, where the chart has no point or its origin.
+    #[test]
+    fn a_plane_that_touches_at_a_pole_has_a_point() {
+        let origin = [0; 3].map(Rational::from);
+        let plane = |z: i64| {
+            SparsePolynomial::<3>::variable(2).minus(&SparsePolynomial::constant(Rational::from(z)))
+        };
+        for (z, meets) in [(1, true), (-1, true), (0, true), (2, false), (-2, false)] {
+            let section = SphereSection::new(&plane(z), &origin, &Rational::one());
+            assert_eq!(
+                section.has_points(&Limits::none()).unwrap(),
+                meets,
+                "z = {z}"
+            );
+        }
+    }
+}

@@ -134,6 +134,7 @@ mod tests {
     use crate::exact::Rational;
     use crate::intervals::rational;
     use crate::intervals::tests::{cubic, sphere};
+    use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 
     proptest! {
@@ -164,12 +165,30 @@ mod tests {
                 prop_assert!(found.high >= 1.0 || !is_beyond(found.high.next_up()));
             }
             if size <= 1e-16 && scale > 0.9 {
+                prop_assert!(found.high.is_finite(), "{found:?}");
                 prop_assert!(found.high - found.low <= 1e-14 * (1.0 + found.high), "{found:?}");
             }
         }
     }
 
     proptest! {
+        /// Lemma 12 is as sharp as a parabola: v − bx + cx² has no upper bound of its distance where it has no zeros, and one
+        /// where it has.
+        #[test]
+        fn a_parabola_has_an_upper_bound_where_it_has_zeros(v in 1i64..200, b in 1i64..60, c in 1i64..60) {
+            let x = SparsePolynomial::<3>::variable(0);
+            let constant = |n: i64| SparsePolynomial::constant(Rational::from(n));
+            let f = x.squared().scaled(&c.into()).minus(&x.scaled(&b.into())).plus(&constant(v));
+            // The foot at 0 is wrong, and 1 away from the point.
+            let found = enclose(&Field::new(&f), [-1.0, 0.0, 0.0], [0.0; 3], 1);
+            let discriminant = b * b - 4 * v * c;
+            if discriminant < 0 {
+                prop_assert_eq!(found.high, f64::INFINITY);
+            } else if discriminant > 0 && 2 * v <= b {
+                prop_assert!(found.high.is_finite());
+            }
+        }
+
         /// Whatever surface and point: no zero nearer than the lower bound, and one within the upper bound on the way to q.
         #[test]
         fn bounds_hold_on_random_cubics(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-2.0f64..2.0), v in prop::array::uniform3(-1.0f64..1.0)) {
