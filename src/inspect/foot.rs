@@ -165,7 +165,8 @@ mod tests {
                 prop_assert!(found.high >= 1.0 || !is_beyond(found.high.next_up()));
             }
             if size <= 1e-16 && scale > 0.9 {
-                prop_assert!(found.high.is_finite(), "{found:?}");
+                // Next to the surface the error of f may be larger than f.
+                prop_assert!(found.high.is_finite() || (scale - 1.0).abs() < 1e-3, "{found:?}");
                 prop_assert!(found.high - found.low <= 1e-14 * (1.0 + found.high), "{found:?}");
             }
         }
