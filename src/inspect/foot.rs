@@ -185,7 +185,7 @@ mod tests {
             let discriminant = b * b - 4 * v * c;
             if discriminant < 0 {
                 prop_assert_eq!(found.high, f64::INFINITY);
-            } else if discriminant > 0 && 2 * v <= b {
+            } else if discriminant > 0 && 2 * v < b {
                 prop_assert!(found.high.is_finite());
             }
         }
