@@ -127,7 +127,7 @@ fn number(cx: &mut Context<'_>, span: Span) -> Result<Rational> {
     // `1e99999` is much longer than it looks.
     let (bits, written) = (value.bits(), 8 * text.len() as u64);
     if bits > written {
-        cx.budget.spend_bits(bits, cx.source, span)?;
+        cx.budget.spend_bits(1, bits, cx.source, span)?;
     }
     Ok(value)
 }
@@ -178,7 +178,7 @@ fn power<A: Algebra>(
     let negative = n.signum() < 0;
     if let Some(base_value) = A::to_constant(&value) {
         let bits = base_value.bits().saturating_mul(u64::from(magnitude));
-        cx.budget.spend_bits(bits, cx.source, exponent.span)?;
+        cx.budget.spend_bits(1, bits, cx.source, exponent.span)?;
         let signed = if negative {
             -i64::from(magnitude)
         } else {
@@ -228,7 +228,8 @@ pub(super) fn times(cx: &mut Context<'_>, a: Rational, b: Rational, at: Span) ->
     if is_one(&b) {
         return Ok(a);
     }
-    cx.budget.spend_bits(a.bits() + b.bits(), cx.source, at)?;
+    cx.budget
+        .spend_bits(1, a.bits() + b.bits(), cx.source, at)?;
     Ok(a * b)
 }
 

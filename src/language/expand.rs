@@ -44,8 +44,7 @@ pub(super) fn times_term(
     let count = f.len() as u64;
     let bits = coefficient_bits(&f) + c.bits();
     cx.budget.spend_products(count, bits, cx.source, at)?;
-    cx.budget
-        .spend_bits(count.saturating_mul(bits), cx.source, at)?;
+    cx.budget.spend_bits(count, bits, cx.source, at)?;
     Ok(Polynomial::from_terms(f.terms().map(|(g, d)| {
         ([e[0] + g[0], e[1] + g[1], e[2] + g[2]], c * d)
     })))
@@ -166,8 +165,7 @@ fn account(cx: &mut Context<'_>, terms: u64, bits: u64, at: Span) -> Result<()> 
         let limit = format!("more than {MAX_TERMS} terms after expansion");
         return Err(cx.source.limit(at, limit));
     }
-    cx.budget
-        .spend_bits(terms.saturating_mul(bits), cx.source, at)
+    cx.budget.spend_bits(terms, bits, cx.source, at)
 }
 
 /// Accounts for a product term by term.
@@ -281,8 +279,8 @@ impl Packing {
             if !c.is_integer() {
                 let d = c.denominator();
                 common = Integer::from(common.unsigned_abs_ref().lcm(d.unsigned_abs_ref()));
-                let bits = common.significant_bits().saturating_mul(f.len() as u64);
-                cx.budget.spend_bits(bits / f.len() as u64, cx.source, at)?;
+                cx.budget
+                    .spend_bits(1, common.significant_bits(), cx.source, at)?;
             }
         }
         let scale = Rational::from(&common);

@@ -18,7 +18,7 @@ pub const MAX_TERMS: usize = 5_000_000;
 /// The largest index n of `cos(n*t)` and `sin(n*t)`.
 pub const MAX_HARMONIC: u32 = 100_000;
 
-/// The most digits of one number.
+/// The most digits of one number, written or computed.
 pub const MAX_DIGITS: usize = 10_000_000;
 
 /// The most work that the expansion of one text may take term by term: products of coefficients,
@@ -66,9 +66,21 @@ impl Budget {
         Ok(())
     }
 
-    /// Accounts for `count` bits of a result, before it is computed.
-    pub(super) fn spend_bits(&mut self, count: u64, source: Source<'_>, at: Span) -> Result<()> {
-        self.bits = self.bits.checked_sub(count).ok_or_else(|| {
+    /// Accounts for `count` numbers of about `bits` bits each, before they are computed.
+    pub(super) fn spend_bits(
+        &mut self,
+        count: u64,
+        bits: u64,
+        source: Source<'_>,
+        at: Span,
+    ) -> Result<()> {
+        // 10 bits are three digits.
+        if bits / 10 > MAX_DIGITS as u64 / 3 {
+            let limit = format!("a number of more than {MAX_DIGITS} digits");
+            return Err(source.limit(at, limit));
+        }
+        let all = count.saturating_mul(bits);
+        self.bits = self.bits.checked_sub(all).ok_or_else(|| {
             let limit = format!("the expanded coefficients have more than {MAX_BITS} bits in all");
             source.limit(at, limit)
         })?;

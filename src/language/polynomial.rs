@@ -133,7 +133,7 @@ impl Algebra for Implicit {
                 }
                 let bits = c.bits().saturating_mul(u64::from(exponent));
                 if bits > u64::from(exponent) {
-                    cx.budget.spend_bits(bits, cx.source, at)?;
+                    cx.budget.spend_bits(1, bits, cx.source, at)?;
                 }
                 let power = c
                     .pow(i64::from(exponent))

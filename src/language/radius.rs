@@ -168,8 +168,7 @@ fn scaled(
     let count = f.len() as u64;
     let bits = bits(f) + factor.bits();
     cx.budget.spend_products(count, bits, cx.source, at)?;
-    cx.budget
-        .spend_bits(count.saturating_mul(bits), cx.source, at)?;
+    cx.budget.spend_bits(count, bits, cx.source, at)?;
     Ok(f.scaled(factor))
 }
 
@@ -184,6 +183,5 @@ fn account(cx: &mut Context<'_>, a: &TrigPolynomial, b: &TrigPolynomial, at: Spa
     let bits = bits(a) + bits(b);
     cx.budget.spend_products(count, bits, cx.source, at)?;
     let terms = count.min(u64::from(top) + 1);
-    cx.budget
-        .spend_bits(terms.saturating_mul(bits), cx.source, at)
+    cx.budget.spend_bits(terms, bits, cx.source, at)
 }

@@ -315,7 +315,11 @@ fn limits_are_reached_before_the_work() {
     assert_limit("x^20000*y^3", "degree");
     assert_limit("(x^3+1)^9999", "degree");
     assert_limit("2^99999*x", "exponent");
-    assert_limit("((2^20000)^20000)^20000*x", "bits");
+    assert_limit("((2^20000)^20000)^20000*x", "digits");
+    assert_limit("x^4 - x^2 + y^1e100000^20002", "digits");
+    assert_limit("(1e100000*x)^20002", "digits");
+    assert_limit("r = (1e100000 + cos(t))^20002", "products");
+    assert_limit("(x+y+1)^2990", "bits");
     assert_limit("r = cos(100001t)", "harmonic");
     assert_limit("r = cos(60000t)*cos(50000t)", "harmonic");
     assert_limit("r = (1+cos(t))^20000*(1+cos(2t))^20000", "products");
