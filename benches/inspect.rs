@@ -45,12 +45,7 @@ fn points(degree: u32) -> Vec<[f64; 3]> {
 }
 
 fn inspector(degree: u32) -> Inspector {
-    let options = InspectOptions {
-        tolerance: "1/100".parse().unwrap(),
-        reach: 0.0,
-        digits: 6,
-        cubes: 50_000,
-    };
+    let options = InspectOptions::new("1/100".parse().unwrap());
     Inspector::surface(&surface(degree), &options, &Limits::none()).unwrap()
 }
 

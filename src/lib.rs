@@ -112,6 +112,7 @@ pub mod limits;
 pub mod mesh;
 mod modular;
 mod notation;
+mod options;
 pub mod paper;
 pub mod parametrize;
 #[cfg(feature = "pictures")]

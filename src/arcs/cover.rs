@@ -11,6 +11,7 @@ use crate::exact::Rational;
 use crate::factor::factor_space;
 use crate::intervals::{Field, Interval, rational, rationals};
 use crate::limits::Limits;
+use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::shape::ImplicitSurface;
 
@@ -27,13 +28,15 @@ const BLOCK: u32 = 16;
 /// So many points at most.
 const MAX_POINTS: usize = 1_000_000;
 
-/// How arcs are traced.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ArcOptions {
-    /// The box in which they are looked for.
-    pub bounds: [[f64; 2]; 3],
-    /// Neighbours are at most the longest side of the box divided by this apart, along one of the axes.
-    pub resolution: u32,
+options! {
+    /// How arcs are traced.
+    ArcOptions of {
+        /// The box in which they are looked for.
+        bounds: [[f64; 2]; 3],
+    } {
+        /// Neighbours are at most the longest side of the box divided by this apart, along one of the axes.
+        resolution: u32 = 64,
+    }
 }
 
 /// A point with exactly one common zero of both polynomials beside it.
@@ -122,7 +125,7 @@ impl IntersectionArcs {
 ///
 /// // Two circles, with z = ±√(1/2)
 /// let Form::Intersection(pair) = parse_form("x^2+y^2+z^2 = 1; x^2+y^2 = z^2", "<form>", Numbers::Exact)? else { panic!() };
-/// let options = ArcOptions { bounds: [[-1.25, 1.25]; 3], resolution: 32 };
+/// let options = ArcOptions::new([[-1.25, 1.25]; 3]).resolution(32);
 /// let found = trace_intersection([&pair[0], &pair[1]], &options, &Limits::none(), &|_| {})?;
 /// assert_eq!(found.arcs.len(), 2);
 /// assert!(found.unresolved.is_empty() && found.arcs.iter().all(|arc| arc.ends.is_none()));
@@ -431,7 +434,7 @@ mod tests {
         #[test]
         fn cells_cover_the_window(low in prop::array::uniform3(-4.0f64..4.0), sides in prop::array::uniform3(0.01f64..3.0), level in 0u32..=LEVELS, part in prop::array::uniform3(0u32..1 << 20)) {
             let bounds: [[f64; 2]; 3] = std::array::from_fn(|i| [low[i], low[i] + sides[i]]);
-            let options = ArcOptions { bounds, resolution: 64 };
+            let options = ArcOptions::new(bounds).resolution(64);
             let field = Field::new(&sphere(1));
             let mut search = Search::new([&field, &field], &options);
             for _ in 0..level {

@@ -63,7 +63,7 @@ impl CurveInspector<2> {
     /// use stellate::limits::Limits;
     /// use stellate::shape::FourierRadius;
     /// let radius: FourierRadius = "r = 1 + 1/5*cos(3t)".parse()?;
-    /// let options = InspectOptions { tolerance: "1/10".parse()?, reach: 0.0, digits: 6, cubes: 0 };
+    /// let options = InspectOptions::new("1/10".parse()?);
     /// let inspector = CurveInspector::radius(&radius, &options, &Limits::none())?;
     /// // The origin is an isolated zero of the curve's polynomial, but no point of the curve.
     /// let found = inspector.inspect(&[0.into(), 0.into()]);

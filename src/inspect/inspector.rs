@@ -13,6 +13,7 @@ use crate::factor::{factor_plane, factor_space};
 use crate::intervals::interval::UNIT;
 use crate::intervals::{Field, Interval, distance, dot, rational};
 use crate::limits::Limits;
+use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 
@@ -29,17 +30,19 @@ const CUBE_WORK: usize = 84 * 18;
 /// Points nearer to the surface than this part of the reach are not left to doubles.
 const NEARLY_ON: f64 = 1e-6;
 
-/// How points are inspected.
-#[derive(Clone, Debug)]
-pub struct InspectOptions {
-    /// d > 0: the largest distance that counts as inside.
-    pub tolerance: Rational,
-    /// Distances are looked for up to here, or up to the tolerance if that is more.
-    pub reach: f64,
-    /// The goal for the distance: so many significant digits.
-    pub digits: u32,
-    /// At most so many cubes are divided for one point and one factor of the polynomial; fewer for degrees above 6.
-    pub cubes: usize,
+options! {
+    /// How points are inspected.
+    InspectOptions of {
+        /// d > 0: the largest distance that counts as inside.
+        tolerance: Rational,
+    } {
+        /// Distances are looked for up to here, or up to the tolerance if that is more.
+        reach: f64 = 0.0,
+        /// The goal for the distance: so many significant digits.
+        digits: u32 = 6,
+        /// At most so many cubes are divided for one point and one factor of the polynomial; fewer for degrees above 6.
+        cubes: usize = 50_000,
+    }
 }
 
 /// What is inspected.
@@ -153,7 +156,7 @@ impl Inspector {
     /// use stellate::shape::Form;
     ///
     /// let Form::Surface(sphere) = parse_form("x^2 + y^2 + z^2 = 1", "<form>", Numbers::Exact)? else { panic!() };
-    /// let options = InspectOptions { tolerance: "1/10".parse()?, reach: 0.0, digits: 6, cubes: 50_000 };
+    /// let options = InspectOptions::new("1/10".parse()?);
     /// let inspector = Inspector::surface(&sphere, &options, &Limits::none())?;
     /// let at = |x: &str, y: &str| inspector.inspect(&[x, y, "0"].map(|q| q.parse().unwrap()));
     /// // Exactly at the distance 1/10: the sphere about the point touches the surface.

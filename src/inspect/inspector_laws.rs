@@ -18,7 +18,7 @@ proptest! {
         prop_assume!(near > 1e-6);
         let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
         let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
-        let options = InspectOptions { tolerance: rational(tolerance), reach: 8.0, digits: 14, cubes: 1000 };
+        let options = InspectOptions::new(rational(tolerance)).reach(8.0).digits(14).cubes(1000);
         let inspector = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none()).unwrap();
         let doubles = p.each_ref().map(Rational::to_f64);
         for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
@@ -36,12 +36,7 @@ proptest! {
 #[test]
 fn what_is_no_double_is_undecided() {
     let plane = SparsePolynomial::<3>::variable(0);
-    let options = InspectOptions {
-        tolerance: Rational::one(),
-        reach: 1.0,
-        digits: 6,
-        cubes: 100,
-    };
+    let options = InspectOptions::new(Rational::one()).reach(1.0);
     let inspector = Inspector::new(
         Kind::Surface,
         vec![plane.clone()],
@@ -52,10 +47,7 @@ fn what_is_no_double_is_undecided() {
     let far = Rational::from(10).pow(400).unwrap();
     let found = inspector.inspect(&[far, Rational::zero(), Rational::zero()]);
     assert_eq!(found, Inspection::UNKNOWN);
-    let options = InspectOptions {
-        reach: f64::INFINITY,
-        ..options
-    };
+    let options = options.reach(f64::INFINITY);
     let refused = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none());
     assert!(matches!(refused, Err(Error::Usage(_))));
 }

@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::factor::factor_space;
 use crate::intervals::{Crossing, Field};
 use crate::limits::Limits;
+use crate::options::options;
 use crate::sample::{Ray, RaySolver, SpaceDirection};
 use crate::shape::ImplicitSurface;
 
@@ -24,15 +25,17 @@ const DIRECTIONS: usize = 400;
 /// A surface whose largest radius is more than this times the median goes on beyond what is shown.
 const LARGEST_OVER_MEDIAN: f64 = 4.0;
 
-/// How a surface is meshed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshOptions {
-    /// The box that is covered; the mesh ends less than two cells beyond it.
-    pub bounds: [[f64; 2]; 3],
-    /// Cells along the longest side of the box.
-    pub resolution: u32,
-    /// Edges are split where normals turn by more than this, in degrees.
-    pub angle: f64,
+options! {
+    /// How a surface is meshed.
+    MeshOptions of {
+        /// The box that is covered; the mesh ends less than two cells beyond it.
+        bounds: [[f64; 2]; 3],
+    } {
+        /// Cells along the longest side of the box.
+        resolution: u32 = 64,
+        /// Edges are split where normals turn by more than this, in degrees.
+        angle: f64 = 20.0,
+    }
 }
 
 /// Triangles in space.
@@ -76,7 +79,7 @@ pub struct Mesh {
 /// let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
 /// let one = SparsePolynomial::constant(1.into());
 /// let sphere = x.squared().plus(&y.squared()).plus(&z.squared()).minus(&one);
-/// let options = MeshOptions { bounds: [[-1.1, 1.1]; 3], resolution: 12, angle: 20.0 };
+/// let options = MeshOptions::new([[-1.1, 1.1]; 3]).resolution(12);
 /// let mesh = mesh_surface(&ImplicitSurface::new(sphere), &options, &Limits::none(), &|_| {})?;
 /// let topology = mesh.topology();
 /// assert!(topology.is_watertight());

@@ -15,6 +15,7 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::{MAX_HARMONICS, MAX_SAMPLES, fourier_coefficients};
 use crate::limits::Limits;
+use crate::options::options;
 use crate::sample::Direction;
 use crate::shape::FourierRadius;
 
@@ -24,29 +25,19 @@ pub const DEFAULT_HARMONICS: usize = 20;
 /// The directions between samples at which the error is looked at, per sample.
 const CHECKS_PER_SAMPLE: usize = 4;
 
-/// Which radius to fit, and how.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BranchFitOptions {
-    /// The index of the branch; by default the outermost positive one that covers the circle, or else the
-    /// outermost positive radius, if there is one in every direction.
-    pub branch: Option<usize>,
-    /// N.
-    pub harmonics: usize,
-    /// Ns; by default max(8N, 256), rounded up to a power of two.
-    pub samples: Option<usize>,
-    /// Round the coefficients to this many decimals; by default so many that rounding adds about 1 % to
-    /// the error.
-    pub decimals: Option<u32>,
-}
-
-impl Default for BranchFitOptions {
-    fn default() -> Self {
-        Self {
-            branch: None,
-            harmonics: DEFAULT_HARMONICS,
-            samples: None,
-            decimals: None,
-        }
+options! {
+    /// Which radius to fit, and how.
+    BranchFitOptions {
+        /// The index of the branch; by default the outermost positive one that covers the circle, or else the
+        /// outermost positive radius, if there is one in every direction.
+        branch: Option<usize> = None,
+        /// N.
+        harmonics: usize = DEFAULT_HARMONICS,
+        /// Ns; by default max(8N, 256), rounded up to a power of two.
+        samples: Option<usize> = None,
+        /// Round the coefficients to this many decimals; by default so many that rounding adds about 1 % to
+        /// the error.
+        decimals: Option<u32> = None,
     }
 }
 

@@ -1,15 +1,13 @@
 //! Arcs of intersections, for `parametrize`, `sample` and `plot`.
 
 use super::equation::check_surface;
-use super::options::options;
 use super::{Bounds, Work};
 use crate::arcs::{ArcOptions, IntersectionArcs, trace_intersection};
 use crate::error::{Error, Result};
 use crate::mesh::mesh_bounds;
+use crate::options::options;
 use crate::parametrize::IntersectionParametrization;
 use crate::shape::ImplicitSurface;
-
-const DEFAULT_RESOLUTION: u32 = 64;
 
 options! {
     /// How the curve in which two surfaces meet is followed.
@@ -40,10 +38,10 @@ pub(super) fn arcs(
         Some(window) => window,
         None => work.stage("bounds", || box_of([first, second], work))?,
     };
-    let options = ArcOptions {
-        bounds,
-        resolution: search.resolution.unwrap_or(DEFAULT_RESOLUTION),
-    };
+    let mut options = ArcOptions::new(bounds);
+    if let Some(resolution) = search.resolution {
+        options = options.resolution(resolution);
+    }
     let progress = work.progress("arcs", 1000);
     work.stage("arcs", || {
         trace_intersection([first, second], &options, work.bounds(), &|done| {

@@ -4,7 +4,6 @@ use super::equation::{
     Taken, check_curve, curve_of_superquadric, surface_of_superquadric, through_equation,
 };
 use super::fit::{exact_form, fit_quietly};
-use super::options::options;
 use super::{Content, Given, Remark, Work};
 use crate::check::{
     Comparison, GivenPoint, GivenRadius, InputsOf, Reference, Rung, TestVectors, ladder,
@@ -14,6 +13,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::language::Numbers;
+use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::reading::{read_coefficients_csv, read_document};
 use crate::shape::Form;

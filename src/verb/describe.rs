@@ -3,12 +3,12 @@
 use super::equation::Taken;
 use super::fit::exact_form;
 use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
-use super::options::options;
 use super::{Content, Fact, Given, Part, Work};
 use crate::describe::Description;
 use crate::error::Result;
 use crate::fit::FitOptions;
 use crate::limits::Limits;
+use crate::options::options;
 use crate::shape::{Form, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric};
 
 options! {

@@ -2,7 +2,6 @@
 
 use super::equation::{check_curve, curve_of_superquadric, surface_of_superquadric};
 use super::fit::{Fitted, exact_form};
-use super::options::options;
 use super::{BeyondCurve, Fact, Given, Part, PolarTheorem, Reach, Remark, Work};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -13,6 +12,7 @@ use crate::implicitize::{
     real_counts, real_image,
 };
 use crate::limits::Limits;
+use crate::options::options;
 use crate::shape::{
     Form, FourierRadius, ImplicitSurface, ParametricCurve, Patch, PlaneCurve, SpaceCurve,
 };

@@ -2,7 +2,6 @@
 
 use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
 use super::fit::exact_form;
-use super::options::options;
 use super::{Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -13,6 +12,7 @@ use crate::inspect::{
     PatchInspector, Section, SphereSection, Verdict,
 };
 use crate::limits::Limits;
+use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::shape::{
     Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
@@ -112,12 +112,10 @@ pub fn inspect(
     work: &Work,
 ) -> Result<InspectionTask> {
     let subject = subject(given, dimension, &options.fit, work)?;
-    let asked = InspectOptions {
-        tolerance: options.tolerance.clone(),
-        reach: options.reach,
-        digits: options.digits,
-        cubes: options.budget,
-    };
+    let asked = InspectOptions::new(options.tolerance.clone())
+        .reach(options.reach)
+        .digits(options.digits)
+        .cubes(options.budget);
     let limits = work.bounds();
     let against = work.stage("factor", || {
         Ok(match &subject {

@@ -237,10 +237,8 @@ fn section_lines(
         return Ok(Vec::new());
     };
     let sphere = ImplicitSurface::new(sphere_about(&[x, y, z], tolerance));
-    let options = ArcOptions {
-        bounds: p.map(|x| [x - 1.01 * d, x + 1.01 * d]),
-        resolution: SECTION_STEPS,
-    };
+    let bounds = p.map(|x| [x - 1.01 * d, x + 1.01 * d]);
+    let options = ArcOptions::new(bounds).resolution(SECTION_STEPS);
     match trace_intersection([surface, &sphere], &options, work.bounds(), &|_| {}) {
         Ok(found) => Ok(found.arcs.iter().map(CurveArc::polyline).collect()),
         Err(Error::Interrupted) => Err(Error::Interrupted),

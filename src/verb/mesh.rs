@@ -2,11 +2,11 @@
 
 use super::equation::{check_surface, cylinder, through_equation};
 use super::fit::exact_form;
-use super::options::options;
 use super::{Bounds, Given, Work};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_radial, mesh_surface};
+use crate::options::options;
 use crate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
 
 /// How often a box that was too small is made larger, and by how much.
@@ -87,11 +87,9 @@ pub(super) fn of_surface(
     work.stage("mesh", || {
         let progress = work.progress("mesh", 1000);
         let once = |bounds| {
-            let options = MeshOptions {
-                bounds,
-                resolution: options.resolution,
-                angle: options.angle,
-            };
+            let options = MeshOptions::new(bounds)
+                .resolution(options.resolution)
+                .angle(options.angle);
             mesh_surface(surface, &options, work.bounds(), &|done| progress.set(done))
         };
         for _ in 0..GROWTHS {

@@ -44,7 +44,6 @@ mod inspect;
 #[cfg(feature = "pictures")]
 mod inspect_plot;
 mod mesh;
-mod options;
 mod parametrize;
 #[cfg(feature = "pictures")]
 mod plot;

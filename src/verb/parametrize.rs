@@ -3,13 +3,13 @@
 use super::arcs::{ArcSearch, arcs_of_others, refuse_arcs};
 use super::equation::{Taken, check_curve, check_surface, through_equation};
 use super::fit::{exact_form, refuse_contour_options};
-use super::options::options;
 use super::{Content, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
+use crate::options::options;
 use crate::parametrize::{
     Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, DirectionAnswer,
     IntersectionParametrization, MeridianBranch, Parametrization, PolarMethod, Radius,
@@ -292,12 +292,11 @@ fn branch_fit(
             None => Ok(None),
         };
     }
-    let options = BranchFitOptions {
-        branch: options.branch,
-        harmonics: fit.harmonics().unwrap_or(DEFAULT_HARMONICS),
-        samples: fit.samples,
-        decimals: fit.decimals,
-    };
+    let options = BranchFitOptions::default()
+        .branch(options.branch)
+        .harmonics(fit.harmonics().unwrap_or(DEFAULT_HARMONICS))
+        .samples(fit.samples)
+        .decimals(fit.decimals);
     let fit = work.stage("fit", || fit_branch(polar, &options, work.bounds()))?;
     match &fit {
         None => work.remark(Remark::NoFourierFit),

@@ -4,9 +4,9 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use super::Bounds;
-use super::options::options;
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
+use crate::options::options;
 use crate::picture::{Window, png_from_svg};
 use crate::shape::Parameter;
 

@@ -6,12 +6,12 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
 
 use super::inspect::InspectionTask;
-use super::options::options;
 use super::{Progress, Work};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, double_literal, exact_literal};
 use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section};
 use crate::language::Numbers;
+use crate::options::options;
 use crate::rows::{RowReader, double, fields, fields_of, row_error};
 
 /// Rows that are in memory at a time.

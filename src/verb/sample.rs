@@ -5,12 +5,12 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
 use super::equation::{Taken, check_surface, implicit_curve, through_equation};
 use super::fit::exact_form;
-use super::options::options;
 use super::{Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
+use crate::options::options;
 use crate::sample::{
     Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts, solve_radial,
 };

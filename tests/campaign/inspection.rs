@@ -202,12 +202,10 @@ fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
     let [x, y, z] = &p;
     draw.input =
         format!("stellate inspect '{text}' --tolerance '{tolerance}' --point '{x},{y},{z}'");
-    let options = InspectOptions {
-        tolerance: our(&tolerance),
-        reach: if draw.once_in(2) { 0.0 } else { 3.0 },
-        digits: 6,
-        cubes: 20_000,
-    };
+    let reach = if draw.once_in(2) { 0.0 } else { 3.0 };
+    let options = InspectOptions::new(our(&tolerance))
+        .reach(reach)
+        .cubes(20_000);
     let none = Limits::none();
     let inspector = match parse_form(&text, "<form>", Numbers::Exact).unwrap() {
         Form::Surface(surface) => Inspector::surface(&surface, &options, &none),

@@ -10,12 +10,9 @@ use stellate::limits::Limits;
 use stellate::shape::Form;
 
 fn inspector_within(text: &str, tolerance: &Rational, reach: f64) -> Inspector {
-    let options = InspectOptions {
-        tolerance: tolerance.clone(),
-        reach,
-        digits: 6,
-        cubes: 20_000,
-    };
+    let options = InspectOptions::new(tolerance.clone())
+        .reach(reach)
+        .cubes(20_000);
     match parse_form(text, "<form>", Numbers::Exact).unwrap() {
         Form::Surface(surface) => Inspector::surface(&surface, &options, &Limits::none()),
         Form::Curve(curve) => Inspector::plane(&curve, &options, &Limits::none()),

@@ -22,12 +22,7 @@ fn count(default: u64) -> u64 {
 }
 
 fn inspector(text: &str, tolerance: &Rational) -> Inspector {
-    let options = InspectOptions {
-        tolerance: tolerance.clone(),
-        reach: 0.0,
-        digits: 6,
-        cubes: 50_000,
-    };
+    let options = InspectOptions::new(tolerance.clone());
     let Form::Surface(surface) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
         panic!("{text}")
     };

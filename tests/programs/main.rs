@@ -10,5 +10,6 @@ mod documents;
 mod implicitize_cli;
 mod language;
 mod language_parameters;
+mod limits;
 mod main_job;
 mod verbs;

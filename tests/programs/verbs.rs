@@ -289,12 +289,7 @@ fn a_centre_is_lost_nowhere() {
         let point = [x, y, "0"].map(|q| q.parse().unwrap());
         let near = stellate::inspect::Inspector::plane(
             &curve,
-            &stellate::inspect::InspectOptions {
-                tolerance: "1/10".parse().unwrap(),
-                reach: 0.0,
-                digits: 6,
-                cubes: 1000,
-            },
+            &stellate::inspect::InspectOptions::new("1/10".parse().unwrap()),
             &stellate::limits::Limits::none(),
         );
         let found = task.point(&point);

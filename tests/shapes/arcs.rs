@@ -23,10 +23,7 @@ fn surfaces(text: &str) -> [ImplicitSurface; 2] {
 
 fn traced(text: &str, half: f64, resolution: u32) -> IntersectionArcs {
     let [f, g] = surfaces(text);
-    let options = ArcOptions {
-        bounds: [[-half, half]; 3],
-        resolution,
-    };
+    let options = ArcOptions::new([[-half, half]; 3]).resolution(resolution);
     trace_intersection([&f, &g], &options, &Limits::none(), &|_| {}).unwrap()
 }
 

@@ -19,11 +19,7 @@ fn meshed(text: &str, bounds: Option<[[f64; 2]; 3]>, resolution: u32) -> Mesh {
     let surface = ImplicitSurface::new(space(text));
     let limits = Limits::none();
     let bounds = bounds.unwrap_or_else(|| mesh_bounds(&surface, &limits).unwrap().unwrap().0);
-    let options = MeshOptions {
-        bounds,
-        resolution,
-        angle: 20.0,
-    };
+    let options = MeshOptions::new(bounds).resolution(resolution);
     mesh_surface(&surface, &options, &limits, &|_| {}).unwrap()
 }
 
@@ -106,11 +102,7 @@ fn bends_are_refined() {
     let limits = Limits::none();
     let (bounds, _) = mesh_bounds(&surface, &limits).unwrap().unwrap();
     let deviation = |angle: f64| {
-        let options = MeshOptions {
-            bounds,
-            resolution: 16,
-            angle,
-        };
+        let options = MeshOptions::new(bounds).resolution(16).angle(angle);
         let mesh = mesh_surface(&surface, &options, &limits, &|_| {}).unwrap();
         assert!(mesh.topology().is_watertight());
         let middles = mesh.triangles.iter().map(|t| {
@@ -136,7 +128,7 @@ proptest! {
         let mut f = space("x^4 + y^4 + z^4 + x^2 + y^2 + z^2 - 9");
         f.add_multiple(&small, &Rational::one());
         // |small| is at most 20·(3/4)·r³ beyond r = 1, and f − small at least r⁴/3 + r² − 9.
-        let options = MeshOptions { bounds: [[-48.0, 48.0]; 3], resolution: 96, angle: 30.0 };
+        let options = MeshOptions::new([[-48.0, 48.0]; 3]).resolution(96).angle(30.0);
         let mesh = mesh_surface(&ImplicitSurface::new(f), &options, &Limits::none(), &|_| {}).unwrap();
         prop_assert!(mesh.topology().is_watertight());
         prop_assert_eq!(mesh.topology().euler_characteristic % 2, 0);

@@ -157,12 +157,7 @@ pub(super) fn section(subject: &str, claimed: &str, limits: &Limits) -> Result<A
 
 pub(super) fn inspect(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let (surface, point, tolerance) = inspected(subject)?;
-    let options = InspectOptions {
-        tolerance,
-        reach: 0.0,
-        digits: 6,
-        cubes: 50_000,
-    };
+    let options = InspectOptions::new(tolerance);
     let found = Inspector::surface(&surface, &options, limits)?.inspect(&point);
     let verdict = match found.verdict {
         Verdict::Inside => "inside",

@@ -1,0 +1,68 @@
+//! How option structures are written down: each field once, with its default and a method that sets it.
+
+/// A structure of options, and for every field with a default a method of its name that sets it.
+///
+/// `Name { … }` has `Default`; `Name of { given } { … }` has `new`, which takes the fields that have no default.
+macro_rules! options {
+    (
+        $(#[$about:meta])*
+        $name:ident { $($(#[$field_about:meta])* $field:ident: $type:ty = $default:expr,)* }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Debug)]
+        #[non_exhaustive]
+        pub struct $name {
+            $($(#[$field_about])* pub $field: $type,)*
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $default,)* }
+            }
+        }
+
+        $crate::options::setters! { $name { $($(#[$field_about])* $field: $type,)* } }
+    };
+    (
+        $(#[$about:meta])*
+        $name:ident
+        of { $($(#[$given_about:meta])* $given:ident: $given_type:ty,)* }
+        { $($(#[$field_about:meta])* $field:ident: $type:ty = $default:expr,)* }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Debug)]
+        #[non_exhaustive]
+        pub struct $name {
+            $($(#[$given_about])* pub $given: $given_type,)*
+            $($(#[$field_about])* pub $field: $type,)*
+        }
+
+        impl $name {
+            /// With what has no default.
+            #[must_use]
+            pub fn new($($given: $given_type),*) -> Self {
+                Self { $($given,)* $($field: $default,)* }
+            }
+        }
+
+        $crate::options::setters! { $name { $($(#[$field_about])* $field: $type,)* } }
+    };
+}
+
+/// For every field a method of its name that sets it.
+macro_rules! setters {
+    ($name:ident { $($(#[$about:meta])* $field:ident: $type:ty,)* }) => {
+        impl $name {
+            $(
+                $(#[$about])*
+                #[must_use]
+                pub fn $field(mut self, $field: $type) -> Self {
+                    self.$field = $field;
+                    self
+                }
+            )*
+        }
+    };
+}
+
+pub(crate) use {options, setters};
