@@ -196,19 +196,15 @@ pub(super) fn of_plane_curve(
     add_real_image(curve, index, run, &mut facts, work)?;
     if polar {
         let whole = curve.clone();
-        let polar =
-            work.unless_limited(Part::PolarPlane, move |limits| polar_plane(&whole, limits))?;
-        facts.push(match polar {
-            None => Fact::Missing(Part::PolarPlane),
-            Some(polar) => {
-                equation.curve = polar.curve;
-                Fact::Polar {
-                    theorem: PolarTheorem::One,
-                    inverse: polar.inverse,
-                    factors: polar.factors,
-                }
+        let search = move |limits: &Limits| polar_plane(&whole, limits);
+        facts.push(unless_missing(Part::PolarPlane, search, work, |polar| {
+            equation.curve = polar.curve;
+            Fact::Polar {
+                theorem: PolarTheorem::One,
+                inverse: polar.inverse,
+                factors: polar.factors,
             }
-        });
+        })?);
     }
     Ok(Implicitization {
         form: Form::Curve(equation.curve),
@@ -231,16 +227,16 @@ pub(super) fn of_space_curve(
     add_real_image(curve, index, run, &mut facts, work)?;
     if polar {
         let whole = curve.clone();
-        let polar = work.unless_limited(Part::PolarSpaceCurve, move |limits| {
-            polar_space_curve(&whole, limits)
-        })?;
-        facts.push(match polar {
-            None => Fact::Missing(Part::PolarSpaceCurve),
-            Some(polar) => Fact::PolarSpaceCurve {
+        let search = move |limits: &Limits| polar_space_curve(&whole, limits);
+        facts.push(unless_missing(
+            Part::PolarSpaceCurve,
+            search,
+            work,
+            |polar| Fact::PolarSpaceCurve {
                 surfaces: Box::new([polar.first, polar.second]),
                 components: polar.components,
             },
-        });
+        )?);
     }
     Ok(Implicitization {
         form: Form::Intersection(equations.surfaces),
@@ -260,30 +256,39 @@ pub(super) fn of_patch(patch: &Patch, polar: bool, work: &Work) -> Result<Implic
     ];
     let whole = (patch.clone(), equation.surface.clone());
     let search = move |_: &Limits| Ok(point_beyond(&whole.0, &whole.1));
-    facts.push(match work.unless_limited(Part::BeyondPatch, search)? {
-        Some(found) => Fact::BeyondPatch(found),
-        None => Fact::Missing(Part::BeyondPatch),
-    });
+    facts.push(unless_missing(
+        Part::BeyondPatch,
+        search,
+        work,
+        Fact::BeyondPatch,
+    )?);
     if polar {
         let whole = patch.clone();
-        let polar =
-            work.unless_limited(Part::PolarPatch, move |limits| polar_patch(&whole, limits))?;
-        facts.push(match polar {
-            None => Fact::Missing(Part::PolarPatch),
-            Some(polar) => {
-                equation.surface = polar.surface;
-                Fact::Polar {
-                    theorem: PolarTheorem::Four,
-                    inverse: polar.inverse,
-                    factors: polar.factors,
-                }
+        let search = move |limits: &Limits| polar_patch(&whole, limits);
+        facts.push(unless_missing(Part::PolarPatch, search, work, |polar| {
+            equation.surface = polar.surface;
+            Fact::Polar {
+                theorem: PolarTheorem::Four,
+                inverse: polar.inverse,
+                factors: polar.factors,
             }
-        });
+        })?);
     }
     Ok(Implicitization {
         form: Form::Surface(equation.surface),
         facts,
     })
+}
+
+/// What is found, as a fact, or that it is missing because of a limit.
+fn unless_missing<T: Send + 'static>(
+    part: Part,
+    search: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
+    work: &Work,
+    fact: impl FnOnce(T) -> Fact,
+) -> Result<Fact> {
+    let found = work.unless_limited(part, search)?;
+    Ok(found.map_or(Fact::Missing(part), fact))
 }
 
 /// What the zero set has beyond the curve, and how often real values of the parameter run over it.
