@@ -8,11 +8,8 @@ macro_rules! options {
         $(#[$about:meta])*
         $name:ident { $($(#[$field_about:meta])* $field:ident: $type:ty = $default:expr,)* }
     ) => {
-        $(#[$about])*
-        #[derive(Clone, Debug)]
-        #[non_exhaustive]
-        pub struct $name {
-            $($(#[$field_about])* pub $field: $type,)*
+        $crate::options::structure! {
+            $(#[$about])* $name {} { $($(#[$field_about])* $field: $type,)* }
         }
 
         impl Default for $name {
@@ -20,14 +17,36 @@ macro_rules! options {
                 Self { $($field: $default,)* }
             }
         }
-
-        $crate::options::setters! { $name { $($(#[$field_about])* $field: $type,)* } }
     };
     (
         $(#[$about:meta])*
         $name:ident
         of { $($(#[$given_about:meta])* $given:ident: $given_type:ty,)* }
         { $($(#[$field_about:meta])* $field:ident: $type:ty = $default:expr,)* }
+    ) => {
+        $crate::options::structure! {
+            $(#[$about])* $name
+            { $($(#[$given_about])* $given: $given_type,)* }
+            { $($(#[$field_about])* $field: $type,)* }
+        }
+
+        impl $name {
+            /// With what has no default.
+            #[must_use]
+            pub fn new($($given: $given_type),*) -> Self {
+                Self { $($given,)* $($field: $default,)* }
+            }
+        }
+    };
+}
+
+/// The structure itself, and for every field of the second list a method of its name that sets it.
+macro_rules! structure {
+    (
+        $(#[$about:meta])*
+        $name:ident
+        { $($(#[$given_about:meta])* $given:ident: $given_type:ty,)* }
+        { $($(#[$field_about:meta])* $field:ident: $type:ty,)* }
     ) => {
         $(#[$about])*
         #[derive(Clone, Debug)]
@@ -38,23 +57,8 @@ macro_rules! options {
         }
 
         impl $name {
-            /// With what has no default.
-            #[must_use]
-            pub fn new($($given: $given_type),*) -> Self {
-                Self { $($given,)* $($field: $default,)* }
-            }
-        }
-
-        $crate::options::setters! { $name { $($(#[$field_about])* $field: $type,)* } }
-    };
-}
-
-/// For every field a method of its name that sets it.
-macro_rules! setters {
-    ($name:ident { $($(#[$about:meta])* $field:ident: $type:ty,)* }) => {
-        impl $name {
             $(
-                $(#[$about])*
+                $(#[$field_about])*
                 #[must_use]
                 pub fn $field(mut self, $field: $type) -> Self {
                     self.$field = $field;
@@ -65,4 +69,4 @@ macro_rules! setters {
     };
 }
 
-pub(crate) use {options, setters};
+pub(crate) use {options, structure};

@@ -58,14 +58,18 @@ fn generators(
     functions: &[RationalFunction],
     index: usize,
 ) -> impl Iterator<Item = RationalFunction> {
-    let general = |f: &IntegerPolynomial| f.coefficients_asc().len() == index + 1;
-    let fibres: Vec<IntegerPolynomial> = (1..=TRIES)
+    let general = move |f: &IntegerPolynomial| f.coefficients_asc().len() == index + 1;
+    let fibres = (1..=TRIES)
         .filter_map(|sigma| fibre(functions, &Rational::from(sigma)))
-        .filter(general)
-        .collect();
-    let pairs = (1..fibres.len()).flat_map(|k| (0..k).map(move |j| (j, k)));
-    let quotients =
-        pairs.filter_map(move |(j, k)| RationalFunction::new(fibres[k].clone(), fibres[j].clone()));
+        .filter(general);
+    // Each one over those before it, so that no more are computed than are asked for.
+    let mut before: Vec<IntegerPolynomial> = Vec::new();
+    let quotients = fibres.flat_map(move |fibre| {
+        let over = |other: &IntegerPolynomial| RationalFunction::new(fibre.clone(), other.clone());
+        let quotients: Vec<RationalFunction> = before.iter().filter_map(over).collect();
+        before.push(fibre);
+        quotients
+    });
     // Of a smaller degree if both are the same points.
     quotients.filter(move |s| s.degree() == index)
 }

@@ -141,7 +141,7 @@ fn power_of_few_terms(f: &IntegerPolynomial, n: u32) -> IntegerPolynomial {
     let times = n as usize;
     let length = (coefficients.len() - 1 - shift) * times + 1;
     let mut power = vec![Integer::ZERO; shift * times + length];
-    let (_, answer) = power.split_at_mut(shift * times);
+    let answer = &mut power[shift * times..];
     answer[0] = first.pow(u64::from(n));
     for m in 1..length {
         let mut sum = Integer::ZERO;

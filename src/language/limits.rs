@@ -57,13 +57,12 @@ impl Budget {
         at: Span,
     ) -> Result<()> {
         let work = count.saturating_mul(bits / 64 + 1);
-        self.products = self.products.checked_sub(work).ok_or_else(|| {
-            let limit = format!(
+        let limit = || {
+            format!(
                 "expanding takes more than {MAX_PRODUCTS} products of 64-bit parts of coefficients"
-            );
-            source.limit(at, limit)
-        })?;
-        Ok(())
+            )
+        };
+        spend(&mut self.products, work, limit, source, at)
     }
 
     /// Accounts for `count` numbers of about `bits` bits each, before they are computed.
@@ -80,10 +79,21 @@ impl Budget {
             return Err(source.limit(at, limit));
         }
         let all = count.saturating_mul(bits);
-        self.bits = self.bits.checked_sub(all).ok_or_else(|| {
-            let limit = format!("the expanded coefficients have more than {MAX_BITS} bits in all");
-            source.limit(at, limit)
-        })?;
-        Ok(())
+        let limit = || format!("the expanded coefficients have more than {MAX_BITS} bits in all");
+        spend(&mut self.bits, all, limit, source, at)
     }
+}
+
+/// Takes an amount from what is left, or says which limit is reached.
+fn spend(
+    left: &mut u64,
+    amount: u64,
+    limit: impl FnOnce() -> String,
+    source: Source<'_>,
+    at: Span,
+) -> Result<()> {
+    *left = left
+        .checked_sub(amount)
+        .ok_or_else(|| source.limit(at, limit()))?;
+    Ok(())
 }

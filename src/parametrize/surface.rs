@@ -60,8 +60,6 @@ pub struct SurfaceFactor {
     pub discriminant: Option<TernaryForm>,
     /// The k of R^k; 0 for a form, whose zero set is a cone.
     pub step: usize,
-    /// Its degree in R^k without the smallest power of R; 0 for a cone.
-    pub(super) degree_in_power: usize,
     /// The parts, descending, between which R^k is the step; none unless there is a closed form.
     pub(super) parts: Vec<TernaryForm>,
     pub(super) solved: Option<Solved<TernaryForm>>,
@@ -166,14 +164,12 @@ pub fn parametrize_surface(
 fn factor(polynomial: SpacePolynomial) -> SurfaceFactor {
     let degrees = polynomial.homogeneous_degrees();
     let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
-    let degree_in_power = match (degrees.first(), degrees.last()) {
-        (Some(&top), Some(&low)) if step > 0 => (top - low) / step,
-        _ => 0,
-    };
-    let parts: Vec<TernaryForm> = match degrees.first() {
-        Some(&top) if (1..=LARGEST_SOLVED_DEGREE).contains(&degree_in_power) => {
-            let all = (0..=degree_in_power).map(|j| polynomial.part(top - j * step));
-            all.collect()
+    let parts: Vec<TernaryForm> = match (degrees.first(), degrees.last()) {
+        (Some(&top), Some(&low))
+            if (1..=LARGEST_SOLVED_DEGREE).contains(&degree_in_power(&polynomial, step)) =>
+        {
+            let all = (low..=top).rev().step_by(step);
+            all.map(|degree| polynomial.part(degree)).collect()
         }
         _ => Vec::new(),
     };
@@ -182,8 +178,16 @@ fn factor(polynomial: SpacePolynomial) -> SurfaceFactor {
         solved: solve(&parts),
         polynomial,
         step,
-        degree_in_power,
         parts,
+    }
+}
+
+/// The degree in R^step without the smallest power of R; 0 for a cone, whose step is 0.
+fn degree_in_power(polynomial: &SpacePolynomial, step: usize) -> usize {
+    let degrees = polynomial.homogeneous_degrees();
+    match (degrees.first(), degrees.last()) {
+        (Some(top), Some(low)) if step > 0 => (top - low) / step,
+        _ => 0,
     }
 }
 
@@ -196,7 +200,7 @@ fn add_branches(
         return Ok(());
     }
     let k = u32::try_from(factor.step).map_err(|_| Error::limit("the step of the degrees"))?;
-    let degree = factor.degree_in_power;
+    let degree = degree_in_power(&factor.polynomial, factor.step);
     result.step = factor.step;
     let Some(solved) = &factor.solved else {
         result.method = SurfaceMethod::Numeric;

@@ -21,6 +21,7 @@ mod sqrt;
 mod subresultant;
 mod terms;
 mod ternary;
+mod ternary_terms;
 mod trig;
 
 pub(crate) use eliminate::eliminate;

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{DivExact, Lcm, Pow};
-use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::One;
 
+use super::ternary_terms::{multiply_by_power, on_meridian, value};
 use super::{BinaryForm, PlanePolynomial, SparsePolynomial, TernaryForm};
 
 /// A polynomial in x, y and z by its non-zero homogeneous parts over one common denominator:
@@ -52,7 +53,7 @@ impl SpacePolynomial {
     /// The degrees of the parts, descending, with the values of D times the part at an integer vector.
     pub fn values_at(&self, vector: &[Integer; 3]) -> impl Iterator<Item = (usize, Integer)> {
         self.parts()
-            .map(|(degree, terms)| (degree, value(terms, vector)))
+            .map(|(degree, terms)| (degree, value(terms, vector.each_ref())))
     }
 
     /// D, the common denominator of the parts.
@@ -72,65 +73,15 @@ impl SpacePolynomial {
         let mut power = Integer::ONE;
         let mut parts: Vec<BinaryForm> = Vec::new();
         for (degree, terms) in self.parts() {
-            power *= raised(c, above - degree);
+            multiply_by_power(&mut power, c, above - degree);
             above = degree;
             parts.push(on_meridian(degree, terms, [a, b, c]).scaled(&power));
         }
         // Every part is now c^top too large.
-        PlanePolynomial::from_parts(parts, raised(c, top) * &self.denominator)
+        let mut scale = self.denominator.clone();
+        multiply_by_power(&mut scale, c, top);
+        PlanePolynomial::from_parts(parts, scale)
     }
-}
-
-/// `base^exponent`.
-fn raised(base: &Integer, exponent: usize) -> Integer {
-    match exponent {
-        0 => Integer::ONE,
-        1 => base.clone(),
-        _ => base.pow(exponent as u64),
-    }
-}
-
-/// Σ c u^i v^j w^k for terms in descending order: Horner's rule in u, and in v for every power of u.
-fn value(terms: &[([usize; 3], Integer)], [u, v, w]: &[Integer; 3]) -> Integer {
-    let mut sum = Integer::ZERO;
-    let mut above = terms.first().map_or(0, |([i, ..], _)| *i);
-    for row in terms.chunk_by(|([i, ..], _), ([next, ..], _)| i == next) {
-        let ([i, first, k], _) = row[0];
-        sum *= raised(u, above - i);
-        above = i;
-        let mut inner = Integer::ZERO;
-        let (mut j_above, mut k_above, mut w_power) = (first, k, raised(w, k));
-        for ([_, j, k], c) in row {
-            inner *= raised(v, j_above - j);
-            w_power *= raised(w, k - k_above);
-            (j_above, k_above) = (*j, *k);
-            inner += c * &w_power;
-        }
-        sum += inner * raised(v, j_above);
-    }
-    sum * raised(u, above)
-}
-
-/// The part on the plane through the z axis and (a, b, 0): with a² + b² = c², the binary form `c^d f(aY/c, bY/c, X)` in (X, Y).
-fn on_meridian(
-    degree: usize,
-    terms: &[([usize; 3], Integer)],
-    [a, b, c]: [&Integer; 3],
-) -> BinaryForm {
-    let mut beside_z: BTreeMap<usize, Vec<([usize; 3], Integer)>> = BTreeMap::new();
-    for ([i, j, k], coefficient) in terms {
-        let row = beside_z.entry(*k).or_default();
-        row.push(([*i, *j, 0], coefficient.clone()));
-    }
-    let (mut below, mut power) = (0, Integer::ONE);
-    // Beside X^k Y^(d−k).
-    let mut coefficients = vec![Integer::ZERO; degree + 1];
-    for (k, row) in beside_z {
-        power *= raised(c, k - below);
-        below = k;
-        coefficients[degree - k] = value(&row, &[a.clone(), b.clone(), Integer::ONE]) * &power;
-    }
-    BinaryForm::from_coefficients(coefficients)
 }
 
 impl From<&SparsePolynomial<3>> for SpacePolynomial {
@@ -139,23 +90,20 @@ impl From<&SparsePolynomial<3>> for SpacePolynomial {
             let other = c.denominator();
             Integer::from(d.unsigned_abs_ref().lcm(other.unsigned_abs_ref()))
         });
-        let mut terms: BTreeMap<usize, Vec<([usize; 3], Integer)>> = BTreeMap::new();
+        let mut parts: BTreeMap<usize, Vec<([usize; 3], Integer)>> = BTreeMap::new();
         for (exponents, c) in f.terms() {
             let exponents = exponents.map(|e| e as usize);
             let numerator = c.numerator() * (&denominator).div_exact(c.denominator());
             let degree = exponents.iter().sum();
-            terms
+            parts
                 .entry(degree)
                 .or_default()
                 .push((exponents, numerator));
         }
-        for part in terms.values_mut() {
+        for part in parts.values_mut() {
             part.sort_by(|(e, _), (next, _)| next.cmp(e));
         }
-        Self {
-            parts: terms,
-            denominator,
-        }
+        Self { parts, denominator }
     }
 }
 
@@ -188,13 +136,16 @@ mod tests {
             }
         }
 
-        /// On a meridian a part is the binary form of the dense one.
+        /// On a meridian a part is the binary form of the dense one, and has its values.
         #[test]
-        fn meridians_are_those_of_dense_forms(f in sparse()) {
+        fn meridians_are_those_of_dense_forms(f in sparse(), x in -9i64..10, y in -9i64..10) {
             let [a, b, c] = [3, 4, 5].map(Integer::from);
             for (degree, terms) in SpacePolynomial::from(&f).parts() {
                 let dense = TernaryForm::from_terms(degree, terms.iter().cloned());
-                prop_assert_eq!(on_meridian(degree, terms, [&a, &b, &c]), dense.on_meridian(&a, &b, &c));
+                let found = on_meridian(degree, terms, [&a, &b, &c]);
+                prop_assert_eq!(&found, &dense.on_meridian(&a, &b, &c));
+                let value = dense.evaluate(&[3 * y, 4 * y, 5 * x].map(Integer::from));
+                prop_assert_eq!(found.evaluate(&x.into(), &y.into()), value);
             }
         }
     }

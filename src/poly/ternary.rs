@@ -5,6 +5,7 @@ use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
+use super::ternary_terms::on_meridian;
 use super::{BinaryForm, IntegerPolynomial, Ring};
 
 /// A homogeneous polynomial `f(x, y, z) = Σ_j f_j(x, y) z^j` with integer coefficients: a binary form of
@@ -208,15 +209,8 @@ impl TernaryForm {
     /// `c^d f(aY/c, bY/c, X)` in (X, Y) = (cos φ, sin φ).
     #[must_use]
     pub fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> BinaryForm {
-        let mut power = Integer::ONE;
-        let mut coefficients = Vec::with_capacity(self.rows.len());
-        for row in &self.rows {
-            coefficients.push(row.evaluate(a, b) * &power);
-            power *= c;
-        }
-        // Row k stands beside X^k Y^(d−k).
-        coefficients.reverse();
-        BinaryForm::from_coefficients(coefficients)
+        let terms: Vec<_> = self.terms().collect();
+        on_meridian(self.degree(), &terms, [a, b, c])
     }
 
     fn assert_same_degree(&self, other: &Self) {

@@ -53,6 +53,15 @@ impl Kind {
             run,
         }
     }
+
+    fn finding(&self, seed: u64, draw: Draw, differed: String) -> Finding {
+        Finding {
+            kind: self.name,
+            seed,
+            input: draw.input,
+            differed,
+        }
+    }
 }
 
 /// A case that found something wrong.
@@ -82,7 +91,7 @@ const TURN: Duration = Duration::from_millis(300);
 /// How often counts are printed.
 const REPORT: Duration = Duration::from_secs(30);
 /// More memory than this for one case is a finding.
-const LARGEST_MEMORY: u64 = 1 << 30;
+pub(crate) const LARGEST_MEMORY: u64 = 1 << 30;
 /// Only so many findings of a kind are printed in full.
 const FINDINGS_SHOWN: usize = 5;
 
@@ -113,28 +122,37 @@ fn text_of(payload: &(dyn Any + Send)) -> String {
     text.unwrap_or_else(|| "a panic without a message".into())
 }
 
-/// Runs the case with this seed.
-fn run_case(kind: &Kind, seed: u64) -> Result<Outcome, Finding> {
+/// Runs the case with this seed: what it drew, and how it ended, with what differed in words.
+fn attempt(kind: &Kind, seed: u64) -> (Draw, Result<Outcome, String>) {
     let mut draw = Draw::new(kind.name, seed);
     IN_A_CASE.set(true);
     let result = panic::catch_unwind(AssertUnwindSafe(|| (kind.run)(&mut draw)));
     IN_A_CASE.set(false);
-    result.map_err(|payload| Finding {
-        kind: kind.name,
-        seed,
-        input: draw.input,
-        differed: format!("{} ({})", text_of(payload.as_ref()), PLACE.take()),
-    })
+    let result =
+        result.map_err(|payload| format!("{} ({})", text_of(payload.as_ref()), PLACE.take()));
+    (draw, result)
+}
+
+/// How the case with this seed ends.
+fn run_case(kind: &Kind, seed: u64) -> Result<Outcome, Finding> {
+    let (draw, result) = attempt(kind, seed);
+    result.map_err(|differed| kind.finding(seed, draw, differed))
+}
+
+/// The largest memory that a process (`self`, or a number) has had so far, in bytes, where the system tells.
+pub(crate) fn peak_memory_of(process: &str) -> Option<u64> {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kilobytes * 1024)
 }
 
 /// The largest memory that this process has had since the last call, in bytes; 0 where the system does not tell.
 fn peak_memory() -> u64 {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let peak = peak_memory_of("self");
     // The peak is set back to what is in use.
     let _ = fs::write("/proc/self/clear_refs", "5");
-    let kilobytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());
-    kilobytes.unwrap_or(0) * 1024
+    peak.unwrap_or(0)
 }
 
 /// Repeats the cases of a turn one by one, and nothing beside them: those for which much memory is taken.
@@ -142,20 +160,14 @@ fn large_cases(kind: &Kind, seeds: Range<u64>) -> Vec<Finding> {
     let _alone = ALONE.write().unwrap();
     let mut large = Vec::new();
     for seed in seeds {
+        // The first call ends the time before; between the two nothing happens, so that the second one tells what is in use.
         peak_memory();
         let before = peak_memory();
-        let mut draw = Draw::new(kind.name, seed);
-        IN_A_CASE.set(true);
-        let _ = panic::catch_unwind(AssertUnwindSafe(|| (kind.run)(&mut draw)));
-        IN_A_CASE.set(false);
+        let (draw, _) = attempt(kind, seed);
         let taken = peak_memory().saturating_sub(before);
         if taken > LARGEST_MEMORY {
-            large.push(Finding {
-                kind: kind.name,
-                seed,
-                input: draw.input,
-                differed: format!("{} MB of memory", taken >> 20),
-            });
+            let differed = format!("{} MB of memory", taken >> 20);
+            large.push(kind.finding(seed, draw, differed));
         }
     }
     large

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{Read, Write};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use assert_cmd::cargo::CommandCargoExt;
 use tempfile::TempDir;
 
 use super::draw::Draw;
-use super::harness::Outcome;
+use super::harness::{LARGEST_MEMORY, Outcome, peak_memory_of};
 use super::mutate::{mutated_text, shown};
 use super::pictures::any_picture;
 use super::seeds;
@@ -19,15 +19,6 @@ use super::seeds;
 const TIME_LIMIT: u64 = 3;
 /// After this the program is stopped, and that is a finding: a limit that is not kept.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// In KiB.
-const MOST_MEMORY: u64 = 1 << 20;
-
-/// The largest resident memory so far, where the system tells.
-fn peak_memory(child: &Child) -> Option<u64> {
-    let status = fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
-    line.split_whitespace().nth(1)?.parse().ok()
-}
 
 fn reader_of(stream: Option<impl Read + Send + 'static>) -> thread::JoinHandle<Vec<u8>> {
     let mut stream = stream.unwrap();
@@ -146,9 +137,10 @@ pub(crate) fn program(draw: &mut Draw) -> Outcome {
         reader_of(child.stderr.take()),
     );
     let start = Instant::now();
+    let process = child.id().to_string();
     let mut memory = 0;
     let status = loop {
-        memory = memory.max(peak_memory(&child).unwrap_or(0));
+        memory = memory.max(peak_memory_of(&process).unwrap_or(0));
         if let Some(status) = child.try_wait().unwrap() {
             break status;
         }
@@ -185,7 +177,7 @@ pub(crate) fn program(draw: &mut Draw) -> Outcome {
     if code == Some(3) {
         assert_eq!(messages, 1, "one message with exit code 3: {said}");
     }
-    assert!(memory < MOST_MEMORY, "{memory} KiB of memory");
+    assert!(memory < LARGEST_MEMORY, "{memory} bytes of memory");
     if code == Some(0) {
         Outcome::Checked
     } else {
