@@ -29,7 +29,7 @@ fn decimal(c: &mut Criterion) {
     for limbs in [1, 4, 20, 200, 400, 2000] {
         let bits = 64 * limbs - 1;
         let number = random.integer(bits) | Integer::ONE << bits;
-        let rational = Rational::from(&number);
+        let rational = Rational::from(stellate::exact::integer_to_num(&number));
         let of_num = BigInt::try_from(&rational).unwrap();
         // The three of them agree, and the digits are those of the number.
         let digits = rational.to_string();

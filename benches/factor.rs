@@ -11,7 +11,7 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
-use stellate::exact::Rational;
+use stellate::exact::{Rational, integer_from_num, integer_to_num};
 use stellate::factor::{factor_plane, factor_univariate};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
@@ -20,14 +20,13 @@ use stellate::shape::Form;
 
 #[path = "../tests/common/mod.rs"]
 mod common;
+use common::dense::{integral, rational};
 use common::random::SplitMix;
 
 fn product(count: usize, degree: usize, bits: u64) -> PlanePolynomial {
     let mut random = SplitMix((count * 1000 + degree) as u64);
     let factors: Vec<_> = (0..count).map(|_| random.dense(degree, bits)).collect();
-    let f = factors[1..]
-        .iter()
-        .fold(factors[0].clone(), |f, g| f.product(g));
+    let f = factors[1..].iter().fold(factors[0].clone(), |f, g| &f * g);
     // As many as were multiplied: all irreducible.
     let found = factor_plane(&f, &Limits::none()).unwrap();
     assert_eq!(found.factors.len(), count);
@@ -43,19 +42,20 @@ fn by_kronecker(f: &PlanePolynomial) -> Vec<PlanePolynomial> {
     let stride = f.terms().map(|((i, _), _)| i).max().unwrap_or(0) + 1;
     let mut packed = vec![Integer::from(0); stride * stride];
     for ((i, j), c) in f.terms() {
-        packed[i + j * stride] = c.numerator();
+        packed[i + j * stride] = integer_from_num(&c.numer());
     }
     let packed = IntegerPolynomial::from_coefficients_asc(packed);
-    let found = factor_univariate(&packed, &Limits::none()).unwrap();
+    let found = factor_univariate(&rational(&packed), &Limits::none()).unwrap();
     let mut local: Vec<IntegerPolynomial> = found
         .factors
         .iter()
-        .flat_map(|g| std::iter::repeat_n(g.polynomial.clone(), g.multiplicity))
+        .flat_map(|g| std::iter::repeat_n(integral(&g.polynomial), g.multiplicity))
         .collect();
     let unpacked = |chosen: &[&IntegerPolynomial]| {
         let product = chosen.iter().fold(IntegerPolynomial::one(), |p, g| p * *g);
         let terms = product.coefficients_asc().iter().enumerate();
-        let terms = terms.map(|(k, c)| ((k % stride, k / stride), Rational::from(c)));
+        let terms =
+            terms.map(|(k, c)| ((k % stride, k / stride), Rational::from(integer_to_num(c))));
         PlanePolynomial::from_terms(terms).primitive()
     };
     let mut factors = Vec::new();
@@ -71,7 +71,7 @@ fn by_kronecker(f: &PlanePolynomial) -> Vec<PlanePolynomial> {
             };
             let (factor, rest) = (part(true), part(false));
             let whole = unpacked(&local.iter().collect::<Vec<_>>());
-            (factor.product(&rest).primitive() == whole).then_some((mask, factor))
+            ((&factor * &rest).primitive() == whole).then_some((mask, factor))
         });
         match accepted {
             Some((mask, factor)) => {
@@ -167,8 +167,9 @@ fn factorization(c: &mut Criterion) {
 
     for count in [3, 4, 5] {
         let f = swinnerton_dyer(&[2, 3, 5, 7, 11][..count]);
+        let f = rational(&f);
         assert_eq!(factor_univariate(&f, &limits).unwrap().factors.len(), 1);
-        let degree = f.coefficients_asc().len() - 1;
+        let degree = f.len() - 1;
         group.bench_with_input(BenchmarkId::new("swinnerton_dyer", degree), &f, |b, f| {
             b.iter(|| factor_univariate(black_box(f), &limits).unwrap());
         });

@@ -12,12 +12,13 @@ use malachite::base::polynomial::Polynomial;
 use stellate::exact::Rational;
 use stellate::implicitize::SquaredForm;
 use stellate::poly::{IntegerPolynomial, PlanePolynomial};
-use stellate::roots::real_roots;
+use stellate::roots::RealRoot;
 use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::FourierRadius;
 
 #[path = "../tests/common/mod.rs"]
 mod common;
+use common::dense::rational;
 use common::random::SplitMix;
 
 const POLYNOMIALS: usize = 20;
@@ -32,13 +33,13 @@ fn roots(c: &mut Criterion) {
             let mut random = SplitMix(degree);
             let mut polynomial = || {
                 let c = (0..=degree).map(|_| random.integer(bits)).collect();
-                IntegerPolynomial::from_coefficients_asc(c)
+                rational(&IntegerPolynomial::from_coefficients_asc(c))
             };
             let all: Vec<_> = (0..POLYNOMIALS).map(|_| polynomial()).collect();
             let id = BenchmarkId::new(format!("{bits}_bits"), degree);
             group.bench_with_input(id, &all, |b, all| {
                 b.iter(|| -> f64 {
-                    let roots = all.iter().flat_map(|f| real_roots(black_box(f)));
+                    let roots = all.iter().flat_map(|f| RealRoot::all_of(black_box(f)));
                     roots.map(|root| root.to_f64()).sum()
                 });
             });
@@ -51,10 +52,10 @@ fn roots(c: &mut Criterion) {
     c[0] = Integer::from(-1);
     c[1] = &a + &a;
     c[2] = -(&a * &a);
-    let close = IntegerPolynomial::from_coefficients_asc(c);
-    assert_eq!(real_roots(&close).len(), 4);
+    let close = rational(&IntegerPolynomial::from_coefficients_asc(c));
+    assert_eq!(RealRoot::all_of(&close).len(), 4);
     group.bench_function("one_close_pair/80", |b| {
-        b.iter(|| real_roots(black_box(&close)).len());
+        b.iter(|| RealRoot::all_of(black_box(&close)).len());
     });
     // 2^100 T_80 + noise: all roots real.
     let x = IntegerPolynomial::from_coefficients_asc(vec![Integer::from(0), Integer::from(2)]);
@@ -74,11 +75,11 @@ fn roots(c: &mut Criterion) {
     let mut random = SplitMix(7);
     let noisy = chebyshev.coefficients_asc().iter();
     let noisy = noisy.map(|c| (c << 100u64) + random.integer(60)).collect();
-    let real = IntegerPolynomial::from_coefficients_asc(noisy);
-    assert_eq!(real_roots(&real).len(), 80);
+    let real = rational(&IntegerPolynomial::from_coefficients_asc(noisy));
+    assert_eq!(RealRoot::all_of(&real).len(), 80);
     group.bench_function("all_real/80", |b| {
         b.iter(|| -> f64 {
-            real_roots(black_box(&real))
+            RealRoot::all_of(black_box(&real))
                 .iter()
                 .map(|r| r.to_f64())
                 .sum()

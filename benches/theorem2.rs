@@ -9,7 +9,6 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
 use malachite::Integer;
-use malachite::base::num::basic::traits::One;
 use mimalloc::MiMalloc;
 use stellate::document::{Format, write_implicit};
 use stellate::exact::Rational;
@@ -61,7 +60,11 @@ fn on_forms(radius: &FourierRadius) -> PlanePolynomial {
     let parts = square_away(n, &unit, BinaryForm::rho_power, Some(&sum(1)), &sum(0));
     let minus_middle = parts.middle.map(|m| m.scaled(&Integer::from(-1)));
     let parts = [Some(parts.top), minus_middle, Some(parts.low)];
-    PlanePolynomial::from_parts(parts.into_iter().flatten(), Integer::ONE).primitive()
+    parts
+        .into_iter()
+        .flatten()
+        .collect::<PlanePolynomial>()
+        .primitive()
 }
 
 fn theorem2(c: &mut Criterion) {

@@ -12,6 +12,7 @@ use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
 /// What is known exactly of an implicit curve or surface, or of the polynomial of a Fourier radius.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Description {
     /// Total degree of the (reduced, primitive) polynomial.
     pub degree: usize,
@@ -33,6 +34,7 @@ pub struct Description {
 
 /// An irreducible factor over Q.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct DescribedFactor {
     /// Primitive, with positive first term.
     pub shape: Form,
@@ -44,6 +46,7 @@ pub struct DescribedFactor {
 
 /// What is known of a curve given by a Fourier radius.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct FourierDescription {
     /// The radius.
     pub radius: FourierRadius,
@@ -72,6 +75,7 @@ impl FourierDescription {
 /// Which part of §3 applies to a polynomial (Theorem 5): up to five homogeneous parts of equally
 /// spaced degrees n, n−k, n−2k, … make it a polynomial of degree at most four in r^k.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Method {
     /// A single part: straight lines through the origin.
     Lines,

@@ -73,7 +73,7 @@
 //!
 //! # From below to above
 //!
-//! Arithmetic modulo primes, fast whole numbers → [`exact`] numbers, [`rows`] of them → [`poly`]nomials → their real [`roots`],
+//! Arithmetic modulo primes, fast whole numbers → [`exact`] numbers → [`poly`]nomials → their real [`roots`],
 //! [`factor`]s → [`shape`]s → [`implicitize`], [`fit`], [`language`], [`reading`] → [`parametrize`], [`sample`], [`mesh`],
 //! [`arcs`], [`describe`] → [`inspect`], [`check`], [`picture`] → [`verb`] → [`document`] → [`paper`] → the command line. A file
 //! imports only from below it, and [`error`] and [`limits`].
@@ -120,7 +120,7 @@ pub mod picture;
 pub mod poly;
 pub mod reading;
 pub mod roots;
-pub mod rows;
+mod rows;
 pub mod sample;
 pub mod shape;
 pub mod verb;

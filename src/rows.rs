@@ -13,18 +13,8 @@ const MAX_ROW_BYTES: u64 = 1 << 16;
 
 /// Reads rows of numbers with commas between them. The first row may be a header; blank rows and rows that begin with `#`
 /// are skipped.
-///
-/// ```
-/// use stellate::rows::{RowReader, double, fields};
-/// let mut rows = RowReader::new("x,y\n\n1,-0x1p-1\n".as_bytes(), "points.csv", "x,y");
-/// let (number, row) = rows.next_row()?.unwrap();
-/// assert_eq!((number, row), (3, "1,-0x1p-1"));
-/// assert_eq!(fields(row).map(double).collect::<Vec<_>>(), [Ok(1.0), Ok(-0.5)]);
-/// assert!(rows.next_row()?.is_none());
-/// # Ok::<(), stellate::error::Error>(())
-/// ```
 #[derive(Debug)]
-pub struct RowReader<'a, R> {
+pub(crate) struct RowReader<'a, R> {
     reader: R,
     place: &'a str,
     expected: &'a str,
@@ -35,7 +25,7 @@ pub struct RowReader<'a, R> {
 
 impl<'a, R: BufRead> RowReader<'a, R> {
     /// `place` names the source, and `expected` the columns, in messages.
-    pub fn new(reader: R, place: &'a str, expected: &'a str) -> Self {
+    pub(crate) fn new(reader: R, place: &'a str, expected: &'a str) -> Self {
         Self {
             reader,
             place,
@@ -50,7 +40,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
     ///
     /// # Errors
     /// [`Error::Data`] for what is not text or longer than 64 KiB; [`Error::Io`] if reading fails.
-    pub fn next_row(&mut self) -> Result<Option<(usize, &str)>> {
+    pub(crate) fn next_row(&mut self) -> Result<Option<(usize, &str)>> {
         loop {
             self.line.clear();
             self.row += 1;
@@ -97,14 +87,14 @@ impl<'a, R: BufRead> RowReader<'a, R> {
     }
 
     /// What is wrong with a row.
-    pub fn error(&self, row: usize, message: impl Into<String>) -> Error {
+    pub(crate) fn error(&self, row: usize, message: impl Into<String>) -> Error {
         row_error(self.place, row, message)
     }
 }
 
 /// What is wrong with a row of the source `place`.
 #[must_use]
-pub fn row_error(place: &str, row: usize, message: impl Into<String>) -> Error {
+pub(crate) fn row_error(place: &str, row: usize, message: impl Into<String>) -> Error {
     Error::data(format!("{place}, row {row}"), message)
 }
 
@@ -112,7 +102,7 @@ pub fn row_error(place: &str, row: usize, message: impl Into<String>) -> Error {
 ///
 /// # Errors
 /// The message for another number of fields.
-pub fn fields_of<'r, const N: usize>(
+pub(crate) fn fields_of<'r, const N: usize>(
     row: &'r str,
     expected: &str,
 ) -> std::result::Result<[&'r str; N], String> {
@@ -135,7 +125,7 @@ pub fn fields_of<'r, const N: usize>(
 }
 
 /// The fields of a row, without white space and one pair of double quotes around each.
-pub fn fields(row: &str) -> impl Iterator<Item = &str> {
+pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
     row.split(',').map(|field| {
         let field = field.trim();
         field
@@ -155,7 +145,7 @@ fn is_word(field: &str) -> bool {
 ///
 /// # Errors
 /// The message for what is no finite number.
-pub fn double(field: &str) -> std::result::Result<f64, String> {
+pub(crate) fn double(field: &str) -> std::result::Result<f64, String> {
     let is_plain = field
         .bytes()
         .all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E'));
@@ -178,4 +168,20 @@ fn shortened(field: &str) -> String {
         short.push('…');
     }
     short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_numbered_as_in_the_file() {
+        let text = "x,y\n\n1,-0x1p-1\n".as_bytes();
+        let mut rows = RowReader::new(text, "points.csv", "x,y");
+        let (number, row) = rows.next_row().unwrap().unwrap();
+        assert_eq!((number, row), (3, "1,-0x1p-1"));
+        let numbers: Vec<_> = fields(row).map(double).collect();
+        assert_eq!(numbers, [Ok(1.0), Ok(-0.5)]);
+        assert!(rows.next_row().unwrap().is_none());
+    }
 }

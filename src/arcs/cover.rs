@@ -41,6 +41,7 @@ options! {
 
 /// A point with exactly one common zero of both polynomials beside it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ArcPoint {
     /// x, y, z.
     pub position: [f64; 3],
@@ -52,6 +53,7 @@ pub struct ArcPoint {
 
 /// How an arc ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ArcEnd {
     /// Where the curve leaves the box.
     Window,
@@ -62,6 +64,7 @@ pub enum ArcEnd {
 /// A smooth piece of the curve: any two neighbours (of a closed one also the last point and the first) are proved to lie on
 /// one smooth arc, which is a graph over one of the axes.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CurveArc {
     /// In order, in the direction of ∇f × ∇g.
     pub points: Vec<ArcPoint>,
@@ -71,6 +74,7 @@ pub struct CurveArc {
 
 /// What two surfaces have in common in a box.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct IntersectionArcs {
     /// The box in which they were looked for.
     pub bounds: [[f64; 2]; 3],
@@ -176,7 +180,7 @@ pub fn trace_intersection(
             let fields = [Field::new(&f.polynomial), Field::new(&g.polynomial)];
             let share = 1000 / pairs as u64;
             let heard = |part: u64| progress(share * done + share * part / 1000);
-            Search::new([&fields[0], &fields[1]], options).run(
+            ArcCover::new([&fields[0], &fields[1]], options).run(
                 polynomials,
                 &mut all,
                 limits,
@@ -192,7 +196,7 @@ pub fn trace_intersection(
 type Cell = [u32; 3];
 
 /// The search for the arcs of two irreducible surfaces.
-struct Search<'a> {
+struct ArcCover<'a> {
     path: Path<'a>,
     /// Half the sides of the cells that are looked at now, and how many of them there are beside each other in the window.
     halves: [f64; 3],
@@ -200,7 +204,7 @@ struct Search<'a> {
     tubes: Vec<Tube>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> ArcCover<'a> {
     fn new(fields: [&'a Field; 2], options: &ArcOptions) -> Self {
         let window = options.bounds;
         let sides = window.map(|[a, b]| b - a);
@@ -436,7 +440,7 @@ mod tests {
             let bounds: [[f64; 2]; 3] = std::array::from_fn(|i| [low[i], low[i] + sides[i]]);
             let options = ArcOptions::new(bounds).resolution(64);
             let field = Field::new(&sphere(1));
-            let mut search = Search::new([&field, &field], &options);
+            let mut search = ArcCover::new([&field, &field], &options);
             for _ in 0..level {
                 search.refine();
             }

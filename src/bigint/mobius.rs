@@ -157,8 +157,7 @@ fn add_neighbours<'a, C: AsRef<[u64]> + AsMut<[u64]> + 'a>(
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::poly::negate_odd;
-    use crate::poly::{shift_by_minus_one, shift_by_one};
+    use crate::poly::{negate_odd, shift_by_one};
     use malachite::base::polynomial::Polynomial;
     use malachite::integer_polynomial::IntegerPolynomial;
     use proptest::prelude::*;
@@ -173,12 +172,21 @@ pub(crate) mod tests {
         }
     }
 
+    /// f(x − 1) as the reflection of a shift by 1.
+    fn shift_by_minus_one(f: Vec<Integer>) -> Vec<Integer> {
+        let reflected = |mut c: Vec<Integer>| {
+            negate_odd(&mut c);
+            IntegerPolynomial::from_coefficients_asc(c)
+        };
+        let shifted = shift_by_one(reflected(f)).into_coefficients_asc();
+        reflected(shifted).into_coefficients_asc()
+    }
+
     /// The slow twin: two Taylor shifts of integers of any size.
     fn by_taylor_shifts(g: Vec<Integer>) -> IntegerPolynomial {
         let len = g.len();
         let zero = Integer::from(0);
-        let mut c =
-            shift_by_minus_one(IntegerPolynomial::from_coefficients_asc(g)).into_coefficients_asc();
+        let mut c = shift_by_minus_one(g);
         c.resize(len, zero);
         for (k, value) in c.iter_mut().enumerate() {
             *value <<= k as u64;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::comparison::{Comparison, Place, Row};
+use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::Deviation;
 use super::scale::common_factor;
 use crate::exact::Rational;
@@ -84,7 +84,7 @@ pub fn compare_coefficients(got: &SparsePolynomial<3>, exact: &SparsePolynomial<
 
 fn row(exponents: [u32; 3], got: f64, deviation: Deviation, exact: Option<Rational>) -> Row {
     Row {
-        place: Place::Term(exponents),
+        place: GivenNumber::Term(exponents),
         got,
         exact,
         deviation,

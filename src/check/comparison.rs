@@ -5,11 +5,12 @@ use super::scale::Scale;
 use crate::exact::Rational;
 
 /// An extra term below this many digits of the coefficients of its degree is no rounding error.
-pub const NOISE_DIGITS: u32 = 6;
+pub(super) const NOISE_DIGITS: u32 = 6;
 
 /// Where a number of a float program belongs.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Place {
+#[non_exhaustive]
+pub enum GivenNumber {
     /// The coefficient of x^i y^j z^k.
     Term([u32; 3]),
     /// A point in a row of a file.
@@ -30,6 +31,7 @@ pub enum Place {
 
 /// f at a point, computed exactly and then rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Residual {
     /// f(x, y), of the polynomial as the reference has it.
     pub value: f64,
@@ -39,9 +41,10 @@ pub struct Residual {
 
 /// A number of a float program beside the exact one.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Row {
     /// Which number.
-    pub place: Place,
+    pub place: GivenNumber,
     /// What the float program has; for a point its distance from the origin, rounded.
     pub got: f64,
     /// What is exact: the scaled coefficient; or the radius on the ray, within 2⁻⁶⁰ of itself. `None` where there is nothing
@@ -55,6 +58,7 @@ pub struct Row {
 
 /// A usual mistake that explains what is wrong.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Diagnosis {
     /// A short name: `a0 halved`.
     pub name: &'static str,
@@ -70,6 +74,7 @@ pub struct Diagnosis {
 
 /// A float program's numbers beside the exact ones.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Comparison {
     /// Whether places have a z.
     pub in_space: bool,
@@ -146,7 +151,7 @@ impl Comparison {
     }
 
     /// What fails: with a mark, everything that has fewer digits; without one, the terms that are missing, and those
-    /// that are there and are no rounding errors (of less than [`NOISE_DIGITS`] digits).
+    /// that are there and are no rounding errors (of less than 6 digits).
     #[must_use]
     pub fn failures(&self, mark: Option<u32>) -> Vec<&Row> {
         match mark {

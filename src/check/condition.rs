@@ -18,16 +18,8 @@ use crate::shape::FourierRadius;
 /// The top part has none (0); the middle part is linear in the inputs and the low part quadratic. The terms of the answer are
 /// those of the expanded F with the condition in place of the coefficient; a condition of 0 has no term. Cost: two
 /// products of forms of degree N for each of the 2N + 1 inputs.
-///
-/// ```
-/// use stellate::check::coefficient_conditions;
-/// use stellate::shape::FourierRadius;
-/// // r = 3: F = x² + y² − 9, and 9 = a0² doubles a relative error of a0.
-/// let terms = coefficient_conditions(&FourierRadius::new(vec![3.into()], vec![]));
-/// assert_eq!(terms.terms().next().unwrap(), (&[0, 0, 0], &2.into()));
-/// ```
 #[must_use]
-pub fn coefficient_conditions(radius: &FourierRadius) -> SparsePolynomial<3> {
+pub(super) fn coefficient_conditions(radius: &FourierRadius) -> SparsePolynomial<3> {
     let n = radius.harmonics();
     let (_, cos, sin) = radius.over_common_denominator();
     let zero = Integer::ZERO;
@@ -98,7 +90,7 @@ impl Ratios {
         let exponent = |e: usize| u32::try_from(e).invariant("a degree is below 2^32");
         let ratios = f.terms().filter_map(|(k, c)| {
             let below = Integer::from(c.unsigned_abs_ref().clone());
-            let ratio = Rational::new(std::mem::take(&mut sums[k]), below)?;
+            let ratio = Rational::from_integers(std::mem::take(&mut sums[k]), below)?;
             Some(([exponent(f.degree() - k), exponent(k), 0], ratio))
         });
         Self(ratios.collect())
@@ -107,7 +99,7 @@ impl Ratios {
 
 /// The conditions of the roots r of f(ru, rv, rw) with respect to the coefficients of f, each its own.
 #[derive(Debug)]
-pub struct RootConditions {
+pub(super) struct RootConditions {
     f: SpacePolynomial,
     /// f with all coefficients positive.
     sizes: SpacePolynomial,
@@ -116,7 +108,7 @@ pub struct RootConditions {
 impl RootConditions {
     /// For the roots of this polynomial.
     #[must_use]
-    pub fn new(f: &SparsePolynomial<3>) -> Self {
+    pub(super) fn new(f: &SparsePolynomial<3>) -> Self {
         let sizes = f.terms().map(|(e, c)| (*e, c.abs()));
         Self {
             f: SpacePolynomial::from(f),
@@ -126,17 +118,8 @@ impl RootConditions {
 
     /// The sum of the sizes of all terms over |r ∂f/∂r|, in the direction vector/w and at r given as a double near the root,
     /// rounded; infinite where the derivative is 0. Cost: the values of all homogeneous parts.
-    ///
-    /// ```
-    /// use stellate::check::RootConditions;
-    /// use stellate::poly::SparsePolynomial;
-    /// // (x − 1)(x − 2) = x² − 3x + 2 at x = 1: (1 + 3 + 2)/|2 − 3|
-    /// let f = [([2, 0, 0], 1.into()), ([1, 0, 0], (-3).into()), ([0, 0, 0], 2.into())];
-    /// let conditions = RootConditions::new(&SparsePolynomial::from_terms(f));
-    /// assert_eq!(conditions.at(&[1.into(), 0.into(), 0.into()], &1.into(), 1.0), 6.0);
-    /// ```
     #[must_use]
-    pub fn at(&self, vector: &[Integer; 3], w: &Integer, r: f64) -> f64 {
+    pub(super) fn at(&self, vector: &[Integer; 3], w: &Integer, r: f64) -> f64 {
         // A root beyond the doubles: nothing is known of it.
         let Ok(r) = Rational::try_from(r) else {
             return f64::INFINITY;
@@ -146,7 +129,7 @@ impl RootConditions {
             let terms = terms.into_iter().map(|(d, c)| {
                 let degree = i64::try_from(d).invariant("a degree is below 2^63");
                 let power = r.pow(degree).invariant("an exponent is not negative");
-                power * Rational::from(c * Integer::from(weight(d)))
+                power * Rational::whole(c * Integer::from(weight(d)))
             });
             terms.sum::<Rational>()
         };
@@ -166,6 +149,22 @@ mod tests {
     use crate::implicitize::SquaredForm;
     use crate::poly::PlanePolynomial;
     use proptest::prelude::*;
+
+    #[test]
+    fn known_conditions() {
+        // r = 3: F = x² + y² − 9, and 9 = a0² doubles a relative error of a0.
+        let terms = coefficient_conditions(&FourierRadius::new(vec![3.into()], vec![]));
+        assert_eq!(terms.terms().next().unwrap(), (&[0, 0, 0], &2.into()));
+        // (x − 1)(x − 2) = x² − 3x + 2 at x = 1: (1 + 3 + 2)/|2 − 3|
+        let f = [
+            ([2, 0, 0], 1.into()),
+            ([1, 0, 0], (-3).into()),
+            ([0, 0, 0], 2.into()),
+        ];
+        let conditions = RootConditions::new(&SparsePolynomial::from_terms(f));
+        let condition = conditions.at(&[1.into(), 0.into(), 0.into()], &1.into(), 1.0);
+        assert!((condition - 6.0).abs() < 1e-15);
+    }
 
     fn expanded(radius: &FourierRadius) -> PlanePolynomial {
         SquaredForm::new(radius)

@@ -8,16 +8,17 @@ use malachite::base::num::logic::traits::SignificantBits;
 use crate::exact::{Rational, nearest_double};
 
 /// Where counting decimal digits ends: a double has no more of them.
-pub const MOST_DIGITS: f64 = 17.0;
+pub(crate) const MOST_DIGITS: f64 = 17.0;
 
 /// log₁₀ 2⁵³: the digits of a correctly rounded double, at least.
-pub const DOUBLE_DIGITS: f64 = 15.95;
+pub(crate) const DOUBLE_DIGITS: f64 = 15.95;
 
 /// The distance of a double from an exact value, relative to that value and in units of its last place.
 ///
 /// The relative distance is exact where the value is rational; where it is only enclosed it is an upper bound, within a
 /// millionth of itself.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Deviation {
     relative: Option<Rational>,
     /// In units in the last place of the double nearest to the exact value; rounded, infinite where nothing is near.
@@ -74,7 +75,7 @@ impl Deviation {
         self.relative.as_ref()
     }
 
-    /// −log₁₀ of the relative distance, from 0 up to [`MOST_DIGITS`]; rounded, for people.
+    /// −log₁₀ of the relative distance, from 0 up to 17; rounded, for people.
     #[must_use]
     pub fn digits(&self) -> f64 {
         let relative = self.relative.as_ref().map_or(f64::INFINITY, |r| r.to_f64());
@@ -127,7 +128,7 @@ pub(super) fn close_root(q: &Rational) -> Rational {
     let bits = product.significant_bits().cast_signed();
     let k = (BITS - bits / 2).max(0);
     let root = (product << (2 * k)).floor_sqrt();
-    Rational::from_dyadic(root, -k) / Rational::from(d)
+    Rational::from_dyadic(root, -k) / Rational::whole(d)
 }
 
 #[cfg(test)]

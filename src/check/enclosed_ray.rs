@@ -105,7 +105,7 @@ impl EnclosedRays {
     fn enclosed(&self, theta: &Rational, got: &Rational, bits: u32) -> Enclosed {
         let unit = Integer::ONE << bits;
         // Less than a quarter of a unit away, and less than one more by the floor.
-        let fixed = |v: Rational| (v * Rational::from(&unit)).floor();
+        let fixed = |v: Rational| (v * Rational::whole(&unit)).floor_integer();
         let [c, s] = cosine_and_sine(theta, bits + 2).map(fixed);
         let exact = theta.is_zero();
         let lowest = self.parts.first().map_or(0, |(d, _)| *d);
@@ -238,7 +238,8 @@ impl Enclosed {
         let largest = sizes
             .map(|(c, e)| Integer::from(c.unsigned_abs_ref().clone()) + e)
             .max();
-        let ratio = Rational::new(largest.invariant("the leading coefficient is there"), lead);
+        let ratio =
+            Rational::from_integers(largest.invariant("the leading coefficient is there"), lead);
         let ratio = ratio.invariant("the leading coefficient is not 0");
         let reach = ratio + Rational::from(2);
         let [less, more] = bounds(shifted, &self.error_within(&reach));
@@ -252,8 +253,8 @@ impl Enclosed {
             .errors
             .iter()
             .rev()
-            .fold(Rational::zero(), |sum, e| sum * &most + Rational::from(e));
-        value.floor() + Integer::ONE
+            .fold(Rational::zero(), |sum, e| sum * &most + Rational::whole(e));
+        value.floor_integer() + Integer::ONE
     }
 }
 
@@ -300,7 +301,8 @@ mod tests {
                 let monomial = (0..=m).map(|k| Integer::from(i32::from(k == 0)));
                 let dense = (0..=m).map(|k| Integer::from(if k % 2 == 0 { 3 } else { -5 }));
                 let forms = [monomial.collect::<Vec<_>>(), dense.collect()];
-                let theta = Rational::new((7 * n + 1).into(), (100 * m + n).into()).unwrap();
+                let theta =
+                    Rational::from_integers((7 * n + 1).into(), (100 * m + n).into()).unwrap();
                 for form in forms.map(BinaryForm::from_coefficients) {
                     let whole = [form, BinaryForm::from_coefficients(vec![Integer::ONE])];
                     let rays = EnclosedRays::new(&PlanePolynomial::from_parts(whole, Integer::ONE));
@@ -308,19 +310,19 @@ mod tests {
                     let many = rays.enclosed(&theta, &Rational::one(), 8 * BITS);
                     let parts = few.middle.iter().zip(&few.errors);
                     for ((few, error), many) in parts.zip(&many.middle) {
-                        let off = (Rational::from(few)
+                        let off = (Rational::whole(few)
                             - Rational::from_dyadic(many.clone(), -7 * i64::from(BITS)))
                         .abs();
-                        assert!(off <= Rational::from(error), "{off} beyond {error}");
+                        assert!(off <= Rational::whole(error), "{off} beyond {error}");
                         if *error != 0 {
-                            largest = largest.max(off / Rational::from(error));
+                            largest = largest.max(off / Rational::whole(error));
                         }
                     }
                 }
             }
         }
         assert!(
-            largest > Rational::new(1.into(), 8.into()).unwrap(),
+            largest > Rational::from_integers(1.into(), 8.into()).unwrap(),
             "{}",
             largest.to_f64()
         );

@@ -35,6 +35,7 @@ const RADIUS_BITS: u32 = 200;
 
 /// The fewest and the median digits of a kind of numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct DigitsKept {
     /// Of the worst one.
     pub worst: f64,
@@ -44,6 +45,7 @@ pub struct DigitsKept {
 
 /// What doubles keep with N harmonics.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Rung {
     /// N.
     pub harmonics: usize,

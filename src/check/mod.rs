@@ -23,17 +23,24 @@ mod tables;
 mod vectors;
 
 pub use coefficients::compare_coefficients;
-pub use comparison::{Comparison, Diagnosis, NOISE_DIGITS, Place, Residual, Row};
-pub use condition::{RootConditions, coefficient_conditions};
-pub use deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
-pub use float_theorem2::FloatTheorem2;
+pub use comparison::{Comparison, Diagnosis, GivenNumber, Residual, Row};
+pub(crate) use deviation::DOUBLE_DIGITS;
+pub use deviation::Deviation;
+#[cfg(feature = "pictures")]
+pub(crate) use deviation::MOST_DIGITS;
 pub use ladder::{DigitsKept, Rung, ladder};
 pub use points::GivenPoint;
 pub use radii::GivenRadius;
 pub use reference::Reference;
 pub use scale::{Meaning, Scale};
-pub use series::SeriesValues;
-pub use tables::{read_points_csv, read_radii_csv};
 pub use vectors::{
     CoefficientVector, InputsOf, PointVector, RadiusVector, TestVectors, VectorInput, test_vectors,
 };
+
+// For the tests and benches of this project; no part of what the library promises.
+#[doc(hidden)]
+pub use float_theorem2::FloatTheorem2;
+#[doc(hidden)]
+pub use series::SeriesValues;
+#[doc(hidden)]
+pub use tables::{read_points_csv, read_radii_csv};

@@ -83,7 +83,7 @@ fn enclosed(root: &RealRoot) -> Offset {
     let mut bits = DISTANCE_BITS;
     loop {
         root.refine(bits);
-        let (low, high) = root.bounds();
+        let (low, high) = root.enclosure();
         let offset = Offset {
             low: low.to_rational(),
             high: high.to_rational(),

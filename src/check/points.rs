@@ -5,7 +5,7 @@ use malachite::base::num::arithmetic::traits::{Lcm, Pow};
 use malachite::base::num::basic::traits::One;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use super::comparison::{Comparison, Place, Residual, Row};
+use super::comparison::{Comparison, GivenNumber, Residual, Row};
 use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
 use super::mistakes::diagnose;
 use super::nearest::nearest_to_one;
@@ -105,7 +105,7 @@ impl Surface {
             let other = v.denominator();
             Integer::from(w.unsigned_abs_ref().lcm(other.unsigned_abs_ref()))
         });
-        let scale = Rational::from(&w);
+        let scale = Rational::whole(&w);
         let vector = p.each_ref().map(|v| (v * &scale).numerator());
         let terms = along(&self.f, &vector, &w);
         let value = value(&terms, &self.f, &w);
@@ -121,7 +121,7 @@ impl Surface {
             self::value(&terms, g, &w)
         });
         Row {
-            place: Place::Point {
+            place: GivenNumber::Point {
                 line: point.line,
                 position: point.position,
             },
@@ -150,7 +150,7 @@ fn value(terms: &[(usize, Integer)], f: &SpacePolynomial, w: &Integer) -> Ration
     let sum: Integer = terms.iter().map(|(_, c)| c.clone()).sum();
     let top = f.degree().unwrap_or(0) as u64;
     let below = w.pow(top) * f.denominator();
-    Rational::new(sum, below).invariant("a power of a denominator is not 0")
+    Rational::from_integers(sum, below).invariant("a power of a denominator is not 0")
 }
 
 fn residual(value: &Rational, gradient: &[Rational; 3]) -> Residual {

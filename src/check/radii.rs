@@ -2,7 +2,7 @@
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use super::comparison::{Comparison, Place, Row};
+use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::{Deviation, unit_in_the_last_place};
 use super::enclosed_ray::EnclosedRays;
 use super::mistakes::{diagnose, mistaken_radii};
@@ -126,7 +126,7 @@ impl Reference {
             return Ok(f);
         }
         let product = factors.into_iter().map(|factor| factor.polynomial);
-        Ok(product.reduce(|a, b| a.product(&b)).unwrap_or(f))
+        Ok(product.reduce(|a, b| &a * &b).unwrap_or(f))
     }
 }
 
@@ -189,7 +189,7 @@ fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational
 
 fn row(given: &GivenRadius, exact: Option<Rational>, deviation: Deviation) -> Row {
     Row {
-        place: Place::Radius {
+        place: GivenNumber::Radius {
             line: given.line,
             theta: given.theta,
         },

@@ -15,6 +15,7 @@ const WINDOWS: [i64; 5] = [51, 44, 36, 26, 16];
 
 /// The factor between the coefficients of a float program and the exact ones.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Scale {
     /// got ≈ factor · exact.
     pub factor: Rational,
@@ -24,6 +25,7 @@ pub struct Scale {
 
 /// Factors that say how the float program normalises its polynomial.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Meaning {
     /// ± a power of two, 1 among them.
     PowerOfTwo(i64),

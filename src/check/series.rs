@@ -64,7 +64,9 @@ impl SeriesValues {
         let precision = bits.saturating_add(more).saturating_add(5);
         let [sum, _] = self.sums(theta, precision);
         let below = &self.denominator << precision;
-        let over = |v: Integer| Rational::new(v, below.clone()).invariant("a denominator is not 0");
+        let over = |v: Integer| {
+            Rational::from_integers(v, below.clone()).invariant("a denominator is not 0")
+        };
         if theta.is_zero() || self.cos.len() == 1 {
             return [over(sum.clone()), over(sum)];
         }
@@ -112,13 +114,13 @@ impl SeriesValues {
     pub fn condition(&self, theta: &Rational) -> f64 {
         let [sum, sizes] = self.sums(theta, FIRST_BITS);
         let sum = Integer::from(sum.unsigned_abs_ref().clone());
-        Rational::new(sizes, sum).map_or(f64::INFINITY, |q| q.to_f64())
+        Rational::from_integers(sizes, sum).map_or(f64::INFINITY, |q| q.to_f64())
     }
 
     /// D 2^precision times Σ a_n cos nθ + b_n sin nθ, and times the sum of the sizes of the terms, up to errors.
     fn sums(&self, theta: &Rational, precision: u32) -> [Integer; 2] {
         let unit = Integer::ONE << precision;
-        let fixed = |v: Rational| (v * Rational::from(&unit)).floor();
+        let fixed = |v: Rational| (v * Rational::whole(&unit)).floor_integer();
         let [c, s] = cosine_and_sine(theta, precision + 2).map(fixed);
         let (mut re, mut im) = (unit.clone(), Integer::ZERO);
         let [mut sum, mut sizes] = [Integer::ZERO, Integer::ZERO];
@@ -158,7 +160,7 @@ mod tests {
             let mut sum = Rational::zero();
             let mut size = Rational::zero();
             for n in 0..=r.harmonics() {
-                let angle = &theta * &Rational::from(Integer::from(n));
+                let angle = &theta * &Rational::whole(Integer::from(n));
                 let [c, s] = cosine_and_sine(&angle, bits + 60);
                 sum = sum + r.cos(n) * &c + r.sin(n) * &s;
                 size = size + r.cos(n).abs() + r.sin(n).abs();

@@ -13,11 +13,12 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
-use crate::sample::{Direction, Ray, RaySolver, Sample, SpaceDirection, UnitVector};
+use crate::sample::{Direction, IntegerVector, Ray, RaySolver, Sample, SpaceDirection};
 use crate::shape::FourierRadius;
 
 /// What a float program is given: a double.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum VectorInput {
     /// a_n of the radius.
     Cosine(usize, f64),
@@ -29,6 +30,7 @@ pub enum VectorInput {
 
 /// A coefficient that follows from the inputs.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CoefficientVector {
     /// The exponents of x, y and z.
     pub exponents: [u32; 3],
@@ -36,12 +38,13 @@ pub struct CoefficientVector {
     pub exact: Rational,
     /// The double nearest to it.
     pub double: f64,
-    /// Its condition with respect to the inputs ([`coefficient_conditions`]); `None` where no inputs are known.
+    /// Its condition with respect to the inputs; `None` where no inputs are known.
     pub condition: Option<Rational>,
 }
 
 /// r(θ) at an angle that is a double.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RadiusVector {
     /// The angle, exactly this double.
     pub theta: f64,
@@ -53,6 +56,7 @@ pub struct RadiusVector {
 
 /// A point of the zero set in an exact direction.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PointVector {
     /// The direction, a unit vector; its third component is 0 in the plane.
     pub unit: [Rational; 3],
@@ -62,12 +66,13 @@ pub struct PointVector {
     pub position: [f64; 3],
     /// The multiplicity of the root.
     pub multiplicity: usize,
-    /// The condition of the root with respect to the coefficients ([`RootConditions`]).
+    /// The condition of the root with respect to the coefficients.
     pub condition: f64,
 }
 
 /// Inputs and what follows from them.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TestVectors {
     /// Whether it is a surface.
     pub in_space: bool,
@@ -87,6 +92,7 @@ pub struct TestVectors {
 
 /// What the inputs of a float program are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum InputsOf {
     /// The coefficients of the radius, or else of the polynomial.
     Form,
@@ -303,7 +309,7 @@ fn on_ray<const V: usize>(
         return Vec::new();
     };
     let component = |v: &Integer| {
-        Rational::new(v.clone(), w.clone()).invariant("a unit vector has a denominator")
+        Rational::from_integers(v.clone(), w.clone()).invariant("a unit vector has a denominator")
     };
     let point = |sample: Sample<V>| PointVector {
         unit: vector.each_ref().map(component),

@@ -165,6 +165,9 @@ pub(crate) struct Paper {
         requires = "compare"
     )]
     pub(crate) compare_limit: f64,
+    /// The largest N that --compare measures
+    #[arg(long, value_name = "N", default_value_t = 110, requires = "compare", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..))]
+    pub(crate) compare_up_to: usize,
 }
 
 #[derive(Debug, Args)]
@@ -189,11 +192,11 @@ pub(crate) struct Implicitize {
     #[arg(long, value_enum)]
     pub(crate) method: Option<ImplicitizeMethod>,
     /// Coprime integers with the first term positive, or first coefficient 1
-    #[arg(long, value_enum, default_value_t = Scale::Integer)]
-    pub(crate) scale: Scale,
-    /// Coordinates relative to the centre of the fit, or the contour's own
-    #[arg(long, value_enum, default_value_t = Coordinates::Centre)]
-    pub(crate) coordinates: Coordinates,
+    #[arg(long, value_enum, default_value_t = ScaleFlag::Integer)]
+    pub(crate) scale: ScaleFlag,
+    /// CoordinatesFlag relative to the center of the fit, or the contour's own
+    #[arg(long, value_enum, default_value_t = CoordinatesFlag::Center)]
+    pub(crate) coordinates: CoordinatesFlag,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -205,15 +208,15 @@ pub(crate) enum ImplicitizeMethod {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Scale {
+pub(crate) enum ScaleFlag {
     Integer,
     Monic,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Coordinates {
+pub(crate) enum CoordinatesFlag {
     #[value(alias = "center")]
-    Centre,
+    Center,
     Original,
 }
 
@@ -373,15 +376,6 @@ pub(crate) struct Plot {
 
 /// The names of the formats, each with what it is.
 fn formats() -> impl TypedValueParser<Value = Format> {
-    let about = |format| match format {
-        Format::Text => "A formula in the input language",
-        Format::Json => "A document with every exact number as a string",
-        Format::Csv => "A table of coefficients",
-        Format::Latex => "A formula to be typeset",
-        Format::Sympy => "An expression for SymPy, or for Python with x, y and Rational in scope",
-        Format::Maple => "A statement for Maple",
-        Format::Singular => "Statements for Singular",
-    };
-    let names = Format::ALL.map(|format| PossibleValue::new(format.name()).help(about(format)));
+    let names = Format::ALL.map(|format| PossibleValue::new(format.name()).help(format.about()));
     PossibleValuesParser::new(names).try_map(|name| name.parse())
 }

@@ -33,7 +33,7 @@ pub(crate) struct FitFlags {
     /// Number of samples of the radius [default: at least 8N]
     #[arg(long, value_name = "NS")]
     pub(crate) samples: Option<usize>,
-    /// Round the centre and the coefficients to D decimals
+    /// Round the center and the coefficients to D decimals
     #[arg(long, value_name = "D")]
     pub(crate) decimals: Option<u32>,
 }

@@ -4,7 +4,7 @@ use stellate::document::{Format, write_implicitization};
 use stellate::error::Result;
 use stellate::verb::{self, CoordinatesFrom, ImplicitizeOptions};
 
-use super::arguments::{Coordinates, Implicitize, ImplicitizeMethod, Scale};
+use super::arguments::{CoordinatesFlag, Implicitize, ImplicitizeMethod, ScaleFlag};
 use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
@@ -19,12 +19,12 @@ pub(crate) fn run(flags: &Implicitize, session: &Session) -> Result<()> {
             ImplicitizeMethod::Resultant => verb::ImplicitizeMethod::Resultant,
         }))
         .scale(match flags.scale {
-            Scale::Integer => verb::Scale::Integer,
-            Scale::Monic => verb::Scale::Monic,
+            ScaleFlag::Integer => verb::CoefficientScale::Integer,
+            ScaleFlag::Monic => verb::CoefficientScale::Monic,
         })
         .coordinates(match flags.coordinates {
-            Coordinates::Centre => CoordinatesFrom::Center,
-            Coordinates::Original => CoordinatesFrom::Original,
+            CoordinatesFlag::Center => CoordinatesFrom::Center,
+            CoordinatesFlag::Original => CoordinatesFrom::Original,
         });
     let given = input::read(&flags.form, session)?;
     let found = verb::implicitize(given, &options, &session.work)?;

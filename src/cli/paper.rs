@@ -45,7 +45,7 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
         session.answer_no();
     }
     let comparison = match verb.compare {
-        true => Some(measure(limit, session)?),
+        true => Some(measure(limit, verb.compare_up_to, session)?),
         false => None,
     };
     let comparison = comparison.as_ref();
@@ -84,10 +84,10 @@ fn compare_limit(verb: &Paper) -> Result<Duration> {
 }
 
 /// The comparison of times; other programs that run for it end with it, whatever ends it.
-fn measure(limit: Duration, session: &Session) -> Result<TimeComparison> {
+fn measure(limit: Duration, largest: usize, session: &Session) -> Result<TimeComparison> {
     session.work.stage("compare", || {
         session.ended_at_checkpoints(|| {
-            compare(limit, &session.limits, &|done, total| {
+            compare(limit, largest, &session.limits, &|done, total| {
                 session.progress("measuring", done as u64, total as u64);
             })
         })

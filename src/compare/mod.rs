@@ -19,6 +19,9 @@ mod program;
 mod radius;
 
 pub use climb::compare;
+
+// For the tests and benches of this project; no part of what the library promises.
+#[doc(hidden)]
 pub use radius::{RUNGS, ladder_radius};
 
 use std::io::Write;
@@ -29,6 +32,7 @@ use crate::paper::Appendix;
 
 /// What came of a comparison.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TimeComparison {
     /// What one run may take.
     pub limit: Duration,
@@ -42,6 +46,7 @@ pub struct TimeComparison {
 
 /// The runs of one method.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct MethodTimes {
     /// What does it, and its version: `PARI/GP 2.15.2`.
     pub program: String,
@@ -53,6 +58,7 @@ pub struct MethodTimes {
 
 /// One run.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Run {
     /// N.
     pub harmonics: usize,
@@ -62,6 +68,7 @@ pub struct Run {
 
 /// What came of a run.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum RunOutcome {
     /// The equation of Theorem 2, in so many seconds.
     Right(f64),
@@ -75,6 +82,7 @@ pub enum RunOutcome {
 
 /// A program that could not take part.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct AbsentProgram {
     /// What it is called.
     pub name: &'static str,

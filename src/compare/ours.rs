@@ -21,7 +21,7 @@ const IS_SHORT: Duration = Duration::from_secs(1);
 /// # Errors
 /// As [`SquaredForm::new`].
 pub(super) fn theorem_2(radius: &FourierRadius) -> Result<(ImplicitCurve, f64)> {
-    median(|| Ok(SquaredForm::new(black_box(radius))?.expand()))
+    median(|| clocked(|| Ok(SquaredForm::new(black_box(radius))?.expand())))
 }
 
 /// The resultant over tan(θ/2) with its proof, on one thread: the curve in that parameter is given.
@@ -49,7 +49,7 @@ pub(super) fn resultant(
             error,
         })
     };
-    match pool.install(|| median(once)) {
+    match pool.install(|| median(|| clocked(once))) {
         Ok((found, _)) if found != *expected => Ok(RunOutcome::Wrong),
         Ok((_, seconds)) => Ok(timed(seconds, time)),
         Err(stopped) => {
@@ -78,16 +78,23 @@ pub(super) fn timed(seconds: f64, limit: Duration) -> RunOutcome {
     }
 }
 
-/// The result, and the median of the seconds.
+/// What is computed, and how long that took.
+fn clocked<T, E>(
+    compute: impl FnOnce() -> std::result::Result<T, E>,
+) -> std::result::Result<(T, Duration), E> {
+    let start = Instant::now();
+    let result = black_box(compute()?);
+    Ok((result, start.elapsed()))
+}
+
+/// The last result, and the median of the seconds, of a computation that says how long it took.
 fn median<T, E>(
-    mut compute: impl FnMut() -> std::result::Result<T, E>,
+    mut compute: impl FnMut() -> std::result::Result<(T, Duration), E>,
 ) -> std::result::Result<(T, f64), E> {
     let mut times = Vec::new();
     let mut spent = Duration::ZERO;
     loop {
-        let start = Instant::now();
-        let result = black_box(compute()?);
-        let time = start.elapsed();
+        let (result, time) = compute()?;
         spent += time;
         times.push(time);
         let few = times.len() < 3 && time < IS_SHORT;
@@ -104,20 +111,20 @@ mod tests {
 
     #[test]
     fn a_short_computation_is_repeated_and_a_long_one_is_not() {
-        let mut runs = 0;
-        let mut counted = |time| {
-            runs = 0;
-            let seconds = median(|| {
+        let counted = |milliseconds: &[u64]| {
+            let mut runs = 0;
+            let found = median(|| {
                 runs += 1;
-                std::thread::sleep(time);
-                Ok::<(), Error>(())
+                let time = milliseconds[runs % milliseconds.len()];
+                Ok::<_, Error>((runs, Duration::from_millis(time)))
             });
-            (runs, seconds.unwrap().1)
+            found.unwrap()
         };
-        let (short, seconds) = counted(Duration::from_millis(5));
-        assert!((3..=21).contains(&short) && seconds >= 0.005, "{short}");
-        let (long, seconds) = counted(Duration::from_millis(1100));
-        assert!(long == 1 && seconds >= 1.1, "{long}");
+        assert_eq!(counted(&[5]), (20, 0.005));
+        assert_eq!(counted(&[0, 90, 20]), (3, 0.02));
+        assert_eq!(counted(&[600]), (3, 0.6));
+        assert_eq!(counted(&[1100]), (1, 1.1));
+        assert_eq!(counted(&[0]), (MOST_RUNS, 0.0));
     }
 
     #[test]

@@ -181,6 +181,9 @@ mod tests {
     use super::*;
     use crate::error::Error;
 
+    /// More milliseconds than anything takes that ends.
+    const LONG: u64 = 3_600_000;
+
     fn shell(script: &str, milliseconds: u64) -> Ended {
         let time = Duration::from_millis(milliseconds);
         run("sh", &[], script, time, &Limits::none()).unwrap()
@@ -188,14 +191,14 @@ mod tests {
 
     #[test]
     fn what_it_said_comes_back_and_how_it_ended() {
-        let Ended::Done(output) = shell("echo one; pwd; echo late >&2", 20_000) else {
+        let Ended::Done(output) = shell("echo one; pwd; echo late >&2", LONG) else {
             panic!("it ends")
         };
         assert!(output.text.starts_with("one\n"));
         assert_eq!(output.said(), "`late`");
         let folder = output.text.lines().nth(1).unwrap();
         assert!(!std::path::Path::new(folder).exists(), "{folder}");
-        let Ended::Failed(reason) = shell("echo bad >&2; exit 3", 20_000) else {
+        let Ended::Failed(reason) = shell("echo bad >&2; exit 3", LONG) else {
             panic!("it fails")
         };
         assert_eq!(reason, "it ended with exit code 3 and said `bad`");
@@ -216,28 +219,23 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn a_program_that_hangs_is_ended_with_its_children() {
-        let start = Instant::now();
+        // It would sleep for ever: if it is not ended, this test does not end.
         assert!(matches!(
-            shell("sleep 97.25 & sleep 97.25", 300),
+            shell("sleep 9725725 & sleep 9725725", 300),
             Ended::OverTime
         ));
-        assert!(start.elapsed() < Duration::from_secs(20));
         // A child that is left behind by a program that ended.
-        assert!(matches!(shell("sleep 97.25 &", 20_000), Ended::Done(_)));
+        assert!(matches!(shell("sleep 9725725 &", LONG), Ended::Done(_)));
         // The system takes a moment.
-        let patience = Instant::now() + Duration::from_secs(10);
-        while with_word("97.25") > 0 && Instant::now() < patience {
+        while with_word("9725725") > 0 {
             std::thread::sleep(LOOK_EVERY);
         }
-        assert_eq!(with_word("97.25"), 0);
     }
 
     #[test]
     fn limits_end_it() {
         let limits = Limits::none().with_time_limit(Duration::from_millis(200));
-        let start = Instant::now();
-        let ended = run("sh", &[], "sleep 60", Duration::from_secs(60), &limits);
+        let ended = run("sh", &[], "sleep 9725725", Duration::MAX, &limits);
         assert!(matches!(ended, Err(Error::Limit { .. })));
-        assert!(start.elapsed() < Duration::from_secs(30));
     }
 }

@@ -80,11 +80,11 @@ fn cleared(coordinate: &RationalFunction, variable: usize) -> SparsePolynomial<3
     let below = below.enumerate().map(|(k, c)| {
         let mut exponents = [0, 0, exponent(k)];
         exponents[variable] = 1;
-        (exponents, Rational::from(c))
+        (exponents, Rational::whole(c))
     });
     let above = above
         .enumerate()
-        .map(|(k, c)| ([0, 0, exponent(k)], -Rational::from(c)));
+        .map(|(k, c)| ([0, 0, exponent(k)], -Rational::whole(c)));
     SparsePolynomial::from_terms(below.chain(above))
 }
 
@@ -92,13 +92,13 @@ fn cleared(coordinate: &RationalFunction, variable: usize) -> SparsePolynomial<3
 fn in_powers_of_r(radius: &FourierRadius) -> SparsePolynomial<3> {
     let harmonics = radius.harmonics();
     let (denominator, cos, sin) = radius.over_common_denominator();
-    let twice = Rational::from(&(denominator * Integer::from(2)));
+    let twice = Rational::whole(&(denominator * Integer::from(2)));
     let mut sum = SparsePolynomial::from_terms([([0, 0, exponent(harmonics + 1)], twice)]);
     for n in 0..=harmonics {
         let form = doubled_form_from_harmonics(n, [(n, &cos[n], &sin[n])]);
         for (k, c) in form.terms() {
             let exponents = [n - k, k, harmonics - n].map(exponent);
-            sum.add_term(exponents, -Rational::from(c));
+            sum.add_term(exponents, -Rational::whole(c));
         }
     }
     sum.primitive()

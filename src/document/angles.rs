@@ -13,7 +13,7 @@ pub(super) struct Angle {
 }
 
 #[derive(Serialize)]
-pub(super) struct Coordinates {
+pub(super) struct PlaneFormulas {
     pub(super) x: String,
     pub(super) y: String,
 }
@@ -96,7 +96,7 @@ pub(super) fn fourier(radius: &FourierRadius) -> Fourier {
     }
 }
 
-pub(super) fn coordinates(sympy: &str, center: &[Rational; 2]) -> Coordinates {
+pub(super) fn coordinates(sympy: &str, center: &[Rational; 2]) -> PlaneFormulas {
     let [cx, cy] = center.each_ref().map(|c| {
         if c.is_zero() {
             String::new()
@@ -104,7 +104,7 @@ pub(super) fn coordinates(sympy: &str, center: &[Rational; 2]) -> Coordinates {
             format!("Rational({}, {}) + ", c.numerator(), c.denominator())
         }
     });
-    Coordinates {
+    PlaneFormulas {
         x: format!("{cx}({sympy})*cos(theta)"),
         y: format!("{cy}({sympy})*sin(theta)"),
     }

@@ -35,7 +35,7 @@ struct Point {
 }
 
 #[derive(Serialize)]
-struct Document {
+struct ArcsDocument {
     schema: &'static str,
     kind: &'static str,
     #[serde(flatten)]
@@ -84,7 +84,11 @@ fn name(end: ArcEnd) -> &'static str {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write) -> Result<()> {
+pub(crate) fn write_arcs(
+    found: &IntersectionArcs,
+    format: Format,
+    out: &mut dyn Write,
+) -> Result<()> {
     match format {
         Format::Csv => {
             writeln!(out, "arc,point,x,y,z,bound,residual1,residual2")?;
@@ -98,7 +102,7 @@ pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write)
             Ok(())
         }
         Format::Json => {
-            let document = Document {
+            let document = ArcsDocument {
                 schema: SCHEMA,
                 kind: "arcs",
                 arcs: Arcs::from(found),
@@ -112,7 +116,7 @@ pub fn write_arcs(found: &IntersectionArcs, format: Format, out: &mut dyn Write)
 
 /// One line for the box, for every arc, and for what is not resolved.
 #[must_use]
-pub fn arcs_text(found: &IntersectionArcs) -> Vec<String> {
+pub(crate) fn arcs_text(found: &IntersectionArcs) -> Vec<String> {
     let mut lines = vec![match found.arcs.len() {
         0 => format!("no arcs in the box {}", box_text(&found.bounds)),
         _ => format!(

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::json::{Number, write_value};
 use super::{Format, Kind, SCHEMA};
-use crate::check::{Comparison, DOUBLE_DIGITS, Diagnosis, Meaning, Place, Row, Scale};
+use crate::check::{Comparison, DOUBLE_DIGITS, Diagnosis, GivenNumber, Meaning, Row, Scale};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::notation::Notation;
@@ -21,7 +21,7 @@ const WORST: usize = 10;
 const BAR: usize = 40;
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct CheckDocument<'a> {
     schema: &'static str,
     kind: &'static str,
     what: &'static str,
@@ -105,13 +105,13 @@ pub fn write_check(
     }
 }
 
-fn document(found: &Comparison, mark: Option<u32>) -> Document<'_> {
+fn document(found: &Comparison, mark: Option<u32>) -> CheckDocument<'_> {
     let entries = |rows: Vec<&Row>| {
         rows.into_iter()
             .map(|row| entry(row, found.in_space))
             .collect::<Vec<_>>()
     };
-    Document {
+    CheckDocument {
         schema: SCHEMA,
         kind: "check",
         what: what(found),
@@ -140,7 +140,7 @@ fn entry(row: &Row, in_space: bool) -> Entry {
         r#where: place(row, in_space),
         got: format!("{:?}", row.got),
         exact: row.exact.as_ref().map(|q| match row.place {
-            Place::Term(_) => q.to_string(),
+            GivenNumber::Term(_) => q.to_string(),
             _ => shown(q),
         }),
         residual: row.residual.map(|r| Number(r.value)),
@@ -160,19 +160,19 @@ fn mistake_entry(diagnosis: &Diagnosis) -> MistakeEntry<'_> {
 
 fn what(found: &Comparison) -> &'static str {
     match found.all().next().map(|row| &row.place) {
-        Some(Place::Point { .. }) => "points",
-        Some(Place::Radius { .. }) => "radii",
+        Some(GivenNumber::Point { .. }) => "points",
+        Some(GivenNumber::Radius { .. }) => "radii",
         _ => "coefficients",
     }
 }
 
 fn place(row: &Row, in_space: bool) -> String {
     match &row.place {
-        Place::Term(exponents) => match Notation::Text.monomial(exponents) {
+        GivenNumber::Term(exponents) => match Notation::Text.monomial(exponents) {
             constant if constant.is_empty() => "1".into(),
             monomial => monomial,
         },
-        Place::Point { line, position } => {
+        GivenNumber::Point { line, position } => {
             let [x, y, z] = position;
             if in_space {
                 format!("line {line}: ({x:?}, {y:?}, {z:?})")
@@ -180,7 +180,7 @@ fn place(row: &Row, in_space: bool) -> String {
                 format!("line {line}: ({x:?}, {y:?})")
             }
         }
-        Place::Radius { line, theta } => format!("line {line}: theta = {theta:?}"),
+        GivenNumber::Radius { line, theta } => format!("line {line}: theta = {theta:?}"),
     }
 }
 
@@ -382,17 +382,19 @@ fn write_table(found: &Comparison, out: &mut dyn Write) -> Result<()> {
     for row in found.all() {
         let axes = if in_space { 3 } else { 2 };
         let place = match &row.place {
-            Place::Term(e) => e[..axes]
+            GivenNumber::Term(e) => e[..axes]
                 .iter()
                 .map(ToString::to_string)
                 .collect::<Vec<_>>()
                 .join(","),
-            Place::Point { line, position } => format!("{line},{}", doubles(&position[..axes])),
-            Place::Radius { line, theta } => format!("{line},{theta:?}"),
+            GivenNumber::Point { line, position } => {
+                format!("{line},{}", doubles(&position[..axes]))
+            }
+            GivenNumber::Radius { line, theta } => format!("{line},{theta:?}"),
         };
         let exact = match (&row.exact, &row.place) {
             (Some(exact), _) => shown(exact),
-            (None, Place::Term(_)) => "0".into(),
+            (None, GivenNumber::Term(_)) => "0".into(),
             (None, _) => "nan".into(),
         };
         let off = &row.deviation;

@@ -19,7 +19,7 @@ use crate::verb::Fact;
 const LONGEST_FACTOR: usize = 300;
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct DescriptionDocument<'a> {
     schema: &'static str,
     kind: &'static str,
     degree: usize,
@@ -91,7 +91,7 @@ fn written(shape: &Form, format: Format) -> Result<Vec<u8>> {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_description(
+pub(crate) fn write_description(
     description: &Description,
     facts: &[Fact],
     digits: u32,
@@ -118,7 +118,7 @@ pub fn write_description(
 ///
 /// # Errors
 /// As [`write_description`].
-pub fn write_space_curve_description(
+pub(crate) fn write_space_curve_description(
     surfaces: &[ImplicitSurface],
     facts: &[Fact],
     format: Format,
@@ -167,7 +167,11 @@ pub fn write_space_curve_description(
     }
 }
 
-fn document<'a>(d: &'a Description, extra_notes: &[String], digits: u32) -> Result<Document<'a>> {
+fn document<'a>(
+    d: &'a Description,
+    extra_notes: &[String],
+    digits: u32,
+) -> Result<DescriptionDocument<'a>> {
     let fourier = d.fourier.as_ref();
     let positive: Option<Vec<Range>> =
         fourier.map(|f| f.positive.iter().map(|r| Range::new(r, digits)).collect());
@@ -179,7 +183,7 @@ fn document<'a>(d: &'a Description, extra_notes: &[String], digits: u32) -> Resu
         Method::Lemma { step, .. } => Some(step),
         Method::Lines | Method::Numeric => None,
     };
-    Ok(Document {
+    Ok(DescriptionDocument {
         schema: SCHEMA,
         kind: "description",
         degree: d.degree,
@@ -248,7 +252,7 @@ fn has_negative_radius(f: &FourierDescription) -> bool {
     !crate::parametrize::positive_ranges(&r).is_empty()
 }
 
-fn write_text(d: &Document, out: &mut dyn Write) -> Result<()> {
+fn write_text(d: &DescriptionDocument, out: &mut dyn Write) -> Result<()> {
     let yes_no = |b: bool| if b { "yes" } else { "no" };
     let degrees: Vec<String> = d
         .homogeneous_degrees

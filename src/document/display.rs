@@ -31,7 +31,7 @@ fn parsed<T>(text: &str, expected: &str, pick: impl FnOnce(Form) -> Option<T>) -
     pick(form).ok_or_else(|| Error::data("<form>", format!("expected {expected}")))
 }
 
-/// Text of the input language, with a comment for the centre.
+/// Text of the input language, with a comment for the center.
 ///
 /// ```
 /// use stellate::shape::Form;
@@ -55,7 +55,7 @@ impl FromStr for Form {
     }
 }
 
-/// `r = …`, with a comment for the centre.
+/// `r = …`, with a comment for the center.
 ///
 /// ```
 /// use stellate::shape::FourierRadius;
@@ -85,7 +85,7 @@ impl FromStr for FourierRadius {
     }
 }
 
-/// `f(x, y) = 0`, with a comment for the centre.
+/// `f(x, y) = 0`, with a comment for the center.
 impl fmt::Display for ImplicitCurve {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         displayed(f, |out| write_implicit(self, &[], Format::Text, out))

@@ -46,7 +46,7 @@ pub fn write_implicit(
     let terms = f.integer_terms().map(|((i, j), c)| {
         let coefficient = match f.denominator() {
             d if *d == 1 => Number::from(c),
-            d => Number::from(Rational::from(c) / Rational::from(d)),
+            d => Number::from(Rational::whole(c) / Rational::whole(d)),
         };
         ([exponent(i), exponent(j), 0], coefficient)
     });
@@ -66,22 +66,9 @@ pub fn write_implicit(
 ///
 /// If z does not occur in f, formulas end with the term 0z: it says that this is a surface.
 ///
-/// ```
-/// use stellate::document::{Format, write_surface};
-/// use stellate::language::{Numbers, parse_form};
-/// use stellate::shape::Form;
-///
-/// let form = parse_form("x^2 + y^2 - 1 + 0z", "<form>", Numbers::Exact)?;
-/// let Form::Surface(cylinder) = form else { panic!("z occurs") };
-/// let mut out = Vec::new();
-/// write_surface(&cylinder, &[], Format::Text, &mut out).unwrap();
-/// assert_eq!(out, b"x^2 + y^2 - 1 + 0z = 0\n");
-/// # Ok::<(), stellate::error::Error>(())
-/// ```
-///
 /// # Errors
 /// Those of `out`.
-pub fn write_surface(
+pub(crate) fn write_surface(
     surface: &ImplicitSurface,
     facts: &[Fact],
     format: Format,

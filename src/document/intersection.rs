@@ -16,7 +16,7 @@ use crate::verb::Fact;
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_intersection(
+pub(crate) fn write_intersection(
     surfaces: &[ImplicitSurface],
     facts: &[Fact],
     format: Format,

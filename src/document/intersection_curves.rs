@@ -15,7 +15,7 @@ use crate::parametrize::IntersectionParametrization;
 
 /// The first curve as in any parametric document, which is what is read back; then all of them.
 #[derive(Serialize)]
-struct Document {
+struct IntersectionCurvesDocument {
     schema: &'static str,
     kind: &'static str,
     parameters: Vec<String>,
@@ -46,7 +46,7 @@ struct Other {
 ///
 /// # Errors
 /// Those of `out`, and those of [`super::Kind::check`].
-pub fn write_intersection_curves(
+pub(crate) fn write_intersection_curves(
     found: &IntersectionParametrization,
     arcs: Option<&IntersectionArcs>,
     format: Format,
@@ -66,7 +66,7 @@ pub fn write_intersection_curves(
             };
             let all: Vec<Curve> = curves.iter().map(curve).collect();
             let first = curves.first().map(curve);
-            let document = Document {
+            let document = IntersectionCurvesDocument {
                 schema: SCHEMA,
                 kind: "parametric",
                 parameters: first

@@ -11,7 +11,7 @@ use crate::check::{DigitsKept, Rung};
 use crate::error::Result;
 
 #[derive(Serialize)]
-struct Document {
+struct LadderDocument {
     schema: &'static str,
     kind: &'static str,
     what: &'static str,
@@ -43,7 +43,7 @@ pub fn write_ladder(rungs: &[Rung], format: Format, out: &mut dyn Write) -> Resu
         Format::Text => write_text(rungs, out),
         Format::Csv => write_table(rungs, out),
         Format::Json => {
-            let document = Document {
+            let document = LadderDocument {
                 schema: SCHEMA,
                 kind: "check",
                 what: "self",

@@ -7,6 +7,7 @@ use crate::mesh::Mesh;
 
 /// A file format for meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MeshFormat {
     /// Wavefront OBJ: text, doubles in full, normals, a group for every factor.
     Obj,

@@ -32,26 +32,26 @@ mod vectors;
 
 use std::io;
 
-pub use arcs::{arcs_text, write_arcs};
+pub(crate) use arcs::{arcs_text, write_arcs};
 pub use check::write_check;
-pub use description::{write_description, write_space_curve_description};
+pub(crate) use description::{write_description, write_space_curve_description};
 pub use fourier::write_fourier;
-pub use implicit::{write_implicit, write_surface};
+pub(crate) use implicit::write_surface;
 pub use inspection::{InspectionWriter, summary_text, write_inspection_cloud};
-pub use intersection::write_intersection;
-pub use intersection_curves::write_intersection_curves;
+pub(crate) use intersection::write_intersection;
+pub(crate) use intersection_curves::write_intersection_curves;
 pub use kind::Kind;
 pub use ladder::write_ladder;
 pub use mesh::{MeshFormat, mesh_text, write_mesh};
 pub use outcome::{
     sampled_text, write_described, write_implicitization, write_parametrized, write_sampled,
 };
-pub use parametric::write_parametrization;
-pub use parametric_form::write_coordinates;
+pub(crate) use parametric::write_parametrization;
+pub(crate) use parametric_form::write_coordinates;
 pub use remark::{missing_text, remark_text};
-pub use samples::write_samples;
-pub use spherical::write_surface_parametrization;
-pub use superquadric::{
+pub(crate) use samples::write_samples;
+pub(crate) use spherical::write_surface_parametrization;
+pub(crate) use superquadric::{
     write_space_superquadric, write_space_superquadric_description, write_superquadric,
     write_superquadric_description,
 };
@@ -61,8 +61,12 @@ use crate::error::Result;
 use crate::exact::Rational;
 pub use crate::notation::{Coordinates, Format};
 pub use crate::reading::SCHEMA;
+
+// For the tests and benches of this project; no part of what the library promises.
 use crate::shape::Form;
 use crate::verb::Fact;
+#[doc(hidden)]
+pub use implicit::write_implicit;
 
 /// Writes any form in the given format, with what is annotated if it is implicit.
 ///

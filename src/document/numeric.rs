@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use super::Format;
-use super::angles::{Angle, Coordinates, Fourier, Range, angle, coordinates, fourier};
+use super::angles::{Angle, Fourier, PlaneFormulas, Range, angle, coordinates, fourier};
 use super::expression::equation_text;
 use super::fourier::expression;
-use crate::parametrize::{BranchFit, Parametrization, Radius, RootBranch, rounded_up};
-use crate::roots::real_roots;
+use crate::parametrize::{BranchFit, BranchRadius, Parametrization, RootBranch, rounded_up};
+use crate::roots::RealRoot;
 
 /// The equation of the roots of a factor that has no closed form.
 #[derive(Serialize)]
@@ -42,7 +42,7 @@ pub(super) struct FitEntry {
     pub(super) radius: String,
     pub(super) latex: String,
     pub(super) sympy: String,
-    pub(super) coordinates: Coordinates,
+    pub(super) coordinates: PlaneFormulas,
     pub(super) fourier: Fourier,
     pub(super) harmonics: usize,
     pub(super) samples: usize,
@@ -59,7 +59,7 @@ pub(super) fn equations(curve: &Parametrization) -> impl Iterator<Item = (usize,
         .branches
         .iter()
         .filter_map(move |branch| match &branch.radius {
-            Radius::Root(root) if last != Some(branch.factor) => {
+            BranchRadius::Root(root) if last != Some(branch.factor) => {
                 last = Some(branch.factor);
                 Some((branch.factor, root))
             }
@@ -77,8 +77,8 @@ pub(super) fn equation_entry(factor: usize, root: &RootBranch, digits: u32) -> E
         latex: in_format(Format::Latex),
         sympy: in_format(Format::Sympy),
         discriminant: DiscriminantEntry {
-            degree: discriminant.coefficients_asc().len().saturating_sub(1),
-            real_roots: real_roots(&discriminant)
+            degree: discriminant.len().saturating_sub(1),
+            real_roots: RealRoot::all_of(&discriminant)
                 .iter()
                 .map(|t| t.to_decimal(digits))
                 .collect(),
@@ -98,8 +98,8 @@ pub(super) fn root_entries(root: &RootBranch, digits: u32) -> Vec<RootEntry> {
 }
 
 /// `root 1 of 3 for theta in (0, pi/2), …`
-pub(super) fn roots_text(radius: &Radius, digits: u32) -> String {
-    let Radius::Root(root) = radius else {
+pub(super) fn roots_text(radius: &BranchRadius, digits: u32) -> String {
+    let BranchRadius::Root(root) = radius else {
         return String::new();
     };
     let arcs = root.arcs().into_iter().map(|arc| {

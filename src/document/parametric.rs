@@ -5,7 +5,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::angles::{
-    Angle, Coordinates, Fourier, Range, angle, coordinates, fourier, ranges, ranges_text,
+    Angle, Fourier, PlaneFormulas, Range, angle, coordinates, fourier, ranges, ranges_text,
 };
 use super::expression::expression_text;
 use super::fourier::expression;
@@ -18,10 +18,10 @@ use super::rational::{self, Entry};
 use super::{Format, Kind, SCHEMA, center_comment};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::parametrize::{Branch, BranchFit, Parametrization, PolarMethod, Radius};
+use crate::parametrize::{Branch, BranchFit, BranchRadius, Parametrization, PolarMethod};
 
 #[derive(Serialize)]
-struct Document {
+struct ParametrizationDocument {
     schema: &'static str,
     kind: &'static str,
     parameters: [&'static str; 1],
@@ -38,7 +38,7 @@ struct Document {
     rational: Vec<Entry>,
     notes: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    superquadric: Option<super::superquadric::Document>,
+    superquadric: Option<super::superquadric::SuperquadricDocument>,
 }
 
 #[derive(Serialize)]
@@ -53,7 +53,7 @@ struct BranchEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     sympy: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    coordinates: Option<Coordinates>,
+    coordinates: Option<PlaneFormulas>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fourier: Option<Fourier>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -74,7 +74,7 @@ struct BranchEntry {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_parametrization(
+pub(crate) fn write_parametrization(
     curve: &Parametrization,
     fit: Option<&BranchFit>,
     digits: u32,
@@ -85,8 +85,8 @@ pub fn write_parametrization(
         .branches
         .first()
         .and_then(|branch| match &branch.radius {
-            Radius::Fourier(radius) => Some(radius),
-            Radius::Closed(_) | Radius::Root(_) => None,
+            BranchRadius::Fourier(radius) => Some(radius),
+            BranchRadius::Closed(_) | BranchRadius::Root(_) => None,
         });
     match (format, series) {
         (Format::Json, _) => {
@@ -126,8 +126,12 @@ pub fn write_parametrization(
     }
 }
 
-fn document(curve: &Parametrization, fit: Option<&BranchFit>, digits: u32) -> Document {
-    Document {
+fn document(
+    curve: &Parametrization,
+    fit: Option<&BranchFit>,
+    digits: u32,
+) -> ParametrizationDocument {
+    ParametrizationDocument {
         schema: SCHEMA,
         kind: "parametric",
         parameters: ["theta"],
@@ -158,7 +162,7 @@ fn document(curve: &Parametrization, fit: Option<&BranchFit>, digits: u32) -> Do
         superquadric: curve
             .superquadric
             .as_ref()
-            .map(super::superquadric::Document::new),
+            .map(super::superquadric::SuperquadricDocument::new),
     }
 }
 
@@ -207,7 +211,7 @@ fn write_text(
         let real = ranges_text(&ranges(&branch.real, digits));
         let positive = ranges_text(&ranges(&branch.positive, digits));
         let valid = match branch.radius {
-            Radius::Closed(_) if !branch.holds_where_real => "; the formula holds there only",
+            BranchRadius::Closed(_) if !branch.holds_where_real => "; the formula holds there only",
             _ => "",
         };
         writeln!(
@@ -250,11 +254,11 @@ fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) 
 }
 
 /// The formula of a radius, if it has one.
-fn radius_text(radius: &Radius, format: Format) -> Option<String> {
+fn radius_text(radius: &BranchRadius, format: Format) -> Option<String> {
     match radius {
-        Radius::Fourier(radius) => Some(expression(radius, format, "theta")),
-        Radius::Closed(closed) => Some(expression_text(closed, format)),
-        Radius::Root(_) => None,
+        BranchRadius::Fourier(radius) => Some(expression(radius, format, "theta")),
+        BranchRadius::Closed(closed) => Some(expression_text(closed, format)),
+        BranchRadius::Root(_) => None,
     }
 }
 
@@ -278,11 +282,11 @@ fn entry(
         coordinates: sympy.as_ref().map(|sympy| coordinates(sympy, center)),
         sympy,
         fourier: match &branch.radius {
-            Radius::Fourier(radius) => Some(fourier(radius)),
-            Radius::Closed(_) | Radius::Root(_) => None,
+            BranchRadius::Fourier(radius) => Some(fourier(radius)),
+            BranchRadius::Closed(_) | BranchRadius::Root(_) => None,
         },
         roots: match &branch.radius {
-            Radius::Root(root) => root_entries(root, digits),
+            BranchRadius::Root(root) => root_entries(root, digits),
             _ => Vec::new(),
         },
         ranges: ranges(&branch.real, digits),

@@ -12,14 +12,14 @@ use crate::notation::{Coordinates, NAMES};
 
 /// A document of kind `parametric` that gives coordinates.
 #[derive(Debug, Serialize)]
-struct Document {
+struct ParametricFormDocument {
     schema: &'static str,
     kind: &'static str,
     parameters: Vec<String>,
     coordinates: BTreeMap<&'static str, String>,
 }
 
-impl Document {
+impl ParametricFormDocument {
     fn of(coordinates: &Coordinates) -> Self {
         let parameters = coordinates.parameters().into_iter();
         Self {
@@ -36,7 +36,7 @@ impl Document {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_coordinates(
+pub(crate) fn write_coordinates(
     coordinates: &Coordinates,
     format: Format,
     out: &mut dyn Write,
@@ -45,7 +45,7 @@ pub fn write_coordinates(
     let rows = NAMES.iter().zip(&formulas);
     match format {
         Format::Json => {
-            write_value(&Document::of(coordinates), out)?;
+            write_value(&ParametricFormDocument::of(coordinates), out)?;
             Ok(writeln!(out)?)
         }
         Format::Text => write_lines(rows.map(|(n, f)| format!("{n} = {f}")), out),

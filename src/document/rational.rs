@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Format;
+use super::angles::PlaneFormulas;
 use crate::exact::Rational;
 use crate::notation::Notation;
 use crate::parametrize::{Cover, FactorRationality, RationalCurve, Rationality};
@@ -23,24 +24,18 @@ pub(super) struct Entry {
     #[serde(skip_serializing_if = "Option::is_none")]
     parameter: Option<&'static str>,
     #[serde(flatten)]
-    curve: Option<Coordinates>,
+    curve: Option<PlaneFormulas>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    latex: Option<Coordinates>,
+    latex: Option<PlaneFormulas>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    sympy: Option<Coordinates>,
+    sympy: Option<PlaneFormulas>,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }
 
-#[derive(Serialize)]
-struct Coordinates {
-    x: String,
-    y: String,
-}
-
-impl Coordinates {
+impl PlaneFormulas {
     /// In the coordinates of the plane: about the center.
-    fn new(curve: &RationalCurve, [a, b]: &[Rational; 2], format: Format) -> Self {
+    fn of_curve(curve: &RationalCurve, [a, b]: &[Rational; 2], format: Format) -> Self {
         Self {
             x: function_text(&curve.x.plus_constant(a), format),
             y: function_text(&curve.y.plus_constant(b), format),
@@ -54,7 +49,7 @@ impl Entry {
             Rationality::Parametrized(curve) => Some(curve),
             _ => None,
         };
-        let coordinates = |format| curve.map(|c| Coordinates::new(c, center, format));
+        let coordinates = |format| curve.map(|c| PlaneFormulas::of_curve(c, center, format));
         let (genus, rational) = match &of.rationality {
             Rationality::Parametrized(_) | Rationality::HalfAngle => (Some(0), Some(true)),
             Rationality::NoRationalPoint { .. } => (Some(0), Some(false)),
@@ -89,7 +84,7 @@ pub(super) fn comment(
     let claim = match &of.rationality {
         Rationality::HalfAngle => return None,
         Rationality::Parametrized(curve) => {
-            let Coordinates { x, y } = Coordinates::new(curve, center, format);
+            let PlaneFormulas { x, y } = PlaneFormulas::of_curve(curve, center, format);
             return Some(format!("factor {factor} is rational: x = {x}, y = {y}"));
         }
         Rationality::NoRationalPoint { .. } => {
@@ -192,7 +187,7 @@ fn polynomial_text(p: &IntegerPolynomial, format: Format) -> String {
             (_, Notation::Latex) => format!("t^{{{k}}}"),
             _ => format!("t^{k}"),
         };
-        (Rational::from(c), monomial)
+        (Rational::whole(c), monomial)
     });
     let mut text = Vec::new();
     let written = notation.write_sum(terms, &mut text);

@@ -12,7 +12,7 @@ pub(super) const PERFECT_SQUARE: &str = "F of Theorem 2 is a perfect square (a0 
 /// use stellate::document::remark_text;
 /// use stellate::verb::Remark;
 /// let text = remark_text(&Remark::RelativeTo([1.into(), 2.into()]));
-/// assert_eq!(text, "coordinates are relative to the centre (1, 2)");
+/// assert_eq!(text, "coordinates are relative to the center (1, 2)");
 /// ```
 #[must_use]
 pub fn remark_text(remark: &Remark) -> String {
@@ -20,7 +20,7 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::Center {
             point: [x, y],
             origin,
-        } => format!("the centre is ({x}, {y}): {}", origin.describe()),
+        } => format!("the center is ({x}, {y}): {}", origin.describe()),
         Remark::Hidden {
             point: [x, y],
             share,
@@ -29,7 +29,7 @@ pub fn remark_text(remark: &Remark) -> String {
             share * 100.0
         ),
         Remark::PerfectSquare => PERFECT_SQUARE.into(),
-        Remark::RelativeTo([a, b]) => format!("coordinates are relative to the centre ({a}, {b})"),
+        Remark::RelativeTo([a, b]) => format!("coordinates are relative to the center ({a}, {b})"),
         Remark::WholeLine { theta, phi: None } => format!(
             "the whole line at theta = {theta} belongs to the curve: it has no rows"
         ),

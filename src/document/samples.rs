@@ -35,7 +35,7 @@ struct Line {
 }
 
 #[derive(Serialize)]
-struct Document {
+struct SamplesDocument {
     schema: &'static str,
     kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -50,7 +50,7 @@ struct Document {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_samples<D: NominalAngles<V>, const V: usize>(
+pub(crate) fn write_samples<D: NominalAngles<V>, const V: usize>(
     rays: &[SampledRay<D, V>],
     center: &[Rational; 2],
     format: Format,
@@ -88,7 +88,7 @@ pub fn write_samples<D: NominalAngles<V>, const V: usize>(
             Ok(())
         }
         Format::Json => {
-            let document = Document {
+            let document = SamplesDocument {
                 schema: SCHEMA,
                 kind: "samples",
                 center: center_comment(center).map(|_| center.each_ref().map(ToString::to_string)),

@@ -12,14 +12,14 @@ use super::json::{Number, parsed, write_value};
 use super::parametric::validity;
 use super::{Format, Kind, SCHEMA, write_space_superquadric, write_surface};
 use crate::error::{Error, Result};
-use crate::exact::Integer;
 use crate::parametrize::{SurfaceMethod, SurfaceParametrization, SurfaceSource};
 use crate::poly::SpacePolynomial;
 use crate::sample::Ray;
 use crate::verb::{InDirection, OnMeridian};
+use malachite::Integer;
 
 #[derive(Serialize)]
-struct Document {
+struct SurfaceParametrizationDocument {
     schema: &'static str,
     kind: &'static str,
     parameters: [&'static str; 2],
@@ -59,7 +59,7 @@ struct BranchEntry {
     radius: String,
     latex: String,
     sympy: String,
-    coordinates: Coordinates,
+    coordinates: SpaceFormulas,
     /// Where the formula is real and the root that it is meant to be, in SymPy syntax.
     condition: String,
     condition_in_words: String,
@@ -67,7 +67,7 @@ struct BranchEntry {
 }
 
 #[derive(Serialize)]
-struct Coordinates {
+struct SpaceFormulas {
     x: String,
     y: String,
     z: String,
@@ -105,7 +105,7 @@ struct DirectionEntry {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_surface_parametrization(
+pub(crate) fn write_surface_parametrization(
     surface: &SurfaceParametrization,
     meridians: &[OnMeridian],
     directions: &[InDirection],
@@ -279,7 +279,7 @@ fn document(
     meridians: &[OnMeridian],
     directions: &[InDirection],
     digits: u32,
-) -> Result<Document> {
+) -> Result<SurfaceParametrizationDocument> {
     let numbered = || surface.factors.iter().enumerate();
     let cones = numbered().filter(|(_, f)| f.is_cone());
     let discriminants = numbered().filter_map(|(i, f)| Some((i, f.discriminant.as_ref()?)));
@@ -289,7 +289,7 @@ fn document(
             factor: branch.factor,
             radius: expression_text(&branch.radius, Format::Text),
             latex: expression_text(&branch.radius, Format::Latex),
-            coordinates: Coordinates {
+            coordinates: SpaceFormulas {
                 x: format!("({sympy})*sin(phi)*cos(theta)"),
                 y: format!("({sympy})*sin(phi)*sin(theta)"),
                 z: format!("({sympy})*cos(phi)"),
@@ -300,7 +300,7 @@ fn document(
             valid: validity(branch.holds_where_real),
         }
     });
-    Ok(Document {
+    Ok(SurfaceParametrizationDocument {
         schema: SCHEMA,
         kind: "parametric",
         parameters: ["theta", "phi"],

@@ -14,7 +14,7 @@ use crate::shape::{SpaceSuperquadric, Superquadric};
 
 /// The document of kind `superquadric`.
 #[derive(Serialize)]
-pub(super) struct Document {
+pub(super) struct SuperquadricDocument {
     schema: &'static str,
     kind: &'static str,
     dimension: usize,
@@ -23,7 +23,7 @@ pub(super) struct Document {
     level: String,
 }
 
-impl Document {
+impl SuperquadricDocument {
     pub(super) fn new(shape: &Superquadric) -> Self {
         Self::of(shape.semi_axes(), &[shape.epsilon().clone()], shape.level())
     }
@@ -66,42 +66,33 @@ impl Document {
 
 /// Writes a superquadric as the row of the input language, or as a JSON document; both are read back.
 ///
-/// ```
-/// use stellate::document::{Format, write_superquadric};
-/// use stellate::language::{Numbers, parse_form};
-/// use stellate::shape::Form;
-///
-/// let text = "superquadric 2d a=1,2 e=1/2 level=3";
-/// let Form::Superquadric(shape) = parse_form(text, "<form>", Numbers::Exact)? else { unreachable!() };
-/// let mut out = Vec::new();
-/// write_superquadric(&shape, Format::Text, &mut out).unwrap();
-/// assert_eq!(out, b"superquadric 2d a=1,2 e=1/2 level=3\n");
-/// # Ok::<(), stellate::error::Error>(())
-/// ```
-///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_superquadric(shape: &Superquadric, format: Format, out: &mut dyn Write) -> Result<()> {
-    Document::new(shape).write(format, out)
+pub(crate) fn write_superquadric(
+    shape: &Superquadric,
+    format: Format,
+    out: &mut dyn Write,
+) -> Result<()> {
+    SuperquadricDocument::new(shape).write(format, out)
 }
 
 /// The same for a superquadric in space.
 ///
 /// # Errors
 /// As [`write_superquadric`].
-pub fn write_space_superquadric(
+pub(crate) fn write_space_superquadric(
     shape: &SpaceSuperquadric,
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
-    Document::in_space(shape).write(format, out)
+    SuperquadricDocument::in_space(shape).write(format, out)
 }
 
 #[derive(Serialize)]
 struct Description {
     schema: &'static str,
     kind: &'static str,
-    superquadric: Document,
+    superquadric: SuperquadricDocument,
     method: &'static str,
     exponent: String,
     degree: Option<usize>,
@@ -114,7 +105,7 @@ struct Description {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_superquadric_description(
+pub(crate) fn write_superquadric_description(
     shape: &Superquadric,
     format: Format,
     out: &mut dyn Write,
@@ -123,7 +114,7 @@ pub fn write_superquadric_description(
     let description = Description {
         schema: SCHEMA,
         kind: "description",
-        superquadric: Document::new(shape),
+        superquadric: SuperquadricDocument::new(shape),
         method: "lemma-2",
         exponent: shape.exponent().to_string(),
         degree: shape.even_exponent(),
@@ -175,7 +166,7 @@ fn write_text(d: &Description, out: &mut dyn Write) -> Result<()> {
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_space_superquadric_description(
+pub(crate) fn write_space_superquadric_description(
     shape: &SpaceSuperquadric,
     format: Format,
     out: &mut dyn Write,
@@ -189,7 +180,7 @@ pub fn write_space_superquadric_description(
             let mut description = json!({
                 "schema": SCHEMA,
                 "kind": "description",
-                "superquadric": Document::in_space(shape),
+                "superquadric": SuperquadricDocument::in_space(shape),
                 "method": "lemma-7",
                 "exponents": [of_xy, of_sum, of_z],
                 "degree": degree,

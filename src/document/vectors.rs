@@ -12,7 +12,7 @@ use crate::exact::hex_literal;
 use crate::notation::Notation;
 
 #[derive(Serialize)]
-struct Document {
+struct VectorsDocument {
     schema: &'static str,
     kind: &'static str,
     variables: &'static [&'static str],
@@ -78,7 +78,7 @@ struct PointEntry {
 /// Those of `out`.
 pub fn write_vectors(vectors: &TestVectors, out: &mut dyn Write) -> Result<()> {
     let axes = if vectors.in_space { 3 } else { 2 };
-    let document = Document {
+    let document = VectorsDocument {
         schema: SCHEMA,
         kind: "vectors",
         variables: if vectors.in_space {

@@ -80,7 +80,7 @@ fn fixed_arctangent(q: &Rational, precision: u32) -> Approximation {
         };
     }
     let one = Integer::ONE << precision;
-    let mut x = (q * &Rational::from(&one)).floor();
+    let mut x = (q * &Rational::whole(&one)).floor_integer();
     let mut error = 1u64;
     for _ in 0..HALVINGS {
         let hypotenuse = ((&one).square() + (&x).square()).floor_sqrt();
@@ -129,11 +129,11 @@ mod tests {
     /// Whether the value of this precision is as near as it says, by one of 300 bits more; and the part of the error it uses.
     fn share_of_error(q: &Rational, precision: u32) -> f64 {
         let [short, long] = [precision, precision + 300].map(|p| fixed_arctangent(q, p));
-        let distance = Rational::from((short.value << 300u64) - long.value).abs();
+        let distance = Rational::whole((short.value << 300u64) - long.value).abs();
         let allowed = short.error << 300u64;
         // The longer one is off, too.
-        assert!(distance <= Rational::from(&allowed + long.error));
-        (distance / Rational::from(allowed)).to_f64()
+        assert!(distance <= Rational::whole(&allowed + long.error));
+        (distance / Rational::whole(allowed)).to_f64()
     }
 
     #[test]

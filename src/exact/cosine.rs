@@ -33,15 +33,15 @@ pub fn cosine_and_sine(angle: &Rational, bits: u32) -> [Rational; 2] {
         return [Rational::one(), Rational::zero()];
     }
     let precision = bits + GUARD_BITS;
-    let whole = u32::try_from(angle.floor().significant_bits())
+    let whole = u32::try_from(angle.floor_integer().significant_bits())
         .invariant("an angle has fewer than 2^32 bits");
     let (low, _) = pi(precision.saturating_add(whole));
     let right_angle = low / Rational::from(2);
     let half = Rational::from_dyadic(Integer::ONE, -1);
-    let quarters = (angle / &right_angle + half).floor();
-    let rest = angle - Rational::from(&quarters) * right_angle;
+    let quarters = (angle / &right_angle + half).floor_integer();
+    let rest = angle - Rational::whole(&quarters) * right_angle;
     let scaled = rest * Rational::from_dyadic(Integer::ONE, i64::from(precision));
-    let [c, s] = fixed_series(&(scaled.floor() >> HALVINGS), precision);
+    let [c, s] = fixed_series(&(scaled.floor_integer() >> HALVINGS), precision);
     let [c, s] = match u8::try_from(&quarters.mod_power_of_2(2)) {
         Ok(0) => [c, s],
         Ok(1) => [-s, c],

@@ -127,10 +127,10 @@ fn radix(text: &str, base: u8, marks: &[char], whole: &str) -> Result<Rational> 
     let value = Integer::from_string_base(base, &digits)
         .ok_or_else(|| wrong(whole, "expected a number"))?;
     let places = fraction.len() as u64;
-    let below = Rational::from(Integer::from(base).pow(places));
-    let two_or_ten = Rational::from(if base == 10 { 10 } else { 2 });
+    let below = Rational::whole(Integer::from(base).pow(places));
+    let two_or_ten = Rational::whole(if base == 10 { 10 } else { 2 });
     let scale = two_or_ten.pow(exponent).invariant("a base is not zero");
-    Ok(Rational::from(value) * scale / below)
+    Ok(Rational::whole(value) * scale / below)
 }
 
 fn wrong(text: &str, message: &str) -> Error {

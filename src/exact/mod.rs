@@ -1,7 +1,7 @@
 //! Exact numbers: integers and rationals, how they are read, rounded and printed.
 //!
-//! [`Integer`] is malachite's; [`Rational`] wraps malachite's so that the types of `num-bigint` and
-//! `num-rational` convert to and from it.
+//! [`Rational`] is the one exact number that users see: an integer is a rational number with denominator 1. Inside, integers
+//! are malachite's; what goes in and out of the library are the types of `num-bigint` and `num-rational`.
 
 mod angle;
 mod cosine;
@@ -10,10 +10,18 @@ mod literal;
 mod rational;
 mod rounding;
 
-pub use angle::{arctangent, pi};
-pub use cosine::cosine_and_sine;
-pub use dyadic::Dyadic;
-pub use literal::{double_literal, exact_literal, hex_literal};
-pub use malachite::Integer;
+pub use literal::exact_literal;
 pub use rational::{NotANumber, NotAnInteger, Rational};
 pub(crate) use rounding::nearest_double;
+
+// For the tests and benches of this project; no part of what the library promises.
+#[doc(hidden)]
+pub use angle::{arctangent, pi};
+#[doc(hidden)]
+pub use cosine::cosine_and_sine;
+#[doc(hidden)]
+pub use dyadic::Dyadic;
+#[doc(hidden)]
+pub use literal::{double_literal, hex_literal};
+#[doc(hidden)]
+pub use rational::{integer_from_num, integer_to_num};

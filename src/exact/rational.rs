@@ -7,23 +7,27 @@ use std::str::FromStr;
 
 use malachite::base::num::arithmetic::traits::{Abs, CheckedSqrt, Pow, Reciprocal, Sign};
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::num::conversion::traits::{FromStringBase, ToStringBase};
 use malachite::{Integer, Natural};
+use num_bigint::{BigInt, Sign as BigSign};
+use num_rational::BigRational;
 
 use crate::bigint::Decimal;
-use crate::error::{Error, Invariant};
+use crate::error::Error;
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
-/// Arithmetic is malachite's. Users pass in and get out the `num` crates' types:
+/// Its integers go in and come out as those of `num-bigint`, and it is converted from and to the rational number of `num-rational`:
 ///
 /// ```
+/// use num_bigint::BigInt;
 /// use num_rational::BigRational;
 /// use stellate::exact::Rational;
 ///
 /// let third: BigRational = BigRational::new(1.into(), 3.into());
 /// let sixth = Rational::from(third.clone()) / Rational::from(2);
 /// assert_eq!(sixth.to_string(), "1/6");
+/// assert_eq!(sixth, Rational::new(-2, -12).unwrap());
+/// assert_eq!(sixth.denom(), BigInt::from(6));
 /// assert_eq!(BigRational::from(&(&sixth + &sixth)), third);
 /// // A double is taken bit for bit, a decimal as it is written:
 /// assert_eq!(Rational::try_from(0.1).unwrap().to_string(), "3602879701896397/36028797018963968");
@@ -57,19 +61,45 @@ impl Rational {
 
     /// `numerator / denominator`, `None` if the denominator is 0.
     #[must_use]
-    pub fn new(numerator: Integer, denominator: Integer) -> Option<Self> {
-        (denominator != 0).then(|| Self(malachite::Rational::from_integers(numerator, denominator)))
+    pub fn new(numerator: impl Into<BigInt>, denominator: impl Into<BigInt>) -> Option<Self> {
+        Self::from_integers(
+            integer_from_num(&numerator.into()),
+            integer_from_num(&denominator.into()),
+        )
     }
 
     /// The numerator p, with the sign.
     #[must_use]
-    pub fn numerator(&self) -> Integer {
-        Integer::from_sign_and_abs_ref(self.0 >= 0, self.0.numerator_ref())
+    pub fn numer(&self) -> BigInt {
+        integer_to_num(&self.numerator())
     }
 
     /// The denominator q > 0.
     #[must_use]
-    pub fn denominator(&self) -> Integer {
+    pub fn denom(&self) -> BigInt {
+        integer_to_num(&self.denominator())
+    }
+
+    /// [`Self::new`] of malachite's integers.
+    pub(crate) fn from_integers(numerator: Integer, denominator: Integer) -> Option<Self> {
+        (denominator != 0).then(|| Self(malachite::Rational::from_integers(numerator, denominator)))
+    }
+
+    /// A whole number of malachite's, or a reference to one.
+    pub(crate) fn whole<T>(value: T) -> Self
+    where
+        malachite::Rational: From<T>,
+    {
+        Self(malachite::Rational::from(value))
+    }
+
+    /// p as malachite's integer.
+    pub(crate) fn numerator(&self) -> Integer {
+        Integer::from_sign_and_abs_ref(self.0 >= 0, self.0.numerator_ref())
+    }
+
+    /// q as malachite's integer.
+    pub(crate) fn denominator(&self) -> Integer {
         Integer::from(self.0.denominator_ref())
     }
 
@@ -197,18 +227,6 @@ impl FromStr for Rational {
     }
 }
 
-impl From<Integer> for Rational {
-    fn from(value: Integer) -> Self {
-        Self(malachite::Rational::from(value))
-    }
-}
-
-impl From<&Integer> for Rational {
-    fn from(value: &Integer) -> Self {
-        Self(malachite::Rational::from(value))
-    }
-}
-
 impl From<i64> for Rational {
     fn from(value: i64) -> Self {
         Self(malachite::Rational::from(value))
@@ -232,33 +250,42 @@ impl TryFrom<f64> for Rational {
     }
 }
 
-/// Bases that are powers of two convert in time linear in the number of digits.
-const EXCHANGE_BASE: u8 = 32;
-
-fn integer_from_num(value: &num_bigint::BigInt) -> Integer {
-    let digits = value.to_str_radix(u32::from(EXCHANGE_BASE));
-    Integer::from_string_base(EXCHANGE_BASE, &digits).invariant("digits are a number")
+/// The same integer in malachite's type: both hold 64-bit digits.
+pub fn integer_from_num(value: &BigInt) -> Integer {
+    let (sign, digits) = value.to_u64_digits();
+    Integer::from_sign_and_abs(
+        sign != BigSign::Minus,
+        Natural::from_owned_limbs_asc(digits),
+    )
 }
 
-fn integer_to_num(value: &Integer) -> num_bigint::BigInt {
-    let digits = value.to_string_base(EXCHANGE_BASE);
-    num_bigint::BigInt::parse_bytes(digits.as_bytes(), u32::from(EXCHANGE_BASE))
-        .invariant("digits are a number")
+/// The same integer in the type of `num-bigint`.
+pub fn integer_to_num(value: &Integer) -> BigInt {
+    let sign = if *value < 0 {
+        BigSign::Minus
+    } else {
+        BigSign::Plus
+    };
+    let digits = value
+        .unsigned_abs_ref()
+        .limbs()
+        .flat_map(|limb| limb.to_le_bytes());
+    BigInt::from_bytes_le(sign, &digits.collect::<Vec<u8>>())
 }
 
-impl From<&num_bigint::BigInt> for Rational {
-    fn from(value: &num_bigint::BigInt) -> Self {
-        Self::from(integer_from_num(value))
+impl From<&BigInt> for Rational {
+    fn from(value: &BigInt) -> Self {
+        Self::whole(integer_from_num(value))
     }
 }
 
-impl From<num_bigint::BigInt> for Rational {
-    fn from(value: num_bigint::BigInt) -> Self {
+impl From<BigInt> for Rational {
+    fn from(value: BigInt) -> Self {
         Self::from(&value)
     }
 }
 
-impl TryFrom<&Rational> for num_bigint::BigInt {
+impl TryFrom<&Rational> for BigInt {
     type Error = NotAnInteger;
 
     fn try_from(value: &Rational) -> Result<Self, NotAnInteger> {
@@ -270,8 +297,8 @@ impl TryFrom<&Rational> for num_bigint::BigInt {
     }
 }
 
-impl From<num_rational::BigRational> for Rational {
-    fn from(value: num_rational::BigRational) -> Self {
+impl From<BigRational> for Rational {
+    fn from(value: BigRational) -> Self {
         Self(malachite::Rational::from_integers(
             integer_from_num(value.numer()),
             integer_from_num(value.denom()),
@@ -279,7 +306,7 @@ impl From<num_rational::BigRational> for Rational {
     }
 }
 
-impl From<&Rational> for num_rational::BigRational {
+impl From<&Rational> for BigRational {
     fn from(value: &Rational) -> Self {
         // Already in lowest terms.
         Self::new_raw(

@@ -121,9 +121,9 @@ impl Rational {
     /// The nearest multiple of 10^−`decimals` (ties to even).
     #[must_use]
     pub fn round_decimals(&self, decimals: u32) -> Rational {
-        let scale = Rational::from(Integer::from(10).pow(u64::from(decimals)));
+        let scale = Rational::whole(Integer::from(10).pow(u64::from(decimals)));
         let rounded = Integer::rounding_from((self * &scale).inner(), RoundingMode::Nearest).0;
-        Rational::from(rounded) / scale
+        Rational::whole(rounded) / scale
     }
 
     /// Decimal text with exactly `decimals` digits after the point, correctly rounded (ties to even).
@@ -137,7 +137,7 @@ impl Rational {
     #[must_use]
     pub fn to_decimal(&self, decimals: u32) -> String {
         let scale = Integer::from(10).pow(u64::from(decimals));
-        let scaled = self * &Rational::from(&scale);
+        let scaled = self * &Rational::whole(&scale);
         let rounded = Integer::rounding_from(scaled.inner(), RoundingMode::Nearest).0;
         let sign = if rounded < 0 { "-" } else { "" };
         let digits = (&rounded).abs().to_string();
@@ -180,7 +180,7 @@ impl Rational {
                 - 1
                 - exponent;
             let digits = Integer::from_string_base(10, text).invariant("digits are a number");
-            let value = Rational::from(digits) * ten(-after);
+            let value = Rational::whole(digits) * ten(-after);
             let decimals = u32::try_from(after.max(0)).invariant("few digits follow the point");
             return format!("{sign}{}", value.to_decimal(decimals));
         }
@@ -214,15 +214,19 @@ impl Rational {
 
     /// ⌊self⌋.
     #[must_use]
-    pub fn floor(&self) -> Integer {
+    pub fn floor(&self) -> Self {
+        Self::whole(self.floor_integer())
+    }
+
+    /// ⌊self⌋ as malachite's integer.
+    pub(crate) fn floor_integer(&self) -> Integer {
         self.numerator()
             .div_round(self.denominator(), RoundingMode::Floor)
             .0
     }
 
-    /// Built from malachite's own type by the modules next door.
-    #[must_use]
-    pub fn from_dyadic(numerator: Integer, power_of_two: i64) -> Rational {
+    /// `numerator · 2^power_of_two`.
+    pub(crate) fn from_dyadic(numerator: Integer, power_of_two: i64) -> Rational {
         Rational::from_inner(malachite::Rational::from(numerator) << power_of_two)
     }
 }
@@ -352,13 +356,13 @@ mod tests {
             let below = if negative { -size } else { size };
             let unit = Rational::from(10).pow(-i64::from(decimals)).unwrap();
             let half = Rational::one() / Rational::from(2);
-            let value = (Rational::from(&below) + half + tiny.clone() * Rational::from(side)) * &unit;
+            let value = (Rational::whole(&below) + half + tiny.clone() * Rational::from(side)) * &unit;
             use malachite::base::num::arithmetic::traits::Parity;
             let is_above = match side * i32::from(tiny.signum()) {
                 0 => below.odd(),
                 side => side > 0,
             };
-            let expected = Rational::from(below + Integer::from(u8::from(is_above))) * unit;
+            let expected = Rational::whole(below + Integer::from(u8::from(is_above))) * unit;
             prop_assert_eq!(&value.round_decimals(decimals), &expected);
             let text = value.to_decimal(decimals);
             prop_assert_eq!(text.parse::<Rational>().unwrap(), expected);
@@ -456,7 +460,7 @@ mod tests {
         #[test]
         fn the_floor_is_the_largest_integer_that_is_not_above(p in any::<i64>(), q in prop_oneof![Just(1), 1..100_i64, 1..i64::MAX]) {
             let value = Rational::from(p) / Rational::from(q);
-            let floor = Rational::from(value.floor());
+            let floor = value.floor();
             prop_assert!(floor <= value && value < floor + Rational::one());
         }
 

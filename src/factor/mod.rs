@@ -29,7 +29,8 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
-    IntegerPolynomial, IntegerTerms, PlanePolynomial, SparsePolynomial, TernaryForm, term_order,
+    IntegerTerms, PlanePolynomial, SparsePolynomial, TernaryForm, coefficients, term_order,
+    with_integers,
 };
 use split::Found;
 
@@ -150,7 +151,7 @@ fn primitive_terms<const V: usize>(f: &SparsePolynomial<V>) -> IntegerTerms<3> {
 
 fn canonical<const V: usize>(f: &IntegerTerms<3>) -> SparsePolynomial<V> {
     let terms = f.iter();
-    let terms = terms.map(|(e, c)| (std::array::from_fn(|v| e[v]), Rational::from(c)));
+    let terms = terms.map(|(e, c)| (std::array::from_fn(|v| e[v]), Rational::whole(c)));
     SparsePolynomial::from_terms(terms).primitive()
 }
 
@@ -161,33 +162,26 @@ fn canonical<const V: usize>(f: &IntegerTerms<3>) -> SparsePolynomial<V> {
 /// prime, and polynomial arithmetic with coefficients of about n + log ‖f‖ bits.
 ///
 /// ```
-/// use std::str::FromStr;
 /// use stellate::factor::factor_univariate;
 /// use stellate::limits::Limits;
-/// use stellate::poly::IntegerPolynomial;
-/// let f = IntegerPolynomial::from_str("-2*x^6+2*x^2").unwrap();
+/// let f = [0, 0, 2, 0, 0, 0, -2].map(stellate::exact::Rational::from); // −2x⁶ + 2x²
 /// let result = factor_univariate(&f, &Limits::none())?;
 /// assert_eq!(result.content, (-2).into());
-/// let factors: Vec<String> = result
-///     .factors
-///     .iter()
-///     .map(|g| format!("({})^{}", g.polynomial, g.multiplicity))
-///     .collect();
-/// assert_eq!(factors, ["(x)^2", "(x-1)^1", "(x+1)^1", "(x^2+1)^1"]);
+/// // x², x − 1, x + 1, x² + 1
+/// let degrees: Vec<_> = result.factors.iter().map(|g| (g.polynomial.len() - 1, g.multiplicity)).collect();
+/// assert_eq!(degrees, [(1, 2), (1, 1), (1, 1), (2, 1)]);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::Usage`] for the zero polynomial; [`Error::Limit`] when a stated limit is reached (degree
 /// 4096 after deflation, 2²⁸ products of modular factors, the time of `limits`); [`Error::Interrupted`].
-pub fn factor_univariate(
-    f: &IntegerPolynomial,
-    limits: &Limits,
-) -> Result<Factorization<IntegerPolynomial>> {
-    let (content, found) = factor_terms(IntegerTerms::from_univariate(f, 0), limits)?;
+pub fn factor_univariate(f: &[Rational], limits: &Limits) -> Result<Factorization<Vec<Rational>>> {
+    let (integers, denominator) = with_integers(f);
+    let (content, found) = factor_terms(IntegerTerms::from_univariate(&integers, 0), limits)?;
     Ok(Factorization {
-        content: Rational::from(content),
-        factors: factors_as(found, |g| g.to_univariate(0)),
+        content: Rational::whole(content) / Rational::whole(denominator),
+        factors: factors_as(found, |g| coefficients(&g.to_univariate(0))),
     })
 }
 
@@ -234,11 +228,11 @@ pub fn factor_plane(
     let factors = factors_as(found, |g| {
         PlanePolynomial::from_terms(
             g.iter()
-                .map(|(e, c)| ((e[0] as usize, e[1] as usize), Rational::from(c))),
+                .map(|(e, c)| ((e[0] as usize, e[1] as usize), Rational::whole(c))),
         )
     });
     Ok(Factorization {
-        content: Rational::from(content) / Rational::from(f.denominator()),
+        content: Rational::whole(content) / Rational::whole(f.denominator()),
         factors,
     })
 }
@@ -250,13 +244,13 @@ pub fn factor_plane(
 /// ```
 /// use stellate::factor::factor_space;
 /// use stellate::limits::Limits;
-/// use stellate::poly::{Ring, SparsePolynomial};
+/// use stellate::poly::SparsePolynomial;
 /// let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
 /// // x² − (y + z)²
-/// let f = x.squared().minus(&y.plus(&z).squared());
+/// let f = &x.pow(2) - &(&y + &z).pow(2);
 /// let result = factor_space(&f, &Limits::none())?;
-/// assert_eq!(result.factors[0].polynomial, x.minus(&y).minus(&z));
-/// assert_eq!(result.factors[1].polynomial, x.plus(&y).plus(&z));
+/// assert_eq!(result.factors[0].polynomial, &(&x - &y) - &z);
+/// assert_eq!(result.factors[1].polynomial, &(&x + &y) + &z);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
@@ -270,14 +264,14 @@ pub fn factor_space(
         let both = d.unsigned_abs_ref().lcm(c.denominator().unsigned_abs_ref());
         Integer::from(both)
     });
-    let scale = Rational::from(&denominator);
+    let scale = Rational::whole(&denominator);
     let terms = f.terms().map(|(e, c)| (*e, (c * &scale).numerator()));
     let (content, found) = factor_terms(IntegerTerms::new(terms.collect()), limits)?;
     let factors = factors_as(found, |g| {
-        SparsePolynomial::from_terms(g.iter().map(|(e, c)| (*e, Rational::from(c))))
+        SparsePolynomial::from_terms(g.iter().map(|(e, c)| (*e, Rational::whole(c))))
     });
     Ok(Factorization {
-        content: Rational::from(content) / scale,
+        content: Rational::whole(content) / scale,
         factors,
     })
 }

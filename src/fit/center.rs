@@ -6,8 +6,9 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::shape::Contour;
 
-/// Which centre is asked for.
+/// Which center is asked for.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum CenterChoice {
     /// The centroid of the area if the outline is star-shaped about it; otherwise the best
     /// replacement (see [`CenterOrigin`]).
@@ -17,7 +18,7 @@ pub enum CenterChoice {
     Point([Rational; 2]),
 }
 
-/// Where a centre came from.
+/// Where a center came from.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CenterOrigin {
@@ -51,11 +52,11 @@ impl CenterOrigin {
     }
 }
 
-/// A chosen centre, strictly inside the outline.
+/// A chosen center, strictly inside the outline.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Center {
-    /// The centre, exactly: a double bit for bit, a multiple of 10^−D after rounding to D decimals,
+    /// The center, exactly: a double bit for bit, a multiple of 10^−D after rounding to D decimals,
     /// or as given.
     pub exact: [Rational; 2],
     /// The doubles nearest to it; radii are measured from here.
@@ -67,7 +68,7 @@ pub struct Center {
 }
 
 impl Center {
-    /// Chooses the centre of `contour`, then rounds it to `decimals` decimals if asked to.
+    /// Chooses the center of `contour`, then rounds it to `decimals` decimals if asked to.
     ///
     /// For [`CenterChoice::Centroid`]: the centroid if the outline is star-shaped about it; else
     /// the centroid of the kernel if the outline is star-shaped about that (found in floating point,
@@ -88,7 +89,7 @@ impl Center {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Usage`] if a given centre, or the rounded one, is not strictly inside the outline.
+    /// [`Error::Usage`] if a given center, or the rounded one, is not strictly inside the outline.
     pub fn choose(contour: &Contour, choice: &CenterChoice, decimals: Option<u32>) -> Result<Self> {
         let (exact, origin) = match choice {
             CenterChoice::Point(point) => {
@@ -111,11 +112,11 @@ impl Center {
         if !contour.contains(point) {
             return Err(match decimals {
                 Some(digits) => Error::Usage(format!(
-                    "rounded to {digits} decimals the centre is ({}, {}), which is not inside the \
+                    "rounded to {digits} decimals the center is ({}, {}), which is not inside the \
                      outline; keep more decimals",
                     point[0], point[1]
                 )),
-                None => Error::internal("the choice of a centre", "it is not inside the outline"),
+                None => Error::internal("the choice of a center", "it is not inside the outline"),
             });
         }
         Ok(Self {
@@ -173,13 +174,13 @@ fn chord_middle(contour: &Contour, height: f64) -> Option<[f64; 2]> {
 /// The doubles, bit for bit.
 fn exactly(point: [f64; 2]) -> Result<[Rational; 2]> {
     let exact = |c: f64| {
-        Rational::try_from(c).map_err(|_| Error::Usage(format!("the centre's coordinate is {c}")))
+        Rational::try_from(c).map_err(|_| Error::Usage(format!("the center's coordinate is {c}")))
     };
     Ok([exact(point[0])?, exact(point[1])?])
 }
 
 #[cfg(test)]
-#[expect(clippy::float_cmp, reason = "these centres are exact")]
+#[expect(clippy::float_cmp, reason = "these centers are exact")]
 mod tests {
     use super::*;
 
@@ -235,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn a_given_centre_must_be_inside() {
+    fn a_given_center_must_be_inside() {
         let square = contour(&SQUARE);
         let center = Center::choose(&square, &given("1/3", "0.1"), None).unwrap();
         assert_eq!(center.exact[0].to_string(), "1/3");
@@ -260,7 +261,7 @@ mod tests {
         let error = Center::choose(&square, &given("1/3", "2/3"), Some(0)).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "rounded to 0 decimals the centre is (0, 1), which is not inside the outline; keep more \
+            "rounded to 0 decimals the center is (0, 1), which is not inside the outline; keep more \
              decimals"
         );
     }

@@ -134,7 +134,7 @@ proptest! {
     }
 
     #[test]
-    fn a_chosen_centre_is_inside_and_says_what_it_is(contour in outlines()) {
+    fn a_chosen_center_is_inside_and_says_what_it_is(contour in outlines()) {
         let center = Center::choose(&contour, &CenterChoice::Centroid, None).unwrap();
         prop_assert!(contour.contains(center.point));
         prop_assert_eq!(center.star_shaped, star_shaped_about(&contour, center.point));
@@ -209,7 +209,7 @@ proptest! {
             ..FitOptions::new(FitSize::Harmonics(pairs.len()))
         };
         let fit = fit(&contour, &options).unwrap();
-        // A chord is nearer to the centre than its arc by at most (2 r'² + r² + r |r''|) δ²/8 / r.
+        // A chord is nearer to the center than its arc by at most (2 r'² + r² + r |r''|) δ²/8 / r.
         let bound = 10.0 * (TAU / as_f64(vertices)).powi(2);
         let (a0, _) = pair(&fit.radius, 0);
         prop_assert!((a0 - 1.0).abs() < bound);
@@ -264,7 +264,7 @@ fn square() -> Contour {
 }
 
 #[test]
-fn decimals_round_the_centre_and_the_coefficients() {
+fn decimals_round_the_center_and_the_coefficients() {
     let points = around(&[1.0, 1.3, 0.9, 1.1, 1.2])
         .iter()
         .map(|p| [p[0] + 0.123_456, p[1] - 7.0])

@@ -25,8 +25,12 @@ mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
-pub use radius::{ContourRadius, star_shaped_about};
+pub use radius::ContourRadius;
 pub use read::{ContourKind, contour_from_reader, read_contour};
+
+// For the tests and benches of this project; no part of what the library promises.
+#[doc(hidden)]
+pub use radius::star_shaped_about;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -34,7 +38,7 @@ use crate::limits::Limits;
 use crate::shape::{Contour, FourierRadius};
 use definition1::enough_samples;
 use residual::{Assessment, CheckAngles};
-use tolerance::Search;
+use tolerance::HarmonicsSearch;
 
 /// The most harmonics that a fit may have.
 pub const MAX_HARMONICS: usize = 100_000;
@@ -50,6 +54,7 @@ const CHECKS_PER_SAMPLE: usize = 4;
 
 /// How many harmonics a fit has.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum FitSize {
     /// This many.
     Harmonics(usize),
@@ -68,7 +73,7 @@ pub struct FitOptions {
     pub samples: Option<usize>,
     /// How many harmonics; to be said before a fit is made.
     pub size: Option<FitSize>,
-    /// Round the centre (before r is sampled) and the coefficients to this many decimals.
+    /// Round the center (before r is sampled) and the coefficients to this many decimals.
     pub decimals: Option<u32>,
 }
 
@@ -100,7 +105,7 @@ impl FitOptions {
         self
     }
 
-    /// Rounds the centre and the coefficients to this many decimals.
+    /// Rounds the center and the coefficients to this many decimals.
     #[must_use]
     pub fn decimals(mut self, decimals: Option<u32>) -> Self {
         self.decimals = decimals;
@@ -162,11 +167,11 @@ impl FitOptions {
 #[non_exhaustive]
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// The radius, with its centre, in exact numbers.
+    /// The radius, with its center, in exact numbers.
     pub radius: FourierRadius,
-    /// The centre and where it came from.
+    /// The center and where it came from.
     pub center: Center,
-    /// The largest |fit − outline| along a ray from the centre, over at least four times as many
+    /// The largest |fit − outline| along a ray from the center, over at least four times as many
     /// uniform angles as there are samples and the direction of every visible vertex (at a jump, from
     /// both sides), computed in doubles with the final coefficients.
     pub max_radial_error: f64,
@@ -174,7 +179,7 @@ pub struct Fit {
     pub rms_radial_error: f64,
     /// Ns, the number of samples taken.
     pub samples: usize,
-    /// Whether the outline is star-shaped about the centre, exactly.
+    /// Whether the outline is star-shaped about the center, exactly.
     pub star_shaped: bool,
     /// The share (0 to 1) of the outline's length that the fit cannot see; 0 if it is star-shaped.
     pub hidden_share: f64,
@@ -230,7 +235,7 @@ pub struct FitReport {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] if the centre is not inside the outline, if there are fewer than 2N + 1 samples or
+/// [`Error::Usage`] if the center is not inside the outline, if there are fewer than 2N + 1 samples or
 /// if the tolerance is not positive; [`Error::Limit`] beyond [`MAX_HARMONICS`], [`MAX_SAMPLES`] or
 /// [`MAX_DECIMALS`], and if no number of harmonics that the samples determine meets the tolerance.
 pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
@@ -320,7 +325,7 @@ fn refuse_jump(tolerance: f64, outline: &ContourRadius) -> Result<()> {
     }
     Err(Error::limit(format!(
         "no number of harmonics has a radial error of at most {tolerance}: the outline is not \
-         star-shaped about the centre, r jumps by {jump:.6} at θ = {:.4}°, and every series \
+         star-shaped about the center, r jumps by {jump:.6} at θ = {:.4}°, and every series \
          leaves at least half of that",
         theta.to_degrees()
     )))
@@ -335,8 +340,8 @@ fn fewest(
     limits: &Limits,
 ) -> Result<(usize, Assessment)> {
     match tolerance::smallest(check, cos, sin, tolerance, limits)? {
-        Search::Found(n, assessment) => Ok((n, assessment)),
-        Search::Missed(n, max) => Err(Error::Limit {
+        HarmonicsSearch::Found(n, assessment) => Ok((n, assessment)),
+        HarmonicsSearch::Missed(n, max) => Err(Error::Limit {
             limit: format!(
                 "no number of harmonics up to {} has a radial error of at most {tolerance}",
                 cos.len() - 1

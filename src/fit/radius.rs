@@ -1,4 +1,4 @@
-//! [`ContourRadius`]: the radius function r(θ) of an outline about a centre.
+//! [`ContourRadius`]: the radius function r(θ) of an outline about a center.
 
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
@@ -9,9 +9,9 @@ use crate::error::{Error, Result};
 use crate::shape::{Contour, coordinate_fault, orientation};
 
 /// The outermost radius r(θ) of an outline about an interior point: the distance to the last point
-/// of the outline in direction θ (`x = r cos θ`, `y = r sin θ` from the centre, Lemma 1).
+/// of the outline in direction θ (`x = r cos θ`, `y = r sin θ` from the center, Lemma 1).
 ///
-/// For an outline that is star-shaped about the centre this is the outline itself. Otherwise parts of
+/// For an outline that is star-shaped about the center this is the outline itself. Otherwise parts of
 /// it are hidden behind others, r(θ) jumps, and [`ContourRadius::hidden_share`] says how much is lost.
 /// Which edge is outermost is decided exactly; the radii are rounded.
 ///
@@ -33,7 +33,7 @@ pub struct ContourRadius {
     hidden_share: f64,
 }
 
-/// A range of directions in which one edge is the outermost; vectors are relative to the centre.
+/// A range of directions in which one edge is the outermost; vectors are relative to the center.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     ends: [[f64; 2]; 2],
@@ -55,7 +55,7 @@ impl ContourRadius {
     /// The radius of `contour` about `center`. Cost: O(n log n).
     ///
     /// # Errors
-    /// [`Error::Usage`] if the centre is not strictly inside the outline.
+    /// [`Error::Usage`] if the center is not strictly inside the outline.
     pub fn new(contour: &Contour, center: [f64; 2]) -> Result<Self> {
         if !contour.contains(center) {
             return Err(outside(contour, center));
@@ -100,13 +100,13 @@ impl ContourRadius {
         })
     }
 
-    /// Whether every ray from the centre meets the outline in exactly one point, exactly.
+    /// Whether every ray from the center meets the outline in exactly one point, exactly.
     #[must_use]
     pub fn is_star_shaped(&self) -> bool {
         self.star_shaped
     }
 
-    /// The share (0 to 1) of the outline's length that is not outermost as seen from the centre;
+    /// The share (0 to 1) of the outline's length that is not outermost as seen from the center;
     /// exactly 0 for a star-shaped outline.
     #[must_use]
     pub fn hidden_share(&self) -> f64 {
@@ -198,11 +198,11 @@ impl Arc {
     }
 }
 
-/// The error for a centre that is not inside.
+/// The error for a center that is not inside.
 pub(super) fn outside(contour: &Contour, center: [f64; 2]) -> Error {
     let [low, high] = contour.bounding_box();
     Error::Usage(format!(
-        "the centre ({}, {}) is not inside the outline, which spans x from {} to {} and y from {} \
+        "the center ({}, {}) is not inside the outline, which spans x from {} to {} and y from {} \
          to {}",
         center[0], center[1], low[0], high[0], low[1], high[1]
     ))

@@ -15,6 +15,7 @@ const MAX_BYTES: u64 = 1 << 30;
 
 /// What a file that holds an outline is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ContourKind {
     /// Rows `x,y`.
     Rows,
@@ -63,7 +64,7 @@ pub fn read_contour(path: &Path) -> Result<Contour> {
 /// A picture is a silhouette on a plain background: transparency is put on white, Otsu's threshold
 /// separates dark from bright, the background is what most border pixels are, and the longest outline is
 /// traced by marching squares with linear interpolation. Coordinates are pixels from the lower left
-/// corner, y upwards: the centre of pixel (i, j) is (i + 1/2, height − j − 1/2). At most 20 000 pixels a
+/// corner, y upwards: the center of pixel (i, j) is (i + 1/2, height − j − 1/2). At most 20 000 pixels a
 /// side and 64 million in all.
 ///
 /// ```

@@ -21,7 +21,7 @@ pub(super) struct Visible {
 /// contains it.
 ///
 /// On a ray from an interior point the last crossing of the boundary leaves the polygon, so only
-/// edges that are counter-clockwise from the centre count. Edges do not cross, so those met by a
+/// edges that are counter-clockwise from the center count. Edges do not cross, so those met by a
 /// ray keep their order along it, and exact turns decide it: nothing is rounded here.
 ///
 /// Cost: O(n log n); O(n) after the sort where the polygon is star-shaped.
@@ -45,7 +45,7 @@ pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
     let outgoing: Vec<bool> = (0..n)
         .map(|i| orientation(center, points[i], points[next(i)]) == Ordering::Greater)
         .collect();
-    // With the centre to their left, the greatest of the active edges is the farthest.
+    // With the center to their left, the greatest of the active edges is the farthest.
     let key = |edge: usize| SweptEdge {
         index: edge,
         ends: [points[edge], points[next(edge)]],
@@ -141,7 +141,7 @@ mod tests {
             .iter()
             .map(|visible| visible.edge)
             .collect();
-        // Edge 3 (the inner side of the hook) is clockwise from the centre, edge 4 is partly hidden.
+        // Edge 3 (the inner side of the hook) is clockwise from the center, edge 4 is partly hidden.
         assert_eq!(edges, [1, 2, 4, 5, 0]);
     }
 }

@@ -9,7 +9,7 @@ use crate::limits::Limits;
 
 /// The outcome of [`smallest`].
 #[derive(Debug)]
-pub(super) enum Search {
+pub(super) enum HarmonicsSearch {
     /// N harmonics are the fewest that meet the tolerance.
     Found(usize, Assessment),
     /// No N does; the best one looked at, and its largest error.
@@ -34,7 +34,7 @@ pub(super) fn smallest(
     sin: &[f64],
     tolerance: f64,
     limits: &Limits,
-) -> Result<Search> {
+) -> Result<HarmonicsSearch> {
     // The watched values are rounded differently from the full assessment, which decides.
     let refuse = tolerance + 1e-11 * check.largest_radius();
     let mut watched: Vec<Watch> = check
@@ -68,7 +68,7 @@ pub(super) fn smallest(
         let (cos, sin) = (&cos[..=n], &sin[..=n]);
         let assessment = check.assess(cos, sin);
         if assessment.max <= tolerance {
-            return Ok(Search::Found(n, assessment));
+            return Ok(HarmonicsSearch::Found(n, assessment));
         }
         bounds.push(assessment.max);
         watched.extend(
@@ -90,7 +90,7 @@ pub(super) fn smallest(
             }
         }
     }
-    Ok(Search::Missed(best.0, best.1))
+    Ok(HarmonicsSearch::Missed(best.0, best.1))
 }
 
 /// A check angle and the value there of the series so far.

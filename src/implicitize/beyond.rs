@@ -12,6 +12,7 @@ use crate::shape::{Basis, ImplicitSurface, Patch, quotient_in_harmonics};
 
 /// A point of the zero set that is not on the patch, and why it is not.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PointBeyond {
     /// Which coordinate is out of the patch's range: 0, 1, 2 for x, y, z.
     pub coordinate: usize,

@@ -410,8 +410,8 @@ mod tests {
             let g = poly(&g);
             prop_assume!(g.coefficients_asc().len() > 1);
             let power = |e: usize| (0..e).fold(poly(&[1]), |power, _| power * &g);
-            let x = RationalFunction::new(poly(&p[0]), power(k));
-            let y = RationalFunction::new(poly(&p[1]), power(k + more));
+            let x = RationalFunction::from_integers(poly(&p[0]), power(k));
+            let y = RationalFunction::from_integers(poly(&p[1]), power(k + more));
             let (Some(x), Some(y)) = (x, y) else {
                 return Err(TestCaseError::reject("a pole everywhere"));
             };

@@ -36,10 +36,10 @@ impl Precision {
 
     /// The numbers between two rational ones.
     pub(super) fn between(self, low: &Rational, high: &Rational) -> Enclosure {
-        let scaled = |q: &Rational| q * &Rational::from(Integer::from(1) << self.bits);
+        let scaled = |q: &Rational| q * &Rational::whole(Integer::from(1) << self.bits);
         Enclosure {
-            low: scaled(low).floor(),
-            high: -(-scaled(high)).floor(),
+            low: scaled(low).floor_integer(),
+            high: -(-scaled(high)).floor_integer(),
         }
     }
 
@@ -66,11 +66,11 @@ impl Precision {
         let quotients = |round_up: bool| {
             let quotient = |p: &Integer, q: &Integer| {
                 let p = p << self.bits;
-                let exact = Rational::new(p, q.clone())?;
+                let exact = Rational::from_integers(p, q.clone())?;
                 Some(if round_up {
-                    -(-exact).floor()
+                    -(-exact).floor_integer()
                 } else {
-                    exact.floor()
+                    exact.floor_integer()
                 })
             };
             Some([
@@ -88,8 +88,8 @@ impl Precision {
     /// The bounds as rational numbers.
     pub(super) fn bounds(self, a: &Enclosure) -> [Rational; 2] {
         let unit = Rational::from_dyadic(Integer::from(1), 0)
-            / Rational::from(Integer::from(1) << self.bits);
-        [&a.low, &a.high].map(|v| Rational::from(v) * &unit)
+            / Rational::whole(Integer::from(1) << self.bits);
+        [&a.low, &a.high].map(|v| Rational::whole(v) * &unit)
     }
 
     /// Whether q is not the enclosed number.
@@ -267,7 +267,7 @@ mod tests {
             // And they are not much wider than they must be.
             let exact = precision.rational(&a);
             let [low, high] = precision.bounds(&precision.times(&exact, &y));
-            let unit = Rational::from(1) / Rational::from(Integer::from(1) << bits);
+            let unit = Rational::from(1) / Rational::whole(Integer::from(1) << bits);
             let most = &unit * &(a.abs() + b.abs() + Rational::from(4));
             prop_assert!(high - low <= most);
         }

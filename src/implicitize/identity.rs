@@ -322,7 +322,7 @@ mod tests {
         ) {
             // x = a/b, y = y/b or y/1, z = (c x² + d)/y with a long coefficient now and then.
             let below = if shared { b.clone() } else { SparsePolynomial::constant(Rational::one()) };
-            let c = Rational::from(c) * Rational::from(Integer::from(1) << scale);
+            let c = Rational::from(c) * Rational::whole(Integer::from(1) << scale);
             let [long, short] = [c, Rational::from(d)];
             let above = a.squared().scaled(&long).plus(&b.squared().scaled(&short)).times(&below);
             let z_below = b.squared().times(&y);
@@ -405,7 +405,7 @@ mod tests {
         let constant = |c: u64| IntegerTerms::new(vec![([0, 0], Integer::from(c))]);
         let s = |c: u64| IntegerTerms::new(vec![([1, 0], Integer::from(c))]);
         let [x, y] = [0, 1].map(SparsePolynomial::<3>::variable);
-        let multiple = x.scaled(&Rational::from(Integer::from(prime)));
+        let multiple = x.scaled(&Rational::whole(Integer::from(prime)));
         // (s, p s), and (s/p, s), whose denominator is 0 modulo p.
         for ([first, second], f) in [
             (

@@ -20,6 +20,7 @@ use crate::shape::ParametricCurve;
 
 /// What the real zero set has beyond the points of real parameters.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RealImage<const N: usize> {
     /// The point that is only approached, as the parameter goes to infinity.
     pub approached: Option<[Rational; N]>,
@@ -34,6 +35,7 @@ pub struct RealImage<const N: usize> {
 
 /// How much of the curve is reached.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Coverage<const N: usize> {
     /// All of it, but for finitely many points.
     Whole,
@@ -94,7 +96,7 @@ pub fn real_image<const N: usize>(
 ///
 /// # Errors
 /// Those of `limits`.
-pub fn real_counts<const N: usize>(
+pub(crate) fn real_counts<const N: usize>(
     curve: &ParametricCurve<N>,
     tracing_index: usize,
     limits: &Limits,
@@ -222,18 +224,18 @@ fn between(roots: &[RealRoot]) -> Vec<Rational> {
         return vec![Rational::zero()];
     };
     let one = Rational::one();
-    let mut values = vec![first.bounds().0.to_rational() - &one];
+    let mut values = vec![first.enclosure().0.to_rational() - &one];
     for pair in roots.windows(2) {
         let [mut a, mut b] = [pair[0].clone(), pair[1].clone()];
         let mut bits = 4;
-        while a.bounds().1 >= b.bounds().0 {
+        while a.enclosure().1 >= b.enclosure().0 {
             a.refine_to_width(-bits);
             b.refine_to_width(-bits);
             bits *= 2;
         }
-        values.push(a.bounds().1.midpoint(b.bounds().0).to_rational());
+        values.push(a.enclosure().1.midpoint(b.enclosure().0).to_rational());
     }
-    values.push(last.bounds().1.to_rational() + one);
+    values.push(last.enclosure().1.to_rational() + one);
     values
 }
 
@@ -274,7 +276,7 @@ fn generator(common: &SparsePolynomial<2>) -> Option<RationalFunction> {
     };
     let lead = coefficient(degree);
     (0..degree)
-        .filter_map(|k| RationalFunction::new(coefficient(k), lead.clone()))
+        .filter_map(|k| RationalFunction::from_integers(coefficient(k), lead.clone()))
         .find(|f| !f.is_constant())
 }
 

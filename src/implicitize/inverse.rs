@@ -39,7 +39,7 @@ impl Quotient {
             }
             IntegerPolynomial::from_coefficients_asc(coefficients)
         });
-        RationalFunction::new(p, q)
+        RationalFunction::from_integers(p, q)
     }
 
     /// Numerator and denominator as polynomials, from what m^k times the denominator^degree is.

@@ -27,6 +27,7 @@ const CHANGES: [[i64; 4]; 3] = [[1, 0, 0, 1], [1, 2, 3, 5], [7, -3, 2, 11]];
 
 /// The isolated real points that were found.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Isolated {
     /// Exact where rational, else rounded.
     pub points: Vec<IsolatedPoint>,
@@ -36,6 +37,7 @@ pub struct Isolated {
 
 /// An isolated real point.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum IsolatedPoint {
     /// With rational coordinates.
     Exact([Rational; 2]),
@@ -103,7 +105,7 @@ fn changed(f: &RationalFunction, [a, b, c, d]: [i64; 4]) -> RationalFunction {
         }
         value
     };
-    RationalFunction::new(form(f.numerator()), form(f.denominator()))
+    RationalFunction::from_integers(form(f.numerator()), form(f.denominator()))
         .invariant("a change of the parameter is invertible")
 }
 
@@ -118,7 +120,7 @@ fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolat
     let eliminated = deflated_resultant([a, b], &poles, limits)?;
     // Where both leading coefficients are 0 a zero of the resultant may have no P.
     let both_leads = polynomial_gcd(&a.lead(), &b.lead());
-    let mut search = Search {
+    let mut search = IsolatedSearch {
         points,
         limits,
         linear: None,
@@ -157,7 +159,7 @@ fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolat
 fn short_fraction(root: &RealRoot) -> Option<Rational> {
     let mut root = root.clone();
     root.refine_to_width(-2 * SHORT_BITS.cast_signed());
-    let (low, high) = root.bounds();
+    let (low, high) = root.enclosure();
     let candidate = Rational::simplest_between(&low.to_rational(), &high.to_rational());
     (candidate.bits() <= SHORT_BITS && root.cmp_rational(&candidate).is_eq()).then_some(candidate)
 }
@@ -172,7 +174,7 @@ struct Found {
     exact: Option<[Rational; 2]>,
 }
 
-struct Search<'a> {
+struct IsolatedSearch<'a> {
     points: DoublePoints<'a>,
     limits: &'a Limits,
     /// The first subresultant, once it is needed.
@@ -181,7 +183,7 @@ struct Search<'a> {
     complete: bool,
 }
 
-impl Search<'_> {
+impl IsolatedSearch<'_> {
     fn linear(&mut self) -> Result<&[IntegerPolynomial; 2]> {
         let linear = match self.linear.take() {
             Some(linear) => linear,

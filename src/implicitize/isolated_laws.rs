@@ -16,7 +16,7 @@ fn poly(c: &[i64]) -> IntegerPolynomial {
 }
 
 fn function(p: &IntegerPolynomial, q: &IntegerPolynomial) -> RationalFunction {
-    RationalFunction::new(p.clone(), q.clone()).unwrap()
+    RationalFunction::from_integers(p.clone(), q.clone()).unwrap()
 }
 
 fn found(x: &RationalFunction, y: &RationalFunction) -> super::isolated::Isolated {

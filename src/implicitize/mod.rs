@@ -29,7 +29,8 @@ mod vanishing;
 
 pub use beyond::{PointBeyond, point_beyond};
 pub(crate) use identity::lies_on;
-pub use image::{Coverage, RealImage, real_counts, real_image};
+pub(crate) use image::real_counts;
+pub use image::{Coverage, RealImage, real_image};
 pub use isolated::{Isolated, IsolatedPoint};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
@@ -37,6 +38,10 @@ pub use polar::{
     polar_patch, polar_plane, polar_space_curve,
 };
 pub use resultant::{PlaneEquation, implicitize_plane};
-pub use run::Run;
+pub(crate) use run::Run;
 pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};
-pub use theorem2::{Parts, SquaredForm, parity_sums, square_away};
+pub use theorem2::SquaredForm;
+
+// For the tests and benches of this project; no part of what the library promises.
+#[doc(hidden)]
+pub use theorem2::{Parts, parity_sums, square_away};

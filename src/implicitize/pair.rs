@@ -88,7 +88,7 @@ impl Pair {
 pub(super) fn enclosed_root(root: &RealRoot, precision: Precision) -> Enclosure {
     let mut root = root.clone();
     root.refine_to_width(-precision.bits.cast_signed());
-    let (low, high) = root.bounds();
+    let (low, high) = root.enclosure();
     precision.between(&low.to_rational(), &high.to_rational())
 }
 

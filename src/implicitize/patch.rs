@@ -11,6 +11,7 @@ use crate::shape::{ImplicitSurface, Patch};
 
 /// The equation of a parametric surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct SurfaceEquation {
     /// The irreducible equation, primitive with positive first term.
     pub surface: ImplicitSurface,

@@ -65,7 +65,9 @@ fn generators(
     // Each one over those before it, so that no more are computed than are asked for.
     let mut before: Vec<IntegerPolynomial> = Vec::new();
     let quotients = fibres.flat_map(move |fibre| {
-        let over = |other: &IntegerPolynomial| RationalFunction::new(fibre.clone(), other.clone());
+        let over = |other: &IntegerPolynomial| {
+            RationalFunction::from_integers(fibre.clone(), other.clone())
+        };
         let quotients: Vec<RationalFunction> = before.iter().filter_map(over).collect();
         before.push(fibre);
         quotients
@@ -102,8 +104,9 @@ mod tests {
                 IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect())
             })
         };
-        (polynomial(), polynomial())
-            .prop_filter_map("a pole everywhere", |(p, q)| RationalFunction::new(p, q))
+        (polynomial(), polynomial()).prop_filter_map("a pole everywhere", |(p, q)| {
+            RationalFunction::from_integers(p, q)
+        })
     }
 
     /// f(s(t)).
@@ -119,7 +122,7 @@ mod tests {
             }
             sum
         };
-        RationalFunction::new(homogeneous(f.numerator()), homogeneous(f.denominator()))
+        RationalFunction::from_integers(homogeneous(f.numerator()), homogeneous(f.denominator()))
     }
 
     proptest! {
@@ -154,8 +157,9 @@ mod tests {
         let polynomial = |c: &[i64]| {
             IntegerPolynomial::from_coefficients_asc(c.iter().copied().map(Integer::from).collect())
         };
-        let function =
-            |p: &[i64], q: &[i64]| RationalFunction::new(polynomial(p), polynomial(q)).unwrap();
+        let function = |p: &[i64], q: &[i64]| {
+            RationalFunction::from_integers(polynomial(p), polynomial(q)).unwrap()
+        };
         let s = function(&[0, 4, -1], &[-4, 2]);
         let once = [function(&[1], &[0, 0, 1]), function(&[-1], &[0, 1, 1])];
         let functions = once.each_ref().map(|f| composed(f, &s).unwrap());

@@ -11,6 +11,7 @@ use crate::shape::{ImplicitCurve, PlaneCurve};
 
 /// The equation of a parametric plane curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PlaneEquation {
     /// The irreducible equation, primitive with positive first term.
     pub curve: ImplicitCurve,

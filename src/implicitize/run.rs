@@ -19,7 +19,7 @@ use crate::shape::{ParametricCurve, Patch};
 /// divided by a whole number `parts`; so it is 2π/g₀ with g₀ = `parts`·g, and `turns` = ⌈g₀⌉ of these are run through. All
 /// that depends on the functions alone, and not on how they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Run {
+pub(crate) struct Run {
     turns: usize,
     parts: usize,
 }
@@ -27,7 +27,7 @@ pub struct Run {
 impl Run {
     /// Of a curve that is not a point.
     #[must_use]
-    pub fn of<const N: usize>(curve: &ParametricCurve<N>) -> Self {
+    pub(crate) fn of<const N: usize>(curve: &ParametricCurve<N>) -> Self {
         let Some(step) = curve.parameter().step() else {
             return Self { turns: 1, parts: 1 };
         };
@@ -38,7 +38,7 @@ impl Run {
 
     /// Of both parameters of a patch, which run independently of one another: the numbers of times are multiplied.
     #[must_use]
-    pub fn of_patch(patch: &Patch) -> Self {
+    pub(crate) fn of_patch(patch: &Patch) -> Self {
         let mut run = Self { turns: 1, parts: 1 };
         for (v, parameter) in patch.parameters().iter().enumerate() {
             let Some(step) = parameter.step() else {
@@ -62,8 +62,8 @@ impl Run {
     fn with_gaps(step: &Rational, gaps: impl Iterator<Item = usize>) -> Self {
         // 0 is the gap of what does not depend on the angle.
         let parts = gaps.fold(0, |a: usize, b| a.gcd(b)).max(1);
-        let step = step * &Rational::from(Integer::from(parts));
-        let turns = -(-step).floor();
+        let step = step * &Rational::whole(Integer::from(parts));
+        let turns = -(-step).floor_integer();
         Self {
             turns: usize::try_from(&turns).invariant("an angle has a short positive step"),
             parts,
@@ -73,14 +73,14 @@ impl Run {
     /// How many values of the parameter there are for `count` values of s that belong to the same point: a number of
     /// them which `parts` divides, because a turn through a part leaves the point where it is.
     #[must_use]
-    pub fn count(&self, count: usize) -> usize {
+    pub(crate) fn count(&self, count: usize) -> usize {
         self.checked_count(count)
             .invariant("turning through a part of the period permutes the values of s")
     }
 
     /// The same for a number that is not proved; `None` if it is wrong.
     #[must_use]
-    pub fn checked_count(&self, count: usize) -> Option<usize> {
+    pub(crate) fn checked_count(&self, count: usize) -> Option<usize> {
         let whole = count * self.turns;
         whole.is_multiple_of(self.parts).then(|| whole / self.parts)
     }

@@ -11,6 +11,7 @@ use crate::shape::{ImplicitSurface, SpaceCurve};
 
 /// The equations of a parametric space curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct SpaceCurveEquations {
     /// Surfaces whose intersection is the curve and nothing else, by ascending degree: a minimal set of
     /// generators of all polynomials that vanish on it, degree by degree.

@@ -172,7 +172,7 @@ mod tests {
 
     fn value(f: &IntegerPolynomial, at: &Rational) -> Rational {
         let coefficients = f.coefficients_asc().iter().rev();
-        coefficients.fold(Rational::zero(), |v, c| v * at + Rational::from(c))
+        coefficients.fold(Rational::zero(), |v, c| v * at + Rational::whole(c))
     }
 
     fn value_of_rows(f: &Rows, first: &Rational, second: &Rational) -> Rational {
@@ -195,7 +195,7 @@ mod tests {
             let rest = value_of_rows(&u, &sum, &product) + value_of_rows(&v, &sum, &product) * &s;
             prop_assert_eq!(rest, value(&p, &s));
             prop_assume!(s != t);
-            if let Some(f) = RationalFunction::new(p, q) {
+            if let Some(f) = RationalFunction::from_integers(p, q) {
                 let (p, q) = (f.numerator(), f.denominator());
                 let above = value(p, &s) * value(q, &t) - value(q, &s) * value(p, &t);
                 let expected = above / (&s - &t);

@@ -98,7 +98,7 @@ pub(super) fn difference(f: &RationalFunction) -> SparsePolynomial<2> {
             .enumerate()
             .filter(|(_, c)| **c != malachite::Integer::ZERO)
         {
-            let product = Rational::from(p * q);
+            let product = Rational::whole(p * q);
             terms.push(([index(i), index(j)], product.clone()));
             terms.push(([index(j), index(i)], -product));
         }
@@ -113,7 +113,7 @@ mod tests {
 
     fn function(p: &str, q: &str) -> RationalFunction {
         let polynomial = |text: &str| IntegerPolynomial::from_str(text).unwrap();
-        RationalFunction::new(polynomial(p), polynomial(q)).unwrap()
+        RationalFunction::from_integers(polynomial(p), polynomial(q)).unwrap()
     }
 
     #[test]

@@ -146,5 +146,5 @@ pub(super) fn lift(
 
 fn polynomial(monomials: &[[u32; 3]], coefficients: &[Integer]) -> SparsePolynomial<3> {
     let terms = monomials.iter().zip(coefficients);
-    SparsePolynomial::from_terms(terms.map(|(e, c)| (*e, Rational::from(c)))).primitive()
+    SparsePolynomial::from_terms(terms.map(|(e, c)| (*e, Rational::whole(c)))).primitive()
 }

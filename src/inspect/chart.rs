@@ -180,7 +180,7 @@ impl CircleSection {
 
 /// d² − |x − p|²: positive inside the sphere of radius d about p.
 #[must_use]
-pub fn sphere_about(p: &[Rational; 3], d: &Rational) -> SparsePolynomial<3> {
+pub(crate) fn sphere_about(p: &[Rational; 3], d: &Rational) -> SparsePolynomial<3> {
     let mut terms = vec![([0; 3], d * d)];
     for (i, c) in p.iter().enumerate() {
         let power = |k: u32| std::array::from_fn(|j| if i == j { k } else { 0 });

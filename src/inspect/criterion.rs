@@ -3,20 +3,20 @@
 use super::chart::{CircleSection, SphereSection};
 use super::exact;
 use super::foot::difference;
-use super::inspector::{Inspector, Known, Point};
+use super::inspector::{Inspector, PartialInspection, Point};
 use super::sphere::{OnSphere, on_sphere};
 use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, square};
 use crate::intervals::{Field, Interval, dot, rationals};
 
 /// Sections that are more work than this ([`SphereSection::work`]) are left undecided, or their angles unsaid.
-pub const MAX_SECTION_WORK: f64 = 1e11;
+pub(crate) const MAX_SECTION_WORK: f64 = 1e11;
 /// Of the points that patches leave so many are tried.
 const CANDIDATES: usize = 24;
 
 impl Inspector {
     /// Whether f has both signs on the line through p and its foot where that meets the sphere, as doubles tell.
-    pub(super) fn signs_differ(&self, field: &Field, p: &Point, known: &Known) -> bool {
+    pub(super) fn signs_differ(&self, field: &Field, p: &Point, known: &PartialInspection) -> bool {
         let Some(away) = self.towards_foot(field, p, known) else {
             return false;
         };
@@ -34,7 +34,12 @@ impl Inspector {
         matches!((a, b), (Some(a), Some(b)) if a != b)
     }
 
-    fn towards_foot(&self, field: &Field, p: &Point, known: &Known) -> Option<[f64; 3]> {
+    fn towards_foot(
+        &self,
+        field: &Field,
+        p: &Point,
+        known: &PartialInspection,
+    ) -> Option<[f64; 3]> {
         let foot = known.foot.map(|q| difference(q, p.near));
         let is_usable = |v: &[f64; 3]| dot(*v, *v) > 1e-20 * self.around[0] * self.around[0];
         let direction = foot
@@ -45,7 +50,12 @@ impl Inspector {
     }
 
     /// Whether the sphere of radius d about p meets the surface, of which a point is inside.
-    pub(super) fn sphere_meets(&self, field: &Field, p: &Point, known: &Known) -> Option<bool> {
+    pub(super) fn sphere_meets(
+        &self,
+        field: &Field,
+        p: &Point,
+        known: &PartialInspection,
+    ) -> Option<bool> {
         if self.signs_differ(field, p, known) {
             return Some(true);
         }

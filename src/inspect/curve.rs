@@ -56,7 +56,7 @@ enum Guess<const N: usize> {
 }
 
 impl CurveInspector<2> {
-    /// For the curve r(θ) about its centre; points are in original coordinates.
+    /// For the curve r(θ) about its center; points are in original coordinates.
     ///
     /// ```
     /// use stellate::inspect::{CurveInspector, InspectOptions, Verdict};
@@ -335,5 +335,5 @@ fn cut(q: &Rational) -> Dyadic {
     let bits = |n: Integer| n.significant_bits().cast_signed();
     let exponent = bits(q.numerator()) - bits(q.denominator()) - STEP_BITS;
     let unit = Dyadic::new(Integer::from(1), -exponent).to_rational();
-    Dyadic::new((q * &unit).floor(), exponent)
+    Dyadic::new((q * &unit).floor_integer(), exponent)
 }

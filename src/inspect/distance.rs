@@ -86,7 +86,7 @@ pub(super) fn nearest(
     goal: Goal,
     limits: &Limits,
 ) -> Nearby {
-    let mut search = Search {
+    let mut search = DistanceSearch {
         limits,
         field,
         p,
@@ -117,7 +117,7 @@ pub(super) fn nearest(
     found
 }
 
-struct Search<'a> {
+struct DistanceSearch<'a> {
     limits: &'a Limits,
     field: &'a Field,
     p: [f64; 3],
@@ -128,7 +128,7 @@ struct Search<'a> {
     budget: usize,
 }
 
-impl Search<'_> {
+impl DistanceSearch<'_> {
     /// Divides the nearest cube until the bounds are close. The lower bound.
     fn best_first(&mut self) -> f64 {
         while let Some(cube) = self.heap.pop() {

@@ -62,7 +62,7 @@ pub(super) fn power_of_two(k: i64) -> Rational {
 
 /// Rounded down to so many bits after the point.
 fn rounded(x: &Rational, bits: i64) -> Rational {
-    Rational::from_dyadic((x * &power_of_two(bits)).floor(), -bits)
+    Rational::from_dyadic((x * &power_of_two(bits)).floor_integer(), -bits)
 }
 
 /// Whether there is a zero within d of p, from the expansion about the foot near `start`; f has the given sign at p. The

@@ -116,8 +116,8 @@ fn solved(a: &[[Rational; 3]; 3], b: &[Rational; 3]) -> Option<[Rational; 3]> {
 mod tests {
     use super::super::exact::critical_point;
     use super::*;
-    use crate::exact::Integer;
     use crate::poly::Ring;
+    use malachite::Integer;
     use malachite::base::num::arithmetic::traits::Pow;
 
     fn variables() -> [SparsePolynomial<3>; 3] {

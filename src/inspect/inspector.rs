@@ -23,7 +23,7 @@ mod laws;
 
 /// Polynomials with more monomials (and divisors of them) than this are inspected in doubles alone: those of degree 16 in space
 /// and of degree 43 in the plane have fewer. What doubles do not decide is undecided then.
-pub const MAX_EXACT_MONOMIALS: usize = 1000;
+pub(crate) const MAX_EXACT_MONOMIALS: usize = 1000;
 /// The operations of an expansion for which the number of cubes is meant as it is given: those of a dense polynomial of
 /// degree 6. Where they are more, there are fewer cubes.
 const CUBE_WORK: usize = 84 * 18;
@@ -118,7 +118,7 @@ impl<'a> Point<'a> {
 
 /// What is known of one factor.
 #[derive(Clone, Debug)]
-pub(super) struct Known {
+pub(super) struct PartialInspection {
     pub(super) bounds: DistanceBounds,
     pub(super) inside: Option<bool>,
     pub(super) curve: Option<bool>,
@@ -128,7 +128,7 @@ pub(super) struct Known {
     pub(super) exact_foot: Option<[Rational; 3]>,
 }
 
-impl Known {
+impl PartialInspection {
     /// A zero within the tolerance, which the double `tolerance` is not below; `high` is the square of a bound of its distance.
     pub(super) fn has_zero(
         &mut self,
@@ -178,7 +178,7 @@ impl Inspector {
         Self::new(Kind::Surface, factors, options, limits)
     }
 
-    /// For points (x, y, 0) of the plane, in the curve's original coordinates: its centre is taken into account.
+    /// For points (x, y, 0) of the plane, in the curve's original coordinates: its center is taken into account.
     ///
     /// # Errors
     /// Likewise, and those of [`factor_plane`].
@@ -243,7 +243,7 @@ impl Inspector {
         })
     }
 
-    /// Whether a factor is too large for exact expansions ([`MAX_EXACT_MONOMIALS`]).
+    /// Whether a factor is too large for exact expansions (1000 monomials and divisors of them).
     #[must_use]
     pub fn is_in_doubles_alone(&self) -> bool {
         let mut sizes = self.factors.iter().map(Field::monomials);
@@ -331,7 +331,7 @@ impl Inspector {
         all
     }
 
-    fn of_factor(&self, field: &Field, p: &Point) -> Known {
+    fn of_factor(&self, field: &Field, p: &Point) -> PartialInspection {
         let mut known = self.by_doubles(field, p);
         if known.inside.is_none() || !self.is_close(&known.bounds) {
             self.by_search(field, p, &mut known);
@@ -357,8 +357,8 @@ impl Inspector {
     }
 
     /// A quick proof that all is far away, or the expansion at the foot.
-    fn by_doubles(&self, field: &Field, p: &Point) -> Known {
-        let mut known = Known {
+    fn by_doubles(&self, field: &Field, p: &Point) -> PartialInspection {
+        let mut known = PartialInspection {
             bounds: DistanceBounds::UNKNOWN,
             inside: None,
             curve: None,
@@ -396,7 +396,7 @@ impl Inspector {
     }
 
     /// Takes bounds that hold for the doubles.
-    fn learn(&self, known: &mut Known, found: DistanceBounds, slack: f64) {
+    fn learn(&self, known: &mut PartialInspection, found: DistanceBounds, slack: f64) {
         let low = Interval::from(found.low) - Interval::from(slack);
         let high = Interval::from(found.high) + Interval::from(slack);
         known.bounds.low = known.bounds.low.max(low.low());
@@ -409,7 +409,7 @@ impl Inspector {
     }
 
     /// What the expansion in doubles leaves open: cubes, and what can be proved of the rest.
-    fn by_search(&self, field: &Field, p: &Point, known: &mut Known) {
+    fn by_search(&self, field: &Field, p: &Point, known: &mut PartialInspection) {
         let sign = field.polynomial().evaluate(p.exactly()).signum();
         if sign == 0 {
             known.bounds = DistanceBounds::ZERO;
@@ -458,7 +458,7 @@ impl Inspector {
         p: &Point,
         start: [f64; 3],
         sign: i8,
-        known: &mut Known,
+        known: &mut PartialInspection,
     ) {
         let root = |square: &Rational| Interval::from(square).or_zero().sqrt().low();
         match exact::decide(field, p.exactly(), &self.tolerance, start, sign, None) {

@@ -27,10 +27,13 @@ mod sphere;
 mod squared_distance;
 mod summary;
 
-pub use chart::{CircleSection, SphereSection, sphere_about};
-pub use criterion::MAX_SECTION_WORK;
+#[cfg(feature = "pictures")]
+pub(crate) use chart::sphere_about;
+pub use chart::{CircleSection, SphereSection};
+pub(crate) use criterion::MAX_SECTION_WORK;
 pub use curve::CurveInspector;
-pub use inspector::{InspectOptions, Inspector, MAX_EXACT_MONOMIALS};
+pub(crate) use inspector::MAX_EXACT_MONOMIALS;
+pub use inspector::{InspectOptions, Inspector};
 pub use patch::PatchInspector;
 pub use summary::{InspectedPoint, InspectionSummary, Section};
 
@@ -84,6 +87,7 @@ pub enum Verdict {
 
 /// What is certain of one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Inspection {
     /// Whether the distance is at most the tolerance, exactly.
     pub verdict: Verdict,

@@ -4,7 +4,7 @@ use super::distance::{Cube, holds_no_closed_piece};
 use super::exact::{self, Answer};
 use super::foot::{approach, stationary};
 use super::gap::zero_in_ball;
-use super::inspector::{Inspector, Known, Point};
+use super::inspector::{Inspector, PartialInspection, Point};
 use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, separation, square};
 use crate::intervals::{Field, Interval, distance, rational, rationals};
@@ -20,7 +20,7 @@ impl Inspector {
         p: &Point,
         left: &[Cube],
         sign: i8,
-        known: &mut Known,
+        known: &mut PartialInspection,
     ) {
         let step = left.len().div_ceil(CANDIDATES).max(1);
         let starts: Vec<[f64; 3]> = left.iter().step_by(step).map(|c| c.middle).collect();
@@ -57,7 +57,7 @@ impl Inspector {
         left: &[Cube],
         starts: &[[f64; 3]],
         sign: i8,
-        known: &mut Known,
+        known: &mut PartialInspection,
     ) {
         let mut feet: Vec<([f64; 3], f64)> = Vec::new();
         for start in starts {
@@ -107,7 +107,7 @@ impl Inspector {
         field: &Field,
         p: &Point,
         starts: &[[f64; 3]],
-        known: &mut Known,
+        known: &mut PartialInspection,
     ) -> Option<Vec<Lonely>> {
         let mut lonely: Vec<Lonely> = Vec::new();
         let square = &self.tolerance * &self.tolerance;
@@ -154,7 +154,7 @@ impl Inspector {
     }
 
     /// Zeros at critical points that are not rational: that there are any, not where.
-    fn by_gap(&self, field: &Field, p: &Point, starts: &[[f64; 3]], known: &mut Known) {
+    fn by_gap(&self, field: &Field, p: &Point, starts: &[[f64; 3]], known: &mut PartialInspection) {
         let critical = starts
             .iter()
             .filter_map(|x| exact::critical_point(field, *x));

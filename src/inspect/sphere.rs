@@ -21,7 +21,7 @@ pub(super) enum OnSphere {
     Unknown(Vec<[f64; 3]>),
 }
 
-/// Part of a face of the cube about the centre, projected to the sphere: u and w in [u − half, u + half] and so on.
+/// Part of a face of the cube about the center, projected to the sphere: u and w in [u − half, u + half] and so on.
 #[derive(Clone, Copy)]
 struct Patch {
     axis: usize,
@@ -150,10 +150,11 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{Integer, Rational};
+    use crate::exact::Rational;
     use crate::intervals::tests::{cubic, sphere};
     use crate::intervals::{distance, dot, rational, rationals};
     use crate::poly::{Ring, SparsePolynomial};
+    use malachite::Integer;
     use malachite::base::num::arithmetic::traits::CeilingSqrt;
     use proptest::prelude::*;
 

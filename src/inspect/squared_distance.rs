@@ -68,7 +68,7 @@ impl<const N: usize> DistanceForms<N> {
             q * own.div_exact(shared)
         });
         let p = point.each_ref().map(|p| {
-            let scaled = p * &Rational::from(&q);
+            let scaled = p * &Rational::whole(&q);
             scaled.numerator()
         });
         let norm: Integer = p.iter().map(|p| p * p).fold(Integer::ZERO, |a, b| a + b);
@@ -101,7 +101,7 @@ impl SquaredDistance {
     /// Its value at s = ∞; `None` at a pole.
     pub(super) fn at_infinity(&self) -> Option<Rational> {
         let [above, below] = [&self.above, &self.below].map(|f| self.lead(f));
-        Rational::new(above, below)
+        Rational::from_integers(above, below)
     }
 
     /// The coefficient of s^degree.
@@ -173,7 +173,7 @@ fn value(f: &IntegerPolynomial, s: &Dyadic) -> Rational {
     let lowered = s.exponent().min(0).unsigned_abs();
     let degree = f.coefficients_asc().len().saturating_sub(1) as u64;
     let scale = Integer::from(1) << (lowered * degree);
-    Rational::from(numerator_at(f, s)) / Rational::from(scale)
+    Rational::whole(numerator_at(f, s)) / Rational::whole(scale)
 }
 
 /// The squared distance of two points, in doubles.

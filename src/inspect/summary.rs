@@ -5,6 +5,7 @@ use crate::parametrize::AngleRange;
 
 /// A point as it was given, and what is certain of it.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct InspectedPoint<'a> {
     /// Its coordinates as written, two or three.
     pub written: &'a [&'a str],
@@ -16,6 +17,7 @@ pub struct InspectedPoint<'a> {
 
 /// The angles at which the sphere or circle about a point meets the form.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Section {
     /// They were not asked for, or the form is given by a parameter: then it is met in single points.
     NotAsked,
@@ -27,6 +29,7 @@ pub enum Section {
 
 /// How many points have which verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct InspectionSummary {
     /// Within the tolerance.
     pub inside: usize,

@@ -121,7 +121,7 @@ impl Local {
     }
 
     /// Bounds of (f(m + w) − value − gradient·w)/|w|² for 0 < |w| ≤ radius; `anywhere` bounds the same about every other
-    /// centre, too, as long as it and all w stay within the radius: then a form of degree k has k(k−1)/2 times its norm.
+    /// center, too, as long as it and all w stay within the radius: then a form of degree k has k(k−1)/2 times its norm.
     pub(crate) fn curvature(&self, radius: f64, anywhere: bool) -> Interval {
         let [low, high] = *self.spectrum.get_or_init(|| spectrum(&self.hessian));
         Interval::between(low, high) * 0.5 + Interval::up_to(self.tail(radius, anywhere))
@@ -145,7 +145,7 @@ impl Local {
         tail.high()
     }
 
-    /// For w = u + τn, with u across the unit vector n along `away`, |w| ≤ radius, and about every centre within the radius:
+    /// For w = u + τn, with u across the unit vector n along `away`, |w| ≤ radius, and about every center within the radius:
     /// sign·(f(m + w) − value − gradient·w) ≥ across·|w|² − along·|τ||w|. The two numbers.
     ///
     /// Proof. With Q = sign·hessian/2 we have wᵀQw = uᵀQu + τ(Qn)·(w + u), |u| ≤ |w|, and `across` is not positive.
@@ -205,7 +205,7 @@ mod tests {
             prop_assert!(found.to_f64() <= square.to_f64().sqrt() * (1.0 + 1e-13) + 1e-150);
         }
 
-        /// The bounds hold about the centre and about other centres, exactly, and so do those to one side of a plane.
+        /// The bounds hold about the center and about other centers, exactly, and so do those to one side of a plane.
         #[test]
         fn curvature_bounds_the_second_order(f in prop_oneof![nasty_cubics(), prop::collection::vec(-9i64..10, 20).prop_map(|c| cubic(&c))], m in prop::array::uniform3(-2.0f64..2.0), (a, b) in offsets(), n in prop::array::uniform3(-3i32..4)) {
             let field = Field::new(&f);
@@ -215,7 +215,7 @@ mod tests {
             let n = if field.is_flat() { [n[0], n[1], 0] } else { n };
             let at = |v: [f64; 3]| -> [Rational; 3] { std::array::from_fn(|i| rational(m[i]) + rational(v[i])) };
             let length = |v: [f64; 3]| square(exactly(v)).sqrt().high();
-            for (from, to, anywhere, is_centred) in [([0.0; 3], a, false, true), ([0.0; 3], b, true, true), (a, b, true, false), (b, a, true, false)] {
+            for (from, to, anywhere, is_centered) in [([0.0; 3], a, false, true), ([0.0; 3], b, true, true), (a, b, true, false), (b, a, true, false)] {
                 let radius = length(from).max(length(to));
                 let w: [Rational; 3] = std::array::from_fn(|i| rational(to[i]) - rational(from[i]));
                 let squared: Rational = w.iter().map(|x| x * x).sum();
@@ -225,7 +225,7 @@ mod tests {
                 let remainder = field.polynomial().evaluate(&at(to)) - start - linear;
                 let found = local.curvature(radius, anywhere);
                 prop_assert!(found.contains(&(&remainder / &squared)), "{found:?}");
-                if n != [0; 3] && is_centred {
+                if n != [0; 3] && is_centered {
                     for sign in [1, -1] {
                         let away = n.map(f64::from);
                         let [across, along] = local.one_sided(sign, exactly(away), radius);
@@ -269,7 +269,7 @@ mod tests {
             prop_assert!(minus(field.local(m).gradient, field.exact_local(&exact).gradient).iter().all(|d| d.sign().is_none()));
         }
 
-        /// Where a ball is excluded, f has the sign of its centre: at the zero of a linear form it ends.
+        /// Where a ball is excluded, f has the sign of its center: at the zero of a linear form it ends.
         #[test]
         fn excluded_balls_have_one_sign(c in prop::collection::vec(-9i64..10, 20), m in prop::array::uniform3(-2.0f64..2.0), v in prop::array::uniform3(-0.5f64..0.5)) {
             let f = Field::new(&cubic(&c));

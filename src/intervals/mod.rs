@@ -178,7 +178,7 @@ impl Field {
             {
                 let mut lower = e;
                 lower[axis] -= 1;
-                let factor = c * &Rational::from(Integer::from(e[axis]));
+                let factor = c * &Rational::whole(Integer::from(e[axis]));
                 *slope = &*slope + &(factor * product(lower));
             }
         }

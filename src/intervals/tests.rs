@@ -202,7 +202,7 @@ proptest! {
         let f = cubic(&[1; 20]);
         let terms = f.terms().zip(&coefficients);
         let f = SparsePolynomial::from_terms(terms.filter_map(|((e, _), (p, q))| {
-            Some((*e, Rational::new((*p).into(), (*q).into())?))
+            Some((*e, Rational::from_integers((*p).into(), (*q).into())?))
         }));
         prop_assume!(!f.is_empty());
         let f = Field::new(&f);

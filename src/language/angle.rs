@@ -41,7 +41,7 @@ impl Angle {
             return None;
         }
         let four = Rational::from(4);
-        let rounds = Rational::from((&quarters / &four).floor());
+        let rounds = (&quarters / &four).floor();
         u8::try_from(&(quarters - rounds * four).numerator()).ok()
     }
 

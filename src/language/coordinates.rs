@@ -1,5 +1,6 @@
 //! `x = …; y = …[; z = …]`: parametric curves and patches.
 
+use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Gcd, Lcm};
 use malachite::base::num::basic::traits::One;
 use malachite::base::polynomial::Polynomial as _;
@@ -11,7 +12,7 @@ use super::quotient::{MAX_MULTIPLE, ParameterUse, Quotients};
 use super::source::Span;
 use super::syntax::{Equation, Expr, ExprKind};
 use crate::error::{Invariant, Result};
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{Form, Parameter, ParametricCurve, Patch, PatchFunction};
@@ -274,7 +275,7 @@ fn common_step(step: Option<Rational>, slope: &Rational) -> Rational {
     let (b, d) = (step.denominator(), slope.denominator());
     let (ad, cb) = (step.numerator() * &d, slope.numerator() * &b);
     let gcd = Integer::from(ad.unsigned_abs_ref().gcd(cb.unsigned_abs_ref()));
-    Rational::new(gcd, b * d).invariant("a denominator is not 0")
+    Rational::from_integers(gcd, b * d).invariant("a denominator is not 0")
 }
 
 /// A quotient that has only one variable; `None` if its denominator is 0.
@@ -299,5 +300,5 @@ fn univariate(
         }
         IntegerPolynomial::from_coefficients_asc(coefficients)
     };
-    RationalFunction::new(integers(above), integers(below))
+    RationalFunction::from_integers(integers(above), integers(below))
 }

@@ -1,6 +1,6 @@
 //! Walks an expression in whatever ring it is to be evaluated in.
 
-use super::limits::{Budget, MAX_DEGREE};
+use super::budget::{Budget, MAX_DEGREE};
 use super::name::Name;
 use super::number::{Numbers, literal};
 use super::source::{Source, Span};

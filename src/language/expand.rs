@@ -4,16 +4,17 @@
 //! univariate one by Kronecker's substitution (x, y, z become powers of one variable with strides
 //! that keep the answer's exponents apart), which a fast univariate product then multiplies.
 
+use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial as _;
 
+use super::budget::{MAX_DEGREE, MAX_TERMS};
 use super::evaluate::Context;
-use super::limits::{MAX_DEGREE, MAX_TERMS};
 use super::source::Span;
 use crate::error::{Error, Invariant, Result};
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial, total_degree};
 
 type Polynomial = SparsePolynomial<3>;
@@ -283,7 +284,7 @@ impl Packing {
                     .spend_bits(1, common.significant_bits(), cx.source, at)?;
             }
         }
-        let scale = Rational::from(&common);
+        let scale = Rational::whole(&common);
         let mut coefficients = Vec::new();
         for (e, c) in f.terms() {
             let index = (0..3)
@@ -302,14 +303,14 @@ impl Packing {
     }
 
     fn unpack(&self, packed: &IntegerPolynomial, denominator: &Integer) -> Polynomial {
-        let inverse = Rational::from(denominator)
+        let inverse = Rational::whole(denominator)
             .recip()
             .invariant("a denominator is not 0");
         let coefficients = packed.coefficients_asc().iter().enumerate();
         Polynomial::from_terms(
             coefficients
                 .filter(|(_, c)| **c != 0)
-                .map(|(index, c)| (self.exponents(index as u64), Rational::from(c) * &inverse)),
+                .map(|(index, c)| (self.exponents(index as u64), Rational::whole(c) * &inverse)),
         )
     }
 

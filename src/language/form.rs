@@ -1,21 +1,22 @@
 //! From equations to a form: which of the understood kinds a text is.
 
+use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial as _;
 
 use super::UNDERSTOOD;
+use super::budget::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
 use super::coordinates;
 use super::evaluate::{Algebra, Context, evaluate};
-use super::limits::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
 use super::name::Name;
 use super::polynomial::Implicit;
-use super::radius::Radius;
+use super::radius::TrigAlgebra;
 use super::source::Span;
 use super::syntax::{Equation, Expr};
 use crate::error::{Error, Invariant, Result};
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
@@ -141,7 +142,7 @@ fn fourier(cx: &mut Context<'_>, equation: &Equation, formula: &Expr) -> Result<
         let message = "a second name for the angle; use either t or theta";
         return Err(cx.source.error(later, message));
     }
-    let (cos, sin) = evaluate(cx, &Radius, formula)?.coefficients();
+    let (cos, sin) = evaluate(cx, &TrigAlgebra, formula)?.coefficients();
     Ok(FourierRadius::new(cos, sin))
 }
 

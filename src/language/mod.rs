@@ -51,11 +51,11 @@
 //! ```
 
 mod angle;
+mod budget;
 mod coordinates;
 mod evaluate;
 mod expand;
 mod form;
-mod limits;
 mod name;
 mod number;
 mod parser;
@@ -67,7 +67,7 @@ mod superquadric;
 mod syntax;
 mod token;
 
-pub use limits::{
+pub use budget::{
     MAX_BITS, MAX_COEFFICIENTS, MAX_DEGREE, MAX_DIGITS, MAX_HARMONIC, MAX_NESTING, MAX_PRODUCTS,
     MAX_TERMS, MAX_TEXT_BYTES,
 };
@@ -127,7 +127,7 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
     let mut context = evaluate::Context {
         source,
         numbers,
-        budget: limits::Budget::new(),
+        budget: budget::Budget::new(),
     };
     form::form(&mut context, &equations, center)
 }

@@ -1,10 +1,11 @@
 //! The exact value of a literal.
 
+use malachite::Integer;
 use malachite::base::num::conversion::traits::FromStringBase;
 
-use super::limits::MAX_DIGITS;
+use super::budget::MAX_DIGITS;
 use crate::error::{Error, Result};
-use crate::exact::{Integer, Rational, double_literal, exact_literal};
+use crate::exact::{Rational, double_literal, exact_literal};
 
 /// How numbers are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -25,7 +26,7 @@ pub(crate) fn literal(text: &str, numbers: Numbers) -> std::result::Result<Ratio
     }
     if numbers == Numbers::Exact && !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()) {
         return match Integer::from_string_base(10, text) {
-            Some(value) => Ok(Rational::from(value)),
+            Some(value) => Ok(Rational::whole(value)),
             None => Err("expected a number".into()),
         };
     }

@@ -1,6 +1,6 @@
 //! From tokens to equations: operator precedence after Pratt.
 
-use super::limits::MAX_NESTING;
+use super::budget::MAX_NESTING;
 use super::name::Name;
 use super::source::Source;
 use super::syntax::{Equation, Expr, ExprKind, Occurrences};

@@ -1,8 +1,8 @@
 //! Implicit equations: polynomials in x, y and z.
 
+use super::budget::MAX_DEGREE;
 use super::evaluate::{Algebra, Context, times};
 use super::expand;
-use super::limits::MAX_DEGREE;
 use super::name::Name;
 use super::radius::{not_a_series, not_rational};
 use super::source::Span;

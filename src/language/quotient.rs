@@ -1,5 +1,6 @@
 //! Rational functions of at most two parameters, or of cosines and sines of their multiples.
 
+use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 
 use super::angle::Angle;
@@ -9,7 +10,7 @@ use super::name::Name;
 use super::source::Span;
 use super::syntax::Expr;
 use crate::error::Result;
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::Parameter;
 
@@ -79,7 +80,7 @@ fn circle_power(variable: usize, k: u32) -> SparsePolynomial<3> {
     SparsePolynomial::from_terms((0..=k).map(|j| {
         let mut exponents = [0; 3];
         exponents[variable] = 2 * j;
-        let term = (exponents, Rational::from(&binomial));
+        let term = (exponents, Rational::whole(&binomial));
         binomial = std::mem::take(&mut binomial) * Integer::from(k - j) / Integer::from(j + 1);
         term
     }))
@@ -92,7 +93,7 @@ fn multiple_angle(variable: usize, n: u32) -> [SparsePolynomial<3>; 2] {
     for j in 0..=2 * n {
         let mut exponents = [0; 3];
         exponents[variable] = j;
-        let value = Rational::from(&binomial);
+        let value = Rational::whole(&binomial);
         let signed = if j % 4 >= 2 { -value } else { value };
         parts[(j % 2) as usize].add_term(exponents, signed);
         binomial = std::mem::take(&mut binomial) * Integer::from(2 * n - j) / Integer::from(j + 1);

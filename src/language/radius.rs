@@ -1,8 +1,8 @@
 //! The right side of `r = …`: trigonometric polynomials in one angle.
 
 use super::angle::{ARGUMENT, Angle};
+use super::budget::MAX_HARMONIC;
 use super::evaluate::{Algebra, Context, times};
-use super::limits::MAX_HARMONIC;
 use super::name::Name;
 use super::source::Span;
 use super::syntax::Expr;
@@ -11,7 +11,7 @@ use crate::exact::Rational;
 use crate::poly::{Ring, TrigPolynomial};
 
 /// Trigonometric polynomials.
-pub(super) struct Radius;
+pub(super) struct TrigAlgebra;
 
 /// Why tan and so on are refused in a radius and in a polynomial; `call` is the text of the call.
 pub(super) fn not_a_series(call: &str) -> String {
@@ -30,7 +30,7 @@ pub(super) fn not_rational(shown: String) -> String {
     format!("{shown} is not rational; numbers are exact here: write a fraction or a decimal")
 }
 
-impl Algebra for Radius {
+impl Algebra for TrigAlgebra {
     type Value = TrigPolynomial;
 
     const DIVISOR: &'static str =

@@ -3,7 +3,7 @@
 use super::name::{NAMES, Name};
 use super::source::Span;
 
-/// An expression. Sums and products are flat, and [`super::limits::MAX_NESTING`] bounds the depth
+/// An expression. Sums and products are flat, and [`super::budget::MAX_NESTING`] bounds the depth
 /// of the rest, so walking or dropping one cannot overflow the stack.
 #[derive(Debug)]
 pub(super) struct Expr {

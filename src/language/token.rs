@@ -109,7 +109,7 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
     })
 }
 
-/// Texts are shorter than 4 GiB: see [`super::limits::MAX_TEXT_BYTES`].
+/// Texts are shorter than 4 GiB: see [`super::budget::MAX_TEXT_BYTES`].
 fn position(input: &Input<'_>) -> u32 {
     u32::try_from(input.current_token_start()).invariant("a text is shorter than 4 GiB")
 }

@@ -8,6 +8,7 @@ use crate::error::Invariant;
 
 /// Counts that describe a mesh as a surface; all of them exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Topology {
     /// Edges with one triangle.
     pub boundary_edges: usize,

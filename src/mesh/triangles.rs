@@ -40,6 +40,7 @@ options! {
 
 /// Triangles in space.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Mesh {
     /// Points with a certified zero of the polynomial within [`Mesh::vertex_bound`] of each.
     pub vertices: Vec<[f64; 3]>,

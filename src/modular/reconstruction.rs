@@ -99,10 +99,10 @@ mod tests {
     proptest! {
         #[test]
         fn fractions_come_back(values in prop::collection::vec((-1000i64..1000, 1i64..1000), 1..5)) {
-            let mut vector: Vec<Rational> = values.iter().map(|&(p, q)| Rational::new(p.into(), q.into()).unwrap()).collect();
+            let mut vector: Vec<Rational> = values.iter().map(|&(p, q)| Rational::from_integers(p.into(), q.into()).unwrap()).collect();
             vector.push(Rational::one());
             let common = vector.iter().fold(Integer::ONE, |d, c| lcm(&d, &c.denominator()));
-            let expected: Vec<Integer> = vector.iter().map(|c| (c * &Rational::from(&common)).numerator()).collect();
+            let expected: Vec<Integer> = vector.iter().map(|c| (c * &Rational::whole(&common)).numerator()).collect();
             let mut reconstruction = Reconstruction::new();
             let found = large_primes().take(8).find_map(|p| {
                 let image: Vec<u64> = vector.iter().map(|c| {

@@ -28,7 +28,7 @@ impl<const N: usize> From<&ParametricCurve<N>> for Coordinates {
         let sparse = |f: &IntegerPolynomial| {
             let terms = f.coefficients_asc().iter().enumerate();
             let power = |k: usize| u32::try_from(k).invariant("a degree is below 2^32");
-            SparsePolynomial::from_terms(terms.map(|(k, c)| ([power(k), 0], Rational::from(c))))
+            SparsePolynomial::from_terms(terms.map(|(k, c)| ([power(k), 0], Rational::whole(c))))
         };
         let both = |f: &RationalFunction| [sparse(f.numerator()), sparse(f.denominator())];
         Self {
@@ -201,7 +201,7 @@ fn factor_text(basis: Basis, parameter: &Parameter, format: Format) -> String {
         Basis::Sin(n) => ("sin", n),
     };
     let step = parameter.step().cloned().unwrap_or_else(Rational::one);
-    let multiple = step * Rational::from(Integer::from(n));
+    let multiple = step * Rational::whole(Integer::from(n));
     let (p, q) = (multiple.numerator(), multiple.denominator());
     if latex {
         let factor = match (p == 1, q == 1) {

@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 
 /// How a result is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Format {
     /// A formula in the input language.
     #[default]
@@ -51,6 +52,20 @@ impl Format {
             Latex => "%",
             Singular => "//",
             _ => "#",
+        }
+    }
+
+    /// What it is, for people.
+    #[must_use]
+    pub fn about(self) -> &'static str {
+        match self {
+            Text => "A formula in the input language",
+            Json => "A document with every exact number as a string",
+            Csv => "A table of coefficients",
+            Latex => "A formula to be typeset",
+            Sympy => "An expression for SymPy, or for Python with x, y and Rational in scope",
+            Maple => "A statement for Maple",
+            Singular => "Statements for Singular",
         }
     }
 }

@@ -5,12 +5,12 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::appendix::Appendix;
-use super::entry::{Entry, Finding, Outcome, TestPart, Verdict};
+use super::entry::{Entry, EntryVerdict, Finding, Outcome, TestPart};
 use crate::document::{Format, Kind, SCHEMA};
 use crate::error::{Invariant, Result};
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct PaperDocument<'a> {
     schema: &'static str,
     kind: &'static str,
     entries: Vec<EntryDocument<'a>>,
@@ -45,7 +45,7 @@ pub fn write_entries(
             write_appendix(appendix, out)
         }
         Format::Json => {
-            let document = Document {
+            let document = PaperDocument {
                 schema: SCHEMA,
                 kind: "paper",
                 entries: entries.iter().map(|(e, o)| document(e, o)).collect(),
@@ -168,7 +168,7 @@ fn write_table(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<
     }
     let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
     let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
-    let parts = Verdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
+    let parts = EntryVerdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
     Ok(writeln!(
         out,
         "{} statements: {}; {unexpected} not as expected",

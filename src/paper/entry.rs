@@ -11,6 +11,7 @@ use crate::limits::Limits;
 
 /// A statement of the paper.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Entry<'a> {
     /// `T2`, `L4`, `E9`, `Eq63`, `F12`, `AppB`, …
     pub id: &'a str,
@@ -29,11 +30,12 @@ pub struct Entry<'a> {
     /// The tests.
     pub tests: Vec<Test<'a>>,
     /// The verdict that is recorded.
-    pub expected: Verdict,
+    pub expected: EntryVerdict,
 }
 
 /// What a test is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TestPart {
     /// What is printed.
     Printed,
@@ -45,6 +47,7 @@ pub enum TestPart {
 
 /// One exact test.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Test<'a> {
     /// What it is about.
     pub part: TestPart,
@@ -65,7 +68,8 @@ pub(super) enum TestKind<'a> {
 
 /// What follows from the tests of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+#[non_exhaustive]
+pub enum EntryVerdict {
     /// All tests hold, those of the printed part among them.
     Holds,
     /// Nothing that is printed passes its test, and what is corrected does.
@@ -76,7 +80,7 @@ pub enum Verdict {
     Fails,
 }
 
-impl Verdict {
+impl EntryVerdict {
     /// Those that an entry may expect.
     pub(super) const EXPECTED: [Self; 3] =
         [Self::Holds, Self::HoldsOnceCorrected, Self::ClaimTooStrong];
@@ -93,7 +97,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for EntryVerdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
@@ -101,6 +105,7 @@ impl fmt::Display for Verdict {
 
 /// What came of one test.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Finding {
     /// What it is about.
     pub part: TestPart,
@@ -114,11 +119,12 @@ pub struct Finding {
 
 /// What came of an entry.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Outcome {
     /// Test by test.
     pub findings: Vec<Finding>,
     /// What follows.
-    pub verdict: Verdict,
+    pub verdict: EntryVerdict,
     /// Whether that is what is recorded.
     pub expected: bool,
     /// How long it took.
@@ -204,24 +210,24 @@ impl Entry<'_> {
     }
 }
 
-fn verdict(findings: &[Finding]) -> Verdict {
+fn verdict(findings: &[Finding]) -> EntryVerdict {
     let of = |part| findings.iter().filter(move |f| f.part == part);
     let must_hold = of(TestPart::Always).chain(of(TestPart::Corrected));
     if findings.is_empty()
         || findings.iter().any(|f| f.surprising)
         || !must_hold.into_iter().all(|f| f.holds)
     {
-        return Verdict::Fails;
+        return EntryVerdict::Fails;
     }
     let printed = of(TestPart::Printed).count();
     let held = of(TestPart::Printed).filter(|f| f.holds).count();
     if held == printed {
-        Verdict::Holds
+        EntryVerdict::Holds
     } else if held > 0 {
-        Verdict::ClaimTooStrong
+        EntryVerdict::ClaimTooStrong
     } else if of(TestPart::Corrected).count() > 0 {
-        Verdict::HoldsOnceCorrected
+        EntryVerdict::HoldsOnceCorrected
     } else {
-        Verdict::Fails
+        EntryVerdict::Fails
     }
 }

@@ -8,6 +8,7 @@ use crate::exact::{Rational, exact_literal};
 
 /// A formula as it is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Formula {
     /// An exact number.
     Number(Rational),

@@ -8,7 +8,7 @@
 //!
 //! A test is an identity between two formulas in any symbols (proved by expansion over Q), or a question to the engine with
 //! the answer that is claimed. One code path evaluates the printed and the corrected part, and the verdict follows from what
-//! comes out: [`Verdict`].
+//! comes out: [`EntryVerdict`].
 //!
 //! What the paper says of speed is measured elsewhere, and reported with it as an [`Appendix`].
 
@@ -27,7 +27,7 @@ mod statements;
 pub use appendix::Appendix;
 pub use data::EXAMPLE_DATA;
 pub use document::{write_entries, write_entry};
-pub use entry::{Entry, Finding, Outcome, Test, TestPart, Verdict};
+pub use entry::{Entry, EntryVerdict, Finding, Outcome, Test, TestPart};
 pub use formula::Formula;
 pub use report::{ReportFigure, write_report};
 pub use statements::{entries, read_entries};

@@ -5,7 +5,7 @@ use std::io::Write;
 
 use super::appendix::Appendix;
 use super::document::{line, unexpected};
-use super::entry::{Entry, Outcome, Test, TestKind, TestPart, Verdict};
+use super::entry::{Entry, EntryVerdict, Outcome, Test, TestKind, TestPart};
 use super::html::{escaped, write_picture};
 use super::mathml;
 use crate::error::Result;
@@ -36,7 +36,7 @@ pub fn write_report(
     out: &mut dyn Write,
 ) -> Result<()> {
     let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
-    let counts = Verdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
+    let counts = EntryVerdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
     let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
     write!(
         out,
@@ -132,7 +132,10 @@ fn write_errata(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result
          aria-label=\"Table of errata\">\n<table>\n<thead><tr><th scope=\"col\">Where</th><th scope=\"col\">Printed</th>\
          <th scope=\"col\">Correct</th></tr></thead>\n<tbody>"
     )?;
-    for (entry, _) in entries.iter().filter(|(_, o)| o.verdict != Verdict::Holds) {
+    for (entry, _) in entries
+        .iter()
+        .filter(|(_, o)| o.verdict != EntryVerdict::Holds)
+    {
         writeln!(
             out,
             "<tr><th scope=\"row\"><a href=\"#{}\">{}</a> {}</th><td>{}</td><td>{}</td></tr>",
@@ -256,12 +259,12 @@ fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<
     Ok(writeln!(out, "</tbody>\n</table>\n</section>")?)
 }
 
-fn class(verdict: Verdict) -> &'static str {
+fn class(verdict: EntryVerdict) -> &'static str {
     match verdict {
-        Verdict::Holds => "holds",
-        Verdict::HoldsOnceCorrected => "corrected",
-        Verdict::ClaimTooStrong => "strong",
-        Verdict::Fails => "fails",
+        EntryVerdict::Holds => "holds",
+        EntryVerdict::HoldsOnceCorrected => "corrected",
+        EntryVerdict::ClaimTooStrong => "strong",
+        EntryVerdict::Fails => "fails",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reading the statements: blocks of `key: value` lines, a block to an entry.
 
-use super::entry::{Entry, Test, TestKind, TestPart, Verdict};
+use super::entry::{Entry, EntryVerdict, Test, TestKind, TestPart};
 use super::formula::Formula;
 use super::question::Question;
 use crate::error::{Error, Result};
@@ -19,13 +19,13 @@ const FILES: [(&str, &str); 6] = [
 ///
 /// ```
 /// use stellate::limits::Limits;
-/// use stellate::paper::{Verdict, entries};
+/// use stellate::paper::{EntryVerdict, entries};
 ///
 /// let entries = entries()?;
 /// assert!(entries.len() >= 60);
 /// let definition = entries.iter().find(|e| e.id == "D1").expect("Definition 1");
 /// let outcome = definition.evaluate(&Limits::none())?;
-/// assert_eq!(outcome.verdict, Verdict::HoldsOnceCorrected);
+/// assert_eq!(outcome.verdict, EntryVerdict::HoldsOnceCorrected);
 /// assert!(outcome.expected);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
@@ -72,7 +72,7 @@ pub fn read_entries<'a>(text: &'a str, name: &str) -> Result<Vec<Entry<'a>>> {
                 definitions: "",
                 squares: "",
                 tests: Vec::new(),
-                expected: Verdict::Holds,
+                expected: EntryVerdict::Holds,
             });
             continue;
         }
@@ -98,7 +98,9 @@ pub fn read_entries<'a>(text: &'a str, name: &str) -> Result<Vec<Entry<'a>>> {
                 continue;
             }
             "expected" => {
-                let verdict = Verdict::EXPECTED.into_iter().find(|v| v.name() == value);
+                let verdict = EntryVerdict::EXPECTED
+                    .into_iter()
+                    .find(|v| v.name() == value);
                 entry.expected = verdict.ok_or_else(|| wrong(format!("no verdict: {value}")))?;
                 continue;
             }

@@ -10,6 +10,7 @@ use malachite::base::polynomial::Polynomial;
 
 /// An angle known exactly.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum ExactAngle {
     /// A rational multiple of π.
     Pi(Rational),
@@ -187,7 +188,7 @@ impl ExactAngle {
             } => {
                 let mut root = tangent.clone();
                 root.refine(i64::from(bits) + 4);
-                let (t_low, t_high) = root.bounds();
+                let (t_low, t_high) = root.enclosure();
                 let times = Rational::from(*times);
                 let (low, high) = times_pi(&Rational::from(*half_turns));
                 (
@@ -254,7 +255,7 @@ impl ExactAngle {
         };
         let mut root = tangent.clone();
         root.refine(20);
-        let (low, high) = root.bounds();
+        let (low, high) = root.enclosure();
         format!(
             "{turns}{factor}atan(t) with {} = 0, {} < t < {}",
             tangent.polynomial().to_string().replace('x', "t"),

@@ -9,7 +9,7 @@ use malachite::base::rounding_modes::RoundingMode;
 use rayon::prelude::*;
 
 use super::angle::ExactAngle;
-use super::parametrization::{Parametrization, Radius};
+use super::parametrization::{BranchRadius, Parametrization};
 use super::traced::RootBranch;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -43,6 +43,7 @@ options! {
 
 /// A Fourier radius near a branch.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct BranchFit {
     /// The branch; `None` for the outermost positive radius in every direction.
     pub branch: Option<usize>,
@@ -168,7 +169,7 @@ fn choose(curve: &Parametrization, wanted: Option<usize>) -> Result<Option<Chose
             .iter()
             .enumerate()
             .filter_map(|(index, branch)| match &branch.radius {
-                Radius::Root(root) => Some((index, root)),
+                BranchRadius::Root(root) => Some((index, root)),
                 _ => None,
             })
     };
@@ -181,8 +182,8 @@ fn choose(curve: &Parametrization, wanted: Option<usize>) -> Result<Option<Chose
             ));
         };
         return match &branch.radius {
-            Radius::Root(root) if root.covers_circle() => Ok(Some((Some(index), Target::Branch(root), Vec::new()))),
-            Radius::Root(_) => refuse("this branch is not positive in every direction, so a Fourier series cannot be fitted to it".into()),
+            BranchRadius::Root(root) if root.covers_circle() => Ok(Some((Some(index), Target::Branch(root), Vec::new()))),
+            BranchRadius::Root(_) => refuse("this branch is not positive in every direction, so a Fourier series cannot be fitted to it".into()),
             _ => refuse("this branch has a closed form".into()),
         };
     }
@@ -201,7 +202,7 @@ fn choose(curve: &Parametrization, wanted: Option<usize>) -> Result<Option<Chose
 
 /// The k-th of `count` uniform directions, or beside it if that is critical, and the radius there.
 fn radius_near(target: &Target<'_>, k: usize, count: usize) -> Result<(Direction, f64)> {
-    let turn = Rational::from(Integer::from(k)) / Rational::from(Integer::from(count));
+    let turn = Rational::whole(Integer::from(k)) / Rational::whole(Integer::from(count));
     let exact = Direction::from_degrees(&(turn * Rational::from(360)));
     if let Some(r) = target.radius(&exact) {
         return Ok((exact, r));
@@ -274,7 +275,7 @@ impl Evaluator {
         }
         // The last power is one too many.
         let scale = (&power).div_round(w, RoundingMode::Exact).0 * &self.denominator;
-        Rational::new(re, scale).invariant("a denominator is not 0")
+        Rational::from_integers(re, scale).invariant("a denominator is not 0")
     }
 
     /// A bound of |fit − r|, where `r` is the nearest double of the radius.
@@ -289,7 +290,7 @@ impl Evaluator {
 
 /// A positive number rounded up to three significant digits: `1.23e-4`.
 #[must_use]
-pub fn rounded_up(value: &Rational) -> String {
+pub(crate) fn rounded_up(value: &Rational) -> String {
     if value.is_zero() {
         return "0".into();
     }
@@ -297,7 +298,7 @@ pub fn rounded_up(value: &Rational) -> String {
     let mut exponent = i64::rounding_from(value.to_f64().log10().floor(), RoundingMode::Nearest).0;
     let digits = |exponent: i64| {
         let scaled = value * &ten(2 - exponent);
-        -(-scaled).floor()
+        -(-scaled).floor_integer()
     };
     // The logarithm of a double may be off by one.
     while digits(exponent) >= Integer::from(10).pow(3) {

@@ -17,12 +17,12 @@ pub(super) struct Cells {
     /// Ascending from 0 to 2π.
     marks: Vec<Mark>,
     /// One inside each cell; one fewer than marks.
-    insides: Vec<Place>,
+    insides: Vec<SignedDirection>,
 }
 
 /// A direction with the signs of all the forms, in their order.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct SignedDirection {
     pub(super) signs: Vec<i8>,
     /// A vector in this direction, if it is a rational one.
     pub(super) vector: Option<(Integer, Integer)>,
@@ -32,7 +32,7 @@ pub(super) struct Place {
 
 struct Mark {
     angle: ExactAngle,
-    place: Place,
+    place: SignedDirection,
     /// Vectors in the cells before and after, or at the mark itself if that is rational.
     beside: [Vector; 2],
 }
@@ -56,7 +56,7 @@ impl Cells {
             tangents.into_iter().partition(|t| t.signum() < 0);
         let rational = |angle: ExactAngle, vector: Vector| Mark {
             angle,
-            place: Place::rational(forms, vector.clone()),
+            place: SignedDirection::rational(forms, vector.clone()),
             beside: [vector.clone(), vector],
         };
         let mut half: Vec<Mark> = Vec::new();
@@ -81,14 +81,17 @@ impl Cells {
         let between = |pair: &[Mark]| between(&pair[0].beside[1], &pair[1].beside[0]);
         let insides = marks
             .windows(2)
-            .map(|pair| Place::rational(forms, between(pair)))
+            .map(|pair| SignedDirection::rational(forms, between(pair)))
             .collect();
         Self { marks, insides }
     }
 
     /// The maximal ranges in which `holds`, within [0, 2π]; isolated angles as [θ, θ]. Besides the place
     /// `holds` gets the two cells that a mark lies between.
-    pub(super) fn ranges(&self, holds: impl Fn(&Place, &[&Place]) -> bool) -> Vec<AngleRange> {
+    pub(super) fn ranges(
+        &self,
+        holds: impl Fn(&SignedDirection, &[&SignedDirection]) -> bool,
+    ) -> Vec<AngleRange> {
         let mut ranges: Vec<AngleRange> = Vec::new();
         let mut open: Option<AngleRange> = None;
         let cells = self.insides.len();
@@ -119,7 +122,7 @@ impl Cells {
     }
 }
 
-impl Place {
+impl SignedDirection {
     pub(super) fn rational(forms: &[&BinaryForm], (u, v): Vector) -> Self {
         let sign = |form: &&BinaryForm| integer_sign(&form.evaluate(&u, &v));
         Self {
@@ -154,13 +157,13 @@ impl Mark {
     fn algebraic(mut tangent: RealRoot, forms: &[&BinaryForm]) -> Self {
         // Away from 0, where there may be a mark.
         tangent.refine(8);
-        let (low, high) = tangent.bounds();
+        let (low, high) = tangent.enclosure();
         let upward = |t: Rational| {
             let (u, v) = (t.denominator(), t.numerator());
             if v < 0 { (-u, -v) } else { (u, v) }
         };
         let beside = [upward(low.to_rational()), upward(high.to_rational())];
-        let near = Place::rational(forms, beside[0].clone());
+        let near = SignedDirection::rational(forms, beside[0].clone());
         let signs = forms.iter().zip(near.signs).map(|(form, sign)| {
             if tangent.is_root_of(form.dehomogenized()) {
                 0
@@ -169,7 +172,7 @@ impl Mark {
             }
         });
         Self {
-            place: Place {
+            place: SignedDirection {
                 signs: signs.collect(),
                 vector: None,
                 slope: Some((tangent.clone(), false)),
@@ -185,7 +188,7 @@ impl Mark {
         let signs = forms.iter().zip(&self.place.signs);
         Self {
             angle: self.angle.plus_pi(),
-            place: Place {
+            place: SignedDirection {
                 signs: signs
                     .map(|(f, &s)| if f.is_even() { s } else { -s })
                     .collect(),

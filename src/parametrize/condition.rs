@@ -5,6 +5,7 @@ use crate::poly::{TernaryForm, integer_sign};
 
 /// A statement about a direction (θ, φ).
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Condition {
     /// All of these hold; with none of them, always.
     All(Vec<Self>),
@@ -111,7 +112,7 @@ mod tests {
     use crate::language::{Numbers, parse_form};
     use crate::limits::Limits;
     use crate::parametrize::parametrize_surface;
-    use crate::sample::{SpaceDirection, UnitVector};
+    use crate::sample::{IntegerVector, SpaceDirection};
     use crate::shape::Form;
     use malachite::Integer;
 
@@ -174,7 +175,7 @@ mod tests {
                 let answer = found.in_direction(&direction);
                 let (vector, w) = direction.over_common_denominator();
                 let unit = vector.each_ref().map(|v| {
-                    let component = Rational::new(v.clone(), w.clone());
+                    let component = Rational::from_integers(v.clone(), w.clone());
                     component.unwrap().to_f64()
                 });
                 for (branch, sign) in found.branches.iter().zip(&answer.branches) {

@@ -8,6 +8,7 @@ use crate::poly::{BinaryForm, HomogeneousPolynomial};
 /// An expression in the components of a unit vector, with exact coefficients: in θ for binary forms, in θ
 /// and φ for ternary ones.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Expression<F = BinaryForm> {
     /// A form at (cos θ, sin θ), or at (sin φ cos θ, sin φ sin θ, cos φ).
     Form(F),
@@ -51,7 +52,7 @@ impl<F: HomogeneousPolynomial> Expression<F> {
                 let terms = form.monomials();
                 let terms = terms.into_iter().map(|(exponents, a)| {
                     let powers = exponents.iter().zip(at);
-                    powers.fold(Rational::from(a).to_f64(), |product, (&e, x)| {
+                    powers.fold(Rational::whole(a).to_f64(), |product, (&e, x)| {
                         product * x.powf(e as f64)
                     })
                 });

@@ -15,6 +15,7 @@ use crate::shape::{FourierRadius, ImplicitCurve};
 
 /// The branches of an implicit curve whose radii are exactly trigonometric polynomials.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct FourierBranches {
     /// 2 (two homogeneous parts) or 3 (three): the lemma that gives the closed form.
     pub lemma: usize,
@@ -65,7 +66,7 @@ pub fn fourier_branches(curve: &ImplicitCurve) -> Result<FourierBranches> {
         }
     };
     let (denominator, root) = if n - low == 1 {
-        (Rational::from(lead), None)
+        (Rational::whole(lead), None)
     } else {
         let q = part(low);
         let four = Integer::from(4);
@@ -73,7 +74,7 @@ pub fn fourier_branches(curve: &ImplicitCurve) -> Result<FourierBranches> {
         let root = form_sqrt(&discriminant).ok_or_else(|| {
             no("the discriminant p^2 - 4sq of the quadratic in r is not a perfect square".into())
         })?;
-        (Rational::from(lead) * Rational::from(2), Some(root))
+        (Rational::whole(lead) * Rational::from(2), Some(root))
     };
     let base = Harmonics::of(&p, &-denominator.clone());
     let mut radii = Vec::new();
@@ -105,7 +106,7 @@ pub fn fourier_branches(curve: &ImplicitCurve) -> Result<FourierBranches> {
 /// further factors: then it is irreducible over Q (see
 /// [`SquaredForm::is_perfect_square`]). `None` for all other curves.
 #[must_use]
-pub fn born_of_radius(curve: &ImplicitCurve) -> Option<FourierBranches> {
+pub(crate) fn born_of_radius(curve: &ImplicitCurve) -> Option<FourierBranches> {
     let found = fourier_branches(curve).ok()?;
     let expanded = SquaredForm::new(found.radii.first()?).ok()?.expand();
     (expanded.polynomial() == &curve.polynomial().primitive()).then_some(found)

@@ -18,6 +18,7 @@ use crate::shape::{ImplicitCurve, ImplicitSurface, Parameter, PlaneCurve, SpaceC
 
 /// The curve common to some surfaces, component by component.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct IntersectionParametrization {
     /// Components with an exact parametrization; each satisfies every equation identically.
     pub curves: Vec<SpaceCurve>,
@@ -31,6 +32,7 @@ pub struct IntersectionParametrization {
 
 /// A component for which no rational or trigonometric parametrization is known.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct UnparametrizedComponent {
     /// The irreducible equation of its projection along the axis.
     pub projection: SparsePolynomial<3>,
@@ -215,7 +217,7 @@ fn half_a_turn_on(curve: &SpaceCurve) -> Option<[RationalFunction; 3]> {
             coefficients.reverse();
             IntegerPolynomial::from_coefficients_asc(coefficients)
         };
-        RationalFunction::new(reversed(f.numerator()), reversed(f.denominator()))
+        RationalFunction::from_integers(reversed(f.numerator()), reversed(f.denominator()))
     };
     if !curve.parameter().is_angle() {
         return None;
@@ -282,10 +284,10 @@ fn line(f: &PlanePolynomial) -> Option<RationalCurve> {
 /// a t + b
 fn linear(a: &Rational, b: &Rational) -> RationalFunction {
     let denominator = a.denominator() * b.denominator();
-    let scaled = |q: &Rational| (q * &Rational::from(&denominator)).numerator();
+    let scaled = |q: &Rational| (q * &Rational::whole(&denominator)).numerator();
     let numerator = IntegerPolynomial::from_coefficients_asc(vec![scaled(b), scaled(a)]);
     let below = IntegerPolynomial::from_coefficients_asc(vec![denominator]);
-    RationalFunction::new(numerator, below).invariant("no denominator is 0")
+    RationalFunction::from_integers(numerator, below).invariant("no denominator is 0")
 }
 
 /// What lies above a parametrized projection.
@@ -328,7 +330,7 @@ fn lifted(
                     .into_iter()
                     .map(IntegerPolynomial::from_coefficients_asc);
                 let [b, a] = [rows.next(), rows.next()].map(Option::unwrap_or_default);
-                let Some(height) = RationalFunction::new(-b, a) else {
+                let Some(height) = RationalFunction::from_integers(-b, a) else {
                     continue;
                 };
                 let [x, y] = below.coordinates().clone();
@@ -380,7 +382,7 @@ fn substituted(f: &SparsePolynomial<3>, axis: usize, curve: &PlaneCurve) -> Spar
         let product = &powers[0][i] * &powers[1][j];
         for (k, value) in product.coefficients_asc().iter().enumerate() {
             let power = u32::try_from(k).invariant("a degree is below 2^32");
-            sum.add_term([power, e[axis]], c * &Rational::from(value));
+            sum.add_term([power, e[axis]], c * &Rational::whole(value));
         }
     }
     sum

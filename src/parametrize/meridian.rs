@@ -11,11 +11,12 @@ use super::surface::{SurfaceFactor, SurfaceParametrization};
 use crate::error::Result;
 use crate::limits::Limits;
 use crate::poly::{BinaryForm, TernaryForm, integer_sign};
-use crate::sample::{Direction, SpaceDirection, UnitVector};
+use crate::sample::{Direction, IntegerVector, SpaceDirection};
 use crate::shape::ImplicitCurve;
 
 /// Where one branch is real on a meridian: ranges of φ within [0, π].
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct MeridianBranch {
     /// Which factor it belongs to.
     pub factor: usize,
@@ -30,6 +31,7 @@ pub struct MeridianBranch {
 
 /// What is certain of a surface in one direction.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct DirectionAnswer {
     /// For every factor the sign of its discriminant, if it has one.
     pub discriminants: Vec<Option<i8>>,

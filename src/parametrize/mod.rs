@@ -18,15 +18,17 @@ mod surface;
 mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
-pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch, rounded_up};
+pub(crate) use approximate::rounded_up;
+pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch};
 pub use condition::{Condition, Relation};
 pub use expression::Expression;
-pub use fourier::{FourierBranches, born_of_radius, fourier_branches};
+pub(crate) use fourier::born_of_radius;
+pub use fourier::{FourierBranches, fourier_branches};
 pub use intersection::{
     IntersectionParametrization, UnparametrizedComponent, parametrize_intersection,
 };
 pub use meridian::{DirectionAnswer, MeridianBranch};
-pub use parametrization::{Branch, Parametrization, PolarMethod, Radius, parametrize};
+pub use parametrization::{Branch, BranchRadius, Parametrization, PolarMethod, parametrize};
 pub use ranges::positive_ranges;
 pub use rational::{
     Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,

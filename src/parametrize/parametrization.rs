@@ -23,6 +23,7 @@ use crate::shape::{FourierRadius, ImplicitCurve, Superquadric};
 
 /// A curve in polar form: straight lines through the origin, and branches r(θ).
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Parametrization {
     /// What gives the branches.
     pub method: PolarMethod,
@@ -44,6 +45,7 @@ pub struct Parametrization {
 
 /// What gives the branches of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PolarMethod {
     /// There are only lines through the origin.
     Lines,
@@ -57,11 +59,12 @@ pub enum PolarMethod {
 
 /// One branch.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Branch {
     /// Which factor of the polynomial it belongs to, from 0.
     pub factor: usize,
     /// r(θ).
-    pub radius: Radius,
+    pub radius: BranchRadius,
     /// Where r is real and finite, of either sign.
     pub real: Vec<AngleRange>,
     /// Where r > 0.
@@ -73,7 +76,8 @@ pub struct Branch {
 
 /// r(θ), exactly.
 #[derive(Clone, Debug)]
-pub enum Radius {
+#[non_exhaustive]
+pub enum BranchRadius {
     /// A trigonometric polynomial.
     Fourier(FourierRadius),
     /// Any other closed form.
@@ -174,7 +178,7 @@ fn rationality(
     factor: usize,
     known: &Parametrization,
 ) -> Option<FactorRationality> {
-    let series = |b: &Branch| b.factor == factor && matches!(b.radius, Radius::Fourier(_));
+    let series = |b: &Branch| b.factor == factor && matches!(b.radius, BranchRadius::Fourier(_));
     let rationality = if known.branches.iter().any(series) {
         Rationality::HalfAngle
     } else {
@@ -223,7 +227,7 @@ fn add_factor(
     let branches = radii.zip(ranges);
     let branches = branches.map(|((radius, holds_where_real), ranges)| Branch {
         factor: index,
-        radius: Radius::Closed(radius),
+        radius: BranchRadius::Closed(radius),
         real: ranges.real,
         positive: ranges.positive,
         holds_where_real,
@@ -298,7 +302,7 @@ fn add_traced(
     Ok(())
 }
 
-impl Radius {
+impl BranchRadius {
     /// r(θ) in doubles, with no bound of its error: for drawing and comparing.
     #[must_use]
     pub fn approximate(&self, theta: f64) -> f64 {
@@ -322,7 +326,7 @@ impl Branch {
             factor,
             real: vec![AngleRange::full_circle()],
             positive: positive_ranges(&radius),
-            radius: Radius::Fourier(radius),
+            radius: BranchRadius::Fourier(radius),
             holds_where_real: true,
         }
     }
@@ -332,7 +336,7 @@ impl Branch {
             factor,
             real: branch.real.clone(),
             positive: branch.positive.clone(),
-            radius: Radius::Root(branch),
+            radius: BranchRadius::Root(branch),
             holds_where_real: false,
         }
     }

@@ -38,7 +38,7 @@ impl ExactAngle {
                 let parts = u64::try_from(&parts).ok().filter(|_| fits)?;
                 tangent
                     .is_root_of(&sine_of_multiple(parts))
-                    .then(|| three / Rational::from(b))
+                    .then(|| three / Rational::whole(b))
             }
             (
                 Self::Arctangent {
@@ -100,7 +100,7 @@ fn is_tangent_of_double(a: &RealRoot, b: &RealRoot) -> bool {
             &above * constant(bound.denominator()) - &below * constant(bound.numerator());
         b.sign_of(&difference) * sign_below
     };
-    let (low, high) = a.bounds();
+    let (low, high) = a.enclosure();
     if low == high {
         return compared_with(&low.to_rational()) == 0;
     }
@@ -127,7 +127,7 @@ fn is_minus_inverse(a: &RealRoot, b: &RealRoot) -> bool {
     let coefficients = coefficients.map(|(k, c)| if k % 2 == 0 { c.clone() } else { -c });
     let turned = IntegerPolynomial::from_coefficients_asc(coefficients.collect());
     // a's bounds, −1/b ∈ (low, high).
-    let (low, high) = a.bounds();
+    let (low, high) = a.enclosure();
     let compared_with = |bound: &Rational| -> Ordering {
         match bound.recip() {
             // −1/b has the sign of a.
@@ -224,13 +224,13 @@ mod tests {
             let of_pi = ((low + high) / Rational::from(2)).to_f64() / std::f64::consts::PI;
             #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a small number")]
             let a = (of_pi * b as f64).round() as i64;
-            let exact = ExactAngle::Pi(Rational::from(a) / Rational::from(Integer::from(b)));
+            let exact = ExactAngle::Pi(Rational::from(a) / Rational::whole(Integer::from(b)));
             prop_assert_eq!(angle.compare(&exact), Ordering::Equal);
             prop_assert_eq!(exact.compare(&angle), Ordering::Equal);
             let by_half = ExactAngle::of_half_tangent(root.clone());
-            let twice = ExactAngle::Pi(Rational::from(2 * a) / Rational::from(Integer::from(b)));
+            let twice = ExactAngle::Pi(Rational::from(2 * a) / Rational::whole(Integer::from(b)));
             prop_assert_eq!(by_half.compare(&twice), Ordering::Equal);
-            let near = ExactAngle::Pi(Rational::from(a) / Rational::from(Integer::from(b)) + Rational::from_dyadic(Integer::from(1), -300));
+            let near = ExactAngle::Pi(Rational::from(a) / Rational::whole(Integer::from(b)) + Rational::from_dyadic(Integer::from(1), -300));
             prop_assert_eq!(angle.compare(&near), Ordering::Less);
         }
     }

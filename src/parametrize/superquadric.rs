@@ -6,7 +6,7 @@ use malachite::base::num::arithmetic::traits::Parity;
 use super::angle::AngleRange;
 use super::condition::Condition;
 use super::expression::Expression;
-use super::parametrization::{Branch, Parametrization, PolarMethod, Radius};
+use super::parametrization::{Branch, BranchRadius, Parametrization, PolarMethod};
 use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource};
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, HomogeneousPolynomial, TernaryForm};
@@ -58,7 +58,7 @@ pub fn parametrize_superquadric(shape: &Superquadric) -> Parametrization {
         lines: Vec::new(),
         branches: vec![Branch {
             factor: 0,
-            radius: Radius::Closed(power(quotient, &half)),
+            radius: BranchRadius::Closed(power(quotient, &half)),
             real: vec![AngleRange::full_circle()],
             positive: vec![AngleRange::full_circle()],
             holds_where_real: true,

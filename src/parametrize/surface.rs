@@ -14,6 +14,7 @@ use crate::shape::{ImplicitSurface, SpaceSuperquadric};
 /// A surface in spherical form: cones with their apex at the origin, and branches R(θ, φ) with
 /// `x = R sin φ cos θ`, `y = R sin φ sin θ`, `z = R cos φ`.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct SurfaceParametrization {
     /// What gives the branches.
     pub method: SurfaceMethod,
@@ -31,6 +32,7 @@ pub struct SurfaceParametrization {
 
 /// A surface that has a spherical form.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum SurfaceSource {
     /// The zero set of a polynomial.
     Polynomial(ImplicitSurface),
@@ -40,6 +42,7 @@ pub enum SurfaceSource {
 
 /// What gives the branches of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SurfaceMethod {
     /// There are only cones.
     Cones,
@@ -53,6 +56,7 @@ pub enum SurfaceMethod {
 
 /// An irreducible factor of the polynomial of a surface.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct SurfaceFactor {
     /// The factor, by its homogeneous parts.
     pub polynomial: SpacePolynomial,
@@ -67,6 +71,7 @@ pub struct SurfaceFactor {
 
 /// One branch of a surface.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct SurfaceBranch {
     /// Which factor of the polynomial it belongs to, from 0.
     pub factor: usize,

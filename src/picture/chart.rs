@@ -37,43 +37,34 @@ const MANY: usize = 300;
 
 /// One row of numbers.
 #[derive(Clone, Debug, Default)]
-pub struct Series {
+pub(crate) struct Series {
     /// What the legend says.
-    pub label: String,
+    pub(crate) label: String,
     /// (x, y).
-    pub points: Vec<[f64; 2]>,
+    pub(crate) points: Vec<[f64; 2]>,
     /// Whether a line joins the points, in their order.
-    pub joined: bool,
+    pub(crate) joined: bool,
     /// What is written beside the last point, possibly nothing.
-    pub mark: String,
+    pub(crate) mark: String,
 }
 
 /// Series over two axes.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// The heading, possibly empty.
-    pub title: String,
+    pub(crate) title: String,
     /// What the axes show.
-    pub labels: [String; 2],
+    pub(crate) labels: [String; 2],
     /// The ends of the y axis; the x axis fits the points.
-    pub y: [f64; 2],
+    pub(crate) y: [f64; 2],
     /// Whether both axes are logarithmic; then all numbers are positive.
-    pub logarithmic: bool,
+    pub(crate) logarithmic: bool,
     /// From the lowest to the topmost.
-    pub series: Vec<Series>,
+    pub(crate) series: Vec<Series>,
 }
 
 impl Chart {
     /// The chart as an SVG text; what is beyond the ends of the y axis is drawn on its end.
-    ///
-    /// ```
-    /// use stellate::picture::{Chart, Series};
-    /// let series = Series { label: "digits".into(), points: vec![[1.0, 15.9], [2.0, 14.1]], joined: true, ..Series::default() };
-    /// let labels = ["N".into(), "digits".into()];
-    /// let chart = Chart { title: String::new(), labels, y: [0.0, 17.0], logarithmic: false, series: vec![series] };
-    /// assert!(chart.to_svg()?.starts_with("<svg"));
-    /// # Ok::<(), stellate::error::Error>(())
-    /// ```
     ///
     /// # Errors
     /// [`Error::Data`] if there is no point, or a number that is not finite.

@@ -19,7 +19,7 @@ const LARGEST_OVER_MEDIAN: f64 = 4.0;
 ///
 /// # Errors
 /// [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
-pub fn extent(curve: &ImplicitCurve, limits: &Limits) -> Result<Vec<[f64; 2]>> {
+pub(crate) fn extent(curve: &ImplicitCurve, limits: &Limits) -> Result<Vec<[f64; 2]>> {
     let solver = RaySolver::new(curve.polynomial());
     let rays: Vec<Ray> = Direction::around(DIRECTIONS)
         .into_par_iter()

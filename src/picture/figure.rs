@@ -22,7 +22,7 @@ const ASPECT: [f64; 2] = [0.3, 1.4];
 
 /// One thing drawn.
 #[derive(Clone, Debug, Default)]
-pub struct Layer {
+pub(crate) struct Layer {
     /// What the legend says.
     pub label: String,
     /// Polylines; closed ones end where they begin.
@@ -35,7 +35,7 @@ pub struct Layer {
 
 /// Layers over equal axes.
 #[derive(Clone, Debug)]
-pub struct Figure {
+pub(crate) struct Figure {
     /// The heading, possibly empty.
     pub title: String,
     /// The part of the plane that must be seen; more is shown where the shape of the picture asks.
@@ -49,7 +49,7 @@ impl Figure {
     ///
     /// # Errors
     /// [`Error::Data`] if the window is empty or not finite.
-    pub fn to_svg(&self) -> Result<String> {
+    pub(crate) fn to_svg(&self) -> Result<String> {
         load_font();
         let frame = Frame::new(self)?;
         let mut svg = String::new();
@@ -66,7 +66,7 @@ impl Figure {
     ///
     /// # Errors
     /// As [`Figure::to_svg`].
-    pub fn shown_window(&self) -> Result<Window> {
+    pub(crate) fn shown_window(&self) -> Result<Window> {
         Ok(Frame::new(self)?.window)
     }
 

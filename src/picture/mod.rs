@@ -13,9 +13,11 @@ mod raster;
 mod scene;
 mod trace;
 
-pub use chart::{Chart, Series};
-pub use extent::extent;
-pub use figure::{Figure, Layer};
-pub use raster::png_from_svg;
-pub use scene::{Scene, SpaceLayer};
-pub use trace::{Window, isolated_origin, trace_zero_set};
+pub use chart::Chart;
+pub(crate) use chart::Series;
+pub(crate) use extent::extent;
+pub(crate) use figure::{Figure, Layer};
+pub(crate) use raster::png_from_svg;
+pub(crate) use scene::{Scene, SpaceLayer};
+pub use trace::Window;
+pub(crate) use trace::{isolated_origin, trace_zero_set};

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 /// # Errors
 /// [`Error::Limit`] if the picture is too large to be held in memory; [`Error::Data`] if the SVG
 /// is malformed.
-pub fn png_from_svg(svg: &str, scale: f32) -> Result<Vec<u8>> {
+pub(crate) fn png_from_svg(svg: &str, scale: f32) -> Result<Vec<u8>> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     fonts.set_sans_serif_family("DejaVu Sans");

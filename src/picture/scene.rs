@@ -29,7 +29,7 @@ const INSIDE: RGBColor = RGBColor(205, 200, 190);
 
 /// One thing drawn in space.
 #[derive(Clone, Debug, Default)]
-pub struct SpaceLayer {
+pub(crate) struct SpaceLayer {
     /// What the legend says.
     pub label: String,
     /// Polylines; closed ones end where they begin.
@@ -48,7 +48,7 @@ pub struct SpaceLayer {
 impl SpaceLayer {
     /// The cells of a grid of points as facets; cells with a missing corner are left out.
     #[must_use]
-    pub fn grid_facets(rows: &[Vec<Option<[f64; 3]>>]) -> Vec<Vec<[f64; 3]>> {
+    pub(crate) fn grid_facets(rows: &[Vec<Option<[f64; 3]>>]) -> Vec<Vec<[f64; 3]>> {
         let mut facets = Vec::new();
         for pair in rows.windows(2) {
             let columns = pair[0].len().min(pair[1].len());
@@ -68,7 +68,7 @@ impl SpaceLayer {
 
 /// Layers in a box with axes.
 #[derive(Clone, Debug)]
-pub struct Scene {
+pub(crate) struct Scene {
     /// The heading, possibly empty.
     pub title: String,
     /// The box that is shown; what lies outside is cut off. `None`: around everything.
@@ -95,7 +95,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Data`] if there is nothing finite to draw.
-    pub fn to_svg(&self) -> Result<String> {
+    pub(crate) fn to_svg(&self) -> Result<String> {
         load_font();
         let width = f64::from(WIDTH) - 2.0 * AROUND;
         let camera = Camera::new(

@@ -79,7 +79,7 @@ type Point = [f64; 2];
 ///
 /// # Errors
 /// [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
-pub fn trace_zero_set(
+pub(crate) fn trace_zero_set(
     f: &PlanePolynomial,
     window: &Window,
     cells: u32,
@@ -134,7 +134,7 @@ pub fn trace_zero_set(
 
 /// Whether the origin is an isolated real point of `f = 0`: the lowest part has no real zero.
 #[must_use]
-pub fn isolated_origin(f: &PlanePolynomial) -> bool {
+pub(crate) fn isolated_origin(f: &PlanePolynomial) -> bool {
     let Some(lowest) = f.parts().last() else {
         return false;
     };
@@ -296,7 +296,7 @@ impl Restriction {
         };
         let roots = real_roots(&restricted).into_iter().map(|mut root| {
             root.refine_to_width(width);
-            let (low, high) = root.bounds();
+            let (low, high) = root.enclosure();
             let value = low.midpoint(high).to_f64();
             // Beside a corner of the grid the exact order decides which cell the crossing belongs
             // to: the lines through that corner must agree.
@@ -401,7 +401,7 @@ mod tests {
     #[test]
     fn a_square_and_its_root_have_the_same_picture() {
         let g = curve(&[(4, 0, 1), (2, 0, -1), (0, 2, 1)]);
-        let (once, twice) = (trace(&g), trace(&g.product(&g)));
+        let (once, twice) = (trace(&g), trace(&(&g * &g)));
         let lengths = |lines: &[Vec<Point>]| lines.iter().map(Vec::len).collect::<Vec<_>>();
         assert_eq!(lengths(&once), lengths(&twice));
         for ([x, y], [u, v]) in once.iter().flatten().zip(twice.iter().flatten()) {

@@ -11,7 +11,7 @@ use crate::exact::{Dyadic, Rational};
 ///
 /// Cost: d products of a growing number with p.
 #[must_use]
-pub fn numerator_at(f: &IntegerPolynomial, point: &Dyadic) -> Integer {
+pub(crate) fn numerator_at(f: &IntegerPolynomial, point: &Dyadic) -> Integer {
     let coefficients = f.coefficients_asc();
     let mut value = Integer::ZERO;
     if point.exponent() >= 0 {
@@ -90,7 +90,7 @@ fn fixed_point_value(f: &IntegerPolynomial, point: &Dyadic, fraction: u64) -> In
 
 /// The exact sign (−1, 0, 1) of f at a rational point.
 #[must_use]
-pub fn sign_at_rational(f: &IntegerPolynomial, point: &Rational) -> i8 {
+pub(crate) fn sign_at_rational(f: &IntegerPolynomial, point: &Rational) -> i8 {
     let (p, q) = (point.numerator(), point.denominator());
     let mut value = Integer::ZERO;
     let mut q_power = Integer::ONE;

@@ -4,10 +4,12 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Content, DivExact, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::{MulPowerOfX, Polynomial};
+use num_bigint::BigInt;
 
 use super::{IntegerPolynomial, Ring};
 use crate::bigint::binomials;
 use crate::error::Invariant;
+use crate::exact::{integer_from_num, integer_to_num};
 
 /// A homogeneous polynomial `f(x, y) = Σ_k f_k x^(d−k) y^k` with integer coefficients.
 ///
@@ -15,10 +17,13 @@ use crate::error::Invariant;
 /// fast product of univariate polynomials.
 ///
 /// ```
-/// use stellate::poly::{BinaryForm, Ring};
-/// let rho = BinaryForm::rho_power(1); // x² + y²
-/// assert_eq!(rho.squared(), BinaryForm::rho_power(2));
-/// assert_eq!(rho.squared().evaluate(&3.into(), &4.into()), 625);
+/// use stellate::poly::PlanePolynomial;
+/// // x² + 3/2 xy + y: two homogeneous parts over the denominator 2.
+/// let terms = [((2, 0), 1.into()), ((1, 1), "3/2".parse()?), ((0, 1), 1.into())];
+/// let f = PlanePolynomial::from_terms(terms);
+/// assert_eq!(f.common_denominator(), 2.into());
+/// assert_eq!(f.part(2).unwrap().coefficients(), [2.into(), 3.into(), 0.into()]);
+/// # Ok::<(), stellate::error::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BinaryForm {
@@ -27,10 +32,24 @@ pub struct BinaryForm {
 }
 
 impl BinaryForm {
-    /// The form of degree `coefficients.len() − 1` whose coefficient of `x^(d−k) y^k` is the k-th.
+    /// The form of degree `coefficients.len() − 1` whose coefficient of `x^(d−k) y^k` is the k-th; the zero form of degree 0 if
+    /// there are none.
+    #[must_use]
+    pub fn new(coefficients: impl IntoIterator<Item = impl Into<BigInt>>) -> Self {
+        let coefficients = coefficients.into_iter();
+        let mut integers: Vec<Integer> =
+            coefficients.map(|c| integer_from_num(&c.into())).collect();
+        if integers.is_empty() {
+            integers.push(Integer::ZERO);
+        }
+        Self::from_coefficients(integers)
+    }
+
+    /// [`Self::new`] of malachite's integers.
     ///
     /// # Panics
     /// If there are no coefficients: even the zero form has a degree.
+    #[doc(hidden)]
     #[must_use]
     pub fn from_coefficients(coefficients: Vec<Integer>) -> Self {
         assert!(!coefficients.is_empty(), "a form has a degree");
@@ -44,8 +63,7 @@ impl BinaryForm {
     ///
     /// # Panics
     /// If `in_t` has a larger degree than that.
-    #[must_use]
-    pub fn from_dehomogenized(degree: usize, in_t: IntegerPolynomial) -> Self {
+    pub(crate) fn from_dehomogenized(degree: usize, in_t: IntegerPolynomial) -> Self {
         assert!(
             in_t.coefficients_asc().len().saturating_sub(1) <= degree,
             "the degree is too small"
@@ -54,8 +72,7 @@ impl BinaryForm {
     }
 
     /// The zero form of degree `degree`.
-    #[must_use]
-    pub fn zero(degree: usize) -> Self {
+    pub(crate) fn zero(degree: usize) -> Self {
         Self {
             degree,
             in_t: IntegerPolynomial::ZERO,
@@ -63,6 +80,7 @@ impl BinaryForm {
     }
 
     /// `(x² + y²)^power`.
+    #[doc(hidden)]
     #[must_use]
     pub fn rho_power(power: usize) -> Self {
         let mut row = vec![Integer::ZERO; 2 * power + 1];
@@ -85,14 +103,12 @@ impl BinaryForm {
     }
 
     /// `f(1, t)`.
-    #[must_use]
-    pub fn dehomogenized(&self) -> &IntegerPolynomial {
+    pub(crate) fn dehomogenized(&self) -> &IntegerPolynomial {
         &self.in_t
     }
 
     /// The coefficient of `x^(d−k) y^k`.
-    #[must_use]
-    pub fn coefficient(&self, k: usize) -> Integer {
+    pub(crate) fn coefficient(&self, k: usize) -> Integer {
         self.in_t
             .coefficients_asc()
             .get(k)
@@ -100,8 +116,16 @@ impl BinaryForm {
             .unwrap_or(Integer::ZERO)
     }
 
+    /// The d + 1 coefficients: the k-th is that of `x^(d−k) y^k`.
+    #[must_use]
+    pub fn coefficients(&self) -> Vec<BigInt> {
+        (0..=self.degree)
+            .map(|k| integer_to_num(&self.coefficient(k)))
+            .collect()
+    }
+
     /// The non-zero terms as `(k, coefficient of x^(d−k) y^k)`, ascending in k.
-    pub fn terms(&self) -> impl Iterator<Item = (usize, &Integer)> {
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (usize, &Integer)> {
         self.in_t
             .coefficients_asc()
             .iter()
@@ -110,14 +134,12 @@ impl BinaryForm {
     }
 
     /// The gcd of the coefficients, 0 for the zero form.
-    #[must_use]
-    pub fn content(&self) -> Integer {
+    pub(crate) fn content(&self) -> Integer {
         Integer::from((&self.in_t).content())
     }
 
     /// `f / divisor` for a divisor of the content.
-    #[must_use]
-    pub fn div_exact(&self, divisor: &Integer) -> Self {
+    pub(crate) fn div_exact(&self, divisor: &Integer) -> Self {
         if *divisor == 1 {
             return self.clone();
         }
@@ -128,6 +150,7 @@ impl BinaryForm {
     }
 
     /// `factor · f`.
+    #[doc(hidden)]
     #[must_use]
     pub fn scaled(&self, factor: &Integer) -> Self {
         let constant = IntegerPolynomial::from_coefficients_asc(vec![factor.clone()]);
@@ -138,8 +161,7 @@ impl BinaryForm {
     }
 
     /// `(x² + y²) f`: one addition per coefficient.
-    #[must_use]
-    pub fn times_rho(&self) -> Self {
+    pub(crate) fn times_rho(&self) -> Self {
         Self {
             degree: sum_of_degrees(self.degree, 2),
             in_t: &self.in_t + (&self.in_t).mul_power_of_x(2),
@@ -147,8 +169,7 @@ impl BinaryForm {
     }
 
     /// `f / (x² + y²)` if it divides f.
-    #[must_use]
-    pub fn divided_by_rho(&self) -> Option<Self> {
+    pub(crate) fn divided_by_rho(&self) -> Option<Self> {
         if self.is_zero() {
             return (self.degree >= 2).then(|| Self::zero(self.degree - 2));
         }
@@ -175,8 +196,7 @@ impl BinaryForm {
     }
 
     /// The largest e such that `(x² + y²)^e` divides f, and the quotient; `None` for the zero form.
-    #[must_use]
-    pub fn strip_rho(&self) -> Option<(usize, Self)> {
+    pub(crate) fn strip_rho(&self) -> Option<(usize, Self)> {
         if self.is_zero() {
             return None;
         }
@@ -189,8 +209,7 @@ impl BinaryForm {
     }
 
     /// `f(u, v)`. Cost: d products of a growing number with u and v.
-    #[must_use]
-    pub fn evaluate(&self, u: &Integer, v: &Integer) -> Integer {
+    pub(crate) fn evaluate(&self, u: &Integer, v: &Integer) -> Integer {
         // Horner in y/x, homogenised: Σ f_k u^(d−k) v^k.
         let mut value = Integer::ZERO;
         let mut u_power = Integer::ONE;
@@ -209,8 +228,7 @@ impl BinaryForm {
     }
 
     /// Where the form has its monomials: `Some(true)` if f(−x, −y) = f, i.e. the degree is even.
-    #[must_use]
-    pub fn is_even(&self) -> bool {
+    pub(crate) fn is_even(&self) -> bool {
         self.degree.is_multiple_of(2)
     }
 
@@ -262,6 +280,17 @@ impl Ring for BinaryForm {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_product_with_rho_is_the_short_one(coefficients in prop::collection::vec(any::<i64>(), 1..12)) {
+            let f = BinaryForm::new(coefficients);
+            let product = f.times_rho();
+            prop_assert_eq!(&product, &f.times(&BinaryForm::rho_power(1)));
+            prop_assert_eq!(product.divided_by_rho(), Some(f));
+        }
+    }
 
     #[test]
     fn a_product_of_degrees_that_fit_has_their_sum() {

@@ -7,6 +7,7 @@ use malachite::base::num::arithmetic::traits::{Content, DivExact, Gcd};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
+use super::dense::{coefficients, with_integers};
 use super::{IntegerPolynomial, Ring, divide_exactly, polynomial_gcd};
 use crate::error::Invariant;
 use crate::exact::Rational;
@@ -15,12 +16,12 @@ use crate::exact::Rational;
 /// denominator with positive leading coefficient. So equal functions are equal values.
 ///
 /// ```
-/// use std::str::FromStr;
 /// use stellate::exact::Rational;
-/// use stellate::poly::{IntegerPolynomial, RationalFunction};
+/// use stellate::poly::RationalFunction;
 ///
-/// let polynomial = |text| IntegerPolynomial::from_str(text).unwrap();
-/// let f = RationalFunction::new(polynomial("2*x^2-2"), polynomial("-4*x-4")).unwrap();
+/// // (2t² − 2)/(−4t − 4)
+/// let [above, below] = [vec![-2, 0, 2], vec![-4, -4]].map(|f| f.into_iter().map(Rational::from).collect::<Vec<_>>());
+/// let f = RationalFunction::new(&above, &below).unwrap();
 /// assert_eq!(f.to_string(), "(-t+1)/2");
 /// assert_eq!(f.evaluate(&Rational::from(5)), Some(Rational::from(-2)));
 /// ```
@@ -41,9 +42,34 @@ impl Default for RationalFunction {
 }
 
 impl RationalFunction {
-    /// In lowest terms; `None` if the denominator is 0. Cost: a gcd.
+    /// In lowest terms, from the coefficients of numerator and denominator, ascending; `None` if the denominator is 0.
+    /// Cost: a gcd.
+    ///
+    /// ```
+    /// use stellate::poly::RationalFunction;
+    /// // (1 − t²)/(1 + t²)
+    /// let cosine = RationalFunction::new(&[1.into(), 0.into(), (-1).into()], &[1.into(), 0.into(), 1.into()]).unwrap();
+    /// assert_eq!(cosine.evaluate(&2.into()), Some("-3/5".parse()?));
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
     #[must_use]
-    pub fn new(numerator: IntegerPolynomial, denominator: IntegerPolynomial) -> Option<Self> {
+    pub fn new(numerator: &[Rational], denominator: &[Rational]) -> Option<Self> {
+        let (above, above_scale) = with_integers(numerator);
+        let (below, below_scale) = with_integers(denominator);
+        Self::from_integers(times(&above, below_scale), times(&below, above_scale))
+    }
+
+    /// The coefficients of the numerator and of the denominator, ascending: integers without a common factor.
+    #[must_use]
+    pub fn coefficients(&self) -> [Vec<Rational>; 2] {
+        [&self.numerator, &self.denominator].map(coefficients)
+    }
+
+    /// [`Self::new`] of polynomials with integer coefficients.
+    pub(crate) fn from_integers(
+        numerator: IntegerPolynomial,
+        denominator: IntegerPolynomial,
+    ) -> Option<Self> {
         let lead = denominator.coefficients_asc().last()?;
         if numerator == IntegerPolynomial::ZERO {
             return Some(Self {
@@ -64,14 +90,12 @@ impl RationalFunction {
     }
 
     /// The numerator.
-    #[must_use]
-    pub fn numerator(&self) -> &IntegerPolynomial {
+    pub(crate) fn numerator(&self) -> &IntegerPolynomial {
         &self.numerator
     }
 
     /// The denominator.
-    #[must_use]
-    pub fn denominator(&self) -> &IntegerPolynomial {
+    pub(crate) fn denominator(&self) -> &IntegerPolynomial {
         &self.denominator
     }
 
@@ -80,7 +104,7 @@ impl RationalFunction {
     pub fn evaluate(&self, at: &Rational) -> Option<Rational> {
         let value = |f: &IntegerPolynomial| {
             let coefficients = f.coefficients_asc().iter().rev();
-            coefficients.fold(Rational::zero(), |v, c| v * at + Rational::from(c))
+            coefficients.fold(Rational::zero(), |v, c| v * at + Rational::whole(c))
         };
         let below = value(&self.denominator);
         (!below.is_zero()).then(|| value(&self.numerator) / below)
@@ -97,7 +121,7 @@ impl RationalFunction {
             std::cmp::Ordering::Greater => None,
             std::cmp::Ordering::Less => Some(Rational::zero()),
             std::cmp::Ordering::Equal => {
-                Rational::new(above.last()?.clone(), below.last()?.clone())
+                Rational::from_integers(above.last()?.clone(), below.last()?.clone())
             }
         }
     }
@@ -105,19 +129,16 @@ impl RationalFunction {
     /// 1/f, `None` for 0.
     #[must_use]
     pub fn recip(&self) -> Option<Self> {
-        Self::new(self.denominator.clone(), self.numerator.clone())
+        Self::from_integers(self.denominator.clone(), self.numerator.clone())
     }
 
     /// This function and a constant.
     #[must_use]
     pub fn plus_constant(&self, constant: &Rational) -> Self {
-        let times = |f: &IntegerPolynomial, c: Integer| {
-            f * IntegerPolynomial::from_coefficients_asc(vec![c])
-        };
         let numerator = times(&self.numerator, constant.denominator())
             + times(&self.denominator, constant.numerator());
         let denominator = times(&self.denominator, constant.denominator());
-        Self::new(numerator, denominator).invariant("a denominator is not 0")
+        Self::from_integers(numerator, denominator).invariant("a denominator is not 0")
     }
 
     /// Whether it is a polynomial with integer coefficients.
@@ -140,24 +161,28 @@ impl RationalFunction {
     }
 }
 
+fn times(f: &IntegerPolynomial, factor: Integer) -> IntegerPolynomial {
+    f * IntegerPolynomial::from_coefficients_asc(vec![factor])
+}
+
 /// Sums and products in lowest terms, at the cost of a gcd each.
 impl Ring for RationalFunction {
     fn plus(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.denominator + &other.numerator * &self.denominator;
         let denominator = &self.denominator * &other.denominator;
-        Self::new(numerator, denominator).invariant("no denominator is 0")
+        Self::from_integers(numerator, denominator).invariant("no denominator is 0")
     }
 
     fn minus(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.denominator - &other.numerator * &self.denominator;
         let denominator = &self.denominator * &other.denominator;
-        Self::new(numerator, denominator).invariant("no denominator is 0")
+        Self::from_integers(numerator, denominator).invariant("no denominator is 0")
     }
 
     fn times(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.numerator;
         let denominator = &self.denominator * &other.denominator;
-        Self::new(numerator, denominator).invariant("no denominator is 0")
+        Self::from_integers(numerator, denominator).invariant("no denominator is 0")
     }
 }
 

@@ -18,7 +18,7 @@ const GROUP: usize = 24;
 
 /// The primitive part with positive leading coefficient (0 for 0).
 #[must_use]
-pub fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
+pub(crate) fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
     f.canonical_primitive_part()
 }
 

@@ -87,16 +87,8 @@ pub(crate) fn from_harmonic_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomi
 /// The harmonics `(n, a_n, b_n)` of a form on the unit circle, ascending in n; `b_0 = 0`.
 ///
 /// The inverse of [`doubled_form_from_harmonics`], up to its factor 2, at the same cost.
-///
-/// ```
-/// use stellate::poly::{BinaryForm, harmonics_of_form};
-/// // x² = 1/2 + 1/2 cos 2θ
-/// let form = BinaryForm::from_coefficients(vec![1.into(), 0.into(), 0.into()]);
-/// let text = format!("{:?}", harmonics_of_form(&form));
-/// assert_eq!(text, "[(0, 1/2, 0), (2, 1/2, 0)]");
-/// ```
 #[must_use]
-pub fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
+pub(crate) fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
     let exponent = -i64::try_from(form.degree()).invariant("degrees are below 2^63");
     let over = |c| Rational::from_dyadic(c, exponent);
     let harmonics = scaled_harmonics(form).into_iter();
@@ -134,6 +126,14 @@ mod tests {
     use crate::poly::Ring;
     use malachite::base::num::arithmetic::traits::Abs;
     use proptest::prelude::*;
+
+    #[test]
+    fn a_square_is_half_of_one_and_of_the_second_harmonic() {
+        let half = || Rational::from_dyadic(1.into(), -1);
+        let found = harmonics_of_form(&BinaryForm::new([1, 0, 0]));
+        let zero = Rational::zero;
+        assert_eq!(found, [(0, half(), zero()), (2, half(), zero())]);
+    }
 
     /// Re and Im of (x+iy)^n, by the recurrence of Appendix A.
     fn re_im(n: usize) -> (BinaryForm, BinaryForm) {
@@ -200,8 +200,8 @@ mod tests {
             let form = doubled_form_from_harmonics(degree, list.iter().map(|(m, a, b)| (*m, a, b)));
             for ((m, a, b), (n, p, q)) in list.iter().zip(harmonics_of_form(&form)) {
                 prop_assert_eq!(*m, n);
-                prop_assert_eq!(Rational::from(a) * Rational::from(2), p);
-                prop_assert_eq!(Rational::from(b) * Rational::from(2), q);
+                prop_assert_eq!(Rational::whole(a) * Rational::from(2), p);
+                prop_assert_eq!(Rational::whole(b) * Rational::from(2), q);
             }
         }
     }

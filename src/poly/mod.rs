@@ -4,6 +4,7 @@
 //! polynomial *is* its homogeneous parts, and a binary form of degree d is the univariate
 //! polynomial f(1, t) together with d.
 
+mod dense;
 mod eliminate;
 mod evaluate;
 mod form;
@@ -24,31 +25,42 @@ mod ternary;
 mod ternary_terms;
 mod trig;
 
+pub(crate) use dense::{coefficients, with_integers};
 pub(crate) use eliminate::eliminate;
-pub(crate) use evaluate::{integer_sign, leading_value};
-pub use evaluate::{numerator_at, sign_at, sign_at_rational};
+pub(crate) use evaluate::{integer_sign, leading_value, numerator_at, sign_at_rational};
 pub use form::BinaryForm;
 pub use function::RationalFunction;
-pub use gcd::{divide_exactly, polynomial_gcd, primitive_part, squarefree_decomposition};
-pub use harmonic_basis::{doubled_form_from_harmonics, harmonics_of_form};
+pub(crate) use gcd::primitive_part;
 pub(crate) use harmonic_basis::{
-    doubled_harmonics, from_harmonic_basis, harmonic_bits, scaled_harmonics,
+    doubled_harmonics, from_harmonic_basis, harmonic_bits, harmonics_of_form, scaled_harmonics,
 };
-pub use homogeneous::HomogeneousPolynomial;
-pub use malachite::integer_polynomial::IntegerPolynomial;
+pub(crate) use homogeneous::HomogeneousPolynomial;
 pub use plane::PlanePolynomial;
 pub(crate) use resultant::resultant;
-pub use ring::Ring;
 pub(crate) use shift::negate_odd;
 #[cfg(test)]
 pub(crate) use shift::shift_classical;
-pub use shift::{shift_by_minus_one, shift_by_one};
 pub use space::SpacePolynomial;
-pub use sparse::{SparsePolynomial, term_order, total_degree};
-pub use sqrt::polynomial_sqrt;
+pub use sparse::SparsePolynomial;
+pub(crate) use sparse::{term_order, total_degree};
+pub(crate) use sqrt::polynomial_sqrt;
 pub(crate) use subresultant::{Weights, signed_subresultant};
 pub(crate) use terms::IntegerTerms;
 #[cfg(test)]
 pub(crate) use terms::tests::terms as any_integer_terms;
 pub use ternary::TernaryForm;
-pub use trig::TrigPolynomial;
+pub(crate) use trig::TrigPolynomial;
+
+// For the tests and benches of this project; no part of what the library promises.
+#[doc(hidden)]
+pub use evaluate::sign_at;
+#[doc(hidden)]
+pub use gcd::{divide_exactly, polynomial_gcd, squarefree_decomposition};
+#[doc(hidden)]
+pub use harmonic_basis::doubled_form_from_harmonics;
+#[doc(hidden)]
+pub use malachite::integer_polynomial::IntegerPolynomial;
+#[doc(hidden)]
+pub use ring::Ring;
+#[doc(hidden)]
+pub use shift::shift_by_one;

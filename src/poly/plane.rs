@@ -7,10 +7,11 @@ use malachite::base::num::arithmetic::traits::{Abs, DivExact, Gcd, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
 
 use malachite::base::polynomial::Polynomial;
+use num_bigint::BigInt;
 
-use super::{BinaryForm, IntegerPolynomial, SparsePolynomial};
+use super::{BinaryForm, IntegerPolynomial, Ring, SparsePolynomial};
 use crate::error::Invariant;
-use crate::exact::Rational;
+use crate::exact::{Rational, integer_to_num};
 
 /// A polynomial in x and y, held as its non-zero homogeneous parts over one common denominator:
 /// `f = (1/D) Σ_d f_d`. Splitting it, which is the first step of everything in §3 of the paper, is
@@ -28,9 +29,10 @@ impl PlanePolynomial {
     ///
     /// # Panics
     /// If the denominator is 0.
-    #[must_use]
-    pub fn from_parts(parts: impl IntoIterator<Item = BinaryForm>, denominator: Integer) -> Self {
-        use super::Ring;
+    pub(crate) fn from_parts(
+        parts: impl IntoIterator<Item = BinaryForm>,
+        denominator: Integer,
+    ) -> Self {
         assert!(denominator != 0, "the denominator is not 0");
         let mut by_degree: BTreeMap<usize, BinaryForm> = BTreeMap::new();
         for part in parts {
@@ -135,7 +137,12 @@ impl PlanePolynomial {
 
     /// D, the common denominator of the parts.
     #[must_use]
-    pub fn denominator(&self) -> &Integer {
+    pub fn common_denominator(&self) -> BigInt {
+        integer_to_num(&self.denominator)
+    }
+
+    /// D, lent.
+    pub(crate) fn denominator(&self) -> &Integer {
         &self.denominator
     }
 
@@ -143,7 +150,7 @@ impl PlanePolynomial {
     /// of x, both descending.
     pub fn terms(&self) -> impl Iterator<Item = ((usize, usize), Rational)> {
         self.integer_terms().map(|(exponents, c)| {
-            let coefficient = Rational::from(c) / Rational::from(&self.denominator);
+            let coefficient = Rational::whole(c) / Rational::whole(&self.denominator);
             (exponents, coefficient)
         })
     }
@@ -209,7 +216,7 @@ impl PlanePolynomial {
     pub fn evaluate(&self, x: &Rational, y: &Rational) -> Rational {
         // x = u/w, y = v/w: f_d(x, y) = f_d(u, v) / w^d.
         let w = lcm(x.denominator(), &y.denominator());
-        let scale = Rational::from(&w);
+        let scale = Rational::whole(&w);
         let u = (x * &scale).numerator();
         let v = (y * &scale).numerator();
         let mut value = Rational::zero();
@@ -218,10 +225,10 @@ impl PlanePolynomial {
             if let Some(d) = above {
                 value = value / power(&scale, d - part.degree());
             }
-            value = value + Rational::from(part.evaluate(&u, &v));
+            value = value + Rational::whole(part.evaluate(&u, &v));
             above = Some(part.degree());
         }
-        value / power(&scale, above.unwrap_or(0)) / Rational::from(&self.denominator)
+        value / power(&scale, above.unwrap_or(0)) / Rational::whole(&self.denominator)
     }
 
     /// `f(x − a, y − b)`: the curve moved by (a, b). Dense: about d²/2 terms.
@@ -261,17 +268,6 @@ impl PlanePolynomial {
         Self::from_terms(terms)
     }
 
-    /// `self · other`.
-    #[must_use]
-    pub fn product(&self, other: &Self) -> Self {
-        use super::Ring;
-        let products = self
-            .parts
-            .values()
-            .flat_map(|f| other.parts.values().map(|g| f.times(g)));
-        Self::from_parts(products, &self.denominator * &other.denominator)
-    }
-
     /// The largest bit length of a coefficient of the primitive part.
     #[must_use]
     pub fn coefficient_bits(&self) -> u64 {
@@ -289,6 +285,7 @@ impl PlanePolynomial {
     }
 
     /// The invariants of the type; called by every property test.
+    #[doc(hidden)]
     #[must_use]
     pub fn check_invariants(&self) -> bool {
         let content = self
@@ -301,6 +298,32 @@ impl PlanePolynomial {
                 .parts
                 .iter()
                 .all(|(d, p)| *d == p.degree() && !p.is_zero())
+    }
+}
+
+impl Ring for PlanePolynomial {
+    fn plus(&self, other: &Self) -> Self {
+        Self::from_terms(self.terms().chain(other.terms()))
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        let negated = other.terms().map(|(e, c)| (e, -c));
+        Self::from_terms(self.terms().chain(negated))
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let products = self
+            .parts
+            .values()
+            .flat_map(|f| other.parts.values().map(|g| f.times(g)));
+        Self::from_parts(products, &self.denominator * &other.denominator)
+    }
+}
+
+impl FromIterator<BinaryForm> for PlanePolynomial {
+    /// The sum of the forms.
+    fn from_iter<I: IntoIterator<Item = BinaryForm>>(forms: I) -> Self {
+        Self::from_parts(forms, Integer::ONE)
     }
 }
 
@@ -337,7 +360,7 @@ fn shift_rational(coefficients: &mut [Rational], h: &Rational) {
     let common = coefficients
         .iter()
         .fold(Integer::ONE, |d, c| lcm(d, &c.denominator()));
-    let scale = Rational::from(&common);
+    let scale = Rational::whole(&common);
     let (p, q) = (h.numerator(), h.denominator());
     // f(p(X + 1)/q) with x = pX/q: scale by (p/q)^k, shift by one, scale back; all over q^d.
     let degree = coefficients.len() - 1;
@@ -356,16 +379,16 @@ fn shift_rational(coefficients: &mut [Rational], h: &Rational) {
         q_power *= &q;
     }
     let shifted = super::shift_by_one(IntegerPolynomial::from_coefficients_asc(integers));
-    let over = Rational::from(&common) * power(&Rational::from(&q), degree);
+    let over = Rational::whole(&common) * power(&Rational::whole(&q), degree);
     let mut back = Rational::one();
-    let step = Rational::from(&q) / Rational::from(&p);
+    let step = Rational::whole(&q) / Rational::whole(&p);
     for (k, c) in coefficients.iter_mut().enumerate() {
         let value = shifted
             .coefficients_asc()
             .get(k)
             .cloned()
             .unwrap_or(Integer::ZERO);
-        *c = Rational::from(value) * &back / &over;
+        *c = Rational::whole(value) * &back / &over;
         back = back * &step;
     }
 }

@@ -127,7 +127,7 @@ mod tests {
                 for sign in [1, -1] {
                     let c = ((modulus(primes) >> 1u64) + Integer::from(more)) * Integer::from(sign);
                     let g = SparsePolynomial::variable(1)
-                        .scaled(&Rational::from(c))
+                        .scaled(&Rational::whole(c))
                         .plus(&SparsePolynomial::variable(2));
                     let found = resultant(&f, &g, 0, &Limits::none()).unwrap();
                     assert_eq!(found, g.primitive(), "{primes} primes, {more}");
@@ -155,7 +155,7 @@ mod tests {
         /// Up to the product of the norms: Res_x(f, x + c y) = ± f(−c y) for f = a x^m + y.
         #[test]
         fn long_coefficients_are_found(a in long_integer(), c in long_integer(), m in 1u32..6) {
-            let term = |e: [u32; 3], c: &Integer| (e, Rational::from(c));
+            let term = |e: [u32; 3], c: &Integer| (e, Rational::whole(c));
             let one = Integer::from(1);
             let f = SparsePolynomial::from_terms([term([m, 0, 0], &a), term([0, 1, 0], &one)]);
             let g = SparsePolynomial::from_terms([term([1, 0, 0], &one), term([0, 1, 0], &c)]);

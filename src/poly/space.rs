@@ -37,35 +37,37 @@ impl SpacePolynomial {
     /// D times the homogeneous part of the given degree, the zero form if there is none.
     ///
     /// Memory: that of the rows of a [`TernaryForm`], up to its largest power of y.
-    #[must_use]
-    pub fn part(&self, degree: usize) -> TernaryForm {
+    pub(crate) fn part(&self, degree: usize) -> TernaryForm {
         let terms = self.parts.get(&degree).into_iter().flatten().cloned();
         TernaryForm::from_terms(degree, terms)
     }
 
     /// The degrees of the parts, descending, each with the terms (of D times the part) as exponents of x, y, z and coefficient,
     /// in descending lexicographic order of the exponents.
-    pub fn parts(&self) -> impl DoubleEndedIterator<Item = (usize, &[([usize; 3], Integer)])> {
+    pub(crate) fn parts(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = (usize, &[([usize; 3], Integer)])> {
         let parts = self.parts.iter().rev();
         parts.map(|(degree, terms)| (*degree, terms.as_slice()))
     }
 
     /// The degrees of the parts, descending, with the values of D times the part at an integer vector.
-    pub fn values_at(&self, vector: &[Integer; 3]) -> impl Iterator<Item = (usize, Integer)> {
+    pub(crate) fn values_at(
+        &self,
+        vector: &[Integer; 3],
+    ) -> impl Iterator<Item = (usize, Integer)> {
         self.parts()
             .map(|(degree, terms)| (degree, value(terms, vector.each_ref())))
     }
 
     /// D, the common denominator of the parts.
-    #[must_use]
-    pub fn denominator(&self) -> &Integer {
+    pub(crate) fn denominator(&self) -> &Integer {
         &self.denominator
     }
 
     /// f on the half plane through the z axis and (a, b, 0), with a² + b² = c²: the polynomial
     /// `f(aY/c, bY/c, X)` in (X, Y), whose polar angle is φ.
-    #[must_use]
-    pub fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> PlanePolynomial {
+    pub(crate) fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> PlanePolynomial {
         let Some(top) = self.degree() else {
             return PlanePolynomial::from_parts([], Integer::ONE);
         };
@@ -117,7 +119,7 @@ mod tests {
         let exponent = || prop_oneof![4 => 0u32..6, 1 => 6u32..40];
         let term = ([exponent(), exponent(), exponent()], -9i64..10, 1i64..5);
         prop::collection::vec(term, 1..12).prop_map(|terms| {
-            let ratio = |n: i64, d: i64| Rational::new(n.into(), d.into()).unwrap();
+            let ratio = |n: i64, d: i64| Rational::from_integers(n.into(), d.into()).unwrap();
             SparsePolynomial::from_terms(terms.into_iter().map(|(e, n, d)| (e, ratio(n, d))))
         })
     }
@@ -129,8 +131,8 @@ mod tests {
             let parts = SpacePolynomial::from(&f);
             let at = at.map(Integer::from);
             let sum = parts.values_at(&at).map(|(_, value)| value).sum::<Integer>();
-            let value = f.evaluate(&at.each_ref().map(Rational::from));
-            prop_assert_eq!(Rational::from(sum), value * Rational::from(parts.denominator()));
+            let value = f.evaluate(&at.each_ref().map(Rational::whole));
+            prop_assert_eq!(Rational::whole(sum), value * Rational::whole(parts.denominator()));
             for (degree, value) in parts.values_at(&at) {
                 prop_assert_eq!(parts.part(degree).evaluate(&at), value);
             }

@@ -23,13 +23,13 @@ struct Exponents<const V: usize>([u32; V]);
 /// The one order of terms that is printed anywhere: by total degree, then by exponents, both
 /// descending. `Less` comes first.
 #[must_use]
-pub fn term_order<const V: usize>(a: &[u32; V], b: &[u32; V]) -> Ordering {
+pub(crate) fn term_order<const V: usize>(a: &[u32; V], b: &[u32; V]) -> Ordering {
     total_degree(b).cmp(&total_degree(a)).then_with(|| b.cmp(a))
 }
 
 /// The sum of the exponents of a monomial.
 #[must_use]
-pub fn total_degree<const V: usize>(exponents: &[u32; V]) -> u64 {
+pub(crate) fn total_degree<const V: usize>(exponents: &[u32; V]) -> u64 {
     exponents.iter().map(|&e| u64::from(e)).sum()
 }
 
@@ -185,7 +185,7 @@ impl<const V: usize> SparsePolynomial<V> {
         }
         let first_is_negative = self.terms.values().next().is_some_and(|c| c.signum() < 0);
         let content = Integer::from_sign_and_abs(!first_is_negative, numerator);
-        match Rational::new(Integer::from(denominator), content) {
+        match Rational::from_integers(Integer::from(denominator), content) {
             Some(factor) => self.scaled(&factor),
             None => self.clone(),
         }

@@ -12,16 +12,8 @@ use super::IntegerPolynomial;
 ///
 /// Coefficient by coefficient from the top, then verified by squaring: d²/8 products of
 /// coefficients for degree d.
-///
-/// ```
-/// use std::str::FromStr;
-/// use stellate::poly::{IntegerPolynomial, polynomial_sqrt};
-/// let f = IntegerPolynomial::from_str("4*x^2+12*x+9").unwrap();
-/// assert_eq!(polynomial_sqrt(&f).unwrap().to_string(), "2*x+3");
-/// assert_eq!(polynomial_sqrt(&IntegerPolynomial::from_str("x^2+1").unwrap()), None);
-/// ```
 #[must_use]
-pub fn polynomial_sqrt(f: &IntegerPolynomial) -> Option<IntegerPolynomial> {
+pub(crate) fn polynomial_sqrt(f: &IntegerPolynomial) -> Option<IntegerPolynomial> {
     let p = f.coefficients_asc();
     let Some(top) = p.last() else {
         return Some(IntegerPolynomial::ZERO);
@@ -60,6 +52,15 @@ pub fn polynomial_sqrt(f: &IntegerPolynomial) -> Option<IntegerPolynomial> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn what_is_no_square_has_no_root() {
+        let f =
+            |c: [i64; 3]| IntegerPolynomial::from_coefficients_asc(c.map(Integer::from).to_vec());
+        let root = polynomial_sqrt(&f([9, 12, 4])).unwrap();
+        assert_eq!(root, f([3, 2, 0]));
+        assert_eq!(polynomial_sqrt(&f([1, 0, 1])), None);
+    }
 
     proptest! {
         #[test]

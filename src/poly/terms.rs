@@ -56,7 +56,7 @@ impl<const V: usize> IntegerTerms<V> {
 
     /// The same polynomial with its type for rational coefficients.
     pub(crate) fn to_sparse(&self) -> SparsePolynomial<V> {
-        SparsePolynomial::from_terms(self.0.iter().map(|(e, c)| (*e, Rational::from(c))))
+        SparsePolynomial::from_terms(self.0.iter().map(|(e, c)| (*e, Rational::whole(c))))
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = &([u32; V], Integer)> {

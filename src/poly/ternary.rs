@@ -2,21 +2,16 @@
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
-use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
 use super::ternary_terms::on_meridian;
-use super::{BinaryForm, IntegerPolynomial, Ring};
+use super::{BinaryForm, IntegerPolynomial, Ring, SparsePolynomial};
+use crate::error::Invariant;
+use crate::exact::Rational;
 
 /// A homogeneous polynomial `f(x, y, z) = Σ_j f_j(x, y) z^j` with integer coefficients: a binary form of
-/// degree d − j for every power of z.
-///
-/// ```
-/// use stellate::poly::{Ring, TernaryForm};
-/// let rho = TernaryForm::rho(); // x² + y² + z²
-/// assert_eq!(rho.squared().evaluate(&[2.into(), 3.into(), 6.into()]), 49 * 49);
-/// assert_eq!(rho.squared().strip_rho().unwrap().0, 2);
-/// ```
+/// degree d − j for every power of z. Its terms are those of the [`SparsePolynomial`] that it converts into.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TernaryForm {
     /// `rows[j]` has degree d − j; there are d + 1.
@@ -28,8 +23,7 @@ impl TernaryForm {
     ///
     /// # Panics
     /// If the degrees are not d, d − 1, …, 0.
-    #[must_use]
-    pub fn from_rows(rows: Vec<BinaryForm>) -> Self {
+    pub(crate) fn from_rows(rows: Vec<BinaryForm>) -> Self {
         let descending = rows.iter().rev().enumerate();
         assert!(
             !rows.is_empty() && descending.into_iter().all(|(d, row)| row.degree() == d),
@@ -42,8 +36,7 @@ impl TernaryForm {
     ///
     /// # Panics
     /// If a term has another degree.
-    #[must_use]
-    pub fn from_terms(
+    pub(crate) fn from_terms(
         degree: usize,
         terms: impl IntoIterator<Item = ([usize; 3], Integer)>,
     ) -> Self {
@@ -68,15 +61,14 @@ impl TernaryForm {
     }
 
     /// The zero form of degree `degree`.
-    #[must_use]
-    pub fn zero(degree: usize) -> Self {
+    pub(crate) fn zero(degree: usize) -> Self {
         Self::from_rows((0..=degree).rev().map(BinaryForm::zero).collect())
     }
 
     /// `x² + y² + z²`.
-    #[must_use]
-    pub fn rho() -> Self {
-        let one = || Integer::ONE;
+    #[cfg(test)]
+    pub(crate) fn rho() -> Self {
+        let one = || Integer::from(1);
         Self::from_terms(
             2,
             [([2, 0, 0], one()), ([0, 2, 0], one()), ([0, 0, 2], one())],
@@ -96,13 +88,12 @@ impl TernaryForm {
     }
 
     /// The forms in x and y beside z⁰, z¹, …
-    #[must_use]
-    pub fn rows(&self) -> &[BinaryForm] {
+    pub(crate) fn rows(&self) -> &[BinaryForm] {
         &self.rows
     }
 
     /// The non-zero terms as ([i, j, k], coefficient of x^i y^j z^k), in canonical order.
-    pub fn terms(&self) -> impl Iterator<Item = ([usize; 3], &Integer)> {
+    pub(crate) fn terms(&self) -> impl Iterator<Item = ([usize; 3], &Integer)> {
         let degree = self.degree();
         let mut terms: Vec<([usize; 3], &Integer)> = self
             .rows
@@ -115,8 +106,7 @@ impl TernaryForm {
     }
 
     /// The gcd of the coefficients, 0 for the zero form.
-    #[must_use]
-    pub fn content(&self) -> Integer {
+    pub(crate) fn content(&self) -> Integer {
         let contents = self.rows.iter().map(BinaryForm::content);
         contents.fold(Integer::ZERO, |gcd, c| {
             Integer::from(gcd.unsigned_abs_ref().gcd(c.unsigned_abs_ref()))
@@ -124,14 +114,12 @@ impl TernaryForm {
     }
 
     /// `f / divisor` for a divisor of the content.
-    #[must_use]
-    pub fn div_exact(&self, divisor: &Integer) -> Self {
+    pub(crate) fn div_exact(&self, divisor: &Integer) -> Self {
         self.each(|row| row.div_exact(divisor))
     }
 
     /// `factor · f`.
-    #[must_use]
-    pub fn scaled(&self, factor: &Integer) -> Self {
+    pub(crate) fn scaled(&self, factor: &Integer) -> Self {
         self.each(|row| row.scaled(factor))
     }
 
@@ -142,8 +130,7 @@ impl TernaryForm {
     }
 
     /// `f / (x² + y² + z²)` if it divides f.
-    #[must_use]
-    pub fn divided_by_rho(&self) -> Option<Self> {
+    pub(crate) fn divided_by_rho(&self) -> Option<Self> {
         let degree = self.degree();
         if degree < 2 || !self.vanishes_at_an_isotropic_vector() {
             return None;
@@ -178,8 +165,7 @@ impl TernaryForm {
     }
 
     /// The largest e such that `(x² + y² + z²)^e` divides f, and the quotient; `None` for the zero form.
-    #[must_use]
-    pub fn strip_rho(&self) -> Option<(usize, Self)> {
+    pub(crate) fn strip_rho(&self) -> Option<(usize, Self)> {
         if self.is_zero() {
             return None;
         }
@@ -192,8 +178,7 @@ impl TernaryForm {
     }
 
     /// `f(u, v, w)`. Cost: that of evaluating d + 1 binary forms.
-    #[must_use]
-    pub fn evaluate(&self, [u, v, w]: &[Integer; 3]) -> Integer {
+    pub(crate) fn evaluate(&self, [u, v, w]: &[Integer; 3]) -> Integer {
         let rows = self.rows.iter().rev();
         rows.fold(Integer::ZERO, |value, row| {
             let here = if row.is_zero() {
@@ -207,8 +192,7 @@ impl TernaryForm {
 
     /// The form on the plane through the z axis and (a, b, 0): with a² + b² = c², the binary form
     /// `c^d f(aY/c, bY/c, X)` in (X, Y) = (cos φ, sin φ).
-    #[must_use]
-    pub fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> BinaryForm {
+    pub(crate) fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> BinaryForm {
         let terms: Vec<_> = self.terms().collect();
         on_meridian(self.degree(), &terms, [a, b, c])
     }
@@ -219,6 +203,14 @@ impl TernaryForm {
             other.degree(),
             "forms of one degree are added"
         );
+    }
+}
+
+impl From<&TernaryForm> for SparsePolynomial<3> {
+    fn from(form: &TernaryForm) -> Self {
+        let exponent = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
+        let terms = form.terms();
+        Self::from_terms(terms.map(|(e, c)| (e.map(exponent), Rational::whole(c))))
     }
 }
 
@@ -270,7 +262,7 @@ mod tests {
 
     fn sparse(f: &TernaryForm) -> SparsePolynomial<3> {
         let narrow = |e: [usize; 3]| e.map(|k| u32::try_from(k).unwrap());
-        SparsePolynomial::from_terms(f.terms().map(|(e, c)| (narrow(e), Rational::from(c))))
+        SparsePolynomial::from_terms(f.terms().map(|(e, c)| (narrow(e), Rational::whole(c))))
     }
 
     proptest! {
@@ -281,7 +273,7 @@ mod tests {
             prop_assert_eq!(sparse(&f.plus(&h)), sparse(&f).plus(&sparse(&h)));
             prop_assert_eq!(sparse(&f.minus(&h)), sparse(&f).minus(&sparse(&h)));
             let value = sparse(&f).evaluate(&at.map(Rational::from));
-            prop_assert_eq!(Rational::from(f.evaluate(&at.map(Integer::from))), value);
+            prop_assert_eq!(Rational::whole(f.evaluate(&at.map(Integer::from))), value);
         }
 
         /// Powers of x² + y² + z² come off exactly.

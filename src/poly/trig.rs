@@ -11,16 +11,8 @@ use crate::exact::Rational;
 ///
 /// It is the ring that a formula for a Fourier radius is evaluated in: products of cosines and
 /// sines are sums of them again.
-///
-/// ```
-/// use stellate::poly::{Ring, TrigPolynomial};
-/// let (c, s) = (TrigPolynomial::cosine(1), TrigPolynomial::sine(1));
-/// // cos² + sin² = 1, and 2 sin cos = sin 2θ.
-/// assert_eq!(c.squared().plus(&s.squared()).as_constant().unwrap().to_string(), "1");
-/// assert_eq!(c.times(&s).scaled(&2.into()), TrigPolynomial::sine(2));
-/// ```
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct TrigPolynomial {
+pub(crate) struct TrigPolynomial {
     /// No pair is `[0, 0]`, and `b_0` is 0.
     harmonics: BTreeMap<u32, [Rational; 2]>,
 }
@@ -28,13 +20,13 @@ pub struct TrigPolynomial {
 impl TrigPolynomial {
     /// 0.
     #[must_use]
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self::default()
     }
 
     /// A constant.
     #[must_use]
-    pub fn constant(value: Rational) -> Self {
+    pub(crate) fn constant(value: Rational) -> Self {
         let mut result = Self::zero();
         result.add_harmonic(0, [value, Rational::zero()]);
         result
@@ -42,7 +34,7 @@ impl TrigPolynomial {
 
     /// `cos nθ`; n may be negative.
     #[must_use]
-    pub fn cosine(n: i32) -> Self {
+    pub(crate) fn cosine(n: i32) -> Self {
         let mut result = Self::zero();
         result.add_harmonic(n.unsigned_abs(), [Rational::one(), Rational::zero()]);
         result
@@ -50,7 +42,7 @@ impl TrigPolynomial {
 
     /// `sin nθ`; n may be negative.
     #[must_use]
-    pub fn sine(n: i32) -> Self {
+    pub(crate) fn sine(n: i32) -> Self {
         let mut result = Self::zero();
         let sign = Rational::from(n.signum());
         result.add_harmonic(n.unsigned_abs(), [Rational::zero(), sign]);
@@ -70,7 +62,7 @@ impl TrigPolynomial {
     }
 
     /// Adds `factor · other` in place: linear in the length of `other`.
-    pub fn add_multiple(&mut self, other: &Self, factor: &Rational) {
+    pub(crate) fn add_multiple(&mut self, other: &Self, factor: &Rational) {
         for (&n, [a, b]) in &other.harmonics {
             self.add_harmonic(n, [a * factor, b * factor]);
         }
@@ -78,38 +70,32 @@ impl TrigPolynomial {
 
     /// `factor · self`.
     #[must_use]
-    pub fn scaled(&self, factor: &Rational) -> Self {
+    pub(crate) fn scaled(&self, factor: &Rational) -> Self {
         let mut result = Self::zero();
         result.add_multiple(self, factor);
         result
     }
 
     /// The non-zero harmonics `(n, [a_n, b_n])`, ascending in n.
-    pub fn harmonics(&self) -> impl Iterator<Item = (u32, &[Rational; 2])> {
+    pub(crate) fn harmonics(&self) -> impl Iterator<Item = (u32, &[Rational; 2])> {
         self.harmonics.iter().map(|(&n, pair)| (n, pair))
     }
 
     /// The number of non-zero harmonics.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.harmonics.len()
-    }
-
-    /// Whether this is 0.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.harmonics.is_empty()
     }
 
     /// The largest n with `a_n ≠ 0` or `b_n ≠ 0`; `None` for 0.
     #[must_use]
-    pub fn degree(&self) -> Option<u32> {
+    pub(crate) fn degree(&self) -> Option<u32> {
         self.harmonics.keys().next_back().copied()
     }
 
     /// The value if this is a constant.
     #[must_use]
-    pub fn as_constant(&self) -> Option<Rational> {
+    pub(crate) fn as_constant(&self) -> Option<Rational> {
         match self.degree() {
             None => Some(Rational::zero()),
             Some(0) => self.harmonics.get(&0).map(|pair| pair[0].clone()),
@@ -119,7 +105,7 @@ impl TrigPolynomial {
 
     /// The dense coefficients `([a_0, …, a_N], [0, b_1, …, b_N])`.
     #[must_use]
-    pub fn coefficients(&self) -> (Vec<Rational>, Vec<Rational>) {
+    pub(crate) fn coefficients(&self) -> (Vec<Rational>, Vec<Rational>) {
         let len = self.degree().unwrap_or(0) as usize + 1;
         let (mut cos, mut sin) = (vec![Rational::zero(); len], vec![Rational::zero(); len]);
         for (&n, [a, b]) in &self.harmonics {
@@ -132,8 +118,8 @@ impl TrigPolynomial {
     /// The value at the angle whose cosine and sine are `cos` and `sin`.
     ///
     /// Cost: N steps of the rotation `(cos nθ, sin nθ)`, whose bits grow linearly with n.
-    #[must_use]
-    pub fn evaluate(&self, cos: &Rational, sin: &Rational) -> Rational {
+    #[cfg(test)]
+    pub(crate) fn evaluate(&self, cos: &Rational, sin: &Rational) -> Rational {
         let (mut c, mut s) = (Rational::one(), Rational::zero());
         let mut value = Rational::zero();
         for n in 0..=self.degree().unwrap_or(0) {
@@ -146,8 +132,8 @@ impl TrigPolynomial {
     }
 
     /// The invariants of the type; called by every property test.
-    #[must_use]
-    pub fn check_invariants(&self) -> bool {
+    #[cfg(test)]
+    pub(crate) fn check_invariants(&self) -> bool {
         self.harmonics
             .iter()
             .all(|(&n, [a, b])| !(a.is_zero() && b.is_zero()) && (n > 0 || b.is_zero()))
@@ -193,6 +179,15 @@ impl Ring for TrigPolynomial {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn known_products() {
+        let (c, s) = (TrigPolynomial::cosine(1), TrigPolynomial::sine(1));
+        // cos² + sin² = 1, and 2 sin cos = sin 2θ.
+        let one = c.squared().plus(&s.squared());
+        assert_eq!(one.as_constant(), Some(Rational::one()));
+        assert_eq!(c.times(&s).scaled(&2.into()), TrigPolynomial::sine(2));
+    }
 
     fn trig() -> impl Strategy<Value = TrigPolynomial> {
         prop::collection::vec((-6i32..7, any::<bool>(), -9i32..10, 1i32..5), 0..6).prop_map(|v| {
@@ -247,6 +242,6 @@ mod tests {
         assert_eq!(TrigPolynomial::cosine(-3), TrigPolynomial::cosine(3));
         let minus = TrigPolynomial::sine(3).scaled(&Rational::from(-1));
         assert_eq!(TrigPolynomial::sine(-3), minus);
-        assert!(TrigPolynomial::sine(0).is_empty());
+        assert!(TrigPolynomial::sine(0).len() == 0);
     }
 }

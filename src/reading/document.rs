@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
-use super::node::{Node, Place};
+use super::node::{Node, NodePath};
 use super::superquadric::read_superquadric;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -42,7 +42,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         .map_err(|error| not_json(&error, text, source_name, text.len() - body.len()))?;
     let root = Node {
         value: &value,
-        place: Place::Root(source_name),
+        place: NodePath::Root(source_name),
         numbers,
     };
     let object = root.object()?;

@@ -10,19 +10,19 @@ use crate::language::{Numbers, number_at};
 
 /// The way from the root of a document to a value; it is spelled out only for a message.
 #[derive(Clone, Copy)]
-pub(super) enum Place<'a> {
+pub(super) enum NodePath<'a> {
     Root(&'a str),
-    Field(&'a Place<'a>, &'a str),
-    Item(&'a Place<'a>, usize),
+    Field(&'a NodePath<'a>, &'a str),
+    Item(&'a NodePath<'a>, usize),
 }
 
-impl fmt::Display for Place<'_> {
+impl fmt::Display for NodePath<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Place::Root(name) => f.write_str(name),
-            Place::Field(parent @ Place::Root(_), name) => write!(f, "{parent}: {name}"),
-            Place::Field(parent, name) => write!(f, "{parent}.{name}"),
-            Place::Item(parent, n) => write!(f, "{parent}[{n}]"),
+            NodePath::Root(name) => f.write_str(name),
+            NodePath::Field(parent @ NodePath::Root(_), name) => write!(f, "{parent}: {name}"),
+            NodePath::Field(parent, name) => write!(f, "{parent}.{name}"),
+            NodePath::Item(parent, n) => write!(f, "{parent}[{n}]"),
         }
     }
 }
@@ -30,7 +30,7 @@ impl fmt::Display for Place<'_> {
 /// A value of a document and where it is.
 pub(super) struct Node<'a> {
     pub(super) value: &'a Value,
-    pub(super) place: Place<'a>,
+    pub(super) place: NodePath<'a>,
     pub(super) numbers: Numbers,
 }
 
@@ -67,7 +67,7 @@ impl Node<'_> {
         match object.get(name) {
             Some(value) => Ok(Node {
                 value,
-                place: Place::Field(&self.place, name),
+                place: NodePath::Field(&self.place, name),
                 numbers: self.numbers,
             }),
             None => Err(self.wrong(format!("the field \"{name}\" is missing"))),
@@ -78,7 +78,7 @@ impl Node<'_> {
         match array.get(n) {
             Some(value) => Ok(Node {
                 value,
-                place: Place::Item(&self.place, n),
+                place: NodePath::Item(&self.place, n),
                 numbers: self.numbers,
             }),
             None => Err(self.wrong(format!("entry {n} is missing"))),

@@ -8,25 +8,31 @@ use malachite::base::polynomial::DivPowerOfXAssign;
 use super::RealRoot;
 use super::bounded::{Unproved, bounded_roots};
 use super::isolate::isolate;
-use crate::exact::Dyadic;
-use crate::poly::{IntegerPolynomial, sign_at, squarefree_decomposition};
+use crate::exact::{Dyadic, Rational};
+use crate::poly::{IntegerPolynomial, sign_at, squarefree_decomposition, with_integers};
 
-/// All distinct real roots of f, ascending, with their multiplicities; none for a constant.
-///
-/// Every root is certified: the count is exact (Descartes' rule, in numbers of 128 to 768 bits with bounds of their
-/// errors, or on the squarefree parts with as many as it takes).
-///
-/// ```
-/// use std::str::FromStr;
-/// use stellate::poly::IntegerPolynomial;
-/// use stellate::roots::real_roots;
-/// let f = IntegerPolynomial::from_str("x^5-2*x^3").unwrap(); // x³ (x² − 2)
-/// let roots = real_roots(&f);
-/// let shown: Vec<_> = roots.iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
-/// assert_eq!(shown, [(-2f64.sqrt(), 1), (0.0, 3), (2f64.sqrt(), 1)]);
-/// ```
-#[must_use]
-pub fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
+impl RealRoot {
+    /// All distinct real roots of the polynomial with these coefficients (ascending), ascending, with their multiplicities; none
+    /// for a constant.
+    ///
+    /// Every root is certified: the count is exact (Descartes' rule, in numbers of 128 to 768 bits with bounds of their
+    /// errors, or on the squarefree parts with as many as it takes).
+    ///
+    /// ```
+    /// use stellate::roots::RealRoot;
+    /// let f = [0, 0, 0, -2, 0, 1].map(stellate::exact::Rational::from); // x³ (x² − 2)
+    /// let roots = RealRoot::all_of(&f);
+    /// let shown: Vec<_> = roots.iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
+    /// assert_eq!(shown, [(-2f64.sqrt(), 1), (0.0, 3), (2f64.sqrt(), 1)]);
+    /// ```
+    #[must_use]
+    pub fn all_of(coefficients: &[Rational]) -> Vec<Self> {
+        real_roots(&with_integers(coefficients).0)
+    }
+}
+
+/// [`RealRoot::all_of`] a polynomial with integer coefficients.
+pub(crate) fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
     let mut roots = match simple_roots(f, 1) {
         // Found without any gcd.
         Ok(roots) => roots,

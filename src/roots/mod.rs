@@ -8,8 +8,7 @@ mod real_root;
 mod root_sign;
 mod sign_changes;
 
-pub use all_roots::real_roots;
-pub(crate) use all_roots::sort_distinct;
+pub(crate) use all_roots::{real_roots, sort_distinct};
 #[cfg(test)]
 pub(crate) use bounded::Draw;
 pub(crate) use bounded::{

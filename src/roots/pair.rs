@@ -33,7 +33,7 @@ pub(super) fn separate(
     let mut bits = 64;
     loop {
         least.refine(bits);
-        let (a, b) = least.bounds();
+        let (a, b) = least.enclosure();
         for point in [a, b] {
             match sign_at(f, point) {
                 0 => return Err(point.clone()),

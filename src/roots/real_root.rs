@@ -72,9 +72,15 @@ impl RealRoot {
         self.multiplicity
     }
 
-    /// Certified bounds `low ≤ root ≤ high`; equal if the root is known exactly.
+    /// Certified bounds `low ≤ root ≤ high`; equal if the root is known exactly. [`Self::refine_to_width`] makes them narrower.
     #[must_use]
-    pub fn bounds(&self) -> (&Dyadic, &Dyadic) {
+    pub fn bounds(&self) -> (Rational, Rational) {
+        let (low, high) = self.enclosure();
+        (low.to_rational(), high.to_rational())
+    }
+
+    /// [`Self::bounds`], lent.
+    pub(crate) fn enclosure(&self) -> (&Dyadic, &Dyadic) {
         match &self.place {
             Location::Exact(point) => (point, point),
             Location::Between { low, high, .. } => (low, high),
@@ -95,8 +101,7 @@ impl RealRoot {
     }
 
     /// Exact comparison with a dyadic number.
-    #[must_use]
-    pub fn cmp_dyadic(&self, point: &Dyadic) -> Ordering {
+    pub(crate) fn cmp_dyadic(&self, point: &Dyadic) -> Ordering {
         match &self.place {
             Location::Exact(root) => root.cmp(point),
             Location::Between { low, .. } if point <= low => Ordering::Greater,
@@ -116,6 +121,7 @@ impl RealRoot {
     }
 
     /// Whether the root is also a root of g.
+    #[doc(hidden)]
     #[must_use]
     pub fn is_root_of(&self, g: &IntegerPolynomial) -> bool {
         match &self.place {
@@ -132,7 +138,7 @@ impl RealRoot {
     /// Whether both are the same number: a root of the other's polynomial, in the other's enclosure.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        let (low, high) = other.bounds();
+        let (low, high) = other.enclosure();
         let is_inside = self.cmp_dyadic(low).is_ge() && self.cmp_dyadic(high).is_le();
         match &other.place {
             Location::Exact(point) => self.cmp_dyadic(point).is_eq(),
@@ -152,20 +158,19 @@ impl RealRoot {
         let mut here = self.clone();
         let bits = i64::try_from(2 * lead.significant_bits()).ok()? + 1;
         here.refine_to_width(-bits);
-        let (low, high) = here.bounds();
+        let (low, high) = here.enclosure();
         let candidate = Rational::simplest_between(&low.to_rational(), &high.to_rational());
         (self.cmp_rational(&candidate) == Ordering::Equal).then_some(candidate)
     }
 
     /// The polynomial of which this is a root.
-    #[must_use]
-    pub fn polynomial(&self) -> &IntegerPolynomial {
+    pub(crate) fn polynomial(&self) -> &IntegerPolynomial {
         &self.polynomial
     }
 
     pub(crate) fn cmp_distinct(&mut self, other: &mut Self) -> Ordering {
         loop {
-            let (a, b) = (self.bounds(), other.bounds());
+            let (a, b) = (self.enclosure(), other.enclosure());
             if a.1 <= b.0 {
                 return Ordering::Less;
             }
@@ -331,11 +336,9 @@ impl RealRoot {
     /// Certified decimals: the root rounded to `digits` places after the point.
     ///
     /// ```
-    /// use std::str::FromStr;
-    /// use stellate::poly::IntegerPolynomial;
-    /// use stellate::roots::real_roots;
-    /// let f = IntegerPolynomial::from_str("x^2-2").unwrap();
-    /// assert_eq!(real_roots(&f)[1].to_decimal(30), "1.414213562373095048801688724210");
+    /// use stellate::roots::RealRoot;
+    /// let roots = RealRoot::all_of(&[(-2).into(), 0.into(), 1.into()]); // x² − 2
+    /// assert_eq!(roots[1].to_decimal(30), "1.414213562373095048801688724210");
     /// ```
     #[must_use]
     pub fn to_decimal(&self, digits: u32) -> String {
@@ -347,7 +350,7 @@ impl RealRoot {
         let mut bits = i64::from(digits) * 4 + 16;
         loop {
             root.refine_to_width(-bits);
-            let (low, high) = root.bounds();
+            let (low, high) = root.enclosure();
             let text = low.to_rational().to_decimal(digits);
             if text == high.to_rational().to_decimal(digits) {
                 return text;
@@ -373,7 +376,7 @@ impl RealRoot {
             }
         }
         self.refine(56);
-        let (low, high) = self.bounds();
+        let (low, high) = self.enclosure();
         let middle = low.midpoint(high).to_rational();
         let guess = if k == 1 {
             (middle * scale).to_f64()

@@ -17,7 +17,7 @@ impl RealRoot {
         let mut root = self.clone();
         let mut bits = 16;
         loop {
-            let (low, high) = root.bounds();
+            let (low, high) = root.enclosure();
             if low == high {
                 return sign_at(g, low);
             }
@@ -36,7 +36,7 @@ pub(crate) fn constant_sign(g: &IntegerPolynomial, low: &Rational, high: &Ration
     let degree = g.coefficients_asc().len().checked_sub(1)?;
     // g((p + w x) / q) q^degree
     let common = low.denominator() * high.denominator();
-    let whole = Rational::from(&common);
+    let whole = Rational::whole(&common);
     let p = (low * &whole).numerator();
     let w = ((high - low) * &whole).numerator();
     let line = IntegerPolynomial::from_coefficients_asc(vec![p, w]);

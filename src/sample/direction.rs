@@ -8,6 +8,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
+use super::unit_vector::IntegerVector;
 use crate::error::Invariant;
 use crate::exact::Rational;
 
@@ -15,19 +16,7 @@ use crate::exact::Rational;
 /// nominal angle.
 const TANGENT_BITS: u32 = 53;
 
-/// An exact unit vector: V rational numbers whose squares add up to 1.
-pub trait UnitVector<const V: usize> {
-    /// Its components times a common denominator, and that denominator W > 0.
-    fn over_common_denominator(&self) -> ([Integer; V], Integer);
-
-    /// Its components.
-    fn components(&self) -> [Rational; V] {
-        let (vector, w) = self.over_common_denominator();
-        vector.map(|u| Rational::new(u, w.clone()).invariant("a length is not 0"))
-    }
-}
-
-impl UnitVector<2> for Direction {
+impl IntegerVector<2> for Direction {
     fn over_common_denominator(&self) -> ([Integer; 2], Integer) {
         ([self.u.clone(), self.v.clone()], self.w.clone())
     }
@@ -69,19 +58,19 @@ impl Direction {
     pub fn from_degrees(degrees: &Rational) -> Self {
         let theta = degrees.to_f64() / 180.0 * PI;
         let quarters = Integer::rounding_from_rational(&(degrees / &Rational::from(90)));
-        let rest = degrees - &(Rational::from(90) * Rational::from(&quarters));
-        let quarter = Rational::from(quarters) / Rational::from(4);
-        let quarter = (&quarter - &Rational::from(quarter.floor())) * Rational::from(4);
+        let rest = degrees - &(Rational::from(90) * Rational::whole(&quarters));
+        let quarter = Rational::whole(quarters) / Rational::from(4);
+        let quarter = (&quarter - &quarter.floor()) * Rational::from(4);
         Self::from_quarter(theta, quarter.to_f64(), rest.to_f64() / 180.0 * PI)
     }
 
     /// The `count` directions nearest to the angles 2πk/count.
     #[must_use]
     pub fn around(count: usize) -> Vec<Self> {
-        let whole = Rational::from(Integer::from(count));
+        let whole = Rational::whole(Integer::from(count));
         (0..count)
             .map(|k| {
-                let turn = Rational::from(Integer::from(k)) / &whole;
+                let turn = Rational::whole(Integer::from(k)) / &whole;
                 Self::from_degrees(&(turn * Rational::from(360)))
             })
             .collect()
@@ -114,7 +103,7 @@ impl Direction {
         } else {
             v.denominator()
         };
-        let scale = Rational::from(&w);
+        let scale = Rational::whole(&w);
         Self {
             theta: self.theta,
             u: (u * &scale).numerator(),
@@ -132,13 +121,13 @@ impl Direction {
     /// cos of the direction's angle, exactly.
     #[must_use]
     pub fn u(&self) -> Rational {
-        Rational::new(self.u.clone(), self.w.clone()).invariant("a length is not 0")
+        Rational::from_integers(self.u.clone(), self.w.clone()).invariant("a length is not 0")
     }
 
     /// sin of the direction's angle, exactly.
     #[must_use]
     pub fn v(&self) -> Rational {
-        Rational::new(self.v.clone(), self.w.clone()).invariant("a length is not 0")
+        Rational::from_integers(self.v.clone(), self.w.clone()).invariant("a length is not 0")
     }
 
     /// The integers (U, V, W).
@@ -158,7 +147,7 @@ impl RoundRational for Integer {
         if shifted.is_zero() {
             Integer::ZERO
         } else {
-            shifted.floor()
+            shifted.floor_integer()
         }
     }
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize};
 
 use malachite::Integer;
 
-use super::parts::Expansion;
+use super::parts::ExpandedParts;
 use super::point::Sample;
 use super::truncated::TruncatedForms;
 use crate::roots::Unproved;
@@ -59,7 +59,7 @@ impl<const V: usize> Ladder<V> {
     /// The points on a line, if one of the precisions proves them.
     pub(super) fn solve(
         &self,
-        expansion: &Expansion<'_, V>,
+        expansion: &ExpandedParts<'_, V>,
         vector: &[Integer; V],
         w: &Integer,
     ) -> Result<Vec<Sample<V>>, Unproved> {
@@ -108,7 +108,7 @@ impl<const V: usize> Ladder<V> {
 trait Level<const V: usize>: Debug + Send + Sync {
     fn solve(
         &self,
-        expansion: &Expansion<'_, V>,
+        expansion: &ExpandedParts<'_, V>,
         vector: &[Integer; V],
         w: &Integer,
     ) -> Result<Vec<Sample<V>>, Unproved>;
@@ -127,7 +127,7 @@ impl<const W: usize, const V: usize> Forms<W, V> {
 impl<const W: usize, const V: usize> Level<V> for Forms<W, V> {
     fn solve(
         &self,
-        expansion: &Expansion<'_, V>,
+        expansion: &ExpandedParts<'_, V>,
         vector: &[Integer; V],
         w: &Integer,
     ) -> Result<Vec<Sample<V>>, Unproved> {
@@ -140,7 +140,7 @@ impl<const W: usize, const V: usize> Level<V> for Forms<W, V> {
 mod tests {
     use super::*;
     use crate::poly::PlanePolynomial;
-    use crate::sample::{Direction, HomogeneousParts, UnitVector};
+    use crate::sample::{Direction, IntegerVector, PartsByDegree};
 
     fn ask(ladder: &Ladder<2>, f: &PlanePolynomial, direction: &Direction) -> bool {
         let (vector, w) = direction.over_common_denominator();
@@ -158,7 +158,7 @@ mod tests {
         ];
         let circle = PlanePolynomial::from_terms(circle);
         let one = PlanePolynomial::from_terms([term((0, 0), 1)]);
-        let power = (0..k).fold(one, |power, _| power.product(&circle));
+        let power = (0..k).fold(one, |power, _| &power * &circle);
         let radius = crate::exact::Rational::from_dyadic(Integer::from(-1), -(shift as i64));
         PlanePolynomial::from_terms(power.terms().chain([((0, 0), radius)]))
     }
@@ -195,7 +195,7 @@ mod tests {
         let ladder = Ladder::default();
         let east = Direction::from_radians(0.0);
         for k in 0..=PATIENCE + 5 {
-            assert!(!ask(&ladder, &f.product(&f), &east));
+            assert!(!ask(&ladder, &(&f * &f), &east));
             assert_eq!(ladder.failures.load(Relaxed), (k + 1).min(PATIENCE + 1));
         }
     }

@@ -5,7 +5,7 @@
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
 
-use super::{Direction, Ray, RaySolver, Sample, UnitVector};
+use super::{Direction, IntegerVector, Ray, RaySolver, Sample};
 use crate::exact::Rational;
 use crate::poly::PlanePolynomial;
 use crate::roots::Draw;
@@ -46,7 +46,7 @@ impl Draw {
 }
 
 fn polynomial(terms: impl IntoIterator<Item = ((usize, usize), Integer)>) -> PlanePolynomial {
-    PlanePolynomial::from_terms(terms.into_iter().map(|(e, c)| (e, Rational::from(c))))
+    PlanePolynomial::from_terms(terms.into_iter().map(|(e, c)| (e, Rational::whole(c))))
 }
 
 fn power_of_two(k: i64) -> Rational {
@@ -78,7 +78,7 @@ fn forms_that_nearly_vanish_are_not_misjudged() {
         for _ in 0..draw.below(3) {
             let bits = 1 + draw.word() % 200;
             let [a, b] = [0, 0].map(|_: i32| draw.positive(bits) * Integer::from(draw.sign()));
-            form = form.product(&polynomial([((1, 0), a), ((0, 1), b)]));
+            form = &form * &polynomial([((1, 0), a), ((0, 1), b)]);
         }
         let low = form.degree().expect("not 0");
         let high = low + 1 + draw.below(8);
@@ -196,7 +196,7 @@ fn roots_built_backwards_are_found_and_rounded() {
             let (p, q) = (known.root.numerator(), known.root.denominator());
             let line = polynomial([((1, 0), &q * &u), ((0, 1), q * &v), ((0, 0), -(p * &w))]);
             for _ in 0..*multiplicity {
-                f = f.product(&line);
+                f = &f * &line;
             }
         }
         let Ray::Points(found) = RaySolver::new(&f).solve(&direction) else {
@@ -214,16 +214,16 @@ fn roots_of_powers_are_found_and_rounded() {
         let expected = known_roots(&mut draw);
         let half = 1 + draw.word() % 4;
         let rho = polynomial([((2, 0), Integer::from(1)), ((0, 2), Integer::from(1))]);
-        let power = (1..half).fold(rho.clone(), |power, _| power.product(&rho));
+        let power = (1..half).fold(rho.clone(), |power, _| &power * &rho);
         let mut f = polynomial([((0, 0), draw.positive(300))]);
         for (known, multiplicity) in &expected {
             // q^g (x² + y²)^(g/2) − p^g
             let [p, q] =
                 [known.root.numerator(), known.root.denominator()].map(|n| n.pow(2 * half));
-            let scaled = power.terms().map(|(e, c)| (e, c * Rational::from(&q)));
-            let circle = PlanePolynomial::from_terms(scaled.chain([((0, 0), -Rational::from(p))]));
+            let scaled = power.terms().map(|(e, c)| (e, c * Rational::whole(&q)));
+            let circle = PlanePolynomial::from_terms(scaled.chain([((0, 0), -Rational::whole(p))]));
             for _ in 0..*multiplicity {
-                f = f.product(&circle);
+                f = &f * &circle;
             }
         }
         let Ray::Points(found) = RaySolver::new(&f).solve(&direction) else {
@@ -251,7 +251,7 @@ fn powers_of_two_need_no_exact_arithmetic() {
                 ((0, 2), Rational::one()),
                 ((0, 0), power_of_two(2 * k + 6)),
             ]);
-            let f = polynomial([((1, 0), q), ((0, 0), -p)]).product(&definite);
+            let f = &polynomial([((1, 0), q), ((0, 0), -p)]) * &definite;
             let solver = RaySolver::new(&f);
             let Ray::Points(found) = solver.solve(&east) else {
                 panic!("{f:?} does not vanish on a line");

@@ -5,6 +5,7 @@ mod guess;
 mod ladder;
 #[cfg(test)]
 mod laws;
+mod leading_bits;
 mod parts;
 mod point;
 mod radial;
@@ -13,13 +14,18 @@ mod root_rounding;
 mod sampled;
 mod space_direction;
 mod truncated;
-mod wide;
+mod unit_vector;
 
-pub use direction::{Direction, UnitVector};
-pub use parts::{Basis, ExpandedPart, Expansion, HomogeneousParts, Term};
+pub use direction::Direction;
+pub use parts::HomogeneousParts;
+#[cfg(test)]
+pub(crate) use parts::PartsByDegree;
 pub use point::{Ray, Sample};
 pub use radial::solve_radial;
 pub(crate) use ray::along;
 pub use ray::{RaySolver, StageCounts};
-pub use sampled::{NominalAngles, SampledRay};
+pub(crate) use sampled::NominalAngles;
+pub use sampled::SampledRay;
 pub use space_direction::SpaceDirection;
+pub(crate) use unit_vector::IntegerVector;
+pub use unit_vector::{RationalDirection, UnitVector};

@@ -9,11 +9,11 @@ use crate::error::Invariant;
 use crate::poly::{BinaryForm, PlanePolynomial, SpacePolynomial, scaled_harmonics};
 
 /// The exponents of a monomial, and its coefficient.
-pub type Term<'a, const V: usize> = ([usize; V], &'a Integer);
+pub(super) type Term<'a, const V: usize> = ([usize; V], &'a Integer);
 
 /// Functions on vectors in which homogeneous parts are sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
+pub enum PartBasis {
     /// `[i, j]` is x^i y^j, and likewise in space.
     Powers,
     /// On unit vectors of the plane `[m, 0]` is cos mθ and `[0, m]` is sin mθ.
@@ -33,15 +33,20 @@ pub struct ExpandedPart<'a, const V: usize> {
 
 /// The homogeneous parts of a polynomial as sums of few functions.
 #[derive(Clone, Debug)]
-pub struct Expansion<'a, const V: usize> {
+pub struct ExpandedParts<'a, const V: usize> {
     /// In which basis.
-    pub basis: Basis,
+    pub basis: PartBasis,
     /// The parts that are not 0.
     pub parts: Vec<ExpandedPart<'a, V>>,
 }
 
-/// A polynomial in V variables by its homogeneous parts, as far as rays ask.
-pub trait HomogeneousParts<const V: usize> {
+/// A polynomial in V variables that rays are cut with: a [`PlanePolynomial`] or a [`SpacePolynomial`].
+pub trait HomogeneousParts<const V: usize>: PartsByDegree<V> {}
+
+impl<T: PartsByDegree<V>, const V: usize> HomogeneousParts<V> for T {}
+
+/// What [`HomogeneousParts`] is made of; its name can't be had outside of the crate.
+pub trait PartsByDegree<const V: usize> {
     /// The largest total degree, `None` for the zero polynomial.
     fn top_degree(&self) -> Option<usize>;
 
@@ -49,7 +54,7 @@ pub trait HomogeneousParts<const V: usize> {
     fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, V>>)>;
 
     /// The parts that are not 0 in a basis in which their values lose few bits.
-    fn expanded(&self) -> Expansion<'_, V> {
+    fn expanded(&self) -> ExpandedParts<'_, V> {
         in_powers(self.terms_by_degree())
     }
 
@@ -57,7 +62,7 @@ pub trait HomogeneousParts<const V: usize> {
     fn values_at(&self, vector: &[Integer; V]) -> Vec<(usize, Integer)>;
 }
 
-impl HomogeneousParts<2> for PlanePolynomial {
+impl PartsByDegree<2> for PlanePolynomial {
     fn top_degree(&self) -> Option<usize> {
         self.degree()
     }
@@ -71,7 +76,7 @@ impl HomogeneousParts<2> for PlanePolynomial {
         parts.collect()
     }
 
-    fn expanded(&self) -> Expansion<'_, 2> {
+    fn expanded(&self) -> ExpandedParts<'_, 2> {
         in_harmonics(self).unwrap_or_else(|| in_powers(self.terms_by_degree()))
     }
 
@@ -81,7 +86,7 @@ impl HomogeneousParts<2> for PlanePolynomial {
     }
 }
 
-impl HomogeneousParts<3> for SpacePolynomial {
+impl PartsByDegree<3> for SpacePolynomial {
     fn top_degree(&self) -> Option<usize> {
         self.degree()
     }
@@ -98,7 +103,7 @@ impl HomogeneousParts<3> for SpacePolynomial {
     }
 }
 
-fn in_powers<const V: usize>(parts: Vec<(usize, Vec<Term<'_, V>>)>) -> Expansion<'_, V> {
+fn in_powers<const V: usize>(parts: Vec<(usize, Vec<Term<'_, V>>)>) -> ExpandedParts<'_, V> {
     let parts = parts.into_iter().map(|(degree, terms)| ExpandedPart {
         degree,
         exponent: 0,
@@ -107,8 +112,8 @@ fn in_powers<const V: usize>(parts: Vec<(usize, Vec<Term<'_, V>>)>) -> Expansion
             .map(|(e, c)| (e, Cow::Borrowed(c)))
             .collect(),
     });
-    Expansion {
-        basis: Basis::Powers,
+    ExpandedParts {
+        basis: PartBasis::Powers,
         parts: parts.collect(),
     }
 }
@@ -117,7 +122,7 @@ fn in_powers<const V: usize>(parts: Vec<(usize, Vec<Term<'_, V>>)>) -> Expansion
 ///
 /// Powers of x and y near the unit circle have coefficients up to 2^d times as large as the sum, those of a radius with
 /// d/2 − 1 harmonics for one; harmonics are on average at most as large as the sum.
-fn in_harmonics(f: &PlanePolynomial) -> Option<Expansion<'static, 2>> {
+fn in_harmonics(f: &PlanePolynomial) -> Option<ExpandedParts<'static, 2>> {
     /// Below this degree there is little to save.
     const LEAST_DEGREE: usize = 16;
     f.degree().filter(|degree| *degree >= LEAST_DEGREE)?;
@@ -139,8 +144,8 @@ fn in_harmonics(f: &PlanePolynomial) -> Option<Expansion<'static, 2>> {
             terms: terms.map(|(e, c)| (e, Cow::Owned(c))).collect(),
         });
     }
-    Some(Expansion {
-        basis: Basis::Harmonics,
+    Some(ExpandedParts {
+        basis: PartBasis::Harmonics,
         parts,
     })
 }
@@ -171,21 +176,21 @@ mod tests {
     use proptest::prelude::*;
 
     /// The value of a part at a unit vector.
-    fn value(part: &ExpandedPart<'_, 2>, basis: Basis, [x, y]: &[Rational; 2]) -> Rational {
+    fn value(part: &ExpandedPart<'_, 2>, basis: PartBasis, [x, y]: &[Rational; 2]) -> Rational {
         let function = |[i, j]: [usize; 2]| {
             let index = |k| i32::try_from(k).expect("small");
             match basis {
-                Basis::Powers => {
+                PartBasis::Powers => {
                     x.pow(index(i).into()).expect("a power")
                         * y.pow(index(j).into()).expect("a power")
                 }
-                Basis::Harmonics if j == 0 => TrigPolynomial::cosine(index(i)).evaluate(x, y),
-                Basis::Harmonics => TrigPolynomial::sine(index(j)).evaluate(x, y),
+                PartBasis::Harmonics if j == 0 => TrigPolynomial::cosine(index(i)).evaluate(x, y),
+                PartBasis::Harmonics => TrigPolynomial::sine(index(j)).evaluate(x, y),
             }
         };
         let terms = part.terms.iter();
         let sum = terms.fold(Rational::zero(), |sum, (b, c)| {
-            sum + function(*b) * Rational::from(&**c)
+            sum + function(*b) * Rational::whole(&**c)
         });
         sum * Rational::from(2).pow(part.exponent).expect("2 is not 0")
     }
@@ -200,7 +205,7 @@ mod tests {
             let power = ((high, 0), Rational::from(5));
             let f = PlanePolynomial::from_terms(rho.terms().chain([power]));
             let expansion = f.expanded();
-            let expected = if high > 2 * k { Basis::Powers } else { Basis::Harmonics };
+            let expected = if high > 2 * k { PartBasis::Powers } else { PartBasis::Harmonics };
             prop_assert_eq!(expansion.basis, expected);
             let direction = Direction::from_radians(theta);
             let (u, v) = (direction.u(), direction.v());

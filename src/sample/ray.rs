@@ -9,11 +9,11 @@ use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::basic::traits::One;
 use malachite::base::polynomial::Polynomial;
 
-use super::direction::UnitVector;
 use super::guess::real_root_guesses;
 use super::ladder::{LEVELS, Ladder};
-use super::parts::{Expansion, HomogeneousParts};
+use super::parts::{ExpandedParts, HomogeneousParts, PartsByDegree};
 use super::point::{Ray, Sample, in_order};
+use super::unit_vector::UnitVector;
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::IntegerPolynomial;
@@ -42,13 +42,14 @@ const GUESS_BITS: i64 = 40;
 #[derive(Debug)]
 pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
-    expansion: OnceLock<Expansion<'a, V>>,
+    expansion: OnceLock<ExpandedParts<'a, V>>,
     ladder: Ladder<V>,
     exact: AtomicU64,
 }
 
 /// In how many directions which precision decided.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct StageCounts {
     /// So many bits as [`StageCounts::BITS`] says.
     pub bounded: [u64; LEVELS],
@@ -153,7 +154,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
 
 /// The non-zero coefficients (d, c_d), descending in d, of f(λ U/W, λ V/W) = Σ c_d λ^d, all times W to the degree of f; none
 /// if f vanishes identically on this line through the origin. The vector need not be a unit vector.
-pub(crate) fn along<P: HomogeneousParts<V>, const V: usize>(
+pub(crate) fn along<P: PartsByDegree<V>, const V: usize>(
     polynomial: &P,
     vector: &[Integer; V],
     w: &Integer,
@@ -225,7 +226,7 @@ mod tests {
         // x⁴ + y⁴ = 16 along x, twice: a polynomial in r⁴.
         let f = curve(&[(4, 0, 1), (0, 4, 1), (0, 0, -16)]);
         let east = Direction::from_radians(0.0);
-        let found = points(&f.product(&f), &east);
+        let found = points(&(&f * &f), &east);
         let shown: Vec<_> = found
             .iter()
             .map(|p| (p.r, p.position[0], p.multiplicity))
@@ -247,10 +248,10 @@ mod tests {
         fn products_of_circles_and_lines(radii in prop::collection::btree_set(1i64..50, 1..4), a in -9i64..9, theta in 0.0f64..6.3) {
             let mut f = curve(&[(0, 0, 1)]);
             for r in &radii {
-                f = f.product(&curve(&[(2, 0, 1), (0, 2, 1), (0, 0, -r * r)]));
+                f = &f * &curve(&[(2, 0, 1), (0, 2, 1), (0, 0, -r * r)]);
             }
             // The line x + a y = 100 is farther out than every circle.
-            f = f.product(&curve(&[(1, 0, 1), (0, 1, a), (0, 0, -1000)]));
+            f = &f * &curve(&[(1, 0, 1), (0, 1, a), (0, 0, -1000)]);
             let d = Direction::from_radians(theta);
             let slope = d.u() + Rational::from(a) * d.v();
             prop_assume!(!slope.is_zero());

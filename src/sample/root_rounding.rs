@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use malachite::Integer;
 
-use super::wide::Wide;
+use super::leading_bits::LeadingBits;
 use crate::error::Invariant;
 use crate::roots::BoundedRoot;
 
@@ -17,8 +17,8 @@ pub(super) struct RootRounding {
     gap: u32,
     is_inverted: bool,
     scale: i64,
-    low: Wide,
-    high: Wide,
+    low: LeadingBits,
+    high: LeadingBits,
     /// About |root|^(1/gap).
     guess: f64,
 }
@@ -45,15 +45,15 @@ impl RootRounding {
             gap,
             is_inverted: root.is_inverted,
             scale: root.scale,
-            low: Wide::from_leading(root.low.leading()),
-            high: Wide::from_leading(root.high.leading()),
+            low: LeadingBits::from_leading(root.low.leading()),
+            high: LeadingBits::from_leading(root.high.leading()),
             guess: guess * small(whole),
         }
     }
 
     /// The double nearest to |root|^(1/gap) · |other / unit|.
     pub(super) fn nearest(&self, unit: &Integer, other: &Integer) -> Option<f64> {
-        let inverse = Wide::quotient(unit, other);
+        let inverse = LeadingBits::quotient(unit, other);
         let mut guess = self.guess / inverse.to_f64();
         for _ in 0..TRIES {
             if !(guess.is_normal() && guess.next_down().is_normal() && guess.next_up().is_finite())
@@ -73,7 +73,12 @@ impl RootRounding {
     }
 
     /// How |root|^(1/gap) / inverse compares with a bound; what is likely is tried first.
-    fn compare(&self, bound: Wide, inverse: Wide, likely: Ordering) -> Option<Ordering> {
+    fn compare(
+        &self,
+        bound: LeadingBits,
+        inverse: LeadingBits,
+        likely: Ordering,
+    ) -> Option<Ordering> {
         // The root is 2^s y, or 2^s / y, and is compared with q 2^s.
         let q = bound.times(inverse).power(self.gap);
         let q = q.times_power_of_two(-self.scale);
@@ -85,7 +90,7 @@ impl RootRounding {
                 self.low
             };
             let certain = if self.is_inverted {
-                Wide::exact(1, 0).certain_order(q.times(y))
+                LeadingBits::exact(1, 0).certain_order(q.times(y))
             } else {
                 y.certain_order(q)
             };
@@ -95,16 +100,16 @@ impl RootRounding {
 }
 
 /// The midpoints between a positive normal double and its neighbours.
-fn midpoints(double: f64) -> [Wide; 2] {
+fn midpoints(double: f64) -> [LeadingBits; 2] {
     let bits = double.to_bits();
     let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
     let exponent =
         i64::try_from(bits >> 52).invariant("a positive double has 11 bits above") - 1075;
     let below = if mantissa == 1 << 52 {
         // The doubles below are twice as close.
-        Wide::exact(4 * mantissa - 1, exponent - 2)
+        LeadingBits::exact(4 * mantissa - 1, exponent - 2)
     } else {
-        Wide::exact(2 * mantissa - 1, exponent - 1)
+        LeadingBits::exact(2 * mantissa - 1, exponent - 1)
     };
-    [below, Wide::exact(2 * mantissa + 1, exponent - 1)]
+    [below, LeadingBits::exact(2 * mantissa + 1, exponent - 1)]
 }

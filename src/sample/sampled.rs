@@ -12,7 +12,7 @@ pub struct SampledRay<D = Direction, const V: usize = 2> {
 }
 
 /// A direction with its nominal angles, as it is written.
-pub trait NominalAngles<const V: usize>: UnitVector<V> {
+pub(crate) trait NominalAngles<const V: usize>: UnitVector<V> {
     /// θ, and φ in space.
     fn angles(&self) -> (f64, Option<f64>);
 }

@@ -2,7 +2,8 @@
 
 use malachite::Integer;
 
-use super::direction::{Direction, UnitVector};
+use super::direction::Direction;
+use super::unit_vector::IntegerVector;
 use crate::exact::Rational;
 
 /// The golden angle in turns is 1 − 1/φ = (3 − √5)/2.
@@ -67,9 +68,9 @@ impl SpaceDirection {
     /// `phis` − 1, and the pole φ = 0. The other pole has the same line. Ordered by θ, then φ.
     #[must_use]
     pub fn grid(thetas: usize, phis: usize) -> Vec<Self> {
-        let steps = Rational::from(Integer::from(phis.max(1)));
+        let steps = Rational::whole(Integer::from(phis.max(1)));
         let polar = |k: usize| {
-            let half_turns = Rational::from(Integer::from(k)) / &steps;
+            let half_turns = Rational::whole(Integer::from(k)) / &steps;
             Direction::from_degrees(&(half_turns * Rational::from(180)))
         };
         let pole = Self::new(Direction::from_radians(0.0), Direction::from_radians(0.0));
@@ -84,7 +85,7 @@ impl SpaceDirection {
     }
 }
 
-impl UnitVector<3> for SpaceDirection {
+impl IntegerVector<3> for SpaceDirection {
     fn over_common_denominator(&self) -> ([Integer; 3], Integer) {
         let ([a, b], c) = self.theta.over_common_denominator();
         let ([cos, sin], w) = self.phi.over_common_denominator();
@@ -96,7 +97,7 @@ impl UnitVector<3> for SpaceDirection {
 #[expect(clippy::cast_precision_loss, reason = "small numbers")]
 mod tests {
     use super::*;
-    use crate::sample::NominalAngles;
+    use crate::sample::{NominalAngles, UnitVector};
     use proptest::prelude::*;
 
     #[test]

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 
-use super::parts::{Basis, ExpandedPart, Expansion};
+use super::parts::{ExpandedPart, ExpandedParts, PartBasis};
 use super::point::{Sample, in_order};
 use super::root_rounding::RootRounding;
 use crate::error::Invariant;
@@ -19,7 +19,7 @@ use crate::roots::{
 /// The homogeneous parts of a polynomial with coefficients of W limbs.
 #[derive(Debug)]
 pub(super) struct TruncatedForms<const W: usize, const V: usize> {
-    basis: Basis,
+    basis: PartBasis,
     /// The functions of the basis that occur, each once, by their indices: as they are seen from each coordinate, which
     /// is 1 then.
     functions: [Functions<V>; V],
@@ -69,13 +69,13 @@ struct Line<'a, const W: usize, const V: usize> {
 }
 
 impl<const W: usize, const V: usize> TruncatedForms<W, V> {
-    pub(super) fn new(expansion: &Expansion<'_, V>) -> Self {
+    pub(super) fn new(expansion: &ExpandedParts<'_, V>) -> Self {
         let basis = expansion.basis;
         let mut functions = std::array::from_fn(|_| Functions::default());
         let mut numbers = |indices: &[usize; V]| {
             std::array::from_fn(|pivot| {
                 let mut seen = *indices;
-                if basis == Basis::Powers {
+                if basis == PartBasis::Powers {
                     seen[pivot] = 0;
                 }
                 functions[pivot].number(seen)
@@ -108,8 +108,8 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
         let degree = |part: Option<&Part<W, V>>| part.map_or(0, |part| part.degree);
         let (lowest, highest) = (degree(self.parts.first()), degree(self.parts.last()));
         let line = match self.basis {
-            Basis::Powers => Line::from_largest(vector, &self.functions, highest),
-            Basis::Harmonics => Line::from_length(vector, w, &self.functions[0], highest),
+            PartBasis::Powers => Line::from_largest(vector, &self.functions, highest),
+            PartBasis::Harmonics => Line::from_length(vector, w, &self.functions[0], highest),
         };
         let gap = self.gap as usize;
         let mut coefficients = vec![ScaledBall::ZERO; (highest - lowest) / gap + 1];

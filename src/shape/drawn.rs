@@ -8,7 +8,7 @@ use crate::roots::real_roots;
 
 /// The part of a parameter that runs through all numbers that must be seen if the form goes to infinity, and
 /// all that is drawn of a patch.
-pub const DRAWN_NUMBERS: [f64; 2] = [-1.5, 1.5];
+pub(crate) const DRAWN_NUMBERS: [f64; 2] = [-1.5, 1.5];
 
 /// A value of s as the ratio of two doubles, so that infinity is a value too.
 type Ratio = [f64; 2];
@@ -76,8 +76,8 @@ impl<const N: usize> ParametricCurve<N> {
         lines
     }
 
-    /// A box that shows the curve: all of it if it is bounded, else most of what it does in the range, or for
-    /// [`DRAWN_NUMBERS`]. `None` if nothing of it is finite.
+    /// A box that shows the curve: all of it if it is bounded, else most of what it does in the range, or between −3/2 and
+    /// 3/2. `None` if nothing of it is finite.
     #[must_use]
     pub fn extent(&self, range: Option<[f64; 2]>) -> Option<[[f64; 2]; N]> {
         const POINTS: u32 = 720;
@@ -136,7 +136,7 @@ impl<const N: usize> ParametricCurve<N> {
     pub(crate) fn in_doubles(&self) -> CurveInDoubles<N> {
         let doubles = |f: &IntegerPolynomial| {
             let coefficients = f.coefficients_asc().iter();
-            coefficients.map(|c| Rational::from(c).to_f64()).collect()
+            coefficients.map(|c| Rational::whole(c).to_f64()).collect()
         };
         let both = |f: &RationalFunction| [doubles(f.numerator()), doubles(f.denominator())];
         CurveInDoubles {
@@ -170,7 +170,7 @@ impl<const N: usize> CurveInDoubles<N> {
 impl Patch {
     /// Points of the surface on a grid of parameters, a row for each value of the first one; `None` at poles.
     ///
-    /// Without ranges: a full period of an angle, [`DRAWN_NUMBERS`] of a number.
+    /// Without ranges: a full period of an angle, −3/2 to 3/2 of a number.
     #[must_use]
     pub fn grid(
         &self,
@@ -252,7 +252,7 @@ mod tests {
 
     fn function(p: &str, q: &str) -> RationalFunction {
         let polynomial = |text: &str| IntegerPolynomial::from_str(text).unwrap();
-        RationalFunction::new(polynomial(p), polynomial(q)).unwrap()
+        RationalFunction::from_integers(polynomial(p), polynomial(q)).unwrap()
     }
 
     #[test]

@@ -96,6 +96,7 @@ impl FourierRadius {
     }
 
     /// (D, D·cosines, D·sines) with the least common denominator D of all coefficients.
+    #[doc(hidden)]
     #[must_use]
     pub fn over_common_denominator(&self) -> (Integer, Vec<Integer>, Vec<Integer>) {
         // D = 2^power · odd: where all coefficients are dyadic, a gcd is never taken.
@@ -135,7 +136,8 @@ impl FourierRadius {
             let c = c.iter().map(|&c| Integer::from(c)).collect();
             let factor = BinaryForm::from_coefficients(c).times(&above);
             let (p, q) = (factor.dehomogenized(), below.dehomogenized());
-            RationalFunction::new(p.clone(), q.clone()).invariant("a power of 1 + s^2 is not 0")
+            RationalFunction::from_integers(p.clone(), q.clone())
+                .invariant("a power of 1 + s^2 is not 0")
         };
         let parameter = Parameter::angle("t", Rational::one());
         // cos θ = (1 − s²)/(1 + s²), sin θ = 2s/(1 + s²)

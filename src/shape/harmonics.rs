@@ -112,7 +112,7 @@ fn harmonics(coefficients: &[Rational], degree: usize) -> Vec<(usize, Rational, 
         .map(|c| c.numerator() * (&denominator).div_exact(c.denominator()))
         .collect();
     integers.resize(degree + 1, Integer::ZERO);
-    let scale = Rational::from(&denominator);
+    let scale = Rational::whole(&denominator);
     let form = BinaryForm::from_coefficients(integers);
     harmonics_of_form(&form)
         .into_iter()

@@ -7,7 +7,7 @@ use crate::poly::{PlanePolynomial, SpacePolynomial, SparsePolynomial};
 
 /// The plane curve `f(x, y) = 0`, in coordinates relative to `center`.
 ///
-/// For a contour the centre is the one of its fit: only there has F its three homogeneous parts.
+/// For a contour the center is the one of its fit: only there has F its three homogeneous parts.
 /// [`ImplicitCurve::in_original_coordinates`] expands F about the contour's own origin.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImplicitCurve {

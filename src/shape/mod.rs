@@ -18,7 +18,8 @@ mod swept_edge;
 pub use contour::Contour;
 pub(crate) use contour::coordinate_fault;
 pub use curve::{ParametricCurve, PlaneCurve, SpaceCurve};
-pub use drawn::DRAWN_NUMBERS;
+#[cfg(feature = "pictures")]
+pub(crate) use drawn::DRAWN_NUMBERS;
 pub(crate) use drawn::{CurveInDoubles, PatchInDoubles};
 pub use fourier::FourierRadius;
 pub(crate) use harmonics::{Basis, Expansion, quotient_in_harmonics};
@@ -27,11 +28,12 @@ pub(crate) use orientation::orientation;
 pub use parameter::Parameter;
 pub use patch::{Patch, PatchFunction};
 pub use radial::Radial;
-pub use superquadric::{MAX_ROOT_BITS, SpaceSuperquadric, Superquadric};
+pub use superquadric::{SpaceSuperquadric, Superquadric};
 pub(crate) use swept_edge::SweptEdge;
 
 /// Any form that the input language or a document can say exactly.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Form {
     /// `r = …`
     Fourier(FourierRadius),

@@ -38,8 +38,8 @@ impl PatchFunction {
         let ratio = content(numerator) / content(denominator);
         let [p, q] = coprime_parts([numerator, denominator], limits)?;
         Ok(Some(Self {
-            numerator: p.scaled(&Rational::from(ratio.numerator())),
-            denominator: q.scaled(&Rational::from(ratio.denominator())),
+            numerator: p.scaled(&Rational::whole(ratio.numerator())),
+            denominator: q.scaled(&Rational::whole(ratio.denominator())),
         }))
     }
 

@@ -23,6 +23,7 @@ pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
 
 /// The numbers of a float program.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum FloatNumbers {
     /// Coefficients, every one a double.
     Coefficients(Box<Form>),
@@ -34,6 +35,7 @@ pub enum FloatNumbers {
 
 /// What the numbers of a float program are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FloatKind {
     /// An implicit document, or rows `i,j[,k],value`.
     Coefficients,
@@ -184,7 +186,7 @@ impl CheckTask {
         }
     }
 
-    /// The polynomial of a float program, about the same centre.
+    /// The polynomial of a float program, about the same center.
     fn coefficients(&self, form: &Form, name: &str) -> Result<SparsePolynomial<3>> {
         let wrong = |message: String| Error::data(name, message);
         let reference = &self.reference;

@@ -1,6 +1,6 @@
 //! Charts of checks: the digits of every number, and what doubles keep for growing N.
 
-use crate::check::{Comparison, DigitsKept, MOST_DIGITS, Place, Row, Rung};
+use crate::check::{Comparison, DigitsKept, GivenNumber, MOST_DIGITS, Row, Rung};
 use crate::picture::{Chart, Series};
 
 /// The digits of every number over its place: of a coefficient among the terms, of a point or a radius the angle.
@@ -8,7 +8,7 @@ use crate::picture::{Chart, Series};
 pub fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart {
     let is_term = matches!(
         found.all().next().map(|row| &row.place),
-        None | Some(Place::Term(_))
+        None | Some(GivenNumber::Term(_))
     );
     let series = |label: &str, rows: &[Row]| Series {
         label: format!("{label}: {}", rows.len()),
@@ -53,9 +53,9 @@ pub fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart 
 )]
 fn across(index: usize, row: &Row) -> f64 {
     match &row.place {
-        Place::Term(_) => index as f64 + 1.0,
-        Place::Point { position, .. } => position[1].atan2(position[0]),
-        Place::Radius { theta, .. } => *theta,
+        GivenNumber::Term(_) => index as f64 + 1.0,
+        GivenNumber::Point { position, .. } => position[1].atan2(position[0]),
+        GivenNumber::Radius { theta, .. } => *theta,
     }
 }
 

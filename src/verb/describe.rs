@@ -31,6 +31,7 @@ pub struct Described {
 
 /// The kinds of forms that are described.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum DescribedForm {
     /// A form with one equation.
     Equation(Description),

@@ -68,6 +68,7 @@ pub enum Fact {
 
 /// Theorems with one polar equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PolarTheorem {
     /// Theorem 1, Eq. (1), of plane curves.
     One,
@@ -93,6 +94,7 @@ pub struct BeyondCurve {
 
 /// How much of the real curve real values of the parameter reach.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Reach {
     /// All of it, but for finitely many points.
     Whole,

@@ -81,7 +81,7 @@ pub(super) fn refuse_fit_options(options: &FitOptions) -> Result<()> {
     refuse_contour_options(options)
 }
 
-/// What only a contour has: a centre to choose, and a tolerance.
+/// What only a contour has: a center to choose, and a tolerance.
 pub(super) fn refuse_contour_options(options: &FitOptions) -> Result<()> {
     refuse(&[
         (

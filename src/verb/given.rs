@@ -30,6 +30,7 @@ pub struct Given {
     reason = "there is one of these for each form that is handed in"
 )]
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Content {
     /// A form, exactly.
     Exact(Form),

@@ -19,6 +19,7 @@ use crate::shape::{
 
 /// The way from a parametric form to its equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ImplicitizeMethod {
     /// Theorems 1, 3 and 4 of the paper.
     Polar,
@@ -28,7 +29,8 @@ pub enum ImplicitizeMethod {
 
 /// How the coefficients of an equation are scaled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Scale {
+#[non_exhaustive]
+pub enum CoefficientScale {
     /// Coprime integers, the first term positive.
     #[default]
     Integer,
@@ -38,8 +40,9 @@ pub enum Scale {
 
 /// Where the coordinates of a contour's equation begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum CoordinatesFrom {
-    /// At the centre of the fit.
+    /// At the center of the fit.
     #[default]
     Center,
     /// Where the contour's own do.
@@ -54,7 +57,7 @@ options! {
         /// The way; by default Theorem 2 for radii, a resultant for plane curves, certified linear algebra in space.
         method: Option<ImplicitizeMethod> = None,
         /// How the coefficients are scaled.
-        scale: Scale = Scale::Integer,
+        scale: CoefficientScale = CoefficientScale::Integer,
         /// Where the coordinates begin.
         coordinates: CoordinatesFrom = CoordinatesFrom::Center,
     }
@@ -345,8 +348,8 @@ fn scaled(form: Form, options: &ImplicitizeOptions) -> Form {
     let surface = |surface: &ImplicitSurface| {
         let f = surface.polynomial();
         ImplicitSurface::new(match options.scale {
-            Scale::Integer => f.primitive(),
-            Scale::Monic => f.monic(),
+            CoefficientScale::Integer => f.primitive(),
+            CoefficientScale::Monic => f.monic(),
         })
     };
     match form {
@@ -356,8 +359,8 @@ fn scaled(form: Form, options: &ImplicitizeOptions) -> Form {
                 CoordinatesFrom::Original => curve.in_original_coordinates(),
             };
             Form::Curve(curve.map_polynomial(|f| match options.scale {
-                Scale::Integer => f.into_primitive(),
-                Scale::Monic => f.monic(),
+                CoefficientScale::Integer => f.into_primitive(),
+                CoefficientScale::Monic => f.monic(),
             }))
         }
         Form::Surface(s) => Form::Surface(surface(&s)),

@@ -68,7 +68,8 @@ pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::fit;
 pub use given::{Content, Given, read_limited};
 pub use implicitize::{
-    CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions, Scale, implicitize,
+    CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,
+    implicitize,
 };
 pub use inspect::{InspectionOptions, InspectionTask, Subject, inspect};
 pub use mesh::{MeshingOptions, mesh};

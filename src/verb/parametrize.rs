@@ -11,8 +11,8 @@ use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
 use crate::options::options;
 use crate::parametrize::{
-    Branch, BranchFit, BranchFitOptions, DEFAULT_HARMONICS, DirectionAnswer,
-    IntersectionParametrization, MeridianBranch, Parametrization, PolarMethod, Radius,
+    Branch, BranchFit, BranchFitOptions, BranchRadius, DEFAULT_HARMONICS, DirectionAnswer,
+    IntersectionParametrization, MeridianBranch, Parametrization, PolarMethod,
     SurfaceParametrization, fit_branch, parametrize as parametrize_curve, parametrize_intersection,
     parametrize_space_superquadric, parametrize_superquadric, parametrize_surface,
 };
@@ -44,6 +44,7 @@ options! {
     clippy::large_enum_variant,
     reason = "there is one of these for each form that is parametrized"
 )]
+#[non_exhaustive]
 pub enum Parametrized {
     /// A plane curve: its branches r(θ).
     Curve {
@@ -72,6 +73,7 @@ pub enum Parametrized {
 
 /// What is exact on a meridian.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct OnMeridian {
     /// Its angle.
     pub theta: Direction,
@@ -81,6 +83,7 @@ pub struct OnMeridian {
 
 /// What is certain in a direction.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct InDirection {
     /// The direction.
     pub direction: SpaceDirection,
@@ -169,7 +172,7 @@ impl Parametrized {
     pub fn is_series(&self) -> bool {
         match self {
             Self::Curve { polar, fit } => {
-                let is_series = |b: &Branch| matches!(b.radius, Radius::Fourier(_));
+                let is_series = |b: &Branch| matches!(b.radius, BranchRadius::Fourier(_));
                 polar.branches.first().is_some_and(is_series)
                     || fit.is_some() && polar.method == PolarMethod::Numeric
             }
@@ -277,7 +280,7 @@ fn branch_fit(
     work: &Work,
 ) -> Result<Option<BranchFit>> {
     let fit = &options.fit;
-    let is_root = |b: &Branch| matches!(&b.radius, Radius::Root(root) if !root.is_point());
+    let is_root = |b: &Branch| matches!(&b.radius, BranchRadius::Root(root) if !root.is_point());
     if !polar.branches.iter().any(is_root) {
         let given = [
             ("--branch", options.branch.is_some()),
@@ -310,7 +313,7 @@ fn branch_fit(
 fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Parametrization> {
     let mut curve = parametrize_curve(&SquaredForm::new(radius)?.expand(), limits)?;
     // Both describe the same points; the one that was given comes first.
-    let is_given = |b: &Branch| matches!(&b.radius, Radius::Fourier(r) if r == radius);
+    let is_given = |b: &Branch| matches!(&b.radius, BranchRadius::Fourier(r) if r == radius);
     if let Some(given) = curve.branches.iter().position(is_given) {
         curve.branches.swap(0, given);
     }

@@ -18,6 +18,7 @@ const PNG_SCALE: f32 = 2.0;
 
 /// The format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FigureFormat {
     /// Lines and text.
     Svg,
@@ -27,6 +28,7 @@ pub enum FigureFormat {
 
 /// The part of the plane or of space that is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Frame {
     /// Of the plane.
     Plane(Window),
@@ -87,7 +89,8 @@ impl FigureFormat {
     /// The bytes of the file.
     ///
     /// # Errors
-    /// Those of [`png_from_svg`].
+    /// [`crate::error::Error::Limit`] if the picture is too large to be held in memory; [`crate::error::Error::Data`] if the SVG
+    /// is malformed.
     pub fn bytes(self, svg: String) -> Result<Vec<u8>> {
         match self {
             Self::Svg => Ok(svg.into_bytes()),

@@ -9,14 +9,14 @@ use crate::fit::CenterOrigin;
 pub enum Remark {
     /// A contour is measured from a point that was chosen for it.
     Center {
-        /// The centre.
+        /// The center.
         point: [f64; 2],
         /// Why this one.
         origin: CenterOrigin,
     },
-    /// A contour is not star-shaped about the centre.
+    /// A contour is not star-shaped about the center.
     Hidden {
-        /// The centre.
+        /// The center.
         point: [f64; 2],
         /// The share of the outline's length that the fit cannot see.
         share: f64,

@@ -27,6 +27,7 @@ const MAX_KEPT: usize = 10_000_000;
 pub type KeptPoint = ([f64; 3], Inspection);
 
 /// Where the points of an inspection come from.
+#[non_exhaustive]
 pub enum PointSource {
     /// Each a text `x,y` or `x,y,z`.
     Texts(Vec<String>),

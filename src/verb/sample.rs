@@ -53,12 +53,13 @@ pub struct Samples {
 
 /// The kinds of certified points.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum SampledPoints {
-    /// Of a plane curve, ray by ray, relative to its centre.
+    /// Of a plane curve, ray by ray, relative to its center.
     Plane {
         /// The rays.
         rays: Vec<SampledRay>,
-        /// The centre.
+        /// The center.
         center: [Rational; 2],
     },
     /// Of a surface, ray by ray.

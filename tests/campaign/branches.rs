@@ -6,14 +6,14 @@ use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use stellate::limits::Limits;
 use stellate::parametrize::{AngleRange, ExactAngle, parametrize, parametrize_surface};
-use stellate::sample::{Direction, SpaceDirection, UnitVector};
+use stellate::sample::{Direction, SpaceDirection};
 use stellate::shape::{ImplicitCurve, ImplicitSurface};
 
 use super::angles::{arctangent_bounds, pi_bounds};
 use super::draw::Draw;
-use super::exact::{Q, Sturm, big, tower, value, whole};
+use super::exact::{Q, Sturm, tower, value, whole};
 use super::harness::Outcome;
-use super::rays::{along, near, roots_along, way_of_half_tangent};
+use super::rays::{along, integer_vector, near, roots_along, way_of_half_tangent};
 use super::roots::decimal;
 use super::terms::{Terms, random};
 
@@ -199,8 +199,7 @@ pub(crate) fn surface_branches(draw: &mut Draw) -> Outcome {
             }
         };
         let direction = SpaceDirection::new(angle(draw), angle(draw));
-        let (vector, _) = direction.over_common_denominator();
-        let vector = vector.each_ref().map(big);
+        let vector = integer_vector(&direction).0;
         let g = along(&f, &vector);
         // Where the form of highest degree is 0 the formulas have no value, and where a root is double (it may be 0) two
         // formulas may have the same one.

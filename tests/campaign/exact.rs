@@ -5,7 +5,7 @@ use malachite::base::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use stellate::exact::Rational;
+use stellate::exact::{Rational, integer_from_num, integer_to_num};
 use stellate::poly::IntegerPolynomial;
 
 pub(crate) type Q = BigRational;
@@ -19,11 +19,11 @@ pub(crate) fn our(q: &Q) -> Rational {
 }
 
 pub(crate) fn integer(n: &BigInt) -> Integer {
-    Rational::from(n).numerator()
+    integer_from_num(n)
 }
 
 pub(crate) fn big(n: &Integer) -> BigInt {
-    BigInt::try_from(&Rational::from(n)).unwrap()
+    integer_to_num(n)
 }
 
 pub(crate) fn whole(n: i64) -> Q {
@@ -108,6 +108,14 @@ impl Poly {
 
     pub(crate) fn to_integers(&self) -> IntegerPolynomial {
         IntegerPolynomial::from_coefficients_asc(self.0.iter().map(integer).collect())
+    }
+
+    pub(crate) fn of_coefficients(f: &[Rational]) -> Self {
+        Self::new(f.iter().map(|c| BigInt::try_from(c).unwrap()).collect())
+    }
+
+    pub(crate) fn to_coefficients(&self) -> Vec<Rational> {
+        self.0.iter().map(Rational::from).collect()
     }
 
     pub(crate) fn is_zero(&self) -> bool {

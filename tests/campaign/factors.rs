@@ -42,7 +42,7 @@ pub(crate) fn products(draw: &mut Draw) -> Outcome {
         assert_eq!(Terms::new(found), *expected);
         assert!(ours.check_invariants());
     };
-    same(&f.to_plane().product(&g.to_plane()), &f.times(&g));
+    same(&(&f.to_plane() * &g.to_plane()), &f.times(&g));
     let small = random::<2>(draw, 6, 60);
     let [a, b] = [0; 2].map(|_: i32| draw.rational());
     let moved = small.to_plane().translated(&our(&a), &our(&b));
@@ -211,11 +211,11 @@ pub(crate) fn factors(draw: &mut Draw) -> Outcome {
                 *expected.entry(g.0).or_default() += k;
             }
             draw.input = format!("factor_univariate of {:?}", f.0);
-            let Ok(found) = factor_univariate(&f.to_integers(), &limits()) else {
+            let Ok(found) = factor_univariate(&f.to_coefficients(), &limits()) else {
                 return Outcome::Open;
             };
             let factors = found.factors.iter();
-            let factors = factors.map(|g| (Poly::of_integers(&g.polynomial).0, g.multiplicity));
+            let factors = factors.map(|g| (Poly::of_coefficients(&g.polynomial).0, g.multiplicity));
             assert_eq!(factors.collect::<Factors<_>>(), expected);
             let product = expected.iter().fold(Poly::of(&[1]), |product, (g, k)| {
                 product.times(&Poly(g.clone()).power(*k))

@@ -14,7 +14,7 @@ use super::harness::Outcome;
 
 /// A set with a known distance: |δ − ρ| where δ² is a rational number.
 enum Shape {
-    /// A sphere or circle: centre and radius. Its farthest point matters for the criterion.
+    /// A sphere or circle: center and radius. Its farthest point matters for the criterion.
     Round([Q; 3], Q),
     /// A plane or line through a point, with a rational unit normal.
     Flat([Q; 3], [Q; 3]),
@@ -76,13 +76,13 @@ impl Shape {
     fn equation(&self, in_space: bool) -> String {
         let names = ["x", "y", "z"];
         let used = if in_space { 3 } else { 2 };
-        let centred = |q: &[Q; 3], i: usize| format!("({} - ({}))", names[i], q[i]);
+        let centered = |q: &[Q; 3], i: usize| format!("({} - ({}))", names[i], q[i]);
         let squares = |q: &[Q; 3]| {
-            let terms = (0..used).map(|i| format!("{}^2", centred(q, i)));
+            let terms = (0..used).map(|i| format!("{}^2", centered(q, i)));
             terms.collect::<Vec<_>>().join(" + ")
         };
         let along = |q: &[Q; 3], v: &[Q; 3]| {
-            let terms = (0..used).map(|i| format!("({})*{}", v[i], centred(q, i)));
+            let terms = (0..used).map(|i| format!("({})*{}", v[i], centered(q, i)));
             terms.collect::<Vec<_>>().join(" + ")
         };
         match self {
@@ -173,7 +173,7 @@ fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
         1 => value(draw.double(4).abs()),
         _ => Q::new((1 + draw.below(300)).into(), (1 + draw.below(40)).into()),
     };
-    // Near or exactly at the tolerance of one of the shapes, at a centre, on a shape, or anywhere.
+    // Near or exactly at the tolerance of one of the shapes, at a center, on a shape, or anywhere.
     let chosen = draw.index(shapes.len());
     let p = match draw.below(8) {
         0 => point(draw, in_space, 8),

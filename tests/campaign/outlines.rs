@@ -1,4 +1,4 @@
-//! Outlines: seen from a centre, and what is inside, by exact cross products.
+//! Outlines: seen from a center, and what is inside, by exact cross products.
 
 use std::cmp::Ordering;
 

@@ -12,7 +12,7 @@ use stellate::poly::{BinaryForm, RationalFunction, SparsePolynomial};
 use stellate::shape::{Parameter, Patch, PatchFunction, PlaneCurve};
 
 use super::draw::Draw;
-use super::exact::{Poly, Q, Sturm, big, num, our};
+use super::exact::{Poly, Q, Sturm, num, our};
 use super::harness::Outcome;
 use super::terms::{Terms, plane_terms, random, space_terms, value_of};
 
@@ -42,7 +42,7 @@ impl Function {
     }
 
     fn ours(&self) -> RationalFunction {
-        RationalFunction::new(self.top.to_integers(), self.bottom.to_integers()).unwrap()
+        RationalFunction::new(&self.top.to_coefficients(), &self.bottom.to_coefficients()).unwrap()
     }
 
     fn text(&self) -> String {
@@ -383,11 +383,7 @@ pub(crate) fn patches(draw: &mut Draw) -> Outcome {
 /// w² = form(1, t) as Poly in t.
 fn of_form(form: &BinaryForm) -> Poly {
     // Coefficients of x^(d−k) y^k.
-    Poly::new(
-        (0..=form.degree())
-            .map(|k| big(&form.coefficient(k)))
-            .collect(),
-    )
+    Poly::new(form.coefficients())
 }
 
 /// Claimed parametrizations satisfy the equation; conics that are said to have no rational point have none of small height.
@@ -412,9 +408,9 @@ pub(crate) fn rational_curves(draw: &mut Draw) -> Outcome {
     let polynomial = f.to_plane();
     match rational_parametrization(&polynomial) {
         Some(Rationality::Parametrized(curve)) => {
-            let functions = [&curve.x, &curve.y].map(|f| Function {
-                top: Poly::of_integers(f.numerator()),
-                bottom: Poly::of_integers(f.denominator()),
+            let functions = [&curve.x, &curve.y].map(|f| {
+                let [top, bottom] = f.coefficients().map(|c| Poly::of_coefficients(&c));
+                Function { top, bottom }
             });
             assert_vanishes(&plane_terms(&polynomial), &functions);
         }

@@ -1,15 +1,16 @@
 //! Rays in the plane and in space: how many roots there are, their multiplicities, and that every r and every coordinate is the
 //! nearest double, by Sturm counts between the points where rounding changes.
 
-use malachite::Integer;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use stellate::exact::Rational;
 use stellate::poly::SpacePolynomial;
-use stellate::sample::{Direction, Ray, RaySolver, Sample, SpaceDirection, UnitVector};
+use stellate::sample::{
+    Direction, RationalDirection, Ray, RaySolver, Sample, SpaceDirection, UnitVector,
+};
 
 use super::draw::Draw;
-use super::exact::{Poly, Q, big, integer, num, power_of_two, rounding_interval, tower, value};
+use super::exact::{Poly, Q, num, power_of_two, rounding_interval, tower, value};
 use super::harness::Outcome;
 use super::terms::{Terms, random};
 
@@ -17,13 +18,14 @@ use super::terms::{Terms, random};
 pub(crate) struct Way<const V: usize> {
     pub(crate) vector: [BigInt; V],
     pub(crate) length: BigInt,
-    ours: ([Integer; V], Integer),
+    ours: RationalDirection<V>,
     name: String,
 }
 
 impl<const V: usize> Way<V> {
     pub(crate) fn new((vector, length): ([BigInt; V], BigInt)) -> Self {
-        let ours = (vector.each_ref().map(integer), integer(&length));
+        let component = |u: &BigInt| Rational::new(u.clone(), length.clone()).unwrap();
+        let ours = RationalDirection::new(&vector.each_ref().map(component)).unwrap();
         let name = format!("in the direction {vector:?}/{length}");
         Self {
             vector,
@@ -34,20 +36,27 @@ impl<const V: usize> Way<V> {
     }
 
     fn of(direction: &impl UnitVector<V>, name: String) -> Self {
-        let ours = direction.over_common_denominator();
+        let (vector, length) = integer_vector(direction);
         Self {
-            vector: ours.0.each_ref().map(big),
-            length: big(&ours.1),
-            ours,
+            vector,
+            length,
+            ours: RationalDirection::new(&direction.components()).unwrap(),
             name,
         }
     }
 }
 
-impl<const V: usize> UnitVector<V> for Way<V> {
-    fn over_common_denominator(&self) -> ([Integer; V], Integer) {
-        self.ours.clone()
-    }
+/// The components over their least common denominator, and that.
+pub(crate) fn integer_vector<const V: usize>(
+    direction: &impl UnitVector<V>,
+) -> ([BigInt; V], BigInt) {
+    let components = direction.components();
+    let length = components.iter().fold(BigInt::one(), |w, c| {
+        let gcd = Q::new(w.clone(), c.denom()).denom().clone();
+        w * gcd
+    });
+    let scale = Rational::from(&length);
+    (components.map(|c| (c * &scale).numer()), length)
 }
 
 fn plane_direction(draw: &mut Draw) -> (Direction, String) {
@@ -176,14 +185,14 @@ fn check<const V: usize>(found: &Ray<V>, f: &Terms<V>, way: &Way<V>) {
 fn check_plane(draw: &mut Draw, f: &Terms<2>, way: &Way<2>) -> Outcome {
     draw.input = format!("stellate sample '{}' {}", f.text(), way.name);
     let polynomial = f.to_plane();
-    check(&RaySolver::new(&polynomial).solve(way), f, way);
+    check(&RaySolver::new(&polynomial).solve(&way.ours), f, way);
     Outcome::Checked
 }
 
 fn check_space(draw: &mut Draw, f: &Terms<3>, way: &Way<3>) -> Outcome {
     draw.input = format!("stellate sample '{} + 0z' {}", f.text(), way.name);
     let polynomial = SpacePolynomial::from(&f.to_sparse());
-    check(&RaySolver::new(&polynomial).solve(way), f, way);
+    check(&RaySolver::new(&polynomial).solve(&way.ours), f, way);
     Outcome::Checked
 }
 
@@ -374,6 +383,6 @@ pub(crate) fn way_of_half_tangent(t: &Q) -> Way<2> {
 
 /// The double of a component, for messages.
 pub(crate) fn near(way: &Way<2>) -> f64 {
-    let [u, v] = way.components().map(|c| num(&c));
+    let [u, v] = way.ours.components().map(|c| num(&c));
     super::exact::nearest(&v).atan2(super::exact::nearest(&u))
 }

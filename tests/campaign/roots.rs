@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use stellate::poly::squarefree_decomposition;
-use stellate::roots::{RealRoot, real_roots};
+use stellate::roots::RealRoot;
 
 use super::draw::Draw;
 use super::exact::{
@@ -87,8 +87,8 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
     if f.degree() == 0 {
         return Outcome::Open;
     }
-    draw.input = format!("real_roots of {:?}", f.0);
-    let roots: Vec<RealRoot> = real_roots(&f.to_integers());
+    draw.input = format!("real roots of {:?}", f.0);
+    let roots = RealRoot::all_of(&f.to_coefficients());
     let chains = tower(&f);
     assert_eq!(roots.len(), chains[0].count(), "the number of roots");
     for (k, chain) in chains.iter().enumerate() {
@@ -97,7 +97,7 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
     }
     for (i, root) in roots.iter().enumerate() {
         let (low, high) = root.bounds();
-        let [low, high] = [low, high].map(|d| num(&d.to_rational()));
+        let [low, high] = [low, high].map(|d| num(&d));
         let [open, closed] = chains[0].count_open_and_closed(&low, &high);
         // The ends of an open interval may be other roots.
         assert!(
@@ -155,7 +155,7 @@ pub(crate) fn real_roots_of(draw: &mut Draw) -> Outcome {
         let mut finer = root.clone();
         finer.refine(80);
         let (a, b) = finer.bounds();
-        let [a, b] = [a, b].map(|d| num(&d.to_rational()));
+        let [a, b] = [a, b].map(|d| num(&d));
         let [open, closed] = chains[0].count_open_and_closed(&a, &b);
         assert!(open == 1 || a == b && closed == 1, "a refined interval");
         let size = if a < Q::zero() { -b.clone() } else { a.clone() };

@@ -16,12 +16,12 @@ use stellate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
 use crate::common::float_program::{changed, checked, lopsided, rounded};
 use crate::common::forms::{plane, space};
 use crate::common::oracle_theorem_2::theorem_2;
-use crate::common::radii;
+use crate::common::{power_of_two, radii};
 
 #[test]
 fn where_theorem_2_gives_a_square_it_may_be_reduced_or_not() {
     // r = cos 3t + sin(t)/2
-    let half = Rational::from_dyadic(1.into(), -1);
+    let half = power_of_two(-1);
     let zero = Rational::zero;
     let radius = FourierRadius::new(vec![zero(), zero(), zero(), 1.into()], vec![zero(), half]);
     let form = SquaredForm::new(&radius).unwrap();
@@ -252,7 +252,7 @@ proptest! {
         prop_assume!(got.iter().all(|(_, c)| c.is_normal()));
         let found = checked(&r, &got);
         let scale = found.scale.clone().unwrap();
-        prop_assert_eq!(scale.factor, Rational::from_dyadic(1.into(), i64::from(factor)));
+        prop_assert_eq!(scale.factor, power_of_two(i64::from(factor)));
         prop_assert!(found.missing.is_empty() && found.extra.is_empty());
         prop_assert!(found.rows.iter().all(|row| row.deviation.ulps <= 0.5));
         prop_assert!(found.passes(None) && found.passes(Some(15)));
@@ -306,13 +306,13 @@ proptest! {
     #[test]
     fn the_distance_along_a_ray_is_exact(k in -4000i32..4000, r in 1i32..40) {
         prop_assume!(k != 0);
-        let x = Rational::from(r) + Rational::from_dyadic(k.into(), -20);
+        let x = Rational::from(r) + Rational::from(k) * power_of_two(-20);
         let point = GivenPoint { line: 1, position: [x.to_f64(), 0.0, 0.0] };
         let found = circle(r.into()).check_points(&[point], &Limits::none()).unwrap();
         let row = &found.rows[0];
-        let expected = Rational::from_dyadic(k.into(), -20).abs() / Rational::from(r);
+        let expected = (Rational::from(k) * power_of_two(-20)).abs() / Rational::from(r);
         let off = (row.deviation.relative().unwrap() - &expected).abs() / expected;
-        prop_assert!(off < Rational::from_dyadic(1.into(), -60));
+        prop_assert!(off < power_of_two(-60));
         let ulp = f64::from(r).next_up() - f64::from(r);
         prop_assert!((row.deviation.ulps / (f64::from(k.abs()) * 2f64.powi(-20) / ulp) - 1.0).abs() < 1e-12);
     }
@@ -320,7 +320,7 @@ proptest! {
     /// Test vectors: what follows from the inputs follows from them exactly.
     #[test]
     fn vectors_follow_from_their_inputs(r in radii(5)) {
-        let size = Rational::from_dyadic(1.into(), -60);
+        let size = power_of_two(-60);
         prop_assume!(r.cosines().iter().chain(r.sines()).all(|c| c.is_zero() || c.abs() > size));
         prop_assume!(!SquaredForm::new(&r).unwrap().is_perfect_square());
         let reference = Reference::of_radius(&r).unwrap();

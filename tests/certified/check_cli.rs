@@ -234,7 +234,7 @@ fn references_of_every_kind() {
 }
 
 #[test]
-fn coefficients_of_a_surface_and_of_a_curve_about_a_centre() {
+fn coefficients_of_a_surface_and_of_a_curve_about_a_center() {
     let surface = "i,j,k,value\n2,0,0,0.5\n0,2,0,1\n0,0,1,-0.15\n";
     let check = [
         "check",
@@ -254,7 +254,7 @@ fn coefficients_of_a_surface_and_of_a_curve_about_a_centre() {
         "{}",
         run.out
     );
-    // About the fit's centre, said or unsaid; not about another one.
+    // About the fit's center, said or unsaid; not about another one.
     let butterfly = outline("butterfly");
     let document = done(&[
         "implicitize",

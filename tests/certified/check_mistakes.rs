@@ -8,6 +8,7 @@ use stellate::shape::{FourierRadius, ImplicitSurface};
 
 use crate::common::float_program::{Terms, changed, checked, lopsided, names, polynomial, rounded};
 use crate::common::forms::{plane, space};
+use crate::common::power_of_two;
 
 #[test]
 fn every_usual_mistake_of_the_series_is_named() {
@@ -79,20 +80,13 @@ fn every_usual_mistake_of_the_polynomial_is_named() {
 #[test]
 fn the_unsquared_forms_and_the_square_are_named() {
     // N = 2, by hand: r (r² − odd) = even with odd = x/2, even = ρ + (x² − y²)/4.
-    let right = FourierRadius::new(
-        vec![
-            1.into(),
-            Rational::from_dyadic(1.into(), -1),
-            Rational::from_dyadic(1.into(), -2),
-        ],
-        vec![],
-    );
+    let right = FourierRadius::new(vec![1.into(), power_of_two(-1), power_of_two(-2)], vec![]);
     let left = plane("x^2 + y^2 - x/2");
     let even = plane("x^2 + y^2 + x^2/4 - y^2/4");
     // Both are made primitive: 2x² + 2y² − x and 5x² + 3y².
     let [left, even] = [left, even].map(|f| SparsePolynomial::from(&f));
-    let half = Rational::from_dyadic(1.into(), -1);
-    let quarter = Rational::from_dyadic(1.into(), -2);
+    let half = power_of_two(-1);
+    let quarter = power_of_two(-2);
     let (left, even) = (left.scaled(&half), even.scaled(&quarter));
     let reference = Reference::of_radius(&right).unwrap();
     let f = reference.polynomial().clone();

@@ -200,7 +200,7 @@ fn plane_curves_and_contours() {
         csv.starts_with("x,y,verdict,curve,distance_low,distance_high\n0.66,0.88,inside,true,"),
         "{csv}"
     );
-    // A Fourier radius goes through its equation; a centre is taken into account.
+    // A Fourier radius goes through its equation; a center is taken into account.
     let radius =
         r#"{"schema":"stellate/1","kind":"fourier","cos":["2"],"sin":["0"],"center":["10","20"]}"#;
     let run = run_in(

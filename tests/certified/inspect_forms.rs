@@ -133,7 +133,7 @@ fn points_of_a_curve_are_at_distance_0() {
 }
 
 #[test]
-fn a_centre_is_where_the_curve_is() {
+fn a_center_is_where_the_curve_is() {
     let found = inspect("# center: 10, 0\nr = 1 + cos(2t)/2", "1/10", "11.5,0");
     assert_eq!(found.verdict, Verdict::Inside);
     let found = inspect("# center: 10, 0\nr = 1 + cos(2t)/2", "1/10", "1.5,0");

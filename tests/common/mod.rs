@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+pub(crate) mod dense;
 pub(crate) mod float_program;
 pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;
@@ -21,6 +22,11 @@ pub(crate) fn rational() -> impl Strategy<Value = Rational> {
         6 => (-60i64..60, 1i64..12).prop_map(|(p, q)| Rational::from(p) / Rational::from(q)),
         1 => any::<f64>().prop_filter_map("finite", |v| Rational::try_from(v % 8.0).ok()),
     ]
+}
+
+/// 2^k
+pub(crate) fn power_of_two(k: i64) -> Rational {
+    Rational::from(2).pow(k).unwrap()
 }
 
 /// Fourier radii with up to `harmonics` harmonics, many coefficients zero, never all of them.

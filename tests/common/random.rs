@@ -1,7 +1,7 @@
 //! Reproducible numbers for tests and benches.
 
 use malachite::Integer;
-use stellate::exact::Rational;
+use stellate::exact::{Rational, integer_to_num};
 use stellate::poly::PlanePolynomial;
 
 /// SplitMix64 (Steele, Lea & Flood).
@@ -33,6 +33,8 @@ impl SplitMix {
     /// All terms up to the given total degree, so irreducible.
     pub(crate) fn dense(&mut self, degree: usize, bits: u64) -> PlanePolynomial {
         let exponents = (0..=degree).flat_map(|i| (0..=degree - i).map(move |j| (i, j)));
-        PlanePolynomial::from_terms(exponents.map(|e| (e, Rational::from(self.integer(bits)))))
+        PlanePolynomial::from_terms(
+            exponents.map(|e| (e, Rational::from(integer_to_num(&self.integer(bits))))),
+        )
     }
 }

@@ -11,17 +11,28 @@ use proptest::prelude::*;
 use stellate::error::Error;
 use stellate::exact::Rational;
 use stellate::factor::{
-    Factorization, Irreducibility, factor_plane, factor_space, factor_univariate,
+    Factor, Factorization, Irreducibility, factor_plane, factor_space, factor_univariate,
 };
 use stellate::limits::Limits;
 use stellate::poly::{IntegerPolynomial, PlanePolynomial, Ring, SparsePolynomial};
+
+use crate::common::dense::{integral, rational};
 
 fn in_x(text: &str) -> IntegerPolynomial {
     IntegerPolynomial::from_str(text).unwrap()
 }
 
 fn univariate(f: &IntegerPolynomial) -> Factorization<IntegerPolynomial> {
-    factor_univariate(f, &Limits::none()).unwrap()
+    let found = factor_univariate(&rational(f), &Limits::none()).unwrap();
+    let factors = found.factors.into_iter().map(|g| Factor {
+        polynomial: integral(&g.polynomial),
+        multiplicity: g.multiplicity,
+        proof: g.proof,
+    });
+    Factorization {
+        content: found.content,
+        factors: factors.collect(),
+    }
 }
 
 fn plane(f: &PlanePolynomial) -> Factorization<PlanePolynomial> {
@@ -31,7 +42,7 @@ fn plane(f: &PlanePolynomial) -> Factorization<PlanePolynomial> {
         assert!(factor.polynomial.check_invariants());
         assert_eq!(factor.polynomial.primitive(), factor.polynomial);
         for _ in 0..factor.multiplicity {
-            product = product.product(&factor.polynomial);
+            product = &product * &factor.polynomial;
         }
     }
     assert_eq!(&product, f, "the factors multiply back");
@@ -150,10 +161,10 @@ fn multiplicities_and_content_in_one_variable() {
 
 #[test]
 fn constants_have_no_factors_and_zero_is_refused() {
-    let seven = PlanePolynomial::from_terms([((0, 0), Rational::new(7.into(), 3.into()).unwrap())]);
+    let seven = PlanePolynomial::from_terms([((0, 0), Rational::new(7, 3).unwrap())]);
     let result = plane(&seven);
     assert!(result.factors.is_empty());
-    assert_eq!(result.content, Rational::new(7.into(), 3.into()).unwrap());
+    assert_eq!(result.content, Rational::new(7, 3).unwrap());
     let zero = PlanePolynomial::from_terms([]);
     assert!(matches!(
         factor_plane(&zero, &Limits::none()),
@@ -163,7 +174,7 @@ fn constants_have_no_factors_and_zero_is_refused() {
 
 #[test]
 fn example_8_of_the_paper() {
-    let q = |n: i64, d: i64| Rational::new(n.into(), d.into()).unwrap();
+    let q = |n: i64, d: i64| Rational::new(n, d).unwrap();
     let rational = |terms: &[(Rational, usize, usize)]| {
         PlanePolynomial::from_terms(terms.iter().map(|(c, i, j)| ((*i, *j), c.clone())))
     };
@@ -175,7 +186,7 @@ fn example_8_of_the_paper() {
     ]);
     let outer = rational(&[(q(1, 1), 8, 0), (q(1, 1), 0, 8), (q(-1, 100_000), 0, 0)]);
     let axes = xy(&[(1, 10, 10)]);
-    let result = plane(&inner.product(&outer).product(&axes));
+    let result = plane(&(&(&inner * &outer) * &axes));
     let found: Vec<_> = result
         .factors
         .iter()
@@ -198,7 +209,9 @@ fn known_factorizations_in_the_plane() {
     let conic = xy(&[(1, 2, 0), (1, 0, 2), (-1, 0, 0)]);
     let form = xy(&[(1, 4, 0), (-5, 2, 2), (4, 0, 4)]);
     let in_y = xy(&[(1, 0, 2), (-2, 0, 0)]);
-    let f = conic.product(&conic).product(&form).product(&in_y);
+    let f = [&conic, &form, &in_y]
+        .into_iter()
+        .fold(conic.clone(), |f, g| &f * g);
     let multiplicities: Vec<_> = plane(&f).factors.iter().map(|g| g.multiplicity).collect();
     assert_eq!(multiplicities, [1, 1, 1, 1, 2, 1]);
 
@@ -207,9 +220,8 @@ fn known_factorizations_in_the_plane() {
     assert_eq!(plane(&f).factors.len(), 1);
 
     // Leading coefficients in both variables: (xy − 1)(xy² + x + y)(x³y − y³ + 2).
-    let f = xy(&[(1, 1, 1), (-1, 0, 0)])
-        .product(&xy(&[(1, 1, 2), (1, 1, 0), (1, 0, 1)]))
-        .product(&xy(&[(1, 3, 1), (-1, 0, 3), (2, 0, 0)]));
+    let f = &xy(&[(1, 1, 1), (-1, 0, 0)]) * &xy(&[(1, 1, 2), (1, 1, 0), (1, 0, 1)]);
+    let f = &f * &xy(&[(1, 3, 1), (-1, 0, 3), (2, 0, 0)]);
     assert_eq!(plane(&f).factors.len(), 3);
 
     // x⁴ + 4y⁴ and x^12 − y^18.
@@ -247,9 +259,9 @@ fn dense(degree: usize, seed: u64) -> PlanePolynomial {
 #[test]
 fn two_dense_factors() {
     let (f, g) = (dense(8, 1), dense(8, 2));
-    let result = plane(&f.product(&g));
+    let result = plane(&(&f * &g));
     assert_eq!(result.factors.len(), 2);
-    let result = plane(&f.product(&f).product(&dense(3, 5)));
+    let result = plane(&(&(&f * &f) * &dense(3, 5)));
     assert_eq!(result.factors.len(), 2);
     assert_eq!(result.factors[1].multiplicity, 2);
 }
@@ -388,7 +400,7 @@ proptest! {
     #[test]
     fn products_in_the_plane(f in small_plane(), g in small_plane()) {
         prop_assume!(!f.is_zero() && !g.is_zero());
-        let both = plane(&f.product(&g));
+        let both = plane(&(&f * &g));
         let (a, b) = (plane(&f), plane(&g));
         prop_assert_eq!(count(&a) + count(&b), count(&both));
         for factor in a.factors.iter().chain(&b.factors) {
@@ -404,7 +416,7 @@ proptest! {
     #[test]
     fn powers_in_the_plane(f in small_plane(), g in small_plane()) {
         prop_assume!(!f.is_zero() && !g.is_zero());
-        let (a, b) = (plane(&f), plane(&f.product(&f).product(&g)));
+        let (a, b) = (plane(&f), plane(&(&(&f * &f) * &g)));
         for factor in &a.factors {
             prop_assert!(b.factors.iter().any(|h| h.polynomial == factor.polynomial && h.multiplicity >= 2 * factor.multiplicity));
         }
@@ -413,8 +425,8 @@ proptest! {
     #[test]
     fn moving_a_curve_moves_its_factors(f in small_plane(), g in small_plane(), a in -3i64..=3, b in 1i64..=3) {
         prop_assume!(!f.is_zero() && !g.is_zero());
-        let product = f.product(&g);
-        let moved = product.translated(&a.into(), &Rational::new(a.into(), b.into()).unwrap());
+        let product = &f * &g;
+        let moved = product.translated(&a.into(), &Rational::new(a, b).unwrap());
         prop_assert_eq!(count(&plane(&product)), count(&plane(&moved)));
     }
 
@@ -423,14 +435,14 @@ proptest! {
         let product = &f * &g;
         prop_assume!(!product.coefficients_asc().is_empty());
         let flat = PlanePolynomial::from_terms(
-            product.coefficients_asc().iter().enumerate().map(|(k, c)| ((k, 0), Rational::from(c))),
+            rational(&product).into_iter().enumerate().map(|(k, c)| ((k, 0), c)),
         );
         let (one, two) = (univariate(&product), plane(&flat));
         prop_assert_eq!(&one.content, &two.content);
         prop_assert_eq!(one.factors.len(), two.factors.len());
         for (a, b) in one.factors.iter().zip(&two.factors) {
             let back = PlanePolynomial::from_terms(
-                a.polynomial.coefficients_asc().iter().enumerate().map(|(k, c)| ((k, 0), Rational::from(c))),
+                rational(&a.polynomial).into_iter().enumerate().map(|(k, c)| ((k, 0), c)),
             );
             prop_assert_eq!(&back, &b.polynomial);
             prop_assert_eq!(&a.proof, &b.proof);
@@ -448,7 +460,7 @@ proptest! {
     #[test]
     fn the_plane_in_space_is_the_plane(f in small_plane(), g in small_plane()) {
         prop_assume!(!f.is_zero() && !g.is_zero());
-        let product = f.product(&g);
+        let product = &f * &g;
         let (two, three) = (plane(&product), space(&SparsePolynomial::from(&product)));
         prop_assert_eq!(&two.content, &three.content);
         let flat: Vec<_> = three.factors.iter().map(|g| (g.polynomial.to_plane().unwrap(), g.multiplicity)).collect();

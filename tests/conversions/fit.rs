@@ -86,13 +86,13 @@ fn rows_and_pictures_of_one_outline_give_one_fit() {
             (ratio - 1.0).abs() < 0.02,
             "{name}: areas differ by {ratio}"
         );
-        // The picture's centre in the coordinates of the rows.
+        // The picture's center in the coordinates of the rows.
         let centroid = rows.centroid();
-        let centre: Vec<f64> = (0..2)
+        let center: Vec<f64> = (0..2)
             .map(|k| rows_low[k] + (picture.centroid()[k] - low[k]) / scale)
             .collect();
-        assert!((centre[0] - centroid[0]).abs() < 1.0 / scale, "{name}");
-        assert!((centre[1] - centroid[1]).abs() < 1.0 / scale, "{name}");
+        assert!((center[0] - centroid[0]).abs() < 1.0 / scale, "{name}");
+        assert!((center[1] - centroid[1]).abs() < 1.0 / scale, "{name}");
         let rows = fitted(&rows, FitSize::Harmonics(20)).radius;
         let picture = fitted(&picture, FitSize::Harmonics(20)).radius;
         let a0 = picture.cos(0).to_f64() / (rows.cos(0).to_f64() * scale);

@@ -17,22 +17,26 @@ use stellate::implicitize::{
     SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve, polar_plane,
 };
 use stellate::limits::Limits;
-use stellate::poly::{
-    IntegerPolynomial, PlanePolynomial, RationalFunction, Ring, SparsePolynomial,
-};
+use stellate::poly::{IntegerPolynomial, PlanePolynomial, RationalFunction, SparsePolynomial};
 use stellate::shape::{Parameter, PlaneCurve, SpaceCurve};
+
+use crate::common::dense::integral;
 
 fn polynomial(coefficients: &[i64]) -> IntegerPolynomial {
     let coefficients = coefficients.iter().map(|&c| Integer::from(c));
     IntegerPolynomial::from_coefficients_asc(coefficients.collect())
 }
 
+fn quotient(numerator: &[i64], denominator: &[i64]) -> Option<RationalFunction> {
+    let [p, q] =
+        [numerator, denominator].map(|f| f.iter().map(|&c| Rational::from(c)).collect::<Vec<_>>());
+    RationalFunction::new(&p, &q)
+}
+
 fn function() -> impl Strategy<Value = RationalFunction> {
     let coefficients = || prop::collection::vec(-5i64..6, 1..5);
     let denominator = prop_oneof![Just(vec![1]), coefficients()];
-    (coefficients(), denominator).prop_filter_map("a denominator", |(p, q)| {
-        RationalFunction::new(polynomial(&p), polynomial(&q))
-    })
+    (coefficients(), denominator).prop_filter_map("a denominator", |(p, q)| quotient(&p, &q))
 }
 
 fn curves() -> impl Strategy<Value = PlaneCurve> {
@@ -135,16 +139,14 @@ proptest! {
     fn running_twice_over_a_curve_doubles_the_index(curve in curves(), a in -4i64..5, b in 1i64..5) {
         // s → (s² + a)/(b s)
         let limits = Limits::none();
-        let inner = RationalFunction::new(polynomial(&[a, 0, 1]), polynomial(&[0, b])).unwrap();
+        let inner = quotient(&[a, 0, 1], &[0, b]).unwrap();
         prop_assume!(inner.degree() == 2);
         let composed = curve.coordinates().each_ref().map(|f| {
-            let at = |p: &IntegerPolynomial| {
-                let zero = RationalFunction::new(polynomial(&[]), polynomial(&[1])).unwrap();
-                p.coefficients_asc().iter().rev().fold(zero, |v, c| {
-                    v.times(&inner).plus_constant(&Rational::from(c))
-                })
-            };
-            at(f.numerator()).times(&at(f.denominator()).recip().unwrap())
+            let [above, below] = f.coefficients().map(|p| {
+                let zero = quotient(&[], &[1]).unwrap();
+                p.iter().rev().fold(zero, |v, c| (&v * &inner).plus_constant(c))
+            });
+            &above * &below.recip().unwrap()
         });
         let twice = PlaneCurve::new(Parameter::number("t"), composed);
         let (once, twice) = (implicitize_plane(&curve, &limits).unwrap(), implicitize_plane(&twice, &limits).unwrap());
@@ -204,7 +206,8 @@ proptest! {
                 if all {
                     // Then it is on the curve: some parameter value gives it.
                     let common = curve.coordinates().iter().zip(&beside).fold(polynomial(&[]), |g, (f, v)| {
-                        stellate::poly::polynomial_gcd(&g, f.plus_constant(&-v.clone()).numerator())
+                        let [numerator, _] = f.plus_constant(&-v.clone()).coefficients();
+                        stellate::poly::polynomial_gcd(&g, &integral(&numerator))
                     });
                     prop_assert!(common.coefficients_asc().len() != 1, "{:?}", beside);
                 }

@@ -2,7 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use malachite::Integer;
 use proptest::prelude::*;
 use stellate::exact::Rational;
 use stellate::limits::Limits;
@@ -12,10 +11,11 @@ use stellate::parametrize::{
 use stellate::poly::{BinaryForm, PlanePolynomial, Ring};
 use stellate::shape::{Form, ImplicitCurve};
 
+use crate::common::dense::of_integers;
 use crate::common::program::{done, json};
 
 fn form(coefficients: &[i64]) -> BinaryForm {
-    BinaryForm::from_coefficients(coefficients.iter().map(|&c| Integer::from(c)).collect())
+    BinaryForm::new(coefficients.iter().copied())
 }
 
 fn forms(degree: usize) -> impl Strategy<Value = BinaryForm> {
@@ -27,7 +27,7 @@ fn power(f: &BinaryForm, k: usize) -> BinaryForm {
 }
 
 fn curve(parts: Vec<BinaryForm>) -> PlanePolynomial {
-    PlanePolynomial::from_parts(parts, Integer::from(1))
+    parts.into_iter().collect()
 }
 
 fn parametrized(f: &PlanePolynomial) -> Parametrization {
@@ -52,7 +52,7 @@ fn rationality(text: &str) -> Option<Rationality> {
 /// `(S − A)² − B² k` with degrees n, n−1 and 2 deg B + deg k = 2n − 2: with y = t x it is the cover w² = k of the line of
 /// slopes.
 fn double_cover(s: &BinaryForm, a: &BinaryForm, b: &BinaryForm, k: &BinaryForm) -> PlanePolynomial {
-    let middle = s.times(a).scaled(&Integer::from(-2));
+    let middle = s.times(a).times(&form(&[-2]));
     let low = a.squared().minus(&b.squared().times(k));
     curve(vec![s.squared(), middle, low])
 }
@@ -125,12 +125,9 @@ proptest! {
     #[test]
     fn a_conic_without_a_point_gives_none(s in forms(3), a in forms(2), b in forms(1), c in forms(2)) {
         // Sums of two squares are never 3 modulo 4 up to squares: w² = 3(t0² + t1²) after a change of (t0, t1).
-        let [x, y] = [c.coefficient(0), c.coefficient(1)];
-        let three = Integer::from(3);
-        let k = BinaryForm::from_coefficients(vec![
-            &three * (&x * &x + Integer::from(1)), &three * &x * &y * Integer::from(2), three * &y * &y,
-        ]);
-        prop_assume!(!s.is_zero() && !b.is_zero() && y != 0);
+        let [x, y] = [0, 1].map(|k| c.coefficients()[k].clone());
+        let k = BinaryForm::new([(&x * &x + 1) * 3, &x * &y * 6, &y * &y * 3]);
+        prop_assume!(!s.is_zero() && !b.is_zero() && y != 0.into());
         let f = double_cover(&s, &a, &b, &k);
         let known = parametrized(&f).rational;
         // The factor that is not linear in x.
@@ -150,8 +147,9 @@ proptest! {
         // Degree 4 is genus 1; with b as a factor of the kernel, degree 6 with another B: genus 2.
         let (b, k, genus) = if twisted { (form(&[1]), k.times(&b).times(&form(&[1, 9])), 2) } else { (b, k, 1) };
         let discriminant_is_zero = {
-            let parts = stellate::poly::squarefree_decomposition(k.dehomogenized());
-            let degree = k.dehomogenized().coefficients_asc().len();
+            let in_t = of_integers(&k.coefficients());
+            let parts = stellate::poly::squarefree_decomposition(&in_t);
+            let degree = in_t.coefficients_asc().len();
             parts.iter().any(|(m, _)| *m > 1) || degree < k.degree()
         };
         prop_assume!(!k.is_zero() && !discriminant_is_zero);
@@ -172,9 +170,9 @@ proptest! {
     ) {
         // R^k = c l^m other^(k−m) (g/d)^k
         prop_assume!(m < k && num_integer_gcd(m, k) == 1 && !g.is_zero() && !d.is_zero());
-        let [a, b] = [l.coefficient(0), l.coefficient(1)];
-        prop_assume!(a * other.coefficient(1) != b * other.coefficient(0));
-        let low = power(&l, m).times(&power(&other, k - m)).times(&power(&g, k)).scaled(&Integer::from(-c));
+        let (l_at, other_at) = (l.coefficients(), other.coefficients());
+        prop_assume!(&l_at[0] * &other_at[1] != &l_at[1] * &other_at[0]);
+        let low = power(&l, m).times(&power(&other, k - m)).times(&power(&g, k)).times(&form(&[-c]));
         let f = curve(vec![power(&d, k), low]);
         for known in parametrized(&f).rational {
             lies_on(&known, &f)?;

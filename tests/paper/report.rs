@@ -12,7 +12,7 @@ use std::process::Command;
 
 use crate::common::program::{done_in, run_in};
 use roxmltree::{Document, Node, ParsingOptions};
-use stellate::paper::{Verdict, entries};
+use stellate::paper::{EntryVerdict, entries};
 use tempfile::TempDir;
 
 /// The folder of the report, and its page, in the place of an older one.
@@ -94,7 +94,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
     }
     let errata = entries
         .iter()
-        .filter(|e| e.expected != Verdict::Holds)
+        .filter(|e| e.expected != EntryVerdict::Holds)
         .count();
     let rows = named("tbody").next().unwrap().children();
     assert_eq!(rows.filter(|n| n.has_tag_name("tr")).count(), errata);

@@ -9,11 +9,11 @@ use stellate::implicitize::{SquaredForm, parity_sums, square_away};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::parametrize::{
-    AngleRange, Branch, BranchFitOptions, Parametrization, PolarMethod, Radius, fit_branch,
+    AngleRange, Branch, BranchFitOptions, BranchRadius, Parametrization, PolarMethod, fit_branch,
     fourier_branches, parametrize,
 };
 use stellate::poly::{BinaryForm, PlanePolynomial, Ring, SparsePolynomial};
-use stellate::roots::real_roots;
+use stellate::roots::RealRoot;
 use stellate::sample::{Direction, Ray, RaySolver};
 use stellate::shape::{Form, FourierRadius, ImplicitCurve};
 
@@ -65,7 +65,7 @@ fn theorem_2_of_odd_harmonics_alone_is_a_perfect_square() {
     let (reduced, full) = (form.expand(), form.expand_unreduced());
     let g = reduced.polynomial();
     assert_eq!(g.degree(), Some(4));
-    assert_eq!(&g.product(g).primitive(), full.polynomial());
+    assert_eq!(&(g * g).primitive(), full.polynomial());
 }
 
 /// Appendix B: N = 3 with symbolic coefficients, through the code that builds (7) and (8).
@@ -240,7 +240,8 @@ const EXAMPLE_9_PRINTED: [(usize, &str); 7] = [
 
 /// A polynomial in c and s as a form of degree d, with c² + s² = 1.
 fn on_the_circle(text: &str, d: usize) -> BinaryForm {
-    let mut sum = BinaryForm::zero(d);
+    let mut sum = BinaryForm::new(vec![0; d + 1]);
+    let squared_length = BinaryForm::new([1, 0, 1]);
     let plane = if text.contains(['c', 's']) {
         let Form::Curve(curve) = parse_form(
             &text.replace('c', "x").replace('s', "y"),
@@ -257,8 +258,8 @@ fn on_the_circle(text: &str, d: usize) -> BinaryForm {
     for part in plane.parts() {
         let rho = (part.degree()..d)
             .step_by(2)
-            .fold(part.clone(), |form, _| form.times_rho());
-        sum = sum.plus(&rho);
+            .fold(part.clone(), |form, _| &form * &squared_length);
+        sum = &sum + &rho;
     }
     sum
 }
@@ -270,8 +271,7 @@ fn example_9_is_printed_with_x_and_y_exchanged() {
     for (d, printed) in EXAMPLE_9_PRINTED {
         let printed = on_the_circle(printed, d);
         let part = f.polynomial().part(d).unwrap().clone();
-        let exchanged =
-            BinaryForm::from_coefficients((0..=d).rev().map(|k| part.coefficient(k)).collect());
+        let exchanged = BinaryForm::new(part.coefficients().into_iter().rev());
         assert_eq!(printed, exchanged, "r^{d}");
         differs += usize::from(printed != part);
     }
@@ -284,13 +284,13 @@ fn example_9_has_three_radii_at_the_fold() {
     let found = parametrize(&f, &Limits::none()).unwrap();
     assert_eq!(found.method, PolarMethod::Numeric);
     let root = |b: &Branch| match &b.radius {
-        Radius::Root(root) => Some(root.clone()),
+        BranchRadius::Root(root) => Some(root.clone()),
         _ => None,
     };
     let first = root(&found.branches[0]).unwrap();
     let discriminant = first.discriminant();
-    assert_eq!(discriminant.coefficients_asc().len(), 31);
-    let zeros: Vec<String> = real_roots(&discriminant)
+    assert_eq!(discriminant.len(), 31);
+    let zeros: Vec<String> = RealRoot::all_of(&discriminant)
         .iter()
         .map(|t| t.to_decimal(12))
         .collect();

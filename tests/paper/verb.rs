@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use crate::common::program::{done, json, run_in};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use stellate::limits::Limits;
-use stellate::paper::{TestPart, Verdict, entries, read_entries};
+use stellate::paper::{EntryVerdict, TestPart, entries, read_entries};
 
 #[test]
 fn every_statement_comes_out_as_recorded() {
@@ -34,7 +34,7 @@ fn every_statement_comes_out_as_recorded() {
         assert!(outcome.expected, "{}: {:#?}", entry.id, outcome);
         let printed = outcome.findings.iter();
         let printed = printed.filter(|f| f.part == TestPart::Printed && !f.holds);
-        assert_eq!(printed.count() > 0, outcome.verdict != Verdict::Holds);
+        assert_eq!(printed.count() > 0, outcome.verdict != EntryVerdict::Holds);
         assert!(!entry.section.is_empty() && !entry.printed.is_empty());
     });
 }
@@ -130,9 +130,10 @@ impl Mutant {
                 let [finding] = &outcome.findings[..] else {
                     panic!("one test: {text}");
                 };
-                match finding.part {
-                    TestPart::Printed => finding.surprising,
-                    TestPart::Corrected | TestPart::Always => !finding.holds,
+                if finding.part == TestPart::Printed {
+                    finding.surprising
+                } else {
+                    !finding.holds
                 }
             }
         }

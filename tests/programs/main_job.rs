@@ -279,7 +279,7 @@ const SQUARE: &str = "x,y\n0,0\n2,0\n2,2\n0,2\n";
 
 #[test]
 fn an_outline_on_standard_input_is_a_contour_and_original_coordinates_expand_there() {
-    // The mean distance of the square's boundary from its centre, by equal angles, is 1.12…
+    // The mean distance of the square's boundary from its center, by equal angles, is 1.12…
     let arguments = [
         "implicitize",
         "-",
@@ -302,7 +302,7 @@ fn an_outline_on_standard_input_is_a_contour_and_original_coordinates_expand_the
 }
 
 #[test]
-fn the_centre_survives_every_document() {
+fn the_center_survives_every_document() {
     let flags = [
         "-",
         "--harmonics",

@@ -19,9 +19,9 @@ use stellate::picture::Window;
 use stellate::sample::Direction;
 use stellate::shape::{Form, ImplicitCurve};
 use stellate::verb::{
-    self, Content, DescribeOptions, FigureFormat, FloatKind, Frame, Given, ImplicitizeMethod,
-    ImplicitizeOptions, InspectionOptions, MeshingOptions, ParametrizeOptions, PlotOptions,
-    PointRows, PointSource, ReadingOptions, SampleOptions, Scale, VectorOptions, Work,
+    self, CoefficientScale, Content, DescribeOptions, FigureFormat, FloatKind, Frame, Given,
+    ImplicitizeMethod, ImplicitizeOptions, InspectionOptions, MeshingOptions, ParametrizeOptions,
+    PlotOptions, PointRows, PointSource, ReadingOptions, SampleOptions, VectorOptions, Work,
 };
 use tempfile::TempDir;
 
@@ -160,7 +160,7 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             let polar = words.one("method").map(|_| ImplicitizeMethod::Polar);
             let mut options = ImplicitizeOptions::default().fit(words.fit()).method(polar);
             if words.one("scale") == Some("monic") {
-                options = options.scale(Scale::Monic);
+                options = options.scale(CoefficientScale::Monic);
             }
             let found = verb::implicitize(first(), &options, &work).unwrap();
             write_implicitization(&found, words.format(Format::Text), &mut out).unwrap();
@@ -280,7 +280,7 @@ fn circle_about_ten() -> ImplicitCurve {
 }
 
 #[test]
-fn a_centre_is_lost_nowhere() {
+fn a_center_is_lost_nowhere() {
     let work = Work::default();
     let curve = circle_about_ten();
     let options = InspectionOptions::default().tolerance("1/10".parse().unwrap());

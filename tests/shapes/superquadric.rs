@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 use std::path::Path;
 
 use proptest::prelude::*;
-use stellate::document::{Format, write_superquadric};
+use stellate::document::{Format, write_form};
 use stellate::exact::Rational;
 use stellate::language::{Numbers, parse_form};
 use stellate::reading::read_text;
@@ -157,7 +157,7 @@ proptest! {
     fn a_superquadric_is_written_and_read_back(shape in superquadrics()) {
         for format in [Format::Text, Format::Json] {
             let mut out = Vec::new();
-            write_superquadric(&shape, format, &mut out).unwrap();
+            write_form(&Form::Superquadric(shape.clone()), &[], format, &mut out).unwrap();
             let text = String::from_utf8(out).unwrap();
             prop_assert_eq!(read_text(&text, "<form>", Numbers::Exact).unwrap(), Form::Superquadric(shape.clone()));
         }

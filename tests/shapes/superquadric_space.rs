@@ -4,7 +4,7 @@
 
 use crate::common::program::{done, json, piped, run_in};
 use proptest::prelude::*;
-use stellate::document::{Format, write_space_superquadric};
+use stellate::document::{Format, write_form};
 use stellate::exact::Rational;
 use stellate::language::{Numbers, parse_form};
 use stellate::parametrize::parametrize_space_superquadric;
@@ -100,7 +100,7 @@ proptest! {
         let shape = SpaceSuperquadric::new(a, e, level).unwrap();
         for format in [Format::Text, Format::Json] {
             let mut out = Vec::new();
-            write_space_superquadric(&shape, format, &mut out).unwrap();
+            write_form(&Form::SpaceSuperquadric(shape.clone()), &[], format, &mut out).unwrap();
             let text = String::from_utf8(out).unwrap();
             let form = match format {
                 Format::Json => stellate::reading::read_document(&text, "<form>", Numbers::Exact).unwrap(),

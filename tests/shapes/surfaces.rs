@@ -138,7 +138,7 @@ fn spaced_degrees_and_factors() {
 #[test]
 fn sampled_counts_are_sturms() {
     for text in [
-        // A sphere off centre, an ellipsoid, a torus about a point inside its tube and about its centre
+        // A sphere off center, an ellipsoid, a torus about a point inside its tube and about its center
         "x^2 + y^2 + z^2 - 2x - 2y - 2z + 2",
         "x^2/4 + y^2/9 + z^2 - 1",
         "((x+2)^2 + y^2 + z^2 + 3)^2 - 16*((x+2)^2 + y^2)",
@@ -223,13 +223,16 @@ fn residual(c: &[f64], r: Complex<f64>) -> f64 {
     value.norm() / size
 }
 
-/// s, p, q, u(, v) of a dense surface in a direction.
-fn coefficients(f: &SpacePolynomial, direction: &SpaceDirection) -> Vec<f64> {
-    let (vector, w) = direction.over_common_denominator();
-    let w = Rational::from(&w);
-    let values = f.values_at(&vector).map(|(degree, value)| {
-        let power = w.pow(i64::try_from(degree).unwrap()).unwrap();
-        (Rational::from(value) / power).to_f64()
+/// s, p, q, u(, v) of a surface in a direction: the values of its homogeneous parts, by descending degree.
+fn coefficients(f: &SparsePolynomial<3>, direction: &SpaceDirection) -> Vec<f64> {
+    let at = direction.components();
+    let degrees = SpacePolynomial::from(f).homogeneous_degrees();
+    let values = degrees.into_iter().map(|degree| {
+        let part = f
+            .terms()
+            .filter(|(e, _)| e.iter().sum::<u32>() as usize == degree);
+        let part = SparsePolynomial::from_terms(part.map(|(e, c)| (*e, c.clone())));
+        part.evaluate(&at).to_f64()
     });
     values.collect()
 }
@@ -248,10 +251,10 @@ fn mended_lemmas_9_and_10_against_the_printed_ones() {
         "2*x^4 + y^4 + 3*z^4 + x*y*z^2 + x^3 - y^2*z + 2*z^3 - 5*x^2 - 7*y^2 - 6*z^2 + x*y + x - 2*y + z - 4",
     );
     for f in [&cubic, &quartic] {
-        let (surface, f) = (spherical(f), SpacePolynomial::from(f));
+        let surface = spherical(f);
         let [mut mended, mut printed] = [0, 0];
         for direction in SpaceDirection::fibonacci(100) {
-            let descending = coefficients(&f, &direction);
+            let descending = coefficients(f, &direction);
             let ascending: Vec<f64> = descending.iter().rev().copied().collect();
             let at = floats(&direction);
             let answer = surface.in_direction(&direction).branches;

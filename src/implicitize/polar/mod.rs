@@ -15,6 +15,7 @@ pub use space_curve::{PolarSpaceCurve, PolarSurface, polar_space_curve};
 
 /// How the squared distance from the origin depends on the direction.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PolarInverse {
     /// It is the quotient above/below of two forms of the same degree in x, y (and z).
     Function([SparsePolynomial<3>; 2]),
@@ -24,6 +25,7 @@ pub enum PolarInverse {
 
 /// An irreducible factor of an equation that was found by substitution.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PolarFactor {
     /// Primitive, with positive first term.
     pub polynomial: SparsePolynomial<3>,
@@ -35,6 +37,7 @@ pub struct PolarFactor {
 
 /// What an irreducible factor of such an equation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Role {
     /// It vanishes identically on the form (proved by substitution).
     Form,

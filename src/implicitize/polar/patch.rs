@@ -13,6 +13,7 @@ use crate::shape::{ImplicitSurface, Patch, PatchFunction};
 
 /// What Eq. (15) gives.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PolarPatch {
     /// The irreducible equation of the surface.
     pub surface: ImplicitSurface,

@@ -13,6 +13,7 @@ use crate::shape::{ImplicitCurve, ParametricCurve, PlaneCurve};
 
 /// What Eq. (1) gives.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PolarPlane {
     /// The irreducible equation of the curve.
     pub curve: ImplicitCurve,

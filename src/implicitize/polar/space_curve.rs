@@ -12,6 +12,7 @@ use crate::shape::SpaceCurve;
 
 /// What Eqs. (10) and (11) give.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PolarSpaceCurve {
     /// The surface of Eq. (10), or why there is none.
     pub first: std::result::Result<PolarSurface, String>,
@@ -24,6 +25,7 @@ pub struct PolarSpaceCurve {
 
 /// One of the paper's surfaces.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PolarSurface {
     /// The equation, cleared of denominators.
     pub equation: SparsePolynomial<3>,

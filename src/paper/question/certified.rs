@@ -2,11 +2,13 @@
 
 use super::polar::{Polar, polar};
 use super::{Answer, form, joined, not_asked, parts, polynomial};
+use malachite::Integer;
+
 use crate::error::Result;
-use crate::exact::{Integer, Rational, exact_literal, pi};
+use crate::exact::{Rational, exact_literal, pi};
 use crate::inspect::{InspectOptions, Inspector, SphereSection, Verdict};
 use crate::limits::Limits;
-use crate::parametrize::{AngleRange, Parametrization, Radius, SurfaceParametrization};
+use crate::parametrize::{AngleRange, BranchRadius, Parametrization, SurfaceParametrization};
 use crate::poly::SpacePolynomial;
 use crate::sample::{Direction, Ray, RaySolver, Sample, SpaceDirection, UnitVector};
 use crate::shape::{Form, ImplicitSurface};
@@ -86,7 +88,7 @@ pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Res
 
 /// Directions around, the first at 1°: no multiples of 15°, where branches like to end and doubles cannot tell on which side they are.
 fn beside_ends(count: usize) -> impl Iterator<Item = Direction> {
-    let integer = |n: usize| Rational::from(Integer::from(n));
+    let integer = |n: usize| Rational::whole(Integer::from(n));
     let step = integer(360) / integer(count.max(1));
     (0..count).map(move |k| Direction::from_degrees(&(&step * &integer(k) + Rational::one())))
 }
@@ -108,7 +110,7 @@ fn plane_values(curve: &Parametrization, direction: &Direction) -> Option<Vec<f6
     };
     let real = curve.branches.iter().filter(|b| b.real.iter().any(inside));
     real.map(|branch| match &branch.radius {
-        Radius::Root(_) => None,
+        BranchRadius::Root(_) => None,
         radius => Some(radius.approximate(theta)),
     })
     .collect()

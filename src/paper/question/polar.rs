@@ -7,11 +7,11 @@ use crate::error::Result;
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
 use crate::parametrize::{
-    AngleRange, Parametrization, PolarMethod, Radius, SurfaceMethod, SurfaceParametrization,
+    AngleRange, BranchRadius, Parametrization, PolarMethod, SurfaceMethod, SurfaceParametrization,
     fourier_branches, parametrize, parametrize_intersection, parametrize_space_superquadric,
     parametrize_superquadric, parametrize_surface,
 };
-use crate::roots::real_roots;
+use crate::roots::RealRoot;
 use crate::shape::Form;
 
 /// Decimals of angles that have no closed form.
@@ -157,15 +157,15 @@ pub(super) fn curves(subject: &str, claimed: &str, limits: &Limits) -> Result<An
 pub(super) fn folds(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let found = in_the_plane(subject, limits)?;
     let mut roots = found.branches.iter().filter_map(|b| match &b.radius {
-        Radius::Root(root) => Some(root),
+        BranchRadius::Root(root) => Some(root),
         _ => None,
     });
     let Some(root) = roots.next() else {
         return Err(not_asked(subject, "a curve without a closed form"));
     };
     let discriminant = root.discriminant();
-    let degree = discriminant.coefficients_asc().len().saturating_sub(1);
-    let zeros = real_roots(&discriminant);
+    let degree = discriminant.len().saturating_sub(1);
+    let zeros = RealRoot::all_of(&discriminant);
     let zeros = joined(zeros.iter().map(|t| t.to_decimal(TANGENT_DECIMALS)));
     Ok(Answer::text(format!("degree {degree}; {zeros}"), claimed))
 }

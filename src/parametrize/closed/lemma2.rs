@@ -3,7 +3,7 @@
 use super::forms::{LemmaForm, negative, reduced};
 use super::{Rule, Solved};
 use crate::error::Invariant;
-use crate::parametrize::cells::Place;
+use crate::parametrize::cells::SignedDirection;
 use crate::parametrize::expression::Expression;
 
 /// Eqs. (16)–(19): `top R + low = 0` with R = r^k.
@@ -40,7 +40,7 @@ impl<T: Clone> Critical<T> {
 }
 
 /// The sign of the root; `None` where it is not finite.
-pub(super) fn sign(at: &Place) -> Option<i8> {
+pub(super) fn sign(at: &SignedDirection) -> Option<i8> {
     let Critical { top, minus_low } = Critical::named(&at.signs);
     (top != 0).then_some(minus_low * top)
 }

@@ -5,7 +5,7 @@ use malachite::Integer;
 use super::forms::{LemmaForm, negative, reduced, square_part};
 use super::{Rule, Solved};
 use crate::error::Invariant;
-use crate::parametrize::cells::Place;
+use crate::parametrize::cells::SignedDirection;
 use crate::parametrize::expression::Expression;
 
 /// Eqs. (21)–(32): `s R² + p R + q = 0` with R = r^k, so that
@@ -113,7 +113,7 @@ impl<T: Clone> Critical<T> {
 }
 
 /// The sign of the root with the given sign of √(p² − 4sq); `None` where it is not real or not finite.
-pub(super) fn sign(at: &Place, of_root: i8) -> Option<i8> {
+pub(super) fn sign(at: &SignedDirection, of_root: i8) -> Option<i8> {
     let Critical {
         s,
         p,

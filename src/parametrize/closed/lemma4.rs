@@ -6,7 +6,7 @@ use super::forms::{LemmaForm, constant, negative, product, reduced, square_part}
 use super::{Rule, Solved};
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::parametrize::cells::Place;
+use crate::parametrize::cells::SignedDirection;
 use crate::parametrize::expression::Expression;
 
 /// Eqs. (33)–(49): `s R³ + p R² + q R + u = 0` with R = r^k.
@@ -140,7 +140,7 @@ impl<T: Clone> Critical<T> {
 }
 
 /// The sign of the root that the cube roots give: the only real one, or for Δ = 0 the simple one.
-pub(super) fn sign_of_one(at: &Place) -> Option<i8> {
+pub(super) fn sign_of_one(at: &SignedDirection) -> Option<i8> {
     let Critical {
         s,
         p,
@@ -162,7 +162,7 @@ pub(super) fn sign_of_one(at: &Place) -> Option<i8> {
 }
 
 /// The sign of the root with the j-th largest y where all three are real.
-pub(super) fn sign_of_three(at: &Place, j: usize) -> Option<i8> {
+pub(super) fn sign_of_three(at: &SignedDirection, j: usize) -> Option<i8> {
     let Critical {
         s,
         p,
@@ -223,7 +223,7 @@ pub(super) fn cosine_root<F: LemmaForm>(p: &F, b: &F, j: usize) -> Expression<F>
     let angle = if j == 0 {
         angle
     } else {
-        let turn = Expression::Pi(Rational::from(Integer::from(2 * j)));
+        let turn = Expression::Pi(Rational::whole(Integer::from(2 * j)));
         Expression::Difference(Box::new(angle), Box::new(turn))
     };
     let cosine = Expression::Cosine(Box::new(angle.over(constant(3))));

@@ -13,7 +13,7 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
 
 use super::angle::AngleRange;
-use super::cells::{Cells, Place};
+use super::cells::{Cells, SignedDirection};
 use super::condition::{Condition, Relation};
 use super::expression::Expression;
 use crate::poly::{BinaryForm, TernaryForm};
@@ -192,7 +192,9 @@ pub(super) fn ranges(
     let cells = Cells::cut(&critical.iter().collect::<Vec<_>>());
     let quartic = QuarticRoots::new(parts);
     let ranges = rules.into_iter().flat_map(|rule| {
-        let sign = |at: &Place, beside: &[&Place]| sign(rule, at, beside, quartic.as_ref());
+        let sign = |at: &SignedDirection, beside: &[&SignedDirection]| {
+            sign(rule, at, beside, quartic.as_ref())
+        };
         ranges_of(&cells, k, sign)
     });
     ranges.collect()
@@ -207,7 +209,7 @@ pub(super) fn signs_at(
     parts: &[BinaryForm],
     k: u32,
 ) -> Vec<Option<i8>> {
-    let place = Place::rational(&critical.iter().collect::<Vec<_>>(), vector);
+    let place = SignedDirection::rational(&critical.iter().collect::<Vec<_>>(), vector);
     let quartic = QuarticRoots::new(parts);
     let signs = rules.into_iter().flat_map(|rule| {
         let sign = sign(rule, &place, &[], quartic.as_ref());
@@ -220,7 +222,11 @@ pub(super) fn signs_at(
     signs.collect()
 }
 
-fn ranges_of(cells: &Cells, k: u32, sign: impl Fn(&Place, &[&Place]) -> Option<i8>) -> Vec<Ranges> {
+fn ranges_of(
+    cells: &Cells,
+    k: u32,
+    sign: impl Fn(&SignedDirection, &[&SignedDirection]) -> Option<i8>,
+) -> Vec<Ranges> {
     let positive = cells.ranges(|at, beside| sign(at, beside) == Some(1));
     if k.odd() {
         return vec![Ranges {
@@ -240,8 +246,8 @@ fn ranges_of(cells: &Cells, k: u32, sign: impl Fn(&Place, &[&Place]) -> Option<i
 /// not real, not finite, or not given by this formula.
 fn sign(
     rule: Rule,
-    at: &Place,
-    beside: &[&Place],
+    at: &SignedDirection,
+    beside: &[&SignedDirection],
     quartic: Option<&QuarticRoots<'_>>,
 ) -> Option<i8> {
     let (real, index) = match rule {

@@ -7,7 +7,7 @@ use super::forms::product;
 use super::lemma4::{rank_sign, sign_of_rank};
 use super::quartic::{Index, depressed};
 use crate::error::Invariant;
-use crate::parametrize::cells::Place;
+use crate::parametrize::cells::SignedDirection;
 use crate::poly::{BinaryForm, HomogeneousPolynomial, IntegerPolynomial, Ring, integer_sign};
 use crate::roots::real_roots;
 
@@ -70,7 +70,7 @@ impl<T: Clone> Critical<T> {
 pub(super) type Signs = Critical<i8>;
 
 impl Signs {
-    pub(super) fn of(at: &Place) -> Self {
+    pub(super) fn of(at: &SignedDirection) -> Self {
         Self::named(&at.signs)
     }
 
@@ -130,7 +130,12 @@ impl<'a> QuarticRoots<'a> {
     }
 
     /// The sign of a real root R = (y − p)/4s; `None` if exact root counting finds no such root.
-    pub(super) fn sign_of(&self, at: &Place, beside: &[&Place], index: Index) -> Option<i8> {
+    pub(super) fn sign_of(
+        &self,
+        at: &SignedDirection,
+        beside: &[&SignedDirection],
+        index: Index,
+    ) -> Option<i8> {
         if let Some(vector) = &at.vector {
             return self.sign_at(vector, index);
         }

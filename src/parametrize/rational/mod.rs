@@ -16,8 +16,8 @@ mod polynomials;
 mod power;
 mod quadratic;
 
-use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
+use num_bigint::BigInt;
 
 pub use legendre::Place;
 
@@ -46,6 +46,7 @@ impl RationalCurve {
 
 /// What is proved of the rational parametrizations of an irreducible curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Rationality {
     /// Genus 0, with a parametrization over Q that was verified by substitution.
     Parametrized(RationalCurve),
@@ -58,14 +59,14 @@ pub enum Rationality {
         /// since it has none here,
         place: Place,
         /// and it has one over Q(√field).
-        field: Integer,
+        field: BigInt,
     },
     /// Genus 0; whether there is a rational point was not found out.
     NotDecided {
         /// `w² = conic(1, t)`
         conic: BinaryForm,
         /// The number that was not factored.
-        number: Integer,
+        number: BigInt,
     },
     /// Genus at least 1: there is no rational parametrization, over any field.
     PositiveGenus {
@@ -83,6 +84,7 @@ pub enum Rationality {
 
 /// A cover of the line of slopes.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Cover {
     /// `w² = kernel(1, t)` with a squarefree form of degree 2g + 2 (infinity counts).
     Double(BinaryForm),
@@ -97,6 +99,7 @@ pub enum Cover {
 
 /// A factor of a curve, by its index, and what is known of its rational parametrizations.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct FactorRationality {
     /// Which factor of the polynomial, from 0.
     pub factor: usize,
@@ -164,8 +167,8 @@ impl RationalCurve {
         denominator: &IntegerPolynomial,
     ) -> Option<Self> {
         Some(Self {
-            x: RationalFunction::new(numerator * t0, denominator.clone())?,
-            y: RationalFunction::new(numerator * t1, denominator.clone())?,
+            x: RationalFunction::from_integers(numerator * t0, denominator.clone())?,
+            y: RationalFunction::from_integers(numerator * t1, denominator.clone())?,
         })
     }
 

@@ -85,7 +85,7 @@ fn parts(s: &BinaryForm, q: &BinaryForm) -> Option<(Vec<Part>, Rational)> {
         }
         let content = Integer::from(in_t.content());
         let negative = *in_t.coefficients_asc().last()? < 0;
-        constants.push(Rational::from(if negative { -content } else { content }));
+        constants.push(Rational::whole(if negative { -content } else { content }));
     }
     let [of_q, of_s] = &constants[..] else {
         return None;

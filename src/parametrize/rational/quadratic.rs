@@ -7,6 +7,7 @@ use super::conic::{ConicParametrization, Points, points};
 use super::legendre::Solution;
 use super::polynomials::{constant, form_at};
 use super::{Cover, RationalCurve, Rationality};
+use crate::exact::integer_to_num;
 use crate::parametrize::closed::{integer_square_part, squarefree_kernel};
 use crate::poly::{BinaryForm, IntegerPolynomial, Ring};
 
@@ -35,13 +36,14 @@ pub(super) fn rationality(s: &BinaryForm, p: &BinaryForm, q: &BinaryForm) -> Opt
                 Some(Rationality::Parametrized(shortest))
             }
             Points::Other(Solution::None(place)) => Some(Rationality::NoRationalPoint {
-                field: smallest_field(&k),
+                field: integer_to_num(&smallest_field(&k)),
                 conic: k,
                 place,
             }),
-            Points::Other(Solution::NotDecided(number)) => {
-                Some(Rationality::NotDecided { conic: k, number })
-            }
+            Points::Other(Solution::NotDecided(number)) => Some(Rationality::NotDecided {
+                conic: k,
+                number: integer_to_num(&number),
+            }),
             Points::Other(Solution::Point(_)) => None,
         },
         degree => Some(Rationality::PositiveGenus {

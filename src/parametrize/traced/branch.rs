@@ -7,7 +7,7 @@ use super::{Sector, Tracing};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::parametrize::angle::{AngleRange, ExactAngle};
-use crate::poly::{BinaryForm, IntegerPolynomial, negate_odd};
+use crate::poly::{BinaryForm, IntegerPolynomial, coefficients, negate_odd};
 use crate::roots::{RealRoot, real_roots};
 use crate::sample::Direction;
 use malachite::base::polynomial::Polynomial;
@@ -28,6 +28,7 @@ pub struct RootBranch {
 
 /// On some range of angles, the branch is one of the real radii.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct RootArc {
     /// The open range.
     pub range: AngleRange,
@@ -39,7 +40,7 @@ pub struct RootArc {
 
 /// A real radius in a sector: which root R, and the sign of r.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Radius {
+struct SignedRoot {
     root: usize,
     sign: i8,
 }
@@ -47,7 +48,7 @@ struct Radius {
 /// The radii of all sectors, and how those of neighbours go on.
 #[derive(Debug, Default)]
 pub(super) struct Graph {
-    radii: Vec<Vec<Radius>>,
+    radii: Vec<Vec<SignedRoot>>,
     /// For each radius the one of the next sector that it continues as.
     next: Vec<Vec<Option<usize>>>,
     has_previous: Vec<Vec<bool>>,
@@ -118,16 +119,19 @@ impl Tracing {
     }
 
     /// The r of a sector, ascending.
-    fn radii(&self, sector: Sector) -> Vec<Radius> {
+    fn radii(&self, sector: Sector) -> Vec<SignedRoot> {
         let signs = self.signs(sector);
         let all = signs.iter().enumerate();
         if self.is_odd() {
-            return all.map(|(root, &sign)| Radius { root, sign }).collect();
+            return all.map(|(root, &sign)| SignedRoot { root, sign }).collect();
         }
         let positive: Vec<usize> = all.filter(|(_, s)| **s > 0).map(|(root, _)| root).collect();
-        let negative = positive.iter().rev().map(|&root| Radius { root, sign: -1 });
+        let negative = positive
+            .iter()
+            .rev()
+            .map(|&root| SignedRoot { root, sign: -1 });
         negative
-            .chain(positive.iter().map(|&root| Radius { root, sign: 1 }))
+            .chain(positive.iter().map(|&root| SignedRoot { root, sign: 1 }))
             .collect()
     }
 
@@ -136,7 +140,7 @@ impl Tracing {
         let sectors = self.sectors();
         let boundaries = self.boundaries();
         let count = sectors.len();
-        let radii: Vec<Vec<Radius>> = sectors.iter().map(|&s| self.radii(s)).collect();
+        let radii: Vec<Vec<SignedRoot>> = sectors.iter().map(|&s| self.radii(s)).collect();
         let mut graph = Graph {
             next: radii.iter().map(|list| vec![None; list.len()]).collect(),
             has_previous: radii.iter().map(|list| vec![false; list.len()]).collect(),
@@ -192,7 +196,7 @@ impl Tracing {
 impl Graph {
     /// What happens between two neighbouring sectors.
     fn add(&mut self, before: usize, after: usize, link: &Link, odd: bool) {
-        let limit = |radius: &Radius, side: usize| {
+        let limit = |radius: &SignedRoot, side: usize| {
             let of_root = link.limits[side][radius.root];
             if odd {
                 of_root
@@ -211,7 +215,7 @@ impl Graph {
         for &(a, b) in &link.pairs {
             for index in 0..self.radii[before].len() {
                 let from = self.radii[before][index];
-                let is_next = |to: &Radius| to.root == b && (odd || to.sign == from.sign);
+                let is_next = |to: &SignedRoot| to.root == b && (odd || to.sign == from.sign);
                 if from.root == a
                     && let Some(to) = self.radii[after].iter().position(is_next)
                 {
@@ -354,15 +358,15 @@ impl RootBranch {
 
     /// The forms f_(low), f_(low + step), … of the polynomial Σ f_(low + i·step)(cos θ, sin θ) r^(i·step), of
     /// which r is a root, and the step.
-    #[must_use]
-    pub fn equation(&self) -> (&[BinaryForm], usize) {
+    pub(crate) fn equation(&self) -> (&[BinaryForm], usize) {
         (&self.tracing.equation.forms, self.tracing.equation.step)
     }
 
-    /// The discriminant of that polynomial with respect to r^step in t = tan θ, up to a constant.
+    /// The discriminant of that polynomial with respect to r^step, up to a constant: its coefficients in t = tan θ, ascending.
+    /// Branches begin, end and meet where it vanishes.
     #[must_use]
-    pub fn discriminant(&self) -> IntegerPolynomial {
-        self.tracing.discriminant()
+    pub fn discriminant(&self) -> Vec<Rational> {
+        coefficients(&self.tracing.discriminant())
     }
 
     /// Whether the branch is a point: real at a single angle only.

@@ -99,7 +99,7 @@ fn through_rational(alpha: &Rational, room: &Rational, cx: &Context<'_>) -> Link
         at_alpha
             .coefficients_asc()
             .iter()
-            .map(|c| exactly(&Rational::from(c))),
+            .map(|c| exactly(&Rational::whole(c))),
         lost,
         zeros,
     );
@@ -158,7 +158,7 @@ fn through_irrational(alpha: &RealRoot, cx: &Context<'_>) -> Result<Link> {
     let mut round = 0;
     loop {
         cx.limits.check()?;
-        let (low, high) = alpha.bounds();
+        let (low, high) = alpha.enclosure();
         let window = (low.to_rational(), high.to_rational());
         let magnitudes = coefficients.iter().enumerate().map(|(i, a)| {
             let gone = i < zeros || i >= coefficients.len() - lost;
@@ -325,7 +325,7 @@ fn power_of_two_above(q: &Rational) -> Rational {
 fn rational_between(a: &mut RealRoot, b: &mut RealRoot) -> Rational {
     let mut bits = 4;
     loop {
-        let (end, start) = (a.bounds().1.to_rational(), b.bounds().0.to_rational());
+        let (end, start) = (a.enclosure().1.to_rational(), b.enclosure().0.to_rational());
         if end < start {
             return strictly_between(&end, &start);
         }

@@ -259,7 +259,7 @@ impl Tracing {
 
     /// The sector that a direction is in; `None` for a critical one.
     fn sector_of(&self, u: &Integer, v: &Integer) -> Option<usize> {
-        let slope = Rational::new(v.clone(), u.clone())?;
+        let slope = Rational::from_integers(v.clone(), u.clone())?;
         let cell = self
             .slopes
             .partition_point(|t| t.cmp_rational(&slope).is_lt());
@@ -298,7 +298,7 @@ fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
 fn separated(mut roots: Vec<RealRoot>) -> Vec<RealRoot> {
     for i in 1..roots.len() {
         let mut bits = 4;
-        while roots[i - 1].bounds().1 >= roots[i].bounds().0 {
+        while roots[i - 1].enclosure().1 >= roots[i].enclosure().0 {
             roots[i - 1].refine_to_width(-bits);
             roots[i].refine_to_width(-bits);
             bits *= 2;
@@ -311,17 +311,17 @@ fn separated(mut roots: Vec<RealRoot>) -> Vec<RealRoot> {
 fn insides(roots: &[RealRoot]) -> Vec<Rational> {
     let bounds: Vec<[Rational; 2]> = roots
         .iter()
-        .map(|r| [r.bounds().0.to_rational(), r.bounds().1.to_rational()])
+        .map(|r| [r.enclosure().0.to_rational(), r.enclosure().1.to_rational()])
         .collect();
     let mut points = Vec::with_capacity(roots.len() + 1);
     if let (Some([first, _]), Some([_, last])) = (bounds.first(), bounds.last()) {
-        points.push(Rational::from(first.floor()) - Rational::one());
+        points.push(first.floor() - Rational::one());
         points.extend(
             bounds
                 .windows(2)
                 .map(|pair| strictly_between(&pair[0][1], &pair[1][0])),
         );
-        points.push(Rational::from(last.floor()) + Rational::from(2));
+        points.push(last.floor() + Rational::from(2));
     }
     points
 }

@@ -92,7 +92,7 @@ pub(super) fn range(
             &value.1 * low,
             &value.1 * high,
         ];
-        let c = Rational::from(c);
+        let c = Rational::whole(c);
         let least = products.iter().min().invariant("there are products");
         let most = products.iter().max().invariant("there are products");
         value = (least + &c, most + &c);

@@ -460,19 +460,17 @@ impl<const W: usize> Coefficients<W> {
     pub(crate) fn of_integers<'a>(
         integers: impl Iterator<Item = &'a Integer> + Clone,
     ) -> (Self, i64) {
-        let bits = integers.clone().map(Fixed::<W>::bits_of);
-        let count = integers.clone().count();
-        let exponent = bits
-            .max()
-            .map_or(0, |bits| bits - Fixed::<W>::room_for(count));
+        let bits = integers.clone().map(Fixed::<W>::bits_of).max();
+        let room = Fixed::<W>::room_for(integers.clone().count());
+        let exponent = bits.map_or(0, |bits| bits - room);
         // Each radius is 0 or 1, so that their sum is exact.
         let mut radius = 0.0;
-        let mids = integers.map(|value| {
+        let mid = |value| {
             let ball = Ball::of_integer(value, exponent);
             radius += ball.radius;
             ball.mid.over_256()
-        });
-        let mids = mids.collect();
+        };
+        let mids = integers.map(mid).collect();
         (Self { mids, radius }, exponent)
     }
 

@@ -63,7 +63,7 @@ pub(super) fn exact(value: f64) -> Rational {
 
 /// In ulps.
 pub(super) fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
-    let size = Rational::from(Integer::from(Natural::from_limbs_asc(&value.magnitude())));
+    let size = Rational::whole(Integer::from(Natural::from_limbs_asc(&value.magnitude())));
     if value.is_negative() { -size } else { size }
 }
 
@@ -389,14 +389,14 @@ mod all {
                 let above = binomials(k);
                 let terms = c[..=k].iter().zip(above.iter().zip(&row));
                 let truth = terms.fold(Rational::zero(), |sum, (c, (above, below))| {
-                    let weight = Rational::new(above.clone(), below.clone());
+                    let weight = Rational::from_integers(above.clone(), below.clone());
                     sum + c * &weight.expect("a binomial coefficient is not 0")
                 });
                 tightness.check(&truth, &ulps(found.mids[k]), found.radii[k]);
                 // The radius is that of Lemma 9.
                 let terms = list.radii[..=k].iter().zip(above.iter().zip(&row));
                 let lemma = terms.fold(Rational::from(W as i64 + 2), |sum, (r, (above, below))| {
-                    let weight = Rational::new(above.clone(), below.clone());
+                    let weight = Rational::from_integers(above.clone(), below.clone());
                     sum + exact(*r) * weight.expect("a binomial coefficient is not 0")
                 });
                 is_just(found.radii[k], &lemma);

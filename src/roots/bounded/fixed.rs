@@ -480,7 +480,7 @@ mod tests {
             // Also where a double has bits in all limbs, or below them.
             let small = a * 2f64.powi(-down);
             let scaled = Rational::try_from(small).unwrap() * Rational::from_dyadic(Integer::from(1), 64 * W as i64);
-            prop_assert_eq!(Fraction::<W>::from_f64(small).to_integer(), scaled.floor());
+            prop_assert_eq!(Fraction::<W>::from_f64(small).to_integer(), scaled.floor_integer());
             let x = fixed(b).to_f64();
             prop_assert!((x.abs() - fixed(b).negated().to_f64().abs()).abs() <= x.abs() * f64::EPSILON);
         }

@@ -32,7 +32,7 @@ fn sign_at(f: &[Integer], x: &Rational) -> i8 {
     let value = f
         .iter()
         .rev()
-        .fold(Rational::zero(), |sum, c| sum * x + Rational::from(c));
+        .fold(Rational::zero(), |sum, c| sum * x + Rational::whole(c));
     value.signum()
 }
 

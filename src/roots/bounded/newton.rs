@@ -209,7 +209,7 @@ mod tests {
             };
             let p = (Integer::from(index) << bits) + inside;
             let q = Integer::from(1) << (bits + u64::from(depth));
-            let root = Rational::new(p.clone(), q.clone()).expect("not 0");
+            let root = Rational::from_integers(p.clone(), q.clone()).expect("not 0");
             let without = positive(draw, W + 2);
             let polynomial = balls::<W>(&product(&[-p, q], &without));
             let bounds = place.bounds();

@@ -8,7 +8,7 @@ use crate::poly::TrigPolynomial;
 
 /// In units of 2^(−64W).
 fn units<const W: usize>(value: &Signed<W>) -> Rational {
-    let size = Rational::from(value.size.to_integer());
+    let size = Rational::whole(value.size.to_integer());
     if value.is_negative { -size } else { size }
 }
 
@@ -51,7 +51,7 @@ mod all {
                 continue;
             }
             let ball = UnitBall::<W>::quotient(&p, &q);
-            let truth = Rational::new(p << (64 * W as u64), q).expect("not 0");
+            let truth = Rational::from_integers(p << (64 * W as u64), q).expect("not 0");
             tightness.check(&truth, &units(&ball.mid), ball.radius);
         }
         tightness.is_at_least(0.99);
@@ -80,7 +80,7 @@ mod all {
             }
             let last = 1 + draw.below(40);
             let tables = rotations([&u, &v].map(|c| UnitBall::<W>::quotient(c, &w)), last);
-            let [c, s] = [u, v].map(|n| Rational::new(n, w.clone()).expect("not 0"));
+            let [c, s] = [u, v].map(|n| Rational::from_integers(n, w.clone()).expect("not 0"));
             for m in [last, draw.below(last + 1)] {
                 let index = i32::try_from(m).expect("small");
                 let truths = [TrigPolynomial::cosine(index), TrigPolynomial::sine(index)];
@@ -160,7 +160,7 @@ mod all {
             let terms = integers.iter().enumerate();
             let truth = terms.fold(Rational::zero(), |sum, (i, c)| {
                 let truth = &truths[if cancels { i } else { count - 1 - i }];
-                sum + truth * &Rational::from(c)
+                sum + truth * &Rational::whole(c)
             });
             tightness.check(&(truth * scale), &ulps(ball.mid), ball.radius);
             // The radius is that of Lemma 14.

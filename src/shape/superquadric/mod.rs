@@ -5,5 +5,4 @@ mod roots;
 mod space;
 
 pub use plane::Superquadric;
-pub use roots::MAX_ROOT_BITS;
 pub use space::SpaceSuperquadric;

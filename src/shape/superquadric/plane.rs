@@ -120,7 +120,7 @@ impl Radial<2> for Superquadric {
     /// With 2/ε = p/q in lowest terms this is `α^(1/q) + β^(1/q)` with rational `α = |x/a1|^p`, `β = |y/a2|^p`. Which side is
     /// larger is decided by integer q-th roots at growing precision; equality of positive numbers needs both roots rational
     /// (real radicals of different classes are linearly independent over Q: Besicovitch 1940), which is decided by exact roots.
-    /// So every comparison ends, up to [`super::MAX_ROOT_BITS`].
+    /// So every comparison ends, up to roots of numbers of 2²² bits.
     fn compare(&self, [x, y]: &[Rational; 2]) -> Result<Ordering> {
         let exponent = Exponent::from(&self.exponent());
         let why = || {
@@ -141,12 +141,12 @@ impl Radial<2> for Superquadric {
         let mut bits = FIRST_BITS;
         loop {
             exponent.check_size(bits, &why)?;
-            let unit = Rational::from(Integer::from(1) << bits);
+            let unit = Rational::whole(Integer::from(1) << bits);
             let roots = radicands
                 .each_ref()
                 .map(|r| scaled_root(r, exponent.q, bits));
             // Each root is less than one unit above its floor.
-            let low = Rational::from(Integer::from(&roots[0] + &roots[1]));
+            let low = Rational::whole(Integer::from(&roots[0] + &roots[1]));
             let scaled = &self.level * &unit;
             if low >= scaled {
                 // The sum of the roots is no integer multiple of a unit unless both are, and they are irrational.

@@ -10,7 +10,7 @@ use crate::exact::Rational;
 pub(super) const FIRST_BITS: u64 = 128;
 
 /// The largest number, in bits, of which a root is taken before a comparison is given up.
-pub const MAX_ROOT_BITS: u64 = 1 << 22;
+pub(crate) const MAX_ROOT_BITS: u64 = 1 << 22;
 
 /// p/q > 0
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +47,7 @@ impl Exponent {
 pub(super) fn exact_root(radicand: &Rational, q: u64) -> Option<Rational> {
     let (above, below) = natural_parts(radicand);
     let root = |n: Natural| n.checked_root(q).map(Integer::from);
-    Rational::new(root(above)?, root(below)?)
+    Rational::from_integers(root(above)?, root(below)?)
 }
 
 /// base^(p/q) if it is rational, for a base that is not negative.

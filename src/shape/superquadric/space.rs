@@ -149,7 +149,7 @@ impl Radial<3> for SpaceSuperquadric {
     ///
     /// Which side is larger is decided by integer roots at growing precision, in intervals. Where all the roots are rational
     /// the sides are compared exactly, so that ties are found where they can be expected; a tie of nested radicals ends at
-    /// [`super::MAX_ROOT_BITS`] with a limit, never with a guess.
+    /// roots of numbers of 2²² bits with a limit, never with a guess.
     fn compare(&self, point: &[Rational; 3]) -> Result<Ordering> {
         let exponents = self.exponents().each_ref().map(Exponent::from);
         let check_size = |bits: u64| {
@@ -169,8 +169,8 @@ impl Radial<3> for SpaceSuperquadric {
             let [x, y] = [&bases[0], &bases[1]].map(|b| Bounds::of(b, bits).power(around, bits));
             let sum = x.plus(&y).power(of_sum, bits);
             let all = sum.plus(&Bounds::of(&bases[2], bits).power(of_z, bits));
-            let scaled = &self.level * &Rational::from(Integer::from(1) << bits);
-            let [low, high] = [all.low, all.high].map(|n| Rational::from(Integer::from(n)));
+            let scaled = &self.level * &Rational::whole(Integer::from(1) << bits);
+            let [low, high] = [all.low, all.high].map(|n| Rational::whole(Integer::from(n)));
             if low > scaled {
                 return Ok(Ordering::Greater);
             }

@@ -10,13 +10,13 @@ use crate::error::Invariant;
 /// A positive number x with |x − m 2^exponent| ≤ error · 2^(−127) · m 2^exponent, for a mantissa m of exactly 128 bits. Every
 /// operation says how its error arises from those of its operands.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wide {
+pub(super) struct LeadingBits {
     mantissa: u128,
     exponent: i64,
     error: u64,
 }
 
-impl Wide {
+impl LeadingBits {
     /// From the leading bits of a number that is not 0: it is at least (mantissa, exponent), and less than the next one.
     ///
     /// The difference is below 1, which is at most 2^(−127) of a mantissa of 128 bits.
@@ -138,7 +138,7 @@ mod tests {
     use crate::exact::Rational;
     use proptest::prelude::*;
 
-    fn ends(a: Wide) -> [Rational; 2] {
+    fn ends(a: LeadingBits) -> [Rational; 2] {
         let value = Rational::from_dyadic(Integer::from(a.mantissa), a.exponent);
         [-1, 1].map(|sign| {
             let error = Integer::from(a.error) * Integer::from(sign);
@@ -163,7 +163,7 @@ mod tests {
     /// Numbers without errors are told apart unless they are next to one another.
     #[test]
     fn exact_numbers_have_an_order() {
-        let [three, five, six] = [3, 5, 6].map(|n| Wide::exact(n, -2));
+        let [three, five, six] = [3, 5, 6].map(|n| LeadingBits::exact(n, -2));
         assert_eq!(three.certain_order(five), Some(Ordering::Less));
         assert_eq!(six.certain_order(five), Some(Ordering::Greater));
         assert_eq!(three.certain_order(three), None);
@@ -174,8 +174,8 @@ mod tests {
         #[test]
         fn bounds_hold(a in 1i64.., b in 1i64.., c in 1i64.., d in 1i64.., k in 1u32..6, shift in -3i64..3) {
             let exact = |p: i64, q: i64| Rational::from(p) / Rational::from(q);
-            let wide = |p: i64, q: i64| Wide::quotient(&Integer::from(p), &Integer::from(q));
-            let is_within = |w: Wide, q: &Rational| {
+            let wide = |p: i64, q: i64| LeadingBits::quotient(&Integer::from(p), &Integer::from(q));
+            let is_within = |w: LeadingBits, q: &Rational| {
                 let [low, high] = ends(w);
                 low <= *q && *q <= high
             };
@@ -189,7 +189,7 @@ mod tests {
             if let Some(order) = near.certain_order(u) {
                 prop_assert_eq!(order, shift.cmp(&0));
             }
-            let whole = Wide::exact(a.unsigned_abs(), shift);
+            let whole = LeadingBits::exact(a.unsigned_abs(), shift);
             prop_assert!(ends(whole).iter().all(|end| *end == Rational::from_dyadic(Integer::from(a), shift)));
         }
 
@@ -201,8 +201,8 @@ mod tests {
             let [p, q] = [p, q].map(|limbs| Integer::from(malachite::Natural::from_owned_limbs_asc(limbs)));
             prop_assume!(p != 0 && q != 0);
             let p = if negative { -p } else { p };
-            let found = Wide::quotient(&p, &q);
-            let exact = Rational::new(p, q).unwrap().abs();
+            let found = LeadingBits::quotient(&p, &q);
+            let exact = Rational::from_integers(p, q).unwrap().abs();
             prop_assert!(found.mantissa >> 127 == 1);
             let last = Rational::from_dyadic(Integer::from(1), found.exponent);
             let rest = exact - Rational::from_dyadic(Integer::from(found.mantissa), found.exponent);
@@ -213,14 +213,14 @@ mod tests {
         /// A product of mantissas loses less than 2 in its last place, whatever is carried.
         #[test]
         fn products_lose_less_than_two_in_the_last_place(a in [limb(), limb()], b in [limb(), limb()]) {
-            let [a, b] = [a, b].map(|[low, high]| Wide {
+            let [a, b] = [a, b].map(|[low, high]| LeadingBits {
                 mantissa: u128::from(high | 1 << 63) << 64 | u128::from(low),
                 exponent: -5,
                 error: 0,
             });
             let product = a.times(b);
             prop_assert!(product.mantissa >> 127 == 1);
-            let value = |w: Wide| Rational::from_dyadic(Integer::from(w.mantissa), w.exponent);
+            let value = |w: LeadingBits| Rational::from_dyadic(Integer::from(w.mantissa), w.exponent);
             let lost = value(a) * value(b) - value(product);
             prop_assert!(lost.signum() >= 0 && lost < Rational::from_dyadic(Integer::from(1), product.exponent + 1));
             prop_assert_eq!(product.error, 4);
@@ -229,7 +229,7 @@ mod tests {
         /// Leading bits hold every number that begins with them.
         #[test]
         fn leading_bits_hold_what_follows_them(mantissa in (1u128 << 127).., exponent in -300i64..300, rest in any::<u64>()) {
-            let [low, high] = ends(Wide::from_leading((mantissa, exponent)));
+            let [low, high] = ends(LeadingBits::from_leading((mantissa, exponent)));
             let number = (Integer::from(mantissa) << 64u64) + Integer::from(rest);
             let number = Rational::from_dyadic(number, exponent - 64);
             prop_assert!(low <= number && number <= high);
@@ -241,7 +241,7 @@ mod tests {
             mantissa in (1u128 << 127)..u128::MAX - 500, errors in [0u64..60, 0u64..60], offs in [0u128..300, 0u128..300],
             around in any::<bool>(),
         ) {
-            let number = |mantissa, exponent, error| Wide { mantissa, exponent, error };
+            let number = |mantissa, exponent, error| LeadingBits { mantissa, exponent, error };
             let [a, b] = if around {
                 [number(u128::MAX - offs[0], 7, errors[0]), number((1 << 127) + offs[1], 8, errors[1])]
             } else {

@@ -1,0 +1,24 @@
+//! Univariate polynomials as users have them: their coefficients, ascending.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::One;
+use malachite::base::polynomial::Polynomial;
+
+use super::IntegerPolynomial;
+use crate::exact::Rational;
+
+/// D·f with the least D > 0 that makes its coefficients integers, and D.
+pub(crate) fn with_integers(f: &[Rational]) -> (IntegerPolynomial, Integer) {
+    let common = f.iter().fold(Integer::ONE, |d, c| {
+        Integer::from(d.unsigned_abs_ref().lcm(c.denominator_ref()))
+    });
+    let scaled = |c: &Rational| c.numerator() * (&common).div_exact(c.denominator());
+    let integers = IntegerPolynomial::from_coefficients_asc(f.iter().map(scaled).collect());
+    (integers, common)
+}
+
+/// The coefficients, ascending.
+pub(crate) fn coefficients(f: &IntegerPolynomial) -> Vec<Rational> {
+    f.coefficients_asc().iter().map(Rational::whole).collect()
+}

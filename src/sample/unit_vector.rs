@@ -1,0 +1,64 @@
+//! Exact unit vectors: the directions that are sampled along.
+
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
+use malachite::base::num::basic::traits::One;
+
+use crate::error::Invariant;
+use crate::exact::Rational;
+
+/// An exact unit vector: V rational numbers whose squares add up to 1. Implemented by the directions of this module alone.
+pub trait UnitVector<const V: usize>: IntegerVector<V> {
+    /// Its components.
+    fn components(&self) -> [Rational; V] {
+        let (vector, w) = self.over_common_denominator();
+        vector.map(|u| Rational::from_integers(u, w.clone()).invariant("a length is not 0"))
+    }
+}
+
+impl<T: IntegerVector<V>, const V: usize> UnitVector<V> for T {}
+
+/// What [`UnitVector`] is made of; its name can't be had outside of the crate.
+pub trait IntegerVector<const V: usize> {
+    /// The components times a common denominator, and that denominator W > 0.
+    fn over_common_denominator(&self) -> ([Integer; V], Integer);
+}
+
+/// A unit vector that is given by its components.
+///
+/// ```
+/// use stellate::sample::{RationalDirection, UnitVector};
+/// let components = ["3/5".parse()?, "4/5".parse()?];
+/// let direction = RationalDirection::new(&components).unwrap();
+/// assert_eq!(direction.components(), components);
+/// assert!(RationalDirection::new(&[1.into(), 1.into()]).is_none());
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RationalDirection<const V: usize> {
+    vector: [Integer; V],
+    denominator: Integer,
+}
+
+impl<const V: usize> RationalDirection<V> {
+    /// `None` if the squares do not add up to 1.
+    #[must_use]
+    pub fn new(components: &[Rational; V]) -> Option<Self> {
+        let square = components.iter().map(|c| c * c).sum::<Rational>();
+        let denominator = components.iter().fold(Integer::ONE, |d, c| {
+            Integer::from(d.unsigned_abs_ref().lcm(c.denominator_ref()))
+        });
+        let scaled = |c: &Rational| c.numerator() * (&denominator).div_exact(c.denominator());
+        let vector = components.each_ref().map(scaled);
+        (square == Rational::one()).then_some(Self {
+            vector,
+            denominator,
+        })
+    }
+}
+
+impl<const V: usize> IntegerVector<V> for RationalDirection<V> {
+    fn over_common_denominator(&self) -> ([Integer; V], Integer) {
+        (self.vector.clone(), self.denominator.clone())
+    }
+}
