@@ -59,7 +59,7 @@ pub enum Error {
         broken: String,
     },
     /// Reading or writing failed.
-    #[error("{}: {source}", .path.display())]
+    #[error("{}: {}", .path.display(), reason(.source))]
     Io {
         /// The file.
         path: PathBuf,
@@ -165,6 +165,15 @@ impl<T, E> Invariant for std::result::Result<T, E> {
 #[track_caller]
 pub(crate) fn broken(statement: &str) -> ! {
     panic!("it does not hold that {statement}")
+}
+
+/// What the system says, without its number for it.
+fn reason(source: &std::io::Error) -> String {
+    let text = source.to_string();
+    match text.split_once(" (os error") {
+        Some((reason, _)) => reason.to_owned(),
+        None => text,
+    }
 }
 
 fn finished_clause(finished: &str) -> String {

@@ -7,11 +7,11 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
-use super::flags::{ArcFlags, FitFlags};
+use super::flags::{ArcFlags, FitFlags, whole};
 
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 #[derive(Debug, Parser)]
-#[command(version, about, max_term_width = 100, after_help = FORMS)]
+#[command(version, about, max_term_width = 100)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) verb: Verb,
@@ -19,11 +19,12 @@ pub(crate) struct Arguments {
     pub(crate) common: Common,
 }
 
-const FORMS: &str = "\
+pub(crate) const FORMS: &str = "\
 A FORM is text, a file, or - for standard input:
   'r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)'   a Fourier radius (angle t or theta)
+  'r = 1/(1 + cos(t)/2)'  'r^2 = cos(2t)' other polar curves
   'x = sin(t); y = sin(t)*cos(t)'         a parametric curve; with z = ... a space curve
-  'x = u*cos(v); y = u*sin(v); z = u^2'   a patch, in two parameters (t, theta, u, v, phi)
+  'x = u*cos(v); y = u*sin(v); z = u^2'   a patch, in two parameters (t, theta, u, v, phi, s, w)
   'x^4 - x^2 + y^2 = 0'                   an implicit curve in x, y, or a surface in x, y, z
   'x^2 + y^2 = 1; z = y^5'                a space curve as an intersection of surfaces
   'superquadric 2d a=1,2 e=1/2'           |x/a1|^(2/e) + |y/a2|^(2/e) = 1, or = c with level=c
@@ -31,6 +32,13 @@ A FORM is text, a file, or - for standard input:
   outline.csv  outline.png|.jpg|.bmp      a contour: rows x,y in order, or a silhouette
   document.json                           what another verb wrote
 Numbers are exact as written: 0.1 is 1/10.
+
+Exit codes:
+  0  done
+  1  done, and the answer is no (check, inspect, paper)
+  2  the input or the usage is wrong; nothing is written
+  3  a limit was reached; what was finished is written
+  4  the program contradicted itself; please report the input
 
 Example: an outline of 290 points becomes a polynomial of degree 80, a picture and certified points:
   stellate implicitize paper-examples/e02-butterfly/butterfly.csv --harmonics 39 --format json -o f.json
@@ -40,7 +48,7 @@ Example: an outline of 290 points becomes a polynomial of degree 80, a picture a
 /// Options of every verb.
 #[derive(Debug, Args)]
 pub(crate) struct Common {
-    /// Write to FILE (beside it first, then renamed) instead of standard output
+    /// Write to FILE (beside it first, then renamed) instead of standard output, which is -, too
     #[arg(short, long, global = true, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// How the result is written [default: text; sample: csv]
@@ -56,9 +64,9 @@ pub(crate) struct Common {
     /// Refuse polynomials above this degree
     #[arg(long, global = true, value_name = "D", default_value_t = 20_002)]
     pub(crate) max_degree: usize,
-    /// Stop long work after this many seconds (exit code 3)
+    /// Stop long work after this many seconds, or with a unit: 500ms, 5min, 2h (exit code 3)
     #[arg(long, global = true, value_name = "SECONDS")]
-    pub(crate) time_limit: Option<f64>,
+    pub(crate) time_limit: Option<String>,
     /// Threads to use [default: one per core]; the output does not depend on it
     #[arg(long, global = true, value_name = "N")]
     pub(crate) threads: Option<usize>,
@@ -143,6 +151,20 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
 
 Exit code: 1 if the outcome of a statement is not the recorded one, or if two methods of --compare disagree.")]
     Paper(Paper),
+    /// Write the completions of a shell, to be put where it looks for them
+    #[command(after_help = "Example:
+  stellate completions bash > ~/.local/share/bash-completion/completions/stellate")]
+    Completions(Completions),
+    /// Write the manual page, in roff
+    #[command(after_help = "Example:
+  stellate man -o stellate.1 && man ./stellate.1")]
+    Man,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Completions {
+    /// The shell
+    pub(crate) shell: clap_complete::Shell,
 }
 
 #[derive(Debug, Args)]
@@ -260,9 +282,9 @@ pub(crate) struct Sample {
     pub(crate) fit: FitFlags,
     /// This many directions around the circle, or spread over the sphere [default: 360 if no angle is given]; with
     /// one of the two angles of a surface, this many steps of the other
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", value_parser = whole)]
     pub(crate) directions: Option<usize>,
-    /// An angle in radians, or in degrees: 219.5deg; may be repeated
+    /// An angle: 0.5 (radians), pi/6, 30deg or 30°; may be repeated
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     pub(crate) theta: Vec<String>,
     /// For a surface: the angle from the z axis, likewise; every theta is taken with every phi
@@ -283,12 +305,7 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     pub(crate) tolerance: String,
     /// A point; may be repeated
-    #[arg(
-        long,
-        value_name = "X,Y[,Z]",
-        allow_hyphen_values = true,
-        required_unless_present = "points"
-    )]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
     pub(crate) point: Vec<String>,
     /// Rows x,y[,z] of any number, from a file or standard input; the header is optional
     #[arg(long, value_name = "FILE.csv|-", conflicts_with = "point")]
@@ -312,7 +329,7 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true)]
     pub(crate) window: Option<String>,
     /// For a contour: number of harmonics N
-    #[arg(long, value_name = "N")]
+    #[arg(short = 'n', long, value_name = "N", value_parser = whole)]
     pub(crate) harmonics: Option<usize>,
     /// For a contour: where radii are measured from
     #[arg(
@@ -354,14 +371,9 @@ pub(crate) struct Plot {
     /// numbers for a bounded curve, else -1.5,1.5]
     #[arg(long, value_name = "NAME=A,B")]
     pub(crate) range: Vec<String>,
-    /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y
-    #[arg(
-        long,
-        value_name = "AZIMUTH,ELEVATION",
-        default_value = "30,25",
-        allow_hyphen_values = true
-    )]
-    pub(crate) view: String,
+    /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y [default: 30,25]
+    #[arg(long, value_name = "AZIMUTH,ELEVATION", allow_hyphen_values = true)]
+    pub(crate) view: Option<String>,
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,

@@ -2,6 +2,13 @@
 
 use clap::Args;
 
+/// A natural number.
+pub(crate) fn whole(text: &str) -> Result<usize, String> {
+    text.trim()
+        .parse()
+        .map_err(|_| "expected a whole number, such as 39".into())
+}
+
 /// How the curve in which two surfaces meet is followed.
 #[derive(Debug, Args)]
 pub(crate) struct ArcFlags {
@@ -17,7 +24,7 @@ pub(crate) struct ArcFlags {
 #[derive(Debug, Args)]
 pub(crate) struct FitFlags {
     /// Number of harmonics N
-    #[arg(long, value_name = "N", conflicts_with = "tolerance")]
+    #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance", value_parser = whole)]
     pub(crate) harmonics: Option<usize>,
     /// The fewest harmonics with which the largest radial error is at most E
     #[arg(long, value_name = "E")]
@@ -31,7 +38,7 @@ pub(crate) struct FitFlags {
     )]
     pub(crate) center: String,
     /// Number of samples of the radius [default: at least 8N]
-    #[arg(long, value_name = "NS")]
+    #[arg(long, value_name = "NS", value_parser = whole)]
     pub(crate) samples: Option<usize>,
     /// Round the center and the coefficients to D decimals
     #[arg(long, value_name = "D")]

@@ -91,6 +91,11 @@ fn options(flags: &Inspect, session: &Session) -> Result<InspectionOptions> {
 /// The points of the arguments; rows are looked at up to the first.
 fn points(flags: &Inspect) -> Result<PointSource> {
     let Some(name) = &flags.points else {
+        if flags.point.is_empty() {
+            return Err(Error::Usage(
+                "inspect needs points: --point X,Y[,Z], which may be repeated, or --points FILE.csv with rows x,y[,z]".into(),
+            ));
+        }
         return Ok(PointSource::Texts(flags.point.clone()));
     };
     if name == "-" {

@@ -13,6 +13,11 @@ use super::output::{check_destination, write_result};
 use super::session::Session;
 
 pub(crate) fn run(flags: &Mesh, session: &Session) -> Result<()> {
+    if session.common.format.is_some() {
+        return Err(Error::Usage(
+            "mesh has no --format: the name after -o says .obj, .ply or .stl".into(),
+        ));
+    }
     check_destination(session)?;
     let format = format(session)?;
     let options = MeshingOptions::default()

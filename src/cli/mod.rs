@@ -1,5 +1,6 @@
 //! The command line: a file per verb; what all verbs share is here.
 
+mod about;
 mod arguments;
 mod check;
 mod check_arguments;
@@ -25,10 +26,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
-use clap::Parser;
+use stellate::document::Format;
 use stellate::error::{Error, Result};
 
-use arguments::{Arguments, Verb};
+use arguments::Verb;
 use session::Session;
 
 /// Exit codes of the contract.
@@ -39,15 +40,21 @@ const CONTRADICTION: u8 = 4;
 
 /// Parses the arguments, runs the verb, reports the one error there may be.
 pub(crate) fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match about::parsed() {
         Ok(arguments) => arguments,
         Err(error) => {
+            if error.use_stderr() {
+                let text = error.render().to_string();
+                let text = text.strip_prefix("error: ").unwrap_or(&text);
+                watch::report(&format!("stellate: {}", text.trim_end()));
+                return ExitCode::from(WRONG_INPUT);
+            }
             // `--help` and `--version` are no errors.
-            let code = if error.use_stderr() { WRONG_INPUT } else { 0 };
             let _ = error.print();
-            return ExitCode::from(code);
+            return ExitCode::SUCCESS;
         }
     };
+    let in_json = arguments.common.format == Some(Format::Json);
     let outcome = guarded(|| {
         let mut session = Session::new(arguments.common)?;
         match arguments.verb {
@@ -62,6 +69,8 @@ pub(crate) fn main() -> ExitCode {
             Verb::Check(verb) => check::run(&verb, &mut session),
             Verb::Vectors(verb) => vectors::run(&verb, &session),
             Verb::Paper(verb) => paper::run(&verb, &mut session),
+            Verb::Completions(verb) => about::completions(&verb, &session),
+            Verb::Man => about::manual(&session),
         }?;
         session.finish();
         session.report_missing()?;
@@ -72,12 +81,19 @@ pub(crate) fn main() -> ExitCode {
         Ok(true) => ExitCode::from(ANSWER_IS_NO),
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            watch::report(&format!("stellate: {error}"));
-            ExitCode::from(match error {
+            let code = match error {
                 Error::Limit { .. } => LIMIT_REACHED,
                 Error::Internal { .. } => CONTRADICTION,
                 _ => WRONG_INPUT,
-            })
+            };
+            watch::report(&if in_json {
+                let message = error.to_string();
+                serde_json::json!({ "error": { "exit_code": code, "message": message } })
+                    .to_string()
+            } else {
+                format!("stellate: {error}")
+            });
+            ExitCode::from(code)
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Numbers, angles, boxes and ranges in options.
 
 use stellate::error::{Error, Result};
-use stellate::exact::exact_literal;
 use stellate::picture::Window;
 use stellate::sample::Direction;
 use stellate::verb::{ArcSearch, Bounds, Frame};
@@ -59,25 +58,10 @@ pub(crate) fn angles(flag: &str, texts: &[String]) -> Result<Vec<Direction>> {
     texts.iter().map(|text| angle(flag, text)).collect()
 }
 
-/// Radians, or degrees with the suffix `deg`.
+/// An angle as it is typed or printed.
 fn angle(flag: &str, text: &str) -> Result<Direction> {
-    let wrong = || {
-        Error::Usage(format!(
-            "{flag} {text}: expected radians such as 0.5, or degrees such as 219.5deg"
-        ))
-    };
-    let trimmed = text.trim();
-    if let Some(degrees) = trimmed.strip_suffix("deg") {
-        return Ok(Direction::from_degrees(
-            &exact_literal(degrees).map_err(|_| wrong())?,
-        ));
-    }
-    let radians = exact_literal(trimmed).map_err(|_| wrong())?.to_f64();
-    if radians.is_finite() && radians.abs() <= 1e9 {
-        Ok(Direction::from_radians(radians))
-    } else {
-        Err(wrong())
-    }
+    text.parse()
+        .map_err(|error| Error::Usage(format!("{flag} {text}: {error}")))
 }
 
 /// `--range NAME=A,B`

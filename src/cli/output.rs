@@ -13,16 +13,45 @@ pub(crate) fn write_result(
     session: &Session,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    session.begin_writing();
     session
         .work
         .stage("write", || match &session.common.output {
             Some(path) => write_file(path, session, write),
-            None => {
-                let mut out = BufWriter::new(std::io::stdout().lock());
-                whole(write, &mut out, Path::new("standard output"))
-            }
+            None => write_stream(
+                std::io::stdout().lock(),
+                Path::new("standard output"),
+                session,
+                write,
+            ),
         })
+}
+
+/// Writes to what is no file; the process may be ended from outside until the first byte goes there.
+fn write_stream(
+    stream: impl Write,
+    name: &Path,
+    session: &Session,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let mut out = BufWriter::new(Watched { stream, session });
+    whole(write, &mut out, name)
+}
+
+/// A stream that tells the session when it is written to.
+struct Watched<'a, W> {
+    stream: W,
+    session: &'a Session,
+}
+
+impl<W: Write> Write for Watched<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.session.begin_writing();
+        self.stream.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.stream.flush()
+    }
 }
 
 /// Writes all of it; an error of the writer itself gets its name.
@@ -40,34 +69,40 @@ fn whole(
 
 /// Writes another file than the result, in the same way.
 pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &Session) -> Result<()> {
-    session.begin_writing();
     session.work.stage("write", || {
         write_file(path, session, |out| Ok(out.write_all(bytes)?))
     })
 }
 
-/// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`) is written
-/// to instead: renaming would put a file in its place.
+/// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`, `/dev/stdout`) is written
+/// to instead: renaming would put a file in its place. Until it is renamed the process may be ended from outside, which removes
+/// the file.
 fn write_file(
     path: &Path,
     session: &Session,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
     let failed = |source| io_error(path, source);
-    if std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
-        let device = std::fs::OpenOptions::new().write(true).open(path);
-        let mut out = BufWriter::new(device.map_err(failed)?);
-        return whole(write, &mut out, path);
+    if ["/dev/stdout", "/dev/fd/1"].map(Path::new).contains(&path) {
+        return write_stream(std::io::stdout().lock(), path, session, write);
+    }
+    // What stands behind /dev may be a file that somebody else has opened, too.
+    if path.starts_with("/dev") || std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
+        let device = std::fs::OpenOptions::new().append(true).open(path);
+        return write_stream(device.map_err(failed)?, path, session, write);
     }
     // What a symbolic link points to is replaced, not the link.
     let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let folder = folder_of(path);
     let mut beside = new_file_in(&folder).map_err(failed)?;
+    session.removed_at_the_end(Some(beside.path()));
     {
         let mut out = BufWriter::new(beside.as_file_mut());
         whole(write, &mut out, path)?;
     }
     session.work.check()?;
+    session.begin_writing();
+    session.removed_at_the_end(None);
     beside.persist(path).map_err(|e| failed(e.error))?;
     Ok(())
 }

@@ -37,7 +37,7 @@ pub(super) fn svg(flags: &Plot, session: &Session) -> Result<String> {
                 .map(|text| range(text))
                 .collect::<Result<_>>()?,
         )
-        .view(view(&flags.view)?)
+        .view(flags.view.as_deref().map(view).transpose()?)
         .title(flags.title.clone())
         .cells(flags.cells)
         .points(

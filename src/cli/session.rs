@@ -1,5 +1,6 @@
 //! One run of the program: limits, notes, stage times.
 
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -37,14 +38,12 @@ pub(crate) struct Session {
 
 impl Session {
     /// Sets up threads, the time limit and Ctrl-C.
-    pub(crate) fn new(common: Common) -> Result<Self> {
+    pub(crate) fn new(mut common: Common) -> Result<Self> {
+        // The same as no -o.
+        common.output = common.output.filter(|path| path.as_os_str() != "-");
         let mut limits = Limits::none();
-        if let Some(seconds) = common.time_limit {
-            let time = Duration::try_from_secs_f64(seconds).map_err(|_| {
-                Error::Usage(format!(
-                    "--time-limit {seconds}: expected a number of seconds, such as 60"
-                ))
-            })?;
+        let time_limit = common.time_limit.as_deref().map(seconds).transpose()?;
+        if let Some(time) = time_limit {
             limits = limits.with_time_limit(time);
         }
         if let Some(threads) = common.threads {
@@ -52,8 +51,8 @@ impl Session {
         }
         let watch = Arc::new(Watch::new(common.quiet));
         watch_interruption(&limits, &watch);
-        if let Some(seconds) = common.time_limit {
-            watch_deadline(Duration::from_secs_f64(seconds), seconds, &watch);
+        if let Some(time) = time_limit {
+            watch_deadline(time, &watch);
         }
         Ok(Self {
             work: Work::default()
@@ -101,7 +100,12 @@ impl Session {
         self.facts().push((name, value));
     }
 
-    /// From here on the process is not ended from outside: a file is being written beside its place.
+    /// A file that is removed if the process is ended from outside.
+    pub(crate) fn removed_at_the_end(&self, path: Option<&Path>) {
+        self.watch.removed_at_the_end(path);
+    }
+
+    /// From here on the process is not ended from outside: the output begins.
     pub(crate) fn begin_writing(&self) {
         self.watch.keep_going();
     }
@@ -145,6 +149,29 @@ impl Session {
     }
 }
 
+/// `--time-limit`: seconds, or minutes or hours with their units.
+fn seconds(text: &str) -> Result<Duration> {
+    let units = [
+        ("ms", 0.001),
+        ("s", 1.0),
+        ("min", 60.0),
+        ("m", 60.0),
+        ("h", 3600.0),
+    ];
+    let with_unit = units.iter().find_map(|(unit, factor)| {
+        let number = text.trim().strip_suffix(unit)?;
+        Some((number.trim_end(), *factor))
+    });
+    let (number, factor) = with_unit.unwrap_or((text.trim(), 1.0));
+    let time = number.parse().ok();
+    let time = time.and_then(|time: f64| Duration::try_from_secs_f64(time * factor).ok());
+    time.ok_or_else(|| {
+        Error::Usage(format!(
+            "--time-limit {text}: expected a number of seconds, such as 60, or with a unit, such as 5min"
+        ))
+    })
+}
+
 fn limit_error(missing: &Missing) -> Error {
     Error::Limit {
         limit: missing.limit.clone(),
@@ -179,25 +206,23 @@ fn watch_interruption(limits: &Limits, watch: &Arc<Watch>) {
     let _ = ctrlc::set_handler(move || {
         flag.store(true, Ordering::SeqCst);
         if watch.may_end() {
-            report(&format!("stellate: {}", Error::Interrupted));
-            std::process::exit(i32::from(super::WRONG_INPUT));
+            watch.end(&Error::Interrupted, super::WRONG_INPUT);
         }
     });
 }
 
 /// The time limit, for computations that reach no checkpoint in time.
-fn watch_deadline(time: Duration, seconds: f64, watch: &Arc<Watch>) {
+fn watch_deadline(time: Duration, watch: &Arc<Watch>) {
     let watch = Arc::clone(watch);
     std::thread::spawn(move || {
         std::thread::sleep(time.saturating_add(GRACE));
         if watch.may_end() {
-            let limit = format!("--time-limit {seconds} s");
+            let limit = format!("--time-limit {} s", time.as_secs_f64());
             let error = Error::Limit {
                 limit,
                 finished: String::new(),
             };
-            report(&format!("stellate: {error}"));
-            std::process::exit(i32::from(super::LIMIT_REACHED));
+            watch.end(&error, super::LIMIT_REACHED);
         }
     });
 }

@@ -1,12 +1,14 @@
 //! What the person at the terminal sees of the work: notes, progress bars, and the times of stages.
 
 use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stellate::document::remark_text;
+use stellate::error::Error;
 use stellate::verb::{Remark, Watcher};
 
 /// A progress bar waits this long before it shows itself.
@@ -21,6 +23,8 @@ pub(crate) struct Watch {
     kept: AtomicBool,
     /// Set once output may have begun.
     writing: AtomicBool,
+    /// A file that is only half written.
+    partial: Mutex<Option<PathBuf>>,
 }
 
 impl Watch {
@@ -31,6 +35,7 @@ impl Watch {
             bar: Mutex::default(),
             kept: AtomicBool::new(false),
             writing: AtomicBool::new(false),
+            partial: Mutex::default(),
         }
     }
 
@@ -42,6 +47,20 @@ impl Watch {
     /// From here on it may not.
     pub(crate) fn keep_going(&self) {
         self.writing.store(true, Ordering::SeqCst);
+    }
+
+    /// A file that is removed if the process is ended.
+    pub(crate) fn removed_at_the_end(&self, path: Option<&Path>) {
+        *locked(&self.partial) = path.map(Path::to_path_buf);
+    }
+
+    /// Ends the process with this error and code.
+    pub(crate) fn end(&self, error: &Error, code: u8) -> ! {
+        if let Some(path) = locked(&self.partial).take() {
+            let _ = std::fs::remove_file(path);
+        }
+        report(&format!("stellate: {error}"));
+        std::process::exit(i32::from(code))
     }
 
     /// It may not during this work.

@@ -46,7 +46,7 @@ struct SamplesDocument {
 
 /// Writes points as CSV `branch,theta,u,v,r,x,y,multiplicity` (in space
 /// `branch,theta,phi,u,v,w,r,x,y,z,multiplicity`) or as a JSON document of kind `samples`. Coordinates are relative to
-/// `center`, which only the document carries.
+/// `center`; where that is not the origin the table begins with the comment `# center X Y`, and the document has it, too.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -58,6 +58,9 @@ pub(crate) fn write_samples<D: NominalAngles<V>, const V: usize>(
 ) -> Result<()> {
     match format {
         Format::Csv => {
+            if center_comment(center).is_some() {
+                writeln!(out, "# center {} {}", center[0], center[1])?;
+            }
             writeln!(
                 out,
                 "{}",

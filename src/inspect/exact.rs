@@ -6,6 +6,7 @@ use super::foot::{difference, lagrange};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::intervals::{Field, Interval, dot, rational, rationals};
+use crate::limits::Limits;
 
 #[cfg(test)]
 #[path = "exact_laws.rs"]
@@ -68,7 +69,7 @@ fn rounded(x: &Rational, bits: i64) -> Rational {
 /// Whether there is a zero within d of p, from the expansion about the foot near `start`; f has the given sign at p. The
 /// rule is that of [`super::foot::enclose`], with everything but the bounds of the curvature exact.
 ///
-/// With a radius only zeros so near to `start` are excluded.
+/// With a radius only zeros so near to `start` are excluded. Beyond the limits it is not decided.
 pub(super) fn decide(
     field: &Field,
     p: &[Rational; 3],
@@ -76,11 +77,13 @@ pub(super) fn decide(
     start: [f64; 3],
     sign: i8,
     radius: Option<f64>,
+    limits: &Limits,
 ) -> Option<Answer> {
     let target = d * d;
     let mut q = start.map(rational);
     for bits in LEVELS {
-        q = refined_foot(field, p, &q, bits)?;
+        q = refined_foot(field, p, &q, bits, limits)?;
+        limits.check().ok()?;
         let radius = radius.map(|radius| {
             let moved = exact_difference(&q, &rationals(start));
             (Interval::from(&squared_length(&moved)).sqrt() + Interval::from(radius)).high()
@@ -128,6 +131,7 @@ fn refined_foot(
     p: &[Rational; 3],
     start: &[Rational; 3],
     bits: i64,
+    limits: &Limits,
 ) -> Option<[Rational; 3]> {
     let near = start.each_ref().map(Rational::to_f64);
     let local = field.exact_local(&near.map(rational));
@@ -140,6 +144,7 @@ fn refined_foot(
     let goal = power_of_two(-bits);
     let mut last: Option<Rational> = None;
     for _ in 0..STEPS {
+        limits.check().ok()?;
         let (value, gradient) = field.exact_value_and_gradient(&q);
         let away = exact_difference(p, &q);
         let first: [Rational; 3] = std::array::from_fn(|i| &away[i] - &(&nu * &gradient[i]));

@@ -44,7 +44,7 @@ proptest! {
         // The exact square is as near to this as the root is.
         let exact = &distance * &distance;
         let wrong = power_of_two(-900);
-        match decide(&field, &p, &d, start, sign, None) {
+        match decide(&field, &p, &d, start, sign, None, &Limits::none()) {
             Some(Answer::Outside { low }) => prop_assert!(!is_inside && low <= exact + wrong && low > &d * &d),
             Some(Answer::Inside { low, high, .. }) => {
                 prop_assert!(is_inside && low <= &exact + &wrong && exact <= &high + &wrong && high <= &d * &d);

@@ -461,7 +461,16 @@ impl Inspector {
         known: &mut PartialInspection,
     ) {
         let root = |square: &Rational| Interval::from(square).or_zero().sqrt().low();
-        match exact::decide(field, p.exactly(), &self.tolerance, start, sign, None) {
+        let found = exact::decide(
+            field,
+            p.exactly(),
+            &self.tolerance,
+            start,
+            sign,
+            None,
+            &self.limits,
+        );
+        match found {
             Some(Answer::Outside { low }) => {
                 known.inside = Some(false);
                 known.bounds.low = known.bounds.low.max(root(&low).max(self.around[0]));

@@ -80,7 +80,8 @@ impl Inspector {
         let mut is_outside = !feet.is_empty();
         for (q, radius) in feet {
             let d = &self.tolerance;
-            match exact::decide(field, p.exactly(), d, q, sign, Some(radius)) {
+            let found = exact::decide(field, p.exactly(), d, q, sign, Some(radius), &self.limits);
+            match found {
                 Some(Answer::Outside { .. }) => {}
                 Some(Answer::Inside {
                     high,

@@ -30,6 +30,19 @@ pub(super) fn are_parametric(equations: &[Equation]) -> bool {
         .any(|equation| coordinate(equation).is_some() && varies(equation))
 }
 
+/// Whether every equation is another one of `x = …`, `y = …` and `z = …`, without a variable on the right.
+pub(super) fn are_coordinates(equations: &[Equation]) -> bool {
+    let mut given = [false; 3];
+    equations.iter().all(|equation| {
+        let named = COORDINATES
+            .iter()
+            .filter(|name| equation.names.any(&[**name]));
+        let is_alone = named.count() == 1;
+        let index = coordinate(equation).map(|(index, _)| index);
+        index.is_some_and(|index| is_alone && !std::mem::replace(&mut given[index], true))
+    })
+}
+
 /// Which coordinate the equation gives, and its formula.
 fn coordinate(equation: &Equation) -> Option<(usize, &Expr)> {
     let formula = equation.right.as_ref()?;
@@ -42,6 +55,15 @@ fn coordinate(equation: &Equation) -> Option<(usize, &Expr)> {
 /// The curve or patch.
 pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result<Form> {
     let formulas = formulas(cx, equations)?;
+    of_formulas(cx, equations, formulas)
+}
+
+/// The curve or patch whose coordinates are given; the equations are what messages point to.
+pub(super) fn of_formulas(
+    cx: &mut Context<'_>,
+    equations: &[Equation],
+    formulas: [Option<&Expr>; 3],
+) -> Result<Form> {
     let (parameters, in_space) = parameters(cx, &formulas)?;
     let mut values = Vec::new();
     for formula in formulas.iter().flatten() {
@@ -125,7 +147,7 @@ pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result
 }
 
 /// Why constant coordinates are refused.
-fn a_point(cx: &Context<'_>, equations: &[Equation]) -> crate::error::Error {
+pub(super) fn a_point(cx: &Context<'_>, equations: &[Equation]) -> crate::error::Error {
     let message =
         "all coordinates are constant, whatever the parameter is: this is a point, not a curve";
     cx.source.error(equations[0].left.span, message)

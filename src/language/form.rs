@@ -11,6 +11,7 @@ use super::budget::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
 use super::coordinates;
 use super::evaluate::{Algebra, Context, evaluate};
 use super::name::Name;
+use super::polar;
 use super::polynomial::Implicit;
 use super::radius::TrigAlgebra;
 use super::source::Span;
@@ -44,18 +45,35 @@ pub(super) fn form(
     if equations.len() > 1 && equations.iter().any(in_space) {
         return intersection(cx, equations, center);
     }
+    if equations.len() > 1 && coordinates::are_coordinates(equations) {
+        return Err(coordinates::a_point(cx, equations));
+    }
     if let Some(second) = equations.get(1) {
         let message = format!("a second equation; {UNDERSTOOD}, and each is one equation");
         return Err(cx.source.error(second.left.span, message));
     }
-    if let Some(formula) = radius_formula(cx, equation)? {
-        let radius = fourier(cx, equation, formula)?;
-        return Ok(Form::Fourier(match center {
-            Some((_, center)) => radius.with_center(center),
-            None => radius,
-        }));
-    }
-    let polynomial = difference(cx, equation)?;
+    let polynomial = match radius_formula(cx, equation)? {
+        None => difference(cx, equation)?,
+        Some((k, formula)) => {
+            let angle = angle(cx, equation)?;
+            if k > 1 {
+                polar::equation(cx, formula, k)?
+            } else if polar::is_beyond_series(cx, formula)? {
+                if let Some((at, _)) = center {
+                    let message = "a center belongs to an implicit curve or a Fourier radius";
+                    return Err(cx.source.error(at, message));
+                }
+                return polar::curve(cx, equations, formula, angle);
+            } else {
+                let (cos, sin) = evaluate(cx, &TrigAlgebra, formula)?.coefficients();
+                let radius = FourierRadius::new(cos, sin);
+                return Ok(Form::Fourier(match center {
+                    Some((_, center)) => radius.with_center(center),
+                    None => radius,
+                }));
+            }
+        }
+    };
     let in_space = equation.names.first(Name::Z).is_some();
     if let (true, Some((at, _))) = (in_space, &center) {
         return Err(cx
@@ -115,13 +133,16 @@ pub(crate) fn constant_message(value: &Rational) -> &'static str {
     }
 }
 
-/// What the radius is, if the equation gives one: the right side of `r = …`, or an expression in
+/// What r^k is, if the equation gives it: the right side of `r = …` or `r^k = …`, or an expression in
 /// the angle that stands alone.
-fn radius_formula<'e>(cx: &Context<'_>, equation: &'e Equation) -> Result<Option<&'e Expr>> {
+fn radius_formula<'e>(
+    cx: &mut Context<'_>,
+    equation: &'e Equation,
+) -> Result<Option<(u32, &'e Expr)>> {
     let names = &equation.names;
-    if equation.left.is_name(Name::R) {
+    if let Some(k) = polar::power_of_radius(cx, &equation.left)? {
         return match &equation.right {
-            Some(formula) => Ok(Some(formula)),
+            Some(formula) => Ok(Some((k, formula))),
             None => Err(cx
                 .source
                 .error(equation.left.span, "expected `= …` after r")),
@@ -129,10 +150,12 @@ fn radius_formula<'e>(cx: &Context<'_>, equation: &'e Equation) -> Result<Option
     }
     let of_the_angle = names.any(&[Name::T, Name::Theta, Name::Cos, Name::Sin]);
     let of_a_point = names.any(&[Name::X, Name::Y, Name::Z, Name::R]);
-    Ok((equation.right.is_none() && of_the_angle && !of_a_point).then_some(&equation.left))
+    let is_alone = equation.right.is_none() && of_the_angle && !of_a_point;
+    Ok(is_alone.then_some((1, &equation.left)))
 }
 
-fn fourier(cx: &mut Context<'_>, equation: &Equation, formula: &Expr) -> Result<FourierRadius> {
+/// The name of the angle.
+fn angle(cx: &Context<'_>, equation: &Equation) -> Result<Name> {
     let angles = (
         equation.names.first(Name::T),
         equation.names.first(Name::Theta),
@@ -142,8 +165,7 @@ fn fourier(cx: &mut Context<'_>, equation: &Equation, formula: &Expr) -> Result<
         let message = "a second name for the angle; use either t or theta";
         return Err(cx.source.error(later, message));
     }
-    let (cos, sin) = evaluate(cx, &TrigAlgebra, formula)?.coefficients();
-    Ok(FourierRadius::new(cos, sin))
+    Ok(angles.1.map_or(Name::T, |_| Name::Theta))
 }
 
 /// The implicit curve or surface of a polynomial that is not constant.

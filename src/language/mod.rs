@@ -3,10 +3,12 @@
 //! | text | form |
 //! | --- | --- |
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta |
+//! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: with another radius that is rational in cosines and sines of rational multiples of the angle it is the parametric curve (r cos t, r sin t) |
+//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
 //! | `x = sin(t); y = sin(t)*cos(t)` | a plane curve; with `z = …` a space curve |
-//! | `x = cos(u)*sin(v); y = cos(u); z = cos(v)` | a patch; the parameters are two of t, theta, u, v, phi |
+//! | `x = cos(u)*sin(v); y = cos(u); z = cos(v)` | a patch; the parameters are two of t, theta, u, v, phi, s, w |
 //! | `x^2 + y^2 = 1; z = y^5` | the intersection of two or more surfaces |
 //! | `superquadric 2d a=1,2 e=1/2` | the curve `|x/a1|^(2/e) + |y/a2|^(2/e) = 1`; `level=3` makes it `= 3` |
 //!
@@ -30,6 +32,9 @@
 //!   constant integer, and not negative unless the base is a constant too. `x²³` is x^23;
 //! - numbers (`12`, `0.1`, `1e-5`, `0x1.8p+1`), names, `cos(…)`, `sin(…)`, `Rational(1, 3)` and
 //!   parentheses. Letters without a space fall into the longest names there are: `xy` is x·y.
+//!
+//! Other spellings are understood, too: `(t^2, t^3)` and `[t^2, t^3]` for `x = t^2; y = t^3`, a comma between such equations,
+//! `x(t) = …`, `r(theta) = …`, `rho` for r, `Eq(a, b)` and `==` for `=`, `cos 3t` and `cos^2(t)`.
 //!
 //! Typographic signs (− · × θ ² …) stand for what they look like. `#` starts a comment, and so does
 //! `//` at the start of a line; the comment `# center: p/q, p/q` is the point that a plane form is
@@ -59,6 +64,7 @@ mod form;
 mod name;
 mod number;
 mod parser;
+mod polar;
 mod polynomial;
 mod quotient;
 mod radius;
@@ -66,6 +72,7 @@ mod source;
 mod superquadric;
 mod syntax;
 mod token;
+mod typed;
 
 pub use budget::{
     MAX_BITS, MAX_COEFFICIENTS, MAX_DEGREE, MAX_DIGITS, MAX_HARMONIC, MAX_NESTING, MAX_PRODUCTS,
@@ -116,7 +123,8 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
         return Ok(shape);
     }
     let tokens = token::tokenize(source)?;
-    let equations = parser::parse(source, &tokens.tokens)?;
+    let understood = typed::understood(source, &tokens.tokens);
+    let equations = parser::parse(source, &understood)?;
     let center = match tokens.center {
         None => None,
         Some(at) => {

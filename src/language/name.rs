@@ -19,6 +19,8 @@ pub(super) enum Name {
     U,
     V,
     Phi,
+    S,
+    W,
     Cos,
     Sin,
     Tan,
@@ -44,7 +46,15 @@ pub(super) enum Name {
 pub(super) const NAMES: usize = Name::Poly as usize + 1;
 
 /// The parameters of curves and patches, in the order in which a patch has them.
-pub(super) const PARAMETERS: [Name; 5] = [Name::T, Name::Theta, Name::U, Name::V, Name::Phi];
+pub(super) const PARAMETERS: [Name; 7] = [
+    Name::T,
+    Name::Theta,
+    Name::U,
+    Name::V,
+    Name::Phi,
+    Name::S,
+    Name::W,
+];
 
 impl Name {
     /// The functions of angles.
@@ -64,6 +74,8 @@ impl Name {
             Name::U => "u",
             Name::V => "v",
             Name::Phi => "phi",
+            Name::S => "s",
+            Name::W => "w",
             _ => "t",
         }
     }
@@ -95,6 +107,7 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("cos", Name::Cos),
     ("sin", Name::Sin),
     ("phi", Name::Phi),
+    ("rho", Name::R),
     ("tan", Name::Tan),
     ("cot", Name::Cot),
     ("sec", Name::Sec),
@@ -107,6 +120,7 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("π", Name::Pi),
     ("√", Name::Irrational),
     ("θ", Name::Theta),
+    ("ρ", Name::R),
     ("φ", Name::Phi),
     ("ϕ", Name::Phi),
     ("x", Name::X),
@@ -116,6 +130,8 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("t", Name::T),
     ("u", Name::U),
     ("v", Name::V),
+    ("s", Name::S),
+    ("w", Name::W),
 ];
 
 /// The names that `word`, which starts at byte `start`, consists of: the longest first, so `xy` is

@@ -122,9 +122,11 @@ impl Parser<'_> {
         match token.kind {
             Kind::Close => "`)` without a `(` before it".into(),
             Kind::Equals => "a second `=`; equations are separated by `;` or a new line".into(),
-            Kind::Comma => "a comma separates only the arguments of Rational(p, q); \
+            Kind::Comma => {
+                "a comma separates coordinates, as in `x = t^2, y = t^3` or `(t^2, t^3)`; \
                             decimals are written with a point"
-                .into(),
+                    .into()
+            }
             _ => format!(
                 "expected an operator, `=` or the end, found {}",
                 self.found(token)
@@ -209,7 +211,7 @@ impl Parser<'_> {
             Kind::Unknown => {
                 let message = format!(
                     "unknown name {}; a Fourier radius uses the angle t or theta, \
-                     a polynomial x, y, z, parameters are t, theta, u, v, phi",
+                     a polynomial x, y, z, parameters are t, theta, u, v, phi, s, w",
                     self.source.quoted(token.span)
                 );
                 return Err(self.source.error(token.span, message));
@@ -253,9 +255,9 @@ impl Parser<'_> {
     fn call(&mut self, name: Name, function: Token, depth: u32) -> Result<Expr> {
         let open = self.advance();
         if open.kind != Kind::Open {
+            let shown = self.source.slice(function.span);
             let message = format!(
-                "expected `(` after {}, found {}",
-                self.source.quoted(function.span),
+                "expected `(` after `{shown}`, found {}; its argument stands in parentheses, as in {shown}(3*t)",
                 self.found(open)
             );
             return Err(self.source.error(open.span, message));
@@ -275,7 +277,15 @@ impl Parser<'_> {
     fn expect_close(&mut self, open: Token) -> Result<Token> {
         let token = self.peek();
         match token.kind {
-            Kind::Close => Ok(self.advance()),
+            Kind::Close if self.is_pair(open, token) => Ok(self.advance()),
+            Kind::Close => {
+                let message = format!(
+                    "{} does not close {}",
+                    self.source.quoted(token.span),
+                    self.source.quoted(open.span)
+                );
+                Err(self.source.error(token.span, message))
+            }
             Kind::End => Err(self.source.error(open.span, "this `(` is never closed")),
             Kind::Comma => Err(self
                 .source
@@ -285,6 +295,12 @@ impl Parser<'_> {
                 Err(self.source.error(token.span, message))
             }
         }
+    }
+
+    /// Whether one closes what the other opens. Parentheses that were only meant have no text.
+    fn is_pair(&self, open: Token, close: Token) -> bool {
+        let texts = [open, close].map(|token| self.source.slice(token.span));
+        matches!(texts, ["(", ")"] | ["[", "]"] | ["", ""])
     }
 
     fn superscript(&mut self) -> Result<Expr> {

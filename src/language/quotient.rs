@@ -101,6 +101,16 @@ fn multiple_angle(variable: usize, n: u32) -> [SparsePolynomial<3>; 2] {
     parts
 }
 
+/// (1 + s²)^degree times the cosine and the sine of the n-fold angle, n ≤ degree, as powers of s with their coefficients.
+pub(super) fn half_angle(n: u32, degree: u32) -> [Vec<(usize, Integer)>; 2] {
+    let circle = circle_power(0, degree - n);
+    multiple_angle(0, n).map(|part| {
+        let product = part.times(&circle);
+        let terms = product.terms();
+        terms.map(|(e, c)| (e[0] as usize, c.numerator())).collect()
+    })
+}
+
 impl Quotients<'_> {
     /// The cosine and the sine of an angle, times ∏ (1 + s²)^circles.
     fn cosine_and_sine(

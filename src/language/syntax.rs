@@ -5,13 +5,13 @@ use super::source::Span;
 
 /// An expression. Sums and products are flat, and [`super::budget::MAX_NESTING`] bounds the depth
 /// of the rest, so walking or dropping one cannot overflow the stack.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Expr {
     pub(super) kind: ExprKind,
     pub(super) span: Span,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum ExprKind {
     /// A literal: the text of the span.
     Number,

@@ -209,6 +209,10 @@ fn symbol(input: &mut Input<'_>) -> Option<Kind> {
     if power.is_ok() {
         return Some(Kind::Caret);
     }
+    let equals: ModalResult<&str> = "==".parse_next(input);
+    if equals.is_ok() {
+        return Some(Kind::Equals);
+    }
     let c: winnow::Result<char> = any.parse_next(input);
     Some(match c.ok()? {
         '+' => Kind::Plus,
@@ -216,8 +220,8 @@ fn symbol(input: &mut Input<'_>) -> Option<Kind> {
         '*' | '·' | '×' | '⋅' | '∙' => Kind::Star,
         '/' | '÷' => Kind::Slash,
         '^' => Kind::Caret,
-        '(' => Kind::Open,
-        ')' => Kind::Close,
+        '(' | '[' => Kind::Open,
+        ')' | ']' => Kind::Close,
         ',' => Kind::Comma,
         '=' => Kind::Equals,
         ';' => Kind::Semicolon,

@@ -1,6 +1,7 @@
 //! Exact rational directions near given angles.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::str::FromStr;
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Square;
@@ -9,12 +10,15 @@ use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::unit_vector::IntegerVector;
-use crate::error::Invariant;
-use crate::exact::Rational;
+use crate::error::{Error, Invariant, Result};
+use crate::exact::{Rational, exact_literal};
 
 /// tan(δ/2) is rounded to this many bits after the point, so a direction is within 2⁻⁵³ of its
 /// nominal angle.
 const TANGENT_BITS: u32 = 53;
+
+/// Beyond this many radians a double says little about its angle.
+const LARGEST_RADIANS: f64 = 1e9;
 
 impl IntegerVector<2> for Direction {
     fn over_common_denominator(&self) -> ([Integer; 2], Integer) {
@@ -133,6 +137,59 @@ impl Direction {
     /// The integers (U, V, W).
     pub(crate) fn integers(&self) -> (&Integer, &Integer, &Integer) {
         (&self.u, &self.v, &self.w)
+    }
+}
+
+impl FromStr for Direction {
+    type Err = Error;
+
+    /// Radians up to 10⁹ (`0.5`), a multiple of π (`pi/4`, `3*pi/2`, `2π`), or degrees (`45deg`, `45°`); multiples of π and
+    /// degrees are taken exactly.
+    ///
+    /// ```
+    /// use stellate::sample::Direction;
+    /// let right_angles = ["pi/2", "90deg", "90°", "-3π/2"];
+    /// for text in right_angles {
+    ///     assert_eq!(text.parse::<Direction>()?.v(), 1.into());
+    /// }
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for anything else.
+    fn from_str(text: &str) -> Result<Self> {
+        let wrong = || {
+            let message =
+                "expected radians up to 1e9 such as 0.5 or pi/6, or degrees such as 30deg";
+            Error::Usage(message.into())
+        };
+        let number = |text: &str| exact_literal(text.trim()).map_err(|_| wrong());
+        let trimmed = text.trim();
+        let degrees = ["degrees", "deg", "°"].iter();
+        if let Some(degrees) = degrees.clone().find_map(|unit| trimmed.strip_suffix(unit)) {
+            return Ok(Self::from_degrees(&number(degrees)?));
+        }
+        if let Some((before, after)) = trimmed.split_once("pi").or(trimmed.split_once('π')) {
+            let factor = match before.trim().trim_end_matches('*').trim_end() {
+                "" | "+" => Rational::one(),
+                "-" | "−" => Rational::from(-1),
+                factor => number(factor)?,
+            };
+            let divisor = match after.trim().strip_prefix('/') {
+                Some(divisor) if !divisor.contains('/') => number(divisor)?,
+                Some(_) => return Err(wrong()),
+                None if after.trim().is_empty() => Rational::one(),
+                None => return Err(wrong()),
+            };
+            let half_turns = factor * divisor.recip().ok_or_else(wrong)?;
+            return Ok(Self::from_degrees(&(half_turns * Rational::from(180))));
+        }
+        let radians = number(trimmed)?.to_f64();
+        if radians.is_finite() && radians.abs() <= LARGEST_RADIANS {
+            Ok(Self::from_radians(radians))
+        } else {
+            Err(wrong())
+        }
     }
 }
 

@@ -108,6 +108,7 @@ fn described(what: DescribedForm) -> Described {
 }
 
 fn of_curve(curve: &ImplicitCurve, work: &Work) -> Result<Description> {
+    work.check_degree(curve.polynomial().degree().unwrap_or(0))?;
     let whole = curve.clone();
     let search = move |limits: &Limits| Description::of_curve(&whole, limits);
     let found = work.unless_limited(Part::Factors, search)?;
@@ -115,6 +116,8 @@ fn of_curve(curve: &ImplicitCurve, work: &Work) -> Result<Description> {
 }
 
 fn of_surface(surface: &ImplicitSurface, work: &Work) -> Result<Description> {
+    let degree = surface.polynomial().degree().unwrap_or(0);
+    work.check_degree(usize::try_from(degree).unwrap_or(usize::MAX))?;
     let whole = surface.clone();
     let search = move |limits: &Limits| Description::of_surface(&whole, limits);
     let found = work.unless_limited(Part::Factors, search)?;

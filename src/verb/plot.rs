@@ -59,6 +59,11 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
             "--point X,Y,Z marks a point in space; these forms are in the plane".into(),
         ));
     }
+    if options.view.is_some() {
+        return Err(Error::Usage(
+            "--view turns a picture of space; these forms are in the plane".into(),
+        ));
+    }
     let is_contour = |given: &Given| matches!(given.content(), Content::Contour(_));
     if !forms.iter().any(is_contour) {
         refuse_fit_options(&options.fit)?;

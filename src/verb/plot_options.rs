@@ -45,8 +45,8 @@ options! {
         window: Option<Frame> = None,
         /// The parts of parameters that are drawn, by name.
         ranges: Vec<(String, [f64; 2])> = Vec::new(),
-        /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y.
-        view: [f64; 2] = VIEW,
+        /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y; 30 and 25 by default.
+        view: Option<[f64; 2]> = None,
         /// The heading of the figure.
         title: String = String::new(),
         /// Cells along the larger side: for tracing implicit curves (240), for surfaces (36), along each parameter of a

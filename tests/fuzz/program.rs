@@ -157,7 +157,7 @@ pub(crate) fn program(draw: &mut Draw) -> Outcome {
     let code = status.code();
     assert!(matches!(code, Some(0..=3)), "exit code {code:?}: {said}");
     assert!(!said.contains("panicked"), "{said}");
-    let is_message = |line: &&str| line.starts_with("stellate: ") || line.starts_with("error: ");
+    let is_message = |line: &&str| line.starts_with("stellate: ") || line.starts_with("{\"error\"");
     let messages = said.lines().filter(is_message).count();
     if code == Some(2) {
         // Inspection streams: the rows before a bad one stand.

@@ -12,4 +12,6 @@ mod language;
 mod language_parameters;
 mod limits;
 mod main_job;
+mod terminal;
+mod typed;
 mod verbs;

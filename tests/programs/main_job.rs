@@ -126,6 +126,10 @@ fn the_main_job(name: &str) {
 
     let f = coefficients(&document);
     let rows = at(&["sample", "f.json", "--directions", "720", "--quiet"]);
+    let center = document["center"].as_array().unwrap();
+    let [x, y] = [0, 1].map(|i| center[i].as_str().unwrap());
+    let (comment, rows) = rows.split_once('\n').unwrap();
+    assert_eq!(comment, format!("# center {x} {y}"));
     assert_eq!(rows.lines().count(), 1 + 2 * 720);
     let mut by_direction: BTreeMap<(String, String), Vec<f64>> = BTreeMap::new();
     for row in rows.lines().skip(1) {

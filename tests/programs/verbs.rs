@@ -197,7 +197,7 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
                 .points(words.all("point").iter().map(|p| doubles(p)).collect())
                 .title(words.one("title").unwrap_or("").into());
             if let Some(view) = words.doubles("view") {
-                options = options.view(view);
+                options = options.view(Some(view));
             }
             let forms = words.forms.iter().map(|form| given(folder, form));
             let svg = verb::plot(forms.collect(), &options, &work).unwrap();

@@ -181,7 +181,7 @@ fn mistakes_are_said_once() {
             "this is a plane curve",
         ),
         (
-            &["sample", SPHERE, "--phi", "pi"],
+            &["sample", SPHERE, "--phi", "x"],
             "--phi pi: expected radians",
         ),
         (&["sample", SPHERE, "--directions", "0"], "at least one"),
