@@ -100,7 +100,7 @@ fn commands() -> Vec<Vec<String>> {
     let commands = lines.filter_map(|line| line.strip_prefix("$ stellate "));
     commands
         .map(|command| shell_words::split(command).unwrap())
-        .filter(|words| words[0] != "paper")
+        .filter(|words| !["paper", "completions", "man"].contains(&words[0].as_str()))
         .collect()
 }
 
