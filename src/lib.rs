@@ -104,6 +104,7 @@ pub mod error;
 pub mod exact;
 pub mod factor;
 pub mod fit;
+pub mod guide;
 pub mod implicitize;
 pub mod inspect;
 mod intervals;
@@ -124,3 +125,8 @@ mod rows;
 pub mod sample;
 pub mod shape;
 pub mod verb;
+
+// The example of the README is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -5,10 +5,15 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
 use tempfile::TempDir;
+
+#[path = "common/documentation.rs"]
+mod documentation;
+use documentation::DOCUMENTATION;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -80,12 +85,17 @@ fn rewritten(file: &Path, folder: &Path) -> (String, usize) {
     (result, commands)
 }
 
-fn check(file: &Path) -> usize {
+/// A folder with the data that commands name.
+fn folder() -> TempDir {
     let folder = TempDir::new().unwrap();
     for data in ["paper-examples", "tests/numpy"] {
         copy_folder(&root().join(data), &folder.path().join(data));
     }
-    let (now, commands) = rewritten(file, folder.path());
+    folder
+}
+
+fn check(file: &Path, folder: &Path) -> usize {
+    let (now, commands) = rewritten(file, folder);
     if std::env::var_os("UPDATE_README").is_some() {
         fs::write(file, &now).unwrap();
     }
@@ -95,8 +105,20 @@ fn check(file: &Path) -> usize {
 }
 
 #[test]
-fn the_readme_says_what_the_commands_print() {
-    assert!(check(&root().join("README.md")) >= 10);
+fn the_readme_and_the_guide_say_what_the_commands_print() {
+    let folder = folder();
+    let commands = DOCUMENTATION.map(|file| check(&root().join(file), folder.path()));
+    assert!(commands.iter().sum::<usize>() > 60, "{commands:?}");
+    // The guide is all of it.
+    let files = fs::read_dir(root().join("src/guide")).unwrap();
+    let files = files.filter(|f| {
+        f.as_ref()
+            .unwrap()
+            .path()
+            .extension()
+            .is_some_and(|e| e == "md")
+    });
+    assert_eq!(files.count() + 1, DOCUMENTATION.len());
 }
 
 #[test]
@@ -108,7 +130,11 @@ fn the_paper_examples_say_what_their_commands_print() {
     readmes.sort();
     assert!(!readmes.is_empty());
     for readme in readmes {
-        assert!(check(&readme) > 0, "{} has no command", readme.display());
+        assert!(
+            check(&readme, folder().path()) > 0,
+            "{} has no command",
+            readme.display()
+        );
     }
 }
 
@@ -138,6 +164,7 @@ fn verbs() -> Vec<String> {
 #[test]
 fn every_verb_and_every_example_has_its_place_in_the_readme() {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    assert!(readme.lines().count() < 180, "the README is one page");
     let verbs = verbs();
     assert!(verbs.len() >= 11, "{verbs:?}");
     for verb in verbs {
@@ -151,24 +178,74 @@ fn every_verb_and_every_example_has_its_place_in_the_readme() {
     }
 }
 
-#[test]
-fn the_links_of_the_readme_lead_somewhere() {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+/// What the titles of a file are called in links.
+fn anchors(text: &str) -> Vec<String> {
     let letters = |c: char| c.is_alphanumeric() || c == '-';
-    let anchors: Vec<String> = readme
-        .lines()
-        .filter_map(|line| line.trim_start_matches('#').strip_prefix(' '))
-        .map(|title| title.to_lowercase().replace(' ', "-"))
+    let titles = text.lines().filter(|line| line.starts_with('#'));
+    let titles = titles.filter_map(|line| line.trim_start_matches('#').strip_prefix(' '));
+    let titles = titles.map(|title| title.to_lowercase().replace(' ', "-"));
+    titles
         .map(|title| title.chars().filter(|c| letters(*c)).collect())
-        .collect();
-    let targets = readme.split("](").skip(1);
-    let targets: Vec<&str> = targets.filter_map(|rest| rest.split(')').next()).collect();
-    assert!(targets.len() > 20);
-    for target in targets {
-        match target.strip_prefix('#') {
-            Some(anchor) => assert!(anchors.iter().any(|a| a == anchor), "{target}"),
-            None if target.starts_with("https://") => {}
-            None => assert!(root().join(target).exists(), "{target}"),
+        .collect()
+}
+
+#[test]
+fn the_links_of_the_documentation_lead_somewhere() {
+    let mut count = 0;
+    for name in DOCUMENTATION {
+        let file = root().join(name);
+        let text = fs::read_to_string(&file).unwrap();
+        let targets = text.split("](").skip(1);
+        let targets = targets.filter_map(|rest| rest.split(')').next());
+        for target in targets.filter(|target| !target.starts_with("https://")) {
+            count += 1;
+            let (path, anchor) = target.split_once('#').unwrap_or((target, ""));
+            let path = match path {
+                "" => file.clone(),
+                _ => file.parent().unwrap().join(path),
+            };
+            assert!(path.exists(), "{name}: {target}");
+            if !anchor.is_empty() {
+                let anchors = anchors(&fs::read_to_string(&path).unwrap());
+                assert!(anchors.iter().any(|a| a == anchor), "{name}: {target}");
+            }
         }
+    }
+    assert!(count > 40, "{count} links");
+}
+
+/// The programs of the guide that read a radius, in Python and in C; only where the variable says that both are there.
+#[test]
+fn the_programs_of_the_guide_read_a_radius() {
+    if std::env::var_os("STELLATE_SYSTEMS").is_none() {
+        let skipped = "skipped: Python and C read a radius with STELLATE_SYSTEMS=1";
+        writeln!(std::io::stderr(), "{skipped}").unwrap();
+        return;
+    }
+    let guide = fs::read_to_string(root().join("src/guide/results.md")).unwrap();
+    let folder = folder();
+    let fit = guide
+        .lines()
+        .find_map(|line| line.strip_prefix("$ ").filter(|l| l.contains(" fit ")));
+    run(fit.unwrap(), folder.path());
+    for (language, file, command, expected) in [
+        ("python", "inside.py", "python3 inside.py", "True False\n"),
+        (
+            "c",
+            "inside.c",
+            "cc -Wall -Wextra -Werror inside.c -o inside -lm && ./inside",
+            "inside\noutside\n",
+        ),
+    ] {
+        let (_, block) = guide.split_once(&format!("```{language}\n")).unwrap();
+        let (program, _) = block.split_once("```").unwrap();
+        fs::write(folder.path().join(file), program).unwrap();
+        let output = std::process::Command::new("sh")
+            .args(["-c", command])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{said}");
     }
 }

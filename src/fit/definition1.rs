@@ -15,8 +15,8 @@ use crate::error::{Error, Result};
 /// these the series gives r/2: a circle of radius 1 comes back with radius 1/2.
 ///
 /// If r(θ) is a trigonometric polynomial with at most N harmonics, they are its coefficients.
-/// Cost: one FFT, O(Ns log Ns) for every Ns, without instructions that differ between processors, so
-/// that the doubles are the same everywhere.
+/// Cost: one FFT, O(Ns log Ns) for every Ns, without instructions that differ between processors; its
+/// cosines and sines are those of the platform.
 ///
 /// ```
 /// use stellate::fit::fourier_coefficients;

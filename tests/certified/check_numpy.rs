@@ -191,7 +191,7 @@ fn the_numpy_scripts_do_what_is_said_of_them() {
         out
     };
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let readme = fs::read_to_string(root.join("README.md")).unwrap();
+    let readme = fs::read_to_string(root.join("src/guide/float-programs.md")).unwrap();
     let script = readme
         .split("```python\n")
         .nth(1)

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 pub(crate) mod dense;
+pub(crate) mod documentation;
 pub(crate) mod float_program;
 pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use crate::common::documentation::DOCUMENTATION;
 use stellate::document::{Format, write_form};
 use stellate::language::{Numbers, parse_form};
 use stellate::shape::Form;
@@ -42,7 +43,7 @@ fn once(cell: &'static OnceLock<Vec<Vec<u8>>>, make: fn() -> Vec<Vec<u8>>) -> &'
 pub(crate) fn formulas() -> &'static [Vec<u8>] {
     static CELL: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     once(&CELL, || {
-        let readme = read(&root().join("README.md"));
+        let readme = DOCUMENTATION.map(|file| read(&root().join(file))).concat();
         let quoted = readme.split(['\'', '"']).filter(|text| text.len() < 200);
         let curve = read(&root().join("paper-examples/e09-sixth-degree/curve.txt"));
         let all = FORMS.iter().copied().chain(quoted).chain([curve.as_str()]);

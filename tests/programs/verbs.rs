@@ -6,6 +6,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
+use crate::common::documentation::DOCUMENTATION;
 use crate::common::program::run_in;
 use stellate::document::{
     Format, InspectionWriter, MeshFormat, write_check, write_described, write_fourier,
@@ -80,11 +81,8 @@ impl Words {
     }
 
     fn angles(&self, name: &str) -> Vec<Direction> {
-        let angle = |text: &String| match text.strip_suffix("deg") {
-            Some(degrees) => Direction::from_degrees(&degrees.parse().unwrap()),
-            None => Direction::from_radians(text.parse().unwrap()),
-        };
-        self.all(name).iter().map(angle).collect()
+        let angles = self.all(name).iter();
+        angles.map(|text| text.parse().unwrap()).collect()
     }
 }
 
@@ -93,10 +91,11 @@ fn doubles<const N: usize>(text: &str) -> [f64; N] {
     numbers.try_into().unwrap()
 }
 
-/// The words of the commands in the README, without `stellate`.
+/// The words of the commands in the README and the guide, without `stellate`.
 fn commands() -> Vec<Vec<String>> {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let lines = readme.lines();
+    let read = |file: &str| fs::read_to_string(root().join(file)).unwrap();
+    let all = DOCUMENTATION.map(read).concat();
+    let lines = all.lines();
     let commands = lines.filter_map(|line| line.strip_prefix("$ stellate "));
     commands
         .map(|command| shell_words::split(command).unwrap())
@@ -185,7 +184,11 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
         }
         "inspect" => inspected(&words, first(), folder, &mut out),
         "mesh" => {
-            let mesh = verb::mesh(first(), &MeshingOptions::default(), &work).unwrap();
+            let mut options = MeshingOptions::default();
+            if let Some(resolution) = words.number("resolution") {
+                options = options.resolution(resolution);
+            }
+            let mesh = verb::mesh(first(), &options, &work).unwrap();
             let comment = format!("stellate: {}", first().short_name());
             write_mesh(&mesh, &comment, MeshFormat::Ply, &mut out).unwrap();
         }
@@ -255,7 +258,7 @@ fn inspected(words: &Words, given: Given, folder: &Path, out: &mut Vec<u8>) {
 fn the_library_gives_the_bytes_of_the_program() {
     let folder = folder();
     let commands = commands();
-    assert!(commands.len() > 40, "the README has its commands");
+    assert!(commands.len() > 40, "the documentation has its commands");
     for words in &commands {
         let arguments: Vec<&str> = words.iter().map(String::as_str).collect();
         let run = run_in(folder.path(), &arguments, "");

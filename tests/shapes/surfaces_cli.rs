@@ -182,7 +182,7 @@ fn mistakes_are_said_once() {
         ),
         (
             &["sample", SPHERE, "--phi", "x"],
-            "--phi pi: expected radians",
+            "--phi x: expected radians",
         ),
         (&["sample", SPHERE, "--directions", "0"], "at least one"),
         (&["parametrize", SPHERE, "--phi", "1"], "--theta"),

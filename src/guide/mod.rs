@@ -1,0 +1,28 @@
+//! The guide: what the program does, by examples; every command is run by the tests and prints what is written here.
+
+#[doc = include_str!("tour.md")]
+pub mod tour {}
+
+#[doc = include_str!("space.md")]
+pub mod space {}
+
+#[doc = include_str!("inspection.md")]
+pub mod inspection {}
+
+#[doc = include_str!("float-programs.md")]
+pub mod float_programs {}
+
+#[doc = include_str!("paper.md")]
+pub mod paper {}
+
+#[doc = include_str!("results.md")]
+pub mod results {}
+
+#[doc = include_str!("glossary.md")]
+pub mod glossary {}
+
+#[doc = include_str!("performance.md")]
+pub mod performance {}
+
+#[doc = include_str!("contributing.md")]
+pub mod contributing {}

@@ -1,0 +1,14 @@
+//! The files whose commands are run, in the order in which they build on each other.
+
+pub(crate) const DOCUMENTATION: [&str; 10] = [
+    "README.md",
+    "src/guide/tour.md",
+    "src/guide/space.md",
+    "src/guide/inspection.md",
+    "src/guide/float-programs.md",
+    "src/guide/paper.md",
+    "src/guide/results.md",
+    "src/guide/glossary.md",
+    "src/guide/performance.md",
+    "src/guide/contributing.md",
+];
