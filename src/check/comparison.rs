@@ -1,5 +1,7 @@
 //! What a check finds: rows, and what they amount to.
 
+use std::borrow::Cow;
+
 use super::deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
 use super::scale::Scale;
 use crate::exact::Rational;
@@ -56,14 +58,14 @@ pub struct Row {
     pub residual: Option<Residual>,
 }
 
-/// A usual mistake that explains what is wrong.
+/// A usual mistake that explains what is wrong, or a kind of fault that none explains.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnosis {
     /// A short name: `a0 halved`.
-    pub name: &'static str,
-    /// What a program with this mistake does, and what would be right.
-    pub explanation: &'static str,
+    pub name: Cow<'static, str>,
+    /// What a program with this mistake does, and what would be right; or what the wrong numbers have in common.
+    pub explanation: Cow<'static, str>,
     /// The mark, in digits, at which faults were counted.
     pub mark: u32,
     /// How many numbers miss the mark beside the reference, missing and extra ones included …
@@ -87,7 +89,7 @@ pub struct Comparison {
     pub extra: Vec<Row>,
     /// The common factor of coefficients.
     pub scale: Option<Scale>,
-    /// Usual mistakes that explain what is wrong.
+    /// Usual mistakes that explain what is wrong; where none does, what is wrong by kind.
     pub diagnoses: Vec<Diagnosis>,
 }
 

@@ -1,10 +1,12 @@
 //! The usual mistakes of programs that convert a radius into a polynomial, each as the exact curve that it leads to.
 
+use std::borrow::Cow;
+
 use super::comparison::{Comparison, Diagnosis};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::implicitize::SquaredForm;
-use crate::poly::{Ring, SparsePolynomial};
+use crate::poly::{Ring, SparsePolynomial, total_degree};
 use crate::shape::FourierRadius;
 
 /// Marks, in digits, at which a mistaken reference has to do far better than the right one.
@@ -17,9 +19,9 @@ const LEFT: usize = 10;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mistaken<T> {
     /// A short name: `a0 halved`.
-    pub(super) name: &'static str,
+    pub(super) name: Cow<'static, str>,
     /// What a program with this mistake does, and what would be right.
-    pub(super) explanation: &'static str,
+    pub(super) explanation: Cow<'static, str>,
     /// The exact form that such a program computes.
     pub(super) form: T,
 }
@@ -50,8 +52,8 @@ pub(super) fn diagnose<T>(
         let explain = tried.iter().filter(|(_, after)| after[k] == left);
         return explain
             .map(|(mistake, _)| Diagnosis {
-                name: mistake.name,
-                explanation: mistake.explanation,
+                name: mistake.name.clone(),
+                explanation: mistake.explanation.clone(),
                 mark,
                 faults: before[k],
                 faults_left: left,
@@ -75,38 +77,38 @@ pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadi
     let opposite = |n: usize, a: &Rational, b: &Rational| [a * &sign(n), b * &sign(n)];
     let all = vec![
         Mistaken {
-            name: "a0 halved",
-            explanation: "a0 is the mean of the radii, 1/Ns times their sum, and not half of it",
+            name: "a0 halved".into(),
+            explanation: "a0 is the mean of the radii, 1/Ns times their sum, and not half of it".into(),
             form: scaled(half(), one()),
         },
         Mistaken {
-            name: "a0 doubled",
-            explanation: "the series begins with a0, the mean of the radii; one that begins with a0/2 has twice that a0",
+            name: "a0 doubled".into(),
+            explanation: "the series begins with a0, the mean of the radii; one that begins with a0/2 has twice that a0".into(),
             form: scaled(two(), one()),
         },
         Mistaken {
-            name: "all coefficients halved",
-            explanation: "Definition 1 as it is printed: right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns",
+            name: "all coefficients halved".into(),
+            explanation: "Definition 1 as it is printed: right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns".into(),
             form: scaled(half(), half()),
         },
         Mistaken {
-            name: "all coefficients doubled",
-            explanation: "right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns; these are twice that",
+            name: "all coefficients doubled".into(),
+            explanation: "right are a0 = 1/Ns sum r(k), and an, bn with 2/Ns; these are twice that".into(),
             form: scaled(two(), two()),
         },
         Mistaken {
-            name: "an and bn halved",
-            explanation: "the factor of an and bn is 2/Ns; 1/Ns is that of a0",
+            name: "an and bn halved".into(),
+            explanation: "the factor of an and bn is 2/Ns; 1/Ns is that of a0".into(),
             form: scaled(one(), half()),
         },
         Mistaken {
-            name: "an and bn doubled",
-            explanation: "an and bn are counted twice, as the amplitudes of a spectrum with two sides are",
+            name: "an and bn doubled".into(),
+            explanation: "an and bn are counted twice, as the amplitudes of a spectrum with two sides are".into(),
             form: scaled(one(), two()),
         },
         Mistaken {
-            name: "x and y swapped",
-            explanation: "x = r cos t and y = r sin t; with the two exchanged (rows and columns of an image) it is r(pi/2 - t)",
+            name: "x and y swapped".into(),
+            explanation: "x = r cos t and y = r sin t; with the two exchanged (rows and columns of an image) it is r(pi/2 - t)".into(),
             form: mapped(radius, |n, a, b| match n % 4 {
                 0 => [a.clone(), -b],
                 1 => [b.clone(), a.clone()],
@@ -115,34 +117,97 @@ pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadi
             }),
         },
         Mistaken {
-            name: "sine sign flipped",
-            explanation: "r(-t): the contour runs clockwise, or y points down as in images, or bn has the sign of a transform with exp(-i n t)",
+            name: "sine sign flipped".into(),
+            explanation: "r(-t): the contour runs clockwise, or y points down as in images, or bn has the sign of a transform with exp(-i n t)".into(),
             form: mapped(radius, |_, a, b| [a.clone(), -b]),
         },
         Mistaken {
-            name: "x mirrored",
-            explanation: "r(pi - t): the sign of x, or angles measured from -x the other way round",
+            name: "x mirrored".into(),
+            explanation: "r(pi - t): the sign of x, or angles measured from -x the other way round".into(),
             form: mapped(radius, |n, a, b| [a * &sign(n), -(b * &sign(n))]),
         },
         Mistaken {
-            name: "curve reflected in the origin",
-            explanation: "r(t + pi): all odd harmonics, or the part of odd degree of F, have the wrong sign",
+            name: "curve reflected in the origin".into(),
+            explanation: "r(t + pi): all odd harmonics, or the part of odd degree of F, have the wrong sign".into(),
             form: mapped(radius, opposite),
         },
         Mistaken {
-            name: "reflected branch",
-            explanation: "-r(t + pi), the other solution of F = 0 on the same line: the wrong sign before the root",
+            name: "reflected branch".into(),
+            explanation: "-r(t + pi), the other solution of F = 0 on the same line: the wrong sign before the root".into(),
             form: mapped(radius, |n, a, b| opposite(n, a, b).map(|v| -v)),
         },
         Mistaken {
-            name: "last harmonic dropped",
-            explanation: "N is one too small, and the degree 2(N + 1) two",
+            name: "last harmonic dropped".into(),
+            explanation: "N is one too small, and the degree 2(N + 1) two".into(),
             form: truncated(radius, radius.harmonics().saturating_sub(1)),
         },
     ];
+    let single = single_coefficients(radius);
     let differs = |m: &Mistaken<FourierRadius>| m.form != *radius && !m.form.is_zero();
-    all.into_iter().filter(differs).collect()
+    all.into_iter().chain(single).filter(differs).collect()
 }
+
+/// Mistakes with one coefficient, or with the numbers of the harmonics.
+fn single_coefficients(radius: &FourierRadius) -> Vec<Mistaken<FourierRadius>> {
+    let last = radius.harmonics();
+    let keep = |a: &Rational, b: &Rational| [a.clone(), b.clone()];
+    let mut all = vec![
+        Mistaken {
+            name: "last sine dropped".into(),
+            explanation: "the sum over the sines ends one too early".into(),
+            form: mapped(radius, |n, a, b| {
+                if n == last { [a.clone(), Rational::zero()] } else { keep(a, b) }
+            }),
+        },
+        Mistaken {
+            name: "last cosine dropped".into(),
+            explanation: "the sum over the cosines ends one too early".into(),
+            form: mapped(radius, |n, a, b| {
+                if n == last { [Rational::zero(), b.clone()] } else { keep(a, b) }
+            }),
+        },
+        Mistaken {
+            name: "harmonics shifted by one".into(),
+            explanation: "every harmonic has the coefficients of the one before: an index begins at 0 instead of 1".into(),
+            form: mapped(radius, |n, a, b| match n {
+                0 => keep(a, b),
+                1 => [radius.cos(0).clone(), Rational::zero()],
+                _ => keep(radius.cos(n - 1), radius.sin(n - 1)),
+            }),
+        },
+        Mistaken {
+            name: "harmonics shifted by one".into(),
+            explanation: "every harmonic has the coefficients of the next: an index begins at 1 instead of 0".into(),
+            form: mapped(radius, |n, a, b| match n {
+                0 => keep(a, b),
+                _ if n == last => [Rational::zero(), Rational::zero()],
+                _ => keep(radius.cos(n + 1), radius.sin(n + 1)),
+            }),
+        },
+    ];
+    if last <= MOST_FLIPPED {
+        for k in 0..=last {
+            let flipped = |name: String, form| Mistaken {
+                name: name.into(),
+                explanation: "this coefficient has the wrong sign".into(),
+                form,
+            };
+            let at = |n: usize| Rational::from(if n == k { -1 } else { 1 });
+            all.push(flipped(
+                format!("sign of a{k} flipped"),
+                mapped(radius, |n, a, b| [a * &at(n), b.clone()]),
+            ));
+            all.push(flipped(
+                format!("sign of b{k} flipped"),
+                mapped(radius, |n, a, b| [a.clone(), b * &at(n)]),
+            ));
+        }
+    }
+    all
+}
+
+/// Up to so many harmonics the sign of every coefficient is tried.
+const MOST_FLIPPED: usize = 40;
 
 /// The radius with other coefficients.
 fn mapped(
@@ -186,14 +251,14 @@ pub(super) fn mistaken_polynomials(
         (exponents, Rational::one())
     }));
     all.push(Mistaken {
-        name: "degree too high by two",
-        explanation: "the polynomial times the squared radius: N was taken one too large, or a factor was not divided out",
+        name: "degree too high by two".into(),
+        explanation: "the polynomial times the squared radius: N was taken one too large, or a factor was not divided out".into(),
         form: polynomial.times(&rho),
     });
     if polynomial.len() <= LONGEST_SQUARED {
         all.push(Mistaken {
-            name: "squared once too often",
-            explanation: "the polynomial squared has the same zeros, each twice",
+            name: "squared once too often".into(),
+            explanation: "the polynomial squared has the same zeros, each twice".into(),
             form: polynomial.squared(),
         });
     }
@@ -222,21 +287,43 @@ fn of_series(radius: &FourierRadius) -> Vec<Mistaken<SparsePolynomial<3>>> {
     let Ok(form) = SquaredForm::new(radius) else {
         return all;
     };
+    let whole = SparsePolynomial::from(form.expand().polynomial());
+    let parts = whole.degree().unwrap_or(0);
+    let scaled = |below: u64, factor: Rational| {
+        let terms = whole.terms().map(|(e, c)| {
+            let is_part = total_degree(e) + below == parts;
+            (*e, if is_part { c * &factor } else { c.clone() })
+        });
+        SparsePolynomial::from_terms(terms)
+    };
+    all.push(Mistaken {
+        name: "cross term once".into(),
+        explanation:
+            "the part of degree 2N + 1 is the cross term of a square: it stands there twice".into(),
+        form: scaled(1, Rational::from_dyadic(1.into(), -1)),
+    });
+    all.push(Mistaken {
+        name: "sign of the low part".into(),
+        explanation: "the part of degree 2N has the wrong sign: the sides of Eq. (7) or (8) are added, or subtracted the other way round".into(),
+        form: scaled(2, Rational::from(-1)),
+    });
     let [left, right] = form.sides().map(|side| SparsePolynomial::from(&side));
     all.push(Mistaken {
-        name: "unsquared form",
-        explanation: "one side of Eq. (7) or (8) alone, without the square that removes the odd powers of r",
+        name: "unsquared form".into(),
+        explanation:
+            "one side of Eq. (7) or (8) alone, without the square that removes the odd powers of r"
+                .into(),
         form: left.clone(),
     });
     all.push(Mistaken {
-        name: "unsquared form",
-        explanation: "the difference of the sides of Eq. (7) or (8) before they are squared, with the odd power of r left out",
+        name: "unsquared form".into(),
+        explanation: "the difference of the sides of Eq. (7) or (8) before they are squared, with the odd power of r left out".into(),
         form: left.minus(&right),
     });
     if left.len() <= LONGEST_SQUARED {
         all.push(Mistaken {
-            name: "r^2 left out",
-            explanation: "the difference of the squares in Eq. (7) or (8) without the factor r^2 of one of them",
+            name: "r^2 left out".into(),
+            explanation: "the difference of the squares in Eq. (7) or (8) without the factor r^2 of one of them".into(),
             form: left.squared().minus(&right.squared()),
         });
     }
@@ -296,8 +383,8 @@ fn of_coordinates(
     }
     all.into_iter()
         .map(|(name, explanation, form)| Mistaken {
-            name,
-            explanation,
+            name: name.into(),
+            explanation: explanation.into(),
             form,
         })
         .collect()

@@ -20,6 +20,7 @@ mod reference;
 mod scale;
 mod series;
 mod tables;
+mod unexplained;
 mod vectors;
 
 pub use coefficients::compare_coefficients;

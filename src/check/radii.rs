@@ -5,10 +5,11 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::{Deviation, unit_in_the_last_place};
 use super::enclosed_ray::EnclosedRays;
-use super::mistakes::{diagnose, mistaken_radii};
+use super::mistakes::{Mistaken, diagnose, mistaken_radii};
 use super::points::ROWS_FOR_DIAGNOSIS;
 use super::reference::Reference;
 use super::series::SeriesValues;
+use super::unexplained::unexplained;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
@@ -68,6 +69,20 @@ impl Reference {
         found.diagnoses = diagnose(&begun, mistaken_radii(radius), |mistaken| {
             beside_series(&some, &SeriesValues::new(mistaken), limits).ok()
         });
+        if found.diagnoses.is_empty() {
+            found.diagnoses = diagnose(&begun, [in_degrees(&some)], |some| {
+                beside_series(some, &SeriesValues::new(radius), limits).ok()
+            });
+        }
+        if found.diagnoses.is_empty() {
+            // A radius is as uncertain as the sum of its terms.
+            let sizes = radius.cosines().iter().chain(radius.sines());
+            let size = sizes.fold(Rational::zero(), |sum, c| sum + c.abs());
+            found.diagnoses = unexplained(&found, |row| {
+                let exact = row.exact.as_ref().filter(|exact| !exact.is_zero());
+                exact.map_or_else(Rational::one, |exact| &size / &exact.abs())
+            });
+        }
         Ok(found)
     }
 
@@ -82,32 +97,57 @@ impl Reference {
                     .into(),
         })?;
         let rays = EnclosedRays::new(&self.without_multiple_factors(plane, limits)?);
-        let rows: Result<Vec<Row>> = radii
-            .par_iter()
-            .map(|given| {
-                limits.check()?;
-                let [theta, got] = exact(given);
-                if got.is_zero() {
-                    return Ok(row(given, None, Deviation::infinite()));
-                }
-                let Some(offset) = rays.nearest(&theta, &got)? else {
-                    return Ok(row(given, None, Deviation::infinite()));
-                };
-                let root = |delta: &Rational| &got * &(Rational::one() + delta);
-                let radius = root(&offset.high);
-                let distance = offset.high.abs() * got.abs();
-                let ulps = (distance / unit_in_the_last_place(radius.to_f64())).to_f64();
-                let deviation = match offset.relative() {
-                    Some(relative) => Deviation::bounded(relative, ulps),
-                    None => Deviation::infinite(),
-                };
-                Ok(row(given, Some(radius), deviation))
+        let compare = |radii: &[GivenRadius]| -> Result<Comparison> {
+            let rows: Result<Vec<Row>> = radii
+                .par_iter()
+                .map(|given| {
+                    limits.check()?;
+                    let [theta, got] = exact(given);
+                    if got.is_zero() {
+                        return Ok(row(given, None, Deviation::infinite()));
+                    }
+                    let Some(offset) = rays.nearest(&theta, &got)? else {
+                        return Ok(row(given, None, Deviation::infinite()));
+                    };
+                    let root = |delta: &Rational| &got * &(Rational::one() + delta);
+                    let radius = root(&offset.high);
+                    let distance = offset.high.abs() * got.abs();
+                    let ulps = (distance / unit_in_the_last_place(radius.to_f64())).to_f64();
+                    let deviation = match offset.relative() {
+                        Some(relative) => Deviation::bounded(relative, ulps),
+                        None => Deviation::infinite(),
+                    };
+                    Ok(row(given, Some(radius), deviation))
+                })
+                .collect();
+            Ok(Comparison {
+                rows: rows?,
+                ..Comparison::default()
             })
-            .collect();
-        Ok(Comparison {
-            rows: rows?,
-            ..Comparison::default()
-        })
+        };
+        let mut found = compare(radii)?;
+        let step = radii.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
+        let some: Vec<GivenRadius> = radii.iter().step_by(step).copied().collect();
+        found.diagnoses = diagnose(&compare(&some)?, [in_degrees(&some)], |some| {
+            compare(some).ok()
+        });
+        if found.diagnoses.is_empty() {
+            found.diagnoses = unexplained(&found, |_| Rational::one());
+        }
+        Ok(found)
+    }
+}
+
+/// The same radii with angles that were meant in degrees.
+fn in_degrees(radii: &[GivenRadius]) -> Mistaken<Vec<GivenRadius>> {
+    let turned = radii.iter().map(|given| GivenRadius {
+        theta: given.theta.to_radians(),
+        ..*given
+    });
+    Mistaken {
+        name: "degrees for radians".into(),
+        explanation: "the angles are in degrees; radians are meant".into(),
+        form: turned.collect(),
     }
 }
 

@@ -1,8 +1,10 @@
 //! The exact form that a float program is measured against.
 
 use super::coefficients::compare_coefficients;
-use super::comparison::Comparison;
+use super::comparison::{Comparison, GivenNumber};
+use super::condition::coefficient_conditions;
 use super::mistakes::{Mistaken, diagnose, mistaken_polynomials};
+use super::unexplained::unexplained;
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::implicitize::SquaredForm;
@@ -124,6 +126,16 @@ impl Reference {
         found.diagnoses = diagnose(&found, self.mistaken(), |polynomial| {
             Some(compare_coefficients(got, polynomial))
         });
+        if found.diagnoses.is_empty() {
+            let conditions = self.given_radius().map(coefficient_conditions);
+            found.diagnoses = unexplained(&found, |row| match (&conditions, &row.place) {
+                (Some(known), GivenNumber::Term(exponents)) => {
+                    let known = known.terms().find(|(e, _)| *e == exponents);
+                    known.map_or_else(Rational::one, |(_, c)| c.clone().max(Rational::one()))
+                }
+                _ => Rational::one(),
+            });
+        }
         found
     }
 
@@ -132,8 +144,8 @@ impl Reference {
         let mut all = mistaken_polynomials(&self.polynomial, self.radius.as_ref(), self.in_space);
         let next = self.next.as_ref().and_then(|r| SquaredForm::new(r).ok());
         all.extend(next.map(|form| Mistaken {
-            name: "one harmonic more",
-            explanation: "N is one too large, and the degree 2(N + 1) two",
+            name: "one harmonic more".into(),
+            explanation: "N is one too large, and the degree 2(N + 1) two".into(),
             form: SparsePolynomial::from(form.expand().polynomial()),
         }));
         all

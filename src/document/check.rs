@@ -31,7 +31,7 @@ struct CheckDocument<'a> {
     digits_lost: Option<Number>,
     mark: Option<u32>,
     below: usize,
-    passes: bool,
+    passes: Option<bool>,
     missing: Vec<Entry>,
     extra: Vec<Entry>,
     scale: Option<String>,
@@ -70,7 +70,7 @@ struct MistakeEntry<'a> {
 ///
 /// The fields of the JSON document: `what` (`coefficients`, `points` or `radii`), `compared`, the `worst` row (`digits`, `ulps`,
 /// `where`, `got`, `exact`; of points also `residual` and `first_order`), `median_digits`, `digits_lost` (at worst, of the
-/// 15.95 of a double), `mark`, `below` (how many `failures` there are), `passes`, the terms that are `missing` and `extra`,
+/// 15.95 of a double), `mark`, `below` (how many `failures` there are), `passes` (null without a mark), the terms that are `missing` and `extra`,
 /// the common factor as `scale` and `scale_meaning`, `mistakes` (`name`, `explanation`, and how many numbers miss so many
 /// `digits` beside the reference, `faults`, and beside what the mistake gives, `faults_left`), `histogram` (how many
 /// numbers have 0, 1, …, 17 whole digits), `worst_rows`. Exact numbers are strings: p/q of coefficients, decimals of what
@@ -121,7 +121,7 @@ fn document(found: &Comparison, mark: Option<u32>) -> CheckDocument<'_> {
         digits_lost: found.digits_lost().map(Number),
         mark,
         below: found.failures(mark).len(),
-        passes: found.passes(mark),
+        passes: mark.map(|_| found.passes(mark)),
         missing: entries(found.missing.iter().collect()),
         extra: entries(found.extra.iter().collect()),
         scale: found.scale.as_ref().map(|s| s.factor.to_string()),
@@ -150,8 +150,8 @@ fn entry(row: &Row, in_space: bool) -> Entry {
 
 fn mistake_entry(diagnosis: &Diagnosis) -> MistakeEntry<'_> {
     MistakeEntry {
-        name: diagnosis.name,
-        explanation: diagnosis.explanation,
+        name: &diagnosis.name,
+        explanation: &diagnosis.explanation,
         digits: diagnosis.mark,
         faults: diagnosis.faults,
         faults_left: diagnosis.faults_left,
@@ -259,6 +259,11 @@ fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> Res
             faults,
             faults_left,
         } = diagnosis;
+        // What no mistake explains is only said by kind.
+        if faults_left == faults {
+            writeln!(out, "found: {name}: {explanation}")?;
+            continue;
+        }
         writeln!(
             out,
             "looks like: {name}: {explanation} (numbers that miss {mark} digits: {faults} beside the reference, {faults_left} beside what this mistake gives)"

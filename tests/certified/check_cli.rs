@@ -333,7 +333,11 @@ fn the_algorithm_in_doubles_is_a_table_and_a_picture() {
 #[test]
 fn a_plot_shows_every_number() {
     let folder = TempDir::new().unwrap();
-    fs::write(folder.path().join("data.csv"), "theta,r\n0,1\n1,1.1\n2,1\n").unwrap();
+    fs::write(
+        folder.path().join("data.csv"),
+        "theta,r\n0,1\n1,1.01\n2,1\n",
+    )
+    .unwrap();
     for figure in ["digits.svg", "digits.png"] {
         let arguments = [
             "check",
@@ -412,4 +416,37 @@ fn vectors_are_one_document() {
     ]));
     assert_eq!(v["inputs"], json("[]"));
     assert_eq!(v["coefficients"][0]["condition"], Value::Null);
+}
+
+/// Without a mark nothing passes or fails: what is found decides the exit code.
+#[test]
+fn without_a_mark_passes_is_null() {
+    let folder = TempDir::new().unwrap();
+    for (values, code) in [("4 2 1", 0), ("1 100 7", 1)] {
+        let [a, b, c] = values.split(' ').collect::<Vec<_>>()[..] else {
+            panic!("three values")
+        };
+        let table = format!("i,j,value\n2,0,{a}\n0,2,{b}\n0,0,{c}\n");
+        fs::write(folder.path().join("data.csv"), table).unwrap();
+        let check = [
+            "check",
+            "4x^2 + 2y^2 + 1",
+            "--coefficients",
+            "data.csv",
+            "--format",
+            "json",
+        ];
+        let run = run_in(folder.path(), &check, "");
+        assert_eq!(run.code, code, "{}", run.err);
+        let found = json(&run.out);
+        assert!(found["passes"].is_null());
+        assert_eq!(found["mistakes"].as_array().unwrap().is_empty(), code == 0);
+        let marked = run_in(
+            folder.path(),
+            &[&check[..], &["--digits", "12"]].concat(),
+            "",
+        );
+        assert_eq!(marked.code, code);
+        assert_eq!(json(&marked.out)["passes"], code == 0);
+    }
 }

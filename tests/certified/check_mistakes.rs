@@ -210,3 +210,131 @@ fn mistakes_in_radii_and_points_are_named() {
         );
     }
 }
+
+/// r = 1 + cos(t)/4 + …, N = 3: the parts of F have degrees 8, 7 and 6.
+#[test]
+fn mistakes_with_a_part_or_one_coefficient_are_named() {
+    let right = lopsided();
+    let terms = rounded(&right);
+    let part = |degree: u32, factor: f64| -> Terms {
+        let term = |(e, c): &([u32; 3], f64)| {
+            let is_part = e.iter().sum::<u32>() == degree;
+            (*e, if is_part { c * factor } else { *c })
+        };
+        terms.iter().map(term).collect()
+    };
+    let of = |f: &dyn Fn(usize, f64, f64) -> [f64; 2]| rounded(&changed(&right, f));
+    let zero_at = |k: usize, n: usize, v: f64| if n == k { 0.0 } else { v };
+    let sign_at = |k: usize, n: usize, v: f64| if n == k { -v } else { v };
+    let cases: [(&str, Terms); 6] = [
+        ("cross term once", part(7, 0.5)),
+        ("sign of the low part", part(6, -1.0)),
+        ("last sine dropped", of(&|n, a, b| [a, zero_at(3, n, b)])),
+        ("last cosine dropped", of(&|n, a, b| [zero_at(3, n, a), b])),
+        ("sign of a2 flipped", of(&|n, a, b| [sign_at(2, n, a), b])),
+        ("sign of b1 flipped", of(&|n, a, b| [a, sign_at(1, n, b)])),
+    ];
+    for (name, got) in cases {
+        let found = checked(&right, &got);
+        assert_eq!(names(&found), [name]);
+        assert!(!found.passes(None), "{name}");
+    }
+}
+
+#[test]
+fn what_no_mistake_explains_is_said_by_kind() {
+    let right = lopsided();
+    let explained = |found: &stellate::check::Comparison, name: &str, text: &str| {
+        assert_eq!(names(found), [name]);
+        let said = &found.diagnoses[0].explanation;
+        assert!(said.contains(text), "{said}");
+        assert!(!found.passes(None));
+    };
+    let third: Terms = rounded(&right)
+        .into_iter()
+        .map(|(e, c)| {
+            (
+                e,
+                if e.iter().sum::<u32>() == 7 {
+                    c / 3.0
+                } else {
+                    c
+                },
+            )
+        })
+        .collect();
+    let found = checked(&right, &third);
+    explained(
+        &found,
+        "no correct digit",
+        "8 of 20 have no correct digit: all 8 terms have degree 7; got/exact = 1/3",
+    );
+    #[expect(clippy::cast_possible_truncation, reason = "that is the mistake")]
+    let single: Terms = rounded(&right)
+        .into_iter()
+        .map(|(e, c)| (e, f64::from(c as f32)))
+        .collect();
+    explained(&checked(&right, &single), "single precision", "float32");
+    let garbage: Terms = rounded(&right)
+        .into_iter()
+        .zip(1i32..)
+        .map(|((e, _), k)| (e, f64::from(k * k % 7 + 1)))
+        .collect();
+    explained(
+        &checked(&right, &garbage),
+        "no correct digit",
+        "have no correct digit",
+    );
+}
+
+#[test]
+fn angles_in_degrees_and_a_forgotten_center_are_named() {
+    let right = lopsided();
+    let limits = Limits::none();
+    let degrees: Vec<GivenRadius> = (0..90)
+        .map(|k| {
+            let theta = f64::from(k) * 4.0;
+            GivenRadius {
+                line: 1,
+                theta,
+                r: right.approximate(theta.to_radians()),
+            }
+        })
+        .collect();
+    for reference in [
+        Reference::of_radius(&right).unwrap(),
+        Reference::of_curve(
+            &stellate::implicitize::SquaredForm::new(&right)
+                .unwrap()
+                .expand(),
+        ),
+    ] {
+        let found = reference.check_radii(&degrees, &limits).unwrap();
+        assert_eq!(names(&found), ["degrees for radians"]);
+    }
+    let centered = right
+        .clone()
+        .with_center([Rational::from(7), Rational::from(-3)]);
+    let reference = Reference::of_radius(&centered).unwrap();
+    let points = |[a, b]: [f64; 2]| -> Vec<GivenPoint> {
+        let angles = (0..60).map(|k| f64::from(k) * 0.1);
+        let point = |t: f64| {
+            let r = right.approximate(t);
+            let position = [a + r * t.cos(), b + r * t.sin(), 0.0];
+            GivenPoint { line: 1, position }
+        };
+        angles.map(point).collect()
+    };
+    for (center, expected) in [
+        ([0.0, 0.0], &[][..]),
+        ([7.0, -3.0], &["center forgotten"]),
+        ([-7.0, 3.0], &["center forgotten"]),
+    ] {
+        let found = reference.check_points(&points(center), &limits).unwrap();
+        assert_eq!(names(&found), expected, "{center:?}");
+    }
+    let found = reference
+        .check_points(&points([50.0, 0.0]), &limits)
+        .unwrap();
+    assert_eq!(names(&found), ["no correct digit"]);
+}

@@ -38,8 +38,8 @@ pub(crate) fn lopsided() -> FourierRadius {
     )
 }
 
-pub(crate) fn names(found: &Comparison) -> Vec<&'static str> {
-    found.diagnoses.iter().map(|d| d.name).collect()
+pub(crate) fn names(found: &Comparison) -> Vec<&str> {
+    found.diagnoses.iter().map(|d| &*d.name).collect()
 }
 
 /// The radius with other coefficients, by a function of n, a_n and b_n.

@@ -1,0 +1,133 @@
+//! What is wrong where no usual mistake explains it: said by kind.
+
+use std::borrow::Cow;
+
+use super::comparison::{Comparison, Diagnosis, GivenNumber, Row};
+use crate::exact::Rational;
+use crate::poly::total_degree;
+
+/// A number with fewer correct digits than this is wrong.
+const WRONG: u32 = 1;
+
+/// What doubles lose by their condition is at most this much of it: some thousand roundings.
+const ROUNDINGS: i64 = -40;
+
+/// Numbers of single precision have no more digits than this …
+const MOST_OF_SINGLE: f64 = 9.7;
+/// … half of them at least so many …
+const HALF_OF_SINGLE: f64 = 6.0;
+/// … and none less than this.
+const LEAST_OF_SINGLE: f64 = 3.0;
+/// A number with more digits than this is right to the last one, as small integers are in any precision.
+const EXACT: f64 = 15.0;
+
+/// The kinds of faults in a comparison: terms that one side lacks, single precision, and numbers without a correct digit that
+/// their conditions do not explain. `condition` gives how much a relative error of the inputs may grow in a number; 1 where
+/// that is not known.
+pub(super) fn unexplained(
+    found: &Comparison,
+    condition: impl Fn(&Row) -> Rational,
+) -> Vec<Diagnosis> {
+    let mut all = Vec::new();
+    let mut add = |name: &'static str, explanation: String, faults: usize| {
+        all.push(Diagnosis {
+            name: Cow::Borrowed(name),
+            explanation: Cow::Owned(explanation),
+            mark: WRONG,
+            faults,
+            faults_left: faults,
+        });
+    };
+    if !found.missing.is_empty() {
+        let text = format!(
+            "{} of the exact polynomial are not there",
+            terms(found.missing.len())
+        );
+        add("missing terms", text, found.missing.len());
+    }
+    let extra = found.failures(None).len() - found.missing.len();
+    if extra > 0 {
+        let text = format!("{} that the exact polynomial does not have", terms(extra));
+        add("extra terms", text, extra);
+    }
+    if is_single(found) {
+        let text = "the numbers are right to the 6 to 9 digits of single precision (float, float32), and no further";
+        add("single precision", text.into(), found.rows.len());
+        return all;
+    }
+    let unit = Rational::from_dyadic(1.into(), ROUNDINGS);
+    let is_wrong = |row: &&Row| {
+        !row.deviation.reaches(WRONG)
+            && row
+                .deviation
+                .relative()
+                .is_none_or(|off| *off > condition(row) * &unit)
+    };
+    let wrong: Vec<&Row> = found.rows.iter().filter(is_wrong).collect();
+    if !wrong.is_empty() {
+        let text = format!(
+            "{} of {} have no correct digit{}",
+            wrong.len(),
+            found.rows.len(),
+            kind(&wrong)
+        );
+        add("no correct digit", text, wrong.len());
+    }
+    all
+}
+
+fn terms(count: usize) -> String {
+    if count == 1 {
+        "1 term".into()
+    } else {
+        format!("{count} terms")
+    }
+}
+
+/// Whether the numbers look like those of single precision.
+fn is_single(found: &Comparison) -> bool {
+    let digits = found.rows.iter().map(|row| row.deviation.digits());
+    let mut off: Vec<f64> = digits.filter(|digits| *digits < EXACT).collect();
+    off.sort_by(f64::total_cmp);
+    // Some that are exact by chance, but not most of them.
+    let enough = 2 * off.len() >= found.rows.len() && off.len() > 1;
+    let half = off.get(off.len() / 2);
+    enough
+        && off.first().is_some_and(|least| *least >= LEAST_OF_SINGLE)
+        && off.last().is_some_and(|most| *most <= MOST_OF_SINGLE)
+        && half.is_some_and(|half| *half >= HALF_OF_SINGLE)
+}
+
+/// What numbers that are wrong have in common.
+fn kind(wrong: &[&Row]) -> String {
+    let mut text = String::new();
+    let degree = |row: &&Row| match row.place {
+        GivenNumber::Term(exponents) => Some(total_degree(&exponents)),
+        _ => None,
+    };
+    let first = wrong.first().and_then(degree);
+    if let Some(first) = first
+        && wrong.iter().all(|row| degree(row) == Some(first))
+    {
+        text += &format!(": all {} have degree {first}", terms(wrong.len()));
+    }
+    if wrong.len() > 1
+        && let Some(ratio) = common_ratio(wrong)
+    {
+        text += &format!("; got/exact = {ratio}");
+    }
+    text
+}
+
+/// The simple fraction that every number is of the exact one, within a millionth.
+fn common_ratio(wrong: &[&Row]) -> Option<Rational> {
+    let ratio = |row: &&Row| {
+        let exact = row.exact.as_ref().filter(|exact| !exact.is_zero())?;
+        Some(Rational::try_from(row.got).ok()? / exact)
+    };
+    let first = ratio(wrong.first()?)?;
+    let slack = first.abs() * Rational::from_dyadic(1.into(), -20);
+    let simple = Rational::simplest_between(&(&first - &slack), &(&first + &slack));
+    let is_near = |row: &&Row| ratio(row).is_some_and(|r| (r - &simple).abs() <= slack);
+    (simple.bits() <= 12 && wrong.iter().all(is_near)).then_some(simple)
+}
