@@ -34,7 +34,8 @@
 //!   parentheses. Letters without a space fall into the longest names there are: `xy` is x·y.
 //!
 //! Other spellings are understood, too: `(t^2, t^3)` and `[t^2, t^3]` for `x = t^2; y = t^3`, a comma between such equations,
-//! `x(t) = …`, `r(theta) = …`, `rho` for r, `Eq(a, b)` and `==` for `=`, `cos 3t` and `cos^2(t)`.
+//! `x(t) = …`, `r(theta) = …`, `rho` for r, `f(x, y) = …` for a polynomial, `Eq(a, b)`, `==` and `:=` for `=`, `cos 3t`,
+//! `cos^2(t)` and `Cos[t]`, braces and brackets for parentheses, `.^`, `.*` and `./` of arrays.
 //!
 //! Typographic signs (− · × θ ² …) stand for what they look like. `#` starts a comment, and so does
 //! `//` at the start of a line; the comment `# center: p/q, p/q` is the point that a plane form is

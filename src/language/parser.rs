@@ -300,7 +300,7 @@ impl Parser<'_> {
     /// Whether one closes what the other opens. Parentheses that were only meant have no text.
     fn is_pair(&self, open: Token, close: Token) -> bool {
         let texts = [open, close].map(|token| self.source.slice(token.span));
-        matches!(texts, ["(", ")"] | ["[", "]"] | ["", ""])
+        matches!(texts, ["(", ")"] | ["[", "]"] | ["{", "}"] | ["", ""])
     }
 
     fn superscript(&mut self) -> Result<Expr> {

@@ -4,7 +4,7 @@ use winnow::ascii::{digit0, digit1, hex_digit0, hex_digit1};
 use winnow::combinator::{alt, opt, preceded};
 use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location};
-use winnow::token::{any, one_of, take_till, take_while};
+use winnow::token::{any, literal, one_of, take_till, take_while};
 
 use super::name::{Name, split_word};
 use super::source::{Source, Span};
@@ -86,7 +86,8 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
             word(&mut input, &mut tokens);
             continue;
         }
-        let kind = if first.is_ascii_digit() || first == '.' {
+        let is_of_arrays = [".^", ".*", "./"].iter().any(|op| input.starts_with(*op));
+        let kind = if first.is_ascii_digit() || first == '.' && !is_of_arrays {
             number(&mut input)
         } else {
             symbol(&mut input).ok_or("unexpected character")
@@ -209,9 +210,18 @@ fn symbol(input: &mut Input<'_>) -> Option<Kind> {
     if power.is_ok() {
         return Some(Kind::Caret);
     }
-    let equals: ModalResult<&str> = "==".parse_next(input);
-    if equals.is_ok() {
-        return Some(Kind::Equals);
+    // `:=` as in Maple; `.*` and its like are those of arrays.
+    for (written, kind) in [
+        ("==", Kind::Equals),
+        (":=", Kind::Equals),
+        (".^", Kind::Caret),
+        (".*", Kind::Star),
+        ("./", Kind::Slash),
+    ] {
+        let found: ModalResult<&str> = literal(written).parse_next(input);
+        if found.is_ok() {
+            return Some(kind);
+        }
     }
     let c: winnow::Result<char> = any.parse_next(input);
     Some(match c.ok()? {
@@ -220,8 +230,8 @@ fn symbol(input: &mut Input<'_>) -> Option<Kind> {
         '*' | '·' | '×' | '⋅' | '∙' => Kind::Star,
         '/' | '÷' => Kind::Slash,
         '^' => Kind::Caret,
-        '(' | '[' => Kind::Open,
-        ')' | ']' => Kind::Close,
+        '(' | '[' | '{' => Kind::Open,
+        ')' | ']' | '}' => Kind::Close,
         ',' => Kind::Comma,
         '=' => Kind::Equals,
         ';' => Kind::Semicolon,

@@ -5,7 +5,10 @@
 //! | `(t^2, t^3)`, `[t^2, t^3]` | `x = t^2; y = t^3`; with a third one `z = …` |
 //! | `x = t^2, y = t^3` | `x = t^2; y = t^3` |
 //! | `x(t) = …`, `r(theta) = …` | `x = …`, `r = …` |
-//! | `Eq(a, b)` | `a = b` |
+//! | `[x = t^2, y = t^3]` | `x = t^2; y = t^3` |
+//! | `f(x, y) = …` | the polynomial |
+//! | `Eq(a, b)`, `a == b`, `a := b` | `a = b` |
+//! | `x.^2`, `Cos[t]`, `{t, t^2}` | as in MATLAB and Mathematica |
 //! | `cos t`, `sin 3t` | `cos(t)`, `sin(3t)`, unless a power or a division follows |
 //! | `cos^2(t)`, `sin²(t)` | `cos(t)^2`, `sin(t)^2` |
 
@@ -43,6 +46,17 @@ fn one_equation(source: Source<'_>, tokens: &[Token], result: &mut Vec<Token>) {
             result.push(token(Kind::Semicolon));
         }
         result.pop();
+    } else if let Some(parts) = listed_equations(body) {
+        for part in &parts {
+            separated(part, result);
+            result.push(Token {
+                kind: Kind::Semicolon,
+                span: body[0].span,
+            });
+        }
+        result.pop();
+    } else if let Some(length) = function_of_coordinates(source, body) {
+        result.extend_from_slice(&body[length..]);
     } else if let Some([left, right]) = sympy_equation(source, body) {
         result.extend_from_slice(left);
         result.push(Token {
@@ -64,6 +78,30 @@ fn tuple(body: &[Token]) -> Option<Vec<&[Token]>> {
         !part.is_empty() && !part.iter().any(equals)
     });
     (matches!(parts.len(), 2 | 3) && is_plain).then_some(parts)
+}
+
+/// Equations `x = …` in one pair of parentheses or brackets, with commas between them.
+fn listed_equations(body: &[Token]) -> Option<Vec<&[Token]>> {
+    let parts = arguments(body)?;
+    let are_equations = parts.iter().all(|part| left_side(part).is_some());
+    are_equations.then_some(parts)
+}
+
+/// How many tokens `f(x, y) =` or `f(x, y, z) =` are, for any name: what follows is the polynomial.
+fn function_of_coordinates(source: Source<'_>, body: &[Token]) -> Option<usize> {
+    let kinds: Vec<Kind> = body.iter().take(9).map(|t| t.kind).collect();
+    let [x, y, z] = COORDINATES.map(Kind::Name);
+    let (open, comma, close) = (Kind::Open, Kind::Comma, Kind::Close);
+    let plane = [open, x, comma, y, close, Kind::Equals];
+    let space = [open, x, comma, y, comma, z, close, Kind::Equals];
+    let is_name = source.slice(body.first()?.span).chars().count() <= 2;
+    let rest = kinds
+        .get(1..)
+        .filter(|_| is_name && kinds[0] == Kind::Unknown)?;
+    [&plane[..], &space[..]]
+        .into_iter()
+        .find(|left| rest.starts_with(left))
+        .map(|left| 1 + left.len())
 }
 
 /// `Eq(left, right)`.

@@ -18,7 +18,7 @@ fn read(text: &str) -> Result<Form, Error> {
 }
 
 /// What is typed is read as what stands beside it.
-const TYPED: [(&str, &str); 34] = [
+const TYPED: [(&str, &str); 56] = [
     ("(t^2, t^3)", "x = t^2; y = t^3"),
     ("[t^2, t^3 + t]", "x = t^2; y = t^3 + t"),
     ("(u, v, u*v)", "x = u; y = v; z = u*v"),
@@ -55,6 +55,31 @@ const TYPED: [(&str, &str); 34] = [
     ("x^2 + y^2 == 1", "x^2 + y^2 = 1"),
     ("[x + 1]^2 + y^2 = 4", "(x + 1)^2 + y^2 = 4"),
     ("x^2 + y^2 == 1; z == y^5", "x^2 + y^2 = 1; z = y^5"),
+    ("{t^2, t^3}", "x = t^2; y = t^3"),
+    ("[x = t^2, y = t^3]", "x = t^2; y = t^3"),
+    ("{x(t) = cos(t), y(t) = sin(2t)}", "x = cos(t); y = sin(2t)"),
+    ("{Cos[t], Sin[2 t]}", "x = cos(t); y = sin(2t)"),
+    ("r = 1 + Cos[3 t]/5", "r = 1 + cos(3t)/5"),
+    ("r := 1 + cos(t)/3", "r = 1 + cos(t)/3"),
+    ("x.^2 + y.^2 - 1", "x^2 + y^2 = 1"),
+    ("2.*x + 3.*y.^2 = 1", "2x + 3y^2 = 1"),
+    ("x./2 + y = 1", "x/2 + y = 1"),
+    ("f(x, y) = x^2 + y^2 - 1", "x^2 + y^2 = 1"),
+    ("F(x,y,z) = x^2 + y^2 + z^2 - 1", "x^2 + y^2 + z^2 = 1"),
+    ("f(x,y) := x^3 - y^2", "x^3 = y^2"),
+    ("x^{2} + y^{2} = 1", "x^2 + y^2 = 1"),
+    ("x² + y² − 1", "x^2 + y^2 = 1"),
+    ("x**2+y**2-1", "x^2 + y^2 = 1"),
+    ("x^2+y^2=1;", "x^2 + y^2 = 1"),
+    ("y = x^2", "y - x^2"),
+    ("r = 1 + .5cos(3θ)", "r = 1 + 1/2 cos(3theta)"),
+    ("(cos t, sin t)", "x = cos(t); y = sin(t)"),
+    ("r = sec(t)", "x = sec(t)*cos(t); y = sec(t)*sin(t)"),
+    ("r^2 = 2 sin 2t", "(x^2 + y^2)^2 = 4x*y"),
+    (
+        "r = 2/(1 - cos(t))",
+        "x = 2cos(t)/(1 - cos(t)); y = 2sin(t)/(1 - cos(t))",
+    ),
     (
         "r = 1/(2 + cos(t))",
         "x = cos(t)/(2 + cos(t)); y = sin(t)/(2 + cos(t))",
