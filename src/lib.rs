@@ -54,7 +54,7 @@
 //! | Theorem 2, Eqs. (5)–(9), Appendix B | [`implicitize::SquaredForm`] |
 //! | Theorem 3, Eqs. (10), (11) | [`implicitize::polar_space_curve`]; all equations: [`implicitize::implicitize_space_curve`] |
 //! | Theorem 4, Eq. (15) | [`implicitize::polar_patch`]; by linear algebra: [`implicitize::implicitize_patch`] |
-//! | Appendix A (cos nθ, sin nθ as forms) | [`poly::doubled_form_from_harmonics`] |
+//! | Appendix A (cos nθ, sin nθ as forms) | [`poly::BinaryForm`] |
 //! | homogeneous parts (§3) | [`poly::PlanePolynomial`] |
 //! | Lemmas 2 to 5: closed forms, exact ranges; series taken back exactly | [`parametrize`] |
 //! | Lemmas 7 to 10, Theorem 6: surfaces, on meridians and in directions | [`parametrize::parametrize_surface`] |

@@ -9,7 +9,14 @@ macro_rules! options {
         $name:ident { $($(#[$field_about:meta])* $field:ident: $type:ty = $default:expr,)* }
     ) => {
         $crate::options::structure! {
-            $(#[$about])* $name {} { $($(#[$field_about])* $field: $type,)* }
+            $(#[$about])* $name {} {
+                $(
+                    $(#[$field_about])*
+                    #[doc = ""]
+                    #[doc = concat!("Default: `", stringify!($default), "`.")]
+                    $field: $type,
+                )*
+            }
         }
 
         impl Default for $name {
@@ -27,7 +34,14 @@ macro_rules! options {
         $crate::options::structure! {
             $(#[$about])* $name
             { $($(#[$given_about])* $given: $given_type,)* }
-            { $($(#[$field_about])* $field: $type,)* }
+            {
+                $(
+                    $(#[$field_about])*
+                    #[doc = ""]
+                    #[doc = concat!("Default: `", stringify!($default), "`.")]
+                    $field: $type,
+                )*
+            }
         }
 
         impl $name {

@@ -130,7 +130,7 @@ impl InspectionWriter {
     /// Those of `out`.
     pub fn point(&self, point: &InspectedPoint, is_first: bool, out: &mut dyn Write) -> Result<()> {
         let found = &point.inspection;
-        let verdict = verdict_name(found.verdict);
+        let verdict = found.verdict.name();
         let curve = match found.curve {
             Some(true) => "true",
             Some(false) => "false",
@@ -216,15 +216,6 @@ impl InspectionWriter {
             writeln!(out, "\n],\"summary\":{}}}", text_of(&tail))?;
         }
         Ok(())
-    }
-}
-
-/// The name that documents use.
-fn verdict_name(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Inside => "inside",
-        Verdict::Outside => "outside",
-        Verdict::Undecided => "undecided",
     }
 }
 

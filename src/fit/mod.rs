@@ -202,15 +202,15 @@ impl Fit {
 /// How well a Fourier radius fits the contour it was computed from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitReport {
-    /// The largest difference in radius between the fit and a sample.
+    /// As [`Fit::max_radial_error`].
     pub max_radial_error: f64,
-    /// The root of the mean square of these differences.
+    /// As [`Fit::rms_radial_error`].
     pub rms_radial_error: f64,
     /// Whether every ray from the center meets the contour once.
     pub star_shaped: bool,
     /// The number of samples.
     pub samples: usize,
-    /// The share of the directions in which a part of the contour hides behind another.
+    /// As [`Fit::hidden_share`].
     pub hidden_share: f64,
 }
 

@@ -37,6 +37,8 @@ pub use inspector::{InspectOptions, Inspector};
 pub use patch::PatchInspector;
 pub use summary::{InspectedPoint, InspectionSummary, Section};
 
+use std::fmt;
+
 use crate::exact::Rational;
 use crate::intervals::Interval;
 
@@ -83,6 +85,25 @@ pub enum Verdict {
     Outside,
     /// The stated work did not suffice to tell.
     Undecided,
+}
+
+impl Verdict {
+    /// `inside`, `outside` or `undecided`, as documents have it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inside => "inside",
+            Self::Outside => "outside",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    /// [`Verdict::name`].
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
 }
 
 /// What is certain of one point.

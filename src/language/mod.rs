@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta |
 //! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: with another radius that is rational in cosines and sines of rational multiples of the angle it is the parametric curve (r cos t, r sin t) |
-//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy |
+//! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy; k up to 500, harmonics up to 60 |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
 //! | `x = sin(t); y = sin(t)*cos(t)` | a plane curve; with `z = …` a space curve |

@@ -10,7 +10,6 @@ use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial as _;
 
 use super::angle::Angle;
-use super::budget::MAX_DEGREE;
 use super::coordinates;
 use super::evaluate::{Algebra, Context, constant, evaluate};
 use super::name::{Name, PARAMETERS};
@@ -26,6 +25,12 @@ use crate::poly::{
 };
 use crate::roots::real_roots;
 use crate::shape::Form;
+
+/// The largest power of the radius, and the largest harmonic in what it is equal to.
+const MAX_POWER: u32 = 500;
+const MAX_POLAR_HARMONIC: u32 = 60;
+/// The most bits of all coefficients of numerator and denominator together.
+const MAX_POLAR_BITS: u64 = 100_000;
 
 /// k, where the left side of an equation is r^k.
 pub(super) fn power_of_radius(cx: &mut Context<'_>, left: &Expr) -> Result<Option<u32>> {
@@ -128,8 +133,22 @@ pub(super) fn equation(
     }
     let degrees = [&above, &below].map(|f| f.degree().unwrap_or(0));
     let most = degrees[0].max(degrees[1]);
-    if 2 * u64::from(most) + 2 * u64::from(k) > u64::from(MAX_DEGREE) {
-        let limit = format!("an equation of a degree beyond {MAX_DEGREE}");
+    let numbers = [&above, &below].into_iter().flat_map(|f| f.harmonics());
+    let bits: u64 = numbers.map(|(_, [a, b])| a.bits() + b.bits()).sum();
+    let limit = if k > MAX_POWER {
+        Some(format!("a power of r beyond {MAX_POWER}"))
+    } else if most > MAX_POLAR_HARMONIC {
+        Some(format!(
+            "a harmonic beyond {MAX_POLAR_HARMONIC} beside a power of r"
+        ))
+    } else if bits > MAX_POLAR_BITS {
+        Some(format!(
+            "coefficients of more than {MAX_POLAR_BITS} bits beside a power of r"
+        ))
+    } else {
+        None
+    };
+    if let Some(limit) = limit {
         return Err(cx.source.limit(formula.span, limit));
     }
     let [zeros, poles] = [&above, &below].map(in_half_angle);

@@ -72,7 +72,8 @@ impl RealRoot {
         self.multiplicity
     }
 
-    /// Certified bounds `low ≤ root ≤ high`; equal if the root is known exactly. [`Self::refine_to_width`] makes them narrower.
+    /// Certified bounds `low ≤ root ≤ high`; equal only if the root was found exactly on the way. [`Self::refine_to_width`] makes them
+    /// narrower, [`Self::as_rational`] finds a rational root all the same.
     #[must_use]
     pub fn bounds(&self) -> (Rational, Rational) {
         let (low, high) = self.enclosure();

@@ -28,7 +28,8 @@ options! {
     InspectionOptions {
         /// The largest distance that is inside.
         tolerance: Rational = Rational::one(),
-        /// Distances are looked for up to here, or up to the tolerance if that is more.
+        /// Distances are looked for up to here, or up to the tolerance if that is more. Beyond it the lower bound is this distance
+        /// and the upper one infinite.
         reach: f64 = 0.0,
         /// The goal for the distances: so many significant digits.
         digits: u32 = DIGITS,

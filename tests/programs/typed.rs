@@ -174,6 +174,26 @@ fn what_is_refused_names_what_would_be_right() {
     }
 }
 
+/// A power of the radius beside what would take too long is a stated limit.
+#[test]
+fn large_polar_curves_are_limits() {
+    for (text, part) in [
+        ("r^501 = 2 + cos(t)", "a power of r beyond 500"),
+        ("r^2 = cos(61t)", "a harmonic beyond 60"),
+        ("r^2 = cos(9999t)", "a harmonic beyond 60"),
+        ("r^3 = 1/(2 + cos(t)^61)", "a harmonic beyond 60"),
+        ("r^2 = 1e40000 + cos(t)", "of more than 100000 bits"),
+    ] {
+        match read(text) {
+            Err(Error::Limit { limit, .. }) => assert!(limit.contains(part), "{limit}"),
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+    for text in ["r^500 = cos(60t)", "r^499 = 1/(3 + cos(60t) - sin(59t))"] {
+        let _ = read(text);
+    }
+}
+
 /// Parentheses and functions beyond number end, and are read in time that is about linear.
 #[test]
 fn long_texts_of_functions_end() {

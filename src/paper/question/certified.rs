@@ -6,7 +6,7 @@ use malachite::Integer;
 
 use crate::error::Result;
 use crate::exact::{Rational, exact_literal, pi};
-use crate::inspect::{InspectOptions, Inspector, SphereSection, Verdict};
+use crate::inspect::{InspectOptions, Inspector, SphereSection};
 use crate::limits::Limits;
 use crate::parametrize::{AngleRange, BranchRadius, Parametrization, SurfaceParametrization};
 use crate::poly::SpacePolynomial;
@@ -161,11 +161,7 @@ pub(super) fn inspect(subject: &str, claimed: &str, limits: &Limits) -> Result<A
     let (surface, point, tolerance) = inspected(subject)?;
     let options = InspectOptions::new(tolerance);
     let found = Inspector::surface(&surface, &options, limits)?.inspect(&point);
-    let verdict = match found.verdict {
-        Verdict::Inside => "inside",
-        Verdict::Outside => "outside",
-        Verdict::Undecided => "undecided",
-    };
+    let verdict = found.verdict;
     let curve = match found.curve {
         Some(true) => "the sphere meets it",
         Some(false) => "the sphere misses it",
