@@ -12,6 +12,7 @@ mod function;
 mod gcd;
 mod harmonic_basis;
 mod homogeneous;
+mod operators;
 mod plane;
 mod resultant;
 mod ring;

@@ -1,6 +1,4 @@
-//! The little that Theorem 2 asks of its coefficients, and the same as operators.
-
-use super::{BinaryForm, PlanePolynomial, RationalFunction, SparsePolynomial};
+//! The little that Theorem 2 asks of its coefficients.
 
 /// A commutative ring, as far as squaring away the odd powers of r needs one: forms with integer
 /// coefficients in production, polynomials in symbols K0, K1, … when Appendix B is reproduced.
@@ -20,32 +18,3 @@ pub trait Ring: Clone {
         self.times(self)
     }
 }
-
-/// Sums, differences and products of polynomials as operators between references.
-macro_rules! operators {
-    ($type:ty $(, const $v:ident)?) => {
-        impl$(<const $v: usize>)? std::ops::Add for &$type {
-            type Output = $type;
-            fn add(self, other: Self) -> $type {
-                self.plus(other)
-            }
-        }
-        impl$(<const $v: usize>)? std::ops::Sub for &$type {
-            type Output = $type;
-            fn sub(self, other: Self) -> $type {
-                self.minus(other)
-            }
-        }
-        impl$(<const $v: usize>)? std::ops::Mul for &$type {
-            type Output = $type;
-            fn mul(self, other: Self) -> $type {
-                self.times(other)
-            }
-        }
-    };
-}
-
-operators!(BinaryForm);
-operators!(PlanePolynomial);
-operators!(RationalFunction);
-operators!(SparsePolynomial<V>, const V);
