@@ -216,7 +216,7 @@ pub(crate) struct Implicitize {
     /// Coprime integers with the first term positive, or first coefficient 1
     #[arg(long, value_enum, default_value_t = ScaleFlag::Integer)]
     pub(crate) scale: ScaleFlag,
-    /// CoordinatesFlag relative to the center of the fit, or the contour's own
+    /// Coordinates relative to the center of the fit, or the contour's own
     #[arg(long, value_enum, default_value_t = CoordinatesFlag::Center)]
     pub(crate) coordinates: CoordinatesFlag,
 }
@@ -237,7 +237,7 @@ pub(crate) enum ScaleFlag {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CoordinatesFlag {
-    #[value(alias = "center")]
+    #[value(alias = "centre")]
     Center,
     Original,
 }

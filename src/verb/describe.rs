@@ -1,6 +1,6 @@
 //! What a form is.
 
-use super::equation::Taken;
+use super::equation::{Taken, check_curve, check_surface};
 use super::fit::exact_form;
 use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
 use super::{Content, Fact, Given, Part, Work};
@@ -108,7 +108,7 @@ fn described(what: DescribedForm) -> Described {
 }
 
 fn of_curve(curve: &ImplicitCurve, work: &Work) -> Result<Description> {
-    work.check_degree(curve.polynomial().degree().unwrap_or(0))?;
+    check_curve(curve, work)?;
     let whole = curve.clone();
     let search = move |limits: &Limits| Description::of_curve(&whole, limits);
     let found = work.unless_limited(Part::Factors, search)?;
@@ -116,8 +116,7 @@ fn of_curve(curve: &ImplicitCurve, work: &Work) -> Result<Description> {
 }
 
 fn of_surface(surface: &ImplicitSurface, work: &Work) -> Result<Description> {
-    let degree = surface.polynomial().degree().unwrap_or(0);
-    work.check_degree(usize::try_from(degree).unwrap_or(usize::MAX))?;
+    check_surface(surface, work)?;
     let whole = surface.clone();
     let search = move |limits: &Limits| Description::of_surface(&whole, limits);
     let found = work.unless_limited(Part::Factors, search)?;
