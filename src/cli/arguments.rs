@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
+use stellate::verb::CoordinatesFrom;
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
 use super::flags::{ArcFlags, FitFlags, whole};
@@ -242,6 +243,15 @@ pub(crate) enum CoordinatesFlag {
     Original,
 }
 
+impl From<CoordinatesFlag> for CoordinatesFrom {
+    fn from(flag: CoordinatesFlag) -> Self {
+        match flag {
+            CoordinatesFlag::Center => Self::Center,
+            CoordinatesFlag::Original => Self::Original,
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct Parametrize {
     /// An implicit polynomial in x, y or in x, y, z, a Fourier radius, a superquadric or a contour
@@ -290,6 +300,9 @@ pub(crate) struct Sample {
     /// For a surface: the angle from the z axis, likewise; every theta is taken with every phi
     #[arg(long, value_name = "B", allow_hyphen_values = true)]
     pub(crate) phi: Vec<String>,
+    /// Coordinates of points relative to the center of the form, or the contour's own
+    #[arg(long, value_enum, default_value_t = CoordinatesFlag::Center)]
+    pub(crate) coordinates: CoordinatesFlag,
     /// Only points with r > 0
     #[arg(long)]
     pub(crate) positive: bool,

@@ -2,9 +2,9 @@
 
 use stellate::document::{Format, write_implicitization};
 use stellate::error::Result;
-use stellate::verb::{self, CoordinatesFrom, ImplicitizeOptions};
+use stellate::verb::{self, ImplicitizeOptions};
 
-use super::arguments::{CoordinatesFlag, Implicitize, ImplicitizeMethod, ScaleFlag};
+use super::arguments::{Implicitize, ImplicitizeMethod, ScaleFlag};
 use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
@@ -22,10 +22,7 @@ pub(crate) fn run(flags: &Implicitize, session: &Session) -> Result<()> {
             ScaleFlag::Integer => verb::CoefficientScale::Integer,
             ScaleFlag::Monic => verb::CoefficientScale::Monic,
         })
-        .coordinates(match flags.coordinates {
-            CoordinatesFlag::Center => CoordinatesFrom::Center,
-            CoordinatesFlag::Original => CoordinatesFrom::Original,
-        });
+        .coordinates(flags.coordinates.into());
     let given = input::read(&flags.form, session)?;
     let found = verb::implicitize(given, &options, &session.work)?;
     write_result(session, |out| write_implicitization(&found, format, out))

@@ -20,6 +20,7 @@ pub(crate) fn run(flags: &Sample, session: &Session) -> Result<()> {
         .directions(flags.directions)
         .thetas(angles("--theta", &flags.theta)?)
         .phis(angles("--phi", &flags.phi)?)
+        .coordinates(flags.coordinates.into())
         .positive(flags.positive)
         .arcs(arc_search(&flags.arcs)?);
     let given = input::read(&flags.form, session)?;

@@ -26,6 +26,7 @@ mod parametric_form;
 mod rational;
 mod remark;
 mod samples;
+mod source;
 mod spherical;
 mod superquadric;
 mod vectors;

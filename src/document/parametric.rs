@@ -15,10 +15,12 @@ use super::numeric::{
     root_entries, roots_text,
 };
 use super::rational::{self, Entry};
+use super::source::{SourceField, source_field, write_radii, write_source};
 use super::{Format, Kind, SCHEMA, center_comment};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::parametrize::{Branch, BranchFit, BranchRadius, Parametrization, PolarMethod};
+use crate::shape::{Form, FourierRadius};
 
 #[derive(Serialize)]
 struct ParametrizationDocument {
@@ -37,8 +39,8 @@ struct ParametrizationDocument {
     fit: Option<FitEntry>,
     rational: Vec<Entry>,
     notes: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    superquadric: Option<super::superquadric::SuperquadricDocument>,
+    #[serde(flatten)]
+    of: SourceField,
 }
 
 #[derive(Serialize)]
@@ -81,16 +83,10 @@ pub(crate) fn write_parametrization(
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let series = curve
-        .branches
-        .first()
-        .and_then(|branch| match &branch.radius {
-            BranchRadius::Fourier(radius) => Some(radius),
-            BranchRadius::Closed(_) | BranchRadius::Root(_) => None,
-        });
-    match (format, series) {
+    let source = source(curve, fit);
+    match (format, series(curve).filter(|_| source.is_none())) {
         (Format::Json, _) => {
-            write_value(&document(curve, fit, digits), out)?;
+            write_value(&document(curve, fit, digits)?, out)?;
             Ok(writeln!(out)?)
         }
         (Format::Text, _) => write_text(curve, fit, digits, out),
@@ -103,19 +99,14 @@ pub(crate) fn write_parametrization(
                 .filter_map(|b| radius_text(&b.radius, format));
             let fitted = fit.map(|fit| expression(&fit.radius, format, "theta"));
             let all: Vec<String> = closed.chain(fitted).collect();
-            for radius in &all {
-                match format {
-                    Format::Sympy => writeln!(out, "{radius}")?,
-                    Format::Maple => writeln!(out, "r = {radius};")?,
-                    _ => writeln!(out, "r = {radius}")?,
-                }
-            }
             if all.is_empty() {
                 return Err(Error::Usage(
                     "there is no formula for r; --format text or json describes the branches"
                         .into(),
                 ));
             }
+            write_radii("r", &all, format, out)?;
+            write_source(source, format, out)?;
             write_rational(curve, format, out)
         }
         (Format::Csv, None) if curve.method == PolarMethod::Numeric && fit.is_some() => fit
@@ -130,8 +121,8 @@ fn document(
     curve: &Parametrization,
     fit: Option<&BranchFit>,
     digits: u32,
-) -> ParametrizationDocument {
-    ParametrizationDocument {
+) -> Result<ParametrizationDocument> {
+    Ok(ParametrizationDocument {
         schema: SCHEMA,
         kind: "parametric",
         parameters: ["theta"],
@@ -159,10 +150,23 @@ fn document(
             .map(|r| Entry::new(r, &curve.center))
             .collect(),
         notes: curve.notes.clone(),
-        superquadric: curve
-            .superquadric
-            .as_ref()
-            .map(super::superquadric::SuperquadricDocument::new),
+        of: source_field(source(curve, fit))?,
+    })
+}
+
+/// The form that the document is of, unless it is read back without it: from the one Fourier series that is all of the
+/// curve, or from the fit of the one factor that has no closed form (Lemma 6).
+fn source<'a>(curve: &'a Parametrization, fit: Option<&BranchFit>) -> Option<&'a Form> {
+    let one_factor = curve.method != PolarMethod::Factors && curve.lines.is_empty();
+    let is_said = one_factor && (series(curve).is_some() || fit.is_some());
+    (!is_said).then_some(&curve.of)
+}
+
+/// The radius of the first branch, if it is a Fourier series.
+fn series(curve: &Parametrization) -> Option<&FourierRadius> {
+    match &curve.branches.first()?.radius {
+        BranchRadius::Fourier(radius) => Some(radius),
+        BranchRadius::Closed(_) | BranchRadius::Root(_) => None,
     }
 }
 
@@ -190,6 +194,7 @@ fn write_text(
     if let Some(comment) = center_comment(&curve.center) {
         writeln!(out, "# {comment}")?;
     }
+    write_source(source(curve, fit), Format::Text, out)?;
     for line in &curve.lines {
         let line = angle(line, digits);
         writeln!(

@@ -1,18 +1,17 @@
 //! Parametric documents of surfaces: the branches R(θ, φ), and what is certain on meridians and in directions.
 
-use std::collections::BTreeMap;
 use std::io::Write;
 
 use serde::Serialize;
-use serde_json::Value;
 
 use super::angles::{Range, ranges, ranges_text_of};
 use super::expression::{condition_text, expression_text, form_text};
-use super::json::{Number, parsed, write_value};
+use super::json::{Number, write_value};
 use super::parametric::validity;
-use super::{Format, Kind, SCHEMA, write_space_superquadric, write_surface};
+use super::source::{SourceField, source_field, write_radii, write_source};
+use super::{Format, Kind, SCHEMA};
 use crate::error::{Error, Result};
-use crate::parametrize::{SurfaceMethod, SurfaceParametrization, SurfaceSource};
+use crate::parametrize::{SurfaceMethod, SurfaceParametrization};
 use crate::poly::SpacePolynomial;
 use crate::sample::Ray;
 use crate::verb::{InDirection, OnMeridian};
@@ -34,9 +33,8 @@ struct SurfaceParametrizationDocument {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     directions: Vec<DirectionEntry>,
     notes: Vec<String>,
-    /// What it is the spherical form of, so that the document is read back: an implicit document, or a superquadric.
     #[serde(flatten)]
-    of: BTreeMap<&'static str, Value>,
+    of: SourceField,
 }
 
 /// A form in (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ).
@@ -125,15 +123,10 @@ pub(crate) fn write_surface_parametrization(
             "there is no formula for R; --format text or json describes the surface".into(),
         )),
         Format::Latex | Format::Sympy | Format::Maple => {
-            for branch in &surface.branches {
-                let radius = expression_text(&branch.radius, format);
-                match format {
-                    Format::Sympy => writeln!(out, "{radius}")?,
-                    Format::Maple => writeln!(out, "R = {radius};")?,
-                    _ => writeln!(out, "R = {radius}")?,
-                }
-            }
-            Ok(())
+            let branches = surface.branches.iter();
+            let radii = branches.map(|b| expression_text(&b.radius, format));
+            write_radii("R", &radii.collect::<Vec<_>>(), format, out)?;
+            write_source(Some(&surface.of), format, out)
         }
     }
 }
@@ -164,6 +157,7 @@ fn write_text(
         out,
         "# x = R*sin(phi)*cos(theta), y = R*sin(phi)*sin(theta), z = R*cos(phi)"
     )?;
+    write_source(Some(&surface.of), Format::Text, out)?;
     for (index, factor) in surface.factors.iter().enumerate() {
         if factor.is_cone() {
             writeln!(
@@ -325,23 +319,8 @@ fn document(
             .collect(),
         directions: directions.iter().map(direction_entry).collect(),
         notes: surface.notes.clone(),
-        of: BTreeMap::from([source(&surface.of)?]),
+        of: source_field(Some(&surface.of))?,
     })
-}
-
-fn source(of: &SurfaceSource) -> Result<(&'static str, Value)> {
-    let mut text = Vec::new();
-    let name = match of {
-        SurfaceSource::Polynomial(surface) => {
-            write_surface(surface, &[], Format::Json, &mut text)?;
-            "implicit"
-        }
-        SurfaceSource::Superquadric(shape) => {
-            write_space_superquadric(shape, Format::Json, &mut text)?;
-            "superquadric"
-        }
-    };
-    Ok((name, parsed(&text)))
 }
 
 fn form_entry<'a>(

@@ -35,7 +35,6 @@ pub use rational::{
 };
 pub use superquadric::{parametrize_space_superquadric, parametrize_superquadric};
 pub use surface::{
-    SurfaceBranch, SurfaceFactor, SurfaceMethod, SurfaceParametrization, SurfaceSource,
-    parametrize_surface,
+    SurfaceBranch, SurfaceFactor, SurfaceMethod, SurfaceParametrization, parametrize_surface,
 };
 pub use traced::{RootArc, RootBranch};

@@ -19,7 +19,7 @@ use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial};
 use crate::roots::real_roots;
 use crate::sample::Direction;
-use crate::shape::{FourierRadius, ImplicitCurve, Superquadric};
+use crate::shape::{Form, FourierRadius, ImplicitCurve};
 
 /// A curve in polar form: straight lines through the origin, and branches r(θ).
 #[derive(Clone, Debug)]
@@ -39,8 +39,8 @@ pub struct Parametrization {
     pub center: [Rational; 2],
     /// What is known of rational parametrizations, factor by factor; factors of which nothing is known are left out.
     pub rational: Vec<FactorRationality>,
-    /// The superquadric that this is the radius of, if it is one.
-    pub superquadric: Option<Superquadric>,
+    /// The form that this is the polar form of: an implicit curve or a superquadric.
+    pub of: Form,
 }
 
 /// What gives the branches of a curve.
@@ -106,7 +106,7 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
         notes: Vec::new(),
         center: curve.center().clone(),
         rational: Vec::new(),
-        superquadric: None,
+        of: Form::Curve(curve.clone()),
     };
     if let Some(found) = born_of_radius(curve) {
         result.method = PolarMethod::Lemma(found.lemma);

@@ -7,10 +7,10 @@ use super::angle::AngleRange;
 use super::condition::Condition;
 use super::expression::Expression;
 use super::parametrization::{Branch, BranchRadius, Parametrization, PolarMethod};
-use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization, SurfaceSource};
+use super::surface::{SurfaceBranch, SurfaceMethod, SurfaceParametrization};
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, HomogeneousPolynomial, TernaryForm};
-use crate::shape::{SpaceSuperquadric, Superquadric};
+use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 
 /// `r(θ) = (c / (|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)))^(ε/2)` (Eq. (20)): real and positive for every θ.
 ///
@@ -73,7 +73,7 @@ pub fn parametrize_superquadric(shape: &Superquadric) -> Parametrization {
         )],
         center: [Rational::zero(), Rational::zero()],
         rational: Vec::new(),
-        superquadric: Some(shape.clone()),
+        of: Form::Superquadric(shape.clone()),
     }
 }
 
@@ -130,7 +130,7 @@ pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParam
         notes: vec![format!(
             "Lemma 7 for parts of the degrees {of_z} and 0; -R(theta, phi) has the same points"
         )],
-        of: SurfaceSource::Superquadric(Box::new(shape.clone())),
+        of: Form::SpaceSuperquadric(shape.clone()),
     }
 }
 

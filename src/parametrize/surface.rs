@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::factor::factor_space;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, TernaryForm};
-use crate::shape::{ImplicitSurface, SpaceSuperquadric};
+use crate::shape::{Form, ImplicitSurface};
 
 /// A surface in spherical form: cones with their apex at the origin, and branches R(θ, φ) with
 /// `x = R sin φ cos θ`, `y = R sin φ sin θ`, `z = R cos φ`.
@@ -26,18 +26,8 @@ pub struct SurfaceParametrization {
     pub branches: Vec<SurfaceBranch>,
     /// What else a reader should know.
     pub notes: Vec<String>,
-    /// What it is the spherical form of.
-    pub of: SurfaceSource,
-}
-
-/// A surface that has a spherical form.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SurfaceSource {
-    /// The zero set of a polynomial.
-    Polynomial(ImplicitSurface),
-    /// A superquadric.
-    Superquadric(Box<SpaceSuperquadric>),
+    /// The form that this is the spherical form of: an implicit surface or a superquadric in space.
+    pub of: Form,
 }
 
 /// What gives the branches of a surface.
@@ -139,7 +129,7 @@ pub fn parametrize_surface(
         factors: Vec::new(),
         branches: Vec::new(),
         notes: Vec::new(),
-        of: SurfaceSource::Polynomial(surface.clone()),
+        of: Form::Surface(surface.clone()),
     };
     for (index, found) in factor_space(f, limits)?.factors.iter().enumerate() {
         limits.check()?;

@@ -16,7 +16,13 @@ use crate::shape::Form;
 /// The value of the field `schema` of every JSON document.
 pub const SCHEMA: &str = "stellate/1";
 
+/// What stands before a form in the comment that says what a list of radii is the parametrization of.
+pub(crate) const PARAMETRIZES: &str = "parametrizes:";
+
 /// Reads a form from text that is a JSON document (if it starts with `{`) or a formula.
+///
+/// If a comment says `# parametrizes: FORM`, the text is what `parametrize` wrote of this form, and the form is read from
+/// the comment: the radii beside it may have roots, which are no formulas of the input language.
 ///
 /// ```
 /// use stellate::reading::read_text;
@@ -25,18 +31,46 @@ pub const SCHEMA: &str = "stellate/1";
 /// let formula = "r = 1 + 1/5*cos(t)";
 /// let read = |text| read_text(text, "<form>", Numbers::Exact).unwrap();
 /// assert_eq!(read(document), read(formula));
+///
+/// let radii = "# parametrizes: x^4 + y^4 = 1\nr = root(1/(cos(theta)^4 + sin(theta)^4), 4)";
+/// assert_eq!(read(radii), read("x^4 + y^4 = 1"));
 /// ```
 ///
 /// # Errors
 /// Those of [`read_document`] or of [`parse_form`].
 pub fn read_text(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
-    if text
-        .trim_start_matches('\u{feff}')
-        .trim_start()
-        .starts_with('{')
-    {
+    let body = text.trim_start_matches('\u{feff}').trim_start();
+    if body.starts_with('{') {
         read_document(text, source_name, numbers)
+    } else if let Some(form) = parametrized_form(text) {
+        parse_form(&form, source_name, numbers)
     } else {
         parse_form(text, source_name, numbers)
     }
+}
+
+/// The form that the text says it parametrizes, with its center, each at its place in the text: all else is left blank.
+fn parametrized_form(text: &str) -> Option<String> {
+    let comment = |line: &'_ str| {
+        let after = line.trim_start().strip_prefix('#')?;
+        let form = after.trim_start().strip_prefix(PARAMETRIZES)?;
+        Some(" ".repeat(line.len() - form.len()) + form)
+    };
+    let is_center = |line: &str| {
+        let after = line.trim_start().strip_prefix('#');
+        after.is_some_and(|after| after.trim_start().starts_with("center:"))
+    };
+    let mut found = false;
+    let lines: Vec<String> = text
+        .lines()
+        .map(|line| match comment(line) {
+            Some(form) if !found => {
+                found = true;
+                form
+            }
+            None if is_center(line) => line.to_owned(),
+            _ => String::new(),
+        })
+        .collect();
+    found.then(|| lines.join("\n"))
 }

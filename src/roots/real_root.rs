@@ -331,7 +331,8 @@ impl RealRoot {
     /// The double nearest to the root (ties to even).
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        self.clone().nearest_f64(1, &Rational::one())
+        self.clone()
+            .nearest_f64(1, &Rational::one(), &Rational::zero())
     }
 
     /// Certified decimals: the root rounded to `digits` places after the point.
@@ -360,26 +361,26 @@ impl RealRoot {
         }
     }
 
-    /// The double nearest to `scale · root^(1/k)`, where for k > 1 the root must be positive.
+    /// The double nearest to `from + scale · root^(1/k)`, where for k > 1 the root must be positive.
     ///
     /// A float guess says where to look; exact comparisons with the midpoints between
     /// neighbouring doubles decide; beyond the largest double the nearest is ±∞.
-    pub(crate) fn nearest_f64(&mut self, k: u32, scale: &Rational) -> f64 {
+    pub(crate) fn nearest_f64(&mut self, k: u32, scale: &Rational, from: &Rational) -> f64 {
         if scale.is_zero() {
-            return 0.0;
+            return from.to_f64();
         }
         if let Location::Exact(point) = &self.place {
             if k == 1 {
-                return (point.to_rational() * scale).to_f64();
+                return (from + &(point.to_rational() * scale)).to_f64();
             }
             if point.signum() == 0 {
-                return 0.0;
+                return from.to_f64();
             }
         }
         self.refine(56);
         let (low, high) = self.enclosure();
         let middle = low.midpoint(high).to_rational();
-        let guess = if k == 1 {
+        let step = if k == 1 {
             (middle * scale).to_f64()
         } else {
             // One root of the whole: the two factors may be beyond the doubles where it is not.
@@ -389,13 +390,17 @@ impl RealRoot {
                 .invariant("a power with a natural exponent exists");
             root_f64(&(middle * power), k) * f64::from(scale.signum())
         };
-        self.walk_to_nearest(guess, k, scale)
+        let guess = match from.is_zero() {
+            true => step,
+            false => from.to_f64() + step,
+        };
+        self.walk_to_nearest(guess, k, scale, from)
     }
 
-    fn walk_to_nearest(&self, guess: f64, k: u32, scale: &Rational) -> f64 {
-        // root ? (bound/scale)^k, seen from the double's side
+    fn walk_to_nearest(&self, guess: f64, k: u32, scale: &Rational, from: &Rational) -> f64 {
+        // root ? ((bound − from)/scale)^k, seen from the double's side
         let side = |bound: &Rational| {
-            let q = bound / scale;
+            let q = (bound - from) / scale;
             // For k > 1 both sides must be positive to be compared by powers.
             let order = if k > 1 && q.signum() <= 0 {
                 Ordering::Greater

@@ -5,11 +5,10 @@ use std::sync::OnceLock;
 use std::sync::atomic::Ordering::Relaxed;
 use std::sync::atomic::{AtomicU64, AtomicUsize};
 
-use malachite::Integer;
-
 use super::parts::ExpandedParts;
 use super::point::Sample;
 use super::truncated::TruncatedForms;
+use super::unit_vector::RationalLine;
 use crate::roots::Unproved;
 
 /// The number of precisions.
@@ -60,8 +59,7 @@ impl<const V: usize> Ladder<V> {
     pub(super) fn solve(
         &self,
         expansion: &ExpandedParts<'_, V>,
-        vector: &[Integer; V],
-        w: &Integer,
+        line: &RationalLine<'_, V>,
     ) -> Result<Vec<Sample<V>>, Unproved> {
         let answers: u64 = self.counts().iter().sum();
         if self.failures.load(Relaxed) > 2 * answers + PATIENCE {
@@ -75,7 +73,7 @@ impl<const V: usize> Ladder<V> {
             start.saturating_sub(1)
         };
         for (k, level) in self.levels.iter().enumerate().skip(first) {
-            match level.solve(expansion, vector, w) {
+            match level.solve(expansion, line) {
                 Err(Unproved::Bits) => {}
                 Err(Unproved::Close) => break,
                 Ok(samples) => {
@@ -109,8 +107,7 @@ trait Level<const V: usize>: Debug + Send + Sync {
     fn solve(
         &self,
         expansion: &ExpandedParts<'_, V>,
-        vector: &[Integer; V],
-        w: &Integer,
+        line: &RationalLine<'_, V>,
     ) -> Result<Vec<Sample<V>>, Unproved>;
 }
 
@@ -128,11 +125,10 @@ impl<const W: usize, const V: usize> Level<V> for Forms<W, V> {
     fn solve(
         &self,
         expansion: &ExpandedParts<'_, V>,
-        vector: &[Integer; V],
-        w: &Integer,
+        line: &RationalLine<'_, V>,
     ) -> Result<Vec<Sample<V>>, Unproved> {
         let forms = self.0.get_or_init(|| TruncatedForms::new(expansion));
-        forms.solve(vector, w)
+        forms.solve(line)
     }
 }
 
@@ -141,10 +137,16 @@ mod tests {
     use super::*;
     use crate::poly::PlanePolynomial;
     use crate::sample::{Direction, IntegerVector, PartsByDegree};
+    use malachite::Integer;
 
     fn ask(ladder: &Ladder<2>, f: &PlanePolynomial, direction: &Direction) -> bool {
         let (vector, w) = direction.over_common_denominator();
-        ladder.solve(&f.expanded(), &vector, &w).is_ok()
+        let line = RationalLine {
+            vector: &vector,
+            w: &w,
+            center: None,
+        };
+        ladder.solve(&f.expanded(), &line).is_ok()
     }
 
     /// (x − 1)² + y² to the power k, minus 2^(−shift).

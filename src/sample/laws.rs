@@ -5,7 +5,8 @@
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
 
-use super::{Direction, IntegerVector, Ray, RaySolver, Sample};
+use super::{Direction, IntegerVector, Ray, RaySolver, Sample, UnitVector};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::PlanePolynomial;
 use crate::roots::Draw;
@@ -320,4 +321,89 @@ fn a_linear_part_that_nearly_vanishes_has_two_points() {
     assert_eq!(radii.len(), 2, "{radii:?}");
     assert_eq!(radii[0].to_bits(), (-radii[1]).to_bits());
     assert!((radii[0] - 0.637_392_816_839_1).abs() < 1e-12, "{radii:?}");
+}
+
+/// A center as far away as the points, farther, or much nearer, with a denominator that doubles do not have.
+fn center(draw: &mut Draw) -> [Rational; 2] {
+    [(), ()].map(|()| {
+        let k = Rational::from(draw.below(2001) as i64 - 1000);
+        let shift = draw.below(60) as i64 - 50;
+        k / Rational::from(3 * (draw.below(9) as i64 + 1)) * power_of_two(shift)
+    })
+}
+
+/// Whether a root of f along the line is c + u λ within half an ulp of the double: f changes its sign between the
+/// midpoints beside it.
+fn is_nearest(
+    f: &PlanePolynomial,
+    unit: &[Rational; 2],
+    axis: usize,
+    c: &Rational,
+    value: f64,
+) -> bool {
+    let signs = [value.next_down(), value.next_up()].map(|neighbour| {
+        let exact = |double: f64| Rational::try_from(double).invariant("doubles here are finite");
+        let midpoint = (exact(value) + exact(neighbour)) / Rational::from(2);
+        let lambda = (midpoint - c) / &unit[axis];
+        let value: Rational = f
+            .terms()
+            .map(|((i, j), a)| {
+                let power =
+                    |u: &Rational, e: usize| (u * &lambda).pow(e as i64).unwrap_or(Rational::one());
+                a * power(&unit[0], i) * power(&unit[1], j)
+            })
+            .fold(Rational::zero(), |sum, term| sum + term);
+        value.signum()
+    });
+    signs[0] * signs[1] <= 0
+}
+
+/// Coordinates from another origin are rounded once, by bounded arithmetic as by exact arithmetic; all else stays.
+#[test]
+fn points_about_a_center_are_the_nearest_doubles() {
+    let mut draw = Draw(20261128);
+    let mut decided = 0;
+    for _ in 0..400 {
+        let degrees = 1 + draw.below(5);
+        let terms = (0..=degrees).flat_map(|d| (0..=d).map(move |j| (d - j, j)));
+        let terms: Vec<_> = terms.collect();
+        let f = polynomial(terms.into_iter().map(|e| {
+            let k = draw.below(2001) as i64 - 1000;
+            (e, Integer::from(k))
+        }));
+        if f.degree().unwrap_or(0) == 0 {
+            continue;
+        }
+        let (direction, center) = (draw.direction(), center(&mut draw));
+        let solver = RaySolver::new(&f).about(center.clone());
+        let found = solver.solve(&direction);
+        assert_eq!(
+            found,
+            solver.solve_exactly(&direction),
+            "{f} {direction:?} {center:?}"
+        );
+        let relative = RaySolver::new(&f).solve(&direction);
+        let (Ray::Points(found), Ray::Points(relative)) = (found, relative) else {
+            continue;
+        };
+        let unit = direction.components();
+        for (point, relative) in found.iter().zip(&relative) {
+            assert_eq!(
+                (point.branch, point.r, point.multiplicity),
+                (relative.branch, relative.r, relative.multiplicity)
+            );
+            for axis in [0, 1] {
+                if unit[axis].is_zero() {
+                    assert_eq!(point.position[axis], center[axis].to_f64());
+                } else if point.multiplicity == 1 {
+                    decided += 1;
+                    assert!(
+                        is_nearest(&f, &unit, axis, &center[axis], point.position[axis]),
+                        "{f} {direction:?} {center:?}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(decided > 800, "{decided} coordinates were checked");
 }

@@ -1,7 +1,7 @@
 //! What there is on a line through the origin.
 
-/// A point r·(u, v) of a curve, or r·(u, v, w) of a surface. r and the coordinates are each the double nearest
-/// to the exact value (ties aside).
+/// A point c + r·(u, v) of a curve, or c + r·(u, v, w) of a surface, where c is the origin unless the solver was told of a
+/// center. r and the coordinates are each the double nearest to the exact value (ties aside).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample<const V: usize = 2> {
     /// 0, 1, … from the largest r of the direction down.
@@ -23,8 +23,17 @@ pub enum Ray<const V: usize = 2> {
     Line,
 }
 
-/// The points of a line, largest r first and numbered; where the doubles of r are the same those of the coordinates decide.
-pub(super) fn in_order<const V: usize>(mut points: Vec<Sample<V>>) -> Vec<Sample<V>> {
+/// A point before it has its place among the points of its line.
+pub(super) struct Found<const V: usize> {
+    /// The point relative to the center.
+    pub(super) relative: Sample<V>,
+    /// Its coordinates, if the center is not the origin.
+    pub(super) position: Option<[f64; V]>,
+}
+
+/// The points of a line, largest r first and numbered; where the doubles of r are the same those of the coordinates relative
+/// to the center decide.
+pub(super) fn in_order<const V: usize>(mut points: Vec<Found<V>>) -> Vec<Sample<V>> {
     let beyond = |a: &Sample<V>, b: &Sample<V>| {
         let sizes = a.position.iter().zip(&b.position);
         let larger = sizes
@@ -33,9 +42,15 @@ pub(super) fn in_order<const V: usize>(mut points: Vec<Sample<V>>) -> Vec<Sample
         let order = larger.unwrap_or_else(|| b.multiplicity.cmp(&a.multiplicity));
         if a.r < 0.0 { order.reverse() } else { order }
     };
-    points.sort_by(|a, b| b.r.total_cmp(&a.r).then_with(|| beyond(a, b)));
-    for (branch, point) in points.iter_mut().enumerate() {
-        point.branch = branch;
-    }
-    points
+    points.sort_by(|a, b| {
+        let (a, b) = (&a.relative, &b.relative);
+        b.r.total_cmp(&a.r).then_with(|| beyond(a, b))
+    });
+    let numbered = points.into_iter().enumerate();
+    let placed = numbered.map(|(branch, point)| Sample {
+        branch,
+        position: point.position.unwrap_or(point.relative.position),
+        ..point.relative
+    });
+    placed.collect()
 }

@@ -12,8 +12,8 @@ use malachite::base::polynomial::Polynomial;
 use super::guess::real_root_guesses;
 use super::ladder::{LEVELS, Ladder};
 use super::parts::{ExpandedParts, HomogeneousParts, PartsByDegree};
-use super::point::{Ray, Sample, in_order};
-use super::unit_vector::UnitVector;
+use super::point::{Found, Ray, Sample, in_order};
+use super::unit_vector::{RationalLine, UnitVector};
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::IntegerPolynomial;
@@ -42,6 +42,8 @@ const GUESS_BITS: i64 = 40;
 #[derive(Debug)]
 pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
+    /// The point that rays begin at, if coordinates are not relative to it.
+    center: Option<[Rational; V]>,
     expansion: OnceLock<ExpandedParts<'a, V>>,
     ladder: Ladder<V>,
     exact: AtomicU64,
@@ -68,9 +70,32 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     pub fn new(polynomial: &'a P) -> Self {
         Self {
             polynomial,
+            center: None,
             expansion: OnceLock::new(),
             ladder: Ladder::default(),
             exact: AtomicU64::new(0),
+        }
+    }
+
+    /// The polynomial is about this center: the coordinates of points are c + r·(u, v), each rounded once.
+    ///
+    /// ```
+    /// use stellate::poly::PlanePolynomial;
+    /// use stellate::sample::{Direction, Ray, RaySolver};
+    ///
+    /// // The circle of radius 1/10 about (1/5, 3).
+    /// let f = PlanePolynomial::from_terms([((2, 0), 100.into()), ((0, 2), 100.into()), ((0, 0), (-1).into())]);
+    /// let solver = RaySolver::new(&f).about(["1/5".parse()?, 3.into()]);
+    /// let Ray::Points(points) = solver.solve(&Direction::from_radians(0.0)) else { panic!() };
+    /// assert_eq!(points[0].position, [0.3, 3.0]); // and not 0.2 + 0.1 in doubles
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn about(self, center: [Rational; V]) -> Self {
+        let is_origin = center.iter().all(Rational::is_zero);
+        Self {
+            center: (!is_origin).then_some(center),
+            ..self
         }
     }
 
@@ -84,7 +109,14 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         let (vector, w) = direction.over_common_denominator();
         let expansion = self.expansion.get_or_init(|| self.polynomial.expanded());
-        let bounded = self.ladder.solve(expansion, &vector, &w);
+        let bounded = self.ladder.solve(
+            expansion,
+            &RationalLine {
+                vector: &vector,
+                w: &w,
+                center: self.center.as_ref(),
+            },
+        );
         bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
 
@@ -122,12 +154,20 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
             .into_iter()
             .map(|(sign, mut root)| {
                 let sign = Rational::from(sign);
-                Sample {
+                let scales = unit.each_ref().map(|u| &sign * u);
+                let zero = Rational::zero();
+                let relative = Sample {
                     branch: 0,
-                    r: root.nearest_f64(gap, &sign),
-                    position: unit.each_ref().map(|u| root.nearest_f64(gap, &(&sign * u))),
+                    r: root.nearest_f64(gap, &sign, &zero),
+                    position: scales
+                        .each_ref()
+                        .map(|scale| root.nearest_f64(gap, scale, &zero)),
                     multiplicity: root.multiplicity(),
-                }
+                };
+                let position = self.center.as_ref().map(|center| {
+                    std::array::from_fn(|i| root.nearest_f64(gap, &scales[i], &center[i]))
+                });
+                Found { relative, position }
             })
             .collect();
         Ray::Points(in_order(samples))

@@ -6,6 +6,7 @@ use malachite::Integer;
 
 use super::leading_bits::LeadingBits;
 use crate::error::Invariant;
+use crate::exact::{Rational, nearest_double};
 use crate::roots::BoundedRoot;
 
 /// Neighbouring doubles that are tried when the guess is not the nearest.
@@ -70,6 +71,35 @@ impl RootRounding {
             }
         }
         None
+    }
+
+    /// The double nearest to from ± |root|^(1/gap) · |other / unit|, minus if `is_negative`.
+    pub(super) fn nearest_from(
+        &self,
+        from: &Rational,
+        is_negative: bool,
+        unit: &Integer,
+        other: &Integer,
+    ) -> Option<f64> {
+        let inverse = LeadingBits::quotient(unit, other);
+        let step = self.guess / inverse.to_f64();
+        let guess = from.to_f64() + if is_negative { -step } else { step };
+        if !guess.is_finite() {
+            return None;
+        }
+        let sign = if is_negative { -1 } else { 1 };
+        let found: Result<f64, ()> = nearest_double(guess, |bound| {
+            // The step, of this sign, against what the bound is away.
+            let away = bound - from;
+            if away.signum() != sign {
+                return Ok(sign.cmp(&away.signum()));
+            }
+            let size = LeadingBits::quotient(&away.numerator(), &away.denominator());
+            let order = self.compare(size, inverse, Ordering::Less).ok_or(())?;
+            Ok(if is_negative { order.reverse() } else { order })
+        });
+        // Zero has no sign.
+        found.ok().map(|double| double + 0.0)
     }
 
     /// How |root|^(1/gap) / inverse compares with a bound; what is likely is tried first.

@@ -8,9 +8,11 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::parts::{ExpandedPart, ExpandedParts, PartBasis};
-use super::point::{Sample, in_order};
+use super::point::{Found, Sample, in_order};
 use super::root_rounding::RootRounding;
+use super::unit_vector::RationalLine;
 use crate::error::Invariant;
+use crate::exact::Rational;
 use crate::roots::{
     BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
     rotations,
@@ -100,11 +102,8 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
     ///
     /// # Errors
     /// If W limbs do not prove that they are all, simple, and what the nearest doubles are.
-    pub(super) fn solve(
-        &self,
-        vector: &[Integer; V],
-        w: &Integer,
-    ) -> Result<Vec<Sample<V>>, Unproved> {
+    pub(super) fn solve(&self, through: &RationalLine<'_, V>) -> Result<Vec<Sample<V>>, Unproved> {
+        let RationalLine { vector, w, center } = *through;
         let degree = |part: Option<&Part<W, V>>| part.map_or(0, |part| part.degree);
         let (lowest, highest) = (degree(self.parts.first()), degree(self.parts.last()));
         let line = match self.basis {
@@ -127,7 +126,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
                 (false, false) => &[1],
             };
             for sign in signs {
-                let sample = line.sample(root, gap, *sign, w);
+                let sample = line.sample(root, gap, *sign, w, center);
                 samples.push(sample.ok_or(Unproved::Bits)?);
             }
         }
@@ -213,27 +212,46 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
     }
 
     /// The point with λ = sign · |root|^(1/gap).
-    fn sample(&self, root: &BoundedRoot<W>, gap: u32, sign: i8, w: &Integer) -> Option<Sample<V>> {
+    fn sample(
+        &self,
+        root: &BoundedRoot<W>,
+        gap: u32,
+        sign: i8,
+        w: &Integer,
+        center: Option<&[Rational; V]>,
+    ) -> Option<Found<V>> {
         let rounding = RootRounding::new(root, gap);
         let unit = self.unit;
+        let is_negative = |other: &Integer| (sign < 0) != ((*other < 0) != (*unit < 0));
         let along = |other: &Integer| -> Option<f64> {
             // λ · other / unit
             if *other == 0 {
                 return Some(0.0);
             }
-            let is_negative = (sign < 0) != ((*other < 0) != (*unit < 0));
             let size = rounding.nearest(unit, other)?;
-            Some(if is_negative { -size } else { size })
+            Some(if is_negative(other) { -size } else { size })
         };
-        let mut position = [0.0; V];
-        for (value, other) in position.iter_mut().zip(self.vector) {
+        let mut relative = [0.0; V];
+        for (value, other) in relative.iter_mut().zip(self.vector) {
             *value = along(other)?;
         }
-        Some(Sample {
+        let mut position = None;
+        if let Some(center) = center {
+            let mut shifted = relative;
+            for ((value, other), from) in shifted.iter_mut().zip(self.vector).zip(center) {
+                *value = match *other == 0 {
+                    true => from.to_f64(),
+                    false => rounding.nearest_from(from, is_negative(other), unit, other)?,
+                };
+            }
+            position = Some(shifted);
+        }
+        let relative = Sample {
             branch: 0,
             r: along(w)?,
-            position,
+            position: relative,
             multiplicity: 1,
-        })
+        };
+        Some(Found { relative, position })
     }
 }

@@ -7,6 +7,17 @@ use malachite::base::num::basic::traits::One;
 use crate::error::Invariant;
 use crate::exact::Rational;
 
+/// A line with a rational direction of length 1: the points c + r·v/w, where |v| = w.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RationalLine<'a, const V: usize> {
+    /// v.
+    pub(super) vector: &'a [Integer; V],
+    /// w.
+    pub(super) w: &'a Integer,
+    /// c, if it is not the origin.
+    pub(super) center: Option<&'a [Rational; V]>,
+}
+
 /// An exact unit vector: V rational numbers whose squares add up to 1. Implemented by the directions of this module alone.
 pub trait UnitVector<const V: usize>: IntegerVector<V> {
     /// Its components.

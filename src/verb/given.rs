@@ -106,7 +106,7 @@ impl Given {
             .map(|l| l.split('#').next().unwrap_or("").trim())
             .find(|l| !l.is_empty() && !l.starts_with("//"));
         let looks_like_rows =
-            first.is_some_and(|l| l.contains(',') && !l.contains(['=', '{', '(']));
+            first.is_some_and(|l| l.contains(',') && !l.contains(['=', '{', '(', '[']));
         let content = if looks_like_rows {
             table(&text, place, numbers)?
         } else {

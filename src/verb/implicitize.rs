@@ -97,6 +97,11 @@ pub fn implicitize(
     refuse_method(options.method, &form)?;
     let found = work.stage("implicitize", || {
         let found = equation(form, options, work)?;
+        if let (CoordinatesFrom::Original, Form::Curve(curve)) = (options.coordinates, &found.form)
+            && !curve.center().iter().all(Rational::is_zero)
+        {
+            work.remark(Remark::Expanded(curve.center().clone()));
+        }
         Ok(Implicitization {
             form: scaled(found.form, options),
             ..found

@@ -25,6 +25,8 @@ pub enum Remark {
     PerfectSquare,
     /// Coordinates are relative to this point.
     RelativeTo([Rational; 2]),
+    /// The polynomial of a form about this center is expanded in the coordinates of the contour, where doubles fail.
+    Expanded([Rational; 2]),
     /// A whole line through the origin belongs to the form; it has no rows.
     WholeLine {
         /// The nominal angle θ.

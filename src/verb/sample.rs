@@ -5,7 +5,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
 use super::equation::{Taken, check_surface, implicit_curve, through_equation};
 use super::fit::exact_form;
-use super::{Given, Remark, Work};
+use super::{CoordinatesFrom, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -34,6 +34,8 @@ options! {
         thetas: Vec<Direction> = Vec::new(),
         /// Of a surface: angles φ from the z axis; every θ is taken with every φ.
         phis: Vec<Direction> = Vec::new(),
+        /// Where the coordinates of points begin, for a form with a center.
+        coordinates: CoordinatesFrom = CoordinatesFrom::Center,
         /// Only points with r > 0.
         positive: bool = false,
         /// Of an intersection: how its arcs are followed.
@@ -55,11 +57,11 @@ pub struct Samples {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum SampledPoints {
-    /// Of a plane curve, ray by ray, relative to its center.
+    /// Of a plane curve, ray by ray.
     Plane {
         /// The rays.
         rays: Vec<SampledRay>,
-        /// The center.
+        /// The point that the coordinates are relative to.
         center: [Rational; 2],
     },
     /// Of a surface, ray by ray.
@@ -136,9 +138,13 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         return Ok(uncounted(SampledPoints::Plane { rays, center }));
     }
     let curve = work.stage("implicitize", || implicit_curve(form, &SAMPLE, work))?;
-    let solver = RaySolver::new(curve.polynomial());
+    let origin = [Rational::zero(), Rational::zero()];
+    let (center, from) = match options.coordinates {
+        CoordinatesFrom::Center => (curve.center().clone(), origin),
+        CoordinatesFrom::Original => (origin, curve.center().clone()),
+    };
+    let solver = RaySolver::new(curve.polynomial()).about(from);
     let rays = solve(|d| Ok(solver.solve(d)), directions, options.positive, work)?;
-    let center = curve.center().clone();
     if !center.iter().all(Rational::is_zero) {
         work.remark(Remark::RelativeTo(center.clone()));
     }

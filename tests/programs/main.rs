@@ -12,6 +12,7 @@ mod language;
 mod language_parameters;
 mod limits;
 mod main_job;
+mod read_back;
 mod terminal;
 mod typed;
 mod verbs;

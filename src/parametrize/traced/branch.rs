@@ -189,7 +189,7 @@ impl Tracing {
     fn nearest(&self, mut root: RealRoot, sign: i8) -> f64 {
         let step = u32::try_from(self.equation.step);
         let step = step.invariant("a degree is below 2^32");
-        root.nearest_f64(step, &Rational::from(i32::from(sign)))
+        root.nearest_f64(step, &Rational::from(i32::from(sign)), &Rational::zero())
     }
 }
 

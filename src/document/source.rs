@@ -1,0 +1,69 @@
+//! The form that a list of radii is of: it is kept beside them, because roots are not read back as a form.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+
+use serde_json::Value;
+
+use super::json::parsed;
+use super::{Format, write_form};
+use crate::error::{Invariant, Result};
+use crate::reading::PARAMETRIZES;
+use crate::shape::Form;
+
+/// The field `implicit` or `superquadric` of a parametric document, if there is one.
+pub(super) type SourceField = BTreeMap<&'static str, Value>;
+
+/// The form as a field of a parametric document.
+pub(super) fn source_field(of: Option<&Form>) -> Result<SourceField> {
+    let Some(form) = of else {
+        return Ok(SourceField::new());
+    };
+    let name = match form {
+        Form::Superquadric(_) | Form::SpaceSuperquadric(_) => "superquadric",
+        _ => "implicit",
+    };
+    let mut text = Vec::new();
+    write_form(form, &[], Format::Json, &mut text)?;
+    Ok(SourceField::from([(name, parsed(&text))]))
+}
+
+/// Writes the form as the comment from which [`crate::reading::read_text`] reads it back. LaTeX is not read, so
+/// nothing is written there.
+pub(super) fn write_source(of: Option<&Form>, format: Format, out: &mut dyn Write) -> Result<()> {
+    let Some(form) = of.filter(|_| format != Format::Latex) else {
+        return Ok(());
+    };
+    let mut text = Vec::new();
+    write_form(form, &[], Format::Text, &mut text)?;
+    let text = String::from_utf8(text).invariant("formulas are written as UTF-8");
+    // The center stands in a comment of its own.
+    for line in text.lines() {
+        match line.strip_prefix("# ") {
+            Some(_) if format == Format::Text => {}
+            Some(comment) => writeln!(out, "{} {comment}", format.comment())?,
+            None => writeln!(out, "{} {PARAMETRIZES} {line}", format.comment())?,
+        }
+    }
+    Ok(())
+}
+
+/// Writes radii: equations `name = …` one below the other, or in SymPy the list of several or the expression of one.
+pub(super) fn write_radii(
+    name: &str,
+    radii: &[String],
+    format: Format,
+    out: &mut dyn Write,
+) -> Result<()> {
+    match (format, radii) {
+        (Format::Sympy, [only]) => writeln!(out, "{only}")?,
+        (Format::Sympy, _) => writeln!(out, "[{}]", radii.join(", "))?,
+        _ => {
+            let end = if format == Format::Maple { ";" } else { "" };
+            for radius in radii {
+                writeln!(out, "{name} = {radius}{end}")?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,227 @@
+//! What `parametrize` writes is read back by every verb as the form that it is the parametrization of.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use proptest::prelude::*;
+use stellate::document::{Format, write_parametrized};
+use stellate::language::Numbers;
+use stellate::poly::PlanePolynomial;
+use stellate::reading::read_text;
+use stellate::shape::{Form, ImplicitCurve};
+use stellate::verb::{self, Given, ParametrizeOptions, Work};
+use tempfile::TempDir;
+
+use crate::common::program::{done_in, piped, run_in};
+
+const READ: [&str; 4] = ["json", "text", "sympy", "maple"];
+
+/// Forms, and the equation that they are read back as.
+const FORMS: [(&str, &str); 10] = [
+    ("x^2/4 + y^2/9 = 1", "9x^2 + 4y^2 = 36"),
+    ("(x, y) = (t^2, t^3)", "x^3 - y^2"),
+    ("x^2*y - 1/3", "3x^2*y = 1"),
+    (
+        "(x^2 + y^2 - x)*(x^2 + y^2 - 4)*(x - y)",
+        "(x^2 + y^2 - x)*(x^2 + y^2 - 4)*(x - y)",
+    ),
+    (
+        "(x^2 + y^2 - 4)*(x^2 + y^2 - 9)",
+        "(x^2 + y^2 - 4)*(x^2 + y^2 - 9)",
+    ),
+    (
+        "superquadric 2d a=1,2/3 e=3/5",
+        "superquadric 2d a=1,2/3 e=3/5",
+    ),
+    ("x^2/4 + y^2/9 + z^2 = 1", "9x^2 + 4y^2 + 36z^2 = 36"),
+    ("x = u, y = v, z = u*v", "x*y = z"),
+    ("x^2 + y^2 + 0*z = 1", "x^2 + y^2 + 0*z = 1"),
+    (
+        "superquadric 3d a=1,1,2 e=1/2,1 level=3",
+        "superquadric 3d a=1,1,2 e=1/2,1 level=3",
+    ),
+];
+
+#[test]
+fn every_verb_reads_what_parametrize_writes() {
+    for (form, equation) in FORMS {
+        let form = form.replace("(x, y) = ", "");
+        for format in READ {
+            let folder = TempDir::new().unwrap();
+            let run = |arguments: &[&str]| done_in(folder.path(), arguments, "");
+            run(&["parametrize", &form, "--format", format, "-o", "radii.txt"]);
+            let text = std::fs::read_to_string(folder.path().join("radii.txt")).unwrap();
+            let mut jobs = vec![
+                vec!["describe", "FORM"],
+                vec!["sample", "FORM", "--directions", "7"],
+                vec!["plot", "FORM", "-o", "f.svg"],
+            ];
+            if !form.contains("e=3/5") {
+                jobs.push(vec!["implicitize", "FORM"]);
+            }
+            if equation.contains('z') && !form.contains("superquadric") {
+                jobs.push(vec![
+                    "inspect",
+                    "FORM",
+                    "--tolerance",
+                    "0.1",
+                    "--point",
+                    "7,8,9",
+                ]);
+            }
+            for job in jobs {
+                let with = |form: &str| -> Vec<String> {
+                    job.iter().map(|a| a.replace("FORM", form)).collect()
+                };
+                let as_read = with("radii.txt");
+                let as_said = with(equation);
+                let answer = |arguments: &[String]| {
+                    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+                    let answer = run_in(folder.path(), &arguments, "");
+                    match arguments[0] {
+                        "plot" => std::fs::read_to_string(folder.path().join("f.svg")).unwrap(),
+                        // Exit code 1: the point is outside.
+                        "inspect" => answer.out,
+                        _ => run(&arguments),
+                    }
+                };
+                let plain =
+                    |text: String| text.replace("radii.txt", "FORM").replace(equation, "FORM");
+                assert_eq!(
+                    plain(answer(&as_read)),
+                    plain(answer(&as_said)),
+                    "{form} as {format}, {job:?}: {text}"
+                );
+            }
+            if !form.contains("e=3/5") {
+                let through_pipe = piped(&["implicitize", "-"], &text);
+                assert_eq!(
+                    through_pipe,
+                    run(&["implicitize", equation]),
+                    "{form} as {format}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn several_radii_are_a_list_in_sympy_and_one_is_an_expression() {
+    let written = |form: &str| {
+        let folder = TempDir::new().unwrap();
+        done_in(
+            folder.path(),
+            &["parametrize", form, "--format", "sympy"],
+            "",
+        )
+    };
+    assert_eq!(
+        written("x^2*y^2 = 1").lines().next().unwrap(),
+        "[sqrt(1/(cos(theta)*sin(theta))), -sqrt(1/(cos(theta)*sin(theta))), sqrt((-1)/(cos(theta)*sin(theta))), -sqrt((-1)/(cos(theta)*sin(theta)))]"
+    );
+    assert_eq!(
+        written("(x^2 + y^2 - x)*(x^2 + y^2 - 4)"),
+        "[2, -2, cos(theta)]\n# parametrizes: x^4 + 2x^2y^2 + y^4 - x^3 - xy^2 - 4x^2 - 4y^2 + 4x = 0\n"
+    );
+    assert_eq!(
+        written("x^3 = y^2").lines().next().unwrap(),
+        "sin(theta)**2/cos(theta)**3"
+    );
+    assert_eq!(
+        written("r = 1 + cos(t)/5"),
+        "1 + Rational(1, 5)*cos(theta)\n"
+    );
+}
+
+#[test]
+fn a_center_stays_and_places_of_errors_are_those_of_the_text() {
+    let radii =
+        "# lemma-2 in r^2\n# center: 1/2, -3\n# parametrizes: x^2/4 + y^2 = 1\nr = sqrt(1)\n";
+    let Form::Curve(curve) = read_text(radii, "radii.txt", Numbers::Exact).unwrap() else {
+        panic!("a plane curve")
+    };
+    assert_eq!(curve.center(), &["1/2".parse().unwrap(), (-3).into()]);
+    let wrong = radii.replace("y^2", "q^2");
+    let error = read_text(&wrong, "radii.txt", Numbers::Exact).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .starts_with("radii.txt:3:25: unknown name `q`"),
+        "{error}"
+    );
+}
+
+/// Products of one to three small factors, some of which are lines, circles or without any real point.
+fn products() -> impl Strategy<Value = PlanePolynomial> {
+    let term = ((0_usize..3, 0_usize..3), -3_i64..4);
+    let factor = prop::collection::vec(term, 1..4);
+    prop::collection::vec(factor, 1..4).prop_map(|factors| {
+        let one = PlanePolynomial::from_terms([((0, 0), 1.into())]);
+        let polynomial = |terms: Vec<((usize, usize), i64)>| {
+            PlanePolynomial::from_terms(terms.into_iter().map(|(e, c)| (e, c.into())))
+        };
+        factors
+            .into_iter()
+            .fold(one, |product, f| &product * &polynomial(f))
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// The document is read back as its polynomial, or as a radius or a fit with the same document.
+    #[test]
+    fn the_polynomial_or_all_of_its_radii_come_back(f in products()) {
+        prop_assume!(f.degree().is_some_and(|d| d > 0));
+        let curve = ImplicitCurve::new(f.clone());
+        let work = Work::default();
+        let options = ParametrizeOptions::default();
+        let parametrized = verb::parametrize(Given::from(Form::Curve(curve)), &options, &work);
+        let Ok(found) = parametrized else { return Err(TestCaseError::reject("no parametrization")) };
+        for format in [Format::Json, Format::Text] {
+            let mut text = Vec::new();
+            write_parametrized(&found, 16, format, &mut text).unwrap();
+            let text = String::from_utf8(text).unwrap();
+            match read_text(&text, "<form>", Numbers::Exact) {
+                Ok(Form::Curve(back)) => prop_assert_eq!(back.polynomial(), &f, "{}", text),
+                Ok(Form::Fourier(radius)) => {
+                    // All of it: the squared form is the one factor, up to its power; or it is the fit of Lemma 6.
+                    if !text.contains("lemma-6") {
+                        let given = Given::from(Form::Fourier(radius));
+                        let back = verb::implicitize(given, &verb::ImplicitizeOptions::default(), &work).unwrap();
+                        let Form::Curve(back) = back.form else { panic!("a plane curve") };
+                        let squarefree = vanishes_alike(&f, back.polynomial());
+                        prop_assert!(squarefree, "{text}");
+                    }
+                }
+                other => prop_assert!(false, "{other:?}: {text}"),
+            }
+        }
+    }
+}
+
+/// Whether f is a constant times a power of the irreducible g, perhaps times powers of x² + y² that Theorem 2 brings in.
+fn vanishes_alike(f: &PlanePolynomial, g: &PlanePolynomial) -> bool {
+    let factors = |f: &PlanePolynomial| {
+        let found = stellate::factor::factor_plane(f, &stellate::limits::Limits::none()).unwrap();
+        let polynomials = found.factors.into_iter().map(|f| f.polynomial.monic());
+        polynomials.collect::<Vec<_>>()
+    };
+    let (f, g) = (factors(f), factors(g));
+    f.len() == 1 && g.contains(&f[0])
+}
+
+#[test]
+fn the_fit_of_lemma_6_is_read_as_the_fit() {
+    let folder = TempDir::new().unwrap();
+    let run = |arguments: &[&str]| done_in(folder.path(), arguments, "");
+    run(&[
+        "parametrize",
+        "x^6 + y^6 + x*y^3 = 1 + x",
+        "--format",
+        "json",
+        "-o",
+        "radii.json",
+    ]);
+    let described = run(&["describe", "radii.json"]);
+    assert!(described.contains("harmonics: "), "{described}");
+}
