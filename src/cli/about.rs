@@ -1,9 +1,10 @@
 //! What the command line says of itself: its help, completions and manual page.
 
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use stellate::document::json_schema;
 use stellate::error::Result;
 
-use super::arguments::{Arguments, Completions, FORMS};
+use super::arguments::{Arguments, Completions, FORMS, Schema};
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
@@ -105,4 +106,11 @@ pub(crate) fn manual(session: &Session) -> Result<()> {
     let mut text = Vec::new();
     clap_mangen::Man::new(Arguments::command()).render(&mut text)?;
     write_result(session, |out| Ok(out.write_all(&text)?))
+}
+
+/// `stellate schema [KIND]`
+pub(crate) fn schema(verb: &Schema, session: &Session) -> Result<()> {
+    check_destination(session)?;
+    let text = json_schema(verb.kind.as_deref())?;
+    write_result(session, |out| Ok(out.write_all(text.as_bytes())?))
 }

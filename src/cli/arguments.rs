@@ -156,10 +156,20 @@ Exit code: 1 if the outcome of a statement is not the recorded one, or if two me
     #[command(after_help = "Example:
   stellate completions bash > ~/.local/share/bash-completion/completions/stellate")]
     Completions(Completions),
+    /// The JSON Schema of a kind of document, or of all kinds
+    #[command(after_help = "Examples:\n  stellate schema implicit -o implicit.schema.json\n  stellate schema")]
+    Schema(Schema),
     /// Write the manual page, in roff
     #[command(after_help = "Example:
   stellate man -o stellate.1 && man ./stellate.1")]
     Man,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Schema {
+    /// The kind, as in the field "kind" of a document
+    #[arg(value_parser = PossibleValuesParser::new(stellate::document::schema_kinds()))]
+    pub(crate) kind: Option<String>,
 }
 
 #[derive(Debug, Args)]

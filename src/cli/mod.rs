@@ -70,6 +70,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Vectors(verb) => vectors::run(&verb, &session),
             Verb::Paper(verb) => paper::run(&verb, &mut session),
             Verb::Completions(verb) => about::completions(&verb, &session),
+            Verb::Schema(verb) => about::schema(&verb, &session),
             Verb::Man => about::manual(&session),
         }?;
         session.finish();

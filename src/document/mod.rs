@@ -26,6 +26,7 @@ mod parametric_form;
 mod rational;
 mod remark;
 mod samples;
+mod schema;
 mod source;
 mod spherical;
 mod superquadric;
@@ -50,6 +51,7 @@ pub use outcome::{
 pub(crate) use parametric::write_parametrization;
 pub(crate) use parametric_form::write_coordinates;
 pub use remark::{missing_text, remark_text};
+pub use schema::{json_schema, schema_kinds};
 pub(crate) use samples::write_samples;
 pub(crate) use spherical::write_surface_parametrization;
 pub(crate) use superquadric::{

@@ -9,6 +9,7 @@ pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;
 pub(crate) mod program;
 pub(crate) mod random;
+pub(crate) mod schemas;
 pub(crate) mod sturm;
 
 use proptest::prelude::*;

@@ -8,6 +8,8 @@ use num_rational::BigRational;
 use serde_json::Value;
 use tempfile::TempDir;
 
+use super::schemas;
+
 pub(crate) const EGG: &str = "r = 1 + 1/5*cos(t) + 0.1*sin(t)";
 
 /// A run of the program.
@@ -25,11 +27,15 @@ pub(crate) fn run_in(folder: &Path, arguments: &[&str], stdin: &str) -> Run {
         .write_stdin(stdin)
         .output()
         .unwrap();
-    Run {
+    let run = Run {
         code: output.status.code().unwrap(),
         out: String::from_utf8(output.stdout).unwrap(),
         err: String::from_utf8(output.stderr).unwrap(),
+    };
+    if run.out.starts_with("{\"schema\"") {
+        json(&run.out);
     }
+    run
 }
 
 /// Runs with a file `data.csv` of this text.
@@ -54,8 +60,13 @@ pub(crate) fn piped(arguments: &[&str], stdin: &str) -> String {
     done_in(Path::new("."), arguments, stdin)
 }
 
+/// The value of a text; documents fulfil their schema.
 pub(crate) fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap()
+    let value: Value = serde_json::from_str(text).unwrap();
+    if value.get("schema").is_some() {
+        schemas::check(&value);
+    }
+    value
 }
 
 pub(crate) fn outline(name: &str) -> String {
