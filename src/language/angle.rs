@@ -7,8 +7,7 @@ use super::syntax::Expr;
 use crate::error::Result;
 use crate::exact::Rational;
 
-pub(super) const ARGUMENT: &str =
-    "the argument of cos and sin is an integer multiple of the angle, as in cos(3*t)";
+pub(super) const ARGUMENT: &str = "the argument of cos and sin is an integer multiple of the angle, as in cos(3*t); the angle is t or theta";
 
 /// `Σ slope·parameter + turns·π + offset`
 #[derive(Clone, Debug, PartialEq)]
@@ -111,7 +110,16 @@ impl Algebra for Angles {
         let (mut angle, factor) = match (Self::to_constant(&a), Self::to_constant(&b)) {
             (_, Some(factor)) => (a, factor),
             (Some(factor), None) => (b, factor),
-            (None, None) => return Err(cx.source.error(at, ARGUMENT)),
+            (None, None) => {
+                let has_pi = [&a, &b].iter().any(|angle| !angle.half_turns.is_zero());
+                let message = match has_pi {
+                    true => {
+                        "pi times the parameter: leave pi out, as in cos(2*t) for cos(2*pi*t), which is the same curve"
+                    }
+                    false => ARGUMENT,
+                };
+                return Err(cx.source.error(at, message));
+            }
         };
         for part in angle.parts_mut() {
             *part = times(cx, std::mem::take(part), factor.clone(), at)?;

@@ -7,7 +7,7 @@ use malachite::base::polynomial::Polynomial as _;
 
 use super::angle::Angle;
 use super::evaluate::{Context, evaluate};
-use super::name::{Name, PARAMETERS};
+use super::name::{COORDINATES, Name, PARAMETERS};
 use super::quotient::{MAX_MULTIPLE, ParameterUse, Quotients};
 use super::source::Span;
 use super::syntax::{Equation, Expr, ExprKind};
@@ -16,8 +16,6 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{Form, Parameter, ParametricCurve, Patch, PatchFunction};
-
-const COORDINATES: [Name; 3] = [Name::X, Name::Y, Name::Z];
 
 /// Whether the equations are coordinates as functions of parameters: one of them is `x = …` with a
 /// parameter or a function of an angle on the right.
@@ -187,6 +185,15 @@ fn formulas<'e>(cx: &Context<'_>, equations: &'e [Equation]) -> Result<[Option<&
         if formulas[index].replace(formula).is_some() {
             let message = format!("a second `{} = …`", cx.source.slice(equation.left.span));
             return Err(cx.source.error(equation.left.span, message));
+        }
+    }
+    for equation in equations {
+        let own = coordinate(equation).map(|(index, _)| COORDINATES[index]);
+        let others = COORDINATES.into_iter().filter(|name| Some(*name) != own);
+        if let Some(at) = others.filter_map(|name| equation.names.first(name)).next() {
+            let message = "a coordinate beside cos, sin or a parameter: a curve with them is given by a parameter, as in \
+                           `x = cos(t); y = sin(2*t)`; without them an equation is a polynomial in x, y, z";
+            return Err(cx.source.error(at, message));
         }
     }
     for (name, formula) in ["x", "y"].iter().zip(&formulas) {

@@ -100,6 +100,9 @@ pub(super) fn evaluate<A: Algebra>(
         ExprKind::Call(Name::Rational, arguments) => {
             rational(cx, arguments, expr.span).map(A::constant)
         }
+        ExprKind::Call(Name::Irrational, arguments) => {
+            square_root(cx, arguments, expr.span).map(A::constant)
+        }
         ExprKind::Call(name, arguments) => match arguments.as_slice() {
             [argument] => algebra.call(cx, *name, argument, expr.span),
             _ => {
@@ -167,7 +170,9 @@ fn power<A: Algebra>(
     let value = evaluate(cx, algebra, base)?;
     let n = constant(cx, exponent)?;
     if !n.is_integer() {
-        return Err(cx.source.error(exponent.span, "an exponent is an integer"));
+        let message = "an exponent is an integer; instead of a root raise both sides to a power, as in y^2 = x for \
+                       y = x^(1/2)";
+        return Err(cx.source.error(exponent.span, message));
     }
     if n.abs() > Rational::from(i64::from(MAX_DEGREE)) {
         let limit = format!("an exponent beyond {MAX_DEGREE}");
@@ -220,6 +225,26 @@ fn rational(cx: &mut Context<'_>, arguments: &[Expr], at: Span) -> Result<Ration
     }
 }
 
+/// `sqrt(q)` for a number q that is the square of a rational number.
+fn square_root(cx: &mut Context<'_>, arguments: &[Expr], at: Span) -> Result<Rational> {
+    let [argument] = arguments else {
+        return Err(cx.source.error(at, "sqrt has one argument"));
+    };
+    if !argument.is_number() {
+        let message = "a square root of an expression is no polynomial; square both sides, as in y^2 = 1 - x^2 for \
+                       y = sqrt(1 - x^2), or r^2 = cos(2*t)";
+        return Err(cx.source.error(at, message));
+    }
+    let root = constant(cx, argument)?.sqrt();
+    root.ok_or_else(|| {
+        let shown = cx.source.quoted(at);
+        let message = format!(
+            "{shown} is not rational; numbers are exact here: write a fraction or a decimal, or square both sides"
+        );
+        cx.source.error(at, message)
+    })
+}
+
 /// a·b, accounted for.
 pub(super) fn times(cx: &mut Context<'_>, a: Rational, b: Rational, at: Span) -> Result<Rational> {
     if is_one(&a) {
@@ -240,7 +265,8 @@ fn is_one(value: &Rational) -> bool {
 /// The rational numbers themselves: exponents, and the arguments of `Rational`.
 struct Constants;
 
-const CONSTANT: &str = "expected a constant here";
+const CONSTANT: &str =
+    "expected a number here: an exponent and the arguments of Rational are constants";
 
 impl Algebra for Constants {
     type Value = Rational;

@@ -10,7 +10,8 @@ use super::UNDERSTOOD;
 use super::budget::{MAX_BITS, MAX_COEFFICIENTS, MAX_TERMS};
 use super::coordinates;
 use super::evaluate::{Algebra, Context, evaluate};
-use super::name::Name;
+use super::fraction;
+use super::name::{Name, PARAMETERS};
 use super::polar;
 use super::polynomial::Implicit;
 use super::radius::TrigAlgebra;
@@ -41,6 +42,9 @@ pub(super) fn form(
         }
         return coordinates::parametric(cx, equations);
     }
+    if equations.len() == 3 && coordinates::are_coordinates(equations) {
+        return Err(coordinates::a_point(cx, equations));
+    }
     let in_space = |e: &Equation| e.names.first(Name::Z).is_some();
     if equations.len() > 1 && equations.iter().any(in_space) {
         return intersection(cx, equations, center);
@@ -49,7 +53,8 @@ pub(super) fn form(
         return Err(coordinates::a_point(cx, equations));
     }
     if let Some(second) = equations.get(1) {
-        let message = format!("a second equation; {UNDERSTOOD}, and each is one equation");
+        let message = "a second equation: two equations in x and y have common points and no curve; plot takes several forms, \
+                       and with z they are an intersection of surfaces";
         return Err(cx.source.error(second.left.span, message));
     }
     let polynomial = match radius_formula(cx, equation)? {
@@ -90,12 +95,21 @@ pub(super) fn form(
 
 /// left − right, which is not constant.
 fn difference(cx: &mut Context<'_>, equation: &Equation) -> Result<SparsePolynomial<3>> {
-    let mut difference = evaluate(cx, &Implicit, &equation.left)?;
-    if let Some(right) = &equation.right {
-        let value = evaluate(cx, &Implicit, right)?;
-        Implicit.add(cx, &mut difference, true, value, right.span)?;
-    }
-    let polynomial = difference.into_polynomial();
+    let sides = || {
+        [Some(&equation.left), equation.right.as_ref()]
+            .into_iter()
+            .flatten()
+    };
+    let polynomial = if sides().any(fraction::divides) {
+        fraction::numerator(cx, equation)?
+    } else {
+        let mut difference = evaluate(cx, &Implicit, &equation.left)?;
+        if let Some(right) = &equation.right {
+            let value = evaluate(cx, &Implicit, right)?;
+            Implicit.add(cx, &mut difference, true, value, right.span)?;
+        }
+        difference.into_polynomial()
+    };
     match polynomial.as_constant() {
         Some(value) => Err(cx
             .source
@@ -154,18 +168,19 @@ fn radius_formula<'e>(
     Ok(is_alone.then_some((1, &equation.left)))
 }
 
-/// The name of the angle.
+/// The name of the angle: whichever parameter occurs.
 fn angle(cx: &Context<'_>, equation: &Equation) -> Result<Name> {
-    let angles = (
-        equation.names.first(Name::T),
-        equation.names.first(Name::Theta),
-    );
-    if let (Some(t), Some(theta)) = angles {
-        let later = if t.start > theta.start { t } else { theta };
-        let message = "a second name for the angle; use either t or theta";
-        return Err(cx.source.error(later, message));
+    let named = |name| equation.names.first(name).map(|at| (at.start, name, at));
+    let mut angles: Vec<_> = PARAMETERS.into_iter().filter_map(named).collect();
+    angles.sort_by_key(|(start, ..)| *start);
+    match angles[..] {
+        [] => Ok(Name::T),
+        [(_, name, _)] => Ok(name),
+        [_, (_, _, second), ..] => {
+            let message = "a second name for the angle; use either t or theta";
+            Err(cx.source.error(second, message))
+        }
     }
-    Ok(angles.1.map_or(Name::T, |_| Name::Theta))
 }
 
 /// The implicit curve or surface of a polynomial that is not constant.

@@ -62,9 +62,12 @@ mod coordinates;
 mod evaluate;
 mod expand;
 mod form;
+mod fraction;
+mod heads;
 mod name;
 mod number;
 mod parser;
+mod plain;
 mod polar;
 mod polynomial;
 mod quotient;
@@ -116,16 +119,18 @@ const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
 /// [`Error::Limit`] if one of the limits of this module is reached.
 pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
     check_size(text, source_name)?;
+    let text = plain::plain(text);
     let source = source::Source {
         name: source_name,
-        text,
+        text: &text,
     };
     if let Some(shape) = superquadric::superquadric(source, numbers)? {
         return Ok(shape);
     }
     let tokens = token::tokenize(source)?;
-    let understood = typed::understood(source, &tokens.tokens);
-    let equations = parser::parse(source, &understood)?;
+    let understood = typed::understood(source, &tokens.tokens)?;
+    let mut equations = parser::parse(source, &understood)?;
+    equations.iter_mut().for_each(syntax::Equation::turn);
     let center = match tokens.center {
         None => None,
         Some(at) => {

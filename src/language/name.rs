@@ -31,6 +31,8 @@ pub(super) enum Name {
     Pi,
     /// `Rational(p, q)`, as SymPy writes a fraction.
     Rational,
+    /// `pow(a, b)`, as Python and C write a power.
+    Pow,
     /// A function that is neither a polynomial nor a finite Fourier series.
     Function,
     /// A function whose values are not rational.
@@ -44,6 +46,9 @@ pub(super) enum Name {
 
 /// How many names there are.
 pub(super) const NAMES: usize = Name::Poly as usize + 1;
+
+/// The coordinates of a point.
+pub(super) const COORDINATES: [Name; 3] = [Name::X, Name::Y, Name::Z];
 
 /// The parameters of curves and patches, in the order in which a patch has them.
 pub(super) const PARAMETERS: [Name; 7] = [
@@ -66,6 +71,11 @@ impl Name {
         Name::Sec,
         Name::Csc,
     ];
+
+    /// Whether it is a parameter.
+    pub(super) fn is_parameter(self) -> bool {
+        PARAMETERS.contains(&self)
+    }
 
     /// How a parameter is written.
     pub(super) fn parameter_name(self) -> &'static str {
@@ -91,10 +101,14 @@ impl Name {
 const SPELLINGS: &[(&str, Name)] = &[
     ("superquadric", Name::Superquadric),
     ("Rational", Name::Rational),
+    ("Fraction", Name::Rational),
+    ("vartheta", Name::Theta),
     ("arcsin", Name::Function),
     ("arccos", Name::Function),
     ("arctan", Name::Function),
+    ("varphi", Name::Phi),
     ("theta", Name::Theta),
+    ("Theta", Name::Theta),
     ("sqrt", Name::Irrational),
     ("asin", Name::Function),
     ("acos", Name::Function),
@@ -104,6 +118,7 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("tanh", Name::Function),
     ("ring", Name::Ring),
     ("poly", Name::Poly),
+    ("Sqrt", Name::Irrational),
     ("cos", Name::Cos),
     ("Cos", Name::Cos),
     ("Sin", Name::Sin),
@@ -121,9 +136,18 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("exp", Name::Function),
     ("log", Name::Function),
     ("abs", Name::Function),
+    ("COS", Name::Cos),
+    ("SIN", Name::Sin),
+    ("TAN", Name::Tan),
+    ("pow", Name::Pow),
+    ("Phi", Name::Phi),
+    ("Abs", Name::Function),
+    ("Exp", Name::Function),
+    ("Log", Name::Function),
     ("ln", Name::Function),
     ("pi", Name::Pi),
     ("Pi", Name::Pi),
+    ("PI", Name::Pi),
     ("π", Name::Pi),
     ("√", Name::Irrational),
     ("θ", Name::Theta),
@@ -139,7 +163,26 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("v", Name::V),
     ("s", Name::S),
     ("w", Name::W),
+    ("X", Name::X),
+    ("Y", Name::Y),
+    ("Z", Name::Z),
+    ("T", Name::T),
+    ("U", Name::U),
+    ("V", Name::V),
 ];
+
+/// The name of at least three letters that a word is most likely a slip of.
+pub(super) fn similar_name(word: &str) -> Option<&'static str> {
+    let letters = word.chars().count();
+    let most = if letters < 6 { 1 } else { 2 };
+    let names = SPELLINGS.iter().map(|(spelling, _)| *spelling);
+    let near = names.filter(|name| name.len() > 2 && letters > 2);
+    let distances = near.map(|name| (strsim::damerau_levenshtein(word, name), name));
+    let found = distances
+        .filter(|(distance, _)| *distance <= most)
+        .min_by_key(|(distance, _)| *distance);
+    found.map(|(_, name)| name)
+}
 
 /// The names that `word`, which starts at byte `start`, consists of: the longest first, so `xy` is
 /// x and y, and `theta` is not t, h, …. `None` if that leaves a rest: then the word is unknown.

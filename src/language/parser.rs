@@ -1,7 +1,7 @@
 //! From tokens to equations: operator precedence after Pratt.
 
 use super::budget::MAX_NESTING;
-use super::name::Name;
+use super::name::{Name, similar_name};
 use super::source::Source;
 use super::syntax::{Equation, Expr, ExprKind, Occurrences};
 use super::token::{Kind, SUPERSCRIPTS, Token};
@@ -124,9 +124,10 @@ impl Parser<'_> {
             Kind::Equals => "a second `=`; equations are separated by `;` or a new line".into(),
             Kind::Comma => {
                 "a comma separates coordinates, as in `x = t^2, y = t^3` or `(t^2, t^3)`; \
-                            decimals are written with a point"
+                 decimals are written with a point, and a range of the parameter is left out"
                     .into()
             }
+            Kind::Other => meant(self.source.slice(token.span)),
             _ => format!(
                 "expected an operator, `=` or the end, found {}",
                 self.found(token)
@@ -166,6 +167,11 @@ impl Parser<'_> {
                 }
                 Kind::Caret => {
                     self.advance();
+                    let next = self.peek();
+                    if next.kind == Kind::Plus {
+                        let message = "expected an exponent after `^`, such as 2";
+                        return Err(self.source.error(next.span, message));
+                    }
                     let exponent = self.expression(right, self.deeper(depth, token)?)?;
                     power(left, exponent)
                 }
@@ -209,11 +215,11 @@ impl Parser<'_> {
                 return self.named(name, token, depth);
             }
             Kind::Unknown => {
-                let message = format!(
-                    "unknown name {}; a Fourier radius uses the angle t or theta, \
-                     a polynomial x, y, z, parameters are t, theta, u, v, phi, s, w",
-                    self.source.quoted(token.span)
-                );
+                let message = self.unknown_name(token);
+                return Err(self.source.error(token.span, message));
+            }
+            Kind::Other => {
+                let message = meant(self.source.slice(token.span));
                 return Err(self.source.error(token.span, message));
             }
             _ => {
@@ -230,6 +236,30 @@ impl Parser<'_> {
         })
     }
 
+    /// Why a word is not understood, and which name is meant if one is similar.
+    fn unknown_name(&self, token: Token) -> String {
+        let word = self.source.slice(token.span);
+        let shown = self.source.quoted(token.span);
+        let is_called = self.peek().kind == Kind::Open;
+        if let Some(similar) = similar_name(word) {
+            return format!("unknown name {shown}; a similar one is `{similar}`");
+        }
+        if word == "R" {
+            return "unknown name `R`; the radius of a plane curve is r, as in r = 1 + cos(t)/3"
+                .into();
+        }
+        if is_called && word.len() > 1 {
+            return format!(
+                "unknown function {shown}: a formula stands alone, without the command that draws it; \
+                 cos, sin, tan, cot, sec and csc are understood"
+            );
+        }
+        format!(
+            "unknown name {shown}; a Fourier radius uses the angle t or theta, a polynomial x, y, z, \
+             parameters are t, theta, u, v, phi, s, w, and numbers stand in the place of other letters"
+        )
+    }
+
     fn named(&mut self, name: Name, token: Token, depth: u32) -> Result<Expr> {
         let shown = self.source.quoted(token.span);
         let refuse = |message: String| Err(self.source.error(token.span, message));
@@ -238,9 +268,11 @@ impl Parser<'_> {
                 "unknown function {shown}: it is not a finite Fourier series, not a polynomial and \
                  not algebraic in a parameter; cos, sin, tan, cot, sec and csc are understood"
             )),
+            Name::Irrational if self.peek().kind == Kind::Open => self.call(name, token, depth),
             Name::Irrational => refuse(format!(
-                "{shown} is not rational; numbers are exact here: write a fraction or a decimal"
+                "expected `(` after {shown}; only the square root of the square of a rational number is one"
             )),
+            Name::Pow => self.call(name, token, depth),
             Name::Superquadric => refuse(format!("{shown} is not among {}", super::UNDERSTOOD)),
             Name::Ring | Name::Poly => refuse(format!("{shown} stands only before an equation")),
             Name::Rational => self.call(name, token, depth),
@@ -268,6 +300,13 @@ impl Parser<'_> {
             arguments.push(self.expression(0, deeper)?);
         }
         let close = self.expect_close(open)?;
+        if name == Name::Pow {
+            let [base, exponent]: [Expr; 2] = arguments.try_into().map_err(|_| {
+                let message = "pow has a base and an exponent, as in pow(x, 2)";
+                self.source.error(function.span, message)
+            })?;
+            return Ok(power(base, exponent));
+        }
         Ok(Expr {
             kind: ExprKind::Call(name, arguments),
             span: function.span.to(close.span),
@@ -287,7 +326,7 @@ impl Parser<'_> {
                 Err(self.source.error(token.span, message))
             }
             Kind::End => Err(self.source.error(open.span, "this `(` is never closed")),
-            Kind::Comma => Err(self
+            Kind::Comma | Kind::Other => Err(self
                 .source
                 .error(token.span, self.not_after_an_equation(token))),
             _ => {
@@ -334,6 +373,29 @@ impl Parser<'_> {
         }
         let limit = format!("parentheses and powers nested more than {MAX_NESTING} deep");
         Err(self.source.limit(at.span, limit))
+    }
+}
+
+/// What is meant by a character that has no meaning here, and what to write instead.
+fn meant(text: &str) -> String {
+    let first = text.chars().next().unwrap_or_default();
+    match first {
+        '&' => "equations are separated by `;` or a new line".into(),
+        '\\' | '$' => {
+            "this is LaTeX, which is not read: write \\frac{a}{b} as (a)/(b), \\cdot as *, \\cos\\theta as cos(theta), and \
+             leave \\left, \\right and $ out"
+                .into()
+        }
+        '<' | '>' | '≤' | '≥' | '∈' | '.' | '…' => format!(
+            "`{text}` belongs to a range or an inequality: a curve or surface is the boundary, with `=`, and a range of the \
+             parameter is left out (plot --range t=0,6.28 draws a part)"
+        ),
+        '!' => "an equation has `=`".into(),
+        '|' | '∣' => "absolute values are not polynomials; a superquadric has them, as in `superquadric 2d a=1,2 e=1/2`".into(),
+        '"' | '\'' | '`' | '“' | '”' => "a quote within a formula; it is written without quotes".into(),
+        '⁻' => "a negative superscript; write ^(-1), or divide".into(),
+        _ if first.is_control() => format!("unexpected character: U+{:04X}", u32::from(first)),
+        _ => format!("unexpected character: `{text}`"),
     }
 }
 

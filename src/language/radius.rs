@@ -3,7 +3,7 @@
 use super::angle::{ARGUMENT, Angle};
 use super::budget::MAX_HARMONIC;
 use super::evaluate::{Algebra, Context, times};
-use super::name::Name;
+use super::name::{Name, PARAMETERS};
 use super::source::Span;
 use super::syntax::Expr;
 use crate::error::{Invariant, Result};
@@ -47,7 +47,7 @@ impl Algebra for TrigAlgebra {
     fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<TrigPolynomial> {
         let shown = cx.source.quoted(at);
         let message = match name {
-            Name::T | Name::Theta => format!(
+            _ if PARAMETERS.contains(&name) => format!(
                 "the angle {shown} outside cos( ) and sin( ) is not a finite Fourier series"
             ),
             Name::Pi => not_rational(shown),
@@ -72,9 +72,9 @@ impl Algebra for TrigAlgebra {
         let angle = Angle::of(cx, argument)?;
         let wrong = || cx.source.error(argument.span, ARGUMENT);
         let quarters = angle.quarter_turns().ok_or_else(wrong)?;
-        let [t, theta, others @ ..] = &angle.slopes;
-        let slope = t + theta;
-        if !slope.is_integer() || others.iter().any(|s| !s.is_zero()) {
+        // A formula has one angle, whatever its name.
+        let slope = angle.slopes.iter().fold(Rational::zero(), |sum, s| sum + s);
+        if !slope.is_integer() {
             return Err(wrong());
         }
         if slope.abs() > Rational::from(i64::from(MAX_HARMONIC)) {

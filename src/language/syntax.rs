@@ -1,6 +1,6 @@
 //! What the parser builds: equations between expressions, every piece with its place in the text.
 
-use super::name::{NAMES, Name};
+use super::name::{COORDINATES, NAMES, Name, PARAMETERS};
 use super::source::Span;
 
 /// An expression. Sums and products are flat, and [`super::budget::MAX_NESTING`] bounds the depth
@@ -56,7 +56,38 @@ impl Occurrences {
     }
 }
 
+impl Equation {
+    /// Turns `1 + cos(t) = r` into `r = 1 + cos(t)`: what is given stands on the left.
+    pub(super) fn turn(&mut self) {
+        let Some(right) = &mut self.right else { return };
+        let is_given = |expr: &Expr| {
+            COORDINATES
+                .iter()
+                .chain([&Name::R])
+                .any(|name| expr.is_name(*name))
+        };
+        let varies = self.names.any(&PARAMETERS) || self.names.any(&Name::OF_ANGLES);
+        if varies && is_given(right) && !is_given(&self.left) {
+            std::mem::swap(&mut self.left, right);
+        }
+    }
+}
+
 impl Expr {
+    /// Whether no name occurs in it.
+    pub(super) fn is_number(&self) -> bool {
+        match &self.kind {
+            ExprKind::Number | ExprKind::Integer(_) => true,
+            ExprKind::Name(_) => false,
+            ExprKind::Negative(inner) => inner.is_number(),
+            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+                parts.iter().all(|(_, part)| part.is_number())
+            }
+            ExprKind::Power(base, exponent) => base.is_number() && exponent.is_number(),
+            ExprKind::Call(_, arguments) => arguments.iter().all(Self::is_number),
+        }
+    }
+
     /// Whether this is the bare name.
     pub(super) fn is_name(&self, name: Name) -> bool {
         matches!(self.kind, ExprKind::Name(n) if n == name)

@@ -1,7 +1,7 @@
 //! From text to tokens.
 
 use winnow::ascii::{digit0, digit1, hex_digit0, hex_digit1};
-use winnow::combinator::{alt, opt, preceded};
+use winnow::combinator::{alt, not, opt, preceded};
 use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location};
 use winnow::token::{any, literal, one_of, take_till, take_while};
@@ -30,6 +30,8 @@ pub(super) enum Kind {
     Equals,
     Semicolon,
     Newline,
+    /// Any other character, or `..`: it has no meaning, but a message says what was meant.
+    Other,
     End,
 }
 
@@ -63,7 +65,7 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
         let blank = |c: char| c != '\n' && (c.is_whitespace() || c == '\u{feff}');
         let _: winnow::Result<&str> = take_while(0.., blank).parse_next(&mut input);
         let start = position(&input);
-        let comment = input.starts_with('#') || (line_start && input.starts_with("//"));
+        let comment = is_comment(source.text, start, line_start);
         if comment {
             let mut line = take_till(0.., '\n');
             let text: winnow::Result<&str> = line.parse_next(&mut input);
@@ -87,10 +89,13 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
             continue;
         }
         let is_of_arrays = [".^", ".*", "./"].iter().any(|op| input.starts_with(*op));
-        let kind = if first.is_ascii_digit() || first == '.' && !is_of_arrays {
+        let kind = if input.starts_with("..") {
+            let _: winnow::Result<&str> = take_while(2.., '.').parse_next(&mut input);
+            Ok(Kind::Other)
+        } else if first.is_ascii_digit() || first == '.' && !is_of_arrays {
             number(&mut input)
         } else {
-            symbol(&mut input).ok_or("unexpected character")
+            Ok(symbol(&mut input))
         };
         let span = Span {
             start,
@@ -108,6 +113,18 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
         tokens: join_lines(&tokens),
         center,
     })
+}
+
+/// Whether a comment starts here: with `#`, at the start of a line with `//` or `%`, and after a blank with these two and
+/// another blank.
+fn is_comment(text: &str, start: u32, line_start: bool) -> bool {
+    let (before, rest) = text.split_at(start as usize);
+    if rest.starts_with('#') {
+        return true;
+    }
+    let after = rest.strip_prefix("//").or_else(|| rest.strip_prefix('%'));
+    let stands_apart = |after: &str| before.ends_with(' ') && after.starts_with(' ');
+    after.is_some_and(|after| line_start || stands_apart(after))
 }
 
 /// Texts are shorter than 4 GiB: see [`super::budget::MAX_TEXT_BYTES`].
@@ -138,12 +155,22 @@ fn read_comment(
     Ok(())
 }
 
-/// A run of letters: names, or one unknown word.
+/// The modules whose functions are written with their names before them in Python.
+const MODULES: [&str; 6] = ["np", "numpy", "math", "sympy", "sp", "Math"];
+
+/// A run of letters: names, or one unknown word. The name of a module with a point is no token.
 fn word(input: &mut Input<'_>, tokens: &mut Vec<Token>) {
     let start = position(input);
     let letter = |c: char| c.is_alphabetic() || c == '√';
     let text: winnow::Result<&str> = take_while(1.., letter).parse_next(input);
-    match split_word(text.invariant("a word begins with a letter"), start) {
+    let text = text.invariant("a word begins with a letter");
+    let is_followed =
+        input.starts_with('.') && input.chars().nth(1).is_some_and(char::is_alphabetic);
+    if MODULES.contains(&text) && is_followed {
+        let _: winnow::Result<char> = any.parse_next(input);
+        return;
+    }
+    match split_word(text, start) {
         Some(names) => tokens.extend(names.into_iter().map(|(name, span)| Token {
             kind: Kind::Name(name),
             span,
@@ -186,9 +213,10 @@ fn any_char(input: &mut Input<'_>, message: &'static str) -> &'static str {
     message
 }
 
-/// `12`, `1.5`, `.5`, `2.`.
+/// `12`, `1.5`, `.5`, `2.`; in `0..1` only the 0.
 fn mantissa<'a>(input: &mut Input<'a>) -> ModalResult<&'a str> {
-    alt(((digit1, opt(('.', digit0))).take(), ('.', digit1).take())).parse_next(input)
+    let fraction = opt((not(".."), '.', digit0));
+    alt(((digit1, fraction).take(), ('.', digit1).take())).parse_next(input)
 }
 
 /// `0x1.8p+1`; `0x^2` is not one.
@@ -201,30 +229,31 @@ fn hexadecimal<'a>(input: &mut Input<'a>) -> ModalResult<&'a str> {
     preceded(('0', one_of(['x', 'X'])), (digits, exponent).take()).parse_next(input)
 }
 
-fn symbol(input: &mut Input<'_>) -> Option<Kind> {
+fn symbol(input: &mut Input<'_>) -> Kind {
     let superscripts: ModalResult<&str> = take_while(1.., SUPERSCRIPTS).parse_next(input);
     if superscripts.is_ok() {
-        return Some(Kind::Superscript);
+        return Kind::Superscript;
     }
     let power: ModalResult<&str> = "**".parse_next(input);
     if power.is_ok() {
-        return Some(Kind::Caret);
+        return Kind::Caret;
     }
-    // `:=` as in Maple; `.*` and its like are those of arrays.
+    // `:=` as in Maple, `//` as in fractions of Julia; `.*` and its like are those of arrays.
     for (written, kind) in [
         ("==", Kind::Equals),
         (":=", Kind::Equals),
+        ("//", Kind::Slash),
         (".^", Kind::Caret),
         (".*", Kind::Star),
         ("./", Kind::Slash),
     ] {
         let found: ModalResult<&str> = literal(written).parse_next(input);
         if found.is_ok() {
-            return Some(kind);
+            return kind;
         }
     }
     let c: winnow::Result<char> = any.parse_next(input);
-    Some(match c.ok()? {
+    match c.invariant("the text does not end here") {
         '+' => Kind::Plus,
         '-' | '−' | '–' => Kind::Minus,
         '*' | '·' | '×' | '⋅' | '∙' => Kind::Star,
@@ -236,8 +265,8 @@ fn symbol(input: &mut Input<'_>) -> Option<Kind> {
         '=' => Kind::Equals,
         ';' => Kind::Semicolon,
         '\n' => Kind::Newline,
-        _ => return None,
-    })
+        _ => Kind::Other,
+    }
 }
 
 /// Drops the newlines that do not end an equation: those within parentheses, after an operator,

@@ -4,104 +4,153 @@
 //! | --- | --- |
 //! | `(t^2, t^3)`, `[t^2, t^3]` | `x = t^2; y = t^3`; with a third one `z = …` |
 //! | `x = t^2, y = t^3` | `x = t^2; y = t^3` |
-//! | `x(t) = …`, `r(theta) = …` | `x = …`, `r = …` |
-//! | `[x = t^2, y = t^3]` | `x = t^2; y = t^3` |
-//! | `f(x, y) = …` | the polynomial |
+//! | `x(t) = …`, `r(theta) = …`, `y(x) = …` | `x = …`, `r = …`, `y = …` |
+//! | `[x = t^2, y = t^3]`, `c(t) = (t^2, t^3)`, `<t^2, t^3>` | `x = t^2; y = t^3` |
+//! | `(x^2 + y^2 - 1, z - y^5)` | `x^2 + y^2 - 1; z - y^5`, because these are no coordinates |
+//! | `f(x, y) = …`, `@(x, y) …`, `lambda x, y: …`, `(x, y) -> …` | the polynomial; with z a surface |
+//! | `f(x) = …` | `y = …` |
 //! | `Eq(a, b)`, `a == b`, `a := b` | `a = b` |
 //! | `x.^2`, `Cos[t]`, `{t, t^2}` | as in MATLAB and Mathematica |
 //! | `cos t`, `sin 3t` | `cos(t)`, `sin(3t)`, unless a power or a division follows |
 //! | `cos^2(t)`, `sin²(t)` | `cos(t)^2`, `sin(t)^2` |
 
-use super::name::{Name, PARAMETERS};
+use super::heads::{head, in_parentheses};
+use super::name::{COORDINATES, Name};
 use super::source::{Source, Span};
 use super::token::{Kind, Token};
-
-/// The coordinates of a tuple.
-const COORDINATES: [Name; 3] = [Name::X, Name::Y, Name::Z];
+use crate::error::Result;
 
 /// The tokens of the grammar for what was typed; the last one stays [`Kind::End`].
-pub(super) fn understood(source: Source<'_>, tokens: &[Token]) -> Vec<Token> {
+///
+/// # Errors
+/// [`crate::error::Error::Syntax`] for a tuple of more than three coordinates.
+pub(super) fn understood(source: Source<'_>, tokens: &[Token]) -> Result<Vec<Token>> {
+    let tokens = with_commas(tokens);
     let mut result = Vec::with_capacity(tokens.len());
     for equation in tokens.split_inclusive(|t| ends_an_equation(t.kind)) {
-        one_equation(source, equation, &mut result);
+        one_equation(source, equation, &mut result)?;
     }
-    with_arguments(&result)
+    Ok(with_arguments(&result))
 }
 
 fn ends_an_equation(kind: Kind) -> bool {
     matches!(kind, Kind::Semicolon | Kind::Newline | Kind::End)
 }
 
+/// Commas instead of semicolons between parentheses, where all of them are closed: `[cos(t); sin(t)]`.
+fn with_commas(tokens: &[Token]) -> Vec<Token> {
+    let mut depth = 0_usize;
+    let mut result = tokens.to_vec();
+    for token in &mut result {
+        match token.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            Kind::Semicolon if depth > 0 => token.kind = Kind::Comma,
+            _ => {}
+        }
+    }
+    if depth == 0 { result } else { tokens.to_vec() }
+}
+
 /// One equation with the token that ends it, or several with commas between them.
-fn one_equation(source: Source<'_>, tokens: &[Token], result: &mut Vec<Token>) {
+fn one_equation(source: Source<'_>, tokens: &[Token], result: &mut Vec<Token>) -> Result<()> {
     let Some((end, body)) = tokens.split_last() else {
-        return;
+        return Ok(());
     };
-    if let Some(parts) = tuple(body) {
-        for (name, part) in COORDINATES.into_iter().zip(&parts) {
-            let at = body[0].span;
-            let token = |kind| Token { kind, span: at };
-            result.extend([token(Kind::Name(name)), token(Kind::Equals)]);
-            result.extend_from_slice(part);
-            result.push(token(Kind::Semicolon));
-        }
-        result.pop();
-    } else if let Some(parts) = listed_equations(body) {
-        for part in &parts {
-            separated(part, result);
-            result.push(Token {
-                kind: Kind::Semicolon,
-                span: body[0].span,
-            });
-        }
-        result.pop();
-    } else if let Some(length) = function_of_coordinates(source, body) {
-        result.extend_from_slice(&body[length..]);
-    } else if let Some([left, right]) = sympy_equation(source, body) {
+    let body = without_last(source, body);
+    if let Some([left, right]) = sympy_equation(source, body) {
         result.extend_from_slice(left);
         result.push(Token {
             kind: Kind::Equals,
             span: body[1].span,
         });
         result.extend_from_slice(right);
-    } else {
-        separated(body, result);
+    } else if !function(source, body, result)? && !list(source, body, result)? {
+        separated(source, body, result);
     }
     result.push(*end);
+    Ok(())
 }
 
-/// Two or three expressions in one pair of parentheses or brackets, with commas between them.
-fn tuple(body: &[Token]) -> Option<Vec<&[Token]>> {
-    let parts = arguments(body)?;
-    let is_plain = parts.iter().all(|part| {
-        let equals = |t: &Token| t.kind == Kind::Equals;
-        !part.is_empty() && !part.iter().any(equals)
-    });
-    (matches!(parts.len(), 2 | 3) && is_plain).then_some(parts)
+/// The tokens without a comma at the end of a line, and without the colon that ends a statement of Maple.
+fn without_last<'t>(source: Source<'_>, body: &'t [Token]) -> &'t [Token] {
+    match body.split_last() {
+        Some((last, rest)) if last.kind == Kind::Comma || source.slice(last.span) == ":" => rest,
+        _ => body,
+    }
 }
 
-/// Equations `x = …` in one pair of parentheses or brackets, with commas between them.
-fn listed_equations(body: &[Token]) -> Option<Vec<&[Token]>> {
-    let parts = arguments(body)?;
-    let are_equations = parts.iter().all(|part| left_side(part).is_some());
-    are_equations.then_some(parts)
+/// The formula of a function instead of the function: `f(x, y) = …` is the polynomial, `f(x) = …` the graph, and `c(t) = (…)`
+/// or `(x, y) = (…)` the curve. Whether it is one.
+fn function(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<bool> {
+    let [x, y, z] = COORDINATES;
+    if let Some((variables, length)) = in_parentheses(source, body)
+        && (variables == [x, y] || variables == COORDINATES)
+        && body.get(length).is_some_and(|t| t.kind == Kind::Equals)
+    {
+        return list(source, &body[length + 1..], result);
+    }
+    let Some(head) = head(source, body) else {
+        return Ok(false);
+    };
+    let (before, formula) = body.split_at(head.length);
+    let at = before[0].span;
+    let token = |kind| Token { kind, span: at };
+    if head.is_of_parameters() {
+        return list(source, formula, result);
+    } else if head.is_of(&[x]) {
+        result.extend([token(Kind::Name(y)), token(Kind::Equals)]);
+        result.extend_from_slice(formula);
+    } else if head.is_of(&[x, y]) {
+        result.extend_from_slice(formula);
+    } else if head.is_of(&COORDINATES) {
+        // z has to occur, so that it is a surface.
+        result.extend_from_slice(formula);
+        result.extend([Kind::Plus, Kind::Name(z), Kind::Minus, Kind::Name(z)].map(token));
+    } else {
+        return Ok(false);
+    }
+    Ok(true)
 }
 
-/// How many tokens `f(x, y) =` or `f(x, y, z) =` are, for any name: what follows is the polynomial.
-fn function_of_coordinates(source: Source<'_>, body: &[Token]) -> Option<usize> {
-    let kinds: Vec<Kind> = body.iter().take(9).map(|t| t.kind).collect();
-    let [x, y, z] = COORDINATES.map(Kind::Name);
-    let (open, comma, close) = (Kind::Open, Kind::Comma, Kind::Close);
-    let plane = [open, x, comma, y, close, Kind::Equals];
-    let space = [open, x, comma, y, comma, z, close, Kind::Equals];
-    let is_name = source.slice(body.first()?.span).chars().count() <= 2;
-    let rest = kinds
-        .get(1..)
-        .filter(|_| is_name && kinds[0] == Kind::Unknown)?;
-    [&plane[..], &space[..]]
-        .into_iter()
-        .find(|left| rest.starts_with(left))
-        .map(|left| 1 + left.len())
+/// A list in one pair of parentheses or brackets, with commas: of coordinates, of polynomials, or of equations. Whether it
+/// is one.
+fn list(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<bool> {
+    let Some(parts) = parts(source, body) else {
+        return Ok(false);
+    };
+    let equals = |part: &&[Token]| part.iter().filter(|t| t.kind == Kind::Equals).count();
+    let of_point = |part: &&[Token]| {
+        part.iter()
+            .any(|t| COORDINATES.iter().any(|c| t.kind == Kind::Name(*c)))
+    };
+    let at = body[0].span;
+    let token = |kind| Token { kind, span: at };
+    if parts.iter().all(|part| equals(part) == 1) {
+        for part in &parts {
+            separated(source, part, result);
+            result.push(token(Kind::Semicolon));
+        }
+    } else if parts.len() < 2 || parts.iter().any(|part| part.is_empty() || equals(part) > 0) {
+        return Ok(false);
+    } else if parts.iter().any(of_point) {
+        for part in &parts {
+            result.extend_from_slice(part);
+            result.push(token(Kind::Semicolon));
+        }
+    } else if parts.len() > COORDINATES.len() {
+        let message = "a tuple has two coordinates in the plane or three in space, as in `(t^2, t^3)`; decimals are written \
+                       with a point, and a range of the parameter is left out";
+        return Err(source.error(parts[COORDINATES.len()][0].span, message));
+    } else {
+        for (name, part) in COORDINATES.into_iter().zip(&parts) {
+            result.extend([token(Kind::Name(name)), token(Kind::Equals)]);
+            result.extend_from_slice(part);
+            result.push(token(Kind::Semicolon));
+        }
+    }
+    result.pop();
+    Ok(true)
 }
 
 /// `Eq(left, right)`.
@@ -111,15 +160,19 @@ fn sympy_equation<'t>(source: Source<'_>, body: &'t [Token]) -> Option<[&'t [Tok
     if !is_equation {
         return None;
     }
-    arguments(rest)?.try_into().ok()
+    parts(source, rest)?.try_into().ok()
 }
 
-/// What stands between commas in the parentheses that enclose all the tokens.
-fn arguments(tokens: &[Token]) -> Option<Vec<&[Token]>> {
-    let inner = match tokens {
-        [first, inner @ .., last] if first.kind == Kind::Open && last.kind == Kind::Close => inner,
-        _ => return None,
+/// What stands between commas in the parentheses, brackets or angle brackets that enclose all the tokens.
+fn parts<'t>(source: Source<'_>, tokens: &'t [Token]) -> Option<Vec<&'t [Token]>> {
+    let [first, inner @ .., last] = tokens else {
+        return None;
     };
+    let pair = [first, last].map(|token| source.slice(token.span));
+    let are_parentheses = first.kind == Kind::Open && last.kind == Kind::Close;
+    if !are_parentheses && !matches!(pair, ["<", ">"] | ["⟨", "⟩"] | ["〈", "〉"]) {
+        return None;
+    }
     let mut parts = Vec::new();
     let (mut depth, mut start) = (0_usize, 0);
     for (i, token) in inner.iter().enumerate() {
@@ -139,11 +192,11 @@ fn arguments(tokens: &[Token]) -> Option<Vec<&[Token]>> {
 }
 
 /// Equations with commas between them, and without the arguments on their left sides.
-fn separated(body: &[Token], result: &mut Vec<Token>) {
+fn separated(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) {
     let (mut depth, mut equals, mut i) = (0_usize, false, 0);
     let mut is_start = true;
     while let Some(&token) = body.get(i) {
-        if is_start && let Some(length) = left_side(&body[i..]) {
+        if is_start && let Some(length) = left_side(source, &body[i..]) {
             result.push(token);
             i += length;
             is_start = false;
@@ -154,7 +207,7 @@ fn separated(body: &[Token], result: &mut Vec<Token>) {
             Kind::Open => depth += 1,
             Kind::Close => depth = depth.saturating_sub(1),
             Kind::Equals => equals = true,
-            Kind::Comma if depth == 0 && equals && left_side(&body[i + 1..]).is_some() => {
+            Kind::Comma if depth == 0 && equals && left_side(source, &body[i + 1..]).is_some() => {
                 result.push(Token {
                     kind: Kind::Semicolon,
                     span: token.span,
@@ -170,26 +223,21 @@ fn separated(body: &[Token], result: &mut Vec<Token>) {
     }
 }
 
-/// Whether the tokens begin with `x =`, `x(t) =` or `x(u, v) =`, and how many there are before the `=`.
-fn left_side(tokens: &[Token]) -> Option<usize> {
-    let kinds: Vec<Kind> = tokens.iter().take(7).map(|t| t.kind).collect();
-    let before = match &kinds[..] {
-        [Kind::Name(_), Kind::Equals, ..] => 1,
-        [_, Kind::Open, t, Kind::Close, Kind::Equals, ..] if is_parameter(*t) => 4,
-        [_, Kind::Open, u, Kind::Comma, v, Kind::Close, Kind::Equals]
-            if is_parameter(*u) && is_parameter(*v) =>
-        {
-            6
-        }
-        _ => return None,
+/// Whether the tokens begin with `x =`, `x(t) =`, `x(u, v) =` or `y(x) =`, and how many there are before the `=`.
+fn left_side(source: Source<'_>, tokens: &[Token]) -> Option<usize> {
+    let Kind::Name(coordinate) = tokens.first()?.kind else {
+        return None;
     };
-    let names = [Name::X, Name::Y, Name::Z, Name::R];
-    let is_coordinate = |name: &Name| kinds[0] == Kind::Name(*name);
-    names.iter().any(is_coordinate).then_some(before)
-}
-
-fn is_parameter(kind: Kind) -> bool {
-    PARAMETERS.iter().any(|name| kind == Kind::Name(*name))
+    if coordinate != Name::R && !COORDINATES.contains(&coordinate) {
+        return None;
+    }
+    let arguments = in_parentheses(source, &tokens[1..]);
+    let length = match arguments {
+        Some((variables, _)) if variables.contains(&coordinate) => return None,
+        Some((_, length)) => 1 + length,
+        None => 1,
+    };
+    (tokens.get(length)?.kind == Kind::Equals).then_some(length)
 }
 
 /// Functions of angles with parentheses about their arguments, and with their exponents behind them.
@@ -252,4 +300,8 @@ fn bare_argument(tokens: &[Token]) -> Option<usize> {
         Kind::Slash | Kind::Caret | Kind::Superscript | Kind::Number | Kind::Open
     );
     (is_parameter(argument) && is_clear && !is_parameter(next)).then_some(name + 1)
+}
+
+fn is_parameter(kind: Kind) -> bool {
+    matches!(kind, Kind::Name(name) if name.is_parameter())
 }

@@ -46,6 +46,11 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         numbers,
     };
     let object = root.object()?;
+    if !object.contains_key("schema") {
+        return Err(root.wrong(format!(
+            "this is JSON, but no document of stellate: those have \"schema\": \"{SCHEMA}\" and are written with --format json"
+        )));
+    }
     let schema = root.field(object, "schema")?;
     if schema.string()? != SCHEMA {
         return Err(schema.wrong(format!("expected \"{SCHEMA}\"")));
@@ -88,9 +93,8 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         other => {
             let shown: String = other.chars().take(30).collect();
             Err(kind.wrong(format!(
-                "a document of kind \"{shown}\" is not a form to start from; \"implicit\", \
-                 \"fourier\", \"superquadric\", \"intersection\" and \"parametric\" with a Fourier radius, a \
-                 superquadric, an implicit surface or coordinates are"
+                "a document of kind \"{shown}\" is no form; the kinds of forms are \"fourier\", \"implicit\", \
+                 \"intersection\", \"parametric\" and \"superquadric\""
             )))
         }
     }
@@ -150,7 +154,10 @@ fn not_json(error: &serde_json::Error, text: &str, source_name: &str, skipped: u
     let message = error.to_string();
     let reason = message.split(" at line ").next().unwrap_or(&message);
     Error::Syntax {
-        message: format!("not a JSON document: {reason}"),
+        message: match error.is_eof() {
+            true => "the document ends here, in the middle: it was cut off".into(),
+            false => format!("not a JSON document: {reason}"),
+        },
         source_name: source_name.into(),
         text: text.into(),
         at: skipped + before + error.column().saturating_sub(1),

@@ -39,14 +39,20 @@ pub(crate) const PARAMETRIZES: &str = "parametrizes:";
 /// # Errors
 /// Those of [`read_document`] or of [`parse_form`].
 pub fn read_text(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
-    let body = text.trim_start_matches('\u{feff}').trim_start();
-    if body.starts_with('{') {
+    if is_document(text) {
         read_document(text, source_name, numbers)
     } else if let Some(form) = parametrized_form(text) {
         parse_form(&form, source_name, numbers)
     } else {
         parse_form(text, source_name, numbers)
     }
+}
+
+/// Whether the text is a JSON document: an object has a name in quotes first, while `{t^2, t^3}` is a list of coordinates.
+fn is_document(text: &str) -> bool {
+    let body = text.trim_start_matches('\u{feff}').trim_start();
+    let inner = body.strip_prefix('{').map(str::trim_start);
+    inner.is_some_and(|inner| inner.is_empty() || inner.starts_with(['"', '}']))
 }
 
 /// The form that the text says it parametrizes, with its center, each at its place in the text: all else is left blank.

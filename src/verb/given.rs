@@ -87,6 +87,7 @@ impl Given {
             Some(ContourKind::Rows) => table(&read_limited(open(path)?, &place)?, &place, numbers)?,
             Some(ContourKind::Image) => Content::Contour(read_contour(path)?),
             None => {
+                refuse_other_formats(path)?;
                 let text = read_limited(open(path)?, &place)?;
                 Content::Exact(read_text(&text, &place, numbers)?)
             }
@@ -142,16 +143,44 @@ impl Given {
 /// What is no form but the name of a folder was meant as a file.
 fn folder_instead(path: &Path, error: Error) -> Error {
     if path.is_dir() {
-        Error::Usage(format!(
-            "{}: that is a folder; a form is text, a file, or - for standard input",
-            path.display()
-        ))
+        is_a_folder(path)
     } else {
         error
     }
 }
 
+fn is_a_folder(path: &Path) -> Error {
+    Error::Usage(format!(
+        "{}: that is a folder; a form is text, a file, or - for standard input",
+        path.display()
+    ))
+}
+
+/// Files of other programs, which are no text of a form.
+fn refuse_other_formats(path: &Path) -> Result<()> {
+    const OTHERS: [&str; 14] = [
+        "doc", "docx", "gif", "npy", "obj", "odt", "pdf", "ply", "stl", "svg", "tif", "tiff",
+        "webp", "xlsx",
+    ];
+    let extension = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .map(str::to_ascii_lowercase);
+    match extension.filter(|e| OTHERS.contains(&e.as_str())) {
+        None => Ok(()),
+        Some(extension) => Err(Error::Usage(format!(
+            "{}: files .{extension} are not read; a form is a text or a JSON document, a contour rows x,y in a .csv file or a \
+             silhouette in a .png, .jpg or .bmp file",
+            path.display()
+        ))),
+    }
+}
+
 fn names_a_file(path: &Path) -> bool {
+    // `/` begins no formula.
+    if path.has_root() || path.starts_with(".") || path.starts_with("..") || path.starts_with("~") {
+        return true;
+    }
     let known = ["csv", "png", "jpg", "jpeg", "bmp", "json", "txt"];
     let extension = path
         .extension()
@@ -179,6 +208,9 @@ fn table(text: &str, name: &str, numbers: Numbers) -> Result<Content> {
 }
 
 fn open(path: &Path) -> Result<std::fs::File> {
+    if path.is_dir() {
+        return Err(is_a_folder(path));
+    }
     std::fs::File::open(path).map_err(|source| Error::Io {
         path: path.to_path_buf(),
         source,

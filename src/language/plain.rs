@@ -1,0 +1,97 @@
+//! Characters out of documents: what looks like a plain character is read as that character.
+
+use std::borrow::Cow;
+
+use unicode_normalization::UnicodeNormalization;
+
+use super::token::SUPERSCRIPTS;
+
+/// The text with fullwidth and mathematical letters, typographic operators, fractions such as ½ and blanks that cannot
+/// be seen replaced by what they look like, and without the quotes that enclose all of it. Lines stay as they are, so that
+/// messages can show them.
+///
+/// Compatible characters are those of Unicode (NFKC); superscripts keep their meaning, because x² is not x2.
+pub(super) fn plain(text: &str) -> Cow<'_, str> {
+    let text = unquoted(text);
+    if text.is_ascii() {
+        return text;
+    }
+    let mut result = String::with_capacity(text.len());
+    for c in text.chars() {
+        let after_digit = result.ends_with(|c: char| c.is_ascii_digit());
+        match c {
+            _ if c.is_ascii() || SUPERSCRIPTS.contains(&c) || "⁺⁻".contains(c) => {
+                result.push(c)
+            }
+            // What has no width: joiners, soft hyphens, marks of direction and of byte order.
+            '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}' => {}
+            '\u{2044}' | '\u{2215}' | '\u{29f8}' => result.push('/'),
+            '\u{2217}' | '\u{2062}' | '\u{2022}' => result.push('*'),
+            '\u{2c6}' | '\u{2303}' | '\u{2038}' => result.push('^'),
+            '\u{2010}'..='\u{2015}' | '\u{2212}' => result.push('-'),
+            // 2½ could be a sum or a product.
+            '½' | '⅓' | '⅔' | '¼' | '¾' | '⅕'..='⅞' if !after_digit => {
+                result.push('(');
+                result.extend(
+                    std::iter::once(c)
+                        .nfkc()
+                        .map(|c| if c == '\u{2044}' { '/' } else { c }),
+                );
+                result.push(')');
+            }
+            '½' | '⅓' | '⅔' | '¼' | '¾' | '⅕'..='⅞' => result.push(c),
+            _ => result.extend(std::iter::once(c).nfkc()),
+        }
+    }
+    Cow::Owned(result)
+}
+
+/// The text without a pair of quotes around all of it, each replaced by a blank.
+fn unquoted(text: &str) -> Cow<'_, str> {
+    let trimmed = text.trim();
+    let pairs = [
+        ('"', '"'),
+        ('\'', '\''),
+        ('`', '`'),
+        ('“', '”'),
+        ('„', '“'),
+        ('‘', '’'),
+        ('«', '»'),
+    ];
+    let inner = pairs.iter().find_map(|&(open, close)| {
+        let inner = trimmed.strip_prefix(open)?.strip_suffix(close)?;
+        (!inner.contains([open, close])).then_some(inner)
+    });
+    match inner {
+        None => Cow::Borrowed(text),
+        Some(inner) => {
+            let start = text.len() - text.trim_start().len();
+            Cow::Owned(format!("{} {inner} ", &text[..start]))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn characters_of_documents_are_plain_ones() {
+        let cases = [
+            ("x^2 + y^2", "x^2 + y^2"),
+            ("x² + y³", "x² + y³"),
+            ("ｘ＾２＋ｙ＝（１）", "x^2+y=(1)"),
+            ("𝑥² + 𝜃", "x² + θ"),
+            ("½x + ⅓", "(1/2)x + (1/3)"),
+            ("2½", "2½"),
+            ("1⁄2∗x\u{200b}", "1/2*x"),
+            ("“x = y”", " x = y "),
+            ("\"x\" = \"y\"", "\"x\" = \"y\""),
+            ("x\u{a0}− 1", "x - 1"),
+            ("ϑ + ϕ", "θ + φ"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(plain(text), expected, "{text}");
+        }
+    }
+}
