@@ -1,34 +1,39 @@
-//! Whole numbers in decimal: sums of powers of two in base 10^15, and divisions only where numbers are very long.
+//! Whole numbers are written in decimal as sums of powers of two in base 10^15. Only very long numbers need divisions.
 //!
-//! Lemma 1 (places). Numbers below 2^(48 n), 1 ≤ n ≤ [`LONGEST_TABLE`], have at most ⌊9633 n / 10 000⌋ + 1 places in base 10^15.
-//! Proof. They have fewer than 48 n log 2 / 15 + 1 < 0.963297 n + 1 places; the number of places is an integer.
+//! A *digit* is a digit in base 2^48, a *place* is a digit in base 10^15, which 15 decimal digits write. A long number is divided
+//! into *parts* of [`PLACES_OF_PART`] places each.
+//!
+//! Lemma 1 (places). Numbers below 2^(48 n), 1 ≤ n ≤ [`LONGEST_TABLE`], have at most ⌊9633 n / 10 000⌋ + 1 places.
+//! Proof. They have fewer than 48 n log10(2) / 15 + 1 < 0.963297 n + 1 places; the number of places is an integer.
 //! Laws: `places_are_enough_and_not_many_more`, `powers_and_the_numbers_before_them`.
 //!
-//! Lemma 2 (parts). Numbers of at most [`BITS_OF_PART`] bits have at most [`PLACES_OF_PART`] places, and numbers of so many
-//! places are below 2^48 to the power [`LONGEST_TABLE`].
-//! Proof. With P places, 10^(15 P) has more than 49.8289 P − 1 bits, as log2 10^15 = 49.82892…, and 49.828 P ≤ 49.8289 P − 0.8
-//! for P = 986; and 49.829 · 986 < 49 152 = 48 · 1024.
+//! Lemma 2 (parts). A number of at most [`BITS_OF_PART`] bits has at most [`PLACES_OF_PART`] places, and a number of
+//! [`PLACES_OF_PART`] places is below 2^(48 n) with n = [`LONGEST_TABLE`].
+//! Proof. With P = 986 places and log2(10^15) = 49.82892…, a number of at most 49.828 P bits is below 2^(49.828 P) < 10^(15 P). And
+//! 10^(15 P) < 2^(49.829 · 986) < 2^49 152, where 49 152 = 48 · 1024.
 //! Law: `places_are_enough_and_not_many_more`.
 //!
-//! Lemma 3 (carrying). The sums of at most [`LONGEST_TABLE`] products of digits below 2^48 and places below 10^15 have
-//! `high` < 2^60 and |low| ≤ 2^57. With a carry of at least −146 and below 2^59, [`carried`] returns the rest and the quotient by
-//! 10^15 of 2^48 high + low + carry, and the quotient is again at least −146 and below 2^59.
-//! Proof. 2^47.99 10^15 / 2^48 < 2^49.83, 1024 times that is below 2^60; 1024 · 2^47 = 2^57. The quotient of 2^48 high by 10^15, which is
-//! high · 2^33/5^15, is taken less than 1 + 2^-4 too small: 2^97/5^15 cut to an integer, times high/2^64 < 2^-4, and cut itself. So
-//! what is left with low, the carry and 256 · 10^15 is above −2^57 − 146 + 2^57.8 > 0 and below
-//! (1 + 2^-4 + 256) · 10^15 + 2^57 + 2^59 < 2^60. The next carry is at least (−2^57 − 146)/10^15 − 1 > −147, an integer, and below
+//! Lemma 3 (carrying). The sums of at most [`LONGEST_TABLE`] products of digits and places have `high` < 2^60 and |low| ≤ 2^57.
+//! With a carry of at least −146 and below 2^59, [`carried`] returns the remainder of 2^48 high + low + carry modulo 10^15, and
+//! makes the quotient the next carry, which is again at least −146 and below 2^59.
+//! Proof. A product is below 2^48 · 10^15, so its `high` is at most 10^15 < 2^49.83, and 1024 of them are below 2^60; 1024 · 2^47 =
+//! 2^57 bounds |low|. The quotient of 2^48 high by 10^15 is high · 2^33/5^15. Its computed value is less than 1 + 2^-4 too small:
+//! cutting 2^97/5^15 to an integer loses less than high/2^64 < 2^-4, and cutting the product loses less than 1. So the remainder of
+//! 2^48 high, with low, the carry and 256 · 10^15 added, is above −2^57 − 146 + 2^57.8 > 0 and below
+//! (1 + 2^-4 + 256) · 10^15 + 2^57 + 2^59 < 2^60. The next carry is an integer above (−2^57 − 146)/10^15 − 1 > −147, and below
 //! 2^60 · 2^48/10^15 + 1000 < 2^59.
 //! Law: `carries_are_quotients_and_places_are_rests`.
 //!
-//! Lemma 4 (the first seven digits). For a place below 10^15, [`seven_and_eight`] returns its quotient and its rest by 10^8.
-//! Proof. The place is 2^18 t and less than 2^18 more, t < 2^32. The product of t with ⌊2^58/10^8⌋, over 2^40, is below the quotient
-//! by less than 2^18/10^8 + t/2^40 < 1/100, so that it may be one too small, with a rest below 1.01 · 10^8 < 2^27.
+//! Lemma 4 (the first seven decimal digits). For a place, [`seven_and_eight`] returns the quotient and the remainder by 10^8.
+//! Proof. The place is 2^18 t + s with s < 2^18 and t < 2^32. The product of t with ⌊2^58/10^8⌋, divided by 2^40, is less than
+//! place/10^8 by less than 2^18/10^8 + t/2^40 < 1/100. So the computed quotient may be one too small, and then the remainder is
+//! below 1.01 · 10^8 < 2^27.
 //! Law: `places_are_cut_in_fours`.
 //!
-//! Lemma 5 (fours). 109 951 163 v / 2^40, cut, is ⌊v/10^4⌋ for v < 10^8; 5243 v / 2^19 is ⌊v/100⌋ for v < 10^4; 103 v / 2^10 is ⌊v/10⌋ for
-//! v < 100.
-//! Proof. The factors are larger than 10^-4, 10^-2 and 10^-1 by less than 10^-12, 10^-6 · 0.5 and 10^-3 · 0.6 each: times v that is less
-//! than the distance of v/10^k from the next integer, 10^-k at least.
+//! Lemma 5 (groups of four decimal digits). ⌊109 951 163 v / 2^40⌋ = ⌊v/10^4⌋ for v < 10^8, ⌊5243 v / 2^19⌋ = ⌊v/100⌋ for v < 10^4, and
+//! ⌊103 v / 2^10⌋ = ⌊v/10⌋ for v < 100.
+//! Proof. The factors exceed 10^-4, 10^-2 and 10^-1 by less than 10^-12, 0.5 · 10^-6 and 0.6 · 10^-3. So the products exceed v/10^k by
+//! less than 10^-k, and the next integer above v/10^k is at least 10^-k away.
 //! Laws: `places_are_cut_in_fours`, `all_fours_are_written_digit_by_digit` (all of them).
 
 use std::fmt;
@@ -47,33 +52,34 @@ use crate::error::Invariant;
 /// Decimal digits of a place.
 const DIGITS: usize = 15;
 
-/// What a place counts to. 2^48 times a place is below 2^98, as [`Columns::sums`] asks, and [`LONGEST_TABLE`] is below 2^12.
+/// The base of the places. [`Columns::sums`] requires that 2^48 times a place is below 2^98, and that [`LONGEST_TABLE`] is at most
+/// 2^12.
 const BASE: u64 = 10_u64.pow(15);
 
-/// The powers of 2^48 in the tables of places: so many are in the first one, twice as many in each of the others. With half
-/// as many in the last one 400 limbs take 1.15 times as long and 800 limbs 1.3 times, with divisions.
+/// The number of powers of 2^48 in the first table of places; each further table has twice as many as the one before. If the
+/// last table had half as many, more numbers would be divided: 400 limbs would take 1.15 times as long, 800 limbs 1.3 times.
 const SHORTEST_TABLE: usize = 32;
 const TABLES: usize = 6;
 const LONGEST_TABLE: usize = SHORTEST_TABLE << (TABLES - 1);
 
-/// Limbs up to which no division is needed: three of them are four digits in base 2^48.
+/// Numbers of at most this many limbs need no division. Three limbs are four digits.
 const LIMBS_WITHOUT_DIVISION: usize = LONGEST_TABLE / 4 * 3;
 
-/// Longer numbers are divided into parts of so many places: 48 log 2 / 15 = 0.963296 for each digit in base 2^48. Lemma 2.
+/// The number of places of a part; a digit is worth 48 log10(2) / 15 = 0.963296 places. Lemma 2.
 const PLACES_OF_PART: usize = LONGEST_TABLE * 9632 / 10_000;
 
-/// Numbers of so many bits have no more places than [`PLACES_OF_PART`]. Lemma 2.
+/// A number of at most this many bits fits in one part. Lemma 2.
 const BITS_OF_PART: u64 = PLACES_OF_PART as u64 * 49_828 / 1000;
 
-/// Appends the decimal digits of a number: no sign, no zero in front, `0` for 0.
+/// Appends the decimal digits of a number, without a sign and without leading zeros; 0 is `0`.
 ///
-/// With y the digits of the number in base 2^48, it is Σ y 2^(48 i), and each power of two is in a table in base 10^15. The
-/// places of that sum are formed in doubles ([`Columns`]), and what is beyond 10^15 is carried from each to the next.
+/// With the digits y_i the number is Σ y_i 2^(48 i), and a table holds the places of each power of two. The places of this sum are
+/// computed in doubles ([`Columns`]), and a carry goes from each place to the next.
 ///
-/// Cost: for n bits, up to 49 152 of them, n²/4800 fused products of doubles, four at a time; the numbers beyond are
-/// divided by powers of ten until their parts are as short as that. The tables and these powers are made when they are
-/// needed first, and kept: 4 MB for the longest table, and powers as long as the longest number. Where the machine has no
-/// fused products malachite's own way is taken.
+/// Cost: for n ≤ 49 152 bits, n²/4800 products of doubles by fused multiply-adds, four at a time. Longer numbers are
+/// divided by powers of ten until their parts are as short as that. The tables and these powers are computed when they are first
+/// needed, and kept: the longest table takes 4 MB, and the powers are about as long as the longest number. On a machine without
+/// fused multiply-adds malachite's own conversion is used.
 pub(crate) fn append_decimal(number: &Natural, text: &mut Vec<u8>) {
     static PRINTER: LazyLock<Printer> = LazyLock::new(|| Printer::new(Machine::this()));
     let limbs = number.as_limbs_asc();
@@ -92,7 +98,7 @@ pub(crate) fn append_decimal(number: &Natural, text: &mut Vec<u8>) {
     }
 }
 
-/// The tables that have been needed on a machine.
+/// The tables of places for one machine, each computed when it is first needed.
 struct Printer {
     machine: Machine,
     tables: [OnceLock<Columns>; TABLES],
@@ -106,7 +112,7 @@ impl Printer {
         }
     }
 
-    /// Appends the digits of a number that is not 0, by places.
+    /// Appends the decimal digits of a number that is not 0.
     fn append(&self, number: &Natural, text: &mut Vec<u8>) {
         let limbs = number.as_limbs_asc();
         if limbs.len() <= LIMBS_WITHOUT_DIVISION {
@@ -118,7 +124,7 @@ impl Printer {
         }
     }
 
-    /// A number of at most 2^`level` parts, with all its zeros in front or with none.
+    /// Appends a number of at most 2^`level` parts, with all the leading zeros of these parts if `padded`, else with none.
     fn append_parts(&self, number: &Natural, level: u32, padded: bool, text: &mut Vec<u8>) {
         if level == 0 {
             return self.append_places(
@@ -127,7 +133,7 @@ impl Printer {
                 text,
             );
         }
-        // Half of the places are below 10^k = 2^k 5^k.
+        // The number is cut in two halves at 10^k = 2^k 5^k.
         let k = digits_of_parts(level - 1);
         let Divisor { five, inverse } = power_of_five(level - 1);
         let (above, rest) = (&(number >> k)).div_mod_precomputed(five, inverse);
@@ -139,7 +145,7 @@ impl Printer {
         self.append_parts(&below, level - 1, padded_below, text);
     }
 
-    /// A number of at most [`LIMBS_WITHOUT_DIVISION`] limbs, in so many places or without zeros in front.
+    /// Appends a number of at most [`LIMBS_WITHOUT_DIVISION`] limbs, in `padded_to` places or without leading zeros.
     fn append_places(&self, limbs: &[u64], padded_to: Option<usize>, text: &mut Vec<u8>) {
         let y = digits(limbs.iter().copied());
         let places = padded_to.unwrap_or(places_for(y.len()));
@@ -162,7 +168,8 @@ impl Printer {
         }
     }
 
-    /// The places of the powers of 2^48, of at least `len` and one more, so that there are places for all numbers below it.
+    /// A table with the places of the first `len` powers of 2^48 and at least one more, so that it has enough columns for every
+    /// number below the last of them.
     fn table(&self, len: usize) -> &Columns {
         let is_enough = |k: &usize| len <= SHORTEST_TABLE << k;
         let k = (0..TABLES)
@@ -187,7 +194,7 @@ impl Printer {
     }
 }
 
-/// A number that is displayed as malachite does it.
+/// A number whose `Display` gives the same text as malachite's, in less time.
 pub(crate) struct Decimal<'a>(pub(crate) &'a Natural);
 
 impl fmt::Display for Decimal<'_> {
@@ -202,19 +209,19 @@ impl fmt::Display for Decimal<'_> {
     }
 }
 
-/// Decimal digits of 2^`level` parts.
+/// The number of decimal digits of 2^`level` parts.
 fn digits_of_parts(level: u32) -> u64 {
     ((DIGITS * PLACES_OF_PART) as u64) << level
 }
 
-/// 5 to the power [`digits_of_parts`], and what makes it quick to divide by.
+/// 5 to the power [`digits_of_parts`], with the data that malachite precomputes for divisions by it.
 struct Divisor {
     five: Natural,
     inverse: <Natural as DivModPrecomputed>::Data,
 }
 
 fn power_of_five(level: u32) -> &'static Divisor {
-    // More levels than any memory has bits.
+    // 64 levels are enough for any number that fits in memory.
     static POWERS: [OnceLock<Divisor>; 64] = [const { OnceLock::new() }; 64];
     POWERS[level as usize].get_or_init(|| {
         let five = match level {
@@ -226,13 +233,13 @@ fn power_of_five(level: u32) -> &'static Divisor {
     })
 }
 
-/// At least as many places as numbers below 2^(48 `len`) have. Lemma 1.
+/// A number of places that is enough for all numbers below 2^(48 `len`). Lemma 1.
 fn places_for(len: usize) -> usize {
     len * 9633 / 10_000 + 1
 }
 
-/// The next place, where so much is carried and 2^48 `high` + `low` is added; the rest is carried on. `low` and `carry` may
-/// be negative, in two's complement. Lemma 3.
+/// The place of 2^48 `high` + `low` + `carry`, that is the remainder modulo 10^15; the quotient becomes the new `carry`. `low` and
+/// `carry` may be negative, in two's complement. Lemma 3.
 #[inline(always)]
 fn carried(carry: &mut u64, high: u64, low: u64) -> u64 {
     const RATIO: u128 = (1 << 97) / 5_u128.pow(15);
@@ -247,7 +254,7 @@ fn carried(carry: &mut u64, high: u64, low: u64) -> u64 {
     rest % BASE
 }
 
-/// The digits of sums of places, as many as there is text for.
+/// Writes the decimal digits of sums of places into `text`, which determines their number.
 struct Places<'a> {
     sums: &'a mut Sums,
     text: &'a mut [u8],
@@ -267,7 +274,7 @@ impl NullaryFnOnce for Places<'_> {
             *high = carried(&mut carry, *high, *low);
         }
         assert_eq!(carry, 0, "there are enough places");
-        // Apart, as both are done for several places at once.
+        // Two loops instead of one, so that the compiler vectorizes each of them.
         for (high, low) in high.iter_mut().zip(&mut *low) {
             [*high, *low] = seven_and_eight(*high).map(two_fours);
         }
@@ -283,7 +290,7 @@ impl NullaryFnOnce for Places<'_> {
     }
 }
 
-/// The first seven and the last eight digits of a place, in products of 32 bits. Lemma 4.
+/// The first seven and the last eight decimal digits of a place, by products of 32-bit factors. Lemma 4.
 #[inline(always)]
 fn seven_and_eight(place: u64) -> [u64; 2] {
     const HUNDRED_MILLION: u64 = 100_000_000;
@@ -293,13 +300,14 @@ fn seven_and_eight(place: u64) -> [u64; 2] {
     [quotient + is_less, rest - is_less * HUNDRED_MILLION]
 }
 
-/// As it is, for a number below 2^32, of which the compiler is to know that.
+/// The same number, for numbers below 2^32; the mask tells the compiler that the number is that short.
 #[inline(always)]
 fn low_half(value: u64) -> u64 {
     value & 0xFFFF_FFFF
 }
 
-/// The first four digits of a number below 10^8, and above 2^32 the other four. Lemma 5.
+/// The first four decimal digits of a number below 10^8 in the lower 32 bits of a word, and the last four in the upper 32 bits.
+/// Lemma 5.
 #[inline(always)]
 fn two_fours(value: u64) -> u64 {
     let value = low_half(value);
@@ -307,7 +315,8 @@ fn two_fours(value: u64) -> u64 {
     first | (value - low_half(first) * 10_000) << 32
 }
 
-/// The four digits of a number below 10^4 as the bytes of a word, the first in the lowest. Lemma 5, for two numbers at once.
+/// The four decimal digits of a number below 10^4 as the ASCII bytes of a word, the first in the lowest byte. Lemma 5, applied to
+/// two numbers at once.
 #[inline(always)]
 fn four_digits(value: u32) -> u32 {
     let hundreds = (value * 5243) >> 19;
@@ -332,7 +341,7 @@ mod tests {
         String::from_utf8(text).unwrap().split_off(2)
     }
 
-    /// Numbers of so many limbs, or one less: any, the largest, and those that are long runs of equal bits.
+    /// Numbers of `limbs` limbs (fewer if the top ones are 0): random ones, and long runs of equal bits.
     fn number(limbs: impl Strategy<Value = usize>) -> impl Strategy<Value = Natural> {
         let limb = prop_oneof![Just(0), Just(u64::MAX), any::<u64>()];
         let same = |(limb, len)| Natural::from_owned_limbs_asc(vec![limb; len]);
@@ -416,7 +425,7 @@ mod tests {
         let place = Natural::from(BASE);
         for len in 1..=LONGEST_TABLE {
             let (bits, places) = (48 * len as u64, places_for(len) as u64);
-            // 10^(15 places) ≥ 2^(48 len), by the bits of both; one place fewer and a half would do less often than not.
+            // 10^(15 places) ≥ 2^(48 len), by the bits of both, and by less than 100 bits: that is about two places.
             let most = (&place).pow(places).significant_bits() - 1;
             assert!(most >= bits && most < bits + 100, "{len}");
         }

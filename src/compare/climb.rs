@@ -1,4 +1,6 @@
-//! All methods up the ladder, rung by rung.
+//! The time comparison: every method converts radii with more and more harmonics until it is too slow.
+//!
+//! The *ladder* is a list of radii r(θ), the *rung* N the one with N harmonics. A method climbs until one run fails.
 
 use std::thread::available_parallelism;
 use std::time::Duration;
@@ -11,25 +13,29 @@ use crate::error::{Error, Result};
 use crate::limits::Limits;
 use crate::shape::{FourierRadius, ImplicitCurve};
 
-/// A program gets so long at least to say its version.
+/// The least time that a program gets to print its version.
 const TO_START: Duration = Duration::from_secs(10);
 
-/// Who computes.
+/// The method that computes a run.
 enum By {
     Theorem2,
     Resultant,
     Other(&'static Program, &'static Script),
 }
 
-/// Theorem 2 and elimination for one radius with N = 1, 2, … harmonics; a method stops climbing when a run takes longer than
-/// `limit` (for other programs from their start to their end), fails or is wrong, or at N = `largest`. At most 14 runs a method,
-/// one after the other, on one thread. `progress` is told how many of how many runs are done or will not be made.
+/// Measures how long Theorem 2 and elimination take to convert a radius with N harmonics to its equation, for the rungs N of the
+/// ladder up to `largest`.
+///
+/// Elimination is done by stellate's own resultant and by every other program that is installed. A method makes no further run
+/// after one that takes longer than `limit`, fails or gives a wrong equation; the time of another program counts from its start to
+/// its end. There are at most 14 runs for each method, one after the other, on one thread. `progress` is called with the number of
+/// runs that are done or omitted, and with the number of all runs.
 ///
 /// ```
 /// use std::time::Duration;
 /// use stellate::limits::Limits;
 /// use stellate::compare::compare;
-/// // Elimination may take no time at all.
+/// // With a time limit of 0 every elimination fails; Theorem 2 has no limit.
 /// let found = compare(Duration::ZERO, 39, &Limits::none(), &|_, _| ())?;
 /// let theorem_2 = &found.methods[0];
 /// assert!(theorem_2.seconds(39).is_some());

@@ -1,4 +1,4 @@
-//! The programs of others: what each is called, how it is asked, and with which scripts.
+//! The other programs of the comparison: their names, the commands that run them, and their scripts.
 
 use std::time::Duration;
 
@@ -16,17 +16,18 @@ pub(super) struct Program {
     pub(super) command: &'static str,
     arguments: &'static [&'static str],
     notation: Notation,
-    /// Prints `VERSION …`.
+    /// A script that prints the line `VERSION …`.
     version: &'static str,
     pub(super) methods: &'static [Script],
 }
 
-/// One way to eliminate with it.
+/// One way to eliminate a variable with a program.
 #[derive(Debug)]
 pub(super) struct Script {
     pub(super) what: &'static str,
     system: System,
-    /// With `FIRST` and `SECOND` for two polynomials; prints `TIME milliseconds runs`, and after it the answer.
+    /// The text of the script, in which `FIRST` and `SECOND` stand for the two polynomials. The script prints the line
+    /// `TIME milliseconds runs` and then the answer.
     text: &'static str,
 }
 
@@ -83,17 +84,17 @@ pub(super) const PROGRAMS: [Program; 3] = [
     },
 ];
 
-/// Whether a program can take part.
+/// Whether a program can take part in the comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Presence {
     Version(String),
     Absent,
-    /// There is such a command, but it is of no use, and why.
+    /// The command exists, but it cannot be used, for this reason.
     Useless(String),
 }
 
 impl Program {
-    /// Asks it for its version, for at most `time`.
+    /// Runs the program for at most `time` to find out its version.
     ///
     /// # Errors
     /// Those of `limits`.
@@ -115,7 +116,7 @@ impl Program {
         })
     }
 
-    /// The script of one of its methods for a radius.
+    /// The text of a script for a radius.
     pub(super) fn script(&self, method: &Script, radius: &FourierRadius) -> String {
         let [first, second] = method.system.polynomials(radius);
         let [first, second] = [first, second].map(|f| self.notation.polynomial(&f));
@@ -125,7 +126,7 @@ impl Program {
             .replace("SECOND", &second)
     }
 
-    /// Has a script computed, for at most `time`.
+    /// Runs a script, for at most `time`.
     ///
     /// # Errors
     /// Those of `limits`.
@@ -134,7 +135,7 @@ impl Program {
     }
 }
 
-/// The first line `NAME value` of a text, and what stands after the line.
+/// The value in the first line `NAME value` of a text, and the text after that line.
 pub(super) fn field<'a>(text: &'a str, name: &str) -> Option<(&'a str, &'a str)> {
     let mut rest = text;
     while !rest.is_empty() {

@@ -1,4 +1,4 @@
-//! Certified arcs as CSV rows, JSON and remarks.
+//! Certified arcs of the curve in which two surfaces meet, as CSV rows, as JSON and as lines of text.
 
 use std::io::Write;
 
@@ -9,7 +9,8 @@ use super::{Format, Kind, SCHEMA};
 use crate::arcs::{ArcEnd, CurveArc, IntersectionArcs};
 use crate::error::Result;
 
-/// The arcs of a document.
+/// The arcs as they stand in a JSON document: `window` is the box that was searched, and `unresolved` lists the boxes in which
+/// the curve was not found out.
 #[derive(Serialize)]
 pub(super) struct Arcs {
     window: [[f64; 2]; 3],
@@ -78,9 +79,11 @@ fn name(end: ArcEnd) -> &'static str {
     }
 }
 
-/// Writes the points of arcs as CSV `arc,point,x,y,z,bound,residual1,residual2` (the residuals as the doubles nearest to
-/// the exact values), or as a JSON document of kind `arcs` with `window`, `arcs` (`closed`, `ends`, `points` with exact `residuals`)
-/// and `unresolved`.
+/// Writes the points of arcs, as CSV or as JSON.
+///
+/// The CSV columns are `arc,point,x,y,z,bound,residual1,residual2`. The curve is within `bound` of the point; the residuals are the
+/// values of the two polynomials at the point, as the doubles nearest to the exact values. The JSON document is of kind `arcs`; it
+/// has the fields `window`, `arcs` (each with `closed`, `ends` and `points` with exact `residuals`) and `unresolved`.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -114,7 +117,7 @@ pub(crate) fn write_arcs(
     }
 }
 
-/// One line for the box, for every arc, and for what is not resolved.
+/// Lines of text: one about the box, one for each arc, and one about the boxes that are not resolved.
 #[must_use]
 pub(crate) fn arcs_text(found: &IntersectionArcs) -> Vec<String> {
     let mut lines = vec![match found.arcs.len() {

@@ -1,4 +1,4 @@
-//! Forms as text of the input language: what is displayed is parsed back.
+//! `Display` and `FromStr` of forms and polynomials: a displayed form is a text of the input language and is parsed back.
 
 use std::fmt;
 use std::str::FromStr;
@@ -14,7 +14,7 @@ use crate::shape::{
     SpaceCurve,
 };
 
-/// What a writer writes, without the last line break.
+/// Displays the output of a writer without the last line break.
 fn displayed(
     f: &mut fmt::Formatter<'_>,
     write: impl FnOnce(&mut Vec<u8>) -> Result<()>,
@@ -25,7 +25,7 @@ fn displayed(
     f.write_str(text.trim_end_matches('\n'))
 }
 
-/// The form that a text says, if it is of the kind that `pick` takes.
+/// Parses a text as a form, and the form as one of the kind that `pick` accepts; `expected` names this kind in the error.
 fn parsed<T>(text: &str, expected: &str, pick: impl FnOnce(Form) -> Option<T>) -> Result<T> {
     let form = parse_form(text, "<form>", Numbers::Exact)?;
     pick(form).ok_or_else(|| Error::data("<form>", format!("expected {expected}")))
@@ -107,7 +107,7 @@ impl FromStr for ImplicitCurve {
     }
 }
 
-/// `f(x, y, z) = 0`; if z does not occur, with the term 0z.
+/// `f(x, y, z) = 0`. If f does not depend on z, the text has the term 0z, so that it is read back as a surface.
 impl fmt::Display for ImplicitSurface {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         displayed(f, |out| write_surface(self, &[], Format::Text, out))
@@ -222,7 +222,7 @@ impl fmt::Display for SparsePolynomial<3> {
     }
 }
 
-/// Reads a polynomial in x, y and z, or in some of them, or a constant.
+/// Reads a polynomial in some or all of x, y and z, or a constant.
 ///
 /// ```
 /// use stellate::poly::SparsePolynomial;

@@ -1,4 +1,4 @@
-//! Closed forms in θ, or in θ and φ, in several notations.
+//! Closed forms in θ, or in θ and φ, as text of the input language, LaTeX, SymPy or Maple.
 
 use std::fmt::Write;
 
@@ -9,7 +9,8 @@ use crate::exact::Rational;
 use crate::parametrize::{Condition, Expression, Relation};
 use crate::poly::{BinaryForm, HomogeneousPolynomial};
 
-/// How tightly an expression binds: what it may stand in without parentheses.
+/// The strength with which the text of an expression binds. An expression needs parentheses if it is weaker than its place
+/// requires.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Strength {
     Sum,
@@ -47,9 +48,10 @@ pub(super) fn equation_text(forms: &[BinaryForm], step: usize, format: Format) -
     terms.collect::<Vec<_>>().join(" + ")
 }
 
-/// A condition as a SymPy expression, true or false in every direction.
+/// A condition as a SymPy expression that is true or false in every direction.
 ///
-/// That a formula is not negative is asked of its real part, so that it can be asked where the formula is not real, too.
+/// The condition that a formula is not negative is written for its real part, because SymPy cannot compare a number that is not
+/// real.
 pub(super) fn condition_text(condition: &Condition) -> String {
     let all = |name: &str, parts: &[Condition]| {
         let parts: Vec<String> = parts.iter().map(condition_text).collect();
@@ -78,6 +80,7 @@ pub(super) fn condition_text(condition: &Condition) -> String {
     }
 }
 
+/// The text of an expression, and the strength with which that text binds.
 fn written<F: HomogeneousPolynomial>(
     expression: &Expression<F>,
     format: Format,
@@ -143,7 +146,7 @@ fn written<F: HomogeneousPolynomial>(
     }
 }
 
-/// A fraction gets parentheses wherever something follows or precedes it.
+/// The text of a number. A fraction counts as a sum, so that it gets parentheses in every product, quotient and power.
 fn constant_text(q: &Rational, format: Format) -> (String, Strength) {
     let (p, over) = (q.numerator(), q.denominator());
     match (q.is_integer(), format) {
@@ -201,8 +204,8 @@ fn parenthesized(text: &str, format: Format) -> String {
     }
 }
 
-/// The real k-th root: other systems' powers of negative numbers are complex, so odd roots are
-/// written with the sign outside.
+/// The text of the real k-th root of `a`. Odd roots use the functions of each system for real roots, because the power of a
+/// negative number is complex in these systems.
 fn root_text(k: u32, a: &str, format: Format) -> String {
     match (format, k) {
         (Format::Latex, 2) => format!("\\sqrt{{{a}}}"),
@@ -216,8 +219,8 @@ fn root_text(k: u32, a: &str, format: Format) -> String {
     }
 }
 
-/// A form at (cos θ, sin θ) or (sin φ cos θ, sin φ sin θ, cos φ), expanded; θ falls out where
-/// cos² θ + sin² θ = 1 removes it.
+/// The text of a form at (cos θ, sin θ) or (sin φ cos θ, sin φ sin θ, cos φ), expanded. A form of revolution is written without
+/// θ, by cos² θ + sin² θ = 1.
 pub(super) fn form_text<F: HomogeneousPolynomial>(form: &F, format: Format) -> (String, Strength) {
     if let Some(terms) = form.of_revolution() {
         let of_phi = |e: usize, k: usize| {
@@ -234,7 +237,7 @@ pub(super) fn form_text<F: HomogeneousPolynomial>(form: &F, format: Format) -> (
     sum_text(terms.map(|(e, c)| (c, monomial::<F>(e, format))), format)
 }
 
-/// Σ coefficient · factors.
+/// The text of a sum of terms, each a coefficient and a list of factors.
 fn sum_text<'a>(
     all: impl Iterator<Item = (&'a Integer, Vec<String>)>,
     format: Format,

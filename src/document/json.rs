@@ -1,4 +1,4 @@
-//! JSON as documents have it.
+//! The JSON of documents: values, and doubles including the infinite ones.
 
 use std::io::{self, Write};
 
@@ -17,7 +17,7 @@ pub(super) fn text_of(value: &impl Serialize) -> String {
     serde_json::to_string(value).invariant("what a document holds has a form in JSON")
 }
 
-/// The value that a document of ours says.
+/// The value of a JSON text that stellate has just written.
 pub(super) fn parsed(text: &[u8]) -> Value {
     serde_json::from_slice(text).invariant("a document that was just written is JSON")
 }
@@ -27,8 +27,8 @@ pub(super) fn write_value(value: &(impl Serialize + ?Sized), out: &mut dyn Write
     Ok(serde_json::to_writer(out, value).map_err(io::Error::from)?)
 }
 
-/// A double as it stands in documents: a number, or for the infinite ones `"inf"` and `"-inf"`, because JSON has no such
-/// numbers. What is not a number is null.
+/// A double in a document. A finite double is a number; infinite doubles are the strings `"inf"` and `"-inf"`, because JSON has no
+/// infinite numbers; NaN is null.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Number(pub(crate) f64);
 

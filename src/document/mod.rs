@@ -1,7 +1,7 @@
-//! Documents: how forms are written for people and for other programs, and read back.
+//! Documents: forms and results are written as text for people and for other programs.
 //!
-//! Writing streams: no format builds the whole text in memory. Everything but LaTeX is read back
-//! without loss, the center included.
+//! A writer streams to its output and never holds the whole text in memory. The language ([`crate::language`]) and the reader of
+//! documents ([`crate::reading`]) read a written form back without loss, with its center, from every format except LaTeX.
 
 mod angles;
 mod arcs;
@@ -65,13 +65,13 @@ use crate::exact::Rational;
 pub use crate::notation::{Coordinates, Format};
 pub use crate::reading::SCHEMA;
 
-// For the tests and benches of this project; no part of what the library promises.
+// Only the tests and benches of this project use these; they are no part of the public interface.
 use crate::shape::Form;
 use crate::verb::Fact;
 #[doc(hidden)]
 pub use implicit::write_implicit;
 
-/// Writes any form in the given format, with what is annotated if it is implicit.
+/// Writes any form in the given format. The facts are written with an implicit form or an intersection only.
 ///
 /// # Errors
 /// Those of `out`; [`crate::error::Error::Usage`] for a format that the kind of form does not have ([`Kind`]).
@@ -94,7 +94,7 @@ pub fn write_form(
     }
 }
 
-/// The text of the comment that keeps a center, if it is not the origin.
+/// The text of the comment that states the center, if the center is not the origin.
 fn center_comment(center: &[Rational; 2]) -> Option<String> {
     let [x, y] = center;
     (!x.is_zero() || !y.is_zero()).then(|| format!("center: {x}, {y}"))

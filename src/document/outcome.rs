@@ -1,4 +1,4 @@
-//! The outcomes of verbs, each in the formats of its kind.
+//! Writers for the outcomes of verbs. Each outcome has the formats of its [`Kind`].
 
 use std::io::Write;
 
@@ -15,7 +15,7 @@ use crate::verb::{
     Described, DescribedForm, Implicitization, Parametrized, SampledPoints, Samples,
 };
 
-/// Writes an equation, or several, with what is known of them.
+/// Writes the equation or equations that `implicitize` found, with the facts about them.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -30,12 +30,12 @@ pub fn write_implicitization(
         Form::Intersection(surfaces) => write_intersection(surfaces, &found.facts, format, out),
         _ => Err(Error::internal(
             "implicitize",
-            "what is implicitized is an equation or several",
+            "the result is one equation or several",
         )),
     }
 }
 
-/// Writes what is known of a form, with `digits` decimals of angles.
+/// Writes the description of a form; angles have `digits` decimals.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -59,7 +59,7 @@ pub fn write_described(
     }
 }
 
-/// Writes a form in parameters, with `digits` decimals of angles.
+/// Writes the parametric form that `parametrize` found; angles have `digits` decimals.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -105,7 +105,7 @@ pub fn write_sampled(found: &Samples, format: Format, out: &mut dyn Write) -> Re
     }
 }
 
-/// What is said of certified points beside their table: the arcs, one line each.
+/// Lines of text that accompany the table of certified points. Only arcs have any, see [`Samples`].
 #[must_use]
 pub fn sampled_text(found: &Samples) -> Vec<String> {
     match &found.points {

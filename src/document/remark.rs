@@ -1,9 +1,9 @@
-//! What is said of the work, in sentences.
+//! Remarks about the work, and missing parts of an answer, as sentences.
 
 use crate::inspect::MAX_EXACT_MONOMIALS;
 use crate::verb::{Missing, Part, Remark};
 
-/// Theorem 2 without even harmonics.
+/// The sentence for a radius without even harmonics, for which the polynomial of Theorem 2 is a square.
 pub(super) const PERFECT_SQUARE: &str = "F of Theorem 2 is a perfect square (a0 = 0 and only odd harmonics): this is its reduced equation";
 
 /// A remark as a sentence.
@@ -59,7 +59,7 @@ pub fn remark_text(remark: &Remark) -> String {
     }
 }
 
-/// A part of an answer, by a name.
+/// The name of a part of an answer.
 pub(super) fn part_text(part: Part) -> &'static str {
     match part {
         Part::Factors => "the factors over Q",
@@ -73,7 +73,7 @@ pub(super) fn part_text(part: Part) -> &'static str {
     }
 }
 
-/// What a limit has cost, in words.
+/// The sentence that names the parts of the answer that are missing because a limit was reached.
 #[must_use]
 pub fn missing_text(missing: &Missing) -> String {
     let parts: Vec<&str> = missing.parts.iter().map(|&part| part_text(part)).collect();

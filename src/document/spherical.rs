@@ -1,4 +1,4 @@
-//! Parametric documents of surfaces: the branches R(θ, φ), and what is certain on meridians and in directions.
+//! Parametric documents of surfaces: the branches R(θ, φ), and the certified answers on meridians and in directions.
 
 use std::io::Write;
 
@@ -58,7 +58,7 @@ struct BranchEntry {
     latex: String,
     sympy: String,
     coordinates: SpaceFormulas,
-    /// Where the formula is real and the root that it is meant to be, in SymPy syntax.
+    /// The condition, in SymPy syntax, under which the formula is real and equal to the root that it stands for.
     condition: String,
     condition_in_words: String,
     valid: &'static str,
@@ -99,7 +99,7 @@ struct DirectionEntry {
 }
 
 /// Writes the spherical form of a surface: expressions for R, x, y and z of every branch with the condition under
-/// which it is real, the discriminants as exact forms, and what was asked of meridians and directions.
+/// which it is real, the discriminants as exact forms, and the answers on the requested meridians and directions.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].

@@ -1,4 +1,4 @@
-//! From an exact number to digits: the nearest double, the nearest decimal.
+//! Exact numbers are rounded to the nearest double and to the nearest decimal.
 
 use std::cmp::Ordering;
 
@@ -11,17 +11,18 @@ use malachite::base::rounding_modes::RoundingMode;
 use super::Rational;
 use crate::error::{Invariant, broken};
 
-/// The double nearest to a real number, given how the number compares with any rational one (ties to even; beyond
-/// the largest double ±∞; a zero has the sign of the guess).
+/// The double nearest to a real number x, where `compare` compares x with any rational number.
 ///
-/// Two comparisons if the guess is right, about 2 log₂ n if it is n doubles away.
+/// Ties are rounded to even. A number that is too large for a double becomes ±∞. A zero has the sign of `guess`.
+///
+/// Cost: two comparisons if the guess is right, about 2 log₂ n comparisons if it is n doubles away.
 pub(crate) fn nearest_double<E>(
     guess: f64,
     compare: impl Fn(&Rational) -> Result<Ordering, E>,
 ) -> Result<f64, E> {
     let infinity = rank(f64::INFINITY);
-    // How the number compares with the midpoint above a double: the answer is the lowest double for which it is
-    // not greater.
+    // `above(rank)` compares x with the midpoint between the double of this rank and the next one. The answer is the lowest
+    // double for which x is not greater than this midpoint.
     let above = |rank: i64| {
         if rank >= infinity {
             return Ok(Ordering::Less);
@@ -71,7 +72,7 @@ pub(crate) fn nearest_double<E>(
     })
 }
 
-/// The place of a double among all doubles: 0 for ±0, one more for each next larger one.
+/// The rank of a double among all doubles: 0 for ±0, and one more for each next larger double.
 fn rank(double: f64) -> i64 {
     let magnitude = double.abs().to_bits().cast_signed();
     if double < 0.0 { -magnitude } else { magnitude }
@@ -82,14 +83,14 @@ fn of_rank(rank: i64) -> f64 {
     if rank < 0 { -magnitude } else { magnitude }
 }
 
-/// About the decimal exponent of a number from its binary one, at most 1 off for numbers of up to 10^8 bits: with log₁₀ 2 ≈
-/// 0.30103 it would be off by 5 there.
+/// The decimal exponent ⌊log₁₀ q⌋ of a number q, where 2^(binary − 1) < q < 2^(binary + 1), with an error of at most 1 if
+/// |`binary`| is at most 10^9. The factor needs its eleven digits: 0.30103 instead is wrong by 1.4 at 10^(10^8).
 fn decimal_of_binary(binary: i64) -> i64 {
     let decimal = (i128::from(binary) * 30_102_999_566).div_euclid(100_000_000_000);
     i64::try_from(decimal).invariant("a decimal exponent is smaller than the binary one")
 }
 
-/// Half an ulp above the largest double, (2^53 − 1) 2^971: from here on numbers are rounded to ∞.
+/// The number half an ulp above the largest double, which is (2^53 − 1) 2^971. Numbers from here on are rounded to ∞.
 fn beyond_all_doubles() -> Rational {
     Rational::from_dyadic(Integer::from((1_i64 << 54) - 1), 970)
 }
@@ -151,8 +152,8 @@ impl Rational {
         }
     }
 
-    /// Decimal text with `digits` significant digits, correctly rounded (ties to even), without zeros at the end; with an
-    /// exponent where it would be long without one.
+    /// Decimal text with `digits` significant digits, correctly rounded (ties to even), without zeros at the end. It has an
+    /// exponent if the number is below 10^−5 or at least 10^16.
     ///
     /// ```
     /// use stellate::exact::Rational;
@@ -169,7 +170,7 @@ impl Rational {
         };
         let mut text = (self.abs() * ten(places - exponent)).to_decimal(0);
         if i64::try_from(text.len()).invariant("a text is shorter than 2^63 bytes") > places + 1 {
-            // Rounded up to the next power of ten.
+            // The number was rounded up to the next power of ten.
             exponent += 1;
             text.pop();
         }
@@ -200,7 +201,7 @@ impl Rational {
             i64::try_from(n.significant_bits()).invariant("a length in bits fits in 63 bits")
         };
         let binary = bits(size.numerator()) - bits(size.denominator());
-        // A guess: the comparisons decide.
+        // The first value is only a guess; the comparisons make it exact.
         let mut exponent = decimal_of_binary(binary);
         let ten = |e: i64| Rational::from(10).pow(e).invariant("ten is not zero");
         while ten(exponent) > size {

@@ -237,7 +237,7 @@ fn half_side(cube: &Cube, middle: [f64; 3], corner: u32, axes: usize) -> f64 {
     })
 }
 
-/// How far a point is at least from a cube.
+/// A lower bound of the distance of a point from a cube; `away` points from the middle of the cube to the point.
 fn beside(away: [Interval; 3], half: f64, axes: usize) -> f64 {
     let beyond = away.iter().take(axes);
     let beyond = beyond.map(|x| (x.abs() - Interval::from(half)).or_zero().squared());
@@ -251,14 +251,18 @@ fn is_radial(bounds: &BoxBounds, away: [Interval; 3], half: f64) -> bool {
     product(slopes, radial).sign().is_some()
 }
 
-/// No compact piece of a smooth surface is inside these cubes, if on all of them the derivative away from p is not 0, and
-/// some ray from p meets none of them: along the rays such a piece would lie over the sphere of directions locally one to
-/// one, and so, being compact, over all of it.
+/// Whether it is proved that no closed piece of the surface, and no isolated zero, is inside these cubes.
+///
+/// Lemma. If the derivative of f along the rays from p is not 0 anywhere in the cubes, and some ray from p meets none of them, the
+/// zeros of f in the cubes have no compact piece without boundary.
+/// Proof. The gradient is not 0 there, so such a piece would be a smooth surface. The projection from p onto the sphere of
+/// directions would be a local diffeomorphism on it, so its image would be open. The image would also be compact, hence the
+/// whole sphere, and every ray would meet the piece.
 pub(super) fn holds_no_closed_piece(left: &[Cube], p: [f64; 3], is_flat: bool) -> bool {
     let rays = (0..27).map(|n| [n % 3, n / 3 % 3, n / 9].map(|k| f64::from(k) - 1.0));
     let mut rays =
         rays.filter(|u| u.iter().any(|x| x.abs() > 0.5) && (!is_flat || u[2].abs() < 0.5));
-    // Farther from the ray, or from its line, than the corners of the cube are from its middle.
+    // A ray misses a cube if the middle of the cube is farther from the ray than the corners are from the middle.
     let misses = |u: &[f64; 3], cube: &Cube| {
         let (at, u) = (minus(exactly(cube.middle), exactly(p)), exactly(*u));
         let beside = if product(at, u).is_negative() {

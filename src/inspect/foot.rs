@@ -1,4 +1,7 @@
-//! The foot of a point on a surface, and what one expansion there proves of the distance.
+//! The foot of a point on a surface, and bounds of the distance that one Taylor expansion at the foot proves.
+//!
+//! The foot of p is a point of the surface f = 0 at which the distance from p is stationary. [`approach`] and [`stationary`] find
+//! a foot in doubles; nothing rests on how good it is. Only [`enclose`] proves something, at whatever point it is given.
 
 use nalgebra::{Matrix3, Matrix4, Vector4};
 
@@ -6,13 +9,14 @@ use super::DistanceBounds;
 use crate::intervals::interval::{exactly, minus, product, square};
 use crate::intervals::{Field, Interval, Local, distance, dot};
 
-/// Steps towards the foot.
+/// How many steps towards a foot are made at most.
 const STEPS: usize = 24;
 
-/// The stationary point of the distance that Newton's method finds from `start`: step by step the nearest point to p
-/// where the linear part of f vanishes. It ends when a step is less than `goal` times the distance.
+/// A foot of p near `start`, for distances that are small against the radii of curvature.
 ///
-/// The steps shrink by the ratio of the distance to the radius of curvature; none is found where that is not small.
+/// Each step goes to the point that is nearest to p in the tangent plane of f (where the linear part of f vanishes). The
+/// iteration ends when a step is at most `goal` times the distance. Each step is shorter than the one before by about the ratio
+/// of the distance to the radius of curvature, so the answer is `None` where this ratio is not small.
 pub(super) fn approach(field: &Field, p: [f64; 3], start: [f64; 3], goal: f64) -> Option<[f64; 3]> {
     let mut x = start;
     let mut last = f64::INFINITY;
@@ -27,7 +31,7 @@ pub(super) fn approach(field: &Field, p: [f64; 3], start: [f64; 3], goal: f64) -
         }
         let length = distance(p, next);
         x = next;
-        // Below this only roundings are left.
+        // A step of a few units in the last place of x is rounding.
         let size = x.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         if step <= goal * length || step <= 4.0 * f64::EPSILON * size {
             return Some(x);
@@ -37,7 +41,7 @@ pub(super) fn approach(field: &Field, p: [f64; 3], start: [f64; 3], goal: f64) -
     None
 }
 
-/// The same where the distance is not small against the radii of curvature: Newton's method on q + ν∇f(q) = p, f(q) = 0.
+/// A foot of p near `start`, for any distance: Newton's method for q and ν in q + ν∇f(q) = p, f(q) = 0.
 pub(super) fn stationary(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<[f64; 3]> {
     let mut q = start;
     let mut nu: Option<f64> = None;
@@ -62,7 +66,7 @@ pub(super) fn stationary(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<
     None
 }
 
-/// The derivatives of (p − q − ν∇f(q), f(q)) by q and ν.
+/// The Jacobian matrix of (p − q − ν∇f(q), f(q)) with respect to q and ν.
 pub(super) fn lagrange(local: &Local, nu: f64) -> Matrix4<f64> {
     let block = -Matrix3::identity() - local.hessian() * nu;
     let mut derivatives = Matrix4::zeros();
@@ -74,19 +78,25 @@ pub(super) fn lagrange(local: &Local, nu: f64) -> Matrix4<f64> {
     derivatives
 }
 
-/// Bounds of the distance from p to a surface, where f(p) has the given sign, from the expansion at a point q near its foot.
+/// Bounds of the distance from p to the surface f = 0, where f(p) has the given sign, from the expansion of f at q. The bounds
+/// hold for every q, and they are narrow if q is near a foot of p.
 ///
-/// Lemma 12. Write a = p − q, s for the sign, G = s∇f(q) = λa + e for any λ > 0. In the ball |w − a| ≤ ρ ≤ |a| around p (w
-/// from q) 2 a·w ≥ |w|² + |a|² − ρ², and s f(q + w) ≥ s f(q) + G·w + κ|w|² with κ the lower bound of the curvature within
-/// 2|a|. So
+/// Hypotheses of Lemma 12. a = p − q; s is the sign of f(p); G = s∇f(q) = λa + e with λ > 0; and
+/// s f(q) + G·w + κ|w|² ≤ s f(q + w) ≤ s f(q) + G·w + κ′|w|² for all |w| ≤ 2|a|.
 ///
-/// s f ≥ s f(q) + λ(|a|² − ρ²)/2 − |e||w| + (λ/2 + κ)|w|² ≥ s f(q) + λ(|a|² − ρ²)/2 − |e|²/(4(λ/2 + κ)),
+/// Lemma 12 (a). If λ/2 + κ > 0, f has no zero nearer to p than ρ, for every ρ ≥ 0 with
+/// ρ² ≤ |a|² + (2/λ) min(0, s f(q) − |e|²/(4(λ/2 + κ))).
 ///
-/// which is positive for all ρ² < |a|² + (2/λ) min(0, s f(q) − |e|²/(4(λ/2 + κ))): there is no zero. On the other side of q, at
-/// w = −ta with 0 ≤ t ≤ 1, s f ≤ s f(q) − t G·a + κ′t²|a|² is not positive for t = 2 max(0, s f(q))/(G·a) if
-/// κ′t|a|² ≤ G·a/2: between p and there f has a zero.
+/// Proof. Let q + w be nearer to p than ρ ≤ |a|: |w − a| < ρ, that is 2 a·w > |w|² + |a|² − ρ², and |w| < 2|a|. So
+/// s f(q + w) > s f(q) + λ(|a|² − ρ²)/2 − |e||w| + (λ/2 + κ)|w|² ≥ s f(q) + λ(|a|² − ρ²)/2 − |e|²/(4(λ/2 + κ)) ≥ 0.
 ///
-/// Laws: `bounds_hold_on_random_cubics`, `the_distance_to_a_sphere_is_enclosed`.
+/// Lemma 12 (b). Let G·a > 0 and t = 2 max(0, s f(q))/(G·a). If t ≤ 1 and κ′t|a|² ≤ G·a/2, f has a zero at a distance of at most
+/// (1 + t)|a| from p.
+///
+/// Proof. At w = −ta, s f ≤ s f(q) − t G·a + t (κ′t|a|²) ≤ s f(q) − t G·a/2 ≤ 0, and s f(p) > 0: f has a zero on the segment from
+/// p to q − ta, which is (1 + t)|a| long.
+///
+/// Laws: `bounds_hold_on_random_cubics`, `the_distance_to_a_sphere_is_enclosed`, `a_parabola_has_an_upper_bound_where_it_has_zeros`.
 pub(super) fn enclose(field: &Field, p: [f64; 3], q: [f64; 3], sign: i8) -> DistanceBounds {
     let local = field.local(q);
     bounds_from(&local, p, q, sign)
@@ -140,8 +150,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
 
-        /// Lemma 12 against the exact distance | |p| − 1 | from the unit sphere: at points just beside it, far away and near the
-        /// middle, for feet that are nearly right or not at all. The bounds are within a few units of it for good feet.
+        /// Lemma 12 against the exact distance | |p| − 1 | from the unit sphere, for points p just beside the sphere, far
+        /// away and near its center, and for points q that are feet, nearly feet or no feet. For feet the bounds are within a few
+        /// units in the last place of the distance.
         #[test]
         fn the_distance_to_a_sphere_is_enclosed(v in prop::array::uniform3(-1.0f64..1.0), scale in prop_oneof![Just(1.0), 0.5f64..3.0], e in -52i32..0, ulps in -4i32..5, off in prop::array::uniform3(-1.0f64..1.0), size in prop::sample::select(vec![0.0, 1e-16, 1e-12, 1e-8, 1e-3])) {
             let field = Field::new(&sphere(1));
@@ -173,14 +184,14 @@ mod tests {
     }
 
     proptest! {
-        /// Lemma 12 is as sharp as a parabola: v − bx + cx² has no upper bound of its distance where it has no zeros, and one
-        /// where it has.
+        /// The hypothesis of Lemma 12 (b) is sharp for a parabola: v − bx + cx² gets an upper bound of the distance if it has a zero
+        /// within reach, and none if it has no zero.
         #[test]
         fn a_parabola_has_an_upper_bound_where_it_has_zeros(v in 1i64..200, b in 1i64..60, c in 1i64..60) {
             let x = SparsePolynomial::<3>::variable(0);
             let constant = |n: i64| SparsePolynomial::constant(Rational::from(n));
             let f = x.squared().scaled(&c.into()).minus(&x.scaled(&b.into())).plus(&constant(v));
-            // The foot at 0 is wrong, and 1 away from the point.
+            // q = 0 is no foot; it is at the distance 1 from p.
             let found = enclose(&Field::new(&f), [-1.0, 0.0, 0.0], [0.0; 3], 1);
             let discriminant = b * b - 4 * v * c;
             if discriminant < 0 {
@@ -190,7 +201,8 @@ mod tests {
             }
         }
 
-        /// Whatever surface and point: no zero nearer than the lower bound, and one within the upper bound on the way to q.
+        /// For any surface and point, f has no zero nearer than the lower bound, and it has one within the upper bound, on the
+        /// ray from p through q.
         #[test]
         fn bounds_hold_on_random_cubics(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-2.0f64..2.0), v in prop::array::uniform3(-1.0f64..1.0)) {
             let field = Field::new(&cubic(&c));

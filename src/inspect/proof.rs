@@ -1,4 +1,9 @@
-//! Verdicts on what the search leaves: a few small cubes that may hold zeros within the tolerance.
+//! Verdicts by exact arithmetic for the points that the search in doubles leaves open.
+//!
+//! The search leaves a few small cubes around the point p, and it has proved that every zero within the tolerance is in one of
+//! them. Four methods are tried in turn: expansions at refined feet; zeros at rational points; the exact section of the surface
+//! with the sphere of the tolerance; and, for critical points that are not rational, the gap between 0 and the smallest positive
+//! minimum ([`super::gap`]).
 
 use super::distance::{Cube, holds_no_closed_piece};
 use super::exact::{self, Answer};
@@ -9,11 +14,16 @@ use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, separation, square};
 use crate::intervals::{Field, Interval, distance, rational, rationals};
 
-/// Of the cubes so many are tried as places of feet and of rational zeros.
+/// The middles of about this many cubes are starting points for feet and for rational zeros.
 const CANDIDATES: usize = 24;
 
 impl Inspector {
-    /// All zeros within the tolerance, if any, are in the given cubes.
+    /// Decides whether f has a zero within the tolerance, and writes the verdict into `known`; `sign` is the sign of f at p.
+    /// The caller must ensure that all zeros within the tolerance are in the cubes `left`.
+    ///
+    /// The verdict `outside` of the section is right: if the sphere of the tolerance meets no zero, the zeros inside it form
+    /// closed pieces and isolated points. The cubes outside the balls of `lonely` hold neither ([`holds_no_closed_piece`]), and
+    /// the only zero of such a ball is farther away than the tolerance.
     pub(super) fn by_proof(
         &self,
         field: &Field,
@@ -49,7 +59,8 @@ impl Inspector {
         }
     }
 
-    /// By the expansions at the feet near the cubes: one of them proves a zero, or each excludes those in the cubes around it.
+    /// Decides by expansions at the feet that are found from `starts`. Each cube belongs to the nearest foot. One expansion may
+    /// prove a zero within the tolerance; or all of them together exclude zeros in all cubes.
     fn by_feet(
         &self,
         field: &Field,
@@ -101,8 +112,9 @@ impl Inspector {
         }
     }
 
-    /// Zeros at rational points: where the ball touches, or singular ones. If none of them is within the tolerance: balls
-    /// in which such a zero, farther away, is the only one, because it is critical and f convex there.
+    /// Looks for zeros at rational points near `starts`: points where the ball touches the surface, and singular points. If one is
+    /// within the tolerance, `known` gets the verdict and the answer is `None`. If not, the answer is a list of balls, each about
+    /// a rational zero beyond the tolerance that is the only zero in its ball.
     fn by_rational_zero(
         &self,
         field: &Field,
@@ -141,7 +153,8 @@ impl Inspector {
         Some(lonely)
     }
 
-    /// A ball about a critical zero in which f is convex: there is no other zero in it.
+    /// A ball about a zero that is the only zero in the ball. It exists if the gradient is 0 at the zero and f, or −f, is strictly
+    /// convex in the ball: then the zero is the only minimum of |f| there.
     fn lonely(&self, field: &Field, zero: &[Rational; 3]) -> Option<Lonely> {
         let (_, gradient) = field.exact_value_and_gradient(zero);
         if !gradient.iter().all(Rational::is_zero) {
@@ -154,7 +167,8 @@ impl Inspector {
         Some(Lonely { middle, radius })
     }
 
-    /// Zeros at critical points that are not rational: that there are any, not where.
+    /// Looks for zeros at critical points that are not rational. The gap proves that a zero exists within the tolerance, but not
+    /// where it is.
     fn by_gap(&self, field: &Field, p: &Point, starts: &[[f64; 3]], known: &mut PartialInspection) {
         let critical = starts
             .iter()
@@ -168,7 +182,7 @@ impl Inspector {
             }
             tried.push(x);
             if let Some(near) = zero_in_ball(field, p.exactly(), &self.tolerance, x) {
-                // There is a zero in the ball; how near it is to this point is not known.
+                // The zero is somewhere in the ball; its distance from `near` is not known.
                 let square = &self.tolerance * &self.tolerance;
                 known.has_zero(near, false, &square, self.around[1]);
                 return;
@@ -177,14 +191,14 @@ impl Inspector {
     }
 }
 
-/// A ball in which there is one zero, in its middle.
+/// A ball that holds one zero, in its middle, and no other.
 struct Lonely {
     middle: [Interval; 3],
     radius: f64,
 }
 
 impl Lonely {
-    /// Whether the ball of some radius about a point is inside.
+    /// Whether the ball of the given radius about a point is inside this ball.
     fn holds(&self, point: [f64; 3], radius: Interval) -> bool {
         let away = square(minus(self.middle, exactly(point))).sqrt();
         (away + radius).high() < self.radius

@@ -3,7 +3,7 @@
 use super::interval::separation;
 use super::{Field, between, distance};
 
-/// A crossing is enclosed to this part of the segment's length.
+/// The ends are brought together to this part of the length of the segment.
 const CROSSING: f64 = 1.0 / 1_073_741_824.0;
 
 /// A point with a zero of f within `radius` of it.
@@ -14,12 +14,18 @@ pub(crate) struct Crossing {
 }
 
 impl Field {
-    /// A certified zero on the segment from a, where f < 0, to b, where f ≥ 0.
+    /// A certified zero near the segment from a to b. The caller must ensure that f(a) < 0 and f(b) ≥ 0.
+    ///
+    /// Lemma. f has a zero within `radius` of `point`.
+    /// Proof. The loop keeps f(a) < 0 ≤ f(b), by exact signs, so f has a zero on the segment from a to b. Both ends are within
+    /// `radius` of `point`, and a ball that holds two points holds the segment between them.
+    /// Laws: `crossings_are_enclosed`, `a_crossing_of_neighbours_holds_both`.
     pub(crate) fn crossing(&self, mut a: [f64; 3], mut b: [f64; 3]) -> Crossing {
         let length = distance(a, b);
         let goal = length * CROSSING;
         let (mut fa, mut fb) = (self.value(a), self.value(b));
-        // Illinois' method on doubles says where to look; the signs that it goes on with are exact.
+        // The Illinois method on doubles proposes the points; the signs of f at these points are exact. `side` is −1 if a was
+        // replaced last, 1 if b was.
         let mut side = 0;
         while distance(a, b) > goal {
             let weight = fa / (fa - fb);
@@ -28,7 +34,7 @@ impl Field {
             } else {
                 0.5
             };
-            // Stepping over the zero on purpose shuts the bracket from the other side, too.
+            // A step slightly beyond the expected zero makes the next step replace the other end, so both ends approach it.
             let nudge = 0.4 * goal / distance(a, b);
             let weight = if side.cmp(&0).is_le() {
                 weight + nudge
@@ -63,7 +69,6 @@ impl Field {
                 (b, fb) = (p, value.max(f64::MIN_POSITIVE));
             }
         }
-        // f changes its sign between a and b, and no point between them is farther from another than one of them is.
         let point = between(a, b, 0.5);
         Crossing {
             point,
@@ -95,10 +100,10 @@ mod tests {
     }
 
     proptest! {
-        /// Where the ends are next to each other the zero is one of them, or between them: the radius holds both.
+        /// If the ends are only a few units in the last place apart, the zero is still within the radius.
         #[test]
         fn a_crossing_of_neighbours_holds_both(x in 0.5f64..1.0, y in -1.0f64..1.0, ulps in 1u32..40) {
-            // x − c for a c between them.
+            // f = x − c, with c in the middle between the two ends.
             let a = [x, y, 0.1];
             let b = [x + f64::from(ulps) * f64::EPSILON, y + f64::from(ulps) * f64::EPSILON, 0.3];
             let c = (rational(a[0]) + rational(b[0])) / Rational::from(2);

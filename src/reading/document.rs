@@ -1,4 +1,4 @@
-//! JSON documents: reading, with the place of whatever is wrong.
+//! JSON documents are read into forms. An error names the place in the document.
 
 use serde_json::{Map, Value};
 
@@ -13,11 +13,15 @@ use crate::language::{
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, FourierRadius};
 
-/// Reads a document of kind `implicit`, `fourier` or `superquadric`, or of a `parametric` one the exact Fourier
-/// radius of the first branch, the fit, or the superquadric. Fields that are not known are ignored.
+/// Reads the form of a JSON document.
 ///
-/// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; either way
-/// they are taken from their text.
+/// The kinds are `implicit`, `fourier`, `superquadric`, `intersection` and `parametric`. The form of a `parametric` document is
+/// the first of these that it has: its coordinates as functions of parameters (if it has no branches), its superquadric, its
+/// implicit equation, the Fourier radius that was fitted, or the exact Fourier radius of its first branch. Unknown fields are
+/// ignored.
+///
+/// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; both are read as text, so no number is
+/// rounded.
 ///
 /// ```
 /// use stellate::reading::read_document;
@@ -76,7 +80,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
                 return read_implicit(&node, node.object()?, source_name);
             }
             let radius = if object.contains_key("fit") {
-                // What was fitted to a curve without a closed form (Lemma 6).
+                // A curve without a closed form has a fitted Fourier radius (Lemma 6).
                 let fit = root.field(object, "fit")?;
                 read_fourier(&fit.field(fit.object()?, "fourier")?)?
             } else {
@@ -100,7 +104,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
     }
 }
 
-/// Reads the surfaces of a document of kind `intersection`, with `read` for each.
+/// Reads the surfaces of a document of kind `intersection`; `read` reads one of them.
 fn read_intersection(
     root: &Node<'_>,
     object: &Map<String, Value>,
@@ -122,7 +126,7 @@ fn read_intersection(
     Ok(Form::Intersection(surfaces))
 }
 
-/// The coordinates of a parametric form, each a formula of the input language.
+/// Reads a parametric form from its coordinates, each a formula of the input language.
 fn read_coordinates(
     root: &Node<'_>,
     object: &Map<String, Value>,

@@ -1,4 +1,4 @@
-//! All real roots of a polynomial: in a bounded number of bits where that proves them, else exactly.
+//! All real roots of a polynomial. Bounded arithmetic finds them if it can prove them, exact arithmetic otherwise.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -15,8 +15,8 @@ impl RealRoot {
     /// All distinct real roots of the polynomial with these coefficients (ascending), ascending, with their multiplicities; none
     /// for a constant.
     ///
-    /// Every root is certified: the count is exact (Descartes' rule, in numbers of 128 to 768 bits with bounds of their
-    /// errors, or on the squarefree parts with as many as it takes).
+    /// Every root is certified and the number of roots is exact. Descartes' rule proves it, either in numbers of 128 to 768 bits
+    /// with bounds of their errors, or on the squarefree parts with as many bits as necessary.
     ///
     /// ```
     /// use stellate::roots::RealRoot;
@@ -34,7 +34,7 @@ impl RealRoot {
 /// [`RealRoot::all_of`] a polynomial with integer coefficients.
 pub(crate) fn real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
     let mut roots = match simple_roots(f, 1) {
-        // Found without any gcd.
+        // These roots are proved to be simple, so no gcd was needed.
         Ok(roots) => roots,
         Err(_) => squarefree_roots(f),
     };
@@ -54,7 +54,7 @@ fn squarefree_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
             roots.push(zero);
             part.div_power_of_x_assign(1);
         }
-        // What bounded arithmetic has failed at it fails at again.
+        // The polynomial is its own squarefree part, and bounded arithmetic has failed for it already.
         let bounded = (is_new || starts_at_0).then(|| simple_roots(&part, multiplicity).ok());
         let found = bounded.flatten();
         roots.extend(found.unwrap_or_else(|| exact_roots(&part, multiplicity)));
@@ -87,8 +87,7 @@ fn exact_roots(part: &IntegerPolynomial, multiplicity: usize) -> Vec<RealRoot> {
     exact.chain(intervals).collect()
 }
 
-/// Sorts distinct roots, by insertion; overlapping enclosures are refined until they part, and they do: the roots are
-/// distinct.
+/// Sorts roots by insertion. The roots must be distinct: overlapping enclosures are refined until they are disjoint.
 pub(crate) fn sort_distinct(roots: &mut [RealRoot]) {
     for i in 1..roots.len() {
         let mut j = i;
@@ -112,7 +111,7 @@ mod tests {
     use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 
-    /// In exact arithmetic alone: the slow twin.
+    /// The same roots by exact arithmetic alone, as a slow twin.
     fn exact_real_roots(f: &IntegerPolynomial) -> Vec<RealRoot> {
         let parts = squarefree_decomposition(f).into_iter();
         let mut roots: Vec<RealRoot> = parts
@@ -122,7 +121,7 @@ mod tests {
         roots
     }
 
-    /// What each precision says, if it says anything, is what exact arithmetic finds.
+    /// Every precision that gives an answer gives the roots that exact arithmetic finds.
     fn agrees<const W: usize>(f: &IntegerPolynomial, exact: &[RealRoot]) -> bool {
         let Ok(mut found) = bounded_roots::<W>(f) else {
             return false;
@@ -176,7 +175,7 @@ mod tests {
                 prop_assert!(root.is_same(expected) && root.multiplicity() == expected.multiplicity());
             }
             let said = [agrees::<2>(&f, &exact), agrees::<4>(&f, &exact), agrees::<6>(&f, &exact), agrees::<8>(&f, &exact), agrees::<12>(&f, &exact)];
-            // It does say something where it can: simple roots that are no points of bisection.
+            // Bounded arithmetic must succeed here: the roots are simple and are no points of bisection.
             let is_plain = exact.iter().all(|r| r.multiplicity() == 1 && r.as_rational().is_none());
             let c = f.coefficients_asc();
             if is_plain && c[0] != 0 && c.iter().all(|c| c.significant_bits() <= 64) {

@@ -1,11 +1,13 @@
 //! Isolating the real roots of a squarefree polynomial: Descartes' rule in the Bernstein basis.
 //!
 //! The number of sign changes of the Bernstein coefficients on an interval is at least the number
-//! of roots there, and equal to it when it is 0 or 1. Intervals are halved (de Casteljau) until it
-//! is. Coefficients are carried with a bounded number of bits and a bound of their error; signs
-//! below the bound count as unknown, and when the sign at an endpoint is unknown the exact
-//! polynomial is asked: 0 there is an exact root, which is divided out; otherwise everything is
-//! repeated with twice the bits. So the answer is always exact, and rarely is the arithmetic.
+//! of roots there, and equal to it when it is 0 or 1. Intervals are halved (de Casteljau) until the number of
+//! sign changes is 0 or 1, or until [`separate`] tells two close roots apart.
+//!
+//! The coefficients are rounded to a bounded number of bits, with a bound of their error. The sign of a coefficient that is
+//! smaller than this bound is unknown. If the sign at a midpoint is unknown, the exact polynomial is evaluated there. If its
+//! value is 0, the midpoint is an exact root, which is divided out; otherwise the search starts again with twice the
+//! bits. So the answer is always exact, although most of the arithmetic is not.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::DivRound;
@@ -21,11 +23,11 @@ use crate::exact::Dyadic;
 use crate::poly::integer_sign as sign;
 use crate::poly::{IntegerPolynomial, divide_exactly, negate_odd, shift_by_one, sign_at};
 
-/// Bits carried beyond the degree at the first attempt.
+/// The first attempt works with this many bits more than the degree.
 const GUARD_BITS: u64 = 64;
 
-/// What [`isolate`] finds: `exact` roots, and open intervals that hold one root each of
-/// `rest`, the polynomial that is left when the exact roots are divided out.
+/// The isolated real roots of a polynomial: the `exact` roots, and open intervals that hold one root each of `rest`, which is the
+/// polynomial divided by the factors of the exact roots.
 #[derive(Clone, Debug)]
 pub(crate) struct Isolation {
     pub(crate) exact: Vec<Dyadic>,
@@ -185,7 +187,7 @@ struct Node {
 }
 
 impl Node {
-    /// Sign changes of the exact coefficients, as far as they are known.
+    /// The number of sign changes of the exact coefficients, as far as their signs are known.
     fn changes(&self) -> Changes {
         let signs = self.coefficients.iter().map(|c| known_sign(c, &self.error));
         Changes::count(signs)
@@ -250,8 +252,8 @@ impl Bisection<'_> {
                             Stop::MoreBits
                         });
                     }
-                    // On the way down to a root near 0 there are as many halves without roots as the root has bits: they are
-                    // not kept until the end.
+                    // A right half without roots is dropped at once: on the way to a root near 0 there are as many of them as
+                    // the root has leading zero bits.
                     if !matches!(right.changes(), Changes::None) {
                         stack.push(right);
                     }
@@ -268,7 +270,8 @@ impl Bisection<'_> {
     }
 }
 
-/// The sign of the second derivative, if it is certain that it has one, where halving has not helped for long.
+/// The sign of the second derivative on the interval of a node, if the node is deep in the tree and this sign is proved to be
+/// the same on the whole interval.
 ///
 /// Lemma 3. A second difference b0 − 2 b1 + b2 of rounded coefficients is less than twice `error` away from the exact one,
 /// and where all of the exact ones have one sign, so has the second derivative.
@@ -276,7 +279,7 @@ impl Bisection<'_> {
 /// times a positive number, are the Bernstein coefficients of the second derivative.
 /// Law: `a_certain_second_derivative_is_right`.
 fn convexity(node: &Node) -> Option<i8> {
-    /// Roots that are not very close have been told apart by then.
+    /// At this depth halving has separated all roots that are not very close together.
     const LONG: u64 = 24;
     let b = &node.coefficients;
     if node.depth < LONG || b.len() < 3 {
@@ -327,7 +330,7 @@ fn halve(node: Node) -> (Node, Node) {
     )
 }
 
-/// The sign of a number that is less than `error` away from `value`; `None` if that leaves it open.
+/// The sign of a number that is less than `error` away from `value`; `None` if both signs are possible.
 fn known_sign(value: &Integer, error: &Integer) -> Option<i8> {
     (value.unsigned_abs_ref() >= error.unsigned_abs_ref()).then(|| sign(value))
 }

@@ -1,4 +1,8 @@
-//! Real roots of polynomials: isolated, as exact objects, and as doubles with a proof.
+//! Real roots of polynomials in one variable.
+//!
+//! A [`RealRoot`] is an exact object: a polynomial and an interval that holds one root of it. Its enclosure can be narrowed as far
+//! as wanted, and its nearest double is proved. Bounded arithmetic (`bounded`) finds most roots; exact arithmetic (`isolate`)
+//! finds the others.
 
 mod all_roots;
 mod bounded;

@@ -1,5 +1,8 @@
-//! Two real roots very close together, or two conjugate ones very close to the axis, told apart at the extremum between
-//! them: halving would take a step for every bit of their distance, this takes its logarithm.
+//! Separates two real roots that are very close together, or shows that there are none where two conjugate roots are very close
+//! to the real axis.
+//!
+//! The sign at the extremum decides. Bisection would take one step for every bit of the distance; the extremum is refined in a
+//! number of steps that is the logarithm of the number of bits.
 
 use std::sync::Arc;
 
@@ -11,8 +14,8 @@ use crate::error::Invariant;
 use crate::exact::Dyadic;
 use crate::poly::{IntegerPolynomial, leading_value, sign_at};
 
-/// The roots of a squarefree f in (low, high), where `convex` is the sign of f″ throughout and f is not 0 at the
-/// ends: intervals with one root each, or a root that is a dyadic number.
+/// Intervals that hold one root each of a squarefree f in (low, high), or `Err` with a root that is a dyadic number. The caller
+/// must ensure that f″ has the sign `convex` on the whole interval and that f is not 0 at the ends.
 pub(super) fn separate(
     f: &IntegerPolynomial,
     (low, high): (Dyadic, Dyadic),
@@ -24,7 +27,8 @@ pub(super) fn separate(
     }
     let slope = f.derivative();
     let falls_then_rises = sign_at(&slope, &low) == -convex && sign_at(&slope, &high) == convex;
-    // A convex function is below its chord, and has its least value where its slope changes sign.
+    // Let `convex` be 1. A convex function is below its chord, so it has no root inside if it is negative at both ends. If it is
+    // positive there, it can only have roots if its least value is inside, where its slope changes sign.
     if sign_low != convex || !falls_then_rises {
         return Ok(Vec::new());
     }
@@ -46,7 +50,8 @@ pub(super) fn separate(
                 _ => {}
             }
         }
-        // It is above its tangent, which falls from a to b: by less than a factor of the slope there.
+        // The least value is between a and b, and f is above its tangent at a: f ≥ f(a) − |f′(a)| (b − a) there. If f(a) is larger
+        // than this drop (16 times, for the errors of the logarithms), f has no root.
         let size = |g: &IntegerPolynomial| {
             let (m, e) = leading_value(g, a, 2);
             Dyadic::new(m, e).log2()
@@ -59,8 +64,8 @@ pub(super) fn separate(
     }
 }
 
-/// An interval with the root between `point`, beside the extremum, and `end`, on the given side of it: short, as the root is at
-/// a distance of about `√(2 |f / f″|)` from the extremum.
+/// A short interval that holds the root between `point`, which is near the extremum, and `end`, which is on the given side of it.
+/// It is short because the root is at a distance of about `√(2 |f / f″|)` from the extremum.
 fn around(
     f: &IntegerPolynomial,
     slope: &IntegerPolynomial,

@@ -1,4 +1,4 @@
-//! Real roots as exact objects: a polynomial and where its root is.
+//! Real roots as exact objects: a polynomial, and the root itself or an interval that holds it alone.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;
@@ -11,10 +11,10 @@ use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational, nearest_double};
 use crate::poly::{IntegerPolynomial, leading_value, polynomial_gcd, sign_at, sign_at_rational};
 
-/// One step of refinement adds at most so many bits.
+/// One step of refinement adds at most this many bits.
 const MAX_STEP: u32 = 1 << 16;
 
-/// A real root of a polynomial with integer coefficients: certified, and as precise as asked.
+/// A real root of a polynomial with integer coefficients. The root is exact; its enclosure can be made as narrow as wanted.
 #[derive(Clone, Debug)]
 pub struct RealRoot {
     polynomial: Arc<IntegerPolynomial>,
@@ -25,8 +25,8 @@ pub struct RealRoot {
 #[derive(Clone, Debug)]
 enum Location {
     Exact(Dyadic),
-    /// The one root of the (squarefree) polynomial in this open interval; `sign_low` is its sign
-    /// at `low`, and it has the opposite one at `high`.
+    /// The only root of the squarefree polynomial in this open interval. The polynomial has the sign `sign_low` at `low` and the
+    /// opposite sign at `high`.
     Between {
         low: Dyadic,
         high: Dyadic,
@@ -48,7 +48,8 @@ impl RealRoot {
         }
     }
 
-    /// The one root between two numbers at which the polynomial has opposite signs, `sign_low` at the lower one.
+    /// The only root between two numbers. The caller must ensure that the polynomial has the sign `sign_low` at the lower number,
+    /// the opposite sign at the upper one, and one root between them.
     pub(crate) fn between(
         polynomial: &Arc<IntegerPolynomial>,
         (low, high): (Dyadic, Dyadic),
@@ -66,21 +67,21 @@ impl RealRoot {
         }
     }
 
-    /// How often the polynomial vanishes here.
+    /// The multiplicity of the root.
     #[must_use]
     pub fn multiplicity(&self) -> usize {
         self.multiplicity
     }
 
-    /// Certified bounds `low ≤ root ≤ high`; equal only if the root was found exactly on the way. [`Self::refine_to_width`] makes them
-    /// narrower, [`Self::as_rational`] finds a rational root all the same.
+    /// Certified bounds `low ≤ root ≤ high`. They are equal only if the root is already known exactly; [`Self::as_rational`] finds
+    /// every rational root. [`Self::refine_to_width`] makes the bounds narrower.
     #[must_use]
     pub fn bounds(&self) -> (Rational, Rational) {
         let (low, high) = self.enclosure();
         (low.to_rational(), high.to_rational())
     }
 
-    /// [`Self::bounds`], lent.
+    /// References to the [`Self::bounds`].
     pub(crate) fn enclosure(&self) -> (&Dyadic, &Dyadic) {
         match &self.place {
             Location::Exact(point) => (point, point),
@@ -128,7 +129,8 @@ impl RealRoot {
         match &self.place {
             Location::Exact(point) => sign_at(g, point) == 0,
             Location::Between { low, high, .. } => {
-                // A common factor that changes sign in the interval has the one root there is.
+                // The polynomial has one root in the interval, and it is simple. So the common factor has this root exactly if
+                // its sign changes.
                 let common = polynomial_gcd(&self.polynomial, g);
                 common.coefficients_asc().len() > 1
                     && sign_at(&common, low) * sign_at(&common, high) < 0
@@ -136,7 +138,8 @@ impl RealRoot {
         }
     }
 
-    /// Whether both are the same number: a root of the other's polynomial, in the other's enclosure.
+    /// Whether both roots are the same number. They are if this root is a root of the other's polynomial and lies in the other's
+    /// enclosure.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         let (low, high) = other.enclosure();
@@ -153,8 +156,8 @@ impl RealRoot {
         if let Location::Exact(point) = &self.place {
             return Some(point.to_rational());
         }
-        // p/q in lowest terms has q | lead: two such fractions are at least 1/lead² apart, and
-        // the simplest fraction in a shorter interval is the only candidate.
+        // If the root is p/q in lowest terms, q divides the leading coefficient `lead`. Two fractions with denominators up to
+        // |lead| are at least 1/lead² apart, so in a shorter interval the simplest fraction is the only candidate.
         let lead = self.polynomial.coefficients_asc().last()?;
         let mut here = self.clone();
         let bits = i64::try_from(2 * lead.significant_bits()).ok()? + 1;
@@ -169,6 +172,7 @@ impl RealRoot {
         &self.polynomial
     }
 
+    /// Compares two roots; the enclosures are bisected until they are disjoint. The caller must ensure that the roots are distinct.
     pub(crate) fn cmp_distinct(&mut self, other: &mut Self) -> Ordering {
         loop {
             let (a, b) = (self.enclosure(), other.enclosure());
@@ -183,8 +187,8 @@ impl RealRoot {
         }
     }
 
-    /// Takes a guess: if the root is proved to lie within 2^−`bits` of it (relatively), the enclosure
-    /// shrinks to that. Two exact signs.
+    /// Narrows the enclosure to a relative distance of 2^−`bits` about `guess`, if the root is proved to be there. Two exact
+    /// signs prove it.
     pub(crate) fn try_guess(&mut self, guess: f64, bits: i64) {
         let Location::Between { low, high, .. } = &self.place else {
             return;
@@ -227,7 +231,8 @@ impl RealRoot {
     /// the size of the root.
     ///
     /// Quadratic interval refinement (Abbott): a secant step proposes a subinterval of 1/N of the
-    /// width; when exact signs confirm it N is squared, else the interval is halved and N rooted.
+    /// width. If exact signs confirm that it holds the root, N is squared; if not, the interval is halved and the square root
+    /// of N is taken.
     pub fn refine(&mut self, bits: i64) {
         let mut step = 2u32;
         loop {
@@ -247,8 +252,7 @@ impl RealRoot {
             if done {
                 return;
             }
-            // Towards 0 a secant is of no use, and halving is too slow for a tiny root: take a
-            // square root of the scale.
+            // Near 0 secants do not help, and halving would take one step for every leading zero bit of a tiny root.
             if low.signum() == 0 || high.signum() == 0 {
                 self.approach_zero();
                 continue;
@@ -276,7 +280,8 @@ impl RealRoot {
         }
     }
 
-    /// The enclosure touches 0 and the root is not 0: cuts it at ever smaller powers of two.
+    /// Moves the end of the enclosure that is 0 away from 0, by cuts at 2^−4, 2^−8, 2^−16, … times the size of the other end. The
+    /// caller must ensure that the root is not 0.
     fn approach_zero(&mut self) {
         let mut drop = 4;
         while let Location::Between { low, high, .. } = &self.place {
@@ -298,7 +303,7 @@ impl RealRoot {
         }
     }
 
-    /// One step of quadratic interval refinement with 2^`step` subintervals; whether it succeeded.
+    /// One step of quadratic interval refinement with 2^`step` subintervals. Returns whether the root was in the proposed one.
     fn secant(&mut self, step: u32) -> bool {
         let Location::Between { low, high, .. } = &self.place else {
             return true;
@@ -347,7 +352,7 @@ impl RealRoot {
         if let Some(exact) = self.as_rational() {
             return exact.to_decimal(digits);
         }
-        // An irrational root is no midpoint of two decimals, so the bounds come to agree.
+        // An irrational root is not in the middle between two decimals, so both bounds are rounded alike in the end.
         let mut root = self.clone();
         let mut bits = i64::from(digits) * 4 + 16;
         loop {
@@ -383,7 +388,7 @@ impl RealRoot {
         let step = if k == 1 {
             (middle * scale).to_f64()
         } else {
-            // One root of the whole: the two factors may be beyond the doubles where it is not.
+            // (root · |scale|^k)^(1/k): the two factors alone may be too large for a double.
             let power = scale
                 .abs()
                 .pow(i64::from(k))
@@ -421,7 +426,7 @@ impl RealRoot {
     }
 }
 
-/// Where the root lies of a point inside its interval at which the polynomial has this sign.
+/// The order of the root and a point inside its interval, where the polynomial has the sign `sign` at the point.
 fn side(sign_low: i8, sign: i8) -> Ordering {
     match sign {
         0 => Ordering::Equal,
@@ -430,7 +435,7 @@ fn side(sign_low: i8, sign: i8) -> Ordering {
     }
 }
 
-/// (|a|, |a| + |b|) to about so many bits, up to a common factor.
+/// (|a|, |a| + |b|), rounded to about `bits` bits and up to a common factor.
 fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64), bits: u64) -> (Integer, Integer) {
     let top = |v: &(Integer, i64)| v.0.significant_bits().cast_signed() + v.1;
     let unit = top(a).max(top(b)) - bits.cast_signed();
@@ -448,7 +453,7 @@ fn ratio_to_sum(a: &(Integer, i64), b: &(Integer, i64), bits: u64) -> (Integer, 
     (a, sum)
 }
 
-/// A float guess of q^(1/k) for q > 0, without overflow.
+/// A guess of q^(1/k) in doubles, for q > 0 and without overflow.
 #[expect(
     clippy::cast_precision_loss,
     reason = "a guess: exact comparisons decide"

@@ -9,7 +9,10 @@ use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, integer_sign, shift_by_one, sign_at};
 
 impl RealRoot {
-    /// The exact sign of g at this root: 0 by a gcd, any other by refining the root.
+    /// The exact sign of g at this root.
+    ///
+    /// A gcd decides whether g is 0 here. If it is not, the enclosure of the root is narrowed until [`constant_sign`] proves
+    /// that g has one sign on all of it. That ends, because g has no zero on a sufficiently narrow enclosure.
     pub(crate) fn sign_of(&self, g: &IntegerPolynomial) -> i8 {
         if *g == IntegerPolynomial::ZERO || self.is_root_of(g) {
             return 0;
@@ -30,11 +33,19 @@ impl RealRoot {
     }
 }
 
-/// The sign of g on [low, high], if Descartes' rule proves that it has no zero there. It does so for
-/// every g without a zero as soon as the interval is short enough.
+/// The sign of g on [low, high], or `None` if it is not proved that g has one sign there.
+///
+/// Lemma. If no two Bernstein coefficients of g on [low, high] have opposite signs, and the first and the last one are not 0,
+/// then g has their sign at every point of [low, high].
+/// Proof. The first and the last coefficient are the values of g at the ends. Inside, every Bernstein polynomial is positive,
+/// so g is a sum of terms of one sign, of which at least one is not 0.
+/// Law: `a_sign_without_zeros_is_proved`.
+///
+/// If g has no zero on an interval, the hypothesis holds as soon as the interval is short enough: the coefficients tend to the
+/// values of g.
 pub(crate) fn constant_sign(g: &IntegerPolynomial, low: &Rational, high: &Rational) -> Option<i8> {
     let degree = g.coefficients_asc().len().checked_sub(1)?;
-    // g((p + w x) / q) q^degree
+    // With low = p/q and high = (p + w)/q for q = `common`, this is q^degree g((p + w x)/q): x runs from 0 to 1.
     let common = low.denominator() * high.denominator();
     let whole = Rational::whole(&common);
     let p = (low * &whole).numerator();
@@ -47,7 +58,8 @@ pub(crate) fn constant_sign(g: &IntegerPolynomial, low: &Rational, high: &Ration
         moved = moved * &line + term;
         power *= &common;
     }
-    // (1 + x)^degree g at low + (high − low)/(1 + x): its coefficients are those in the Bernstein basis.
+    // (1 + x)^degree g(low + (high − low)/(1 + x)) up to the same factor: its coefficients are those in the Bernstein basis from
+    // `high` to `low`, each times a positive binomial coefficient.
     let mut coefficients = moved.into_coefficients_asc();
     coefficients.resize(degree + 1, Integer::ZERO);
     coefficients.reverse();

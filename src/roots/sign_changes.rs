@@ -1,6 +1,6 @@
 //! Changes of sign of a list of numbers, some of which may have an unknown sign.
 
-/// The number of sign changes, zeros left out.
+/// The number of sign changes of a list; zeros do not count.
 pub(super) fn sign_changes(signs: impl Iterator<Item = i8>) -> usize {
     let mut last = 0;
     let mut changes = 0;
@@ -19,8 +19,8 @@ pub(super) enum Changes {
 }
 
 impl Changes {
-    /// The number of sign changes, where an unknown sign may be anything: `None` and `One` are
-    /// certain, `More` is "two or more, or not known".
+    /// The number of sign changes of a list in which unknown signs may be anything. `None` and `One` are
+    /// certain; `More` means two or more, or not known.
     pub(super) fn count(signs: impl Iterator<Item = Option<i8>>) -> Self {
         let mut last: Option<i8> = None;
         let mut unknown = 0;

@@ -19,7 +19,7 @@ use crate::exact::Rational;
 use crate::poly::IntegerPolynomial;
 use crate::roots::{RealRoot, real_roots};
 
-/// A guess from floats is proved to this many bits or not used.
+/// A guess in doubles is used only if it is proved to this many bits.
 const GUESS_BITS: i64 = 40;
 
 /// Solves f = 0 along directions.
@@ -49,18 +49,18 @@ pub struct RaySolver<'a, P, const V: usize> {
     exact: AtomicU64,
 }
 
-/// In how many directions which precision decided.
+/// The number of directions that each precision decided.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct StageCounts {
-    /// So many bits as [`StageCounts::BITS`] says.
+    /// The number of directions that bounded arithmetic decided, for each precision of [`StageCounts::BITS`].
     pub bounded: [u64; LEVELS],
-    /// Exact arithmetic.
+    /// The number of directions that exact arithmetic decided.
     pub exact: u64,
 }
 
 impl StageCounts {
-    /// The precisions of bounded arithmetic.
+    /// The precisions of bounded arithmetic, in bits.
     pub const BITS: [u32; LEVELS] = [128, 192, 256, 384, 512, 768];
 }
 
@@ -101,10 +101,12 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
 
     /// The points in one direction.
     ///
-    /// Bounded arithmetic of 128 to 768 bits is asked first, starting where the direction before was decided: it proves all
-    /// that it says, or says nothing. Cost: a product for every coefficient of f, then d² additions for the roots of one
-    /// polynomial. Where it cannot tell (a multiple root, one that is a bound between two doubles, a line) exact arithmetic
-    /// decides.
+    /// Bounded arithmetic of 128 to 768 bits is tried first, beginning with the precision that decided the last direction. It
+    /// proves its answer or gives none. It gives none for a multiple root, for a root in the middle between two doubles, and for
+    /// a line in the curve or surface; then exact arithmetic decides.
+    ///
+    /// Cost, for a polynomial of degree d: one product for every coefficient of f, then d² additions for the roots of one
+    /// polynomial.
     #[must_use]
     pub fn solve(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         let (vector, w) = direction.over_common_denominator();
@@ -120,7 +122,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
 
-    /// In how many directions so far which precision decided.
+    /// The number of directions that each precision has decided so far.
     #[must_use]
     pub fn stage_counts(&self) -> StageCounts {
         StageCounts {
@@ -290,7 +292,7 @@ mod tests {
             for r in &radii {
                 f = &f * &curve(&[(2, 0, 1), (0, 2, 1), (0, 0, -r * r)]);
             }
-            // The line x + a y = 100 is farther out than every circle.
+            // The line x + a y = 1000 is farther from the origin than every circle: its distance is above 110, the radii are below 50.
             f = &f * &curve(&[(1, 0, 1), (0, 1, a), (0, 0, -1000)]);
             let d = Direction::from_radians(theta);
             let slope = d.u() + Rational::from(a) * d.v();
@@ -309,7 +311,7 @@ mod tests {
         prop::collection::vec((exponents, -9i64..9), 1..12)
     }
 
-    /// Bounded arithmetic says what exact arithmetic says, and mostly it does say something.
+    /// The solver gives the points that exact arithmetic alone gives, and it counts every direction once.
     fn check_stages<P: HomogeneousParts<V>, const V: usize>(
         f: &P,
         directions: &[impl UnitVector<V>],

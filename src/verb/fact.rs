@@ -1,4 +1,4 @@
-//! What is known of an answer besides the answer itself, as data; `document` turns it into sentences and fields.
+//! The facts that accompany an answer, as data. [`crate::document`] writes each of them as a sentence or as fields.
 
 use super::Part;
 use crate::exact::Rational;
@@ -7,99 +7,102 @@ use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, 
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;
 
-/// Something that is known of a form or its equation, and stands in its document.
+/// A fact about a form or its equation. The document of the form states it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Fact {
     /// The form was given by these functions of parameters.
     Parametric(Form),
-    /// The form was a contour, and what follows is its Fourier fit.
+    /// The form was a contour; the document holds the Fourier fit of that contour.
     Outline {
-        /// The number of vertices.
+        /// The number of vertices of the contour.
         vertices: usize,
-        /// Its area.
+        /// The area inside the contour.
         area: f64,
-        /// Its centroid.
+        /// The centroid of that area.
         centroid: [f64; 2],
     },
-    /// How good the fit is.
+    /// The deviations of the fit from what it was fitted to.
     Fit(FitReport),
-    /// The polynomial of Theorem 2 is a perfect square; this is its root.
+    /// The polynomial of Theorem 2 is a perfect square; the equation in the document is its square root.
     PerfectSquare,
-    /// The equation is irreducible, of this degree; that it vanishes identically is proved by substitution.
+    /// The equation is irreducible and has this degree. Exact substitution proves that it vanishes on the whole form.
     Irreducible(u64),
-    /// How often complex values of the parameter run over a curve.
+    /// The number of complex parameter values of a general point of a curve.
     TracingIndex(usize),
-    /// How many parameter values a general point of a surface has, counted at random points; `None` if the counts disagree.
+    /// The number of complex parameter values of a general point of a surface, counted at random points; `None` if the counts
+    /// disagree.
     PatchTracingIndex(Option<usize>),
-    /// The equations cut out a space curve of this degree alone.
+    /// The surfaces intersect in the space curve and in nothing else; the number is the degree of that curve.
     CutsOutCurve(usize),
-    /// How often real values of the parameter run over what they reach.
+    /// How often real values of the parameter trace the points that they reach.
     RealTracing {
-        /// One number, or several if that is not the same everywhere; `None` if that was not found.
+        /// The numbers of real parameter values that occur at general points, one number if it is the same everywhere; `None` if
+        /// they were not found.
         counts: Option<Vec<usize>>,
-        /// The tracing index for complex values.
+        /// The number of complex parameter values of a general point.
         complex: usize,
     },
-    /// What the zero set of a curve has beyond the points of real parameters.
+    /// The points of the zero set of a curve that no real parameter value reaches.
     BeyondCurve(BeyondCurve),
-    /// A point of the zero set that is not on the patch, if one was found.
+    /// A point of the zero set that is not on the patch, or `None` if none was found.
     BeyondPatch(Option<PointBeyond>),
-    /// What Theorem 1 or Theorem 4 gave.
+    /// The result of Theorem 1 or of Theorem 4.
     Polar {
-        /// Which of the two.
+        /// The theorem.
         theorem: PolarTheorem,
-        /// The equation, or why there is only a relation.
+        /// The squared radius as a function of the direction, or the reason why it is not a rational function.
         inverse: PolarInverse,
-        /// The factors of the polar equation, cleared of denominators.
+        /// The irreducible factors of the polar equation, cleared of denominators.
         factors: Vec<PolarFactor>,
     },
-    /// What Theorem 3 gave: the surfaces of Eqs. (10) and (11), or why there is none, and what they have in common besides the
-    /// curve.
+    /// The result of Theorem 3.
     PolarSpaceCurve {
-        /// Eq. (10) and Eq. (11).
+        /// The surfaces of Eq. (10) and Eq. (11), each with the reason if it does not exist.
         surfaces: Box<[std::result::Result<PolarSurface, String>; 2]>,
-        /// On the first polynomial's zero set that of the second.
+        /// The components that the two surfaces have in common besides the curve: each is the common zero set of its two
+        /// polynomials.
         components: Vec<[SparsePolynomial<3>; 2]>,
     },
-    /// A limit has cost this part.
+    /// This part of the answer is missing, because a limit was reached.
     Missing(Part),
 }
 
-/// Theorems with one polar equation.
+/// The theorems that give one polar equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PolarTheorem {
-    /// Theorem 1, Eq. (1), of plane curves.
+    /// Theorem 1, Eq. (1), for plane curves.
     One,
-    /// Theorem 4, Eq. (15), of patches.
+    /// Theorem 4, Eq. (15), for patches.
     Four,
 }
 
-/// What the zero set of a curve has beyond the points of real parameters.
+/// The real points of the zero set of a curve's equation that no real parameter value reaches.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BeyondCurve {
     /// The name of the parameter.
     pub parameter: String,
-    /// The point that is only approached, as the parameter goes to infinity.
+    /// The point that the curve tends to as the parameter goes to infinity, and that no parameter value reaches.
     pub approached: Option<Vec<Rational>>,
-    /// How much of the curve is reached.
+    /// The part of the curve that real parameter values reach.
     pub reach: Reach,
-    /// Isolated real points.
+    /// The isolated real points that were found.
     pub isolated: Vec<IsolatedPoint>,
-    /// Whether these are all; `None` for space curves, where they are not looked for.
+    /// Whether `isolated` holds all isolated real points; `None` for space curves, where they are not looked for.
     pub are_all: Option<bool>,
 }
 
-/// How much of the real curve real values of the parameter reach.
+/// The part of the real curve that real parameter values reach.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Reach {
-    /// All of it, but for finitely many points.
+    /// All of the curve except finitely many points.
     Whole,
-    /// They turn back at these points, near to the exact ones; `None` is infinity.
+    /// The parametrization turns back at these points (approximate coordinates), and the curve goes on beyond them; `None` is the
+    /// point at infinity.
     TurnsBack(Vec<Option<Vec<f64>>>),
-    /// Not decided.
+    /// It was not decided.
     Unknown,
 }

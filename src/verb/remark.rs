@@ -1,9 +1,9 @@
-//! What is said of the work, as data; `document` turns it into sentences.
+//! Remarks about the work, as data. [`crate::document::remark_text`] writes each of them as a sentence.
 
 use crate::exact::Rational;
 use crate::fit::CenterOrigin;
 
-/// Something that the person who waits should know of the work. It is no part of the answer.
+/// A remark about the work for the person who waits for it. A remark is not a part of the answer.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Remark {
@@ -11,7 +11,7 @@ pub enum Remark {
     Center {
         /// The center.
         point: [f64; 2],
-        /// Why this one.
+        /// The reason for this center.
         origin: CenterOrigin,
     },
     /// A contour is not star-shaped about the center.
@@ -34,19 +34,19 @@ pub enum Remark {
         /// The nominal angle φ, in space.
         phi: Option<f64>,
     },
-    /// Arcs were asked for where every component has an exact parametrization.
+    /// Arcs were requested, but every component has an exact parametrization.
     NoArcsNeeded,
     /// Components without a parametrization are left out.
     ComponentsLeftOut,
-    /// There is no positive radius without a closed form over the full circle, so no Fourier fit.
+    /// There is no Fourier fit, because no positive radius without a closed form covers the full circle.
     NoFourierFit,
-    /// The outermost positive radius is fitted, which jumps so often between branches.
+    /// The outermost positive radius is fitted; it jumps between branches at this number of angles.
     Jumps(usize),
-    /// So many of all inputs were no doubles and were rounded.
+    /// Some inputs were not doubles and were rounded.
     Rounded {
-        /// How many.
+        /// The number of inputs that were rounded.
         rounded: usize,
-        /// Of how many.
+        /// The number of all inputs.
         total: usize,
     },
     /// No points were found to fit a picture to.
@@ -57,13 +57,13 @@ pub enum Remark {
     DoublesAlone,
 }
 
-/// A part of an answer that a limit may cost.
+/// A part of an answer that is missing if a limit is reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Part {
     /// The factors over Q.
     Factors,
-    /// What the real zero set has beyond a curve, and the real tracing index.
+    /// The real points of the zero set beyond a curve, and the real tracing index.
     BeyondCurve,
     /// A point of the zero set beyond a patch.
     BeyondPatch,

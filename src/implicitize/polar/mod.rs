@@ -1,5 +1,7 @@
-//! The paper's own way (Theorems 1, 3 and 4): where `x² + y²` (or `x² + y² + z²`) is a rational function of the
-//! direction, that function is substituted, and the spurious factors are found and named.
+//! Implicitization by the paper's substitution (Theorems 1, 3 and 4).
+//!
+//! The squared radius `x² + y²` (or `x² + y² + z²`) is expressed as a rational function of the direction. This equation, cleared
+//! of denominators, vanishes on the form but also has spurious factors; they are found, and each is named by its [`Role`].
 
 mod patch;
 mod plane;
@@ -17,42 +19,43 @@ pub use space_curve::{PolarSpaceCurve, PolarSurface, polar_space_curve};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PolarInverse {
-    /// It is the quotient above/below of two forms of the same degree in x, y (and z).
+    /// It is the quotient of these two forms, numerator first, of the same degree in x, y (and z).
     Function([SparsePolynomial<3>; 2]),
-    /// It is no rational function, for this reason; a polynomial relation between the two was taken.
+    /// It is not a rational function of the direction, for this reason. The polar equation is a polynomial relation between the
+    /// squared distance and the direction.
     Relation(String),
 }
 
-/// An irreducible factor of an equation that was found by substitution.
+/// An irreducible factor of a polar equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PolarFactor {
-    /// Primitive, with positive first term.
+    /// The factor, primitive and with a positive first coefficient.
     pub polynomial: SparsePolynomial<3>,
-    /// How often it occurs.
+    /// The multiplicity of the factor in the equation.
     pub multiplicity: usize,
-    /// What it is.
+    /// The origin of the factor.
     pub role: Role,
 }
 
-/// What an irreducible factor of such an equation is.
+/// The origin of an irreducible factor of a polar equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Role {
-    /// It vanishes identically on the form (proved by substitution).
+    /// The factor vanishes on the whole form α (exact substitution proves it).
     Form,
-    /// It vanishes identically on the reflection −α.
+    /// The factor vanishes on the whole reflection −α.
     Reflection,
-    /// x² + y² or x² + y² + z².
+    /// The factor is x² + y² or x² + y² + z².
     SquaredRadius,
-    /// It divides a denominator that was multiplied by.
+    /// The factor divides a denominator by which the equation was multiplied.
     Denominator,
-    /// Nothing of these.
+    /// The factor is spurious for none of these reasons.
     Other,
 }
 
 impl Role {
-    /// In words.
+    /// The role in words.
     #[must_use]
     pub fn describe(self) -> &'static str {
         match self {
@@ -64,7 +67,7 @@ impl Role {
         }
     }
 
-    /// As in documents.
+    /// The name of the role in documents.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -76,7 +79,7 @@ impl Role {
         }
     }
 
-    /// What the irreducible polynomial g is, where `denominators` were multiplied by.
+    /// The role of the irreducible factor g of an equation that was multiplied by `denominators`.
     fn of(
         g: &SparsePolynomial<3>,
         map: &RationalMap,

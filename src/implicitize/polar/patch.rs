@@ -11,25 +11,26 @@ use crate::limits::Limits;
 use crate::poly::{Ring, SparsePolynomial, total_degree};
 use crate::shape::{ImplicitSurface, Patch, PatchFunction};
 
-/// What Eq. (15) gives.
+/// The result of Theorem 4.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PolarPatch {
     /// The irreducible equation of the surface.
     pub surface: ImplicitSurface,
-    /// Eq. (15), or why the angles cannot be found by substitution.
+    /// Eq. (15), or the reason why substitution cannot eliminate the angles.
     pub inverse: PolarInverse,
     /// The irreducible factors of the polar equation, cleared of denominators.
     pub factors: Vec<PolarFactor>,
 }
 
-/// Theorem 4 with its spurious factors removed.
+/// Theorem 4: the polar equation of a patch, its irreducible factors, and the factor that is the surface.
 ///
-/// Eq. (15) expresses w = x² + y² + z² by the direction, `w = H(y/x, z/x)`. H exists exactly if the irreducible
-/// equation has two homogeneous parts whose degrees differ by 1 or 2: only then does a line through the origin
-/// meet the surface and its reflection at one distance. It is found by certified linear algebra in the products
-/// `(y/x)^i (z/x)^j` and `(y/x)^i (z/x)^j w`, by increasing degree; otherwise the polynomial relation of least
-/// degree between y/x, z/x and w is taken. Cleared of denominators the equation is factored.
+/// Eq. (15) says that w = x² + y² + z² is a function of the direction, `w = H(y/x, z/x)`. A rational H exists exactly if the
+/// irreducible equation of the surface has two homogeneous parts whose degrees differ by 1 or 2: only then does a general line
+/// through the origin meet the surface and its reflection at a single distance. Certified linear algebra finds H as a relation
+/// between the products `(y/x)^i (z/x)^j` and `(y/x)^i (z/x)^j w`, by increasing degree. If there is no H, the polynomial
+/// relation of least degree between y/x, z/x and w is taken instead. The polar equation is H, or this relation, cleared of
+/// denominators.
 ///
 /// # Errors
 /// [`Error::Hypothesis`] for a cone with its apex at the origin, or x = 0; [`Error::Limit`] for relations of a
@@ -39,7 +40,7 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
         statement: "Theorem 4",
         witness: witness.into(),
     };
-    // What is possible is read off the equation, which the linear algebra below then finds again.
+    // The irreducible equation says whether H exists and bounds its degree; it must be a factor of the polar equation below.
     let known = implicitize_patch(patch, limits)?.surface;
     let degrees = part_degrees(known.polynomial());
     let Some(functions) = directions(patch, limits)? else {
@@ -47,7 +48,8 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
     };
     let directions = RationalMap::of_patch_functions(&functions);
     let largest = match degrees[..] {
-        // w = −ρ f_(n−2)/f_n, or ρ (f_(n−1)/f_n)², in the direction on the unit sphere.
+        // With ρ = x² + y² + z² and the homogeneous parts f_d, w = −ρ f_(n−2)/f_n or w = ρ (f_(n−1)/f_n)², so numerator and
+        // denominator of H have at most the degree n or 2n.
         [n, low] if n - low == 2 => Some(n),
         [n, low] if n - low == 1 => Some(2 * n),
         [_] => {
@@ -125,7 +127,7 @@ pub fn polar_patch(patch: &Patch, limits: &Limits) -> Result<PolarPatch> {
     })
 }
 
-/// A relation that is linear in w, with coefficients of at most the given degree in y/x and z/x.
+/// The relation of least degree that is linear in w, with coefficients of at most the degree `largest` in y/x and z/x.
 fn function_of_direction(
     directions: &RationalMap,
     largest: u64,
@@ -148,7 +150,7 @@ fn function_of_direction(
     Ok(None)
 }
 
-/// The irreducible relation between y/x, z/x and w.
+/// The polynomial relation of least degree between y/x, z/x and w, which is irreducible.
 fn least_relation(directions: &RationalMap, limits: &Limits) -> Result<SparsePolynomial<3>> {
     for degree in 1.. {
         let monomials = monomials(degree, [true; 3]);
@@ -162,7 +164,7 @@ fn least_relation(directions: &RationalMap, limits: &Limits) -> Result<SparsePol
     unreachable!("the number of monomials is limited")
 }
 
-/// Why there is no function H.
+/// The reason why there is no function H, from the degrees of the homogeneous parts.
 fn different_distances(degrees: &[u64]) -> String {
     let listed: Vec<String> = degrees.iter().map(ToString::to_string).collect();
     format!(
@@ -179,7 +181,7 @@ fn part_degrees(f: &SparsePolynomial<3>) -> Vec<u64> {
     degrees
 }
 
-/// y/x, z/x and x² + y² + z²; `None` if x is 0.
+/// y/x, z/x and x² + y² + z² as functions of the parameters; `None` if x is 0 on the whole patch.
 fn directions(patch: &Patch, limits: &Limits) -> Result<Option<[PatchFunction; 3]>> {
     let [[xp, xq], [yp, yq], [zp, zq]] = patch
         .coordinates()

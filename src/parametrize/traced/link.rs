@@ -1,4 +1,29 @@
-//! What becomes of the real roots of P(t, ·) at one critical t: which go on, meet, or leave.
+//! The real roots R of P(t, ·) on both sides of one critical t: which root below continues as which root above, and which
+//! roots meet, tend to 0 or tend to infinity there.
+//!
+//! Below, α is the critical t, and the *window* is an interval [t−, t+] that holds α and no other critical t. So the real roots
+//! at t− are those just below α, and the real roots at t+ those just above it. *Separators* cut the strip window × ℝ into
+//! *bands*: a separator is an R with P(t, R) ≠ 0 for all t in the window, so no root leaves its band. A band is *ordinary*
+//! unless its roots tend to 0 or to ±∞ at α.
+//!
+//! Lemma 1. If an ordinary band has one root at t− and one at t+, both tend to the same root at α.
+//! Proof. A root of odd multiplicity at α has an odd number of real roots near it on each side, one of even multiplicity an
+//! even number. The one root below tends to a root of odd multiplicity, so the one root above tends to it, too.
+//!
+//! Lemma 2. If α is no zero of the discriminant, no two roots meet at α. If α is a simple zero of it, and at most one root
+//! tends to 0 and at most one to infinity, exactly one pair of roots meets at α, and it is real on one side of α only.
+//! Proof. Up to a factor that is not 0 at α, the discriminant of P is the product of the discriminants of its local factors, one
+//! for each multiple root at α. Each of these vanishes at α, to an order of at least 2 if the root is triple or more. So a simple
+//! zero leaves one double root. It is real, as complex ones come in pairs, and its discriminant changes its sign at α.
+//!
+//! Lemma 3. Let one ordinary band have two roots on each side, which tend to one double root at α, and let no other two roots
+//! meet at α, complex ones included. If α is a zero of the discriminant of multiplicity k, the two roots cross if k/2 is odd and
+//! touch if it is even.
+//! Proof. The two roots are the zeros of a quadratic factor with analytic coefficients (Weierstrass). Its discriminant is
+//! (t − α)^k times an analytic function without a zero; it is positive on both sides, so k is even and the difference of the two
+//! analytic roots is (t − α)^(k/2) times such a function.
+//!
+//! Laws: those of `laws.rs` beside this file.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -13,18 +38,19 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, Weights, squarefree_decomposition};
 use crate::roots::{RealRoot, real_roots};
 
-/// How often an enclosure is shrunk before several roots that meet at one irrational t, and may as well
-/// only come near each other, are left unconnected. Each time it is 8 bits or more narrower.
+/// How often the window around an irrational α is narrowed, by at least 8 bits each time, before the search for separators ends.
+/// Several roots that may meet at α or may only come near each other are then left unpaired.
 const MAX_ROUNDS: u32 = 60;
 
-/// The roots R just below and just above a critical t = α, each list ascending, and their limits at α.
+/// The roots R just below and just above a critical t = α, and their limits at α. The rank of a root is its index among the roots
+/// of its side, ascending.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Link {
-    /// The sign of the limit of every root below, and of every one above; `None` if it is infinite.
+    /// The sign of the limit of each root below α, then the same for the roots above; `None` stands for an infinite limit.
     pub(super) limits: [Vec<Option<i8>>; 2],
     /// Pairs (rank below, rank above) of roots that are one continuous root.
     pub(super) pairs: Vec<(usize, usize)>,
-    /// The signs of real roots of P(α, ·) that no root beside tends to.
+    /// The signs of the real roots of P(α, ·) to which no real root below or above tends.
     pub(super) isolated: Vec<i8>,
     /// Whether R = 0 is a root at α.
     pub(super) zero: bool,
@@ -32,20 +58,20 @@ pub(super) struct Link {
     pub(super) loses: bool,
     /// The signs of the distinct real roots R ≠ 0 at α, ascending.
     pub(super) finite: Vec<i8>,
-    /// Whether all this is complete. If not, some roots that go on through α are not paired, and an
+    /// Whether the other fields are complete. If they are not, some roots that continue through α are not paired, and an
     /// isolated root may be missing.
     pub(super) complete: bool,
 }
 
-/// Where a critical t is.
+/// A critical t.
 pub(super) enum Critical<'a> {
-    /// A rational number, and how far below and above it the next ones are at least.
+    /// A rational number, and a distance within which there is no other critical t.
     Rational(&'a Rational, Rational),
-    /// A root whose enclosure holds no other critical t.
+    /// An irrational number, as a root whose enclosure holds no other critical t.
     Irrational(&'a RealRoot),
 }
 
-/// What P is, besides its values.
+/// The polynomial P, and the properties of it at α that are known beforehand.
 pub(super) struct Context<'a> {
     pub(super) strip: &'a Strip,
     pub(super) weights: Weights,
@@ -54,7 +80,7 @@ pub(super) struct Context<'a> {
     pub(super) limits: &'a Limits,
 }
 
-/// Roots of P(t−, ·) and P(t+, ·) between two neighbouring separators.
+/// The ranks of the roots of P(t−, ·) and of P(t+, ·) between two neighbouring separators.
 #[derive(Clone, Debug, Default)]
 struct Band {
     below: Vec<usize>,
@@ -66,19 +92,19 @@ struct Band {
 enum Kind {
     #[default]
     Ordinary,
-    /// All of them tend to 0.
+    /// All roots of the band tend to 0.
     Zero,
-    /// All of them tend to ±∞.
+    /// All roots of the band tend to ±∞.
     Infinite,
 }
 
 impl Link {
-    /// Follows the roots through α.
+    /// Follows the roots through α: the window is narrowed until separators tell the roots apart.
     ///
-    /// A *separator* is an R at which P(·, R) has no zero in [t−, t+]: no root crosses it there. Roots are
-    /// told apart by separators as t− and t+ approach α. For rational α the roots of P(α, ·) are known, so
-    /// they give the separators; otherwise midpoints between the roots at t− and t+ are tried, and the
-    /// multiplicity of the discriminant, or the number of real roots at α, says when there are enough.
+    /// If α is rational, the roots of P(α, ·) are known, and numbers between them are separators of a sufficiently narrow
+    /// window. If α is irrational, midpoints between neighbouring roots at t− and at t+ are tried as separators. By Lemma 2 the
+    /// multiplicity of α in the discriminant tells when there are enough of them; where it is 2 or more, the number of real
+    /// roots at α does.
     ///
     /// # Errors
     /// Those of [`count_roots`].
@@ -108,7 +134,7 @@ fn through_rational(alpha: &Rational, room: &Rational, cx: &Context<'_>) -> Link
     let mut separators = bounds.map(|b| b.separators()).unwrap_or_default();
     for i in 1..roots.len() {
         let (before, after) = roots.split_at_mut(i);
-        // Around 0 there are separators already.
+        // `bounds` has separators around 0 already.
         if before[i - 1].signum() == after[0].signum() {
             separators.push(rational_between(&mut before[i - 1], &mut after[0]));
         }
@@ -128,7 +154,7 @@ fn through_rational(alpha: &Rational, room: &Rational, cx: &Context<'_>) -> Link
     };
     let bands = Bands::new(cx.strip, &window, &separators, lost, zeros);
     let mut link = bands.link(|band| {
-        // One root at α is in the band: two branches cross there, if that is all that happens at α.
+        // The separators leave one root at α in each band, so two roots on each side tend to that one root.
         let parts = squarefree_decomposition(&at_alpha);
         let distinct: usize = parts.iter().map(|(_, g)| degree(g)).sum();
         let only = degree(&at_alpha) - distinct == 1;
@@ -208,7 +234,9 @@ fn through_irrational(alpha: &RealRoot, cx: &Context<'_>) -> Result<Link> {
                     }
                 };
                 let distinct = occupied.clone().count();
-                // Separated bands hold at least one root at α each, and clear ones exactly one.
+                // Some root tends to a root at α in each occupied band. That is the only one in the band if the band is
+                // clear (Lemma 1, or the two roots of a fold), or if there are no more real roots than bands. The real
+                // roots that are left are isolated.
                 if clear || distinct == known.real {
                     let only = known.repeated == 1 && zeros <= 1 && lost <= 1;
                     let mut link = bands.link(|band| {
@@ -244,8 +272,8 @@ fn exactly(q: &Rational) -> (Rational, Rational) {
     (q.clone(), q.clone())
 }
 
-/// For two roots below and two above that meet in one double root, where nothing else happens: analytic
-/// branches, whose difference changes its sign if the discriminant has an odd number of double zeros.
+/// The pairs of a band with two roots on each side, by Lemma 3. `only` says that these meet in one double root and that no
+/// other two roots meet at α; `multiplicity` is that of α in the discriminant.
 fn crossing(band: &Band, only: bool, multiplicity: usize) -> Option<Vec<(usize, usize)>> {
     if !only || band.below.len() != 2 || band.above.len() != 2 {
         return None;
@@ -258,17 +286,17 @@ fn crossing(band: &Band, only: bool, multiplicity: usize) -> Option<Vec<(usize, 
     })
 }
 
-/// Where the roots at α are that are neither 0 nor infinite (Cauchy).
+/// Cauchy's bounds of the roots at α that are neither 0 nor infinite.
 struct Bounds {
-    /// Their absolute values are less than this, if there are infinite ones.
+    /// The absolute values of these roots are less than this; `None` if no root is infinite at α.
     above: Option<Rational>,
-    /// And more than this, if 0 is one.
+    /// The absolute values of these roots are more than this; `None` if 0 is no root at α.
     below: Option<Rational>,
 }
 
 impl Bounds {
-    /// From enclosures of the coefficients, of which the last `lost` and the first `zeros` are 0. `None` if the
-    /// enclosures are too wide to tell.
+    /// The bounds from enclosures of the coefficients, of which the last `lost` and the first `zeros` are 0. `None` if the
+    /// enclosure of the last or of the first other coefficient holds 0.
     fn new(
         coefficients: impl Iterator<Item = (Rational, Rational)>,
         lost: usize,
@@ -303,7 +331,7 @@ impl Bounds {
         Some(Self { above, below })
     }
 
-    /// ±above, ±below; 0 if it is no root.
+    /// ±`above` and ±`below`, or 0 in place of ±`below` if 0 is no root at α.
     fn separators(&self) -> Vec<Rational> {
         let both = |r: &Rational| [-r.clone(), r.clone()];
         let mut list: Vec<Rational> = self.above.iter().flat_map(both).collect();
@@ -335,7 +363,7 @@ fn rational_between(a: &mut RealRoot, b: &mut RealRoot) -> Rational {
     }
 }
 
-/// The strip [t−, t+] × R, cut by separators.
+/// The strip [t−, t+] × ℝ, cut by separators.
 struct Bands {
     separators: Vec<Rational>,
     list: Vec<Band>,
@@ -394,14 +422,15 @@ impl Bands {
         self.list.iter().filter(|b| b.kind == Kind::Ordinary)
     }
 
-    /// The sign of the roots of an ordinary band, which are on one side of 0.
+    /// Whether the roots of an ordinary band are positive. They all have one sign, as 0 is a separator or in another band.
     fn is_positive(&self, band: &Band) -> bool {
         let below = band.below.first().map(|&rank| self.signs[0][rank]);
         let above = band.above.first().map(|&rank| self.signs[1][rank]);
         below.or(above) == Some(1)
     }
 
-    /// Pairs what passes through; `meeting` may pair what meets.
+    /// The link that the bands show: a root that passes through its band is paired, and `meeting` may pair the roots of every
+    /// other ordinary band.
     fn link(&self, meeting: impl Fn(&Band) -> Option<Vec<(usize, usize)>>) -> Link {
         let mut link = Link {
             limits: self
@@ -450,12 +479,12 @@ impl Band {
         self.below.is_empty() && self.above.is_empty()
     }
 
-    /// One root goes through.
+    /// Whether the band has one root below and one above, which are one continuous root (Lemma 1).
     fn passes(&self) -> bool {
         self.below.len() == 1 && self.above.len() == 1
     }
 
-    /// Two roots of one side meet and are not real on the other.
+    /// Whether the band has two roots on one side, which meet at α, and none on the other.
     fn folds(&self) -> bool {
         matches!((self.below.len(), self.above.len()), (2, 0) | (0, 2))
     }
