@@ -1,4 +1,4 @@
-//! What a curve is: degree, parts, terms, which lemma applies, what is certain about it.
+//! Descriptions of curves and surfaces: the degree, the homogeneous parts, the lemma that applies, and other exact properties.
 
 use malachite::base::num::arithmetic::traits::Gcd;
 
@@ -10,23 +10,23 @@ use crate::parametrize::{AngleRange, born_of_radius, positive_ranges};
 use crate::poly::{PlanePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
-/// What is known exactly of an implicit curve or surface, or of the polynomial of a Fourier radius.
+/// The exact properties of an implicit curve or surface, or of the polynomial of a Fourier radius.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Description {
-    /// Total degree of the (reduced, primitive) polynomial.
+    /// The total degree of the (reduced, primitive) polynomial.
     pub degree: usize,
-    /// Degrees of its homogeneous parts, descending.
+    /// The degrees of its homogeneous parts, descending.
     pub homogeneous_degrees: Vec<usize>,
-    /// Number of non-zero terms.
+    /// The number of non-zero terms.
     pub terms: usize,
-    /// Bit length of the largest coefficient.
+    /// The bit length of the largest coefficient.
     pub coefficient_bits: u64,
-    /// Which lemma of §3 of the paper gives the radius.
+    /// The lemma of §3 of the paper that gives the radius.
     pub method: Method,
     /// The multiplicity of the origin: the lowest degree of a term.
     pub origin_multiplicity: usize,
-    /// What is known if the curve is born of a Fourier radius.
+    /// The properties of the Fourier radius, if the curve comes from one.
     pub fourier: Option<FourierDescription>,
     /// The irreducible factors over Q; `None` if they were not found within the limits.
     pub factors: Option<Vec<DescribedFactor>>,
@@ -36,23 +36,23 @@ pub struct Description {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct DescribedFactor {
-    /// Primitive, with positive first term.
+    /// The factor, primitive and with a positive first coefficient.
     pub shape: Form,
-    /// How often it occurs.
+    /// The multiplicity of the factor.
     pub multiplicity: usize,
-    /// Why it is irreducible, in words.
+    /// The reason why it is irreducible, in words.
     pub proof: String,
 }
 
-/// What is known of a curve given by a Fourier radius.
+/// The properties of a curve that comes from a Fourier radius.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct FourierDescription {
     /// The radius.
     pub radius: FourierRadius,
-    /// Where r > 0, exactly.
+    /// The exact ranges of angles in which r > 0.
     pub positive: Vec<AngleRange>,
-    /// Whether F is the square of the polynomial described (no even harmonics, a0 = 0).
+    /// Whether F is the square of the described polynomial (r has no even harmonics, and a0 = 0).
     pub perfect_square: bool,
 }
 
@@ -79,11 +79,11 @@ impl FourierDescription {
 pub enum Method {
     /// A single part: straight lines through the origin.
     Lines,
-    /// Lemma 2, 3, 4 or 5 of the plane, or 7, 8, 9 or 10 of space, in r^step.
+    /// Lemma 2, 3, 4 or 5 in the plane, or Lemma 7, 8, 9 or 10 in space, applied to r^step.
     Lemma {
         /// The number of the lemma.
         number: usize,
-        /// k.
+        /// The number k: the degrees of the parts differ by multiples of it.
         step: usize,
     },
     /// Lemma 6: certified roots direction by direction.
@@ -91,11 +91,11 @@ pub enum Method {
 }
 
 impl Method {
-    /// From the degrees of the homogeneous parts, descending. `first` is the lemma for two parts: 2 in
+    /// The method for homogeneous parts of these degrees, descending. `first` is the number of the lemma for two parts: 2 in
     /// the plane, 7 in space.
     fn from_degrees(degrees: &[usize], first: usize) -> Self {
         let gaps: Vec<usize> = degrees.windows(2).map(|w| w[0] - w[1]).collect();
-        // Parts may be missing in between: the degree in r^k is what counts.
+        // Parts may be missing; what counts is the degree of the polynomial in r^k.
         let step = gaps.iter().fold(0, |g: usize, &gap| g.gcd(gap));
         match gaps.iter().sum::<usize>().checked_div(step) {
             None => Self::Lines,
@@ -107,7 +107,7 @@ impl Method {
         }
     }
 
-    /// `lemma-3` and so on, as in documents.
+    /// The name of the method in documents, such as `lemma-3`.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
@@ -119,7 +119,7 @@ impl Method {
 }
 
 impl Description {
-    /// Describes an implicit curve; if it is recognised as born of a Fourier radius, that too.
+    /// Describes an implicit curve. If the curve comes from a Fourier radius, the radius is described, too.
     ///
     /// # Errors
     /// Those of [`factor_plane`].
@@ -141,7 +141,7 @@ impl Description {
         Ok(description)
     }
 
-    /// What is seen of an implicit curve at once: all but the factors, and whether it is born of a Fourier radius.
+    /// The description of an implicit curve without its factors and without the Fourier radius that it may come from.
     #[must_use]
     pub fn unfactored_curve(curve: &ImplicitCurve) -> Self {
         Self::of_polynomial(curve.polynomial(), None)
@@ -201,7 +201,7 @@ impl Description {
         })
     }
 
-    /// What is seen of a surface at once: all but the factors.
+    /// The description of a surface without its factors.
     #[must_use]
     pub fn unfactored_surface(surface: &ImplicitSurface) -> Self {
         let f = surface.polynomial();

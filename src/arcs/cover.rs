@@ -15,78 +15,78 @@ use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::shape::ImplicitSurface;
 
-/// Cells along the longest side of the box to begin with.
+/// The number of cells along the longest side of the box at the beginning.
 const FIRST_CELLS: f64 = 4.0;
-/// A cell is halved so many times at most.
+/// A cell is halved at most this often.
 const LEVELS: u32 = 14;
-/// No more cells are divided where so many are neither empty nor covered.
+/// If this many cells are neither empty nor covered, no more cells are divided.
 const MAX_OPEN_CELLS: usize = 40_000;
-/// Arcs with an unresolved end are at least this many shortest steps long.
+/// An arc with an unresolved end is kept only if it is at least this many shortest steps long.
 const SCRAP: f64 = 256.0;
-/// Unresolved cells are taken together where blocks of so many, along each axis, touch.
+/// Unresolved cells are grouped into blocks of this many cells along each axis; blocks that touch become one box.
 const BLOCK: u32 = 16;
-/// So many points at most.
+/// The largest number of points.
 const MAX_POINTS: usize = 1_000_000;
 
 options! {
     /// How arcs are traced.
     ArcOptions of {
-        /// The box in which they are looked for.
+        /// The box in which the arcs are traced.
         bounds: [[f64; 2]; 3],
     } {
-        /// Neighbours are at most the longest side of the box divided by this apart, along one of the axes.
+        /// Neighbouring points of an arc differ along one of the axes by at most the longest side of the box divided by this.
         resolution: u32 = 64,
     }
 }
 
-/// A point with exactly one common zero of both polynomials beside it.
+/// A point near which both polynomials have exactly one common zero.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ArcPoint {
-    /// x, y, z.
+    /// The coordinates x, y and z.
     pub position: [f64; 3],
     /// The common zero is at most this far away.
     pub radius: f64,
-    /// The exact values of both polynomials here.
+    /// The exact values of both polynomials at the point.
     pub residuals: [Rational; 2],
 }
 
-/// How an arc ends.
+/// The reason why an arc ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ArcEnd {
-    /// Where the curve leaves the box.
+    /// The curve leaves the box.
     Window,
-    /// Where no further step could be proved: before a singular point of the curve, or one where the surfaces touch.
+    /// No further step could be proved: the curve has a singular point ahead, or the surfaces touch there.
     Unresolved,
 }
 
-/// A smooth piece of the curve: any two neighbours (of a closed one also the last point and the first) are proved to lie on
+/// A smooth piece of the curve. Any two neighbouring points (for a closed arc also the last and the first) are proved to lie on
 /// one smooth arc, which is a graph over one of the axes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CurveArc {
-    /// In order, in the direction of ∇f × ∇g.
+    /// The points in order, in the direction of ∇f × ∇g.
     pub points: Vec<ArcPoint>,
-    /// How it begins and ends; `None` if it is closed.
+    /// The reasons why the arc begins and ends; `None` if it is closed.
     pub ends: Option<[ArcEnd; 2]>,
 }
 
-/// What two surfaces have in common in a box.
+/// The common points of two surfaces in a box.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct IntersectionArcs {
-    /// The box in which they were looked for.
+    /// The box that was searched.
     pub bounds: [[f64; 2]; 3],
     /// The arcs that were found.
     pub arcs: Vec<CurveArc>,
-    /// Every common point in the box lies beside one of the arcs or in one of these boxes, where it is not known what there is:
-    /// they hold singular points, points or curves where the surfaces touch, or what is too near to such.
+    /// Boxes in which the common points are not known: they hold singular points, or points near which the surfaces touch or
+    /// nearly do. Every common point in the searched box lies near one of the arcs or in one of these boxes.
     pub unresolved: Vec<[[f64; 2]; 3]>,
 }
 
 impl CurveArc {
-    /// The points as they are drawn: a closed arc ends with its first point.
+    /// The points as they are drawn; a closed arc ends with its first point.
     #[must_use]
     pub fn polyline(&self) -> Vec<[f64; 3]> {
         let first = self.points.first().filter(|_| self.ends.is_none());
@@ -96,8 +96,8 @@ impl CurveArc {
 }
 
 impl IntersectionArcs {
-    /// Keeps the arcs on which one of some polynomials may vanish throughout: an arc with a point beside which a polynomial is
-    /// proved ≠ 0 is not on its zero set.
+    /// Keeps only the arcs on which one of the polynomials may vanish. An arc is dropped if every polynomial is proved to be
+    /// different from 0 near some point of the arc.
     pub fn retain_on(&mut self, polynomials: &[&SparsePolynomial<3>]) {
         let fields: Vec<Field> = polynomials.iter().map(|f| Field::new(f)).collect();
         self.arcs.retain(|arc| {
@@ -109,15 +109,15 @@ impl IntersectionArcs {
     }
 }
 
-/// The curve in which two surfaces meet in a box, as chains of certified points.
+/// Traces the curve in which two surfaces meet in a box, as chains of certified points.
 ///
-/// Every step along the curve is proved by interval Newton (Krawczyk's operator) with one coordinate as the parameter: in a
-/// box around the step, a tube, there is exactly one common point for every value of that coordinate. An octree over the
-/// whole box finds the starting points: a cell is done if a Taylor bound proves one of the polynomials ≠ 0 on it, or if
-/// it lies inside a tube; what is left after 14 halvings is [`IntersectionArcs::unresolved`].
+/// Every step along the curve is proved by interval Newton (Krawczyk's operator) with one coordinate as the parameter: the box
+/// around the step, a *tube*, holds exactly one common point for every value of that coordinate. An octree over the whole box
+/// finds the starting points. A cell is done if a Taylor bound proves that one of the polynomials is not 0 on it, or if it lies
+/// inside a tube. The cells that are left after 14 halvings are [`IntersectionArcs::unresolved`].
 ///
-/// The factors of both polynomials meet each other in pairs, so that double sheets and crossing components are regular.
-/// `progress` hears numbers from 0 to 1000.
+/// The polynomials are factored, and each pair of factors is traced by itself, so that double sheets and crossing components
+/// are regular. `progress` is called with numbers from 0 to 1000.
 ///
 /// Cost: two Taylor expansions for every cell along the curve, and two exact evaluations for every point.
 ///
@@ -137,8 +137,8 @@ impl IntersectionArcs {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] for a constant, a box that is not one, or surfaces with a component in common; [`Error::Limit`] for more than a million points;
-/// those of [`factor_space`].
+/// [`Error::Usage`] for a constant, a box with an empty side, or surfaces with a component in common; [`Error::Limit`] for more
+/// than a million points; those of [`factor_space`].
 pub fn trace_intersection(
     surfaces: [&ImplicitSurface; 2],
     options: &ArcOptions,
@@ -198,7 +198,7 @@ type Cell = [u32; 3];
 /// The search for the arcs of two irreducible surfaces.
 struct ArcCover<'a> {
     path: Path<'a>,
-    /// Half the sides of the cells that are looked at now, and how many of them there are beside each other in the window.
+    /// The half sides of the cells of the current level, and the number of cells along each axis of the box.
     halves: [f64; 3],
     counts: [u32; 3],
     tubes: Vec<Tube>,
@@ -228,7 +228,7 @@ impl<'a> ArcCover<'a> {
         }
     }
 
-    /// Goes on to cells of half the sides.
+    /// Goes on to the next level, with cells of half the sides.
     fn refine(&mut self) {
         self.halves = self.halves.map(|h| h / 2.0);
         self.counts = self.counts.map(|count| 2 * count);
@@ -240,11 +240,12 @@ impl<'a> ArcCover<'a> {
         })
     }
 
-    /// Half the sides that a box about the middle of a cell needs to hold the cell: the cells divide the window, and the doubles
-    /// next to its middle and half sides are not exact.
+    /// The half sides of a box about `middle` that certainly holds a cell. The cells divide the window exactly, but the middle
+    /// and the half sides of a cell are rounded.
     ///
-    /// Lemma 15. With k + 1 cells beside each other from the lower end a of the window on to the upper end of a cell, of n in
-    /// all, the ends of the cell are a + (b − a)k/n and a + (b − a)(k + 1)/n; it reaches no farther than the farther one.
+    /// Lemma 15. If n cells of equal length divide the window [a, b] along an axis, the cell number k has the ends a + (b −
+    /// a)k/n and a + (b − a)(k + 1)/n. A box about `middle` holds it if its half side is at least the distance of `middle` from
+    /// the farther end.
     ///
     /// Law: `cells_cover_the_window`.
     fn around(&self, cell: Cell, middle: [f64; 3]) -> [f64; 3] {
@@ -304,7 +305,7 @@ impl<'a> ArcCover<'a> {
         all.collect()
     }
 
-    /// Those that are not proved to hold no common zero.
+    /// The cells that may hold a common zero.
     fn not_empty(&self, cells: Vec<Cell>) -> Vec<Cell> {
         let is_open = |cell: &Cell| {
             let middle = self.middle(*cell);
@@ -342,20 +343,20 @@ impl<'a> ArcCover<'a> {
         points.push(seed);
         points.extend(forward.points);
         let tubes = [backward.tubes, forward.tubes].concat();
-        // Scraps between a place that is not resolved and an arc that stopped before it are left to that place.
+        // A short arc that ends before an unresolved place is dropped; the place stays unresolved.
         let length: f64 = tubes.iter().map(|tube| tube.halves[tube.axis]).sum();
         let is_scrap = ends != Some([ArcEnd::Window; 2]) && length < SCRAP * self.path.shortest;
         (!is_scrap).then_some((Chain { points, ends }, tubes))
     }
 
-    /// Where the first k cells beside each other end.
+    /// The end of the first k cells along an axis.
     fn edge(&self, axis: usize, k: u32) -> Interval {
         let [a, b] = self.path.window[axis].map(rational);
         let part = Rational::from(i64::from(k)) / Rational::from(i64::from(self.counts[axis]));
         Interval::narrowest(&(&a + &((&b - &a) * part)))
     }
 
-    /// The boxes around cells that hang together, or nearly so.
+    /// Boxes around groups of cells that touch or nearly touch.
     fn clusters(&self, cells: &[Cell]) -> Vec<[[f64; 2]; 3]> {
         let mut blocks: HashMap<Cell, Vec<Cell>> = HashMap::new();
         for cell in cells {
@@ -397,7 +398,7 @@ struct Chain {
     ends: Option<[ArcEnd; 2]>,
 }
 
-/// `None` on an arc that is known already: the piece between it and where it stopped stays unresolved.
+/// The reason why a run ended; `None` if it ended on a known arc: the piece between the two stays unresolved.
 fn end(run: &Run) -> Option<ArcEnd> {
     match run.stop {
         Stop::Window => Some(ArcEnd::Window),
@@ -434,7 +435,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
 
-        /// Lemma 15: the boxes that are looked at hold the cells that divide the window.
+        /// Lemma 15: the boxes about the middles hold the cells that divide the window.
         #[test]
         fn cells_cover_the_window(low in prop::array::uniform3(-4.0f64..4.0), sides in prop::array::uniform3(0.01f64..3.0), level in 0u32..=LEVELS, part in prop::array::uniform3(0u32..1 << 20)) {
             let bounds: [[f64; 2]; 3] = std::array::from_fn(|i| [low[i], low[i] + sides[i]]);

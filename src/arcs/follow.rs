@@ -1,20 +1,20 @@
-//! Following an arc from tube to tube.
+//! Follows an arc from tube to tube.
 
 use super::tube::{Enclosed, Tube, enclose, newton, tube};
 use crate::intervals::{Field, between, distance};
 
-/// Beyond both ends of a step its tube goes on by this part of it, so that tubes overlap.
+/// A tube extends beyond both ends of its step by this part of the step, so that neighbouring tubes overlap.
 const OVERLAP: f64 = 0.25;
 /// Half the width of a tube, in steps. An arc rises by at most 0.75 from the middle, where its slope is 1.
 const WIDTH: f64 = 1.25;
-/// A point is looked for this near to where it is expected, in steps.
+/// The next point must be this near to where it is expected, in steps.
 const REACH: f64 = 1e-3;
-/// The cosine of the angle by which neighbours may differ in direction (6°), unless the step is a small one.
+/// The cosine of the largest angle (6°) between the directions at neighbouring points, unless the step is small.
 const COSINE: f64 = 0.9945;
-/// Steps down to this part of the longest are made where the arc bends.
+/// Where the arc bends, steps are made smaller, down to this part of the longest step.
 const SMALL: f64 = 1.0 / 64.0;
 
-/// Two surfaces, a box, and how far one step goes.
+/// Two surfaces, a box, and the lengths of steps.
 pub(super) struct Path<'a> {
     pub(super) fields: [&'a Field; 2],
     pub(super) window: [[f64; 2]; 3],
@@ -22,15 +22,15 @@ pub(super) struct Path<'a> {
     pub(super) shortest: f64,
 }
 
-/// Where following an arc came to an end.
+/// The reason why following an arc ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stop {
-    /// Back at its first point.
+    /// The arc came back to its first point.
     Closed,
     Window,
     /// No tube could be proved.
     Unresolved,
-    /// On an arc that was known before.
+    /// The arc reached an arc that was known before.
     Known,
 }
 
@@ -59,7 +59,7 @@ impl Path<'_> {
         sides.all(|(x, [a, b])| a <= x && x <= b)
     }
 
-    /// The common zero beside a point that is near to both surfaces.
+    /// The common zero near a point that is close to both surfaces.
     pub(super) fn seed(&self, start: [f64; 3], reach: f64) -> Option<Enclosed> {
         let axis = largest(self.tangent(start)?);
         let near = newton(self.fields, axis, start)?;
@@ -83,7 +83,7 @@ impl Path<'_> {
             let tangent = tangent.map(|t| sense * t);
             let found = self.step(&at, tangent, step);
             let turns = |p: &Enclosed| {
-                // Without a direction there it turns too much.
+                // A direction that is not known counts as turned too much.
                 let cosine = self.tangent(p.position).map_or(-1.0, |next| {
                     let pairs = tangent.iter().zip(next);
                     pairs.map(|(a, b)| sense * a * b).sum::<f64>()
@@ -123,7 +123,7 @@ impl Path<'_> {
         run
     }
 
-    /// A tube from a point on, and the point at the end of the step.
+    /// The tube of a step from a point, and the point at the end of the step.
     fn step(&self, at: &Enclosed, tangent: [f64; 3], step: f64) -> Option<(Tube, Enclosed)> {
         let axis = largest(tangent);
         let ahead = |part: f64| {
@@ -139,7 +139,7 @@ impl Path<'_> {
         tube.holds_point(&next).then_some((tube, next))
     }
 
-    /// The point where the arc in a tube goes through a side of the window.
+    /// The point where the arc in a tube leaves the window.
     fn exit(&self, inside: &Enclosed, outside: &Enclosed, tube: &Tube) -> Option<Enclosed> {
         let [p, q] = [inside.position, outside.position];
         let crossed = (0..3).filter_map(|i| {

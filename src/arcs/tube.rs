@@ -1,9 +1,9 @@
-//! What interval Newton proves of two surfaces on one box: a single smooth arc, or a single point.
+//! Proofs by interval Newton for two surfaces in one box: a single smooth arc, or a single point.
 
 use crate::exact::Rational;
 use crate::intervals::{BoxBounds, Field, Interval, rational};
 
-/// Steps of Newton's method in doubles.
+/// The largest number of steps of Newton's method in doubles.
 const NEWTON_STEPS: usize = 40;
 
 /// Steps of Newton's method with exact values; each squares the error, down to half an ulp.
@@ -26,7 +26,7 @@ pub(super) struct Enclosed {
 }
 
 impl Tube {
-    /// Whether a box is inside.
+    /// Whether a box is inside the tube.
     pub(super) fn holds(&self, middle: [f64; 3], halves: [f64; 3]) -> bool {
         (0..3).all(|i| {
             let away = Interval::from(middle[i]) - Interval::from(self.middle[i]);
@@ -34,26 +34,26 @@ impl Tube {
         })
     }
 
-    /// Whether the zero beside a point is inside.
+    /// Whether the zero near a point is inside the tube.
     pub(super) fn holds_point(&self, point: &Enclosed) -> bool {
         self.holds(point.position, [point.radius; 3])
     }
 }
 
-/// Both of the coordinates that are not along `axis`.
+/// The two axes other than `axis`.
 pub(super) fn across(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 
-/// Y, a double matrix next to the inverse of the derivatives of both functions across an axis, scaled by the half sides; and
-/// for both rows a bound of the sum of the sizes of what stays of I − Y J anywhere on the box.
+/// Y is a matrix of doubles near the inverse of the 2 × 2 matrix J of the derivatives across an axis, both scaled by the half
+/// sides of the box. For each row of I − Y J, a bound on the box of the sum of the sizes of its entries.
 struct Preconditioned {
     inverse: [[f64; 2]; 2],
     rest: [f64; 2],
 }
 
 impl Preconditioned {
-    /// A row of Y applied to the same thing of both functions.
+    /// The product of a row of Y and the vector of a quantity of both functions.
     fn row(&self, i: usize, of_both: [Interval; 2]) -> Interval {
         of_both[0] * self.inverse[i][0] + of_both[1] * self.inverse[i][1]
     }
@@ -138,10 +138,10 @@ pub(super) fn newton(fields: [&Field; 2], axis: usize, start: [f64; 3]) -> Optio
     Some(p)
 }
 
-/// The common zero beside a point of which one coordinate is exact: within `reach` there is exactly one, and the doubles are
-/// moved to it.
+/// The common zero near a point, one of whose coordinates is kept: there is exactly one within `reach`. The point is moved to
+/// doubles near the zero.
 ///
-/// The values of both functions are exact rational numbers here, so the radius is about half an ulp.
+/// The values of both functions are exact rational numbers, so the radius is about half an ulp.
 pub(super) fn enclose(
     fields: [&Field; 2],
     axis: usize,

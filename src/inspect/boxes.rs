@@ -1,20 +1,19 @@
-//! A patch over boxes of its parameters, in doubles with bounds: what is proved of all its points at once.
+//! Proofs about all points of a patch over a box of its parameters, in doubles with bounds of their errors.
 
 use crate::error::Invariant;
 use crate::intervals::Interval;
 use crate::poly::SparsePolynomial;
 use crate::shape::{Patch, PatchFunction};
 
-/// The coordinates of a patch as quotients of forms in the two parameters, so that infinite values are values like any other.
+/// The coordinates of a patch as quotients of forms in the two parameters. A parameter value may be infinite.
 #[derive(Debug)]
 pub(super) struct PatchBoxes {
     coordinates: [Quotient; 3],
-    /// Whether no denominator has a zero among the values that the parameters take: then the patch is connected. Not said where
-    /// it could not be proved.
+    /// Whether it is proved that no denominator has a zero at any parameter values, so that the patch is connected.
     pub(super) is_connected: bool,
 }
 
-/// A numerator and a denominator of the same degrees.
+/// A numerator and a denominator as forms of the same degrees.
 #[derive(Debug)]
 struct Quotient {
     above: Terms,
@@ -24,19 +23,19 @@ struct Quotient {
 
 type Terms = Vec<([usize; 2], Interval)>;
 
-/// A box of parameters: for each one whether it is s or 1/s, and the part of [−1, 1] that it runs over.
+/// A box of parameters: for each parameter, whether the variable is s or 1/s, and its range within [−1, 1].
 #[derive(Clone, Copy)]
 struct ParameterBox {
     is_inverse: [bool; 2],
     sides: [[f64; 2]; 2],
 }
 
-/// Boxes that are divided to prove that a patch is connected.
+/// The number of boxes that may be divided to prove that a patch is connected.
 const CONNECTED_BUDGET: usize = 10_000;
 
 impl PatchBoxes {
     pub(super) fn new(patch: &Patch) -> Self {
-        // A parameter that is a number takes no infinite value: a denominator that has it is not looked at.
+        // A parameter that is a number takes no infinite value, so a denominator may vanish there; this case is not examined.
         let is_closed = |f: &SparsePolynomial<2>| {
             f.terms().all(|(e, _)| {
                 let mut with_parameters = e.iter().zip(patch.parameters());
@@ -59,10 +58,10 @@ impl PatchBoxes {
         }
     }
 
-    /// Whether all points of the patch are proved to be farther from a point than `radius`, with so many boxes at most.
+    /// Whether it is proved, with at most `budget` boxes, that all points of the patch are farther from a point than `radius`.
     ///
-    /// Lemma. |n/d − p| ≥ min |n − p d| / max |d| over a box. Proof. That is the least numerator over the largest denominator;
-    /// where d = 0 the patch has no point.
+    /// Lemma. Over a box, |n/d − p| ≥ min |n − p d| / max |d|.
+    /// Proof. The quotient is at least the least numerator over the largest denominator. Where d = 0, the patch has no point.
     pub(super) fn are_farther(
         &self,
         point: &[Interval; 3],
@@ -88,7 +87,7 @@ impl PatchBoxes {
     }
 }
 
-/// Whether something is proved over every box of a division of all parameters.
+/// Whether `is_proved` holds for every box of some division of all parameters into at most `budget` boxes.
 fn all(budget: usize, is_proved: impl Fn(&ParameterBox) -> bool) -> bool {
     let charts = [[false, false], [false, true], [true, false], [true, true]];
     let mut open: Vec<ParameterBox> = charts
@@ -112,7 +111,7 @@ fn all(budget: usize, is_proved: impl Fn(&ParameterBox) -> bool) -> bool {
     true
 }
 
-/// The terms of a polynomial, with enclosures of the coefficients.
+/// The terms of a polynomial with enclosures of their coefficients.
 fn terms(f: &SparsePolynomial<2>) -> Terms {
     let terms = f.terms();
     terms
@@ -129,7 +128,7 @@ impl Quotient {
         }
     }
 
-    /// A polynomial over 1, as a form of its own degrees.
+    /// A polynomial, as the quotient of a form of its degrees and 1.
     fn of_polynomial(f: &SparsePolynomial<2>) -> Self {
         let above = terms(f);
         let degree = |v: usize| above.iter().map(|(e, _)| e[v]).fold(0, usize::max);
@@ -162,7 +161,7 @@ impl Quotient {
 }
 
 impl ParameterBox {
-    /// Divided across the longer side.
+    /// The two halves of a box, which is divided across its longer side.
     fn halves(self) -> [Self; 2] {
         let length = |v: usize| self.sides[v][1] - self.sides[v][0];
         let across = usize::from(length(1) > length(0));
@@ -176,7 +175,7 @@ impl ParameterBox {
     }
 }
 
-/// 1, x, x², …, squares where there are any, so that they are not negative.
+/// The powers 1, x, x², …. Even powers are squares, so that they are not negative.
 fn powers(x: Interval, degree: usize) -> Vec<Interval> {
     let mut powers = vec![Interval::from(1.0)];
     for k in 1..=degree {

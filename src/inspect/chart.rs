@@ -12,7 +12,7 @@ use crate::poly::{IntegerPolynomial, PlanePolynomial, Ring, SparsePolynomial};
 use crate::roots::real_roots;
 use crate::shape::ImplicitCurve;
 
-/// Where a surface meets a sphere, as a plane curve.
+/// The intersection of a surface and a sphere, as a plane curve.
 ///
 /// With s = tan(φ/2) cos θ, t = tan(φ/2) sin θ and W = 1 + s² + t² the point of the sphere in the direction (θ, φ) is
 /// p + d (2s, 2t, 1 − s² − t²)/W. So W^n f is a polynomial in s and t, whose polar coordinates are tan(φ/2) and θ: its exact
@@ -57,12 +57,12 @@ impl SphereSection {
         &self.polynomial
     }
 
-    /// About how much work the exact angles are: the bits of the coefficients times the eighth power of the degree. 10¹⁰
-    /// took a second, 3·10¹¹ half a minute (quartics and sextics with coordinates of 17 digits).
+    /// A rough measure of the work for the exact angles: the bits of the coefficients times the eighth power of the degree.
+    /// 10¹⁰ took a second, 3·10¹¹ took half a minute (quartics and sextics with coordinates of 17 digits).
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "an estimate")]
     pub fn work(&self) -> f64 {
-        // The polynomial 0 takes no work, as its angles are all.
+        // For the polynomial 0 there is no work: all angles belong to the answer.
         let degree = self.polynomial.degree().map_or(0.0, |degree| degree as f64);
         self.polynomial.primitive().coefficient_bits() as f64 * degree.powi(8)
     }
@@ -82,8 +82,8 @@ impl SphereSection {
         Ok(!polar.lines.is_empty() || polar.branches.iter().any(|b| !b.real.is_empty()))
     }
 
-    /// The angles θ (within [0, 2π], about p) of the half planes and their continuations beyond the z axis through p that
-    /// hold a common point: where the space curve of Theorem 8 is real.
+    /// The angles θ (within [0, 2π], about p) at which the space curve of Theorem 8 is real: at least one common point is in
+    /// the plane through the z axis of p that has this angle.
     ///
     /// # Errors
     /// Those of [`parametrize`].
@@ -107,7 +107,7 @@ impl SphereSection {
         parametrize(&ImplicitCurve::new(self.polynomial.clone()), limits)
     }
 
-    /// A cheap look at some points.
+    /// A cheap test at a few points: opposite signs prove that there is a common point.
     fn changes_sign(&self) -> bool {
         let at = |n: i32| Rational::from(n) / Rational::from(3);
         let points = (-4..5).flat_map(|i| (-4..5).map(move |j| (at(i), at(j))));
@@ -117,11 +117,11 @@ impl SphereSection {
     }
 }
 
-/// Where a plane curve meets a circle: with t = tan(θ/2) the point of the circle in the direction θ is
-/// p + d (1 − t², 2t)/(1 + t²), so (1 + t²)^n f is a polynomial in t.
+/// The intersection of a plane curve and a circle. With t = tan(θ/2) the point of the circle in the direction θ is p + d (1 −
+/// t², 2t)/(1 + t²), so (1 + t²)^n f is a polynomial in t.
 #[derive(Clone, Debug)]
 pub struct CircleSection {
-    /// 0 if the whole circle belongs to the curve.
+    /// (1 + t²)^n f, which is 0 if the whole circle belongs to the curve.
     polynomial: IntegerPolynomial,
     /// Whether the point at θ = π belongs to the curve.
     at_pi: bool,
@@ -178,7 +178,7 @@ impl CircleSection {
     }
 }
 
-/// d² − |x − p|²: positive inside the sphere of radius d about p.
+/// The polynomial d² − |x − p|², which is positive inside the sphere of radius d about p.
 #[must_use]
 pub(crate) fn sphere_about(p: &[Rational; 3], d: &Rational) -> SparsePolynomial<3> {
     let mut terms = vec![([0; 3], d * d)];
@@ -197,7 +197,7 @@ fn composed<const V: usize>(
     along: &[SparsePolynomial<V>; 3],
     weight: &SparsePolynomial<V>,
 ) -> SparsePolynomial<V> {
-    // Without terms all of this is 0.
+    // The polynomial 0 has no terms.
     let Some(degree) = f.degree() else {
         return SparsePolynomial::zero();
     };
@@ -218,7 +218,8 @@ fn composed<const V: usize>(
     sum
 }
 
-/// Ranges that overlap or touch become one, ascending. The zero set is closed, so every end belongs to its range.
+/// The union of ranges, ascending; ranges that overlap or touch become one. The zero set is closed, so every end belongs to its
+/// range.
 fn union(mut ranges: Vec<AngleRange>) -> Vec<AngleRange> {
     ranges.sort_by(|a, b| a.from.compare(&b.from).then_with(|| b.to.compare(&a.to)));
     let mut merged: Vec<AngleRange> = Vec::new();
@@ -240,7 +241,7 @@ fn union(mut ranges: Vec<AngleRange>) -> Vec<AngleRange> {
 mod tests {
     use super::*;
 
-    /// z = ±1 touches the unit sphere in a pole alone, where the chart has no point or its origin.
+    /// The plane z = ±1 touches the unit sphere in a pole alone; the chart has this pole as its origin or not at all.
     #[test]
     fn a_plane_that_touches_at_a_pole_has_a_point() {
         let origin = [0; 3].map(Rational::from);

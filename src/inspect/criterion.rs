@@ -9,18 +9,19 @@ use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, square};
 use crate::intervals::{Field, Interval, dot, rationals};
 
-/// Sections that are more work than this ([`SphereSection::work`]) are left undecided, or their angles unsaid.
+/// A section is left undecided, and its angles are not computed, if it is more work than this ([`SphereSection::work`]).
 pub(crate) const MAX_SECTION_WORK: f64 = 1e11;
-/// Of the points that patches leave so many are tried.
+/// The number of points, among those that the patches leave open, that are tried.
 const CANDIDATES: usize = 24;
 
 impl Inspector {
-    /// Whether f has both signs on the line through p and its foot where that meets the sphere, as doubles tell.
+    /// Whether f has both signs at the two points where the line through p and its foot meets the sphere. `false` means that
+    /// doubles do not prove it.
     pub(super) fn signs_differ(&self, field: &Field, p: &Point, known: &PartialInspection) -> bool {
         let Some(away) = self.towards_foot(field, p, known) else {
             return false;
         };
-        // The exact point of the sphere in that direction, or opposite to it, is in a box.
+        // The box holds the exact point of the sphere in that direction, or opposite to it.
         let direction = exactly(away);
         let radius = Interval::between(self.around[0], self.around[1]) / square(direction).sqrt();
         let center = p.around();
@@ -49,7 +50,8 @@ impl Inspector {
             .then_some(direction)
     }
 
-    /// Whether the sphere of radius d about p meets the surface, of which a point is inside.
+    /// Whether the sphere of radius d about p meets the surface. The caller must ensure that a point of the surface is inside
+    /// the sphere.
     pub(super) fn sphere_meets(
         &self,
         field: &Field,
@@ -59,7 +61,7 @@ impl Inspector {
         if self.signs_differ(field, p, known) {
             return Some(true);
         }
-        // Patches of the sphere about the doubles.
+        // The patches divide a sphere about the doubles instead of the exact point.
         let slack = Interval::from(p.slack) + Interval::from(self.around[1])
             - Interval::from(self.around[0]);
         let is_same = p.slack <= 0.0 && self.around[0] >= self.around[1];
@@ -96,7 +98,7 @@ impl Inspector {
         CircleSection::new(field.polynomial(), p.exactly(), &self.tolerance).has_points()
     }
 
-    /// By the exact angle ranges of the section; `None` beyond the limits of what is computed.
+    /// Decides by the exact angle ranges of the section; `None` if they are too much work.
     pub(super) fn section(&self, field: &Field, p: &Point) -> Option<bool> {
         let section = SphereSection::new(field.polynomial(), p.exactly(), &self.tolerance);
         (section.work() <= MAX_SECTION_WORK)

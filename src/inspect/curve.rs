@@ -1,4 +1,4 @@
-//! Points against a curve that is given by a parameter: against the curve itself, not the zero set of its equation, which can
+//! Inspection of points against a parametric curve. The curve itself is compared, not the zero set of its equation, which can
 //! have more points.
 
 use malachite::Integer;
@@ -14,26 +14,27 @@ use crate::limits::Limits;
 use crate::poly::RationalFunction;
 use crate::shape::{CurveInDoubles, FourierRadius, ParametricCurve};
 
-/// Points of the curve from which the nearest one is looked for, for each degree of its coordinates.
+/// The number of starting points along the curve, for each degree of its coordinates, in the search for the nearest point.
 const STARTS_PER_DEGREE: usize = 12;
 const MIN_STARTS: usize = 192;
-/// Steps of the golden section around the best of them.
+/// The number of steps of the golden section search around the best starting point.
 const SECTIONS: usize = 44;
-/// Steps of Newton's method in exact arithmetic, where the point is very near to the curve.
+/// The number of steps of Newton's method in exact arithmetic, for points very near to the curve.
 const EXACT_STEPS: usize = 3;
-/// The parameter is cut to so many bits after each of them.
+/// After each step the parameter is rounded to this many bits.
 const STEP_BITS: i64 = 200;
-/// Nearer points than this part of the curve's size are looked for in exact arithmetic.
+/// Exact arithmetic refines the nearest point if its distance is less than this part of the curve's size.
 const NEARLY_ON: f64 = 1e-5;
-/// How often a nearer part of the curve may turn up.
+/// How often the search may start again because a nearer part of the curve exists.
 const TURNS: usize = 12;
 
-/// A curve in the plane or in space that points are held against: the closure of what the parameter runs over.
+/// A parametric curve in the plane or in space, ready to be compared with points. The curve is the closure of the points that
+/// the parameter reaches.
 ///
-/// The squared distance of a point is a rational function of the parameter, exactly. Whether the curve meets a sphere about the
-/// point is the question whether a polynomial has a real root, infinity included, which is decided exactly: so verdict and
-/// criterion are never undecided. Bounds of the distance are a point of the curve, found in doubles, and a sphere that the curve
-/// is proved to miss.
+/// The squared distance from a point is an exact rational function of the parameter. The curve meets a sphere about the point
+/// exactly if a certain polynomial has a real root or a root at infinity, and this is decided exactly; so the verdict and the
+/// criterion are never undecided. The upper bound of the distance comes from a point of the curve, found in doubles; the lower
+/// bound is the radius of a sphere that the curve provably misses.
 #[derive(Debug)]
 pub struct CurveInspector<const N: usize> {
     forms: DistanceForms<N>,
@@ -46,7 +47,7 @@ pub struct CurveInspector<const N: usize> {
     limits: Limits,
 }
 
-/// The curve in doubles, with no certificate, over an angle τ from −π to π with s = tan(τ/2).
+/// The curve in doubles without certificate, over an angle τ from −π to π with s = tan(τ/2).
 #[derive(Debug)]
 enum Guess<const N: usize> {
     /// r(τ) = Σ a_n cos nτ + b_n sin nτ: the coefficients by n.
@@ -56,7 +57,7 @@ enum Guess<const N: usize> {
 }
 
 impl CurveInspector<2> {
-    /// For the curve r(θ) about its center; points are in original coordinates.
+    /// The inspector of the curve r(θ) about its center. Points are in original coordinates.
     ///
     /// ```
     /// use stellate::inspect::{CurveInspector, InspectOptions, Verdict};
@@ -87,10 +88,10 @@ impl CurveInspector<2> {
 }
 
 impl<const N: usize> CurveInspector<N> {
-    /// For a curve whose coordinates are rational functions of its parameter.
+    /// The inspector of a curve whose coordinates are rational functions of its parameter.
     ///
     /// # Errors
-    /// [`Error::Usage`] for a tolerance that is not positive, and for a curve of which doubles know no point.
+    /// [`Error::Usage`] for a tolerance that is not positive, and for a curve of which no point was found in doubles.
     pub fn new(
         curve: &ParametricCurve<N>,
         options: &InspectOptions,
@@ -140,7 +141,7 @@ impl<const N: usize> CurveInspector<N> {
         })
     }
 
-    /// What is certain of a point.
+    /// Inspects a point.
     ///
     /// Cost: two or three counts of the real roots of a polynomial of twice the degree of the coordinates, and a thousand
     /// distances in doubles.
@@ -171,12 +172,13 @@ impl<const N: usize> CurveInspector<N> {
         }
     }
 
-    /// Whether a curve with a point in the ball has one on the sphere: it is connected, or its pieces go to infinity.
+    /// Whether a curve that has a point in the ball also has one on the sphere, if it has a point outside: it is connected, or
+    /// all its pieces go to infinity.
     fn goes_out(&self, distance: &SquaredDistance, level: &Rational) -> bool {
         self.forms.is_unbounded || distance.against(level) == Against::Meets
     }
 
-    /// The square of the distance of some point of the curve, and bounds of the distance of the nearest.
+    /// The squared distance of some point of the curve, and bounds of the distance of the nearest one.
     fn bounds(&self, point: &[f64; N], distance: &SquaredDistance) -> (Rational, DistanceBounds) {
         let start = self.nearest_start(point);
         let mut best = self.descend(start, point, distance);
@@ -193,7 +195,7 @@ impl<const N: usize> CurveInspector<N> {
             match distance.against(&level) {
                 Against::Outside => return (best, DistanceBounds { low, high }),
                 Against::Inside => break,
-                // Some part of the curve is nearer.
+                // Some other part of the curve is nearer.
                 Against::Meets => {}
             }
             let mut is_nearer = false;
@@ -218,7 +220,7 @@ impl<const N: usize> CurveInspector<N> {
         )
     }
 
-    /// A sphere that the curve misses, however small.
+    /// The radius of a sphere that the curve provably misses; it may be very small.
     fn some_lower_bound(&self, high: f64, distance: &SquaredDistance) -> f64 {
         let parts = [0.999, 0.99, 0.9, 0.5, 0.1, 1e-3, 1e-6];
         let misses = |low: &f64| {
@@ -232,7 +234,7 @@ impl<const N: usize> CurveInspector<N> {
             .unwrap_or(0.0)
     }
 
-    /// The angle of the nearest of the points in doubles.
+    /// The angle τ of the nearest starting point.
     fn nearest_start(&self, point: &[f64; N]) -> f64 {
         let nearest = self.starts.iter().min_by(|(_, a), (_, b)| {
             squared_in_doubles(a, point).total_cmp(&squared_in_doubles(b, point))
@@ -241,8 +243,8 @@ impl<const N: usize> CurveInspector<N> {
         *angle
     }
 
-    /// The square of the distance of a point of the curve near to that at an angle, at a minimum of the distance as far as
-    /// doubles tell; exactly.
+    /// The exact squared distance of a point of the curve that is, in doubles, a local minimum of the distance near the given
+    /// angle.
     fn descend(&self, angle: f64, point: &[f64; N], distance: &SquaredDistance) -> Rational {
         let step = std::f64::consts::TAU / part(self.starts.len(), 1);
         let squared = |angle: f64| squared_in_doubles(&self.guess.at(angle), point);
@@ -289,7 +291,8 @@ impl<const N: usize> Guess<N> {
         match self {
             Self::Radius(series) => {
                 let (sin, cos) = angle.sin_cos();
-                // cos nτ and sin nτ, n = 0, 1, …, by rotations: a guess may be a little off, and is asked for often.
+                // cos nτ and sin nτ for n = 0, 1, … are computed by rotations. They may be slightly wrong, as this is only a
+                // guess; the function is called often.
                 let (mut turned, mut r) = ([1.0, 0.0], 0.0);
                 for [a, b] in series {
                     r += a * turned[0] + b * turned[1];
@@ -325,12 +328,12 @@ fn exactly(x: f64) -> Option<Rational> {
     Rational::try_from(x).ok()
 }
 
-/// Farther than any point that is looked for.
+/// A distance beyond all points that are searched.
 fn huge() -> Rational {
     exactly(f64::MAX).invariant("the largest double is finite")
 }
 
-/// Cut to [`STEP_BITS`] bits after the leading one.
+/// The number rounded to [`STEP_BITS`] bits after the leading one.
 fn cut(q: &Rational) -> Dyadic {
     let bits = |n: Integer| n.significant_bits().cast_signed();
     let exponent = bits(q.numerator()) - bits(q.denominator()) - STEP_BITS;

@@ -1,4 +1,4 @@
-//! How near a surface comes to a point: branch and bound over cubes, in doubles with bounds of their errors.
+//! Bounds of the distance from a point to a surface, by branch and bound over cubes, in doubles with bounds of their errors.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -9,45 +9,45 @@ use crate::intervals::interval::{cross, exactly, minus, product, separation, squ
 use crate::intervals::{BoxBounds, Field, Interval, distance};
 use crate::limits::Limits;
 
-/// Cubes are not divided below this part of the reach.
+/// Cubes smaller than this part of the reach are not divided.
 const SMALLEST: f64 = 1e-11;
-/// How near the foot has to be found, relative to the distance.
+/// The precision of a foot, relative to the distance.
 const FOOT_GOAL: f64 = 1e-8;
 
-/// How a distance is looked for.
+/// The goal of a search for the distance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Goal {
-    /// Nothing farther away is looked for.
+    /// The search radius; nothing farther away is examined.
     pub(super) reach: f64,
-    /// Cubes that may be nearer than this are divided until nothing more is to be learnt of them.
+    /// Cubes that may be nearer than this are divided until dividing them proves nothing more.
     pub(super) tolerance: f64,
-    /// The goal for (high − low)/high.
+    /// The largest value of (high − low)/high that is precise enough.
     pub(super) relative: f64,
-    /// At most so many cubes are divided.
+    /// The largest number of cubes that are divided.
     pub(super) cubes: usize,
 }
 
-/// What the search has found.
+/// The result of a search.
 #[derive(Debug)]
 pub(super) struct Nearby {
     pub(super) bounds: DistanceBounds,
-    /// All zeros within the tolerance are in these cubes; empty unless the bounds leave it open whether there are any.
+    /// All zeros within the tolerance are in these cubes. The list is empty if the bounds decide whether there are any.
     pub(super) left: Vec<Cube>,
 }
 
 /// A cube that may hold zeros.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cube {
-    /// No zero in it is nearer to the point than this.
+    /// A lower bound of the distance between the point and the zeros in the cube.
     pub(super) low: f64,
     pub(super) middle: [f64; 3],
     pub(super) half: f64,
-    /// The derivative away from the point vanishes nowhere in it.
+    /// Whether the derivative along the rays from the point is different from 0 in the whole cube.
     pub(super) is_radial: bool,
 }
 
 impl Cube {
-    /// No point of it is farther from its middle.
+    /// A bound of the distances of the points of the cube from its middle.
     pub(super) fn radius(&self) -> Interval {
         Interval::from(3.0).sqrt() * self.half
     }
@@ -67,17 +67,19 @@ impl PartialOrd for Cube {
     }
 }
 
-/// The nearest is the greatest, for the heap.
+/// The nearest cube is the greatest, as the heap requires.
 impl Ord for Cube {
     fn cmp(&self, other: &Self) -> Ordering {
         other.low.total_cmp(&self.low)
     }
 }
 
-/// Bounds of the distance from p to the zeros of f, which has the given sign at p.
+/// Bounds of the distance from p to the zeros of f. The caller must give the sign of f at p.
 ///
-/// Best first: of a cube with f(m + v) = f(m) + ∇f·v + rest, |rest| ≤ ρ, the surface is no nearer than the slab
-/// |f(m) + ∇f·v| ≤ ρ, nor than the cube. It ends when `limits` say so, with what is known then. Above, the bound is that of a foot, or of any point where f has the other sign.
+/// The cube with the least lower bound is divided first. On a cube with middle m, f(m + v) = f(m) + ∇f·v + rest with |rest| ≤
+/// ρ, so its zeros are in the slab |f(m) + ∇f·v| ≤ ρ; the lower bound is the larger one of the distances of the slab and of the
+/// cube. The upper bound is that of a foot, or of any point at which f has the other sign. If `limits` end the search, the
+/// bounds found until then are returned.
 pub(super) fn nearest(
     field: &Field,
     p: [f64; 3],
@@ -129,14 +131,14 @@ struct DistanceSearch<'a> {
 }
 
 impl DistanceSearch<'_> {
-    /// Divides the nearest cube until the bounds are close. The lower bound.
+    /// Divides the nearest cube until the bounds are close, and returns the lower bound.
     fn best_first(&mut self) -> f64 {
         while let Some(cube) = self.heap.pop() {
             if cube.low >= self.high * (1.0 - self.goal.relative)
                 || self.budget == 0
                 || cube.half < SMALLEST * self.goal.reach
             {
-                // Best first: no other cube can be nearer.
+                // The nearest cube is next, so no other cube can be nearer.
                 self.heap.push(cube);
                 return cube.low;
             }
@@ -146,10 +148,10 @@ impl DistanceSearch<'_> {
         self.goal.reach
     }
 
-    /// The cubes that may hold zeros within the tolerance, divided as long as that can help.
+    /// The cubes that may hold zeros within the tolerance, after all divisions that help.
     fn all_left(mut self) -> Vec<Cube> {
         let mut left = Vec::new();
-        // What is at the tolerance itself is kept.
+        // A zero exactly at the tolerance must stay in the list.
         self.goal.reach = self.goal.tolerance.next_up();
         while let Some(cube) = self.heap.pop() {
             if cube.low > self.goal.tolerance {
@@ -167,7 +169,7 @@ impl DistanceSearch<'_> {
         left
     }
 
-    /// An upper bound from the foot that is found from the middle of a cube, or from the middle itself.
+    /// Improves the upper bound by the foot that is found from the middle of a cube, or by the middle itself.
     fn look_for_zeros(&mut self, cube: &Cube) {
         let away = separation(self.p, cube.middle).high();
         if away < self.high && self.field.sign(cube.middle) != self.sign {
@@ -216,7 +218,8 @@ impl DistanceSearch<'_> {
     }
 }
 
-/// The half side that a cube about a double next to the middle of an eighth of another one needs, to hold that eighth.
+/// The half side of the cube about `middle`, a double near the middle of an eighth of another cube, that is enough to hold this
+/// eighth.
 ///
 /// Lemma 13. Along an axis the eighth lies between the middle m of the cube and its side m ± h, so a half side of at least
 /// |m − middle| and |m ± h − middle| is enough.
@@ -244,7 +247,7 @@ fn beside(away: [Interval; 3], half: f64, axes: usize) -> f64 {
     beyond.fold(Interval::ZERO, |sum, b| sum + b).sqrt().low()
 }
 
-/// Whether ∇f(x)·(x − p) ≠ 0 for all x of a cube; `away` points from its middle to p.
+/// Whether it is proved that ∇f(x)·(x − p) ≠ 0 for all x of a cube; `away` points from the middle of the cube to p.
 fn is_radial(bounds: &BoxBounds, away: [Interval; 3], half: f64) -> bool {
     let radial = [0, 1, 2].map(|i| away[i] + Interval::up_to(half));
     let slopes = [0, 1, 2].map(|i| bounds.slope(i));
@@ -285,8 +288,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
 
-        /// Lemma 13: every eighth of a cube is in the cube that is looked at for it, also where the half side is next to the last
-        /// place of the middle.
+        /// Lemma 13: every eighth of a cube is in the new cube for it, even if the half side is as small as the last place of
+        /// the middle.
         #[test]
         fn the_parts_of_a_cube_cover_it(m in prop::array::uniform3(-8.0f64..8.0), half in 1.0f64..2.0, e in -56i32..1, corner in 0u32..8) {
             let cube = Cube { low: 0.0, middle: m, half: half * 2f64.powi(e), is_radial: false };
@@ -304,8 +307,8 @@ mod tests {
             prop_assert!(Rational::from(3) < rational(exact.high()) * rational(exact.high()));
         }
 
-        /// A point on the border of a cube is not called farther away than it is, and the derivative away from it is not said to
-        /// vanish nowhere where it does at a corner.
+        /// The lower bound of the distance from a cube is not too large at its border, and a derivative that vanishes at a
+        /// corner is not proved to be different from 0.
         #[test]
         fn the_border_of_a_cube_is_not_passed(m in prop::array::uniform3(-8.0f64..8.0), half in 0.01f64..1.0, off in prop::array::uniform3(-4.0f64..4.0)) {
             let p: [f64; 3] = std::array::from_fn(|i| m[i] + off[i]);

@@ -1,4 +1,4 @@
-//! What doubles leave open, in exact arithmetic: bounds of the distance at a refined foot, and zeros at rational points.
+//! Exact arithmetic for points that doubles leave open: bounds of the distance at a refined foot, and zeros at rational points.
 
 use nalgebra::{Vector3, Vector4};
 
@@ -12,30 +12,30 @@ use crate::limits::Limits;
 #[path = "exact_laws.rs"]
 mod laws;
 
-/// Bits after the point to which feet are refined, one after the other.
+/// The numbers of bits after the point to which feet are refined in turn.
 const LEVELS: [i64; 3] = [128, 256, 640];
-/// Steps towards a foot: each gains some 40 bits.
+/// The largest number of steps towards a foot; each step gains about 40 bits.
 const STEPS: usize = 80;
-/// Bits after the point of the coordinates of directions.
+/// The number of bits after the point in the coordinates of directions.
 const SPHERE_BITS: i64 = 320;
-/// Rational points are looked for in an interval of so many bits less than the foot is known to.
+/// A rational point is searched in an interval that is this many bits wider than the precision of the foot.
 const GUARD_BITS: i64 = 32;
 
-/// What is exactly known of a point and the nearest zeros.
+/// The decision whether there is a zero within d of a point.
 #[derive(Clone, Debug)]
 pub(super) enum Answer {
-    /// There is no zero within d.
+    /// There is no zero within d of the point.
     Outside {
-        /// The square of a distance within which there is none.
+        /// The square of a distance within which there is no zero.
         low: Rational,
     },
-    /// There is one within d.
+    /// There is a zero within d of the point.
     Inside {
-        /// The squares of bounds of the distance.
+        /// The square of a lower bound of the distance of the nearest zero.
         low: Rational,
-        /// …
+        /// The square of an upper bound of it.
         high: Rational,
-        /// A zero exactly at the distance d.
+        /// Whether there is a zero exactly at the distance d.
         touches: bool,
         /// A point near the zero.
         foot: Box<[Rational; 3]>,
@@ -61,15 +61,16 @@ pub(super) fn power_of_two(k: i64) -> Rational {
     Rational::from(2).pow(k).invariant("2 has every power")
 }
 
-/// Rounded down to so many bits after the point.
+/// The number rounded down to this many bits after the point.
 fn rounded(x: &Rational, bits: i64) -> Rational {
     Rational::from_dyadic((x * &power_of_two(bits)).floor_integer(), -bits)
 }
 
-/// Whether there is a zero within d of p, from the expansion about the foot near `start`; f has the given sign at p. The
-/// rule is that of [`super::foot::enclose`], with everything but the bounds of the curvature exact.
+/// Decides whether f has a zero within d of p, by the expansion at the foot near `start`; f has the given sign at p. The rule
+/// is that of [`super::foot::enclose`], with exact numbers except for the bounds of the curvature.
 ///
-/// With a radius only zeros so near to `start` are excluded. Beyond the limits it is not decided.
+/// If a radius is given, only zeros within this radius of `start` are excluded. The result is `None` if the expansion decides
+/// nothing or a limit is reached.
 pub(super) fn decide(
     field: &Field,
     p: &[Rational; 3],
@@ -109,7 +110,7 @@ pub(super) fn decide(
             let high = squared_length(&exact_difference(p, &zero));
             if high <= target {
                 let touches = high == target;
-                // The foot is a strict minimum within reach if the rule gives any bound there.
+                // If the rule gives a lower bound, the foot is the only minimum of the distance within reach.
                 let low = low.filter(|low| *low <= high);
                 let low = low.unwrap_or_else(Rational::zero);
                 return Some(Answer::Inside {
@@ -124,8 +125,8 @@ pub(super) fn decide(
     None
 }
 
-/// The foot near q to so many bits after the point: q + ν∇f(q) = p, f(q) = 0, by Newton's method with the inverse of
-/// the derivatives in doubles and exact residuals.
+/// The foot near q to `bits` bits after the point, that is the solution of q + ν∇f(q) = p, f(q) = 0. Newton's method uses the
+/// inverse of the derivatives in doubles, and exact residuals.
 fn refined_foot(
     field: &Field,
     p: &[Rational; 3],
@@ -148,12 +149,12 @@ fn refined_foot(
         let (value, gradient) = field.exact_value_and_gradient(&q);
         let away = exact_difference(p, &q);
         let first: [Rational; 3] = std::array::from_fn(|i| &away[i] - &(&nu * &gradient[i]));
-        // Residuals are scaled, so that they are doubles however small they are.
+        // The residuals are scaled to size 1, so that doubles can hold them however small they are.
         let largest = first.iter().chain([&value]).map(Rational::abs).max()?;
         if largest.is_zero() {
             return Some(q);
         }
-        // From a good start the residuals only shrink.
+        // From a good start the residuals shrink in every step.
         if last.is_some_and(|last| largest >= last) {
             return None;
         }
@@ -174,11 +175,11 @@ fn refined_foot(
     None
 }
 
-/// Squares of bounds of the distance from p, from the expansion at q; the lower one for zeros within a radius of q, if there is
-/// one.
+/// The squares of bounds of the distance from p, by the expansion at q. If a radius is given, the lower bound is only for zeros
+/// within this radius of q.
 ///
-/// Within a small radius R the curvature along a need not be small: with n = a/|a|, w = u + τn, and ρ ≤ |a| it is
-/// τ ≥ (|w|² + |a|² − ρ²)/(2|a|) ≥ 0, so a loss of kτ|w| ≤ kRτ only takes kR/|a| from λ.
+/// If the radius R is small, the curvature along a need not be small. With n = a/|a| and w = u + τn, Lemma 12's ball |w − a| ≤
+/// ρ ≤ |a| gives τ ≥ (|w|² + |a|² − ρ²)/(2|a|) ≥ 0. So a loss of kτ|w| ≤ kRτ only diminishes λ by kR/|a|.
 fn squared_bounds(
     field: &Field,
     p: &[Rational; 3],
@@ -196,10 +197,10 @@ fn squared_bounds(
     if slope.signum() <= 0 {
         return (None, None);
     }
-    // Doubles from here on are bounds, or numbers that may be chosen at will.
+    // The doubles from here on are bounds, or numbers that may be chosen freely.
     let lambda = (&slope / &away_squared).to_f64();
     let length = Interval::from(&away_squared).sqrt();
-    // The expansion is that about the doubles next to q.
+    // The expansion is made at the nearest doubles of q.
     let near = q.each_ref().map(Rational::to_f64);
     let is_near = near.iter().all(|x| x.is_finite());
     if !is_near || !lambda.is_finite() || lambda <= 0.0 {
@@ -207,7 +208,7 @@ fn squared_bounds(
     }
     let off = Interval::from(&squared_length(&exact_difference(q, &rationals(near)))).sqrt();
     let local = field.exact_local(&rationals(near));
-    // Zeros within |away| of p are within this of q.
+    // Zeros within |away| of p are within this distance of q.
     let around = (length * 2.0).high().min(radius.unwrap_or(f64::INFINITY));
     let around = Interval::from(around);
     let reach = (around + off).high();
@@ -215,7 +216,7 @@ fn squared_bounds(
     let curvature = if sign < 0 { -curvature } else { curvature };
     let [across, along] = local.one_sided(sign, away.each_ref().map(Interval::from), reach);
     let reduced = (Interval::from(lambda) - Interval::from(along) * around / length).low();
-    // Either rule, with what it makes of λ.
+    // Two rules for the lower bound, each with its λ and its bound of the curvature.
     let rules = [(lambda, curvature.low()), (reduced, across)];
     let low = rules.into_iter().filter_map(|(pull, curvature)| {
         let convexity = (Interval::from(pull) * 0.5 + Interval::from(curvature)).low();
@@ -250,7 +251,7 @@ fn squared_bounds(
     (low, high)
 }
 
-/// A zero of f whose coordinates are the simplest fractions within `width` of those of q.
+/// A zero of f whose coordinates are the simplest fractions within `width` of those of q; `None` if f is not 0 there.
 pub(super) fn rational_zero(
     field: &Field,
     q: &[Rational; 3],
@@ -266,7 +267,7 @@ pub(super) fn rational_zero(
         .then_some(simple)
 }
 
-/// A critical point of f near `start`, in doubles: Newton's method, along directions in which f does not bend not at all.
+/// A critical point of f near `start`, in doubles, by Newton's method. Directions in which f does not bend are left unchanged.
 pub(super) fn critical_point(field: &Field, start: [f64; 3]) -> Option<[f64; 3]> {
     let mut x = start;
     for _ in 0..50 {
@@ -285,8 +286,8 @@ pub(super) fn critical_point(field: &Field, start: [f64; 3]) -> Option<[f64; 3]>
     Some(x)
 }
 
-/// A point of the sphere of radius d about p next to a direction, exactly: by stereographic projection from the pole opposite
-/// to its largest component. It is off the direction by some 2^−300. None for no direction, 0.
+/// An exact point of the sphere of radius d about p, near a direction, by stereographic projection from the pole opposite to
+/// the largest component of the direction. It differs from the direction by about 2^−300. `None` if the direction is 0.
 pub(super) fn on_sphere(
     p: &[Rational; 3],
     d: &Rational,
@@ -312,7 +313,7 @@ pub(super) fn on_sphere(
     Some(std::array::from_fn(|i| &p[i] + &(d * &vector[i])))
 }
 
-/// The length of a vector that is about 1, by Heron's rule: every step doubles the digits of the double.
+/// The length of a vector of length about 1, by Heron's rule from a double; every step doubles the number of correct digits.
 fn length(v: &[Rational; 3]) -> Rational {
     let square = squared_length(v);
     (0..4).fold(Rational::one(), |root, _| {

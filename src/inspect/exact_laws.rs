@@ -21,8 +21,8 @@ fn products_and_roundings_are_exact() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
-    /// A point at a known distance from a sphere, against a radius that is a little larger or smaller, is decided, and as it is. The
-    /// foot is rational or not, and far away or near. The bounds are those of the squared distance.
+    /// A point at a known distance from a sphere is decided rightly against a tolerance that is slightly larger or smaller. The
+    /// foot is rational or not, and far or near. The bounds of the squared distance hold.
     #[test]
     fn distances_from_a_sphere_are_decided(
         turn in 0usize..3, signs in 0u8..8, size in (1i64..40, 1i64..11), square in 1i64..12, k in 8i64..60, is_inside in any::<bool>(),
@@ -41,7 +41,7 @@ proptest! {
         let field = Field::new(&sphere(square));
         let start = direction.each_ref().map(|x| (x * &radius).to_f64());
         let sign = if size > radius { 1 } else { -1 };
-        // The exact square is as near to this as the root is.
+        // The exact square is as near to this number as the root is to its rational approximation.
         let exact = &distance * &distance;
         let wrong = power_of_two(-900);
         match decide(&field, &p, &d, start, sign, None, &Limits::none()) {
@@ -55,7 +55,7 @@ proptest! {
 }
 
 proptest! {
-    /// A rational zero is found again from a point beside it, and none where there is none.
+    /// A rational zero is found again from a point near it, and no zero is found where there is none.
     #[test]
     fn simple_zeros_are_found_again(turn in 0usize..3, signs in 0u8..8, off in prop::array::uniform3(-900i64..900)) {
         let zero: [Rational; 3] = std::array::from_fn(|i| {
@@ -68,7 +68,7 @@ proptest! {
         prop_assert_eq!(rational_zero(&Field::new(&sphere(2)), &beside, &width), None);
     }
 
-    /// The point of the sphere is exactly on it, and next to the direction, long or short.
+    /// The point is exactly on the sphere and near the direction, whether the direction is long or short.
     #[test]
     fn points_of_the_sphere_are_on_it_and_next_to_the_direction(v in prop::array::uniform3(-50i64..50), k in -60i64..60, d in 1i64..40, p in prop::array::uniform3(-9i64..10)) {
         prop_assume!(v != [0; 3]);
@@ -76,7 +76,7 @@ proptest! {
         let (p, d) = (p.map(Rational::from), Rational::from(d) / Rational::from(7));
         let away = exact_difference(&on_sphere(&p, &d, &direction).unwrap(), &p);
         prop_assert_eq!(squared_length(&away), &d * &d);
-        // cos² of the angle between them, and the side.
+        // Compares cos² of the angle between the two directions, and the sign of the cosine.
         let product = exact_dot(&away, &direction);
         prop_assert!(product.signum() > 0);
         let cosine = &product * &product / (squared_length(&away) * squared_length(&direction));

@@ -1,4 +1,4 @@
-//! Zeros without a change of sign: a polynomial that comes nearer to 0 in a ball than any positive minimum could.
+//! Proofs of a zero without a change of sign: f comes nearer to 0 in a ball than any positive minimum of f could.
 
 use malachite::base::num::logic::traits::SignificantBits;
 
@@ -8,25 +8,25 @@ use crate::exact::Rational;
 use crate::intervals::{Field, rationals};
 use crate::poly::SparsePolynomial;
 
-/// Evaluations go to so many bits at most.
+/// Evaluations use at most this many bits.
 const MAX_BITS: i64 = 1 << 21;
 
 /// Proves that f has a zero in the closed ball of radius d about p, if it has one at a non-degenerate critical point inside the
-/// ball that `start` is the double next to.
+/// ball. `start` must hold the nearest doubles of that point.
 ///
 /// Theorem (Jeronimo, Perrucci, Tsigaridas, *On the minimum of a polynomial function on a basic closed semialgebraic set and
-/// applications*, SIAM J. Optim. 23 (2013), Theorem 1). Let T ⊂ ℝⁿ be given by equations and inequalities, m in all, between
-/// polynomials in ℤ[x₁ … xₙ], and let D be even. If these and f ∈ ℤ[x₁ … xₙ] have degrees at most D and coefficients of size
+/// applications*, SIAM J. Optim. 23 (2013), Theorem 1). Let T ⊂ ℝⁿ be given by m equations and inequalities between polynomials
+/// in ℤ[x₁ … xₙ], and let D be even. If these and f ∈ ℤ[x₁ … xₙ] have degrees at most D and coefficients of size
 /// at most H, then the minimum of f on a compact connected component of T is 0, or at least (2^(4−n/2) H̃ Dⁿ)^(−n 2ⁿ Dⁿ) in
 /// size, where H̃ = max(H, 2n + 2m).
 ///
-/// Here n = 3, m = 1, and T is the ball {h ≥ 0} for the integer multiple h of d² − |x − p|²: compact and connected, whole.
+/// Here n = 3, m = 1, and T is the ball {h ≥ 0} for the integer multiple h of d² − |x − p|². The ball is compact and connected.
 /// [`gap_bits`] is the number of bits of that bound.
 ///
 /// Lemma 16. If |f(x)| is less than the bound at one point x of the ball, f has a zero in the ball.
 ///
-/// Proof. Let f(x) ≥ 0, else take −f. The minimum is at most f(x), so it is not a positive number by the theorem; between its
-/// place and x, in the connected ball, f is 0.
+/// Proof. Let f(x) ≥ 0, else take −f. The minimum is at most f(x), so by the theorem it is not positive. The ball is connected,
+/// so f is 0 somewhere between x and the point of the minimum.
 ///
 /// Laws: `the_gap_is_that_of_the_theorem`, `the_gap_is_below_known_minima`, `positive_minima_are_no_zeros`.
 pub(super) fn zero_in_ball(
@@ -53,7 +53,7 @@ pub(super) fn zero_in_ball(
         precision = (2 * precision).min(bits + 64);
         x = std::array::from_fn(|i| {
             let next = &x[i] - &step[i];
-            // The simplest fraction keeps rational points exact.
+            // Rounding to the simplest fraction keeps rational points exact.
             let width = power_of_two(-precision);
             Rational::simplest_between(&(&next - &width), &(&next + &width))
         });
@@ -69,8 +69,8 @@ pub(super) fn zero_in_ball(
     }
 }
 
-/// A number of bits such that 2^(−bits) is at most the bound of the theorem in [`zero_in_ball`], or none that fits. The exponent of
-/// the theorem is doubled, which costs one more step of Newton's method and leaves a margin.
+/// A number of bits such that 2^(−bits) is at most the bound of the theorem in [`zero_in_ball`]; `None` if it is too large for
+/// an integer. The exponent of the theorem is doubled as a margin, which costs one more step of Newton's method.
 fn gap_bits(f: &SparsePolynomial<3>, p: &[Rational; 3], d: &Rational) -> Option<i64> {
     let height = |g: &SparsePolynomial<3>| {
         let bits = g.terms().map(|(_, c)| c.numerator().significant_bits());
@@ -89,7 +89,8 @@ fn gap_bits(f: &SparsePolynomial<3>, p: &[Rational; 3], d: &Rational) -> Option<
     even.checked_pow(3)?.checked_mul(2 * 24)?.checked_mul(base)
 }
 
-/// A⁻¹ b by Cramer's rule, `None` if A is singular. A variable that does not occur gives a row and a column of zeros and stays.
+/// A⁻¹ b by Cramer's rule; `None` if A is singular. A variable that does not occur has a row and a column of zeros, and is left
+/// unchanged.
 fn solved(a: &[[Rational; 3]; 3], b: &[Rational; 3]) -> Option<[Rational; 3]> {
     let mut a = a.clone();
     for i in 0..3 {
@@ -136,8 +137,8 @@ mod tests {
         (rationals([0.0; 3]), Rational::from(2))
     }
 
-    /// (2^height x − 1)² + (y − x^k)² + (z − y^k)² + z^(2k): not 0 anywhere, but tiny where the first three squares vanish.
-    /// Its value there, 2^(−2·height·k³), is at least the minimum.
+    /// The polynomial (2^height x − 1)² + (y − x^k)² + (z − y^k)² + z^(2k), which has no real zero. Where the first three
+    /// squares vanish, its value is 2^(−2·height·k³), so its minimum is at most that.
     fn chain(height: u32, k: u32) -> (SparsePolynomial<3>, Rational) {
         let [x, y, z] = variables();
         let first = x.scaled(&power_of_two(height.into())).minus(&constant(1));
@@ -154,7 +155,8 @@ mod tests {
         )
     }
 
-    /// The bound of the theorem, recomputed in integers from its statement: (2^(4−n/2) H̃ Dⁿ)^(n 2ⁿ Dⁿ), squared for the half.
+    /// The square of the inverse of the theorem's bound, computed in integers from its statement, (2^(4−n/2) H̃ Dⁿ)^(n 2ⁿ Dⁿ).
+    /// The square makes 2^(n/2) an integer power.
     fn squared_inverse_of_the_bound(
         f: &SparsePolynomial<3>,
         p: &[Rational; 3],
@@ -181,7 +183,7 @@ mod tests {
             x.clone(),
             x.times(&y).minus(&z),
             power(&x, 3).plus(&y),
-            // Of height 1, and of a degree far above the power of two before it.
+            // This polynomial has height 1, and a degree far above the next lower power of two.
             power(&x, 6).plus(&y),
             power(&z, 4).minus(&constant(1 << 40)),
         ];
@@ -197,7 +199,7 @@ mod tests {
                     let d: Rational = d.parse().unwrap();
                     let bits = gap_bits(&f.primitive(), p, &d).unwrap();
                     let bound = squared_inverse_of_the_bound(&f, p, &d);
-                    // 2^bits is at least the square of the bound's inverse, and not far beyond it.
+                    // 2^bits is at least the square of the inverse of the bound, and not much larger.
                     let size = i64::try_from(bound.significant_bits()).unwrap();
                     assert!(bits >= size - 1, "{bits} {size}");
                     assert!(bits <= 2 * size, "{bits} {size}");
@@ -222,8 +224,8 @@ mod tests {
         assert_eq!(solved(&flat, &[3, 4, 1].map(Rational::from)), None);
     }
 
-    /// The minimum of a quadratic form is known by linear algebra, of the chains it is known from above, of a sum of a square and
-    /// a constant it is the constant.
+    /// The bound is below the minimum of a quadratic form, which linear algebra gives, below an upper bound of the minimum of
+    /// the chains, and below the constant minimum of a square plus a constant.
     #[test]
     fn the_gap_is_below_known_minima() {
         let (p, d) = ball();
@@ -265,7 +267,8 @@ mod tests {
         [f.evaluate(&origin), f.evaluate(&step.map(|x| -x))]
     }
 
-    /// Where the minimum is positive, however small, no zero is claimed; where it is 0 at an irrational point, one is.
+    /// No zero is claimed where the minimum is positive, however small it is. A zero is claimed where the minimum is 0 at an
+    /// irrational point.
     #[test]
     fn positive_minima_are_no_zeros() {
         let (p, d) = ball();
@@ -277,7 +280,7 @@ mod tests {
             assert_eq!(zero_in_ball(&field, &p, &d, start), None, "{height} {k}");
         }
         let [x, y, z] = variables();
-        // The critical point is known to the last place of doubles, as it is to callers.
+        // Callers know the critical point to the last place of doubles.
         let near = [2f64.sqrt(), 0.0, 0.0];
         let square = power(&x.squared().minus(&constant(2)), 2)
             .plus(&y.squared())
@@ -286,13 +289,13 @@ mod tests {
             let f = square.plus(&SparsePolynomial::constant(power_of_two(-bits)));
             assert_eq!(zero_in_ball(&Field::new(&f), &p, &d, near), None, "{bits}");
             let f = square.minus(&SparsePolynomial::constant(power_of_two(-bits)));
-            // There are zeros, but not at the critical point.
+            // f has zeros, but not at the critical point.
             assert_eq!(zero_in_ball(&Field::new(&f), &p, &d, near), None, "{bits}");
         }
         let found = zero_in_ball(&Field::new(&square), &p, &d, near);
         let found = found.expect("a zero at the square root of 2");
         assert!((found[0].to_f64() - 2f64.sqrt()).abs() < 1e-15);
-        // Beyond the ball there is none.
+        // There is no critical point inside this smaller ball.
         let small = Rational::one();
         assert_eq!(zero_in_ball(&Field::new(&square), &p, &small, near), None);
     }

@@ -1,4 +1,4 @@
-//! One point after the other against one surface, each by the cheapest rule that decides it.
+//! Inspection of points against one surface or plane curve. Each point is decided by the cheapest rule that can.
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
@@ -21,11 +21,11 @@ use crate::shape::{ImplicitCurve, ImplicitSurface};
 #[path = "inspector_laws.rs"]
 mod laws;
 
-/// Polynomials with more monomials (and divisors of them) than this are inspected in doubles alone: those of degree 16 in space
-/// and of degree 43 in the plane have fewer. What doubles do not decide is undecided then.
+/// Polynomials with more than this many monomials (divisors of monomials count, too) are inspected in doubles alone; those of
+/// degree 16 in space and of degree 43 in the plane have fewer. A point that doubles do not decide is then undecided.
 pub(crate) const MAX_EXACT_MONOMIALS: usize = 1000;
-/// The operations of an expansion for which the number of cubes is meant as it is given: those of a dense polynomial of
-/// degree 6. Where they are more, there are fewer cubes.
+/// The number of cubes is calibrated for a dense polynomial of degree 6, whose expansion takes this many operations; more
+/// expensive polynomials get proportionally fewer cubes.
 const CUBE_WORK: usize = 84 * 18;
 /// Points nearer to the surface than this part of the reach are not left to doubles.
 const NEARLY_ON: f64 = 1e-6;
@@ -33,19 +33,20 @@ const NEARLY_ON: f64 = 1e-6;
 options! {
     /// How points are inspected.
     InspectOptions of {
-        /// d > 0: the largest distance that counts as inside.
+        /// The tolerance d > 0: the largest distance that counts as inside.
         tolerance: Rational,
     } {
-        /// Distances are looked for up to here, or up to the tolerance if that is more.
+        /// The search radius for the nearest point; at least the tolerance.
         reach: f64 = 0.0,
-        /// The goal for the distance: so many significant digits.
+        /// The number of significant digits that the bounds of a distance should determine.
         digits: u32 = 6,
-        /// At most so many cubes are divided for one point and one factor of the polynomial; fewer for degrees above 6.
+        /// The largest number of cubes that are divided for one point and one factor of the polynomial; fewer for degrees above
+        /// 6.
         cubes: usize = 50_000,
     }
 }
 
-/// What is inspected.
+/// The kind of zero set that is inspected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Surface,
@@ -53,27 +54,27 @@ pub(super) enum Kind {
     Plane,
 }
 
-/// A surface or plane curve that points are held against.
+/// A surface or plane curve with a tolerance, ready to be compared with points.
 #[derive(Debug)]
 pub struct Inspector {
     pub(super) kind: Kind,
-    /// What the polynomial of a plane curve is relative to, if that is not the origin.
+    /// The center of a plane curve, which is the origin of its polynomial's coordinates, unless it is (0, 0).
     center: Option<[Rational; 2]>,
-    /// The irreducible factors, so that repeated ones change sign, too.
+    /// The irreducible factors. They change sign at their zeros, which a repeated factor does not.
     factors: Vec<Field>,
     pub(super) tolerance: Rational,
-    /// Doubles that enclose the tolerance.
+    /// Doubles below and above the tolerance.
     pub(super) around: [f64; 2],
-    /// What lies beyond is not told.
+    /// The search radius; distances larger than this are reported as infinite.
     asked: f64,
     pub(super) goal: Goal,
     pub(super) limits: Limits,
 }
 
-/// A point, as doubles and exactly.
+/// A point, by its nearest doubles and exactly.
 pub(super) struct Point<'a> {
     pub(super) near: [f64; 3],
-    /// The exact point is at most this far from the doubles.
+    /// A bound of the distance between the exact point and the doubles.
     pub(super) slack: f64,
     exactly: OnceCell<[Rational; 3]>,
     read: &'a dyn Fn() -> [Rational; 3],
@@ -101,12 +102,13 @@ impl<'a> Point<'a> {
         })
     }
 
-    /// The exact coordinates are between these bounds.
+    /// Intervals that hold the exact coordinates.
     pub(super) fn around(&self) -> [Interval; 3] {
         self.near.map(|x| Interval::around(x, self.slack))
     }
 
-    /// The point below, in the plane of x and y: as near to a surface whose equation does not have z.
+    /// The projection of the point to the plane of x and y. It has the same distance from a surface whose equation does not
+    /// have z.
     fn flattened(&self) -> Self {
         let [x, y, _] = self.near;
         Self {
@@ -116,20 +118,21 @@ impl<'a> Point<'a> {
     }
 }
 
-/// What is known of one factor.
+/// The findings about one factor of the polynomial.
 #[derive(Clone, Debug)]
 pub(super) struct PartialInspection {
     pub(super) bounds: DistanceBounds,
     pub(super) inside: Option<bool>,
     pub(super) curve: Option<bool>,
-    /// The nearest point that was found.
+    /// The nearest point that was found, in doubles.
     pub(super) foot: Option<[f64; 3]>,
-    /// The same, nearer to it than doubles are.
+    /// The nearest point that was found, more precisely than doubles can hold it.
     pub(super) exact_foot: Option<[Rational; 3]>,
 }
 
 impl PartialInspection {
-    /// A zero within the tolerance, which the double `tolerance` is not below; `high` is the square of a bound of its distance.
+    /// Records a zero within the tolerance; `tolerance` is a double that is not below the tolerance, and `high` is the square
+    /// of a bound of the distance of the zero.
     pub(super) fn has_zero(
         &mut self,
         foot: [Rational; 3],
@@ -147,7 +150,7 @@ impl PartialInspection {
 }
 
 impl Inspector {
-    /// For points in space.
+    /// The inspector of a surface, for points in space.
     ///
     /// ```
     /// use stellate::inspect::{InspectOptions, Inspector, Verdict};
@@ -178,10 +181,11 @@ impl Inspector {
         Self::new(Kind::Surface, factors, options, limits)
     }
 
-    /// For points (x, y, 0) of the plane, in the curve's original coordinates: its center is taken into account.
+    /// The inspector of a plane curve, for points (x, y, 0) in the curve's original coordinates; its center is taken into
+    /// account.
     ///
     /// # Errors
-    /// Likewise, and those of [`factor_plane`].
+    /// As [`Self::surface`], and those of [`factor_plane`].
     pub fn plane(curve: &ImplicitCurve, options: &InspectOptions, limits: &Limits) -> Result<Self> {
         let factors = factor_plane(curve.polynomial(), limits)?.factors;
         let factors = factors
@@ -231,7 +235,8 @@ impl Inspector {
             around,
             asked: options.reach.max(around[1]),
             goal: Goal {
-                // A little more, so that what is not reached is outside whatever the slack of a point. Any part is sound.
+                // A slightly larger radius, so that a zero beyond it is outside for every slack of a point. Any margin is
+                // sound.
                 reach: options.reach.max(around[1] * (1.0 + 1e-9)),
                 tolerance: around[1],
                 relative: 0.1f64
@@ -243,17 +248,18 @@ impl Inspector {
         })
     }
 
-    /// Whether a factor is too large for exact expansions (1000 monomials and divisors of them).
+    /// Whether a factor has too many monomials for exact expansions (more than 1000, divisors included).
     #[must_use]
     pub fn is_in_doubles_alone(&self) -> bool {
         let mut sizes = self.factors.iter().map(Field::monomials);
         sizes.any(|size| size > MAX_EXACT_MONOMIALS)
     }
 
-    /// What is certain of a point. Of one with a coordinate beyond the largest double nothing is.
+    /// Inspects a point. A point with a coordinate beyond the largest double is undecided.
     ///
-    /// Cost: for a point whose distance is small against the radii of curvature some ten evaluations of f and a Taylor
-    /// expansion, in doubles; a search of cubes for other ones; exact arithmetic for points at the very tolerance.
+    /// Cost: a point whose distance is small against the radii of curvature takes about ten evaluations of f and one Taylor
+    /// expansion, in doubles. Other points take a search of cubes. Points exactly or almost at the tolerance take exact
+    /// arithmetic.
     #[must_use]
     pub fn inspect(&self, point: &[Rational; 3]) -> Inspection {
         let point = &*self.relative(point);
@@ -270,7 +276,7 @@ impl Inspector {
         self.of_point(&Point::new(near, slack, &|| point.clone()))
     }
 
-    /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
+    /// Inspects a point whose nearest doubles are `near`. The exact coordinates are computed only if they are needed.
     #[must_use]
     pub fn inspect_near(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Inspection {
         if self.center.is_some() {
@@ -279,13 +285,14 @@ impl Inspector {
         if !near.iter().all(|x| x.is_finite()) {
             return Inspection::UNKNOWN;
         }
-        // A number is off its nearest double by at most a `UNIT` part of that, or by half of the least subnormal double.
+        // A number differs from its nearest double by at most `UNIT` times that double, or by half of the least subnormal
+        // double.
         let [x, y, z] = near.map(|x| Interval::from(x).abs());
         let slack = ((x + y + z) * UNIT + Interval::from(f64::MIN_POSITIVE)).high();
         self.of_point(&Point::new(near, slack, exactly))
     }
 
-    /// A point in the coordinates of the polynomial.
+    /// The point in the coordinates of the polynomial.
     fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
         match &self.center {
             None => Cow::Borrowed(point),
@@ -325,7 +332,7 @@ impl Inspector {
             };
         }
         if all.distance.high > self.asked {
-            // Nothing was found within reach.
+            // No zero was found within reach.
             all.distance.high = f64::INFINITY;
         }
         all
@@ -339,7 +346,7 @@ impl Inspector {
         known.curve = match (known.inside, self.kind) {
             (None, _) => known.curve,
             (Some(false), _) => Some(false),
-            // The sphere meets a cylinder if and only if the disc does.
+            // The sphere meets the cylinder exactly if the ball's disc in the plane meets the curve.
             (Some(true), Kind::Surface) if field.is_flat() => Some(true),
             (Some(true), _) if known.curve.is_some() => known.curve,
             (Some(true), Kind::Plane) if self.signs_differ(field, p, &known) => Some(true),
@@ -350,13 +357,13 @@ impl Inspector {
         known
     }
 
-    /// Whether the bounds of the distance are as close as asked.
+    /// Whether the bounds of the distance are as close as the goal requires.
     fn is_close(&self, bounds: &DistanceBounds) -> bool {
         bounds.low >= self.goal.reach
             || bounds.high - bounds.low <= self.goal.relative * bounds.high
     }
 
-    /// A quick proof that all is far away, or the expansion at the foot.
+    /// Decides by doubles: a quick proof that all zeros are far away, or the expansion at the foot.
     fn by_doubles(&self, field: &Field, p: &Point) -> PartialInspection {
         let mut known = PartialInspection {
             bounds: DistanceBounds::UNKNOWN,
@@ -390,12 +397,12 @@ impl Inspector {
         known
     }
 
-    /// How far from the doubles the surface may be, to be within reach of the point.
+    /// The distance from the doubles within which a zero may be within reach of the exact point.
     fn reach_from(&self, p: &Point) -> f64 {
         (Interval::from(self.goal.reach) + Interval::from(p.slack)).high()
     }
 
-    /// Takes bounds that hold for the doubles.
+    /// Adds bounds that hold for the doubles; `slack` makes them hold for the exact point.
     fn learn(&self, known: &mut PartialInspection, found: DistanceBounds, slack: f64) {
         let low = Interval::from(found.low) - Interval::from(slack);
         let high = Interval::from(found.high) + Interval::from(slack);
@@ -408,7 +415,8 @@ impl Inspector {
         }
     }
 
-    /// What the expansion in doubles leaves open: cubes, and what can be proved of the rest.
+    /// Decides a point that the expansion in doubles leaves open, by a search of cubes and by proofs about the cubes that are
+    /// left.
     fn by_search(&self, field: &Field, p: &Point, known: &mut PartialInspection) {
         let sign = field.polynomial().evaluate(p.exactly()).signum();
         if sign == 0 {
@@ -416,7 +424,7 @@ impl Inspector {
             known.inside = Some(true);
             return;
         }
-        // Where doubles tell the distance but for their rounding, the exact expansion tells the rest.
+        // If doubles determine the distance except for rounding, the exact expansion determines the rest.
         let bounds = known.bounds;
         let is_on = |q: [f64; 3]| distance(q, p.near) < NEARLY_ON * self.goal.reach;
         let is_nearly_known = bounds.low > 0.9 * bounds.high || known.foot.is_some_and(is_on);
@@ -446,12 +454,13 @@ impl Inspector {
         }
     }
 
-    /// Exact expansions have as many coefficients as f has monomials, with ever longer numbers.
+    /// Whether exact expansions are possible. They have as many coefficients as f has monomials, with longer and longer
+    /// numbers.
     fn is_exact_possible(&self, field: &Field) -> bool {
         field.monomials() <= MAX_EXACT_MONOMIALS && self.limits.check().is_ok()
     }
 
-    /// The exact expansion at the foot.
+    /// Decides by the exact expansion at the foot.
     fn by_exact_foot(
         &self,
         field: &Field,

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
 
-    /// Points that are no doubles, against a plane x = c and a tolerance next to their distance: the verdict is the exact
-    /// one, and the bounds hold the exact distance, however the point is given.
+    /// Points whose coordinates are no doubles are compared with a plane x = c, at a tolerance near their distance. The verdict
+    /// is the exact one and the bounds hold the exact distance, however the point is given.
     #[test]
     fn points_between_doubles_are_judged_exactly(x in (-4000i64..4000, 1i64..1000), c in -3.0f64..3.0, ulps in -3i64..4) {
         let x = Rational::from(x.0) / Rational::from(x.1);
@@ -32,7 +32,7 @@ proptest! {
     }
 }
 
-/// Beyond the largest double nothing is claimed, and a reach or tolerance without end is refused.
+/// A point beyond the largest double is undecided, and an infinite reach or tolerance is refused.
 #[test]
 fn what_is_no_double_is_undecided() {
     let plane = SparsePolynomial::<3>::variable(0);

@@ -1,16 +1,16 @@
-//! Inspection (§4 of the paper): is a point within a tolerance of a surface or a plane curve, exactly?
+//! Inspection (§4 of the paper): the exact decision whether a point is within a tolerance of a surface or a plane curve.
 //!
-//! Theorem 8 asks whether the sphere of radius d about p and f = 0 meet in a real curve. That is sufficient for a distance of at
-//! most d, but not necessary: a whole component may lie inside the ball. Both questions are answered here
-//! ([`Inspection::curve`], [`Inspection::verdict`]), with certified bounds of the distance itself.
+//! Theorem 8 asks whether the sphere of radius d about p and f = 0 meet in a real curve. That is sufficient for a distance of
+//! at most d, but not necessary: a whole component may lie inside the ball. Both questions are answered ([`Inspection::curve`]
+//! and [`Inspection::verdict`]), together with certified bounds of the distance.
 //!
-//! A form that is given by parameters is inspected itself ([`CurveInspector`], [`PatchInspector`]), an equation as its zero set
-//! ([`Inspector`]): the zero set of a form's equation can have more points than the form.
+//! A parametric form is compared itself ([`CurveInspector`], [`PatchInspector`]), because the zero set of its equation can have
+//! more points. An equation is compared as its zero set ([`Inspector`]).
 //!
-//! For an equation doubles with error bounds decide nearly all points ([`Inspector`]): an expansion at the foot of the point, else cubes and
-//! patches of the sphere. What they leave open is decided in exact arithmetic: at a refined foot, at rational points,
-//! by the exact angle ranges of the section ([`SphereSection`]), or by the gap between 0 and the smallest positive minimum. If
-//! that fails, too, the verdict is [`Verdict::Undecided`].
+//! For an equation, doubles with error bounds decide nearly all points: by a Taylor expansion at the foot of the point, or else
+//! by cubes and by patches of the sphere. Exact arithmetic decides the other points: at a refined foot, at rational points, by
+//! the exact angle ranges of the section ([`SphereSection`]), or by the gap between 0 and the smallest positive minimum. If
+//! none of these decides a point, the verdict is [`Verdict::Undecided`].
 
 mod boxes;
 mod chart;
@@ -42,28 +42,28 @@ use std::fmt;
 use crate::exact::Rational;
 use crate::intervals::Interval;
 
-/// What is proved of a distance.
+/// Certified bounds of a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceBounds {
     /// No point of the surface is nearer.
     pub low: f64,
-    /// Some point of the surface is at most this far away; ∞ where none was found within reach.
+    /// Some point of the surface is at most this far away; ∞ if none was found within reach.
     pub high: f64,
 }
 
 impl DistanceBounds {
-    /// What is known before anything is known.
+    /// The bounds that always hold.
     pub(crate) const UNKNOWN: Self = Self {
         low: 0.0,
         high: f64::INFINITY,
     };
-    /// A point of the surface.
+    /// The bounds for a point of the surface.
     const ZERO: Self = Self {
         low: 0.0,
         high: 0.0,
     };
 
-    /// With what a verdict says of the distance, too.
+    /// The bounds after a verdict, which compares the distance with the tolerance.
     fn given(mut self, verdict: Verdict, tolerance: &Rational) -> Self {
         let tolerance = Interval::narrowest(tolerance);
         match verdict {
@@ -79,16 +79,16 @@ impl DistanceBounds {
 /// Whether the distance is at most the tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// It is.
+    /// The distance is at most the tolerance.
     Inside,
-    /// It is not.
+    /// The distance is larger than the tolerance.
     Outside,
-    /// The stated work did not suffice to tell.
+    /// The allowed amount of work was not enough to decide.
     Undecided,
 }
 
 impl Verdict {
-    /// `inside`, `outside` or `undecided`, as documents have it.
+    /// The name in documents: `inside`, `outside` or `undecided`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -100,27 +100,27 @@ impl Verdict {
 }
 
 impl fmt::Display for Verdict {
-    /// [`Verdict::name`].
+    /// Writes [`Verdict::name`].
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-/// What is certain of one point.
+/// The certified answers for one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Inspection {
     /// Whether the distance is at most the tolerance, exactly.
     pub verdict: Verdict,
-    /// The paper's criterion, exactly: whether the sphere (for a plane curve: the circle) whose radius is the tolerance and the
-    /// surface have a real point in common. `None` where that is undecided.
+    /// The exact answer to the paper's criterion: whether the surface has a real point on the sphere (for a plane curve, the
+    /// circle) whose radius is the tolerance. `None` if it is undecided.
     pub curve: Option<bool>,
     /// Bounds of the distance.
     pub distance: DistanceBounds,
 }
 
 impl Inspection {
-    /// What is known before anything is known.
+    /// The answers for a point of which nothing is known.
     const UNKNOWN: Self = Self {
         verdict: Verdict::Undecided,
         curve: None,

@@ -1,4 +1,5 @@
-//! Points against a patch: against the patch itself, not the zero set of its equation, which can have more points.
+//! Inspection of points against a patch. The patch itself is compared, not the zero set of its equation, which can have more
+//! points.
 
 use super::boxes::PatchBoxes;
 use super::squared_distance::{squared_in_doubles, upper_root};
@@ -9,33 +10,35 @@ use crate::intervals::Interval;
 use crate::limits::Limits;
 use crate::shape::{ImplicitSurface, Patch, PatchInDoubles};
 
-/// Points of the patch, along each parameter, from which the nearest one is looked for.
+/// The number of starting points along each parameter, in the search for the nearest point.
 const STARTS: u32 = 48;
-/// So many of the nearest are followed.
+/// The number of nearest starting points from which the search goes downhill.
 const FOLLOWED: usize = 4;
-/// Steps downhill from each.
+/// The largest number of steps downhill from each starting point.
 const STEPS: usize = 40;
-/// The first radii, as parts of the distance of the nearest point found, that the patch is proved to be farther than.
+/// To prove that the patch is farther from a point than some radius, these parts of the distance of the nearest known point are
+/// tried in turn.
 const PARTS: [f64; 5] = [0.999, 0.98, 0.9, 0.5, 0.1];
 
-/// A patch that points are held against.
+/// A patch with a tolerance, ready to be compared with points.
 ///
-/// What the zero set of its equation is farther from the patch is farther from, too. A point of the patch within the tolerance is
-/// looked for in doubles, and decided exactly. What is left is decided by boxes of the parameters, or left undecided.
+/// A point that is farther than the tolerance from the zero set of the equation is outside. Otherwise a point of the patch
+/// within the tolerance is searched in doubles and proved exactly. If there is none, boxes of the parameters may prove that the
+/// point is outside; if they do not, it is undecided.
 #[derive(Debug)]
 pub struct PatchInspector {
     zero_set: Inspector,
     patch: Patch,
     doubles: PatchInDoubles,
     boxes: PatchBoxes,
-    /// Angles τ of the parameters, s = tan(τ/2), and the points there.
+    /// The angles τ of the starting points, where s = tan(τ/2), and the points of the patch there.
     starts: Vec<([f64; 2], [f64; 3])>,
     tolerance: Rational,
     budget: usize,
 }
 
 impl PatchInspector {
-    /// For a patch and the surface of its equation.
+    /// The inspector of a patch; `surface` is the zero set of its equation.
     ///
     /// # Errors
     /// Those of [`Inspector::surface`].
@@ -70,7 +73,7 @@ impl PatchInspector {
         self.zero_set.is_in_doubles_alone()
     }
 
-    /// What is certain of a point.
+    /// Inspects a point.
     #[must_use]
     pub fn inspect(&self, point: &[Rational; 3]) -> Inspection {
         let of_zero_set = self.zero_set.inspect(point);
@@ -102,7 +105,8 @@ impl PatchInspector {
         }
     }
 
-    /// Whether a patch with a point in the ball is proved to have one outside: it is connected then.
+    /// Whether it is proved that a patch with a point in the ball also has a point on the sphere: it is connected and has a
+    /// point outside.
     fn goes_out(&self, point: &[Rational; 3], level: &Rational) -> bool {
         let center = point.each_ref().map(Rational::to_f64);
         let farthest = self.starts.iter().max_by(|(_, a), (_, b)| {
@@ -112,7 +116,7 @@ impl PatchInspector {
         self.boxes.is_connected && exact.is_some_and(|squared| squared >= *level)
     }
 
-    /// Of the bound for the zero set and what the boxes prove, the better one.
+    /// A lower bound of the distance: the larger one of the bound for the zero set and the bound that the boxes prove.
     fn lower_bound(&self, around: &[Interval; 3], known: f64, high: f64) -> f64 {
         if !high.is_finite() || known >= PARTS[0] * high {
             return known;
@@ -126,7 +130,7 @@ impl PatchInspector {
         best.map_or(known, |part| known.max(part * high))
     }
 
-    /// The point at two angles, in doubles.
+    /// The point of the patch at two angles, in doubles.
     fn near(&self, at: [f64; 2]) -> Option<[f64; 3]> {
         let ratio = |angle: f64| {
             let (sin, cos) = (angle / 2.0).sin_cos();
@@ -135,7 +139,7 @@ impl PatchInspector {
         self.doubles.at(at.map(ratio))
     }
 
-    /// The square of the distance between a point and that of the patch at two angles, exactly.
+    /// The exact squared distance between a point and the point of the patch at two angles.
     fn exactly(&self, at: [f64; 2], point: &[Rational; 3]) -> Option<Rational> {
         let [s, t] = at.map(|angle| Rational::try_from((angle / 2.0).tan()).ok());
         let q = self.patch.point(&[s?, t?])?;
@@ -143,7 +147,7 @@ impl PatchInspector {
         Some(differences.fold(Rational::zero(), |sum, d| sum + &d * &d))
     }
 
-    /// The square of the distance of the nearest point of the patch that is found.
+    /// The squared distance of the nearest point of the patch that is found.
     fn nearest(&self, point: &[Rational; 3]) -> Option<Rational> {
         let center = point.each_ref().map(Rational::to_f64);
         let mut starts: Vec<&([f64; 2], [f64; 3])> = self.starts.iter().collect();
@@ -160,7 +164,7 @@ impl PatchInspector {
         ends.filter_map(|at| self.exactly(at, point)).min()
     }
 
-    /// From two angles to a local minimum of the distance, by Gauss's and Newton's method with damping, in doubles.
+    /// A local minimum of the distance, in doubles, by damped steps of the methods of Gauss and Newton from two angles.
     fn downhill(&self, from: [f64; 2], center: &[f64; 3]) -> [f64; 2] {
         const DIFFERENCE: f64 = 1e-6;
         let distance = |at: [f64; 2]| {

@@ -1,27 +1,28 @@
-//! Whether a polynomial has zeros on a sphere: patches of the sphere, in doubles with bounds of their errors.
+//! Proofs whether a polynomial has zeros on a sphere, by patches of the sphere, in doubles with bounds of their errors.
 
 use crate::intervals::interval::{exactly, minus, product, square};
 use crate::intervals::{Field, Interval};
 
-/// So many patches at most.
+/// The largest number of patches.
 const MAX_PATCHES: usize = 30_000;
-/// Patches are not divided below this part of the radius.
+/// Patches smaller than this part of the radius are not divided.
 const SMALLEST: f64 = 1e-8;
-/// Faces of the cube are divided into so many patches along each side to begin with.
+/// At the beginning each face of the cube has this many patches along each side.
 const FIRST: i32 = 2;
 
-/// What the patches tell.
+/// The result of the search on a sphere.
 #[derive(Debug, PartialEq)]
 pub(super) enum OnSphere {
     /// f has both signs.
     Zeros,
     /// f has one sign.
     NoZeros,
-    /// f has one sign but perhaps in the neighbourhood of these points.
+    /// f has one sign, except perhaps near these points.
     Unknown(Vec<[f64; 3]>),
 }
 
-/// Part of a face of the cube about the center, projected to the sphere: u and w in [u − half, u + half] and so on.
+/// A patch of the sphere: the projection of the square [u − half, u + half] × [w − half, w + half] on a face of the cube about
+/// the center.
 #[derive(Clone, Copy)]
 struct Patch {
     axis: usize,
@@ -32,7 +33,7 @@ struct Patch {
 }
 
 impl Patch {
-    /// The unit vector towards a point of the face.
+    /// The unit vector in the direction of a point of the face.
     fn direction(&self, u: Interval, w: Interval) -> [Interval; 3] {
         let mut v = [Interval::from(self.side); 3];
         v[(self.axis + 1) % 3] = u;
@@ -41,12 +42,13 @@ impl Patch {
         v.map(|x| x / length)
     }
 
-    /// The direction of its middle.
+    /// The unit vector in the direction of the middle.
     fn normal(&self) -> [Interval; 3] {
         self.direction(Interval::from(self.u), Interval::from(self.w))
     }
 
-    /// The farthest point of a projected square from that of its middle is a corner: all its sides are arcs of great circles.
+    /// A bound of the distance between the middle and any point of the projected square. The sides are arcs of great circles,
+    /// so a corner is farthest.
     fn radius(&self, normal: [Interval; 3]) -> Interval {
         let (u, w, h) = (
             Interval::from(self.u),
@@ -112,7 +114,7 @@ pub(super) fn on_sphere(field: &Field, p: [f64; 3], d: f64, slack: f64) -> OnSph
         let exact_middle = [0, 1, 2].map(|i| center[i] + d * normal[i]);
         let middle = exact_middle.map(Interval::middle);
         let off = square(minus(exact_middle, exactly(middle))).sqrt() + Interval::from(slack);
-        // d* is at most d + slack.
+        // d* is at most d + `slack`.
         let radius = (d + Interval::from(slack)) * patch.radius(normal);
         let local = field.local(middle);
         let outward = product(local.gradient, normal);
@@ -163,9 +165,9 @@ mod tests {
         let f = Field::new(&sphere(1));
         assert_eq!(on_sphere(&f, [0.3, 0.2, 0.1], 0.5, 0.0), OnSphere::NoZeros);
         assert_eq!(on_sphere(&f, [0.3, 0.2, 0.1], 0.9, 0.0), OnSphere::Zeros);
-        // The small sphere inside the ball.
+        // The sphere is inside the ball f < 0.
         assert_eq!(on_sphere(&f, [0.3, 0.2, 0.1], 1.4, 0.0), OnSphere::NoZeros);
-        // Touching in one point.
+        // The sphere touches the zero set in one point.
         let OnSphere::Unknown(points) = on_sphere(&f, [0.5, 0.0, 0.0], 0.5, 0.0) else {
             panic!()
         };
@@ -173,7 +175,7 @@ mod tests {
     }
 
     proptest! {
-        /// The farthest corner of a patch is as far from its middle as is said.
+        /// The farthest corner of a patch is at the computed distance from its middle.
         #[test]
         fn the_farthest_corner_is_at_the_radius(axis in 0usize..3, side in prop::sample::select(vec![-1.0, 1.0]), u in -0.75f64..0.75, w in -0.75f64..0.75, half in 0.01f64..0.25) {
             let patch = Patch { axis, side, u, w, half };
@@ -192,7 +194,7 @@ mod tests {
             prop_assert!(radius.high() - radius.low() < 1e-12);
         }
 
-        /// No point of a sphere that is said to be free of zeros has another sign than another one.
+        /// If a sphere is proved to have no zeros, f has one sign at all of its points.
         #[test]
         fn free_spheres_have_one_sign(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-2.0f64..2.0), d in 0.05f64..1.0, v in prop::array::uniform3(-1.0f64..1.0)) {
             prop_assume!(dot(v, v) > 1e-3);
@@ -204,8 +206,9 @@ mod tests {
             }
         }
 
-        /// Lemma 14 on planes a·x = c whose normal has the rational length 3: a sphere that touches one, or would with all of its
-        /// slack, is not called free of zeros; one that stays on its side, by however little, not called divided.
+        /// Lemma 14 on planes a·x = c whose normal has the rational length 3. A sphere that touches the plane, perhaps only
+        /// with all of its slack, is not proved to have no zeros. A sphere that stays on its side, however narrowly, is not
+        /// proved to have both signs.
         #[test]
         fn touching_spheres_are_not_called_free(turn in 0usize..3, signs in 0u8..8, p in prop::array::uniform3(-2.0f64..2.0), d in 0.05f64..1.0, slack in prop_oneof![Just(0.0), 1e-17f64..1e-12], nudge in -60i64..-30) {
             let sign = |k: usize| if signs >> k & 1 == 1 { -1 } else { 1 };
@@ -222,8 +225,8 @@ mod tests {
             prop_assert!(on_sphere(&plane(beyond), p, d, slack) != OnSphere::Zeros);
         }
 
-        /// Lemma 14 in the middle of a patch that is next to the origin. There a value is known much better than the middle,
-        /// and a sphere just beside a plane is not called divided because a double is on the other side.
+        /// Lemma 14 at the middle of a patch that is near the origin, where the value of f is known much better than the
+        /// middle. A sphere just beside a plane is not proved to have both signs because a double is on the other side.
         #[test]
         fn doubles_beside_a_sphere_are_not_taken_for_its_points(
             axis in 0usize..3, side in prop::bool::ANY, level in 1u32..8, place in [0i64..1 << 30, 0i64..1 << 30], d in 0.05f64..4.0, nudge in -90i64..-58,
@@ -239,7 +242,7 @@ mod tests {
             let p = doubles.map(|x| -d * x / length);
             let linear = [0, 1, 2].map(|i| SparsePolynomial::<3>::variable(i).scaled(&Rational::from(normal[i])));
             let linear = linear[0].plus(&linear[1]).plus(&linear[2]);
-            // The length of the normal, less than 2^(−200) too large.
+            // The length of the normal; it is too large by less than 2^(−200).
             let square = normal.iter().map(|x| x * x).sum::<i64>();
             let root = (Integer::from(square) << 400u64).ceiling_sqrt();
             let far = linear.evaluate(&rationals(p)) + rational(d) * Rational::from_dyadic(root, -200);

@@ -18,13 +18,13 @@ pub(super) struct DistanceForms<const N: usize> {
     squares: IntegerPolynomial,
     products: [IntegerPolynomial; N],
     weight: IntegerPolynomial,
-    /// 2 max(deg X_i, deg W): the degree of all three as forms, so that s = ∞ is a value like any other.
+    /// 2 max(deg X_i, deg W), the degree of all three as forms, so that s may be infinite.
     degree: usize,
-    /// Whether W has a real zero, infinity included: then the curve goes to infinity.
+    /// Whether W has a real zero or a zero at infinity, so that the curve goes to infinity.
     pub(super) is_unbounded: bool,
 }
 
-/// |γ(s) − p|² = above/below for one point p.
+/// The squared distance |γ(s) − p|² = above/below from one point p.
 #[derive(Clone, Debug)]
 pub(super) struct SquaredDistance {
     above: IntegerPolynomial,
@@ -33,14 +33,14 @@ pub(super) struct SquaredDistance {
 }
 
 impl<const N: usize> DistanceForms<N> {
-    /// Of the curve, over the least common denominator W.
+    /// The forms of a curve; W is the least common denominator.
     pub(super) fn new(curve: &ParametricCurve<N>) -> Self {
         let one = IntegerPolynomial::from_coefficients_asc(vec![Integer::from(1)]);
         let coordinates = curve.coordinates();
         let common = coordinates.iter().fold(one, |common, f| {
             let shared = polynomial_gcd(&common, f.denominator());
             let rest = divide_exactly(f.denominator(), &shared);
-            // The gcd is primitive: constant factors are multiplied up.
+            // The gcd is primitive, so constant factors of the denominators are multiplied.
             common * rest.invariant("a gcd divides")
         });
         let above = coordinates.each_ref().map(|f| {
@@ -60,7 +60,7 @@ impl<const N: usize> DistanceForms<N> {
         }
     }
 
-    /// To a point p = P/Q: Q² Σ X_i² − 2Q Σ P_i X_i W + Σ P_i² W² over Q² W².
+    /// The squared distance from the point p = P/Q: the quotient of Q² Σ X_i² − 2Q Σ P_i X_i W + Σ P_i² W² and Q² W².
     pub(super) fn to_point(&self, point: &[Rational; N]) -> SquaredDistance {
         let q = point.iter().fold(Integer::from(1), |q, p| {
             let own = p.denominator();
@@ -92,13 +92,13 @@ impl<const N: usize> DistanceForms<N> {
 }
 
 impl SquaredDistance {
-    /// Its value at s; `None` at a pole.
+    /// The value at s; `None` at a pole.
     pub(super) fn at(&self, s: &Dyadic) -> Option<Rational> {
         let [above, below] = [&self.above, &self.below].map(|f| value(f, s));
         (!below.is_zero()).then(|| above / below)
     }
 
-    /// Its value at s = ∞; `None` at a pole.
+    /// The value at s = ∞; `None` at a pole.
     pub(super) fn at_infinity(&self) -> Option<Rational> {
         let [above, below] = [&self.above, &self.below].map(|f| self.lead(f));
         Rational::from_integers(above, below)
@@ -110,7 +110,7 @@ impl SquaredDistance {
         lead.cloned().unwrap_or_default()
     }
 
-    /// A step of Newton's method towards a zero of its derivative, from s; `None` where there is none to be found.
+    /// One step of Newton's method from s towards a zero of the derivative; `None` if there is no such step.
     pub(super) fn newton_step(&self, s: &Dyadic) -> Option<Rational> {
         let [g, v] = [&self.above, &self.below];
         let first = [g, v].map(|f| f.derivative());
@@ -124,19 +124,19 @@ impl SquaredDistance {
         Some(s.to_rational() - step)
     }
 
-    /// above − level·below, times the denominator of the level: 0 where the distance is the root of the level.
+    /// above − level·below, times the denominator of the level. It is 0 where the squared distance is the level.
     fn beyond(&self, level: &Rational) -> IntegerPolynomial {
         let (p, q) = (level.numerator(), level.denominator());
         scaled(&self.above, &q) - scaled(&self.below, &p)
     }
 
-    /// How the curve lies to the sphere about the point whose squared radius is `level`, exactly.
+    /// The exact position of the curve relative to the sphere about the point whose squared radius is `level`.
     pub(super) fn against(&self, level: &Rational) -> Against {
         let beyond = self.beyond(level);
         if beyond == IntegerPolynomial::ZERO || self.lead(&beyond) == 0 {
             return Against::Meets;
         }
-        // At 0, where a root would be found, the sign is that of all points.
+        // If the polynomial is 0 at 0, that is a root; if it has no root, its sign at 0 is its sign everywhere.
         match beyond.coefficients_asc().first() {
             Some(constant) if *constant == 0 => Against::Meets,
             _ if !real_roots(&beyond).is_empty() => Against::Meets,
@@ -145,17 +145,17 @@ impl SquaredDistance {
         }
     }
 
-    /// The parameters, near to the exact ones, where the curve meets the sphere.
+    /// Parameters, in doubles, near the exact ones at which the curve meets the sphere.
     pub(super) fn crossings(&self, level: &Rational) -> Vec<f64> {
         let roots = real_roots(&self.beyond(level));
         roots.iter().map(|root| root.to_f64()).collect()
     }
 }
 
-/// How a curve lies to a sphere.
+/// The position of a curve relative to a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Against {
-    /// They have a point in common.
+    /// The curve has a point on the sphere.
     Meets,
     /// All of the curve is inside.
     Inside,
@@ -168,7 +168,7 @@ fn scaled(f: &IntegerPolynomial, by: &Integer) -> IntegerPolynomial {
     IntegerPolynomial::from_coefficients_asc(coefficients.collect())
 }
 
-/// f(s), exactly.
+/// The exact value f(s).
 fn value(f: &IntegerPolynomial, s: &Dyadic) -> Rational {
     let lowered = s.exponent().min(0).unsigned_abs();
     let degree = f.coefficients_asc().len().saturating_sub(1) as u64;
@@ -181,7 +181,7 @@ pub(super) fn squared_in_doubles<const N: usize>(a: &[f64; N], b: &[f64; N]) -> 
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
 }
 
-/// A double that is not below the root.
+/// A double that is at least the square root.
 pub(super) fn upper_root(squared: &Rational) -> f64 {
     Interval::from(squared).sqrt().high()
 }

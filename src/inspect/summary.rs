@@ -1,17 +1,17 @@
-//! Points with what is certain of them, and how many have which verdict.
+//! Inspected points, and the numbers of points with each verdict.
 
 use super::{Inspection, Verdict};
 use crate::parametrize::AngleRange;
 
-/// A point as it was given, and what is certain of it.
+/// A point as it was given, with the result of its inspection.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct InspectedPoint<'a> {
-    /// Its coordinates as written, two or three.
+    /// The coordinates as they were written, two or three.
     pub written: &'a [&'a str],
-    /// The verdict and the distance.
+    /// The verdict, the paper's criterion and the bounds of the distance.
     pub inspection: Inspection,
-    /// The section of Theorem 8 about it.
+    /// The section of Theorem 8 about the point.
     pub section: Section,
 }
 
@@ -19,34 +19,35 @@ pub struct InspectedPoint<'a> {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Section {
-    /// They were not asked for, or the form is given by a parameter: then it is met in single points.
+    /// The angles were not requested. Or the form is parametric, so that the sphere meets it in single points.
     NotAsked,
-    /// They are beyond the limits of what is computed.
+    /// The computation of the angles is beyond the limits.
     TooLong,
-    /// Exactly.
+    /// The exact ranges of the angles.
     At(Vec<AngleRange>),
 }
 
-/// How many points have which verdict.
+/// The numbers of points with each verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct InspectionSummary {
-    /// Within the tolerance.
+    /// The number of points within the tolerance.
     pub inside: usize,
-    /// Farther away.
+    /// The number of points farther away than the tolerance.
     pub outside: usize,
-    /// Neither could be proved.
+    /// The number of points for which neither was proved.
     pub undecided: usize,
-    /// Inside, but the sphere about the point misses the surface: a whole piece of it is inside the ball.
+    /// The number of points that are inside although the sphere about the point misses the surface: a whole piece of the
+    /// surface is inside the ball.
     pub enclosed: usize,
-    /// Rows that are no points, and were passed over.
+    /// The number of rows that are no points and were skipped.
     pub bad: usize,
-    /// The row, from 1, and the distance of the farthest point: at least so much.
+    /// The row of the farthest point, counted from 1, and a lower bound of its distance.
     pub worst: Option<(usize, f64)>,
 }
 
 impl InspectionSummary {
-    /// Counts one more point.
+    /// Counts a point.
     pub fn add(&mut self, row: usize, found: &Inspection) {
         match found.verdict {
             Verdict::Inside => self.inside += 1,
@@ -61,7 +62,7 @@ impl InspectionSummary {
         }
     }
 
-    /// Counts what comes after.
+    /// Adds the counts of later rows.
     pub fn join(&mut self, later: &Self) {
         self.inside += later.inside;
         self.outside += later.outside;
@@ -75,7 +76,7 @@ impl InspectionSummary {
         }
     }
 
-    /// All points.
+    /// The number of points.
     #[must_use]
     pub fn points(&self) -> usize {
         self.inside + self.outside + self.undecided

@@ -17,7 +17,7 @@ use crate::exact::{Rational, exact_literal};
 /// nominal angle.
 const TANGENT_BITS: u32 = 53;
 
-/// Beyond this many radians a double says little about its angle.
+/// Beyond this many radians a double determines its angle modulo 2π too poorly.
 const LARGEST_RADIANS: f64 = 1e9;
 
 impl IntegerVector<2> for Direction {
@@ -26,11 +26,11 @@ impl IntegerVector<2> for Direction {
     }
 }
 
-/// An exact unit vector `(u, v) = (U/W, V/W)` with integers `U² + V² = W²`, next to a nominal angle.
+/// An exact unit vector `(u, v) = (U/W, V/W)`, with integers `U² + V² = W²`, near a nominal angle.
 ///
-/// It is the direction with `tan(δ/2) = m/2⁵³` nearest to the nominal one, where δ is the distance
-/// from the nearest multiple of a right angle; so the multiples of a right angle are exact, and
-/// along any such direction the distance r is a rational multiple of the coordinates.
+/// Let δ be the difference between the angle and the nearest multiple of a right angle. The direction has `tan(δ/2) = m/2⁵³`,
+/// with the integer m for which it is nearest to the nominal angle. So the multiples of a right angle are exact, and along any
+/// such direction the distance r is a rational multiple of the coordinates.
 ///
 /// ```
 /// use stellate::exact::Rational;
@@ -80,7 +80,7 @@ impl Direction {
             .collect()
     }
 
-    /// `quarter` right angles (0, 1, 2 or 3) plus `delta`.
+    /// The direction of `quarter` right angles (0, 1, 2 or 3) plus `delta`.
     fn from_quarter(theta: f64, quarter: f64, delta: f64) -> Self {
         let scaled = (delta / 2.0).tan() * f64::from(TANGENT_BITS).exp2();
         let m = Integer::rounding_from(scaled, RoundingMode::Nearest).0;
@@ -143,8 +143,8 @@ impl Direction {
 impl FromStr for Direction {
     type Err = Error;
 
-    /// Radians up to 10⁹ (`0.5`), a multiple of π (`pi/4`, `3*pi/2`, `2π`), or degrees (`45deg`, `45°`); multiples of π and
-    /// degrees are taken exactly.
+    /// Reads an angle: radians up to 10⁹ (`0.5`), a multiple of π (`pi/4`, `3*pi/2`, `2π`), or degrees (`45deg`, `45°`).
+    /// Multiples of π and degrees are exact.
     ///
     /// ```
     /// use stellate::sample::Direction;

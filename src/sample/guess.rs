@@ -1,4 +1,4 @@
-//! Where the real roots may be: eigenvalues of the companion matrix, in doubles.
+//! Guesses of real roots, by eigenvalues of the companion matrix in doubles.
 
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
@@ -12,11 +12,11 @@ use crate::poly::IntegerPolynomial;
 /// Above this degree O(d³) eigenvalues cost more than refining every interval exactly.
 const LARGEST_DEGREE: usize = 24;
 
-/// QR steps before giving up on the eigenvalues; nothing depends on them but speed.
+/// The largest number of QR steps; only speed depends on the eigenvalues.
 const MAX_STEPS: usize = 1000;
 
-/// Approximate real roots, possibly none, in no order and with no promise: guesses for
-/// [`crate::roots::RealRoot`] to prove or ignore.
+/// Approximate real roots in no order. Some may be missing or wrong: they are guesses, which [`crate::roots::RealRoot`] proves
+/// or ignores.
 #[expect(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
@@ -29,7 +29,7 @@ pub(super) fn real_root_guesses(f: &IntegerPolynomial) -> Vec<f64> {
         return Vec::new();
     }
     let bits = |v: &Integer| v.significant_bits() as f64;
-    // Roots of mean size 1: x = 2^s y.
+    // The substitution x = 2^s y makes the roots of mean size 1.
     let s = ((bits(&c[0]) - bits(&c[degree])) / degree as f64).round() as i64;
     let lead = log_mantissa(&c[degree]);
     let scaled = |i: usize| -> f64 {

@@ -1,4 +1,5 @@
-//! Precisions one above the other: which one to ask first, and the next one where it proves nothing.
+//! A ladder of precisions: rays are solved at the precision that decided the last ones, and at the next higher one if that
+//! proves nothing.
 
 use std::fmt::Debug;
 use std::sync::OnceLock;
@@ -14,23 +15,24 @@ use crate::roots::Unproved;
 /// The number of precisions.
 pub(super) const LEVELS: usize = 6;
 
-/// So many failures of all levels more than answers are given, and then none is asked any more: multiple roots everywhere.
+/// If there are more failures of all levels than twice the number of successes and this, bounded arithmetic is no longer tried:
+/// there are multiple roots in all directions.
 const PATIENCE: u64 = 16;
 
-/// So many directions at most are answered before fewer bits are tried again.
+/// The largest number of successes at one level before the cheaper level is retried.
 const LONGEST_WAIT: u64 = 32;
 
-/// The precisions, and where neighbouring directions were decided, which is where the next one is tried first.
+/// The precisions, and the level that decided the last directions; the next direction starts there.
 #[derive(Debug)]
 pub(super) struct Ladder<const V: usize> {
     levels: [Box<dyn Level<V>>; LEVELS],
     counts: [AtomicU64; LEVELS],
     failures: AtomicU64,
-    /// The level that is asked first.
+    /// The level that is tried first.
     start: AtomicUsize,
-    /// So many answers of this level before the one below is asked again: more after each time that it had none.
+    /// How many successes at this level before the cheaper one is retried. It is doubled each time that the cheaper one fails.
     wait: AtomicU64,
-    /// The answers of this level since then.
+    /// The number of successes at this level since the cheaper one was retried.
     answers: AtomicU64,
 }
 
@@ -65,7 +67,7 @@ impl<const V: usize> Ladder<V> {
         if self.failures.load(Relaxed) > 2 * answers + PATIENCE {
             return Err(Unproved::Close);
         }
-        // What other threads change meanwhile costs time at most.
+        // Other threads may change the two numbers meanwhile; that can only cost time.
         let (start, wait) = (self.start.load(Relaxed), self.wait.load(Relaxed));
         let first = if self.answers.load(Relaxed) < wait {
             start
@@ -96,7 +98,7 @@ impl<const V: usize> Ladder<V> {
         Err(Unproved::Close)
     }
 
-    /// In how many directions so far which level decided.
+    /// The number of directions that each level has decided.
     pub(super) fn counts(&self) -> [u64; LEVELS] {
         self.counts.each_ref().map(|count| count.load(Relaxed))
     }
@@ -111,7 +113,7 @@ trait Level<const V: usize>: Debug + Send + Sync {
     ) -> Result<Vec<Sample<V>>, Unproved>;
 }
 
-/// Forms of W limbs, made when first asked for.
+/// The forms with W limbs, made when they are first needed.
 #[derive(Debug)]
 struct Forms<const W: usize, const V: usize>(OnceLock<TruncatedForms<W, V>>);
 
@@ -172,18 +174,18 @@ mod tests {
         let far = Direction::from_radians(2.0);
         assert!(ask(&ladder, &f, &far));
         assert_eq!(ladder.start.load(Relaxed), 0);
-        // Through the circle, where values are as small as 2^(−100).
+        // Directions through the circle, where values are as small as 2^(−100).
         let near = Direction::from_radians(0.0);
         assert!(ask(&ladder, &f, &near));
         let level = ladder.start.load(Relaxed);
         assert!(level > 0);
-        // Back to where few bits do: one level at a time.
+        // In directions where fewer bits suffice, the level falls again, by one level at a time.
         for _ in 0..2 * LEVELS {
             assert!(ask(&ladder, &f, &far));
         }
         assert_eq!(ladder.start.load(Relaxed), 0);
         assert_eq!(ladder.counts().iter().sum::<u64>(), 2 + 2 * LEVELS as u64);
-        // Where fewer bits do not suffice it is asked less and less often.
+        // Where fewer bits do not suffice, the cheaper level is retried less and less often.
         for _ in 0..20 {
             assert!(ask(&ladder, &f, &near));
         }

@@ -1,5 +1,5 @@
-//! The laws of rays on inputs that reach the bounds of bounded arithmetic: forms that nearly vanish in a direction, with
-//! coefficients of which the low bits are chosen to be cut badly; and roots built backwards, next to one another and next to
+//! The laws of rays for extreme inputs: forms that nearly vanish in a direction, with coefficients whose low bits are chosen so
+//! that cutting them does the most harm; and polynomials built from known roots, which are close to one another and close to
 //! the points where rounding to a double changes.
 
 use malachite::Integer;
@@ -35,7 +35,7 @@ impl Draw {
         }
     }
 
-    /// A positive normal double with a random mantissa, or one whose mantissa is all zeros or all ones.
+    /// A positive normal double whose mantissa is random, all zeros or all ones.
     fn double(&mut self) -> f64 {
         let mantissa = match self.below(4) {
             0 => 0,
@@ -54,7 +54,8 @@ fn power_of_two(k: i64) -> Rational {
     Rational::from_dyadic(Integer::from(1), k)
 }
 
-/// k (V x − U y) + ε x, which is ε U in the direction (U, V), relatively smaller by as many bits as k has.
+/// The form k (V x − U y) + ε x. Its value in the direction (U, V) is ε U, which is smaller than its coefficients by as many
+/// bits as k has.
 fn nearly_vanishing(draw: &mut Draw, direction: &Direction, bits: u64) -> PlanePolynomial {
     let ([u, v], _) = direction.over_common_denominator();
     let k = draw.positive(bits);
@@ -62,8 +63,8 @@ fn nearly_vanishing(draw: &mut Draw, direction: &Direction, bits: u64) -> PlaneP
     polynomial([((1, 0), &k * v + small), ((0, 1), -(k * u))])
 }
 
-/// Bounded arithmetic says what exact arithmetic says, in a thousand directions in which the lowest form, or the one in the
-/// middle, nearly vanishes, for coefficients of 60 to 2000 bits.
+/// Bounded arithmetic never contradicts exact arithmetic, in a thousand directions in which the lowest form or the middle one
+/// nearly vanishes, with coefficients of 60 to 2000 bits.
 #[test]
 fn forms_that_nearly_vanish_are_not_misjudged() {
     let mut draw = Draw(20);
@@ -99,18 +100,18 @@ fn forms_that_nearly_vanish_are_not_misjudged() {
         );
         bounded += solver.stage_counts().bounded.iter().sum::<u64>();
     }
-    // It does say something.
+    // Bounded arithmetic decides most of them.
     assert!(bounded > 500, "{bounded}");
 }
 
-/// A root p/q > 0 and the double that is nearest to it, or two of them where it is halfway between.
+/// A root p/q > 0 with its nearest double, or with both if it is halfway between two doubles.
 struct Known {
     root: Rational,
     nearest: [f64; 2],
 }
 
-/// A double, or what is some units in the last place beside it; a point halfway between two doubles, or 2^(−60) or 2^(−200) of it
-/// beside that.
+/// A double, or a number a few units in the last place away; or the middle between two doubles, or a number that differs from
+/// it by 2^(−60) or 2^(−200) of it.
 fn known_root(draw: &mut Draw, start: f64) -> Known {
     let exact = |value: f64| Rational::try_from(value).expect("a finite double");
     let at = match draw.below(3) {
@@ -141,7 +142,7 @@ fn known_root(draw: &mut Draw, start: f64) -> Known {
     }
 }
 
-/// Known roots in a direction, some of them close to one another, ascending and distinct with their multiplicities.
+/// Known roots in one direction, ascending and distinct, with their multiplicities; some are close to one another.
 fn known_roots(draw: &mut Draw) -> Vec<(Known, usize)> {
     let count = 1 + draw.below(5);
     let mut start = draw.double();
@@ -163,7 +164,7 @@ fn known_roots(draw: &mut Draw) -> Vec<(Known, usize)> {
     distinct
 }
 
-/// The points that are found are the known roots, the largest first; those with one nearest double in any order.
+/// The found points are the known roots, the largest first; roots with the same nearest double may be in any order.
 fn assert_found(found: &[&Sample], expected: &[(Known, usize)], f: &PlanePolynomial) {
     let mut expected: Vec<&(Known, usize)> = expected.iter().rev().collect();
     assert_eq!(found.len(), expected.len(), "{f:?}");
@@ -177,7 +178,7 @@ fn assert_found(found: &[&Sample], expected: &[(Known, usize)], f: &PlanePolynom
     assert!(found.is_sorted_by(|a, b| a.r >= b.r));
 }
 
-/// A (x² + y²) + B with long coefficients, which has no real root.
+/// A polynomial A (x² + y²) + B with long coefficients and without a real root.
 fn definite(draw: &mut Draw) -> PlanePolynomial {
     let bits = 100 + draw.word() % 1900;
     let (a, b) = (draw.positive(bits), draw.positive(bits));
@@ -236,17 +237,17 @@ fn roots_of_powers_are_found_and_rounded() {
     }
 }
 
-/// Below a power of two doubles are twice as close. Roots there and just beside it are rounded in bounded arithmetic.
+/// Just below a power of two, doubles are twice as close as above it. Bounded arithmetic rounds roots there and nearby.
 #[test]
 fn powers_of_two_need_no_exact_arithmetic() {
     let east = Direction::from_degrees(&Rational::zero());
     for k in -9..10i64 {
         for eighths in [-7, -5, -3, -1, 0, 1, 3] {
-            // In eighths of the distance to the next double below.
+            // The steps are eighths of the distance to the next double below.
             let root =
                 power_of_two(k) * (Rational::one() + Rational::from(eighths) * power_of_two(-56));
             let (p, q) = (root.numerator(), root.denominator());
-            // Times what has no real root and makes the mean size of roots another one.
+            // A factor without a real root changes the mean size of the roots.
             let definite = PlanePolynomial::from_terms([
                 ((2, 0), Rational::one()),
                 ((0, 2), Rational::one()),
@@ -264,7 +265,7 @@ fn powers_of_two_need_no_exact_arithmetic() {
     }
 }
 
-/// Points at both ends of the normal doubles and among the subnormal ones, on a line and on a circle.
+/// Points at the ends of the range of normal doubles, and subnormal ones, on a line and on a circle.
 #[test]
 fn points_at_the_ends_of_the_doubles_are_rounded() {
     let east = Direction::from_degrees(&Rational::zero());
@@ -297,7 +298,7 @@ fn points_at_the_ends_of_the_doubles_are_rounded() {
     }
 }
 
-/// The one of which the count was wrong: a linear part of −1/4 ulp that was taken for +15.
+/// An input that once had a wrong count: its linear part of −1/4 ulp was rounded to +15 ulps.
 #[test]
 fn a_linear_part_that_nearly_vanishes_has_two_points() {
     let number = |text: &str| text.parse::<Rational>().expect("a number");

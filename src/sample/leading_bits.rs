@@ -1,4 +1,4 @@
-//! Positive numbers with 128 leading bits and a bound of their relative error.
+//! Positive numbers as 128 leading bits and a bound of their relative error.
 
 use std::cmp::Ordering;
 
@@ -8,7 +8,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use crate::error::Invariant;
 
 /// A positive number x with |x − m 2^exponent| ≤ error · 2^(−127) · m 2^exponent, for a mantissa m of exactly 128 bits. Every
-/// operation says how its error arises from those of its operands.
+/// operation computes the error of its result from those of its operands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LeadingBits {
     mantissa: u128,
@@ -17,9 +17,9 @@ pub(super) struct LeadingBits {
 }
 
 impl LeadingBits {
-    /// From the leading bits of a number that is not 0: it is at least (mantissa, exponent), and less than the next one.
+    /// The number from its leading bits: it is at least mantissa · 2^exponent, and less than (mantissa + 1) · 2^exponent.
     ///
-    /// The difference is below 1, which is at most 2^(−127) of a mantissa of 128 bits.
+    /// So the error is below 1 in the last place, and 1 is at most 2^(−127) times a mantissa of 128 bits.
     pub(super) fn from_leading((mantissa, exponent): (u128, i64)) -> Self {
         Self {
             mantissa,
@@ -28,7 +28,7 @@ impl LeadingBits {
         }
     }
 
-    /// mantissa · 2^exponent for a mantissa that is not 0, exactly.
+    /// The exact number mantissa · 2^exponent, for a mantissa that is not 0.
     pub(super) fn exact(mantissa: u64, exponent: i64) -> Self {
         let zeros = u128::from(mantissa).leading_zeros();
         Self {
@@ -38,9 +38,9 @@ impl LeadingBits {
         }
     }
 
-    /// |p / q|, neither of them 0.
+    /// The quotient |p / q|, where neither p nor q is 0.
     ///
-    /// The quotient is cut twice, together by less than 1 in the last bit of the mantissa.
+    /// The quotient is cut twice, and loses less than 1 in the last place of the mantissa.
     pub(super) fn quotient(p: &Integer, q: &Integer) -> Self {
         let (p, q) = (p.unsigned_abs_ref(), q.unsigned_abs_ref());
         let signed = |bits: u64| i64::try_from(bits).invariant("bits are far below 2^63");
@@ -50,7 +50,7 @@ impl LeadingBits {
         } else {
             p / (q << shift.unsigned_abs())
         };
-        // 129 or 130 bits.
+        // The quotient has 129 or 130 bits.
         let surplus = quotient.significant_bits() - 128;
         let mantissa = u128::try_from(&(quotient >> surplus));
         Self {
@@ -102,13 +102,13 @@ impl LeadingBits {
     /// About the value.
     #[expect(clippy::cast_precision_loss, reason = "an approximation")]
     pub(super) fn to_f64(self) -> f64 {
-        // In two steps, for the smallest doubles. What overflows is infinite or 0.
+        // The power of two is multiplied in two steps, for the smallest doubles. An overflow gives ∞, an underflow 0.
         let exponent = i32::try_from(self.exponent.clamp(-4000, 4000)).invariant("it is clamped");
         let (half, rest) = (exponent / 2, exponent - exponent / 2);
         self.mantissa as f64 * f64::from(half).exp2() * f64::from(rest).exp2()
     }
 
-    /// How the numbers compare, if their errors leave no doubt.
+    /// The order of the two numbers, if their errors leave no doubt.
     ///
     /// **Lemma.** Let m ≥ n be the mantissas in units of the larger exponent, the smaller number's cut (by less than 1). If m −
     /// n > 2a + 2b + 1, the errors being a and b, the numbers compare as m and n do. Proof: a mantissa is below 2^128, so
@@ -146,7 +146,7 @@ mod tests {
         })
     }
 
-    /// Limbs that are all ones, all zeros, one bit, or any.
+    /// Limbs that are all ones, all zeros, a single bit, or random.
     fn limb() -> impl Strategy<Value = u64> {
         let bit = (0..64u32).prop_map(|k| 1 << k);
         let below = (0..64u32).prop_map(|k| (1 << k) - 1);
@@ -160,7 +160,7 @@ mod tests {
         ]
     }
 
-    /// Numbers without errors are told apart unless they are next to one another.
+    /// Numbers without errors are told apart, unless they are neighbours.
     #[test]
     fn exact_numbers_have_an_order() {
         let [three, five, six] = [3, 5, 6].map(|n| LeadingBits::exact(n, -2));
@@ -170,7 +170,7 @@ mod tests {
     }
 
     proptest! {
-        /// Against exact rational numbers.
+        /// The bounds hold in comparison with exact rational numbers.
         #[test]
         fn bounds_hold(a in 1i64.., b in 1i64.., c in 1i64.., d in 1i64.., k in 1u32..6, shift in -3i64..3) {
             let exact = |p: i64, q: i64| Rational::from(p) / Rational::from(q);
@@ -226,7 +226,7 @@ mod tests {
             prop_assert_eq!(product.error, 4);
         }
 
-        /// Leading bits hold every number that begins with them.
+        /// The leading bits represent every number that begins with them.
         #[test]
         fn leading_bits_hold_what_follows_them(mantissa in (1u128 << 127).., exponent in -300i64..300, rest in any::<u64>()) {
             let [low, high] = ends(LeadingBits::from_leading((mantissa, exponent)));

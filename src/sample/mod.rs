@@ -1,4 +1,4 @@
-//! Certified points on curves and surfaces: a float says where to look, exact arithmetic says what is true.
+//! Certified points on curves and surfaces. Doubles guess where the roots are, and exact arithmetic proves it.
 
 mod direction;
 mod guess;

@@ -1,4 +1,4 @@
-//! Polynomials as rays see them: homogeneous parts.
+//! The homogeneous parts of polynomials, for the evaluation along rays.
 
 use std::borrow::Cow;
 
@@ -11,49 +11,49 @@ use crate::poly::{BinaryForm, PlanePolynomial, SpacePolynomial, scaled_harmonics
 /// The exponents of a monomial, and its coefficient.
 pub(super) type Term<'a, const V: usize> = ([usize; V], &'a Integer);
 
-/// Functions on vectors in which homogeneous parts are sums.
+/// The functions on vectors of which the homogeneous parts are sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PartBasis {
-    /// `[i, j]` is x^i y^j, and likewise in space.
+    /// Powers: `[i, j]` is x^i y^j, and in space `[i, j, k]` is x^i y^j z^k.
     Powers,
-    /// On unit vectors of the plane `[m, 0]` is cos mθ and `[0, m]` is sin mθ.
+    /// Harmonics, on unit vectors of the plane: `[m, 0]` is cos mθ and `[0, m]` is sin mθ.
     Harmonics,
 }
 
-/// 2^exponent Σ c b over functions b of a basis.
+/// A homogeneous part as the sum 2^exponent Σ c b over functions b of a basis.
 #[derive(Clone, Debug)]
 pub struct ExpandedPart<'a, const V: usize> {
     /// The degree of the part.
     pub degree: usize,
-    /// A power of two before the sum.
+    /// The exponent of the power of two before the sum.
     pub exponent: i64,
-    /// Indices of b, and c.
+    /// For each term the index of b, and c.
     pub terms: Vec<([usize; V], Cow<'a, Integer>)>,
 }
 
 /// The homogeneous parts of a polynomial as sums of few functions.
 #[derive(Clone, Debug)]
 pub struct ExpandedParts<'a, const V: usize> {
-    /// In which basis.
+    /// The basis.
     pub basis: PartBasis,
     /// The parts that are not 0.
     pub parts: Vec<ExpandedPart<'a, V>>,
 }
 
-/// A polynomial in V variables that rays are cut with: a [`PlanePolynomial`] or a [`SpacePolynomial`].
+/// A polynomial in V variables that can be solved along rays: a [`PlanePolynomial`] or a [`SpacePolynomial`].
 pub trait HomogeneousParts<const V: usize>: PartsByDegree<V> {}
 
 impl<T: PartsByDegree<V>, const V: usize> HomogeneousParts<V> for T {}
 
-/// What [`HomogeneousParts`] is made of; its name can't be had outside of the crate.
+/// The operations behind [`HomogeneousParts`]. The trait is sealed: it cannot be named outside of the crate.
 pub trait PartsByDegree<const V: usize> {
     /// The largest total degree, `None` for the zero polynomial.
     fn top_degree(&self) -> Option<usize>;
 
-    /// The degrees of the parts that are not 0, with their terms: exponents and coefficients.
+    /// For each part that is not 0, its degree and its terms, each with exponents and coefficient.
     fn terms_by_degree(&self) -> Vec<(usize, Vec<Term<'_, V>>)>;
 
-    /// The parts that are not 0 in a basis in which their values lose few bits.
+    /// The parts that are not 0, in a basis in which their values lose few bits.
     fn expanded(&self) -> ExpandedParts<'_, V> {
         in_powers(self.terms_by_degree())
     }
@@ -120,10 +120,10 @@ fn in_powers<const V: usize>(parts: Vec<(usize, Vec<Term<'_, V>>)>) -> ExpandedP
 
 /// The parts as sums of harmonics, if that saves bits.
 ///
-/// Powers of x and y near the unit circle have coefficients up to 2^d times as large as the sum, those of a radius with
-/// d/2 − 1 harmonics for one; harmonics are on average at most as large as the sum.
+/// Near the unit circle, powers of x and y can have coefficients 2^d times as large as their sum; this is so for a radius with
+/// d/2 − 1 harmonics. The coefficients of harmonics are on average at most as large as the sum.
 fn in_harmonics(f: &PlanePolynomial) -> Option<ExpandedParts<'static, 2>> {
-    /// Below this degree there is little to save.
+    /// Below this degree hardly any bits can be saved.
     const LEAST_DEGREE: usize = 16;
     f.degree().filter(|degree| *degree >= LEAST_DEGREE)?;
     let mut saved = 0;
@@ -150,14 +150,15 @@ fn in_harmonics(f: &PlanePolynomial) -> Option<ExpandedParts<'static, 2>> {
     })
 }
 
-/// About how many bits fewer a value loses, on average over the directions, as a sum of the harmonics, which are given
-/// times 2^d.
+/// About how many bits fewer the values lose, on average over the directions, as sums of the harmonics, which are given times
+/// 2^d, than as sums of powers.
 fn saved_bits(form: &BinaryForm, harmonics: &[(usize, Integer, Integer)]) -> i64 {
     let bits = |c: &Integer| exponent(c.significant_bits());
     let powers = form.terms().map(|(_, c)| bits(c)).max();
     let harmonics = harmonics.iter().map(|(_, a, b)| bits(a).max(bits(b))).max();
     let degree = exponent(form.degree() as u64);
-    // Powers are seen from the larger coordinate, which to the d is 1 to 2^(d/2) times smaller than the length.
+    // Powers are evaluated with the larger coordinate as 1; its d-th power is 1 to 2^(d/2) times smaller than that of the
+    // length.
     let [powers, harmonics] = [powers, harmonics].map(|bits| bits.invariant("a part is not 0"));
     powers - (harmonics - degree) - degree / 4
 }
@@ -197,7 +198,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
-        /// Powers of ρ, moved or not, save bits as harmonics; large powers of x do not.
+        /// Powers of ρ, shifted or not, save bits as harmonics; large powers of x do not.
         #[test]
         fn parts_are_their_expansions(k in 8usize..11, a in -3i64..4, high in 0usize..30, theta in -4.0f64..4.0) {
             let rho = PlanePolynomial::from_parts([BinaryForm::rho_power(k)], 1.into());

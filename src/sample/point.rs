@@ -1,25 +1,25 @@
-//! What there is on a line through the origin.
+//! The points on a line through the origin.
 
 /// A point c + r·(u, v) of a curve, or c + r·(u, v, w) of a surface, where c is the origin unless the solver was told of a
 /// center. r and the coordinates are each the double nearest to the exact value (ties aside).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample<const V: usize = 2> {
-    /// 0, 1, … from the largest r of the direction down.
+    /// The number of the point among those of its direction, from 0 for the largest r.
     pub branch: usize,
-    /// Signed distance from the origin along the direction.
+    /// The signed distance from the origin along the direction.
     pub r: f64,
-    /// x, y (and z).
+    /// The coordinates x, y (and z).
     pub position: [f64; V],
     /// The multiplicity of r as a root of f(ru, rv).
     pub multiplicity: usize,
 }
 
-/// What a curve or surface has on the line through the origin in some direction.
+/// The intersection of a curve or surface with the line through the origin in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ray<const V: usize = 2> {
-    /// All distinct real roots r ≠ 0 of f(ru, rv), exactly as many as there are, largest first.
+    /// All distinct real roots r ≠ 0 of f(ru, rv), the largest first; their number is exact.
     Points(Vec<Sample<V>>),
-    /// f vanishes identically along the direction: the whole line belongs to the zero set.
+    /// The whole line belongs to the zero set: f vanishes identically along the direction.
     Line,
 }
 

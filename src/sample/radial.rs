@@ -1,4 +1,4 @@
-//! Certified points of forms that every ray meets once.
+//! Certified points of forms that every ray from the origin meets once.
 
 use std::cmp::Ordering;
 
@@ -7,9 +7,11 @@ use crate::error::Result;
 use crate::exact::{Rational, nearest_double};
 use crate::shape::Radial;
 
-/// The two points r and −r of a radial form in a direction; r and the coordinates each the double nearest to the exact value.
+/// The two points r and −r of a radial form in a direction. Each of r and the coordinates is the double nearest to its exact
+/// value.
 ///
-/// Cost: some ten comparisons for each number; for a superquadric each takes roots of numbers with about (128 + bits of the
+/// Cost: about ten comparisons for each number. For a superquadric each comparison takes roots of numbers with about (128 +
+/// bits of the
 /// direction)·p bits, where p is the numerator of the exponent.
 ///
 /// ```
@@ -51,8 +53,8 @@ pub fn solve_radial<const V: usize>(
     Ok(Ray::Points(vec![sample(0, 1.0), sample(1, -1.0)]))
 }
 
-/// The double nearest to factor·r, for the r > 0 at which a point on a ray goes from inside to outside: `compare` gives the
-/// order of the point at r, `Less` inside. `guess` is near r.
+/// The double nearest to factor·r, for the r > 0 at which the points of a ray pass from inside to outside. `compare` gives the
+/// position of the point at r, which is `Less` inside. `guess` is near r.
 fn nearest_multiple(
     guess: f64,
     factor: &Rational,
@@ -62,7 +64,7 @@ fn nearest_multiple(
         return Ok(0.0);
     }
     let start = guess * factor.to_f64().abs();
-    // The boundary is beyond r where the point at r is inside.
+    // If the point at the bound is inside, the boundary is beyond the bound.
     let magnitude = nearest_double(start.max(0.0), |bound| -> Result<Ordering> {
         let r = bound / &factor.abs();
         match r.signum() {

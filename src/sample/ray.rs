@@ -22,11 +22,11 @@ use crate::roots::{RealRoot, real_roots};
 /// A guess in doubles is used only if it is proved to this many bits.
 const GUESS_BITS: i64 = 40;
 
-/// Solves f = 0 along directions.
+/// Solves f = 0 along lines through the origin.
 ///
-/// Splitting f into homogeneous parts makes f(ru, rv) = Σ_d r^d f_d(u, v) a polynomial in r whose
-/// coefficients are values of forms (§3 of the paper). Powers of r are stripped, equal gaps k are
-/// deflated to a polynomial in r^k, roots are isolated exactly and rounded exactly.
+/// In a direction (u, v), f(ru, rv) = Σ_d r^d f_d(u, v) is a polynomial in r whose coefficients are the values of the
+/// homogeneous parts (§3 of the paper). A power of r is divided out, and a polynomial in r^k is treated as one in a single
+/// variable. Its roots are isolated exactly and rounded exactly.
 ///
 /// ```
 /// use stellate::poly::PlanePolynomial;
@@ -65,7 +65,7 @@ impl StageCounts {
 }
 
 impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
-    /// For the curve or surface `polynomial = 0`.
+    /// The solver for the curve or surface `polynomial = 0`.
     #[must_use]
     pub fn new(polynomial: &'a P) -> Self {
         Self {
@@ -131,8 +131,10 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         }
     }
 
-    /// The points in one direction, by exact arithmetic alone. Cost: evaluating every form (its number of coefficients times
-    /// its degree times the bits of the direction), then the roots of one polynomial.
+    /// Finds the points in one direction by exact arithmetic alone.
+    ///
+    /// Cost: the evaluation of every homogeneous part (its number of coefficients times its degree times the bits of the
+    /// direction), then the roots of one polynomial.
     #[must_use]
     pub fn solve_exactly(&self, direction: &impl UnitVector<V>) -> Ray<V> {
         self.exact.fetch_add(1, Relaxed);
@@ -175,7 +177,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         Ray::Points(in_order(samples))
     }
 
-    /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if it vanishes identically.
+    /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if f vanishes identically along the line.
     fn restricted(&self, direction: &impl UnitVector<V>) -> Option<(u32, IntegerPolynomial)> {
         let (vector, w) = direction.over_common_denominator();
         let coefficients = along(self.polynomial, &vector, &w);
@@ -194,8 +196,8 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
     }
 }
 
-/// The non-zero coefficients (d, c_d), descending in d, of f(λ U/W, λ V/W) = Σ c_d λ^d, all times W to the degree of f; none
-/// if f vanishes identically on this line through the origin. The vector need not be a unit vector.
+/// The non-zero coefficients (d, c_d), descending in d, of f(λ U/W, λ V/W) = Σ c_d λ^d, all multiplied by W to the degree of f.
+/// There are none if f vanishes identically on this line. The vector need not be a unit vector.
 pub(crate) fn along<P: PartsByDegree<V>, const V: usize>(
     polynomial: &P,
     vector: &[Integer; V],
@@ -204,7 +206,7 @@ pub(crate) fn along<P: PartsByDegree<V>, const V: usize>(
     // f_d(U/W, V/W) W^top = f_d(U, V) W^(top − d)
     let mut coefficients: Vec<(usize, Integer)> = Vec::new();
     let mut w_power = Integer::ONE;
-    // The zero polynomial has no values.
+    // The polynomial 0 has no values.
     let mut above = polynomial.top_degree().unwrap_or(0);
     for (degree, value) in polynomial.values_at(vector) {
         for _ in degree..above {
@@ -218,7 +220,7 @@ pub(crate) fn along<P: PartsByDegree<V>, const V: usize>(
     coefficients
 }
 
-/// The roots of g, for k > 1 only the positive ones, with guesses tried.
+/// The real roots of g, only the positive ones if k > 1; guesses have narrowed their enclosures.
 fn positive_or_all(g: &IntegerPolynomial, k: u32) -> Vec<RealRoot> {
     let mut roots = real_roots(g);
     if k > 1 {
@@ -234,7 +236,7 @@ fn positive_or_all(g: &IntegerPolynomial, k: u32) -> Vec<RealRoot> {
     roots
 }
 
-/// g(−x).
+/// The polynomial g(−x).
 fn reflected(g: &IntegerPolynomial) -> IntegerPolynomial {
     let flipped = g.coefficients_asc().iter().enumerate();
     IntegerPolynomial::from_coefficients_asc(
@@ -265,7 +267,7 @@ mod tests {
     #[test]
     #[expect(clippy::float_cmp, reason = "these are exact")]
     fn gaps_lines_and_multiplicities() {
-        // x⁴ + y⁴ = 16 along x, twice: a polynomial in r⁴.
+        // x⁴ + y⁴ = 16 has two points along x, from a polynomial in r⁴.
         let f = curve(&[(4, 0, 1), (0, 4, 1), (0, 0, -16)]);
         let east = Direction::from_radians(0.0);
         let found = points(&(&f * &f), &east);
@@ -274,18 +276,18 @@ mod tests {
             .map(|p| (p.r, p.position[0], p.multiplicity))
             .collect();
         assert_eq!(shown, [(2.0, 2.0, 2), (-2.0, -2.0, 2)]);
-        // x³ + y³ = −8: an odd gap, a negative root.
+        // x³ + y³ = −8 has an odd gap and a negative root.
         let g = curve(&[(3, 0, 1), (0, 3, 1), (0, 0, 8)]);
         assert_eq!(points(&g, &east)[0].r, -2.0);
         // x y = 0 holds the whole axis.
         let cross = curve(&[(1, 1, 1)]);
         assert_eq!(RaySolver::new(&cross).solve(&east), Ray::Line);
-        // x² + y² = 0: only the origin.
+        // x² + y² = 0 has only the origin.
         assert_eq!(points(&curve(&[(2, 0, 1), (0, 2, 1)]), &east), []);
     }
 
     proptest! {
-        /// Built backwards: a product of circles about the origin and lines off it.
+        /// A product of circles about the origin and a line, built from known roots.
         #[test]
         fn products_of_circles_and_lines(radii in prop::collection::btree_set(1i64..50, 1..4), a in -9i64..9, theta in 0.0f64..6.3) {
             let mut f = curve(&[(0, 0, 1)]);

@@ -9,10 +9,10 @@ use crate::error::Invariant;
 use crate::exact::{Rational, nearest_double};
 use crate::roots::BoundedRoot;
 
-/// Neighbouring doubles that are tried when the guess is not the nearest.
+/// The number of neighbouring doubles that are tried if the guess is not the nearest double.
 const TRIES: usize = 4;
 
-/// Rounds multiples of |root|^(1/gap). Only [`RootRounding::compare`] is trusted: a bad guess costs time, and no more.
+/// Rounds multiples of |root|^(1/gap). Only [`RootRounding::compare`] is trusted; a bad guess only costs time.
 #[derive(Debug)]
 pub(super) struct RootRounding {
     gap: u32,
@@ -20,7 +20,7 @@ pub(super) struct RootRounding {
     scale: i64,
     low: LeadingBits,
     high: LeadingBits,
-    /// About |root|^(1/gap).
+    /// An approximation of |root|^(1/gap).
     guess: f64,
 }
 
@@ -29,10 +29,10 @@ impl RootRounding {
         let y = root.low.to_f64();
         let sign = if root.is_inverted { -1.0 } else { 1.0 };
         let gap_f64 = f64::from(gap);
-        // 2^s = 2^(whole gap) 2^rest, for roots beyond the doubles.
+        // 2^s = 2^(whole · gap) 2^rest, for roots that are too large or too small for doubles.
         let whole = root.scale.div_euclid(i64::from(gap));
         let rest = root.scale.rem_euclid(i64::from(gap));
-        // A guess that overflows is none.
+        // A guess that overflows is not used.
         let small = |k: i64| {
             let k = i32::try_from(k.clamp(-2000, 2000));
             f64::from(k.invariant("it is clamped")).exp2()
@@ -113,7 +113,7 @@ impl RootRounding {
         let q = bound.times(inverse).power(self.gap);
         let q = q.times_power_of_two(-self.scale);
         [likely, likely.reverse()].into_iter().find(|order| {
-            // It is larger if its lower end is, and smaller if the upper one is.
+            // The root is larger than the bound if the lower end of its enclosure is, and smaller if the upper end is.
             let y = if (*order == Ordering::Greater) == self.is_inverted {
                 self.high
             } else {
@@ -136,7 +136,7 @@ fn midpoints(double: f64) -> [LeadingBits; 2] {
     let exponent =
         i64::try_from(bits >> 52).invariant("a positive double has 11 bits above") - 1075;
     let below = if mantissa == 1 << 52 {
-        // The doubles below are twice as close.
+        // Below a power of two, doubles are twice as close.
         LeadingBits::exact(4 * mantissa - 1, exponent - 2)
     } else {
         LeadingBits::exact(2 * mantissa - 1, exponent - 1)

@@ -1,8 +1,8 @@
-//! Directions with what a form has in them.
+//! Sampled directions.
 
 use super::{Direction, Ray, SpaceDirection, UnitVector};
 
-/// A direction and what the curve or surface has in it.
+/// A direction and the points of a curve or surface in it.
 #[derive(Clone, Debug)]
 pub struct SampledRay<D = Direction, const V: usize = 2> {
     /// The direction.
@@ -11,9 +11,9 @@ pub struct SampledRay<D = Direction, const V: usize = 2> {
     pub ray: Ray<V>,
 }
 
-/// A direction with its nominal angles, as it is written.
+/// A direction that has nominal angles, which are written with its points.
 pub(crate) trait NominalAngles<const V: usize>: UnitVector<V> {
-    /// θ, and φ in space.
+    /// The angle θ and, in space, φ.
     fn angles(&self) -> (f64, Option<f64>);
 }
 

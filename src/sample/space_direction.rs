@@ -64,8 +64,8 @@ impl SpaceDirection {
         (0..count).map(at).collect()
     }
 
-    /// The directions of a grid: `thetas` azimuths around, each with the polar angles 180° k/`phis` for k = 1 …
-    /// `phis` − 1, and the pole φ = 0. The other pole has the same line. Ordered by θ, then φ.
+    /// The directions of a grid: `thetas` azimuths around the circle, each with the polar angles 180° k/`phis` for k = 1 …
+    /// `phis` − 1; and the pole φ = 0. The other pole is on the same line as that one. The order is by θ, then by φ.
     #[must_use]
     pub fn grid(thetas: usize, phis: usize) -> Vec<Self> {
         let steps = Rational::whole(Integer::from(phis.max(1)));
@@ -103,7 +103,7 @@ mod tests {
     #[test]
     fn grids_hold_what_they_say() {
         assert_eq!(SpaceDirection::grid(6, 4).len(), 1 + 6 * 3);
-        // Ordered by θ, then φ; the pole is the first.
+        // The directions are in the order of θ, then φ; the pole is the first.
         let angles = SpaceDirection::grid(6, 4);
         let angles: Vec<_> = angles.iter().map(NominalAngles::angles).collect();
         assert_eq!(angles[0], (0.0, Some(0.0)));
@@ -115,7 +115,7 @@ mod tests {
         }
         let spread = SpaceDirection::fibonacci(50);
         assert_eq!(spread.len(), 50);
-        // The golden angle.
+        // The difference is the golden angle.
         assert!((spread[1].theta().theta() - 2.399_963_229_728_653).abs() < 1e-14);
         for (k, direction) in spread.iter().enumerate() {
             let height = direction.components()[2].to_f64();

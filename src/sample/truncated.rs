@@ -1,6 +1,6 @@
-//! Rays in a bounded number of bits: forms with coefficients of W limbs, the roots along a direction proved and rounded.
+//! Rays in bounded arithmetic: forms with coefficients of W limbs, whose roots along a direction are proved and rounded.
 //!
-//! All errors are carried by balls ([`Coefficients`], [`UnitBalls`], [`ScaledBall`]); nothing is added up here.
+//! Balls carry all errors ([`Coefficients`], [`UnitBalls`], [`ScaledBall`]); no error is added up in this file.
 
 use std::collections::BTreeMap;
 
@@ -22,12 +22,12 @@ use crate::roots::{
 #[derive(Debug)]
 pub(super) struct TruncatedForms<const W: usize, const V: usize> {
     basis: PartBasis,
-    /// The functions of the basis that occur, each once, by their indices: as they are seen from each coordinate, which
-    /// is 1 then.
+    /// The functions of the basis that occur, each once and by their indices. There is one list for each coordinate, for
+    /// vectors that are scaled so that this coordinate is 1.
     functions: [Functions<V>; V],
-    /// Ascending in degree.
+    /// The parts, ascending in degree.
     parts: Vec<Part<W, V>>,
-    /// All degrees are the lowest one plus multiples of it.
+    /// The degrees differ from the lowest one by multiples of this number.
     gap: u32,
 }
 
@@ -36,13 +36,13 @@ pub(super) struct TruncatedForms<const W: usize, const V: usize> {
 struct Part<const W: usize, const V: usize> {
     degree: usize,
     exponent: i64,
-    /// The numbers of the functions b, as they are seen from each coordinate.
+    /// For each coordinate, the numbers of the functions b in its list.
     functions: Vec<[u32; V]>,
-    /// The c.
+    /// The coefficients c.
     coefficients: Coefficients<W>,
 }
 
-/// Functions of a basis, numbered.
+/// Functions of a basis, with numbers.
 #[derive(Debug, Default)]
 struct Functions<const V: usize> {
     indices: Vec<[usize; V]>,
@@ -50,7 +50,7 @@ struct Functions<const V: usize> {
 }
 
 impl<const V: usize> Functions<V> {
-    /// The number of a function, which it has or gets.
+    /// The number of a function. A function without a number gets the next one.
     fn number(&mut self, indices: [usize; V]) -> u32 {
         *self.numbers.entry(indices).or_insert_with(|| {
             self.indices.push(indices);
@@ -59,14 +59,14 @@ impl<const V: usize> Functions<V> {
     }
 }
 
-/// The line through the origin and a vector, x = λ·(v / unit): seen from its largest coordinate where the basis is
-/// that of powers, and from its length where it is that of harmonics.
+/// The line through the origin and a vector: x = λ·(v / unit). The unit is the largest coordinate for a basis of powers, and
+/// the length for a basis of harmonics.
 struct Line<'a, const W: usize, const V: usize> {
     vector: &'a [Integer; V],
     unit: &'a Integer,
-    /// The coordinate from which functions are numbered.
+    /// The coordinate whose list of functions is used.
     pivot: usize,
-    /// The values of the functions at v / unit.
+    /// The values of these functions at v / unit.
     values: UnitBalls<W>,
 }
 
@@ -98,7 +98,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
         }
     }
 
-    /// All points on the line through the vector, of length w.
+    /// Finds all points on the line through the vector, which has the length w.
     ///
     /// # Errors
     /// If W limbs do not prove that they are all, simple, and what the nearest doubles are.
@@ -146,7 +146,7 @@ impl<const W: usize, const V: usize> Part<W, V> {
         }
     }
 
-    /// The value at v / unit.
+    /// The value of the part at v / unit.
     fn value(&self, line: &Line<'_, W, V>) -> ScaledBall<W> {
         let functions = self.functions.iter().map(|b| b[line.pivot] as usize);
         ScaledBall {
@@ -191,7 +191,7 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
         }
     }
 
-    /// For a vector of length w in the plane.
+    /// The line of a vector of length w in the plane.
     fn from_length(
         vector: &'a [Integer; V],
         w: &'a Integer,
@@ -224,7 +224,7 @@ impl<'a, const W: usize, const V: usize> Line<'a, W, V> {
         let unit = self.unit;
         let is_negative = |other: &Integer| (sign < 0) != ((*other < 0) != (*unit < 0));
         let along = |other: &Integer| -> Option<f64> {
-            // λ · other / unit
+            // The other coordinate is λ · other / unit.
             if *other == 0 {
                 return Some(0.0);
             }

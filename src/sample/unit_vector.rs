@@ -1,4 +1,4 @@
-//! Exact unit vectors: the directions that are sampled along.
+//! Exact unit vectors: the directions in which forms are sampled.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
@@ -20,7 +20,7 @@ pub(super) struct RationalLine<'a, const V: usize> {
 
 /// An exact unit vector: V rational numbers whose squares add up to 1. Implemented by the directions of this module alone.
 pub trait UnitVector<const V: usize>: IntegerVector<V> {
-    /// Its components.
+    /// The components.
     fn components(&self) -> [Rational; V] {
         let (vector, w) = self.over_common_denominator();
         vector.map(|u| Rational::from_integers(u, w.clone()).invariant("a length is not 0"))
@@ -29,9 +29,9 @@ pub trait UnitVector<const V: usize>: IntegerVector<V> {
 
 impl<T: IntegerVector<V>, const V: usize> UnitVector<V> for T {}
 
-/// What [`UnitVector`] is made of; its name can't be had outside of the crate.
+/// The operation behind [`UnitVector`]. The trait is sealed: it cannot be named outside of the crate.
 pub trait IntegerVector<const V: usize> {
-    /// The components times a common denominator, and that denominator W > 0.
+    /// The components times a common denominator W > 0, and W.
     fn over_common_denominator(&self) -> ([Integer; V], Integer);
 }
 
@@ -52,7 +52,7 @@ pub struct RationalDirection<const V: usize> {
 }
 
 impl<const V: usize> RationalDirection<V> {
-    /// `None` if the squares do not add up to 1.
+    /// The direction with these components; `None` if their squares do not add up to 1.
     #[must_use]
     pub fn new(components: &[Rational; V]) -> Option<Self> {
         let square = components.iter().map(|c| c * c).sum::<Rational>();

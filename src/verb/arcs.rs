@@ -1,4 +1,4 @@
-//! Arcs of intersections, for `parametrize`, `sample` and `plot`.
+//! Searches for certified arcs of intersections, for the verbs `parametrize`, `sample` and `plot`.
 
 use super::equation::check_surface;
 use super::{Bounds, Work};
@@ -12,14 +12,14 @@ use crate::shape::ImplicitSurface;
 options! {
     /// How the curve in which two surfaces meet is followed.
     ArcSearch {
-        /// The box in which it is looked for; by default one around the smaller surface.
+        /// The box in which the curve is followed; by default a box around the smaller surface.
         window: Option<Bounds> = None,
-        /// Steps along the longest side of the box, at least; by default 64.
+        /// The least number of steps along the longest side of the box; by default 64.
         resolution: Option<u32> = None,
     }
 }
 
-/// The arcs of the two surfaces, in the given box or in one around the smaller of them.
+/// The arcs in which two surfaces meet, in the given box or in a box around the smaller surface.
 pub(super) fn arcs(
     surfaces: &[ImplicitSurface],
     search: &ArcSearch,
@@ -50,7 +50,7 @@ pub(super) fn arcs(
     })
 }
 
-/// The arcs of the components that have no parametrization.
+/// The arcs of the components that have no exact parametrization.
 pub(super) fn arcs_of_others(
     found: &IntersectionParametrization,
     surfaces: &[ImplicitSurface],
@@ -65,7 +65,7 @@ pub(super) fn arcs_of_others(
     Ok(traced)
 }
 
-/// Of the boxes around the surfaces that of a bounded one, or the smaller one.
+/// The box around one of the surfaces: around the bounded one, or around the smaller one if both are bounded.
 fn box_of(surfaces: [&ImplicitSurface; 2], work: &Work) -> Result<Bounds> {
     let mut best: Option<(bool, f64, Bounds)> = None;
     for surface in surfaces {
@@ -80,7 +80,7 @@ fn box_of(surfaces: [&ImplicitSurface; 2], work: &Work) -> Result<Bounds> {
     Ok(best.map_or([[-1.5, 1.5]; 3], |(_, _, bounds)| bounds))
 }
 
-/// Refuses the options for forms that are no intersections.
+/// Refuses the options of arcs for a form that is not an intersection.
 pub(super) fn refuse_arcs(search: &ArcSearch) -> Result<()> {
     let given = [
         ("--window", search.window.is_some()),

@@ -1,4 +1,4 @@
-//! A float program's numbers against the exact ones, and test vectors for float programs.
+//! Comparison of the numbers of a float program with the exact ones, and test vectors for float programs.
 
 use super::equation::{
     Taken, check_curve, curve_of_superquadric, surface_of_superquadric, through_equation,
@@ -25,15 +25,15 @@ pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum FloatNumbers {
-    /// Coefficients, every one a double.
+    /// Coefficients of a form, each of them a double.
     Coefficients(Box<Form>),
-    /// Points.
+    /// Points of a curve or surface.
     Points(Vec<GivenPoint>),
-    /// Radii.
+    /// Radii in directions.
     Radii(Vec<GivenRadius>),
 }
 
-/// What the numbers of a float program are.
+/// The kind of numbers of a float program, and how they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FloatKind {
@@ -46,7 +46,7 @@ pub enum FloatKind {
 }
 
 options! {
-    /// What is compared with.
+    /// The options of a comparison.
     CheckOptions {
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
@@ -54,11 +54,11 @@ options! {
 }
 
 options! {
-    /// What test vectors are made of.
+    /// The options of test vectors.
     VectorOptions {
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
-        /// Certified radii and points in this many directions around the circle.
+        /// The number of directions around the circle in which the vectors have certified radii and points.
         directions: usize = 16,
     }
 }
@@ -68,7 +68,7 @@ options! {
 pub struct CheckTask {
     reference: Reference,
     name: String,
-    /// Whether it was given by functions of parameters.
+    /// Whether the form was given by functions of parameters.
     is_parametric: bool,
 }
 
@@ -77,7 +77,7 @@ const CHECK: Taken = Taken {
     these: "plane curves and surfaces",
 };
 
-/// Makes an exact form ready for comparison; of a contour its fit, and the fit with one harmonic more.
+/// Prepares the exact form of a comparison. A contour is fitted, once as the options say and once with one more harmonic.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -140,7 +140,8 @@ impl CheckTask {
         &self.name
     }
 
-    /// Reads the numbers of a float program, every one a double, bit for bit; `source_name` is what messages call the text.
+    /// Reads the numbers of a float program; every number is a double and is read bit for bit. `source_name` names the text in
+    /// messages.
     ///
     /// # Errors
     /// Those of [`read_points_csv`], [`read_radii_csv`], [`read_document`] and [`read_coefficients_csv`].
@@ -162,7 +163,7 @@ impl CheckTask {
         })
     }
 
-    /// How right the numbers are; `source_name` is what messages call where they come from.
+    /// Compares the numbers with the exact ones. `source_name` names their source in messages.
     ///
     /// # Errors
     /// [`Error::Data`] for coefficients of another kind of form; those of the comparisons of [`Reference`].
@@ -186,7 +187,7 @@ impl CheckTask {
         }
     }
 
-    /// The polynomial of a float program, about the same center.
+    /// The polynomial whose coefficients a float program gave, about the center of the exact form.
     fn coefficients(&self, form: &Form, name: &str) -> Result<SparsePolynomial<3>> {
         let wrong = |message: String| Error::data(name, message);
         let reference = &self.reference;
@@ -224,7 +225,7 @@ impl CheckTask {
     }
 }
 
-/// What the paper's own algorithm keeps in doubles, with more and more harmonics of a radius.
+/// Measures how many digits the paper's own algorithm keeps in doubles, for more and more harmonics of a radius.
 ///
 /// # Errors
 /// [`Error::Usage`] for a form that is no Fourier radius; those of [`ladder`].
@@ -238,7 +239,7 @@ pub fn check_doubles(given: Given, options: &CheckOptions, work: &Work) -> Resul
     work.stage("check", || ladder(&radius, work.bounds()))
 }
 
-/// Test vectors for float programs: inputs, exact results, nearest doubles and condition numbers.
+/// Makes test vectors for float programs: inputs, exact results, nearest doubles and condition numbers.
 ///
 /// ```
 /// use stellate::language::Numbers;

@@ -1,9 +1,10 @@
-//! Charts of checks: the digits of every number, and what doubles keep for growing N.
+//! Charts of a comparison: the correct digits of every number, and the digits that doubles keep for growing N.
 
 use crate::check::{Comparison, DigitsKept, GivenNumber, MOST_DIGITS, Row, Rung};
 use crate::picture::{Chart, Series};
 
-/// The digits of every number over its place: of a coefficient among the terms, of a point or a radius the angle.
+/// The chart of the correct digits of every number over its place: the place of a coefficient is its term, that of a point or a
+/// radius its angle.
 #[must_use]
 pub fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart {
     let is_term = matches!(
@@ -64,7 +65,7 @@ fn extent(series: &[Series]) -> Option<[f64; 2]> {
     Some([x().reduce(f64::min)?, x().reduce(f64::max)?])
 }
 
-/// What doubles keep over N, see [`super::check_doubles`].
+/// The chart of the digits that doubles keep over N, see [`super::check_doubles`].
 #[must_use]
 pub fn ladder_chart(rungs: &[Rung], name: &str) -> Chart {
     let series = |label: &str, digits: &dyn Fn(&Rung) -> f64| Series {

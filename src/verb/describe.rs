@@ -1,4 +1,4 @@
-//! What a form is.
+//! The verb `describe`: the exact properties of a form.
 
 use super::equation::{Taken, check_curve, check_surface};
 use super::fit::exact_form;
@@ -19,13 +19,13 @@ options! {
     }
 }
 
-/// What is known exactly of a form.
+/// The exact properties of a form.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Described {
-    /// The kind of form, with what is known of it.
+    /// The description, which depends on the kind of the form.
     pub what: DescribedForm,
-    /// What is known besides.
+    /// Further facts about the form.
     pub facts: Vec<Fact>,
 }
 
@@ -48,7 +48,7 @@ const DESCRIBE: Taken = Taken {
     these: "plane curves, surfaces and space curves",
 };
 
-/// What a form is: degree, homogeneous parts, which lemma applies, factors over Q, and more.
+/// Describes a form: its degree and homogeneous parts, the lemma that applies, the factors over Q, and more.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -61,7 +61,7 @@ const DESCRIBE: Taken = Taken {
 /// ```
 ///
 /// # Errors
-/// Those of the fit and of [`crate::implicitize`]. Where the factors are not found in time they are missing.
+/// Those of the fit and of [`crate::implicitize`]. Factors that are not found in time are missing, which is no error.
 pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<Described> {
     let mut facts = Vec::new();
     if let Content::Contour(contour) = given.content() {
@@ -123,7 +123,7 @@ fn of_surface(surface: &ImplicitSurface, work: &Work) -> Result<Description> {
     Ok(found.unwrap_or_else(|| Description::unfactored_surface(surface)))
 }
 
-/// A parametric form as its implicit one, with what is known of the two.
+/// The implicit form of a parametric form; the facts about the two are added.
 fn with_equation(form: Form, facts: &mut Vec<Fact>, work: &Work) -> Result<Form> {
     let found = match &form {
         Form::PlaneCurve(curve) => of_plane_curve(curve, false, work)?,

@@ -6,14 +6,14 @@ use crate::implicitize::{SquaredForm, implicitize_patch, implicitize_plane};
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric};
 
-/// A verb and what it takes, for messages.
+/// A verb and the forms that it takes, for messages.
 pub(super) struct Taken {
     pub(super) verb: &'static str,
     pub(super) these: &'static str,
 }
 
 impl Taken {
-    /// Why a form is not taken.
+    /// The error for a form that the verb does not take.
     pub(super) fn not_this(&self) -> Error {
         Error::Usage(format!(
             "this is a curve in space: {} takes {}",
@@ -22,7 +22,7 @@ impl Taken {
     }
 }
 
-/// A parametric curve as its implicit equation, a patch as that of its surface; other forms as they are.
+/// The implicit form of a parametric curve or patch. Other forms are returned unchanged.
 pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     Ok(match form {
         Form::PlaneCurve(curve) => Form::Curve(
@@ -37,7 +37,7 @@ pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     })
 }
 
-/// The plane curve that a form is or has.
+/// The plane curve that a form is, or that its implicit form is.
 pub(super) fn implicit_curve(form: Form, taken: &Taken, work: &Work) -> Result<ImplicitCurve> {
     match form {
         Form::Fourier(radius) => {
@@ -58,19 +58,19 @@ pub(super) fn check_curve(curve: &ImplicitCurve, work: &Work) -> Result<()> {
     work.check_degree(curve.polynomial().degree().unwrap_or(0))
 }
 
-/// The same for a surface.
+/// Refuses a surface of a degree above the largest one that is allowed.
 pub(super) fn check_surface(surface: &ImplicitSurface, work: &Work) -> Result<()> {
     let degree = surface.polynomial().degree().unwrap_or(0);
     work.check_degree(usize::try_from(degree).unwrap_or(usize::MAX))
 }
 
-/// An equation in x and y is a cylinder in space.
+/// The cylinder in space that has the same equation as a plane curve.
 pub(super) fn cylinder(curve: &ImplicitCurve) -> ImplicitSurface {
     let original = curve.in_original_coordinates();
     ImplicitSurface::new(SparsePolynomial::from(original.polynomial()))
 }
 
-/// The implicit curve of a superquadric, where it has one.
+/// The implicit curve of a superquadric; an error if its equation is not a polynomial.
 pub(super) fn curve_of_superquadric(shape: &Superquadric) -> Result<ImplicitCurve> {
     let polynomial = shape.polynomial().ok_or_else(|| Error::Hypothesis {
         statement: "implicitization as a polynomial",
@@ -82,7 +82,7 @@ pub(super) fn curve_of_superquadric(shape: &Superquadric) -> Result<ImplicitCurv
     Ok(ImplicitCurve::new(polynomial))
 }
 
-/// The implicit surface of a superquadric in space, where it has one.
+/// The implicit surface of a superquadric in space; an error if its equation is not a polynomial.
 pub(super) fn surface_of_superquadric(shape: &SpaceSuperquadric) -> Result<ImplicitSurface> {
     Ok(ImplicitSurface::new(shape.polynomial()?))
 }

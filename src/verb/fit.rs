@@ -1,4 +1,4 @@
-//! Contours to Fourier radii, for `fit` and for every verb that takes a contour.
+//! Fits of contours by Fourier radii, for the verb `fit` and for every verb that takes a contour.
 
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
@@ -36,7 +36,7 @@ pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<Fit> 
     Ok(fit)
 }
 
-/// The fit with another number of harmonics, without remarks; `None` if the contour has no such fit.
+/// The fit of a contour with another number of harmonics. It makes no remarks; it is `None` if the contour has no such fit.
 pub(super) fn fit_quietly(
     contour: &Contour,
     options: &FitOptions,
@@ -48,13 +48,13 @@ pub(super) fn fit_quietly(
     Some(fit.radius)
 }
 
-/// A form with contours fitted: the exact form and, for a contour, how good the fit is.
+/// An exact form and, if it was fitted to a contour, the deviations of that fit.
 pub(super) struct Fitted {
     pub(super) form: Form,
     pub(super) report: Option<FitReport>,
 }
 
-/// The exact form of what is given; a contour is fitted as the options say.
+/// The exact form of an input; a contour is fitted as the options say.
 pub(super) fn exact_form(given: Given, options: &FitOptions, work: &Work) -> Result<Fitted> {
     match given.into_content() {
         Content::Exact(form) => {
@@ -71,7 +71,7 @@ pub(super) fn exact_form(given: Given, options: &FitOptions, work: &Work) -> Res
     }
 }
 
-/// The number of harmonics and the like belong to contours.
+/// Refuses the options of fits for a form that is not a contour.
 pub(super) fn refuse_fit_options(options: &FitOptions) -> Result<()> {
     refuse(&[
         ("--harmonics", options.harmonics().is_some()),
@@ -81,7 +81,7 @@ pub(super) fn refuse_fit_options(options: &FitOptions) -> Result<()> {
     refuse_contour_options(options)
 }
 
-/// What only a contour has: a center to choose, and a tolerance.
+/// Refuses the options that only a contour has: its center and the tolerance of its fit.
 pub(super) fn refuse_contour_options(options: &FitOptions) -> Result<()> {
     refuse(&[
         (

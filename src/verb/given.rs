@@ -1,4 +1,4 @@
-//! What a user hands in: a form or a contour, from text or a file.
+//! The input of a verb: a form or a contour, from text or from a file.
 
 use std::io::Read;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::language::{MAX_TEXT_BYTES, Numbers};
 use crate::reading::{read_coefficients_csv, read_fourier_csv, read_text};
 use crate::shape::{Contour, Form};
 
-/// A form or a contour, and what to call it in messages and legends.
+/// A form or a contour, with the name that messages and legends use for it.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -24,7 +24,7 @@ pub struct Given {
     content: Content,
 }
 
-/// What is handed in.
+/// The content of an input.
 #[expect(
     clippy::large_enum_variant,
     reason = "there is one of these for each form that is handed in"
@@ -32,9 +32,9 @@ pub struct Given {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Content {
-    /// A form, exactly.
+    /// An exact form.
     Exact(Form),
-    /// A contour, which becomes a form by a fit.
+    /// A contour. It becomes an exact form by a fit.
     Contour(Contour),
 }
 
@@ -51,7 +51,7 @@ impl From<Contour> for Given {
 }
 
 impl Given {
-    /// With a name for messages and legends.
+    /// An input with this name and this content.
     #[must_use]
     pub fn new(name: impl Into<String>, content: Content) -> Self {
         Self {
@@ -60,8 +60,8 @@ impl Given {
         }
     }
 
-    /// Reads text of the input language, or the file of which this is the name: what has a known extension is a file even if
-    /// it is missing, anything else only if there is a file or a pipe of this name.
+    /// Reads an argument, which is a text of the input language or the name of a file. A name with a known extension is always
+    /// the name of a file; any other text is one only if a file or a pipe of this name exists.
     ///
     /// # Errors
     /// Those of [`Given::from_path`] and of [`crate::language::parse_form`].
@@ -95,8 +95,8 @@ impl Given {
         Ok(Self::new(name.to_string_lossy(), content))
     }
 
-    /// Reads text that is all there is: rows of a contour, a table of coefficients, a JSON document, or the input language.
-    /// `place` names its source in messages.
+    /// Reads everything that a reader gives: rows of a contour, a table of coefficients, a JSON document, or text of the input
+    /// language. `place` names the source in messages.
     ///
     /// # Errors
     /// Those of the readers in [`crate::reading`] and [`crate::fit`].
@@ -116,13 +116,13 @@ impl Given {
         Ok(Self::new(place, content))
     }
 
-    /// What was handed in.
+    /// The content of the input.
     #[must_use]
     pub fn content(&self) -> &Content {
         &self.content
     }
 
-    /// The same, to be taken apart.
+    /// The content of the input, as its owner.
     #[must_use]
     pub fn into_content(self) -> Content {
         self.content
@@ -140,7 +140,7 @@ impl Given {
     }
 }
 
-/// What is no form but the name of a folder was meant as a file.
+/// The error for a text that is not a form but is the name of a folder: the user meant a file.
 fn folder_instead(path: &Path, error: Error) -> Error {
     if path.is_dir() {
         is_a_folder(path)
@@ -189,7 +189,7 @@ fn names_a_file(path: &Path) -> bool {
     extension.is_some_and(|e| known.contains(&e.as_str())) || (path.exists() && !path.is_dir())
 }
 
-/// A CSV file is a contour, unless its header is that of a table of coefficients.
+/// Reads a CSV file. It is a table of coefficients if it has the header of one, else a contour.
 fn table(text: &str, name: &str, numbers: Numbers) -> Result<Content> {
     let mut rows = text
         .lines()
@@ -217,10 +217,10 @@ fn open(path: &Path) -> Result<std::fs::File> {
     })
 }
 
-/// A text of at most [`MAX_TEXT_BYTES`] bytes; `place` names its source in messages.
+/// Reads a text of at most [`MAX_TEXT_BYTES`] bytes; `place` names its source in messages.
 ///
 /// # Errors
-/// [`Error::Io`] if reading fails, [`Error::Limit`] if it is longer, [`Error::Data`] if it is not UTF-8.
+/// [`Error::Io`] if reading fails, [`Error::Limit`] if the text is longer, [`Error::Data`] if it is not UTF-8.
 pub fn read_limited(source: impl Read, place: &str) -> Result<String> {
     let failed = |source| Error::Io {
         path: place.into(),

@@ -1,4 +1,4 @@
-//! Theorems 1 to 4, and canonical forms of what is implicit already.
+//! The verb `implicitize`: Theorems 1 to 4 for parametric forms, and canonical equations for implicit ones.
 
 use super::equation::{check_curve, curve_of_superquadric, surface_of_superquadric};
 use super::fit::{Fitted, exact_form};
@@ -17,13 +17,13 @@ use crate::shape::{
     Form, FourierRadius, ImplicitSurface, ParametricCurve, Patch, PlaneCurve, SpaceCurve,
 };
 
-/// The way from a parametric form to its equation.
+/// The method that finds the equation of a parametric form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ImplicitizeMethod {
-    /// Theorems 1, 3 and 4 of the paper.
+    /// The substitution of Theorems 1, 3 and 4 of the paper.
     Polar,
-    /// By elimination of the parameter; plane curves only.
+    /// The elimination of the parameter by a resultant, for plane curves only.
     Resultant,
 }
 
@@ -38,14 +38,14 @@ pub enum CoefficientScale {
     Monic,
 }
 
-/// Where the coordinates of a contour's equation begin.
+/// The origin of the coordinates in the equation of a contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum CoordinatesFrom {
-    /// At the center of the fit.
+    /// The center of the fit.
     #[default]
     Center,
-    /// Where the contour's own do.
+    /// The origin of the contour's own coordinates.
     Original,
 }
 
@@ -54,26 +54,26 @@ options! {
     ImplicitizeOptions {
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
-        /// The way; by default Theorem 2 for radii, a resultant for plane curves, certified linear algebra in space.
+        /// The method; by default Theorem 2 for radii, a resultant for plane curves, certified linear algebra in space.
         method: Option<ImplicitizeMethod> = None,
         /// How the coefficients are scaled.
         scale: CoefficientScale = CoefficientScale::Integer,
-        /// Where the coordinates begin.
+        /// The origin of the coordinates.
         coordinates: CoordinatesFrom = CoordinatesFrom::Center,
     }
 }
 
-/// An equation, or the equations of a space curve, and what is known of them.
+/// An equation, or the equations of a space curve, with the facts about them.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Implicitization {
-    /// A [`Form::Curve`], a [`Form::Surface`] or a [`Form::Intersection`].
+    /// The equation or equations: a [`Form::Curve`], a [`Form::Surface`] or a [`Form::Intersection`].
     pub form: Form,
-    /// What is known of it.
+    /// The facts about them.
     pub facts: Vec<Fact>,
 }
 
-/// The exact equation of a form.
+/// Finds the exact equation of a form.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -113,7 +113,7 @@ pub fn implicitize(
     Ok(found)
 }
 
-/// The method chooses among ways from a parametric form.
+/// Refuses a method for a form that has no choice of methods.
 fn refuse_method(method: Option<ImplicitizeMethod>, form: &Form) -> Result<()> {
     let Some(method) = method else {
         return Ok(());
@@ -136,7 +136,7 @@ fn refuse_method(method: Option<ImplicitizeMethod>, form: &Form) -> Result<()> {
     Err(Error::Usage(message.into()))
 }
 
-/// The implicit form, not yet scaled.
+/// The implicit form before its coefficients are scaled.
 fn equation(form: Form, options: &ImplicitizeOptions, work: &Work) -> Result<Implicitization> {
     let polar = options.method == Some(ImplicitizeMethod::Polar);
     let plain = |form| Implicitization {
@@ -188,7 +188,7 @@ fn of_radius(
     })
 }
 
-/// The resultant, and Theorem 1 where it is asked for.
+/// The equation of a plane curve by a resultant; also by Theorem 1 if that is requested.
 pub(super) fn of_plane_curve(
     curve: &PlaneCurve,
     polar: bool,
@@ -220,7 +220,7 @@ pub(super) fn of_plane_curve(
     })
 }
 
-/// The generators of the ideal, and Theorem 3 where it is asked for.
+/// The equations of a space curve by certified linear algebra; also by Theorem 3 if that is requested.
 pub(super) fn of_space_curve(
     curve: &SpaceCurve,
     polar: bool,
@@ -252,7 +252,7 @@ pub(super) fn of_space_curve(
     })
 }
 
-/// Certified linear algebra, and Theorem 4 where it is asked for.
+/// The equation of a patch by certified linear algebra; also by Theorem 4 if that is requested.
 pub(super) fn of_patch(patch: &Patch, polar: bool, work: &Work) -> Result<Implicitization> {
     let mut equation = implicitize_patch(patch, work.bounds())?;
     let run = Run::of_patch(patch);
@@ -288,7 +288,7 @@ pub(super) fn of_patch(patch: &Patch, polar: bool, work: &Work) -> Result<Implic
     })
 }
 
-/// What is found, as a fact, or that it is missing because of a limit.
+/// The fact about what `search` finds, or the fact that this part is missing because a limit was reached.
 fn unless_missing<T: Send + 'static>(
     part: Part,
     search: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
@@ -299,7 +299,7 @@ fn unless_missing<T: Send + 'static>(
     Ok(found.map_or(Fact::Missing(part), fact))
 }
 
-/// What the zero set has beyond the curve, and how often real values of the parameter run over it.
+/// Adds two facts: the points of the zero set beyond the curve, and how often real parameter values trace the curve.
 fn add_real_image<const N: usize>(
     curve: &ParametricCurve<N>,
     tracing_index: usize,

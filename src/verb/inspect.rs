@@ -1,4 +1,4 @@
-//! Points against a tolerance (Theorem 8).
+//! The verb `inspect`: points are compared with a form, by Theorem 8.
 
 use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
 use super::fit::exact_form;
@@ -18,29 +18,29 @@ use crate::shape::{
     Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
 };
 
-/// Significant digits of distances, if nothing else is said.
+/// The default number of significant digits of distances.
 const DIGITS: u32 = 6;
-/// Cubes for one point, if nothing else is said.
+/// The default number of cubes for one point.
 const BUDGET: usize = 50_000;
 
 options! {
     /// How points are inspected.
     InspectionOptions {
-        /// The largest distance that is inside.
+        /// The tolerance: a point at this distance or less is inside.
         tolerance: Rational = Rational::one(),
-        /// Distances are looked for up to here, or up to the tolerance if that is more. Beyond it the lower bound is this distance
-        /// and the upper one infinite.
+        /// The search radius for the nearest point of the form; at least the tolerance. If no point of the form is within it,
+        /// the lower bound of the distance is this radius and the upper bound is infinite.
         reach: f64 = 0.0,
-        /// The goal for the distances: so many significant digits.
+        /// The number of significant digits that the bounds of a distance should determine.
         digits: u32 = DIGITS,
-        /// Cubes that may be divided for one point before it is undecided.
+        /// The number of cubes that may be divided for one point before the point is undecided.
         budget: usize = BUDGET,
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
     }
 }
 
-/// What points are held against, in original coordinates.
+/// The form that points are compared with, in original coordinates.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Subject {
@@ -50,46 +50,46 @@ pub enum Subject {
     Curve(ImplicitCurve),
     /// The curve r(θ).
     Radius(FourierRadius),
-    /// A plane curve by its parameter.
+    /// A plane curve with its parameter.
     PlaneCurve(PlaneCurve),
-    /// A space curve by its parameter.
+    /// A space curve with its parameter.
     SpaceCurve(SpaceCurve),
-    /// A patch by its parameters, and the surface of its equation.
+    /// A patch with its parameters, and the surface of its equation.
     Patch(Patch, ImplicitSurface),
 }
 
-/// How points are held against it.
+/// The inspector that compares points with the form.
 #[derive(Debug)]
 enum Against {
-    /// An equation.
+    /// The inspector of an equation.
     Equation(Inspector),
-    /// A plane curve by its parameter; for points in space the cylinder over it.
+    /// The inspector of a plane curve with its parameter; points in space are compared with the cylinder over it.
     Plane(CurveInspector<2>),
-    /// A space curve by its parameter.
+    /// The inspector of a space curve with its parameter.
     Space(CurveInspector<3>),
-    /// A patch by its parameters.
+    /// The inspector of a patch with its parameters.
     Patch(Box<PatchInspector>),
 }
 
-/// A surface or plane curve with a tolerance, ready for points.
+/// A form and a tolerance, ready to be compared with points.
 #[derive(Debug)]
 pub struct InspectionTask {
     subject: Subject,
     against: Against,
-    /// 2 or 3.
+    /// The number of coordinates of a point, 2 or 3.
     dimension: usize,
     tolerance: Rational,
     limits: Limits,
 }
 
-/// What is taken.
+/// The forms that this verb takes.
 const INSPECT: Taken = Taken {
     verb: "inspect",
     these: "surfaces, and curves of the plane or with a parameter",
 };
 
-/// Makes a form ready for the inspection of points with two or three coordinates; an equation in x and y is a cylinder for
-/// points in space.
+/// Prepares a form for the inspection of points with two or three coordinates. An equation in x and y is a cylinder for points
+/// in space.
 ///
 /// ```
 /// use stellate::inspect::Verdict;
@@ -156,7 +156,7 @@ pub fn inspect(
     })
 }
 
-/// A form that is given by a parameter is itself what points are held against; its equation can have more points.
+/// The form that points are compared with. A parametric form is compared itself, because its equation can have more points.
 fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Result<Subject> {
     let form = exact_form(given, fit, work)?.form;
     Ok(match (form, dimension) {
@@ -202,7 +202,7 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
 }
 
 impl InspectionTask {
-    /// What points are held against.
+    /// The form that points are compared with.
     #[must_use]
     pub fn subject(&self) -> &Subject {
         &self.subject
@@ -220,7 +220,7 @@ impl InspectionTask {
         &self.tolerance
     }
 
-    /// What is certain of a point, in original coordinates; in the plane z is 0.
+    /// Inspects a point, given in original coordinates; in the plane z is 0.
     #[must_use]
     pub fn point(&self, point: &[Rational; 3]) -> Inspection {
         match &self.against {
@@ -230,7 +230,7 @@ impl InspectionTask {
                 let found = inspector.inspect(&[x.clone(), y.clone()]);
                 match self.dimension {
                     2 => found,
-                    // The sphere meets a cylinder if and only if the disc does.
+                    // The sphere meets the cylinder exactly if the distance of the point from it is at most the tolerance.
                     _ => Inspection {
                         curve: Some(found.verdict == Verdict::Inside),
                         ..found
@@ -242,7 +242,7 @@ impl InspectionTask {
         }
     }
 
-    /// The same for a point that is read exactly only where that is needed: `near` are its coordinates as nearest doubles.
+    /// Inspects a point whose nearest doubles are `near`. Its exact coordinates are computed only if they are needed.
     pub(super) fn point_near(
         &self,
         near: [f64; 3],
@@ -254,7 +254,7 @@ impl InspectionTask {
         }
     }
 
-    /// Where the section of Theorem 8 about a point is real.
+    /// The angles at which the section of Theorem 8 about a point is real.
     ///
     /// # Errors
     /// [`Error::Interrupted`].

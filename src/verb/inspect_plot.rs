@@ -1,4 +1,4 @@
-//! The picture of an inspection: the surface or curve, and the points by verdict.
+//! The picture of an inspection: the form, and the points coloured by verdict.
 
 use super::inspect::{InspectionTask, Subject};
 use super::mesh::of_surface;
@@ -14,26 +14,26 @@ use crate::mesh::mesh_bounds;
 use crate::picture::{Figure, Layer, Scene, SpaceLayer, Window};
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 
-/// Of so few points the section by the sphere is drawn, too.
+/// The sphere sections are drawn for at most this many points.
 const FEW: usize = 16;
 /// More points of one verdict than this are thinned out evenly.
 const MAX_DOTS: usize = 4000;
-/// Steps along the section, over the diameter of the sphere.
+/// The number of steps along a section, for the diameter of the sphere.
 const SECTION_STEPS: u32 = 24;
-/// Segments of a drawn circle.
+/// The number of segments of a drawn circle.
 const CIRCLE: u32 = 120;
 
-/// Points drawn of a curve that is given by a parameter.
+/// The number of points that are drawn of a parametric curve.
 const CURVE_POINTS: usize = 1440;
 const CURVE_STEPS: u32 = 1440;
-/// Cells along each parameter of a patch.
+/// The number of cells along each parameter of a patch.
 const PATCH_CELLS: u32 = 54;
 
-/// In the order of their colours: red for what is outside.
+/// The verdicts in the order of their colours; the first colour, red, is for points outside.
 const VERDICTS: [Verdict; 3] = [Verdict::Outside, Verdict::Inside, Verdict::Undecided];
 
 impl InspectionTask {
-    /// The surface or curve with points by their verdicts, as SVG, in the given window or in one around all points.
+    /// Draws the form and the points by their verdicts as SVG, in the given window or in a window around all points.
     ///
     /// # Errors
     /// [`Error::Usage`] for a window that does not fit; those of the mesh and of the tracing.
@@ -81,13 +81,13 @@ impl InspectionTask {
 
 /// A plane curve in a picture.
 enum Drawn<'a> {
-    /// To be traced in the window.
+    /// A curve that will be traced in the window.
     Traced(&'a ImplicitCurve),
-    /// As it is.
+    /// Lines that are drawn unchanged.
     Lines(Vec<Vec<[f64; 2]>>),
 }
 
-/// The cylinder over a plane curve, as high as the points.
+/// The cylinder over a plane curve, as high as the points reach.
 fn walls(lines: &[Vec<[f64; 2]>], points: &[KeptPoint]) -> SpaceLayer {
     let heights = points.iter().map(|(p, _)| p[2]);
     let [low, high] = heights.fold([-1.0f64, 1.0f64], |[low, high], z| {
@@ -103,7 +103,7 @@ fn walls(lines: &[Vec<[f64; 2]>], points: &[KeptPoint]) -> SpaceLayer {
     }
 }
 
-/// The points of one verdict, at most [`MAX_DOTS`] of them, and what the legend says.
+/// The points of one verdict, at most [`MAX_DOTS`] of them, and the text of the legend.
 fn dots(
     points: &[KeptPoint],
     verdict: Verdict,
@@ -163,7 +163,7 @@ fn in_space_surface(
     scene(task, body, points, section, shown, work)
 }
 
-/// A curve in space, or the cylinder over one in the plane.
+/// The layer of a curve in space, or of the cylinder over a plane curve.
 fn in_space_lines(
     task: &InspectionTask,
     drawn: SpaceLayer,
@@ -192,7 +192,7 @@ fn around(task: &InspectionTask, points: &[KeptPoint]) -> Option<Bounds> {
         .map(|b| b.map(|[low, high]| [low - 2.0 * d, high + 2.0 * d]))
 }
 
-/// The form, the points by their verdicts, and what else is drawn over them.
+/// The scene of the form, the points by their verdicts, and the sections over them.
 fn scene(
     task: &InspectionTask,
     body: SpaceLayer,
@@ -223,7 +223,7 @@ fn scene(
     work.stage("draw", || scene.to_svg())
 }
 
-/// Where the sphere about a point meets the surface; nothing where that cannot be followed.
+/// The lines in which the sphere about a point meets the surface; none if they cannot be followed.
 fn section_lines(
     surface: &ImplicitSurface,
     p: [f64; 3],
@@ -233,7 +233,7 @@ fn section_lines(
     let d = tolerance.to_f64();
     let center = p.map(Rational::try_from);
     let [Ok(x), Ok(y), Ok(z)] = center else {
-        // An infinite point is at no distance from the surface.
+        // An infinite point has no section.
         return Ok(Vec::new());
     };
     let sphere = ImplicitSurface::new(sphere_about(&[x, y, z], tolerance));

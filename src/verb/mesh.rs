@@ -1,4 +1,4 @@
-//! Triangles of a surface, for other programs.
+//! The verb `mesh`: triangles of a surface, for other programs.
 
 use super::equation::{check_surface, cylinder, through_equation};
 use super::fit::exact_form;
@@ -9,25 +9,25 @@ use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_radial, mesh_surface};
 use crate::options::options;
 use crate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
 
-/// How often a box that was too small is made larger, and by how much.
+/// How often a box that is too small is made larger, and the factor by which its sides grow each time.
 const GROWTHS: usize = 4;
 const GROWTH: f64 = 1.4;
-/// Degrees that an edge may bend by, at least.
+/// The least angle, in degrees, by which an edge may bend.
 const MIN_ANGLE: f64 = 1.0;
 
 options! {
     /// How a surface is meshed.
     MeshingOptions {
-        /// The box that is covered; by default one around the surface.
+        /// The box in which the surface is meshed; by default a box around the surface.
         window: Option<Bounds> = None,
-        /// Cells along the longest side of the box.
+        /// The number of cells along the longest side of the box.
         resolution: u32 = 64,
         /// Edges are split where the surface bends by more than this, in degrees from 1 to 180.
         angle: f64 = 20.0,
     }
 }
 
-/// Triangles of a surface: every sheet, each vertex with a certified zero nearby.
+/// Meshes a surface: all of its sheets, with a certified zero near each vertex.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -72,7 +72,7 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
     Ok(mesh)
 }
 
-/// The mesh in the window, or in a box around the surface that grows while a bounded surface does not fit in.
+/// The mesh in the window, or in a box around the surface. The box grows while a bounded surface does not fit in it.
 pub(super) fn of_surface(
     surface: &ImplicitSurface,
     options: &MeshingOptions,
@@ -106,7 +106,7 @@ pub(super) fn of_surface(
     })
 }
 
-/// `resolution` is that of the longest side: so many cells from pole to pole.
+/// The mesh of a superquadric, with `resolution` cells from pole to pole along its longest side.
 pub(super) fn of_superquadric(
     shape: &SpaceSuperquadric,
     resolution: u32,

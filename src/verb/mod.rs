@@ -1,8 +1,8 @@
-//! What a user can ask, a file per verb: options in, an outcome out.
+//! The verbs: the operations that a user can request, each in a file of its own.
 //!
-//! Nothing here prints, and no file is touched but those that are handed in. The command line, the tests and every other
-//! program call these functions, so none of them can do what another cannot. A verb takes what is [`Given`], its options,
-//! which all have defaults, and the circumstances of the [`Work`]; what it returns is written by [`crate::document`].
+//! A verb is a function. It takes the input ([`Given`]), its options, which all have defaults, and the circumstances of the
+//! [`Work`]; [`crate::document`] writes its outcome. A verb prints nothing and opens no file except those of its input. The
+//! command line, the tests and all other programs call these functions, so none of them can do more than another.
 //!
 //! | verb | function | outcome |
 //! | --- | --- | --- |

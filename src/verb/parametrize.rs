@@ -1,4 +1,4 @@
-//! Back to r(θ), R(θ, φ), or the coordinates of a curve in space.
+//! The verb `parametrize`: r(θ) for plane curves, R(θ, φ) for surfaces, and coordinates for intersections.
 
 use super::arcs::{ArcSearch, arcs_of_others, refuse_arcs};
 use super::equation::{Taken, check_curve, check_surface, through_equation};
@@ -22,23 +22,24 @@ use crate::shape::{Form, FourierRadius, ImplicitSurface};
 options! {
     /// How a form is parametrized.
     ParametrizeOptions {
-        /// How a contour is fitted; of a form that is exact already the number of harmonics and samples and the decimals of
-        /// the Fourier fit of a branch without a closed form.
+        /// How a contour is fitted. For an exact form: the number of harmonics and samples and the decimals of the Fourier fit
+        /// of a branch without a closed form.
         fit: FitOptions = FitOptions::default(),
-        /// The branch to fit a Fourier series to where there is no closed form; by default the outermost.
+        /// The branch that is fitted by a Fourier series if there is no closed form; by default the outermost.
         branch: Option<usize> = None,
-        /// Of a surface: the meridians whose exact ranges of φ are asked for; with φ the directions.
+        /// For a surface: the meridians on which the exact ranges of φ are determined or, if `phis` is not empty, the angles θ
+        /// of the directions.
         thetas: Vec<Direction> = Vec::new(),
-        /// Of a surface: what is certain in every direction (θ, φ) is asked for.
+        /// For a surface: the angles φ of the directions (θ, φ) in which the certified answers are determined.
         phis: Vec<Direction> = Vec::new(),
-        /// Of an intersection: how arcs of the components without a parametrization are followed.
+        /// For an intersection: how the arcs of components without a parametrization are followed.
         arcs: ArcSearch = ArcSearch::default(),
-        /// Whether they are followed at all.
+        /// Whether these arcs are followed.
         with_arcs: bool = true,
     }
 }
 
-/// A form in parameters.
+/// The parametric form of a form.
 #[derive(Clone, Debug)]
 #[expect(
     clippy::large_enum_variant,
@@ -46,50 +47,50 @@ options! {
 )]
 #[non_exhaustive]
 pub enum Parametrized {
-    /// A plane curve: its branches r(θ).
+    /// A plane curve with its branches r(θ).
     Curve {
         /// The branches.
         polar: Parametrization,
         /// The Fourier fit of a branch without a closed form.
         fit: Option<BranchFit>,
     },
-    /// A surface: R(θ, φ).
+    /// A surface with its branches R(θ, φ).
     Surface {
         /// The branches.
         spherical: SurfaceParametrization,
-        /// The answers on the meridians that were asked for.
+        /// The answers on the requested meridians.
         meridians: Vec<OnMeridian>,
-        /// The answers in the directions that were asked for.
+        /// The answers in the requested directions.
         directions: Vec<InDirection>,
     },
     /// The curve in which surfaces meet.
     Intersection {
-        /// The curves with a parametrization.
+        /// The components with a parametrization.
         found: IntersectionParametrization,
-        /// Certified arcs of the components without one.
+        /// Certified arcs of the components without a parametrization.
         arcs: Option<IntersectionArcs>,
     },
 }
 
-/// What is exact on a meridian.
+/// The exact ranges on one meridian.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct OnMeridian {
-    /// Its angle.
+    /// The angle θ of the meridian.
     pub theta: Direction,
-    /// The ranges of every branch.
+    /// The ranges of φ of every branch.
     pub branches: Vec<MeridianBranch>,
 }
 
-/// What is certain in a direction.
+/// The certified answers in one direction.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct InDirection {
     /// The direction.
     pub direction: SpaceDirection,
-    /// What the formulas say.
+    /// The signs that the formulas of the branches have there.
     pub answer: DirectionAnswer,
-    /// The certified points of every factor.
+    /// The certified points of every factor in this direction.
     pub rays: Vec<Ray<3>>,
 }
 
@@ -117,7 +118,7 @@ pub fn parametrize(
     options: &ParametrizeOptions,
     work: &Work,
 ) -> Result<Parametrized> {
-    // What a fit of a branch (Lemma 6) should be like, for a form that is exact already.
+    // For an exact form, the options describe the fit of a branch (Lemma 6).
     let is_exact = matches!(given.content(), Content::Exact(_));
     let fitted = if is_exact {
         refuse_contour_options(&options.fit)?;
@@ -167,7 +168,7 @@ pub fn parametrize(
 }
 
 impl Parametrized {
-    /// Whether it can be written as a table of the coefficients of a Fourier series.
+    /// Whether the radius can be written as a table of Fourier coefficients.
     #[must_use]
     pub fn is_series(&self) -> bool {
         match self {
@@ -181,7 +182,7 @@ impl Parametrized {
     }
 }
 
-/// Theorem 6: R(θ, φ), and the exact answers on the meridians and in the directions that are asked for.
+/// Theorem 6: R(θ, φ), and the exact answers on the requested meridians and in the requested directions.
 fn of_surface(
     surface: &ImplicitSurface,
     options: &ParametrizeOptions,
@@ -236,7 +237,7 @@ fn of_surface(
     })
 }
 
-/// Theorem 7: the curve where surfaces meet; certified arcs of the components that have no parametrization.
+/// Theorem 7: the curve in which surfaces meet, with certified arcs of the components that have no parametrization.
 fn intersection(
     surfaces: &[ImplicitSurface],
     options: &ParametrizeOptions,
@@ -309,10 +310,10 @@ fn branch_fit(
     Ok(fit)
 }
 
-/// A radius is parametric already; its document lists the branches of its implicit equation.
+/// The branches of the implicit equation of a radius. The radius itself is parametric already, and comes first.
 fn of_radius(radius: &FourierRadius, limits: &Limits) -> Result<Parametrization> {
     let mut curve = parametrize_curve(&SquaredForm::new(radius)?.expand(), limits)?;
-    // Both describe the same points; the one that was given comes first.
+    // Two branches describe the same points; the given radius comes first.
     let is_given = |b: &Branch| matches!(&b.radius, BranchRadius::Fourier(r) if r == radius);
     if let Some(given) = curve.branches.iter().position(is_given) {
         curve.branches.swap(0, given);

@@ -1,4 +1,4 @@
-//! Forms over each other.
+//! The verb `plot`: several forms in one picture.
 
 use super::equation::{Taken, check_curve};
 use super::fit::{fit, refuse_fit_options};
@@ -11,17 +11,17 @@ use crate::implicitize::SquaredForm;
 use crate::picture::{Figure, Layer, Window, extent, isolated_origin, trace_zero_set};
 use crate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, Superquadric};
 
-/// Points drawn of a Fourier radius: enough for 100 oscillations to look smooth.
+/// The number of points that are drawn of a Fourier radius for each harmonic: 100 oscillations still look smooth.
 const POINTS_PER_HARMONIC: usize = 40;
 const MIN_POINTS: usize = 1440;
 
-/// Along the larger side of the window.
+/// The number of cells along the larger side of the window.
 pub(super) const CELLS: u32 = 240;
 
-/// Points drawn of a parametric curve.
+/// The number of points that are drawn of a parametric curve.
 const CURVE_POINTS: u32 = 2880;
 
-/// Of each of the two kinds of points of a superquadric.
+/// The number of points per quadrant of a superquadric, for each of its two kinds of points.
 const POINTS_PER_QUADRANT: usize = 90;
 
 const PLOT: Taken = Taken {
@@ -29,7 +29,8 @@ const PLOT: Taken = Taken {
     these: "plane curves here",
 };
 
-/// Draws forms over each other with equal axes, the first one lowest, as SVG; curves and surfaces in space in perspective.
+/// Draws forms over each other with equal axes, the first one lowest, as SVG. Curves and surfaces in space are drawn in
+/// perspective.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -41,7 +42,7 @@ const PLOT: Taken = Taken {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] where forms of the plane and of space are mixed, or an option does not belong to them.
+/// [`Error::Usage`] if forms of the plane and of space are mixed, or if an option does not belong to the forms.
 pub fn plot(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String> {
     if forms.iter().any(is_in_space) {
         refuse_fit_options(&options.fit)?;
@@ -100,9 +101,9 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
 #[derive(Default)]
 struct Drawing {
     layers: Vec<Layer>,
-    /// Implicit curves are traced when the window is known, each into a layer.
+    /// Implicit curves, each with the layer into which it is traced once the window is known.
     curves: Vec<(usize, ImplicitCurve)>,
-    /// What the window must show.
+    /// The points that the window must show.
     seen: Vec<[f64; 2]>,
 }
 
@@ -144,7 +145,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// A layer to be traced.
+    /// Adds a layer into which the zero set will be traced.
     fn zero_set(&mut self, curve: ImplicitCurve, name: &str) {
         let degree = curve.polynomial().degree().unwrap_or(0);
         self.layers.push(Layer {
@@ -194,7 +195,7 @@ fn superquadric(shape: &Superquadric) -> Layer {
     }
 }
 
-/// Around everything that has an extent of its own; else around certified points of the curves.
+/// A window around the forms that are bounded by themselves, or else around certified points of the curves.
 pub(super) fn fitting_window(
     seen: Vec<[f64; 2]>,
     curves: &[(usize, ImplicitCurve)],

@@ -1,4 +1,4 @@
-//! How forms are drawn: the options of pictures, and what they mean.
+//! The options of pictures.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -10,19 +10,19 @@ use crate::options::options;
 use crate::picture::{Window, png_from_svg};
 use crate::shape::Parameter;
 
-/// Where the eye is if nothing else is said, in degrees.
+/// The default direction of the eye, in degrees.
 pub(super) const VIEW: [f64; 2] = [30.0, 25.0];
 
-/// PNG pixels per SVG unit.
+/// The number of PNG pixels for each SVG unit.
 const PNG_SCALE: f32 = 2.0;
 
 /// The format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FigureFormat {
-    /// Lines and text.
+    /// SVG: lines and text.
     Svg,
-    /// Pixels, two for each unit of the SVG.
+    /// PNG: pixels, two for each unit of the SVG.
     Png,
 }
 
@@ -30,29 +30,31 @@ pub enum FigureFormat {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Frame {
-    /// Of the plane.
+    /// A part of the plane.
     Plane(Window),
-    /// Of space.
+    /// A part of space.
     Space(Bounds),
 }
 
 options! {
     /// How forms are drawn.
     PlotOptions {
-        /// How contours are fitted; without a size only their outlines are drawn.
+        /// How contours are fitted. A contour is not fitted if the size of the fit is not given; then only its outline is
+        /// drawn.
         fit: FitOptions = FitOptions::default(),
-        /// The part that is shown; by default all that is drawn.
+        /// The part that is shown; by default everything that is drawn.
         window: Option<Frame> = None,
-        /// The parts of parameters that are drawn, by name.
+        /// The ranges of the parameters that are drawn, by the names of the parameters.
         ranges: Vec<(String, [f64; 2])> = Vec::new(),
-        /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y; 30 and 25 by default.
+        /// For pictures in space: the direction of the eye, in degrees from +x towards +y and in degrees above the plane of x
+        /// and y; 30 and 25 by default.
         view: Option<[f64; 2]> = None,
         /// The heading of the figure.
         title: String = String::new(),
-        /// Cells along the larger side: for tracing implicit curves (240), for surfaces (36), along each parameter of a
-        /// patch (54).
+        /// The number of cells along the larger side of the window for implicit curves (240), along the longest side of the box
+        /// for surfaces (36), and along each parameter of a patch (54).
         cells: Option<u32> = None,
-        /// In space: points to be marked.
+        /// For pictures in space: points that are marked.
         points: Vec<[f64; 3]> = Vec::new(),
     }
 }
@@ -70,10 +72,10 @@ pub(super) fn plane_window(frame: Option<Frame>) -> Result<Option<Window>> {
 }
 
 impl FigureFormat {
-    /// What the extension of a file, given by an option, says.
+    /// The format that the extension of a file means; `option` names the option in messages.
     ///
     /// # Errors
-    /// [`Error::Usage`] for another extension than svg and png.
+    /// [`Error::Usage`] for an extension other than svg and png.
     pub fn of(option: &str, path: &Path) -> Result<Self> {
         let extension = path.extension().and_then(OsStr::to_str);
         match extension.map(str::to_ascii_lowercase).as_deref() {
@@ -86,7 +88,7 @@ impl FigureFormat {
         }
     }
 
-    /// The bytes of the file.
+    /// The bytes of a file with this picture.
     ///
     /// # Errors
     /// [`crate::error::Error::Limit`] if the picture is too large to be held in memory; [`crate::error::Error::Data`] if the SVG
@@ -111,13 +113,13 @@ pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<Bounds>> {
     }
 }
 
-/// The range given for a parameter, if there is one; the last one counts.
+/// The range that was given for a parameter; if there are several, the last one.
 pub(super) fn range_of(parameter: &Parameter, ranges: &[(String, [f64; 2])]) -> Option<[f64; 2]> {
     let given = ranges.iter().rfind(|(name, _)| name == parameter.name());
     given.map(|(_, range)| *range)
 }
 
-/// What the legend says of the range of a parameter.
+/// The text of the legend for the range of a parameter.
 pub(super) fn range_text(parameter: &Parameter, range: Option<[f64; 2]>) -> Option<String> {
     range.map(|[a, b]| format!("{} from {a} to {b}", parameter.name()))
 }

@@ -1,4 +1,4 @@
-//! Forms over each other in space: curves, patches and implicit surfaces in perspective.
+//! Pictures in space: curves, patches and implicit surfaces in perspective.
 
 use super::arcs::{ArcSearch, arcs_of_others};
 use super::equation::cylinder;
@@ -13,11 +13,12 @@ use crate::parametrize::parametrize_intersection;
 use crate::picture::{Scene, SpaceLayer};
 use crate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, SpaceCurve};
 
-/// Points along a curve, and cells along each parameter of a patch, if nothing else is said.
+/// The default numbers of points along a curve and of cells along each parameter of a patch.
 const CURVE_POINTS: u32 = 720;
 const PATCH_CELLS: u32 = 54;
 
-/// Cells along the longest side of the box of an implicit surface, and the angle by which edges may bend.
+/// The default number of cells along the longest side of the box of an implicit surface, and the angle in degrees by which edges
+/// may bend.
 const SURFACE_CELLS: u32 = 36;
 const SURFACE_ANGLE: f64 = 30.0;
 
@@ -35,7 +36,7 @@ pub(super) fn is_in_space(given: &Given) -> bool {
     )
 }
 
-/// How a surface is meshed for a picture.
+/// How surfaces are meshed for a picture.
 pub(super) fn for_pictures(window: Option<Bounds>, cells: Option<u32>) -> MeshingOptions {
     MeshingOptions::default()
         .window(window)
@@ -56,7 +57,7 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
             drawn.push(next);
         }
     }
-    // Surfaces that are bounded have a box of their own; the others are drawn in that of the rest.
+    // Bounded surfaces have a box of their own; unbounded ones are drawn in the box of all other forms.
     let mut shown = window;
     if shown.is_none() {
         for next in &drawn {
@@ -98,11 +99,11 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
     work.stage("draw", || scene.to_svg())
 }
 
-/// What a form becomes.
+/// A form on its way into the scene.
 enum Drawn {
-    /// What is drawn already, and the box that shows it.
+    /// A finished layer, and the box that shows it.
     Layer(SpaceLayer, Option<Bounds>),
-    /// A label, and a surface that is to be meshed in the box of everything.
+    /// A label, and a surface that will be meshed in the box of the whole scene.
     Surface(String, ImplicitSurface),
 }
 
@@ -153,7 +154,7 @@ fn drawn_of(
     Ok(vec![drawn_one(given, options, work)?])
 }
 
-/// The surfaces, each by itself, and the curve where they meet if Theorem 7 gives it.
+/// The layers of the surfaces, and of the curve in which they meet if Theorem 7 gives it.
 fn intersection(
     surfaces: &[ImplicitSurface],
     window: Option<Bounds>,
@@ -258,7 +259,7 @@ fn formulas(curve: &SpaceCurve) -> String {
     Coordinates::from(curve).formulas(Format::Text).join(", ")
 }
 
-/// The box around a surface that is closed as far as its certified points in many directions tell.
+/// The box around a surface; `None` unless certified points in many directions suggest that the surface is closed.
 fn closed_bounds(surface: &ImplicitSurface, work: &Work) -> Result<Option<Bounds>> {
     let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
     Ok(found.and_then(|(bounds, is_all)| is_all.then_some(bounds)))

@@ -1,4 +1,4 @@
-//! The points of an inspection: given one by one, or rows of any number, in bounded memory and in parallel.
+//! The points of an inspection, read one by one or from a table of any length, in bounded memory and in parallel.
 
 use std::io::{BufRead, Write};
 
@@ -14,28 +14,28 @@ use crate::language::Numbers;
 use crate::options::options;
 use crate::rows::{RowReader, double, fields, fields_of, row_error};
 
-/// Rows that are in memory at a time.
+/// The number of rows that are in memory at a time.
 const CHUNK: usize = 1 << 15;
-/// Rows that one thread takes at a time.
+/// The number of rows that one thread takes at a time.
 const SHARE: usize = 64;
-/// Of so few points the section is shown, too.
+/// The sections are computed for at most this many points.
 const FEW: usize = 16;
-/// At most so many points are kept.
+/// The largest number of points that are kept.
 const MAX_KEPT: usize = 10_000_000;
 
-/// A point that is kept, as doubles.
+/// A point that is kept, as doubles, and its inspection.
 pub type KeptPoint = ([f64; 3], Inspection);
 
-/// Where the points of an inspection come from.
+/// The source of the points of an inspection.
 #[non_exhaustive]
 pub enum PointSource {
-    /// Each a text `x,y` or `x,y,z`.
+    /// Points that are given one by one, each as a text `x,y` or `x,y,z`.
     Texts(Vec<String>),
-    /// Rows `x,y` or `x,y,z` of any number; the header is optional.
+    /// A table with rows `x,y` or `x,y,z`; the header is optional.
     Rows(PointRows),
 }
 
-/// Rows of points, looked at up to the first.
+/// A table of points, read up to its first row.
 pub struct PointRows {
     place: String,
     size: u64,
@@ -48,11 +48,11 @@ options! {
     ReadingOptions {
         /// How numbers are read.
         numbers: Numbers = Numbers::Exact,
-        /// Rows that are no points are counted only.
+        /// Whether rows that are no points are skipped and only counted.
         skip_bad: bool = false,
-        /// The points are kept for a picture or a cloud.
+        /// Whether the points are kept for a picture or a point cloud.
         keep: bool = false,
-        /// Of a few points that are given one by one, the ranges of the section are asked for, too.
+        /// Whether the angle ranges of the sections are computed, if there are only a few points that are given one by one.
         with_ranges: bool = false,
     }
 }
@@ -76,7 +76,7 @@ impl std::fmt::Debug for PointRows {
 }
 
 impl PointRows {
-    /// Rows from a reader; `place` names it in messages, `size` is about its number of bytes, 0 if that is not known.
+    /// A table from a reader. `place` names it in messages; `size` is about its number of bytes, or 0 if that is not known.
     ///
     /// # Errors
     /// [`Error::Io`] if reading fails.
@@ -102,7 +102,7 @@ impl PointSource {
     /// The number of coordinates: 2 or 3.
     ///
     /// # Errors
-    /// [`Error::Usage`] for texts with another number, or not all with the same.
+    /// [`Error::Usage`] for texts with another number of coordinates, or with different numbers.
     pub fn dimension(&self) -> Result<usize> {
         match self {
             Self::Texts(points) => {
@@ -121,13 +121,13 @@ impl PointSource {
         }
     }
 
-    /// Whether there are so few that each is looked at closely.
+    /// Whether there are so few points that each of them may have its section.
     #[must_use]
     pub fn are_few(&self) -> bool {
         matches!(self, Self::Texts(points) if points.len() <= FEW)
     }
 
-    /// What the progress is measured against: points, or bytes.
+    /// The size that progress is measured against: a number of points, or a number of bytes.
     fn size(&self) -> u64 {
         match self {
             Self::Texts(points) => points.len() as u64,
@@ -136,12 +136,12 @@ impl PointSource {
     }
 }
 
-/// A row with its fields as written.
+/// A row with the texts of its fields.
 struct Row<'a> {
     fields: [&'a str; 3],
     dimension: usize,
     numbers: Numbers,
-    /// Nearest doubles; z is 0 in the plane.
+    /// The nearest doubles of the coordinates; z is 0 in the plane.
     near: [f64; 3],
 }
 
@@ -171,7 +171,7 @@ impl<'a> Row<'a> {
         })
     }
 
-    /// The point as written, or as doubles.
+    /// The exact coordinates: those that are written, or those of the doubles.
     fn exactly(&self) -> [Rational; 3] {
         std::array::from_fn(|i| {
             let read = match self.numbers {
@@ -196,8 +196,8 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Whether the field of this double may have an exponent that is not read exactly. One of a short text is within the limits if
-/// the double is normal.
+/// Whether the text of this double may have an exponent that is too large to be read exactly. A short text is within the limits
+/// if its double is normal.
 fn may_be_out_of_reach(field: &str, value: f64) -> bool {
     const SHORT: usize = 100;
     field.len() > SHORT || !value.is_normal() && field.contains(['e', 'E', 'p', 'P'])
@@ -207,13 +207,13 @@ fn columns(dimension: usize) -> &'static str {
     if dimension == 2 { "x,y" } else { "x,y,z" }
 }
 
-/// How an inspected point is written; whether it is the first of all; where to.
+/// A function that writes an inspected point; it is told whether the point is the first one.
 pub type AppendPoint<'a> =
     &'a (dyn Fn(&InspectedPoint<'_>, bool, &mut Vec<u8>) -> Result<()> + Sync);
 
 impl InspectionTask {
-    /// Inspects all points and hands over what `append` makes of them, in their order: some thousands are in memory at a time.
-    /// The summary, and the points where they are to be kept.
+    /// Inspects all points and writes them with `append`, in their order, some thousands at a time. Returns the summary, and
+    /// the points if they are kept.
     ///
     /// ```
     /// use stellate::language::Numbers;
@@ -235,8 +235,8 @@ impl InspectionTask {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Data`] with the row of what is no point, unless such rows are skipped; [`Error::Limit`] for too many points to
-    /// be kept; those of `append` and `out`.
+    /// [`Error::Data`] with the number of a row that is not a point, unless such rows are skipped; [`Error::Limit`] if too many
+    /// points would be kept; those of `append` and `out`.
     pub fn all(
         &self,
         points: PointSource,
@@ -279,7 +279,7 @@ struct Batch<'a> {
     kept: Vec<KeptPoint>,
 }
 
-/// What one thread has found.
+/// The part of the answer that one thread has found.
 #[derive(Default)]
 struct Share {
     text: Vec<u8>,
@@ -287,7 +287,7 @@ struct Share {
     kept: Vec<KeptPoint>,
 }
 
-/// The error for a row that is no point, from its number and what is wrong.
+/// A function that makes the error for a row that is not a point, from its number and the reason.
 type WrongRow<'a> = &'a (dyn Fn(usize, String) -> Error + Sync);
 
 impl Batch<'_> {
@@ -325,7 +325,7 @@ impl Batch<'_> {
         let before = self.summary.points();
         let shares = rows.par_chunks(SHARE).enumerate();
         let shares = shares.map(|(n, rows)| self.share(rows, before + n == 0, wrong));
-        // The first row that is wrong, not the first that is found.
+        // The error is that of the first wrong row, whichever thread finds one first.
         let shares: Vec<Result<Share>> = shares.collect();
         for share in shares {
             let share = share?;
@@ -361,7 +361,7 @@ impl Batch<'_> {
                 Err(message) => return Err(wrong(*number, message)),
             };
             let point = row.inspected(self.task, self.with_ranges)?;
-            // What was cut short is no verdict.
+            // An inspection that a limit has ended has no verdict.
             self.work.bounds().check()?;
             let is_first = is_first && share.summary.points() == 0;
             (self.append)(&point, is_first, &mut share.text)?;

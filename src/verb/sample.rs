@@ -1,4 +1,4 @@
-//! Certified points.
+//! The verb `sample`: certified points of a form.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -17,28 +17,28 @@ use crate::sample::{
 use crate::shape::{Form, ImplicitSurface};
 
 const DEFAULT_DIRECTIONS: usize = 360;
-/// Along a meridian, from pole to pole.
+/// The default number of steps along a meridian, from pole to pole.
 const DEFAULT_POLAR_STEPS: usize = 180;
 /// More directions than this are refused.
 pub const MAX_DIRECTIONS: usize = 10_000_000;
 
 options! {
-    /// In which directions a form is sampled.
+    /// The directions in which a form is sampled.
     SampleOptions {
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
-        /// This many directions around the circle, or spread over the sphere: 360 if no angle is given. With one of the two
-        /// angles of a surface, this many steps of the other.
+        /// The number of directions around the circle, or spread over the sphere: 360 if no angle is given. If only one of the
+        /// two angles of a surface is given, the number of steps of the other.
         directions: Option<usize> = None,
-        /// Angles θ.
+        /// The angles θ.
         thetas: Vec<Direction> = Vec::new(),
-        /// Of a surface: angles φ from the z axis; every θ is taken with every φ.
+        /// For a surface: the angles φ from the z axis. Every θ is combined with every φ.
         phis: Vec<Direction> = Vec::new(),
         /// Where the coordinates of points begin, for a form with a center.
         coordinates: CoordinatesFrom = CoordinatesFrom::Center,
         /// Only points with r > 0.
         positive: bool = false,
-        /// Of an intersection: how its arcs are followed.
+        /// For an intersection: how its arcs are followed.
         arcs: ArcSearch = ArcSearch::default(),
     }
 }
@@ -49,7 +49,7 @@ options! {
 pub struct Samples {
     /// The points.
     pub points: SampledPoints,
-    /// How many rays were decided in how many bits, where rays are counted.
+    /// The number of rays that each precision decided, if the form is sampled by rays.
     pub counts: Option<StageCounts>,
 }
 
@@ -64,19 +64,20 @@ pub enum SampledPoints {
         /// The point that the coordinates are relative to.
         center: [Rational; 2],
     },
-    /// Of a surface, ray by ray.
+    /// The points of a surface, ray by ray.
     Space(Vec<SampledRay<SpaceDirection, 3>>),
-    /// Of the curve in which two surfaces meet, arc by arc.
+    /// The points of the curve in which two surfaces meet, arc by arc.
     Arcs(IntersectionArcs),
 }
 
-/// What is taken.
+/// The forms that this verb takes.
 const SAMPLE: Taken = Taken {
     verb: "sample",
     these: "plane curves, surfaces and intersections of two surfaces",
 };
 
-/// All real points of a form in exact directions, each the double nearest to an exact root, with their exact number.
+/// Finds all real points of a form in exact directions. Each coordinate is the double nearest to the exact one, and the number
+/// of points is proved.
 ///
 /// ```
 /// use stellate::language::Numbers;
@@ -88,11 +89,11 @@ const SAMPLE: Taken = Taken {
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
-/// Cost: about 5 µs a ray of degree 80 that is decided in 128 bits, more for rays that nearly touch the form.
+/// Cost: about 5 µs for a ray of degree 80 that 128 bits decide, more for rays that nearly touch the form.
 ///
 /// # Errors
-/// [`Error::Usage`] for a form without points in directions or an option that the form does not have, [`Error::Limit`] beyond
-/// [`MAX_DIRECTIONS`].
+/// [`Error::Usage`] for a form that has no points in directions, or for an option that the form does not have; [`Error::Limit`]
+/// beyond [`MAX_DIRECTIONS`].
 pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samples> {
     check_count(options.directions.unwrap_or(1))?;
     let fitted = exact_form(given, &options.fit, work)?;
@@ -162,7 +163,7 @@ fn uncounted(points: SampledPoints) -> Samples {
     }
 }
 
-/// Lemmas 7 to 10 and Theorem 6 at single directions: all real R of f(R u, R v, R w).
+/// Lemmas 7 to 10 and Theorem 6 in single directions: all real R with f(R u, R v, R w) = 0.
 fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -> Result<Samples> {
     let directions = space_directions(options)?;
     check_surface(surface, work)?;
@@ -175,7 +176,7 @@ fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -
     })
 }
 
-/// The curve in which two surfaces meet, arc by arc.
+/// The points of the curve in which two surfaces meet, arc by arc.
 fn of_intersection(
     surfaces: &[ImplicitSurface],
     options: &SampleOptions,
@@ -215,8 +216,8 @@ fn check_count(count: usize) -> Result<()> {
     }
 }
 
-/// Every given θ with every given φ. Where only one of them is given, the other one goes all the way, in as many steps as there
-/// are directions; where none is, the directions are spread evenly over the sphere.
+/// Every given θ with every given φ. If only one of the two is given, the other runs through its whole range in as many steps
+/// as there are directions. If neither is given, the directions are spread evenly over the sphere.
 fn space_directions(options: &SampleOptions) -> Result<Vec<SpaceDirection>> {
     let count = options.directions;
     if options.thetas.is_empty() && options.phis.is_empty() {

@@ -1,4 +1,4 @@
-//! The circumstances of a piece of work: its limits, who watches it, and what is to be said of it.
+//! The circumstances of a piece of work: its limits, its watcher, and the remarks about it.
 
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -10,40 +10,40 @@ use super::{Part, Remark};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
 
-/// Polynomials of a higher degree are refused if nothing else is said.
+/// The largest degree of a polynomial if no other limit is set.
 pub const DEFAULT_MAX_DEGREE: usize = 20_002;
 
-/// How often work beside is asked whether the limits still allow it.
+/// The time between two checks of the limits while other threads work.
 const PATIENCE: Duration = Duration::from_millis(20);
 
-/// Who is told how the work goes on. By default nothing is done with what is told.
+/// A watcher learns how the work goes on. By default it does nothing with what it learns.
 pub trait Watcher: Send + Sync {
-    /// A stage is over, after this time; a stage may come several times.
+    /// A stage has ended after this time. A stage of one name may come several times.
     fn stage_finished(&self, name: &'static str, time: Duration) {
         let _ = (name, time);
     }
 
-    /// So many of `total` pieces are done; all of them at the end, also where the work failed.
+    /// `done` of `total` pieces are done. At the end all pieces count as done, even if the work failed.
     fn progress(&self, what: &'static str, done: u64, total: u64) {
         let _ = (what, done, total);
     }
 
-    /// Something that the person who waits should know, as soon as it is known.
+    /// A remark for the person who waits, as soon as it is known.
     fn remark(&self, remark: &Remark) {
         let _ = remark;
     }
 
-    /// From here on, or from here on no longer, the work ends by itself soon after its deadline, and must not be ended from
-    /// outside.
+    /// If `is_so`, the work will from now on end by itself soon after its deadline and must not be ended from outside;
+    /// otherwise this is no longer so.
     fn ends_by_itself(&self, is_so: bool) {
         let _ = is_so;
     }
 
-    /// A limit is reached, and what is finished is about to be handed over.
+    /// A limit has been reached, and the finished parts of the answer are about to be returned.
     fn limit_reached(&self) {}
 }
 
-/// What a limit has cost.
+/// The parts of an answer that are missing, and the limit that was reached.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Missing {
@@ -83,40 +83,41 @@ impl fmt::Debug for Work {
 }
 
 impl Work {
-    /// Stops when these limits say so.
+    /// Sets the limits of the work.
     #[must_use]
     pub fn limits(mut self, limits: Limits) -> Self {
         self.limits = limits;
         self
     }
 
-    /// Refuses polynomials above this degree; without it above [`DEFAULT_MAX_DEGREE`].
+    /// Sets the largest degree of polynomials; it is [`DEFAULT_MAX_DEGREE`] by default.
     #[must_use]
     pub fn max_degree(mut self, degree: usize) -> Self {
         self.max_degree = Some(degree);
         self
     }
 
-    /// Tells this one how the work goes on.
+    /// Sets the watcher that learns how the work goes on.
     #[must_use]
     pub fn watched_by(mut self, watcher: Arc<dyn Watcher>) -> Self {
         self.watcher = Some(watcher);
         self
     }
 
-    /// What the person should know of the work so far.
+    /// The remarks about the work so far.
     #[must_use]
     pub fn remarks(&self) -> Vec<Remark> {
         locked(&self.remarks).clone()
     }
 
-    /// What a limit has cost so far, while the rest of the answer is finished.
+    /// The parts that are missing so far because a limit was reached, while the rest of the answer is finished.
     #[must_use]
     pub fn missing(&self) -> Option<Missing> {
         locked(&self.missing).clone()
     }
 
-    /// A checkpoint: once a limit has cost a part of the answer, only an interruption keeps the rest from being handed over.
+    /// A checkpoint of the limits. After a limit has made a part of the answer missing, only an interruption is an error, so
+    /// that the rest of the answer can be finished.
     ///
     /// # Errors
     /// As [`Limits::check`].
@@ -127,7 +128,7 @@ impl Work {
         }
     }
 
-    /// Refuses a degree above the largest one that is allowed.
+    /// Refuses a degree above the largest degree.
     ///
     /// # Errors
     /// [`Error::Limit`].
@@ -141,12 +142,12 @@ impl Work {
         )))
     }
 
-    /// The limits, for the engine.
+    /// The limits, for the modules that compute.
     pub(super) fn bounds(&self) -> &Limits {
         &self.limits
     }
 
-    /// Runs one stage under the clock.
+    /// Runs one stage and measures its time.
     ///
     /// # Errors
     /// Those of [`Work::check`] before the stage begins, and those of the stage.
@@ -160,7 +161,7 @@ impl Work {
         result
     }
 
-    /// Something that the person who waits should know.
+    /// Makes a remark to the person who waits.
     pub(super) fn remark(&self, remark: Remark) {
         if let Some(watcher) = &self.watcher {
             watcher.remark(&remark);
@@ -168,7 +169,7 @@ impl Work {
         locked(&self.remarks).push(remark);
     }
 
-    /// Counts the pieces of a long work.
+    /// Counts the finished pieces of a long work.
     pub(super) fn progress(&self, what: &'static str, total: u64) -> Progress<'_> {
         Progress {
             watcher: self.watcher.as_deref(),
@@ -178,8 +179,8 @@ impl Work {
         }
     }
 
-    /// Work on a part of the answer that the rest can do without: `None` if it reaches a limit, in however deep a
-    /// computation. What is missing then is said by [`Work::missing`].
+    /// Runs the work on a part of the answer that the rest does not need. The result is `None` if this work reaches a limit,
+    /// however deep the computation; then [`Work::missing`] names the part.
     pub(super) fn unless_limited<T: Send + 'static>(
         &self,
         part: Part,
@@ -187,7 +188,7 @@ impl Work {
     ) -> Result<Option<T>> {
         let found = match self.limits.time_left() {
             None => work(&self.limits),
-            // The deadline is waited for here.
+            // The deadline is watched from this thread.
             Some(_) => {
                 let ends_by_itself = |is_so| {
                     if let Some(watcher) = &self.watcher {
@@ -217,8 +218,8 @@ impl Work {
         }
     }
 
-    /// The answer of the work if it comes in time. Else the work goes on beside, as long as this process, and its answer is
-    /// not waited for.
+    /// The answer of the work, if it comes in time. If it does not, the work continues in its own thread until the process
+    /// ends, and its answer is lost.
     fn within_limits<T: Send + 'static>(
         &self,
         work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
@@ -226,7 +227,7 @@ impl Work {
         let limits = self.limits.clone();
         let (sender, receiver) = sync_channel(1);
         let thread = std::thread::spawn(move || {
-            // After the deadline nobody listens.
+            // After the deadline nobody receives the answer.
             let _ = sender.send(work(&limits));
         });
         loop {
@@ -247,7 +248,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// How far a long work is; all of it when this is dropped.
+/// The progress of a long work. When it is dropped, all pieces count as done.
 pub(super) struct Progress<'a> {
     watcher: Option<&'a dyn Watcher>,
     what: &'static str,
@@ -256,20 +257,20 @@ pub(super) struct Progress<'a> {
 }
 
 impl Progress<'_> {
-    /// So many more pieces are done.
+    /// Counts `count` more pieces as done.
     pub(super) fn add(&self, count: u64) {
         let before = self.done.fetch_add(count, Ordering::Relaxed);
         self.tell(before + count);
     }
 
-    /// So many pieces are done.
+    /// Sets the number of pieces that are done.
     pub(super) fn set(&self, done: u64) {
         self.tell(done);
     }
 
     fn tell(&self, done: u64) {
         if let Some(watcher) = self.watcher {
-            // The end is told once.
+            // The end is reported once.
             watcher.progress(
                 self.what,
                 done.min(self.total.saturating_sub(1)),
@@ -302,7 +303,7 @@ mod tests {
         let found = work.unless_limited(Part::Factors, |_| Ok(7));
         assert_eq!(found.expect("in time"), Some(7));
         assert_eq!(work.missing(), None);
-        // Work that asks nobody, and work that does.
+        // One work never checks its limits, the other does.
         let deaf = |_: &Limits| {
             std::thread::sleep(Duration::from_secs(3));
             Ok(1)
@@ -314,7 +315,7 @@ mod tests {
         let polite = |limits: &Limits| limits.check();
         let found = work.unless_limited(Part::Factors, polite);
         assert_eq!(found.expect("the rest"), None);
-        // The deadline is over, and what is finished can still be handed over.
+        // The deadline is over, and the finished parts can still be returned.
         assert!(work.limits.check().is_err());
         assert!(work.check().is_ok());
         let missing = work.missing().expect("parts are missing");
@@ -335,7 +336,7 @@ mod tests {
         assert!(matches!(found, Err(Error::Usage(_))));
     }
 
-    /// Writes down what it is told.
+    /// A watcher that writes down everything it learns.
     #[derive(Default)]
     struct Diary(Mutex<Vec<String>>);
 
