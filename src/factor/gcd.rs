@@ -21,7 +21,7 @@ pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;
 /// result by division. A failed try repeats with a larger integer.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(super) fn gcd(
     f: &IntegerTerms<3>,
     g: &IntegerTerms<3>,
@@ -149,7 +149,7 @@ fn image_is_squarefree(f: &IntegerTerms<3>, v: usize) -> bool {
 /// Yun's squarefree decomposition of an f that is primitive in v: the parts and multiplicities.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(super) fn squarefree_parts(
     f: &IntegerTerms<3>,
     v: usize,

@@ -60,7 +60,7 @@ pub struct Factor<P> {
 /// greatest common divisor; first terms positive.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 ///
 /// # Panics
 /// If there are more than three variables.
@@ -77,7 +77,7 @@ pub(crate) fn coprime_parts<const V: usize>(
 /// first term; one of them may be 0.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 ///
 /// # Panics
 /// If there are more than three variables.
@@ -94,7 +94,7 @@ pub(crate) fn greatest_common_divisor<const V: usize>(
 /// that one.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<PlanePolynomial> {
     let terms = primitive_terms(&SparsePolynomial::<3>::from(f));
     let Some(&v) = terms.used().first() else {
@@ -111,7 +111,7 @@ pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<P
 /// multiplicities, without the content and the sign.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(crate) fn squarefree_form(
     form: &TernaryForm,
     limits: &Limits,

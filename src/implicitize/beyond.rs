@@ -1,4 +1,4 @@
-//! Points of the zero set of a patch's equation that the patch does not have.
+//! A real point of the zero set of a patch's equation that is not on the patch.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -10,26 +10,26 @@ use crate::poly::{IntegerPolynomial, SparsePolynomial};
 use crate::roots::real_roots;
 use crate::shape::{Basis, ImplicitSurface, Patch, quotient_in_harmonics};
 
-/// A point of the zero set that is not on the patch, and why it is not.
+/// A point of the zero set that is not on the patch, with the proof: one of its coordinates is out of the patch's range.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PointBeyond {
-    /// Which coordinate is out of the patch's range: 0, 1, 2 for x, y, z.
+    /// The index of that coordinate: 0, 1, 2 for x, y, z.
     pub coordinate: usize,
-    /// A lower and an upper bound of that coordinate on the patch, as far as they are known.
+    /// A lower and an upper bound of that coordinate on the patch; `None` if no bound is known.
     pub bounds: [Option<Rational>; 2],
-    /// The point: two rational coordinates, and for the third the double nearest to an exact root.
+    /// The point: two rational coordinates, and the third as the double nearest to an exact root.
     pub point: [f64; 3],
 }
 
-/// Values of a second coordinate that are tried.
+/// The values of a second coordinate that are tried.
 const TRIED: [i64; 9] = [0, 1, -1, 2, -2, 4, -4, 8, -8];
 
-/// A real point of the zero set where some coordinate has a value that it has nowhere on the patch, if one is
-/// found on a few lines: a proof that the zero set has more than the patch. `None` proves nothing.
+/// Searches a few lines for a real zero one of whose coordinates has a value that it has nowhere on the patch. Such a point
+/// proves that the zero set has more points than the patch; `None` proves nothing.
 ///
-/// The bounds are exact: a finite Fourier series is at most the sum of its amplitudes; an even power of a number
-/// is not negative.
+/// The bounds of the coordinates are exact: a finite Fourier series is at most the sum of its amplitudes, and an even power of
+/// a number is not negative.
 #[must_use]
 pub fn point_beyond(patch: &Patch, surface: &ImplicitSurface) -> Option<PointBeyond> {
     (0..3).find_map(|k| {
@@ -51,7 +51,7 @@ pub fn point_beyond(patch: &Patch, surface: &ImplicitSurface) -> Option<PointBey
     })
 }
 
-/// A real zero with the given value of the coordinate k.
+/// A real zero whose coordinate number k has the given value.
 fn point_with(surface: &ImplicitSurface, k: usize, value: &Rational) -> Option<[f64; 3]> {
     for (second, third) in [((k + 1) % 3, (k + 2) % 3), ((k + 2) % 3, (k + 1) % 3)] {
         for tried in TRIED {
@@ -74,7 +74,7 @@ fn point_with(surface: &ImplicitSurface, k: usize, value: &Rational) -> Option<[
     None
 }
 
-/// f with two coordinates given, as a polynomial in the third.
+/// f as a polynomial in one coordinate, where the other two have given values.
 fn on_a_line(
     f: &SparsePolynomial<3>,
     given: [(usize, &Rational); 2],
@@ -89,7 +89,7 @@ fn on_a_line(
         sum.add_term([e[third]], value);
     }
     let sum = sum.primitive();
-    // 0 for the zero polynomial.
+    // The length is 0 for the polynomial 0.
     let length = sum
         .terms()
         .map(|(e, _)| e[0] as usize + 1)
@@ -102,7 +102,7 @@ fn on_a_line(
     IntegerPolynomial::from_coefficients_asc(coefficients)
 }
 
-/// A lower and an upper bound of a coordinate.
+/// A lower and an upper bound of a coordinate on the patch; `None` if no bound is known.
 fn bounds(patch: &Patch, k: usize) -> [Option<Rational>; 2] {
     let f = &patch.coordinates()[k];
     let all_angles = patch

@@ -1,4 +1,4 @@
-//! Subresultants of two polynomials in two variables with respect to the second one, exactly.
+//! Exact subresultants of two polynomials in two variables, with respect to the second variable.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::One;
@@ -12,10 +12,10 @@ use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, determinant, large_primes};
 use crate::poly::{IntegerPolynomial, polynomial_gcd, squarefree_decomposition};
 
-/// Products of residues beyond which the work is refused: some tenths of a second.
+/// The largest number of products of residues; that many take some tenths of a second.
 const MAX_WORK: u64 = 100_000_000;
 
-/// How many primes are taken before the limits are asked again.
+/// The limits are checked after this many primes.
 const GROUP: usize = 16;
 
 /// Primes are at least 2^30.
@@ -26,7 +26,7 @@ const BITS_OF_A_PRIME: u64 = 30;
 /// first m + n − 2j − 1 columns and the column of Y^l in the matrix of the rows Y^(n−j−1) f, …, f, Y^(m−j−1) g, …, g. For
 /// j = 0 that is the resultant.
 ///
-/// By evaluation at numbers, Gauss or Euclid modulo 31-bit primes, interpolation and Chinese remainders.
+/// Method: evaluation at numbers, Gauss or Euclid modulo 31-bit primes, interpolation and Chinese remainders.
 ///
 /// Lemma (size). With total degrees M and N, the degree of s_l is at most `(n−j) M + (m−j) N + Σ r − Σ c`, where r runs over
 /// the exponents of Y before f and g in the rows and c over the powers of Y of the columns; its coefficients are at most
@@ -37,7 +37,7 @@ const BITS_OF_A_PRIME: u64 = 30;
 /// Law: `subresultants_are_those_over_the_rationals`, with coefficients for which the bound of the norm is reached.
 ///
 /// # Errors
-/// [`Error::Limit`] if that is too much work; those of `limits`.
+/// [`Error::Limit`] if the computation takes too much work; those of `limits`.
 pub(super) fn subresultant(
     [f, g]: [&Rows; 2],
     j: usize,
@@ -48,10 +48,10 @@ pub(super) fn subresultant(
         .collect()
 }
 
-/// The resultant of f and g with respect to the second variable, divided by a primitive divisor of it.
+/// The resultant of f and g with respect to the second variable, divided by a primitive polynomial that divides it.
 ///
 /// # Errors
-/// As [`subresultant`]; [`Error::Internal`] if it is no divisor.
+/// As [`subresultant`]; [`Error::Internal`] if the polynomial does not divide the resultant.
 pub(super) fn deflated_resultant(
     [f, g]: [&Rows; 2],
     divisor: &IntegerPolynomial,
@@ -61,7 +61,7 @@ pub(super) fn deflated_resultant(
     minor.divided_by(divisor, limits)
 }
 
-/// The product of S − s_i − s_j over the pairs i < j of the roots of a squarefree g, primitive up to sign.
+/// The product of S − s_i − s_j over the pairs i < j of the roots s_i of a squarefree g, primitive up to sign.
 ///
 /// g modulo s² − S s + P is u + v s, and a pair of roots has the sum S and the product P where u = v = 0.
 ///
@@ -76,8 +76,9 @@ pub(super) fn sums_of_pairs(g: &IntegerPolynomial, limits: &Limits) -> Result<In
     Ok(crate::poly::primitive_part(&sums))
 }
 
-/// A divisor, primitive, of the resultant with respect to P of the symmetric polynomials a, b of two functions p/q, in
-/// S = s + σ and P = sσ, for two functions whose denominators have these roots in common: where both parameters are poles.
+/// A primitive divisor of the resultant with respect to P of the symmetric polynomials a and b of two functions p/q, in S = s +
+/// σ and P = sσ. The divisor belongs to common poles: the two functions have denominators with these common roots, and it takes
+/// out the pairs at which both s and σ are such poles.
 ///
 /// Lemma. If the denominators have `g^k` in common, g squarefree, the resultant is divisible by the k²-th power of
 /// [`sums_of_pairs`] of g, by the k(k−1)/2-th power of g(S/2), and by the product of all of these for coprime g.
@@ -115,7 +116,7 @@ pub(super) fn pairs_of_poles(
     Ok(divisor)
 }
 
-/// One of the determinants s_l.
+/// A determinant s_l of the lemma of [`subresultant`].
 struct Minor<'a> {
     f: &'a Rows,
     g: &'a Rows,
@@ -138,13 +139,13 @@ impl Minor<'_> {
         (whole + shifts).saturating_sub(columns)
     }
 
-    /// No coefficient is larger than 2 to this.
+    /// The size bound: no coefficient is larger than 2^bits.
     fn bits(&self) -> u64 {
         let [of_f, of_g] = self.counts();
         of_f as u64 * norm_bits(self.f) + of_g as u64 * norm_bits(self.g)
     }
 
-    /// The quotient by a primitive polynomial that divides it over the rational numbers.
+    /// The quotient of the determinant and a primitive polynomial that divides it over the rational numbers.
     ///
     /// Lemma. The coefficients of a quotient h = R/D of integer polynomials, deg h = n, are at most `2^n ‖R‖/|lc D|`.
     /// Proof. Mahler's measure is multiplicative, at most the sum of the absolute coefficients, at least the absolute
@@ -171,7 +172,7 @@ impl Minor<'_> {
             degree as u64 + 1
         };
         let bits = (self.bits() + known).saturating_sub(lead.significant_bits() - 1);
-        // Twice the largest coefficient, and one prime more than that: what is found must not change by it.
+        // There are enough primes for twice the largest coefficient, and one more, which must not change the result.
         let count = usize::try_from((bits + 2).div_ceil(BITS_OF_A_PRIME)).unwrap_or(usize::MAX);
         let size = (self.f.degree() + self.g.degree() + 2) as u64;
         let work = (count as u64 + 1)
@@ -229,7 +230,7 @@ impl Minor<'_> {
         let reduce = |f: &IntegerPolynomial| field.residues(f);
         let [f, g] = [self.f, self.g].map(|f| f.rows().iter().map(reduce).collect::<Vec<_>>());
         let divisor = reduce(divisor);
-        // Where the divisor is not 0: the first places that follow one another.
+        // The evaluation uses the first consecutive numbers at which the divisor is not 0.
         let mut start = 0;
         let mut below = Vec::with_capacity(degree + 1);
         while below.len() <= degree {
@@ -256,7 +257,7 @@ impl Minor<'_> {
             }
         });
         let mut image = field.interpolate(values.collect());
-        // From x − start to x.
+        // Shifts the variable from x − start to x.
         let minus = (p - start % p) % p;
         for k in 0..image.len() {
             for i in (k..image.len() - 1).rev() {
@@ -277,7 +278,7 @@ impl Minor<'_> {
         let row = |f: &[u64], shift: usize| -> Vec<u64> {
             let columns = (0..size).map(|c| if c + 1 < size { top - c } else { self.l });
             let entry = |power: usize| power.checked_sub(shift).and_then(|i| f.get(i)).copied();
-            // Beyond both ends of the polynomial the row has zeros.
+            // The row has zeros beyond both ends of the polynomial.
             columns.map(|power| entry(power).unwrap_or(0)).collect()
         };
         let rows = (0..of_f).rev().map(|r| row(&f, r));
@@ -291,7 +292,7 @@ fn as_f64(n: u64) -> f64 {
     n as f64
 }
 
-/// ⌈log₂⌉ of the sum of the absolute coefficients, at least.
+/// An upper bound of the binary logarithm of the sum of the absolute coefficients, as an integer.
 fn norm_bits(f: &Rows) -> u64 {
     let coefficients = f.rows().iter().flat_map(|row| row.coefficients_asc());
     let norm = coefficients.fold(Integer::from(0), |sum, c| {
@@ -311,7 +312,7 @@ mod tests {
         IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
     }
 
-    /// The determinant over Z[x], by Laplace along the first row.
+    /// The determinant over Z[x], by Laplace expansion along the first row.
     fn laplace(rows: &[Vec<IntegerPolynomial>]) -> IntegerPolynomial {
         let Some((first, rest)) = rows.split_first() else {
             return poly(&[1]);
@@ -351,7 +352,7 @@ mod tests {
         laplace(&rows)
     }
 
-    /// Of degree up to 3 in the second variable, with coefficients of up to 70 bits, now and then all ones.
+    /// Polynomials of degree up to 3 in the second variable, with coefficients of up to 70 bits, some of which are all ones.
     fn rows() -> impl Strategy<Value = Rows> {
         let coefficient = prop_oneof![
             (-9i64..10).prop_map(Integer::from),
@@ -386,8 +387,7 @@ mod tests {
             }
         }
 
-        /// y + c and y − c x^d with |c| = 2^k: the resultant −c x^d − c has coefficients as large as its bound allows, and a
-        /// sum of two of them is twice that.
+        /// For y + c and y − c x^d with |c| = 2^k the resultant −c x^d − c has coefficients as large as the bound allows.
         #[test]
         fn the_bound_of_the_coefficients_is_enough_where_it_is_reached(k in 20u64..200, d in 0usize..4, below in any::<bool>()) {
             let c = (Integer::ONE << k) - if below { Integer::ONE } else { Integer::from(0) };
@@ -429,7 +429,7 @@ mod tests {
 
     #[test]
     fn sums_of_pairs_are_those_of_the_roots() {
-        // 1, 2, 4: 3, 5, 6
+        // The roots 1, 2, 4 have the sums 3, 5, 6.
         let g = poly(&[-1, 1]) * poly(&[-2, 1]) * poly(&[-4, 1]);
         let sums = poly(&[-3, 1]) * poly(&[-5, 1]) * poly(&[-6, 1]);
         assert_eq!(sums_of_pairs(&g, &Limits::none()).unwrap(), sums);

@@ -1,4 +1,4 @@
-//! Real numbers between two bounds, in fixed point.
+//! Enclosures of real numbers by two bounds, in fixed point.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -6,7 +6,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 
 use crate::exact::Rational;
 
-/// A real number of which bounds are known: `low ≤ x·2^bits ≤ high`, where `bits` is that of the [`Precision`].
+/// An enclosed real number x: `low ≤ x·2^bits ≤ high`, where `bits` is that of the [`Precision`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Enclosure {
     low: Integer,
@@ -34,7 +34,7 @@ impl Precision {
         }
     }
 
-    /// The numbers between two rational ones.
+    /// An enclosure of all numbers between two rational numbers.
     pub(super) fn between(self, low: &Rational, high: &Rational) -> Enclosure {
         let scaled = |q: &Rational| q * &Rational::whole(Integer::from(1) << self.bits);
         Enclosure {
@@ -60,7 +60,7 @@ impl Precision {
         }
     }
 
-    /// a/b, `None` if b may be 0.
+    /// The quotient a/b; `None` if b may be 0.
     pub(super) fn over(self, a: &Enclosure, b: &Enclosure) -> Option<Enclosure> {
         b.sign()?;
         let quotients = |round_up: bool| {
@@ -85,21 +85,21 @@ impl Precision {
         Some(Enclosure { low, high })
     }
 
-    /// The bounds as rational numbers.
+    /// The bounds of the enclosure as rational numbers.
     pub(super) fn bounds(self, a: &Enclosure) -> [Rational; 2] {
         let unit = Rational::from_dyadic(Integer::from(1), 0)
             / Rational::whole(Integer::from(1) << self.bits);
         [&a.low, &a.high].map(|v| Rational::whole(v) * &unit)
     }
 
-    /// Whether q is not the enclosed number.
+    /// Whether q is outside of the enclosure.
     pub(super) fn excludes(self, a: &Enclosure, q: &Rational) -> bool {
         let [low, high] = self.bounds(a);
         *q < low || high < *q
     }
 
-    /// The last row that is left of K rows when their first K − 1 columns are eliminated, a non-zero multiple of it;
-    /// `None` if some pivot may be 0.
+    /// Eliminates the first K − 1 columns of K rows and returns a non-zero multiple of the row that is left; `None` if some
+    /// pivot may be 0.
     ///
     /// The rows are scaled by powers of two and combined, so what vanishes on all of them vanishes on the row that is left,
     /// and its first entry is 0 exactly if the determinant of the first K columns is.
@@ -127,7 +127,7 @@ impl Precision {
         Some(last[size - 1..].to_vec())
     }
 
-    /// Divides by a power of two, so that the largest entry is about 1.
+    /// Divides a row by a power of two, so that its largest entry is about 1.
     fn scale(self, row: &mut [Enclosure]) {
         let size = |e: &Enclosure| e.low.significant_bits().max(e.high.significant_bits());
         let largest = row.iter().map(size).max().unwrap_or(0);
@@ -175,7 +175,7 @@ impl Enclosure {
         }
     }
 
-    /// The sign of the number; `None` if the bounds do not tell.
+    /// The sign of the number; `None` if the enclosure holds numbers of different signs.
     pub(super) fn sign(&self) -> Option<i8> {
         match (self.low.sign_of(), self.high.sign_of()) {
             (1, _) => Some(1),
@@ -185,7 +185,7 @@ impl Enclosure {
         }
     }
 
-    /// A lower bound of the absolute value, in the units of the bounds.
+    /// A lower bound of the absolute value, times 2^bits.
     pub(super) fn least(&self) -> Integer {
         match self.sign() {
             Some(1) => self.low.clone(),
@@ -231,7 +231,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Numbers with many bits below the precision, near 0 and near powers of two, of either sign.
+    /// Numbers of either sign with many bits below the precision, also near 0 and near powers of two.
     fn number() -> impl Strategy<Value = Rational> {
         let small = (-40i64..41, -90i64..20, -3i64..4).prop_map(|(m, e, d)| {
             Rational::from_dyadic(Integer::from(m), e)
@@ -264,7 +264,7 @@ mod tests {
                     prop_assert_eq!(sign, inside.signum());
                 }
             }
-            // And they are not much wider than they must be.
+            // The bounds are not much wider than necessary.
             let exact = precision.rational(&a);
             let [low, high] = precision.bounds(&precision.times(&exact, &y));
             let unit = Rational::from(1) / Rational::whole(Integer::from(1) << bits);
@@ -280,7 +280,7 @@ mod tests {
             let rows: Vec<Vec<Enclosure>> = entries.iter().map(|row| {
                 row.iter().map(|&c| precision.integer(&Integer::from(c))).collect()
             }).collect();
-            // The determinant of the first two columns and the column c.
+            // The determinant of the first K − 1 columns and the column c.
             let det = |c: usize| -> i64 {
                 let e = |i: usize, j: usize| entries[i][[0, 1, c][j]];
                 e(0, 0) * (e(1, 1) * e(2, 2) - e(1, 2) * e(2, 1))
@@ -293,7 +293,7 @@ mod tests {
                 for (entry, det) in row.iter().zip(expected) {
                     prop_assert!(entry.sign().is_none_or(|s| (s == 0) == (det == 0)));
                 }
-                // The ratio is that of the determinants.
+                // The ratio of two entries is that of the determinants.
                 if let Some(ratio) = precision.over(&row[1], &row[0]) {
                     let exact = Rational::from(expected[1]) / Rational::from(expected[0]);
                     prop_assert!(!precision.excludes(&ratio, &exact));

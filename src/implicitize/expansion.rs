@@ -1,4 +1,5 @@
-//! Theorem 2 in large integers: the parts of F, in lowest terms, from the sums over odd and over even harmonics.
+//! Theorem 2 in large integers: the homogeneous parts of F in lowest terms, from the sums over the odd and over the even
+//! harmonics.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{
@@ -13,12 +14,12 @@ use crate::bigint::{FlatPolynomial, Machine, Target, binomials, form_bits};
 use crate::error::Invariant;
 use crate::poly::{BinaryForm, from_harmonic_basis};
 
-/// What [`square_away`](super::square_away) says of the sums, which are `unit` times those of the radius: the parts
-/// `unit² ρ^(N+1)`, `−2 unit ρ^⌊N/2+1⌋ odd` and `± (ρ·odd² − even²)`, `± (odd² − ρ·even²)`, divided by what is common to all
-/// their coefficients.
+/// The three parts that [`square_away`](super::square_away) gives for the sums, divided by the common factor of all their
+/// coefficients. The sums are `unit` times those of the radius, and the parts are `unit² ρ^(N+1)`, `−2 unit ρ^⌊N/2+1⌋ odd`, and
+/// `± (ρ·odd² − even²)` or `± (odd² − ρ·even²)`.
 ///
-/// Cost: two changes of basis and two squares of forms of degree N, and two products of half the length (ρ is a polynomial
-/// in t²), of large integers or modulo primes.
+/// Cost: two changes of basis and two squares of forms of degree N, and two products of half that length (ρ is a polynomial in
+/// t²), in large integers or modulo primes.
 pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<BinaryForm> {
     let (middle, low) = middle_and_low(sums);
     // unit = 2^power · factor, with an odd factor that is 1 for dyadic radii
@@ -53,8 +54,8 @@ pub(super) fn primitive_parts(sums: &SummedHarmonics, unit: &Integer) -> Vec<Bin
 }
 
 /// Whether residues modulo primes are faster than products of large integers. On one thread they take 0.9 of the time at 100
-/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000 and less at 10 000; and the same time at 1000 harmonics of 5000 bits: their
-/// steps that are quadratic in the bits of a coefficient catch up.
+/// harmonics of 60 bits, 0.7 at 200, 0.45 at 1000 and less at 10 000. Their cost is quadratic in the bits of a coefficient, so
+/// at 1000 harmonics of 5000 bits the two methods tie.
 fn residues_are_faster(sums: &SummedHarmonics) -> bool {
     let harmonics = sums.harmonics;
     Machine::this().has_fused_products()
@@ -62,14 +63,14 @@ fn residues_are_faster(sums: &SummedHarmonics) -> bool {
         && sums.bits / 6 <= harmonics as u64 - 75
 }
 
-/// Coefficients of a part, as they were computed.
+/// The computed coefficients of a part, before they are integers in lowest terms.
 enum Part {
     Flat(FlatPolynomial),
     Integers(Vec<Integer>),
 }
 
 impl Part {
-    /// The number of zero bits that all coefficients have at the low end; `None` if all are 0.
+    /// The number of low bits that are 0 in all coefficients; `None` if all coefficients are 0.
     fn trailing_zeros(&self) -> Option<u64> {
         match self {
             Self::Flat(part) => part.trailing_zeros(),
@@ -79,7 +80,7 @@ impl Part {
 
     /// The coefficients times 2^`shift`, which are integers.
     fn into_integers(self, shift: i64) -> Vec<Integer> {
-        /// Fewer are sooner shifted than given to threads.
+        /// Below this number of coefficients one thread is faster.
         const FEW: usize = 1000;
         match self {
             Self::Flat(part) => part.to_integers(shift).collect(),
@@ -128,9 +129,9 @@ fn top_part(harmonics: usize, factor: &Integer) -> Vec<Integer> {
     coefficients
 }
 
-/// Up to this power of ρ, for numbers of `bits` bits, as many additions for each coefficient are faster than two products:
-/// 7 to 30 µs at the 51st and 43 to 103 µs at the 101st, where they are compiled for the width, and else 124 to 115 µs
-/// at the 111th.
+/// The largest power of ρ, for numbers of `bits` bits, by which repeated additions multiply faster than two products do.
+/// Additions took 7 µs and products 30 µs at the 51st power, and 43 and 103 µs at the 101st, where the additions are compiled
+/// for the width; otherwise 124 and 115 µs at the 111th.
 fn additions_up_to(bits: u64) -> usize {
     if FlatPolynomial::is_compiled_for(bits) {
         190
@@ -142,7 +143,7 @@ fn additions_up_to(bits: u64) -> usize {
 /// `ρ^⌊N/2+1⌋ · odd`, of the form f(1, t).
 fn middle_part(odd: &FlatPolynomial, sums: &SummedHarmonics) -> FlatPolynomial {
     let power = sums.rho_power();
-    // At most the sum over C(power, k) times the largest C(degree, j).
+    // A coefficient is at most the sum over C(power, k) times the largest C(degree, j).
     let room = form_bits(odd.len() - 1, sums.bits) + power as u64;
     if power <= additions_up_to(room) {
         by_additions(odd, power, room)
@@ -166,15 +167,15 @@ fn by_products(odd: &FlatPolynomial, power: usize, room: u64) -> FlatPolynomial 
     middle
 }
 
-/// The two sums have degrees N and N − 1: with a and b for them, the low part is `a² − ρ b²` for odd N and its negative
-/// for even N.
+/// The low part of two sums a and b, of degrees N and N − 1. It is `a² − ρ b²` for odd N, and the negative of that for even N.
 fn low_part(
     odd: Option<&FlatPolynomial>,
     even: &FlatPolynomial,
     sums: &SummedHarmonics,
 ) -> FlatPolynomial {
     let harmonics = sums.harmonics;
-    // a² and ρ b² are forms of degree 2N, of which the coefficients in the other basis add up to at most the square.
+    // a² and ρ b² are forms of degree 2N; in the other basis the absolute values of their coefficients add up to at most the
+    // square of the sum for a or b.
     let room = form_bits(2 * harmonics, 2 * sums.bits);
     let mut low = FlatPolynomial::zero(2 * harmonics + 1, room + 1);
     let (plus, minus) = (Target::of_sum, Target::of_difference);
@@ -196,10 +197,10 @@ fn low_part(
     low
 }
 
-/// Divides by the gcd of `factor` and all coefficients.
+/// Divides the coefficients by the gcd of `factor` and all of them.
 fn divide_by_common_factor(factor: Integer, parts: &mut [Vec<Integer>]) {
     let mut common = factor.unsigned_abs();
-    // Those of the low part are the least alike.
+    // The coefficients of the low part are first, because they soon have a small common factor.
     for c in parts.iter().rev().flatten() {
         if common == 1 {
             return;
@@ -224,7 +225,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
-        /// Residues say what large integers say: also for sums that make coefficients as large as they can be.
+        /// Residues and large integers give the same parts, also for sums that make the coefficients as large as possible.
         #[test]
         fn by_residues_and_by_large_integers(
             harmonics in prop_oneof![1usize..12, 1usize..150, 340usize..380, Just(512)],
@@ -249,7 +250,7 @@ mod tests {
     }
 
     proptest! {
-        /// Widths that are compiled and others.
+        /// Additions give the same products for widths that are compiled and for others.
         #[test]
         fn powers_of_rho_by_additions_and_by_products(
             odd in prop::collection::vec(any::<i128>(), 1..60),

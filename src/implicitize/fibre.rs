@@ -1,4 +1,4 @@
-//! How many parameter values of a patch lie on a line.
+//! The number of parameter values of a patch whose points lie on a general line.
 
 use super::map::RationalMap;
 use crate::error::{Invariant, Result};
@@ -7,11 +7,11 @@ use crate::modular::{PrimeField, SplitMix, large_primes, trimmed};
 use crate::poly::SparsePolynomial;
 use crate::shape::{Patch, PatchFunction};
 
-/// Random points at which the tangent vectors are looked at.
+/// The number of random points at which the tangent vectors are tested.
 const TRIES: usize = 5;
 
-/// Whether the tangent vectors are independent somewhere: proved if they are, else wrong with a probability
-/// below 10⁻⁴⁰.
+/// Whether the tangent vectors are independent at some point. `true` is proved; `false` is wrong with a probability below
+/// 10⁻⁴⁰.
 pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
     let prime = large_primes()
         .next()
@@ -26,7 +26,7 @@ pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
             continue;
         }
         tries += 1;
-        // The derivatives times the squares of the denominators: multiples do not matter.
+        // The derivatives are multiplied by the squares of the denominators, which does not change the independence.
         let tangents: Vec<[u64; 2]> = patch
             .coordinates()
             .iter()
@@ -43,7 +43,7 @@ pub(super) fn sweeps_a_surface(patch: &Patch) -> bool {
     false
 }
 
-/// (p_v q − p q_v) for v = s1, s2.
+/// The numbers p_v q − p q_v for v = s1 and v = s2.
 fn gradient(f: &PatchFunction, s: [u64; 2], field: &PrimeField) -> [u64; 2] {
     let value = |p: &SparsePolynomial<2>, derivative: Option<usize>| {
         p.terms().fold(0, |sum, (e, c)| {
@@ -70,12 +70,12 @@ fn gradient(f: &PatchFunction, s: [u64; 2], field: &PrimeField) -> [u64; 2] {
 /// The number of parameter values (s1, s2), complex ones included, whose points lie on a general line: the degree
 /// of the surface times the tracing index.
 ///
-/// Two random planes meet in a line; the resultant of their equations in s1, s2 has as roots the s1 of these
-/// values, besides those of the base points, which do not depend on the planes: what it shares with that of
-/// other random planes is taken off. Modulo a prime, so with a small probability of error.
+/// Two random planes meet in a line. The resultant of their equations in s1 and s2 has two kinds of roots: the s1 of the
+/// parameter values on the line, and those of base points, which do not depend on the planes. The common factor with the
+/// resultant of other random planes is divided out. The computation is modulo a prime, so it is wrong with a small probability.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(super) fn generic_fibre(patch: &Patch, limits: &Limits) -> Result<usize> {
     let prime = large_primes()
         .next()
@@ -97,7 +97,7 @@ pub(super) fn generic_fibre(patch: &Patch, limits: &Limits) -> Result<usize> {
     Ok(first.len() - fixed.len())
 }
 
-/// x, y, z and 1 times the least common denominator.
+/// The coordinates x, y, z and 1, all multiplied by the least common denominator.
 fn over_one_denominator(patch: &Patch, limits: &Limits) -> Result<Vec<SparsePolynomial<2>>> {
     use crate::factor::coprime_parts;
     use crate::poly::Ring;
@@ -108,7 +108,7 @@ fn over_one_denominator(patch: &Patch, limits: &Limits) -> Result<Vec<SparsePoly
     }
     let mut functions = Vec::new();
     for f in patch.coordinates() {
-        // Up to a constant factor, which a random combination does not mind.
+        // The denominator is only known up to a constant factor, which does not change random combinations.
         let [factor, _] = coprime_parts([&common, f.denominator()], limits)?;
         functions.push(f.numerator().times(&factor).primitive());
     }
@@ -139,7 +139,7 @@ impl Dense {
         Self { rows }
     }
 
-    /// As a polynomial in s2.
+    /// The polynomial in s2 for a given s1.
     fn at(&self, s1: u64, field: &PrimeField) -> Vec<u64> {
         self.rows.iter().map(|row| field.value(row, s1)).collect()
     }

@@ -1,4 +1,4 @@
-//! Whether a polynomial vanishes identically on a rational map, proved modulo primes.
+//! A proof modulo primes whether a polynomial vanishes identically on a rational map.
 
 use malachite::base::num::arithmetic::traits::{CeilingLogBase2, FloorLogBase2, Pow};
 use malachite::base::num::basic::traits::One;
@@ -12,10 +12,10 @@ use crate::modular::{PrimeField, large_primes};
 use crate::poly::{IntegerTerms, SparsePolynomial};
 use crate::shape::SpaceCurve;
 
-/// Logarithms to the base 2 are rounded after multiplication by this.
+/// Binary logarithms are multiplied by this before they are rounded to integers.
 const UNIT: u64 = 16;
 
-/// So many primes share one division of the long coefficients.
+/// The number of primes by whose product the long coefficients are divided at once.
 const GROUP: usize = 16;
 
 impl RationalMap {
@@ -37,8 +37,8 @@ impl RationalMap {
     /// other than 0 does not become 0.
     /// Law: `the_stride_tells_all_terms_apart`, with N and with a denominator of degree k − 1 that are 0 on `s2 = s1^(k−1)`.
     ///
-    /// Cost: for each 31 bits of the bound, (degree of N) · (number of terms of f) products of residues; what does not vanish
-    /// is found out modulo the first prime.
+    /// Cost: (degree of N) · (number of terms of f) products of residues for each 31 bits of the bound. If f does not vanish,
+    /// the first prime shows it.
     ///
     /// # Errors
     /// Those of `limits`.
@@ -75,18 +75,18 @@ impl RationalMap {
     }
 }
 
-/// Whether a space curve satisfies f = 0 identically.
+/// Whether f vanishes identically on a space curve.
 pub(crate) fn lies_on(curve: &SpaceCurve, f: &SparsePolynomial<3>) -> bool {
     let map = RationalMap::of_curve(curve);
     map.annihilates(f, &Limits::none())
         .is_ok_and(|it_does| it_does)
 }
 
-/// The size of N.
+/// Bounds for the polynomial N.
 struct Cleared {
-    /// Bounds of the degrees of N in s1 and s2.
+    /// Upper bounds of the degrees of N in s1 and s2.
     degrees: [u64; 2],
-    /// The k of the curve `s2 = s1^k`, on which no denominator is 0 everywhere either.
+    /// The stride k of Lemma 2: no denominator is 0 on the whole curve `s2 = s1^k`.
     stride: u64,
     /// No coefficient is larger than 2^(bound/[`UNIT`]).
     bound: u64,
@@ -95,7 +95,7 @@ struct Cleared {
 impl Cleared {
     fn new(map: &RationalMap, f: &IntegerTerms<3>) -> Self {
         let coordinates = &map.coordinates[..map.coordinates.len().min(3)];
-        // The denominators, each once, and which coordinates have them.
+        // Each different denominator, with the coordinates that have it.
         let mut below: Vec<(&IntegerTerms<2>, Vec<usize>)> = Vec::new();
         for (v, [_, q]) in coordinates.iter().enumerate() {
             match below.iter_mut().find(|(known, _)| *known == q) {
@@ -110,7 +110,7 @@ impl Cleared {
         let below: Vec<(Size, u64, Vec<usize>)> = below
             .into_iter()
             .map(|(q, shared)| {
-                // 0 for the zero polynomial, which has no terms.
+                // The polynomial 0 has no terms.
                 let power = f.iter().map(|(e, _)| together(e, &shared)).max();
                 (Size::of(q), power.unwrap_or(0), shared)
             })
@@ -141,7 +141,7 @@ impl Cleared {
             cleared.bound = cleared.bound.max(bound);
         }
         cleared.stride = 1 + cleared.degrees[0].max(in_s1);
-        // The largest term, as often as there are terms.
+        // The bound is the largest term times the number of terms.
         cleared.bound += ceiling_log(&Integer::from(f.len()));
         cleared
     }
@@ -192,17 +192,17 @@ fn vanishes_modulo(map: &RationalMap, f: &IntegerTerms<3>, cleared: &Cleared, pr
             return true;
         }
     }
-    // So many points are not there modulo this prime.
+    // Modulo this prime there are too few numbers s.
     false
 }
 
-/// Exponents of x and their coefficients.
+/// Exponents of x with their coefficients.
 type Row = Vec<(usize, u64)>;
 
 /// An equation modulo a prime.
 struct EquationModulo {
     field: PrimeField,
-    /// By the exponents of y and z the coefficients of the powers of x.
+    /// For each pair of exponents of y and z, the coefficients of the powers of x.
     rows: Vec<([u32; 2], Row)>,
     degrees: [u32; 3],
 }
@@ -224,18 +224,18 @@ impl EquationModulo {
         }
     }
 
-    /// The value at a point, whose missing coordinates do not occur.
+    /// The value of the equation at a point. The point may lack coordinates that do not occur in the equation.
     fn value(&self, point: &[u64]) -> u64 {
         let p = self.field.prime();
         let square = p * p;
         let [x, y, z] = [0, 1, 2].map(|v| {
-            // A coordinate that the curve does not have does not occur in f, either.
+            // A coordinate that the curve does not have does not occur in f.
             let value = point.get(v).copied().unwrap_or(0);
             self.field.powers(value, self.degrees[v] as usize + 1)
         });
         let mut sum = 0;
         for ([j, k], row) in &self.rows {
-            // Below p², as in every other sum of products here.
+            // Sums of products stay below p², here and in all other sums.
             let mut in_x = 0;
             for (i, c) in row {
                 in_x += c * x[*i];
@@ -257,7 +257,7 @@ mod tests {
     use crate::poly::Ring;
     use proptest::prelude::*;
 
-    /// Over Q: every term with the numerators and denominators multiplied out.
+    /// The slow twin over Q: all terms are multiplied by the numerators and denominators.
     fn annihilates_exactly(map: &RationalMap, f: &SparsePolynomial<3>) -> bool {
         let polynomial = IntegerTerms::<2>::to_sparse;
         let degrees = f.terms().fold([0; 3], |d: [u32; 3], (e, _)| {
@@ -288,7 +288,7 @@ mod tests {
         IntegerTerms::of_numerators(f)
     }
 
-    /// A value of many terms, all as large as they can be, is that of exact arithmetic.
+    /// The value of many terms that are as large as possible is that of exact arithmetic.
     #[test]
     fn long_sums_are_reduced() {
         let prime = (1 << 31) - 1;
@@ -352,12 +352,13 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
-        /// x + y on (m s, n s), with m + n the product of some primes: the only coefficient is m + n, and so is its bound.
+        /// The equation x + y on (m s, n s), where m + n is a product of primes: the only coefficient of N is m + n, and it is
+        /// its own bound.
         #[test]
         fn a_product_of_primes_is_not_taken_for_zero(count in 1usize..9, skipped in 0usize..3, share in 1u64..1000) {
             let primes = large_primes().skip(skipped).take(count);
             let product = primes.fold(Integer::ONE, |m, p| m * Integer::from(p));
-            // Halves reach the bound, other shares lie below it by less than a bit.
+            // Two halves reach the bound; other shares are below it by less than a bit.
             let m = &product * Integer::from(share) / Integer::from(1000u64);
             let linear = |c: Integer| IntegerTerms::new(vec![([1, 0], c)]);
             let constant = || IntegerTerms::new(vec![([0, 0], Integer::ONE)]);
@@ -374,7 +375,7 @@ mod tests {
             }
         }
 
-        /// f·g − f g with f = y − x^d on (s1, s2), which is 0 on s2 = s1^d and is of degree d in s1.
+        /// The polynomial f·g with f = y − x^d on (s1, s2), which is 0 on s2 = s1^d and has degree d in s1.
         #[test]
         fn the_stride_tells_all_terms_apart(d in 1u32..7, a in 1i64..9, b in 1i64..9) {
             let [s1, s2] = [0, 1].map(SparsePolynomial::<2>::variable);
@@ -387,7 +388,7 @@ mod tests {
             for multiple in [f.clone(), f.times(&y), f.times(&f), f.scaled(&Rational::from(b))] {
                 prop_assert!(!plane.annihilates(&multiple, &limits).unwrap());
             }
-            // z has its poles there, and N, of a smaller degree, does not know of them.
+            // z has its poles on that curve, and N, of a smaller degree, does not show it.
             let map = RationalMap { coordinates: vec![
                 [terms(&s1), terms(&one)],
                 [terms(&s1.squared().scaled(&Rational::from(b))), terms(&one)],

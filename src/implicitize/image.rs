@@ -1,4 +1,4 @@
-//! Which real points of a curve real values of the parameter reach.
+//! The part of a real curve that real values of the parameter reach.
 
 use std::collections::BTreeSet;
 
@@ -18,41 +18,41 @@ use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, polynom
 use crate::roots::{RealRoot, real_roots};
 use crate::shape::ParametricCurve;
 
-/// What the real zero set has beyond the points of real parameters.
+/// The real points of the zero set of a curve that no real parameter value reaches.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RealImage<const N: usize> {
-    /// The point that is only approached, as the parameter goes to infinity.
+    /// The point that the curve tends to as the parameter goes to infinity, if no parameter value reaches it.
     pub approached: Option<[Rational; N]>,
-    /// How much of the one-dimensional part is reached.
+    /// The one-dimensional part that is reached.
     pub coverage: Coverage<N>,
-    /// How many real values of s, infinity included, have a general point: one number for each piece of the curve that is
-    /// reached, ascending, each once; `None` if that is not decided.
+    /// The numbers of real values of s, infinity included, of a general point, one number for each piece of the curve that is
+    /// reached; ascending and distinct. `None` if they were not decided.
     pub real_counts: Option<Vec<usize>>,
-    /// Isolated real points: those that only conjugate complex parameters reach.
+    /// The isolated real points, which only conjugate complex parameters reach.
     pub isolated: Isolated,
 }
 
-/// How much of the curve is reached.
+/// The part of the real curve that is reached.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Coverage<const N: usize> {
-    /// All of it, but for finitely many points.
+    /// All of the curve except finitely many points.
     Whole,
-    /// Real parameters run to and fro between the points of these parameter values (roundings of exact ones;
-    /// infinite for s = ∞); beyond them the curve goes on.
+    /// Only a part of the curve: at these parameter values (doubles near the exact ones, infinite for s = ∞) the
+    /// parametrization turns back, and the curve goes on beyond them.
     Part(Vec<f64>),
-    /// Not decided.
+    /// It was not decided.
     Unknown,
 }
 
-/// What the real zero set of a curve has beyond the real image of the parametrization.
+/// Finds the real points of the zero set of a curve beyond the real image of the parametrization.
 ///
-/// - A parameter that is a number reaches infinity only in the limit.
-/// - With tracing index k > 1 the point is a function of a function m(s) of degree k (Lüroth). If k is odd, or if m
-///   has no real turning point, real values of s reach all real values of m.
-/// - With k = 1, or in m, the finitely many other real points have two conjugate parameters s, s̄ and no real one, infinity
-///   included; each of them is decided exactly. They are not looked for where the degrees are large.
+/// - A parameter that is a number reaches its value at infinity only in the limit.
+/// - If the tracing index k is larger than 1, the point is a function of some function m(s) of degree k (Lüroth). If k is odd,
+///   or if m has no real turning point, real values of s reach all real values of m.
+/// - With k = 1, or for m as the parameter, the other real points are finitely many. Each of them has two conjugate parameters
+///   s, s̄ and no real one, infinity included, and each is decided exactly. They are not searched if the degrees are large.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -78,7 +78,7 @@ pub fn real_image<const N: usize>(
     }
     let isolated = match proper.as_ref().map(<[RationalFunction; N]>::as_slice) {
         Some([x, y]) => complete_or_not(isolated([x, y], limits), limits)?,
-        // Those of a space curve are not looked for.
+        // The isolated points of a space curve are not searched.
         _ => None,
     };
     Ok(RealImage {
@@ -92,7 +92,8 @@ pub fn real_image<const N: usize>(
     })
 }
 
-/// How many real values of s, infinity included, have a general point of the real image: [`RealImage::real_counts`] alone.
+/// The numbers [`RealImage::real_counts`] alone: how many real values of s, infinity included, a general point of the real
+/// image has.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -116,7 +117,7 @@ fn positive(counts: BTreeSet<usize>) -> Vec<usize> {
     counts.into_iter().filter(|&k| k > 0).collect()
 }
 
-/// `None` where a search that is too long was not made; the time limit is passed on.
+/// `None` if a search was omitted because it is too long. A time limit is still an error.
 fn complete_or_not<T>(found: Result<T>, limits: &Limits) -> Result<Option<T>> {
     match found {
         Err(Error::Limit { .. }) => limits.check().map(|()| None),
@@ -124,7 +125,7 @@ fn complete_or_not<T>(found: Result<T>, limits: &Limits) -> Result<Option<T>> {
     }
 }
 
-/// Whether m takes all real values, and how many real s have a general one; undecided if that is too long.
+/// Whether m takes all real values, and the numbers of real s for a general value; undecided if that is too much work.
 fn values_taken<const N: usize>(
     m: &RationalFunction,
     limits: &Limits,
@@ -146,7 +147,7 @@ fn values_taken<const N: usize>(
     Ok((coverage, Some(counts)))
 }
 
-/// The coordinates as functions of m, which generates their field.
+/// The coordinates as functions of m, which generates the field of all functions of the point.
 fn in_terms_of<const N: usize>(
     coordinates: &[RationalFunction; N],
     m: &RationalFunction,
@@ -165,7 +166,7 @@ fn in_terms_of<const N: usize>(
     Ok(Some(proper))
 }
 
-/// α(∞) for a number, if it is a point that no real number reaches.
+/// The point α(∞) for a parameter that is a number, unless a real number reaches the point.
 fn approached<const N: usize>(curve: &ParametricCurve<N>) -> Option<[Rational; N]> {
     if curve.parameter().is_angle() {
         return None;
@@ -179,14 +180,14 @@ fn approached<const N: usize>(curve: &ParametricCurve<N>) -> Option<[Rational; N
     real_roots(&common).is_empty().then_some(limit)
 }
 
-/// How many real s there are, infinity included, with a general real value m(s): for each interval between two critical
-/// values that is one number, and this is the set of them, 0 included.
+/// The numbers of real s, infinity included, with m(s) = v, for general real values v. The number is constant between two
+/// neighbouring critical values; the set of these numbers may contain 0.
 ///
-/// The critical values are the zeros v of the resultant of the Wronskian p′q − p q′ and p − v q, and perhaps m(∞); between
-/// them the real roots of p − v q are counted at one rational v.
+/// The critical values are the zeros v of the resultant of the Wronskian p′q − p q′ and p − v q, and perhaps m(∞). Between two
+/// of them the real roots of p − v q are counted at one rational v.
 fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usize>> {
     let (p, q) = (m.numerator(), m.denominator());
-    // By powers of s, with coefficients in v.
+    // The coefficients of the powers of s are polynomials in v.
     let fibre = (0..=m.degree()).map(|k| {
         let at = |f: &IntegerPolynomial| {
             f.coefficients_asc()
@@ -218,7 +219,8 @@ fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usi
     Ok(counts)
 }
 
-/// A rational number in each of the intervals that some real numbers, ascending and different, bound.
+/// Rational numbers in the intervals between distinct real numbers, which are given in ascending order; the two unbounded
+/// intervals count, too.
 fn between(roots: &[RealRoot]) -> Vec<Rational> {
     let (Some(first), Some(last)) = (roots.first(), roots.last()) else {
         return vec![Rational::zero()];
@@ -239,13 +241,13 @@ fn between(roots: &[RealRoot]) -> Vec<Rational> {
     values
 }
 
-/// p′q − p q′.
+/// The Wronskian p′q − p q′.
 fn wronskian(m: &RationalFunction) -> IntegerPolynomial {
     let (p, q) = (m.numerator(), m.denominator());
     derivative(p) * q - p * derivative(q)
 }
 
-/// Where m runs to and fro: roundings of exact numbers, infinite for s = ∞.
+/// The values of s at which m turns back, as doubles near the exact ones, infinite for s = ∞.
 fn turning_points(m: &RationalFunction) -> Vec<f64> {
     let wronskian = wronskian(m);
     let degree = wronskian.coefficients_asc().len().saturating_sub(1);
@@ -254,14 +256,14 @@ fn turning_points(m: &RationalFunction) -> Vec<f64> {
         .filter(|root| root.multiplicity() % 2 == 1)
         .map(RealRoot::to_f64)
         .collect();
-    // As a form of degree 2k − 2 it may vanish at infinity.
+    // The Wronskian is a form of degree 2k − 2; it vanishes at infinity if its degree in s is smaller.
     if (2 * m.degree() - 2 - degree) % 2 == 1 {
         turns.push(f64::INFINITY);
     }
     turns
 }
 
-/// The quotient of two coefficients of a polynomial in s over Q(σ), not constant.
+/// The quotient of two coefficients of a polynomial in s over Q(σ), chosen so that it is not constant.
 fn generator(common: &SparsePolynomial<2>) -> Option<RationalFunction> {
     let degree = common.terms().map(|(e, _)| e[0]).max()?;
     let coefficient = |k: u32| {

@@ -1,4 +1,4 @@
-//! Inversion by substitution: one function of s as a rational function of another.
+//! Inversion by substitution: one function of s is written as a rational function of another.
 
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
@@ -11,13 +11,13 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 
-/// Whether w is a rational function of m.
+/// The answer to the question whether w is a rational function of m.
 pub(super) enum Inverse {
-    /// `w = above(m)/below(m)`: the coefficients by powers of m.
+    /// It is: `w = above(m)/below(m)`, by the coefficients of the powers of m.
     Function(Quotient),
-    /// m is constant.
+    /// It is undetermined, because m is constant.
     Constant,
-    /// For a general value of m there are so many of w, complex ones included.
+    /// It is not: w has this number of values, complex ones included, for a general value of m.
     Values(usize),
 }
 
@@ -25,12 +25,12 @@ pub(super) enum Inverse {
 pub(super) struct Quotient {
     pub(super) above: Vec<(u32, Rational)>,
     pub(super) below: Vec<(u32, Rational)>,
-    /// The larger one of the degrees.
+    /// The larger of the two degrees.
     pub(super) degree: u32,
 }
 
 impl Quotient {
-    /// As a function of m.
+    /// The quotient as a rational function of m.
     pub(super) fn to_function(&self) -> Option<RationalFunction> {
         let [p, q] = [&self.above, &self.below].map(|terms| {
             let mut coefficients = vec![Integer::from(0); self.degree as usize + 1];
@@ -42,7 +42,7 @@ impl Quotient {
         RationalFunction::from_integers(p, q)
     }
 
-    /// Numerator and denominator as polynomials, from what m^k times the denominator^degree is.
+    /// Numerator and denominator as polynomials; `power(k)` must be m^k times the `degree`-th power of the denominator of m.
     pub(super) fn cleared(
         &self,
         power: impl Fn(u32, u32) -> SparsePolynomial<3>,
@@ -57,10 +57,10 @@ impl Quotient {
     }
 }
 
-/// Whether `w = H(m)` with a rational function H.
+/// Decides whether `w = H(m)` with a rational function H.
 ///
-/// If so, deg H = deg w / deg m, and H is found by certified linear algebra in 1, m, m², …, w, mw, m²w, …; if
-/// not, the gcd of the numerators of m(s) − m(σ) and w(s) − w(σ) tells how many values w has for one of m.
+/// If there is H, its degree is deg w / deg m, and certified linear algebra in 1, m, m², …, w, mw, m²w, … finds it. If not, the
+/// gcd of the numerators of m(s) − m(σ) and w(s) − w(σ) gives the number of values that w has for one value of m.
 ///
 /// # Errors
 /// Those of `limits`, and of the linear algebra.
@@ -80,7 +80,7 @@ pub(super) fn invert(
         let map = RationalMap::of_functions(&functions);
         if let Some(f) = vanishing(&map, &monomials, limits)?.first() {
             let part = |y: u32| f.terms().filter(move |(e, _)| e[1] == y);
-            // The first coefficient of the denominator is positive.
+            // The sign is chosen so that the first coefficient of the denominator is positive.
             let negative = part(1).next().is_some_and(|(_, c)| c.signum() < 0);
             let signed = |c: &Rational, flip: bool| if flip { -c.clone() } else { c.clone() };
             return Ok(Inverse::Function(Quotient {

@@ -1,4 +1,4 @@
-//! Isolated real points of a curve: those of two conjugate complex parameters, which no real parameter reaches.
+//! Isolated real points of a curve: points that two conjugate complex parameters reach and no real parameter does.
 
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
@@ -14,24 +14,24 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
 use crate::roots::{RealRoot, real_roots};
 
-/// Bits after the point of the first attempt and of the last one.
+/// The numbers of bits after the point in the first attempt and in the last one.
 const FIRST_BITS: u64 = 384;
 const MOST_BITS: u64 = 1 << 13;
 
-/// A fraction this short in an interval of [`FIRST_BITS`] is worth an exact test.
+/// A fraction of at most this length, in an interval of [`FIRST_BITS`], is tested exactly.
 const SHORT_BITS: u64 = 100;
 
-/// Parameters 's' in terms of others that are tried, `(a u + b)/(c u + d)`: another one moves two pairs of conjugate
-/// parameters with the same sum apart.
+/// Changes of the parameter that are tried, `(a u + b)/(c u + d)` for s. After a change, two pairs of conjugate parameters that
+/// had the same sum have different sums.
 const CHANGES: [[i64; 4]; 3] = [[1, 0, 0, 1], [1, 2, 3, 5], [7, -3, 2, 11]];
 
 /// The isolated real points that were found.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Isolated {
-    /// Exact where rational, else rounded.
+    /// The points, exact if they are rational and else as doubles.
     pub points: Vec<IsolatedPoint>,
-    /// Whether there are no others.
+    /// Whether these are all isolated real points.
     pub complete: bool,
 }
 
@@ -39,23 +39,24 @@ pub struct Isolated {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IsolatedPoint {
-    /// With rational coordinates.
+    /// A point with rational coordinates.
     Exact([Rational; 2]),
-    /// Its coordinates, rounded.
+    /// The doubles near its coordinates.
     Near([f64; 2]),
 }
 
-/// The isolated points of a plane curve that is run over once; incomplete if the degrees are large.
+/// Finds the isolated points of a plane curve that its parametrization traces once. The answer is incomplete if the degrees are
+/// large.
 ///
-/// Two conjugate parameters s, s̄ with the same point are a common zero of `(x(s) − x(σ))/(s − σ)` and
-/// `(y(s) − y(σ))/(s − σ)`, written in S = s + σ and P = sσ, with S² < 4P. Their point is real; it is isolated if no real
-/// parameter has it, t = ∞ included. Every claim is exact:
-/// - S is a real root of the resultant with respect to P, from which pairs of poles are divided out. Where it is a simple
-///   zero, and not a zero of both leading coefficients, there is one P, a simple common zero; for a rational S all P are
-///   real roots of a gcd.
-/// - That no other parameter has the point is proved by a determinant that is not 0. Where it may be 0, real parameters are
-///   looked for exactly: for a rational point by a gcd; else all real t are found whose point two conjugate parameters have,
-///   and each of them is one of the finitely many pairs that are known by enclosures.
+/// Two conjugate parameters s, s̄ with the same point are a common zero of `(x(s) − x(σ))/(s − σ)` and `(y(s) − y(σ))/(s − σ)`,
+/// written in S = s + σ and P = sσ, with S² < 4P. Their point is real. It is isolated if no real parameter reaches it, s = ∞
+/// included. Every claim is exact:
+/// - S is a real root of the resultant with respect to P, from which pairs of poles are divided out. If S is a simple zero of
+///   it and not a zero of both leading coefficients, there is one P, a simple common zero. If S is rational, the values of P are
+///   the real roots of a gcd.
+/// - A determinant that is not 0 proves that no other parameter has the point. If it may be 0, real parameters are searched
+///   exactly: by a gcd if the point is rational; else all real t are found whose point two conjugate parameters have as well, and
+///   enclosures tell which of the finitely many pairs each of them belongs to.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -65,7 +66,7 @@ pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> 
         complete: true,
     };
     if coordinates.iter().any(|f| f.degree() < 2) {
-        // Different parameters have different points.
+        // Different parameters have different points, so there is no isolated point.
         return Ok(nothing);
     }
     let mut best: Option<Isolated> = None;
@@ -83,7 +84,7 @@ pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> 
     Ok(best.unwrap_or(nothing))
 }
 
-/// f((a u + b)/(c u + d)).
+/// The function f((a u + b)/(c u + d)) of u.
 fn changed(f: &RationalFunction, [a, b, c, d]: [i64; 4]) -> RationalFunction {
     if [a, b, c, d] == CHANGES[0] {
         return f.clone();
@@ -109,7 +110,7 @@ fn changed(f: &RationalFunction, [a, b, c, d]: [i64; 4]) -> RationalFunction {
         .invariant("a change of the parameter is invertible")
 }
 
-/// The isolated points, in this parameter.
+/// The isolated points, searched with this parameter.
 fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
     let points = DoublePoints {
         coordinates,
@@ -118,14 +119,14 @@ fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolat
     let [a, b] = &points.equations;
     let poles = pairs_of_poles(coordinates.map(RationalFunction::denominator), limits)?;
     let eliminated = deflated_resultant([a, b], &poles, limits)?;
-    // Where both leading coefficients are 0 a zero of the resultant may have no P.
+    // At a common zero of both leading coefficients, a zero of the resultant may have no P.
     let both_leads = polynomial_gcd(&a.lead(), &b.lead());
     let mut search = IsolatedSearch {
         points,
         limits,
         linear: None,
         pairs: Vec::new(),
-        // If all is 0 the curve is not run over once.
+        // If the resultant is 0, the curve is not traced once.
         complete: eliminated != IntegerPolynomial::ZERO,
     };
     for sum in real_roots(&eliminated) {
@@ -140,7 +141,7 @@ fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolat
             let common = polynomial_gcd(&a.at(&sum), &b.at(&sum));
             let quarter = &sum * &sum / Rational::from(4);
             for product in real_roots(&common) {
-                // (s + σ)² < 4sσ
+                // The parameters are conjugate if (s + σ)² < 4sσ.
                 if product.cmp_rational(&quarter).is_gt() {
                     let sum = sum.clone();
                     search.add(Pair::RationalSum { sum, product })?;
@@ -164,20 +165,20 @@ fn short_fraction(root: &RealRoot) -> Option<Rational> {
     (candidate.bits() <= SHORT_BITS && root.cmp_rational(&candidate).is_eq()).then_some(candidate)
 }
 
-/// A pair of conjugate parameters, and where its point is.
+/// A pair of conjugate parameters, and an enclosure of its point.
 struct Found {
     pair: Pair,
     precision: Precision,
     enclosed: [Enclosure; 2],
     point: [Enclosure; 2],
-    /// The point, if it is seen to be rational.
+    /// The exact point, if it was found to be rational.
     exact: Option<[Rational; 2]>,
 }
 
 struct IsolatedSearch<'a> {
     points: DoublePoints<'a>,
     limits: &'a Limits,
-    /// The first subresultant, once it is needed.
+    /// The first subresultant, computed when it is first needed.
     linear: Option<[IntegerPolynomial; 2]>,
     pairs: Vec<Found>,
     complete: bool,
@@ -192,7 +193,7 @@ impl IsolatedSearch<'_> {
         Ok(self.linear.insert(linear))
     }
 
-    /// What an exact test at a pair needs.
+    /// The first subresultant, if an exact test at the pair needs it.
     fn linear_for(&mut self, pair: &Pair) -> Result<Option<&[IntegerPolynomial; 2]>> {
         match pair {
             Pair::RationalSum { .. } => Ok(None),
@@ -200,14 +201,14 @@ impl IsolatedSearch<'_> {
         }
     }
 
-    /// Whether there is one common zero P over this sum, and that one simple.
+    /// Whether exactly one P, a simple common zero, belongs to this sum.
     ///
-    /// If the sum is a simple zero of the resultant the two curves a = 0 and b = 0 meet over it once, so neither both are
-    /// singular nor tangent to the line S = const there.
+    /// If the sum is a simple zero of the resultant, the curves a = 0 and b = 0 meet over it once. So they do not meet in a
+    /// point where both are singular, or both tangent to the line S = const.
     fn is_single(&mut self, sum: &RealRoot) -> Result<bool> {
         let degrees = self.points.equations.each_ref().map(Rows::degree);
         if degrees.contains(&0) {
-            // One of them has no P: the other one alone says which P there are.
+            // One of the two does not depend on P; the other one alone determines the values of P.
             return Ok(degrees.contains(&1));
         }
         if sum.multiplicity() == 1 {
@@ -217,7 +218,7 @@ impl IsolatedSearch<'_> {
         Ok(*lead != IntegerPolynomial::ZERO && !sum.is_root_of(lead))
     }
 
-    /// Adds the pair over a sum if its parameters are conjugate.
+    /// Adds the pair with this sum if its parameters are conjugate.
     fn add_if_conjugate(&mut self, sum: RealRoot) -> Result<()> {
         let pair = Pair::RealSum { sum };
         let mut precision = Precision { bits: FIRST_BITS };
@@ -291,7 +292,7 @@ impl IsolatedSearch<'_> {
         Ok(())
     }
 
-    /// The point, if both coordinates are short fractions.
+    /// The exact point, if both coordinates are short fractions and prove to be right.
     fn rational_point(
         &mut self,
         pair: &Pair,
@@ -360,11 +361,11 @@ impl IsolatedSearch<'_> {
         })
     }
 
-    /// Whether the k-th pair shares its point with one of these real parameters or with t = ∞; `None` if that is not
-    /// decided.
+    /// Whether the k-th pair shares its point with one of these real parameters or with t = ∞; `None` if it is not decided.
     ///
-    /// A parameter that is proved to share its point with two conjugate ones does so with one of the pairs, all of which are
-    /// known if the search is complete; so if its point is away from all others it is that one's.
+    /// If a real parameter is proved to share its point with two conjugate parameters, these are one of the pairs, provided
+    /// that the search is complete. So if its point is away from the points of all other pairs, it shares the point of this
+    /// one.
     fn is_reached_by_one_of(&mut self, partners: &[RealPartner], k: usize) -> Result<Option<bool>> {
         let coordinates = self.points.coordinates;
         let at_infinity = coordinates.map(RationalFunction::evaluate_at_infinity);

@@ -1,4 +1,4 @@
-//! Isolated points of curves that are built backwards from a pair of conjugate parameters.
+//! The laws of isolated points, on curves that are built from a known pair of conjugate parameters.
 
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
@@ -34,13 +34,13 @@ fn small(length: std::ops::Range<usize>) -> impl Strategy<Value = IntegerPolynom
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
     /// x = (t² − S t + P) A/q and y = (t² − S t + P) B/q have the point (0, 0) at two conjugate parameters. It is isolated
-    /// unless A and B have a common real root, or both are 0 at infinity.
+    /// unless A and B have a common real root, or both functions are 0 at infinity.
     #[test]
     fn a_pair_is_isolated_unless_a_real_parameter_has_its_point(
         a in small(1..5), b in small(1..5), q in small(1..5),
         half in -3i64..4, more in 1i64..6, real in prop::option::of(-3i64..4), trigonometric in any::<bool>(),
     ) {
-        // Roots half ± i √more
+        // The roots are half ± i √more.
         let pair = poly(&[half * half + more, -2 * half, 1]);
         let line = real.map_or(poly(&[1]), |r| poly(&[-r, 1]));
         let q = if trigonometric { poly(&[1, 0, 1]) * poly(&[1, 0, 1]) } else { q };
@@ -49,13 +49,13 @@ proptest! {
         let (x, y) = (function(&(&pair * &a * &line), &q), function(&(&pair * &b * &line), &q));
         prop_assume!(tracing_index_bound(&[x.clone(), y.clone()]) == 1);
         let at_infinity = [&x, &y].iter().all(|f| f.evaluate_at_infinity() == Some(Rational::zero()));
-        // Poles that cancel zeros are counted by the numerators in lowest terms.
+        // Poles may cancel zeros, so the numerators in lowest terms are compared.
         let common = polynomial_gcd(x.numerator(), y.numerator());
         let is_reached = at_infinity || !real_roots(&common).is_empty();
         let found = found(&x, &y);
         prop_assert!(found.complete);
         prop_assert_eq!(found.points.contains(&exact(0, 0)), !is_reached, "{:?}", found);
-        // Every claim holds: no real parameter has a rational point that is called isolated.
+        // Every claim holds: no real parameter reaches a rational point that is called isolated.
         for point in &found.points {
             if let IsolatedPoint::Exact(point) = point {
                 let [f, g] = [(&x, &point[0]), (&y, &point[1])].map(|(f, v)| f.plus_constant(&-v.clone()));
@@ -66,7 +66,7 @@ proptest! {
         }
     }
 
-    /// The real points of the curve do not depend on the parameter.
+    /// The isolated real points do not depend on the choice of the parameter.
     #[test]
     fn isolated_points_do_not_depend_on_the_parameter(p in small(2..5), r in small(2..5), q in small(1..4), m in -4i64..5) {
         let quadratic = poly(&[2, 1, 1]);
@@ -74,7 +74,7 @@ proptest! {
         let (x, y) = (function(&(&p * &quadratic), &q), function(&(&r * &quadratic), &q));
         prop_assume!(x.degree() > 1 && y.degree() > 1);
         prop_assume!(tracing_index_bound(&[x.clone(), y.clone()]) == 1);
-        // t = (m u + 1)/(u + m + 3): of determinant m² + 3m − 1, which is never 0.
+        // The substitution t = (m u + 1)/(u + m + 3) has the determinant m² + 3m − 1, which is never 0.
         let moved = |f: &RationalFunction| {
             let (above, below) = (poly(&[1, m]), poly(&[m + 3, 1]));
             let form = |p: &IntegerPolynomial| {
@@ -106,20 +106,20 @@ proptest! {
 #[test]
 fn points_that_a_real_branch_passes_through_are_not_isolated() {
     let one = poly(&[1]);
-    // t = 0 and t = ±i have the point (0, 0).
+    // The parameters t = 0 and t = ±i have the point (0, 0).
     let passed = found(
         &function(&poly(&[0, 1, 0, 1]), &one),
         &function(&poly(&[0, 0, 1, 0, 1]), &one),
     );
     assert!(passed.complete && passed.points.is_empty());
-    // t = ±i and t = ∞.
+    // The parameters t = ±i and t = ∞ have the point (0, 0).
     let q = poly(&[2, 0, 0, 0, 1]);
     let passed = found(
         &function(&poly(&[1, 0, 1]), &q),
         &function(&poly(&[0, 1, 0, 1]), &q),
     );
     assert!(passed.complete && passed.points.is_empty());
-    // t = ±i alone.
+    // Only the parameters t = ±i have the point (0, 0).
     let alone = found(
         &function(&poly(&[1, 0, 1]), &one),
         &function(&poly(&[0, 1, 0, 1]), &one),
@@ -127,8 +127,8 @@ fn points_that_a_real_branch_passes_through_are_not_isolated() {
     assert_eq!((alone.complete, alone.points), (true, vec![exact(0, 0)]));
 }
 
-/// With h = (t² − √2 t + 5)(t² + √2 t + 5) and y = (t² + 5)/t + …h, x = …h the two pairs of the roots of h have the points
-/// (0, ±√2). They are reached by t = ±√2, too, where a factor t² − 2 of x is there and y is made for that.
+/// With h = (t² − √2 t + 5)(t² + √2 t + 5), y = (t² + 5)/t + …h and x = …h, the two pairs of roots of h have the points (0,
+/// ±√2). If x has a factor t² − 2 and y is chosen accordingly, t = ±√2 reach these points, too.
 #[test]
 fn irrational_points_are_decided_exactly() {
     let h = poly(&[25, 0, 8, 0, 1]);

@@ -1,13 +1,13 @@
-//! A parametric form as a rational map, and its values modulo a prime.
+//! Parametric forms as rational maps, and their values modulo a prime.
 
 use crate::error::Invariant;
 use crate::modular::PrimeField;
 use crate::poly::{IntegerTerms, RationalFunction};
 use crate::shape::{ParametricCurve, Patch, PatchFunction};
 
-/// The coordinates as quotients of polynomials in s1 and s2.
+/// A parametric form whose coordinates are quotients of polynomials in s1 and s2.
 pub(super) struct RationalMap {
-    /// Numerator and denominator of each.
+    /// The numerator and the denominator of each coordinate.
     pub(super) coordinates: Vec<[IntegerTerms<2>; 2]>,
 }
 
@@ -69,7 +69,7 @@ pub(super) struct MapModulo {
     field: PrimeField,
     /// One more than the largest exponent of s1.
     length: usize,
-    /// Of each numerator and denominator the coefficients of the powers of s2, ascending in s1.
+    /// For each numerator and denominator, the coefficients of the powers of s2, as lists ascending in s1.
     coordinates: Vec<[Vec<Vec<u64>>; 2]>,
 }
 
@@ -82,7 +82,7 @@ impl MapModulo {
             let rows = rows.iter().rev();
             rows.fold(0, |v, row| (v * s2 + field.dot(row, &powers)) % p)
         };
-        // Neighbours often have one denominator.
+        // Neighbouring coordinates often have the same denominator.
         let mut last: Option<(&Vec<Vec<u64>>, u64)> = None;
         let mut point = Vec::with_capacity(self.coordinates.len());
         for [above, below] in &self.coordinates {

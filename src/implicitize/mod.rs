@@ -1,4 +1,4 @@
-//! Parametric → implicit (§2 of the paper).
+//! Implicitization: equations of parametric forms (§2 of the paper).
 
 mod beyond;
 mod eliminant;
@@ -42,6 +42,6 @@ pub(crate) use run::Run;
 pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};
 pub use theorem2::SquaredForm;
 
-// For the tests and benches of this project; no part of what the library promises.
+// Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]
 pub use theorem2::{Parts, parity_sums, square_away};

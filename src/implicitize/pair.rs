@@ -1,4 +1,4 @@
-//! Two parameters with the same point, known by their sum and their product.
+//! Pairs of parameters with the same point, known by their sum and their product.
 
 use malachite::base::num::basic::traits::Zero;
 
@@ -11,22 +11,22 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction};
 use crate::roots::RealRoot;
 
-/// The double points of a curve that is run over once: where these two polynomials in S = s + σ and P = sσ are 0.
+/// The double points of a curve that is traced once: the common zeros of these two polynomials in S = s + σ and P = sσ.
 pub(super) struct DoublePoints<'a> {
     pub(super) coordinates: [&'a RationalFunction; 2],
     pub(super) equations: [Rows; 2],
 }
 
 impl DoublePoints<'_> {
-    /// The first subresultant: `[s_0, s_1]`, so that `s_1 P + s_0 = 0` where both equations hold.
+    /// The first subresultant `[s_0, s_1]`: if both equations hold, `s_1 P + s_0 = 0`.
     pub(super) fn linear(&self, limits: &Limits) -> Result<[IntegerPolynomial; 2]> {
         let [a, b] = &self.equations;
         let [m, n] = [a, b].map(Rows::degree);
-        // The one that is linear already has no rows of the other one to be eliminated.
+        // If one of the two is linear already, it is the first subresultant itself.
         let found = match (m, n) {
             (1, _) => a.rows().to_vec(),
             (_, 1) => b.rows().to_vec(),
-            // There is none.
+            // There is no first subresultant.
             (0, _) | (_, 0) => vec![IntegerPolynomial::ZERO; 2],
             _ => subresultant([a, b], 1, limits)?,
         };
@@ -40,17 +40,17 @@ impl DoublePoints<'_> {
     }
 }
 
-/// S and P of two parameters with the same point.
+/// The sum S and the product P of two parameters with the same point.
 #[derive(Clone, Debug)]
 pub(super) enum Pair {
     /// S is rational, P a real root.
     RationalSum { sum: Rational, product: RealRoot },
-    /// S is a real root over which there is no other common zero P, and that one is simple: `s_1 P + s_0 = 0`.
+    /// S is a real root, and the only common zero P for it is simple, so that `s_1 P + s_0 = 0`.
     RealSum { sum: RealRoot },
 }
 
 impl Pair {
-    /// S and P to within about 2^−bits, by all means enclosed; `None` if the precision is not enough for P.
+    /// Enclosures of S and P, about 2^−bits wide; `None` if the precision is too low to enclose P.
     pub(super) fn enclosed(
         &self,
         points: &DoublePoints<'_>,
@@ -68,8 +68,8 @@ impl Pair {
         }
     }
 
-    /// Whether a polynomial in S and P is 0 here, exactly; `linear` is what [`DoublePoints::linear`] gives, without which
-    /// nothing is zero where S is not rational.
+    /// Whether a polynomial in S and P is exactly 0 at this pair. `linear` is the result of [`DoublePoints::linear`]; without
+    /// it the answer is `false` if S is not rational.
     pub(super) fn is_zero_of(&self, f: &Rows, linear: Option<&[IntegerPolynomial; 2]>) -> bool {
         let is_root = |root: &RealRoot, f: &IntegerPolynomial| {
             *f == IntegerPolynomial::ZERO || root.is_root_of(f)
@@ -84,7 +84,7 @@ impl Pair {
     }
 }
 
-/// A root to within 2^−bits.
+/// An enclosure of a root, of width 2^−bits.
 pub(super) fn enclosed_root(root: &RealRoot, precision: Precision) -> Enclosure {
     let mut root = root.clone();
     root.refine_to_width(-precision.bits.cast_signed());
@@ -92,7 +92,7 @@ pub(super) fn enclosed_root(root: &RealRoot, precision: Precision) -> Enclosure 
     precision.between(&low.to_rational(), &high.to_rational())
 }
 
-/// The value of a polynomial.
+/// An enclosure of the value of a polynomial.
 pub(super) fn value_at(f: &IntegerPolynomial, at: &Enclosure, precision: Precision) -> Enclosure {
     let coefficients = f.coefficients_asc().iter().rev();
     coefficients.fold(Enclosure::zero(), |v, c| {
@@ -100,8 +100,8 @@ pub(super) fn value_at(f: &IntegerPolynomial, at: &Enclosure, precision: Precisi
     })
 }
 
-/// The one common zero of two polynomials in the second variable, the first having a value where there is just one and that
-/// one is simple: from the row that is left of the matrix of the first subresultant.
+/// An enclosure of the common zero of two polynomials in the second variable, for a value of the first variable at which there
+/// is exactly one common zero and it is simple. It comes from the matrix of the first subresultant.
 fn common_zero([a, b]: &[Rows; 2], sum: &Enclosure, precision: Precision) -> Option<Enclosure> {
     let values = |f: &Rows| -> Vec<Enclosure> {
         let rows = f.rows().iter();
@@ -111,7 +111,8 @@ fn common_zero([a, b]: &[Rows; 2], sum: &Enclosure, precision: Precision) -> Opt
     Some(Enclosure::zero().minus(&precision.over(&constant, &left)?))
 }
 
-/// What is left of the rows `Y^r f`, r < deg g − 1, and `Y^r g`, r < deg f − 1: the coefficients of Y and 1.
+/// Eliminates the rows `Y^r f`, r < deg g − 1, and `Y^r g`, r < deg f − 1, and returns the coefficients of Y and 1 in the row
+/// that is left.
 fn remaining([f, g]: [&[Enclosure]; 2], precision: Precision) -> Option<[Enclosure; 2]> {
     let (m, n) = (f.len().checked_sub(1)?, g.len().checked_sub(1)?);
     let linear = match (m, n) {
@@ -127,7 +128,7 @@ fn remaining([f, g]: [&[Enclosure]; 2], precision: Precision) -> Option<[Enclosu
     let row = |f: &[Enclosure], shift: usize| -> Vec<Enclosure> {
         let powers = (0..=top).rev();
         let entry = |power: usize| power.checked_sub(shift).and_then(|i| f.get(i)).cloned();
-        // Beyond both ends of the polynomial the row has zeros.
+        // The row has zeros beyond both ends of the polynomial.
         powers
             .map(|power| entry(power).unwrap_or_else(Enclosure::zero))
             .collect()
@@ -152,19 +153,19 @@ pub(super) fn reduced(
     })
 }
 
-/// One coordinate of the point of two conjugate parameters.
+/// A coordinate of the common point of two conjugate parameters.
 pub(super) enum Coordinate {
     Value(Enclosure),
-    /// Both are poles.
+    /// Both parameters are poles.
     Pole,
-    /// The precision is not enough.
+    /// The precision is too low to decide.
     Undecided,
 }
 
-/// f at a pair of conjugate parameters, which is a real number or infinite.
+/// The value of f at a pair of conjugate parameters with a common value, which is a real number or infinite.
 ///
-/// With numerator a + b s and denominator c + d s modulo s² − S s + P, and s not real, it is a/c = b/d, or infinite if
-/// c = d = 0 ([`are_poles`]).
+/// Modulo s² − S s + P, f is (a + b s)/(c + d s). As s is not real, the value is a/c = b/d, or infinite if c = d = 0
+/// ([`are_poles`]).
 pub(super) fn coordinate(
     f: &RationalFunction,
     enclosed: &[Enclosure; 2],
@@ -179,7 +180,7 @@ pub(super) fn coordinate(
     }
 }
 
-/// Whether a pair of conjugate parameters are poles of f, exactly.
+/// Whether both conjugate parameters are poles of f, exactly.
 pub(super) fn are_poles(
     f: &RationalFunction,
     pair: &Pair,
@@ -189,7 +190,7 @@ pub(super) fn are_poles(
     below.iter().all(|c| pair.is_zero_of(c, linear))
 }
 
-/// Whether f has the rational value v at a pair of conjugate parameters that are no poles.
+/// Whether f has exactly the rational value v at a pair of conjugate parameters that are no poles.
 pub(super) fn has_value(
     f: &RationalFunction,
     pair: &Pair,
@@ -198,7 +199,7 @@ pub(super) fn has_value(
 ) -> bool {
     let [above, below] = [f.numerator(), f.denominator()].map(modulo);
     let parts = above.iter().zip(&below);
-    // p − v q = 0 at s, and so at s̄.
+    // The condition is that p − v q is 0 at s, and so at s̄.
     parts
         .map(|(p, q)| p.combined(&value.denominator(), q, &value.numerator()))
         .all(|f| pair.is_zero_of(&f, linear))

@@ -1,4 +1,4 @@
-//! Patches: the equation of a parametric surface, by certified linear algebra.
+//! The equation of a patch, by certified linear algebra.
 
 use super::fibre::{generic_fibre, sweeps_a_surface};
 use super::map::RationalMap;
@@ -13,21 +13,22 @@ use crate::shape::{ImplicitSurface, Patch};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SurfaceEquation {
-    /// The irreducible equation, primitive with positive first term.
+    /// The irreducible equation, primitive and with a positive first coefficient.
     pub surface: ImplicitSurface,
-    /// How many parameter values, complex ones included, a general point of the surface has.
+    /// The number of parameter values, complex ones included, of a general point of the surface.
     ///
-    /// Counted at random points modulo a prime: not proved, but wrong with a probability below 10⁻⁶. `None` if
+    /// It is counted at random points modulo a prime, so it is not proved; it is wrong with a probability below 10⁻⁶. `None` if
     /// the counts do not agree with the degree of the equation.
     pub tracing_index: Option<usize>,
 }
 
-/// The implicit equation of a patch.
+/// Finds the implicit equation of a patch.
 ///
-/// For growing d, those that divide the number of parameter values over a line, the values of all monomials of degree
-/// at most d at random points modulo a prime: full rank proves that no equation of degree d or less exists; the
-/// first kernel vector is lifted to Q by Chinese remainders and proved by substitution. The polynomials that vanish on
-/// a surface are the multiples of one irreducible polynomial, so an equation of least degree is that one.
+/// The degree d of the equation divides the number of parameter values on a general line. For each such d in ascending order,
+/// the values of all monomials of degree at most d at random points modulo a prime form a matrix. If it has full rank, this
+/// proves that there is no equation of degree d or less. The first kernel vector is lifted to Q by Chinese remainders and
+/// proved by substitution. All polynomials that vanish on a surface are multiples of one irreducible polynomial, so an equation
+/// of least degree is that polynomial.
 ///
 /// ```
 /// use stellate::implicitize::implicitize_patch;
@@ -44,8 +45,8 @@ pub struct SurfaceEquation {
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
-/// Cost: Gauss on C(d+3, 3) columns for these d up to the degree of the answer, and on as many as it has terms once
-/// modulo each of the primes that its coefficients need.
+/// Cost: Gaussian elimination with C(d+3, 3) columns for each d up to the degree of the equation; and, once for each prime that
+/// the coefficients need, with as many columns as the equation has terms.
 ///
 /// # Errors
 /// [`Error::Hypothesis`] if the patch is only a curve or a point; [`Error::Limit`] for degrees above 18; those of
@@ -61,7 +62,8 @@ pub fn implicitize_patch(patch: &Patch, limits: &Limits) -> Result<SurfaceEquati
                     .into(),
         });
     }
-    // The degree divides this number, but for an improbable exception: then the largest one finds it.
+    // The degree divides this number except with a tiny probability; if it does not, the largest degree still finds the
+    // equation.
     let fibre = generic_fibre(patch, limits)?;
     let likely = (1..).filter(|&d| fibre.is_multiple_of(d) || d >= LARGEST_DEGREE);
     let f = least_equation(&map, likely, limits)?;
@@ -75,10 +77,10 @@ pub fn implicitize_patch(patch: &Patch, limits: &Limits) -> Result<SurfaceEquati
     })
 }
 
-/// The equation of least degree, which is at most the last one of the given ascending degrees.
+/// The equation of least degree, which must be at most the last one of the ascending `degrees`.
 ///
-/// The kernel of any degree that is large enough shows it: of the monomials, in ascending order, the first one that
-/// depends on those before it is its last one.
+/// The kernel for any sufficiently large degree shows the equation: its last monomial is the first one, in ascending order,
+/// that depends on the monomials before it.
 fn least_equation(
     map: &RationalMap,
     degrees: impl Iterator<Item = usize>,

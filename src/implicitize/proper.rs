@@ -1,4 +1,4 @@
-//! Proper reparametrization: a curve that is run over several times, by a parameter that runs over it once.
+//! Proper reparametrization: a curve that is traced several times gets a parameter that traces it once.
 
 use super::inverse::{Inverse, invert};
 use crate::error::Result;
@@ -6,11 +6,11 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
 
-/// Numbers at which the fibre is looked at: two of them must be in general position.
+/// The largest number of values of the parameter whose fibres are computed; two of these must be in general position.
 const TRIES: i64 = 12;
 
-/// The coordinates as functions of another parameter, of degrees divided by `index`, the tracing index; `None` if none of
-/// the numbers that are tried is in general position.
+/// The coordinates as functions of another parameter. Their degrees are divided by `index`, the tracing index. `None` if none
+/// of the values that are tried is in general position.
 ///
 /// By Lüroth's theorem the field of all functions of the point is Q(s) for a function s(t) of degree `index`. At a general
 /// number σ the numerator of s(t) − s(σ) is the gcd of those of x(t) − x(σ), y(t) − y(σ), …; the quotient of two such
@@ -50,10 +50,10 @@ fn as_functions_of<const N: usize>(
     Ok(proper.try_into().ok())
 }
 
-/// Functions of degree `index`, of which all of these are functions if the two fibres behind it are in general position.
+/// Functions of degree `index`. All coordinates are functions of such a function if its two fibres are in general position.
 ///
-/// A fibre of the right degree need not be: where the curve has a cusp, or parameters at infinity, fewer points are counted more
-/// often.
+/// A fibre of the right degree need not be in general position: at a cusp of the curve, or for parameters at infinity, it has
+/// fewer distinct points with higher multiplicities.
 fn generators(
     functions: &[RationalFunction],
     index: usize,
@@ -62,7 +62,7 @@ fn generators(
     let fibres = (1..=TRIES)
         .filter_map(|sigma| fibre(functions, &Rational::from(sigma)))
         .filter(general);
-    // Each one over those before it, so that no more are computed than are asked for.
+    // Each fibre is combined with those before it, so that no more fibres are computed than needed.
     let mut before: Vec<IntegerPolynomial> = Vec::new();
     let quotients = fibres.flat_map(move |fibre| {
         let over = |other: &IntegerPolynomial| {
@@ -72,7 +72,7 @@ fn generators(
         before.push(fibre);
         quotients
     });
-    // Of a smaller degree if both are the same points.
+    // The degree is smaller if both fibres belong to the same point.
     quotients.filter(move |s| s.degree() == index)
 }
 
@@ -96,7 +96,7 @@ mod tests {
     use malachite::base::polynomial::Polynomial;
     use proptest::prelude::*;
 
-    /// Of degree up to 3.
+    /// Rational functions of degree up to 3.
     fn function() -> impl Strategy<Value = RationalFunction> {
         let polynomial = || {
             let coefficients = prop::collection::vec(-9i64..10, 1..5);
@@ -109,7 +109,7 @@ mod tests {
         })
     }
 
-    /// f(s(t)).
+    /// The function f(s(t)).
     fn composed(f: &RationalFunction, s: &RationalFunction) -> Option<RationalFunction> {
         let homogeneous = |p: &IntegerPolynomial| {
             let mut sum = IntegerPolynomial::from_coefficients_asc(Vec::new());
@@ -127,7 +127,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
-        /// Built backwards: functions of s(t), and of all functions of those that are once around.
+        /// Known functions of a parameter that traces the curve once are composed with s(t), and found again.
         #[test]
         fn the_new_parameter_runs_over_the_curve_once(x in function(), y in function(), s in function()) {
             prop_assume!(s.degree() > 1 && !(x.is_constant() && y.is_constant()));
@@ -151,7 +151,7 @@ mod tests {
             }
         }
     }
-    /// At t = 2 and at infinity s has a pole, where the curve has a cusp: the fibre of 2 is 2 twice, and of the right degree.
+    /// s has a pole at t = 2 and at infinity, where the curve has a cusp: the fibre of 2 is 2 twice, and has the right degree.
     #[test]
     fn a_fibre_over_a_cusp_is_no_general_one() {
         let polynomial = |c: &[i64]| {

@@ -1,4 +1,4 @@
-//! Which real parameters reach a point that two conjugate ones reach.
+//! Real parameters that reach a point which two conjugate parameters reach.
 
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
@@ -13,7 +13,7 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, divide_exactly, polynomial_gcd};
 use crate::roots::{RealRoot, real_roots};
 
-/// Whether a real parameter, infinity included, has this rational point, exactly: the numerators of x(t) − x and y(t) − y
+/// Whether a real parameter, infinity included, reaches this rational point, exactly: the numerators of x(t) − x and y(t) − y
 /// have a common real root, or both are 0 at infinity.
 pub(super) fn is_reached(coordinates: [&RationalFunction; 2], point: &[Rational; 2]) -> bool {
     let at_infinity = coordinates.iter().zip(point);
@@ -27,9 +27,9 @@ pub(super) fn is_reached(coordinates: [&RationalFunction; 2], point: &[Rational;
 
 /// Whether it is proved that no parameter but s and s̄, complex ones and infinity included, has their point (x, y).
 ///
-/// `(p1(t) − x q1(t))/(t² − S t + P)` and the same of y are polynomials in t, of formal degrees m − 2 and n − 2; their
-/// resultant is not 0 exactly if they have no common root and not both leading coefficients are 0. Undecided by these
-/// enclosures if it may be 0.
+/// `(p1(t) − x q1(t))/(t² − S t + P)` and the same quotient for y are polynomials in t, of formal degrees m − 2 and n − 2.
+/// Their resultant is different from 0 exactly if they have no common root and their leading coefficients are not both 0. The
+/// answer is `false` if the enclosure of the resultant holds 0.
 pub(super) fn is_reached_by_no_other(
     coordinates: [&RationalFunction; 2],
     [sum, product]: &[Enclosure; 2],
@@ -46,7 +46,7 @@ pub(super) fn is_reached_by_no_other(
             });
             p.minus(&precision.times(&q, &point[k]))
         };
-        // Synthetic division from above; what is left, 0, is not computed.
+        // Synthetic division from the highest coefficient; the remainder is 0 and not computed.
         let mut descending: Vec<Enclosure> = Vec::new();
         for i in (2..=f.degree()).rev() {
             let mut c = coefficient(i);
@@ -63,7 +63,7 @@ pub(super) fn is_reached_by_no_other(
     let [f, g] = [quotient(0), quotient(1)];
     let (m, n) = (f.len() - 1, g.len() - 1);
     if m + n == 0 {
-        // Both have no other parameter at all.
+        // Neither polynomial has any other parameter.
         return true;
     }
     let row = |f: &[Enclosure], shift: usize| -> Vec<Enclosure> {
@@ -81,12 +81,12 @@ pub(super) fn is_reached_by_no_other(
 /// A real parameter that may share its point with two conjugate ones.
 pub(super) struct RealPartner {
     t: RealRoot,
-    /// Whether it does, proved.
+    /// Whether it is proved that it does.
     pub(super) proved: bool,
 }
 
 impl RealPartner {
-    /// Its point; `None` if the precision is not enough.
+    /// An enclosure of its point; `None` if the precision is too low.
     pub(super) fn point(
         &self,
         coordinates: [&RationalFunction; 2],
@@ -101,11 +101,11 @@ impl RealPartner {
     }
 }
 
-/// All real numbers t whose point two conjugate parameters have as well, and perhaps others; not t = ∞.
+/// All real numbers t whose point two conjugate parameters have as well, and perhaps further ones; t = ∞ is not included.
 ///
-/// With A(t, σ), B(t, σ) the two quotients of differences, such a t has two common zeros σ: both the resultant with respect
-/// to σ and the leading coefficient of the first subresultant are 0 there. If the second subresultant is a quadratic
-/// polynomial in σ there, with negative discriminant, its zeros are the two. Poles are left out.
+/// Let A(t, σ), B(t, σ) be the two quotients of differences. For such a t they have two common zeros σ, so the resultant with
+/// respect to σ and the leading coefficient of the first subresultant are both 0 there. If the second subresultant is then a
+/// quadratic polynomial in σ with negative discriminant, its zeros are the two conjugate parameters. Poles are left out.
 ///
 /// # Errors
 /// As [`subresultant`].
@@ -114,11 +114,11 @@ pub(super) fn real_partners(
     limits: &Limits,
 ) -> Result<Vec<RealPartner>> {
     let coordinates = points.coordinates;
-    // By powers of σ, with coefficients in t.
+    // The coefficients of the powers of σ are polynomials in t.
     let [a, b] = coordinates.map(|f| in_both(&bezoutian(f)));
     let least = a.degree().min(b.degree());
     if least < 2 {
-        // A linear equation for σ has one solution: there are no two, or all of them, where it is 0.
+        // A linear equation for σ has one solution, so there are no two; or, if it is 0 identically, every σ is a solution.
         return Ok(partners_of(&common_content([&a, &b]), None));
     }
     let both = [&a, &b];
@@ -148,7 +148,7 @@ pub(super) fn real_partners(
     Ok(partners_of(&common, Some(&quadratic)))
 }
 
-/// The t at which all coefficients of both are 0.
+/// The values of t at which all coefficients of both are 0.
 fn common_content(both: [&Rows; 2]) -> IntegerPolynomial {
     let rows = both.into_iter().flat_map(Rows::rows);
     rows.fold(IntegerPolynomial::ZERO, |g, row| polynomial_gcd(&g, row))

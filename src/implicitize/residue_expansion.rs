@@ -12,10 +12,10 @@ use crate::bigint::{
 };
 use crate::error::broken;
 
-/// `ρ^⌊N/2+1⌋ · odd` and the low part, f(1, t); the odd sum is given.
+/// `ρ^⌊N/2+1⌋ · odd` and the low part, as f(1, t). The odd sum must exist.
 ///
-/// Cost: for each prime, of 50 bits, that the largest coefficient needs, 13 transforms of the length of the parts; then
-/// for each coefficient the square of the number of primes that it needs.
+/// Cost: 13 transforms of the length of the parts for each prime of 50 bits that the largest coefficient needs; then, for each
+/// coefficient, the square of the number of primes that it needs.
 pub(super) fn middle_and_low_by_residues(
     sums: &SummedHarmonics,
     odd: &FlatPolynomial,
@@ -53,7 +53,7 @@ pub(super) fn middle_and_low_by_residues(
     parts
 }
 
-/// Stops if a part has not the value that it should have, at one more point modulo one more prime.
+/// A check: stops the program if a part has a wrong value at one more point modulo one more prime.
 fn check_values(sums: &SummedHarmonics, odd: &FlatPolynomial, [middle, low]: &[Vec<Integer>; 2]) {
     let (odd, even, rho) = (
         value_of_form(odd),
@@ -72,18 +72,18 @@ fn check_values(sums: &SummedHarmonics, odd: &FlatPolynomial, [middle, low]: &[V
     }
 }
 
-/// What is computed for four primes.
+/// The working memory for the computation modulo four primes.
 #[derive(Default)]
 struct Workspace {
     bases: Bases,
-    /// ρ = 1 + t², for one of t and −t, and powers of it.
+    /// ρ = 1 + t² for one of each pair t and −t, and its powers.
     rho: Vec<Lanes>,
     rho_powers: Vec<Lanes>,
     odd: Vec<Lanes>,
     even: Vec<Lanes>,
 }
 
-/// The residues modulo four primes that are asked for of both parts: of the middle one there may be none.
+/// The residues modulo four primes that are wanted of both parts; those of the middle part may be none.
 struct Parts<'a> {
     sums: &'a SummedHarmonics,
     odd: &'a FlatPolynomial,
@@ -113,7 +113,7 @@ impl NullaryFnOnce for Parts<'_> {
             odd,
             even,
         } = workspace;
-        // Degrees are at most 2N + 1.
+        // The degrees are at most 2N + 1.
         bases.set(quartet, sums.harmonics, 2 * sums.harmonics + 2);
         bases.values_of_form(odd_sum, odd);
         bases.values_of_form(&sums.even, even);
@@ -129,7 +129,7 @@ impl NullaryFnOnce for Parts<'_> {
         };
         rho_powers.clone_from(rho);
         field.raise(rho_powers, rho_power as u64);
-        // Values come in pairs at points t and −t.
+        // The values are in pairs, at the points t and −t.
         let pairs = odd.as_chunks_mut::<2>().0.iter_mut();
         let pairs = pairs.zip(even.as_chunks_mut::<2>().0);
         for (((odd, even), rho), rho_power) in pairs.zip(rho).zip(rho_powers) {

@@ -1,4 +1,4 @@
-//! Plane curves by a resultant.
+//! The equation of a plane curve, by a resultant.
 
 use super::map::RationalMap;
 use super::proper::proper_parametrization;
@@ -13,22 +13,21 @@ use crate::shape::{ImplicitCurve, PlaneCurve};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PlaneEquation {
-    /// The irreducible equation, primitive with positive first term.
+    /// The irreducible equation, primitive and with a positive first coefficient.
     pub curve: ImplicitCurve,
-    /// How often the parametrization runs over the curve while s runs over all numbers, complex ones and
-    /// infinity included: the degree of Q(s) over Q(x, y). For an angle that is once around.
+    /// How often the parametrization traces the curve while s runs through all complex numbers and infinity: the degree of Q(s)
+    /// over Q(x, y). If the parameter is an angle, s runs through all numbers while the angle makes one turn.
     pub tracing_index: usize,
 }
 
-/// The implicit equation of a plane curve.
+/// Finds the implicit equation of a plane curve.
 ///
-/// With x = p1/q1 and y = p2/q2 in lowest terms, of degrees m and n in s: `Res_s(q1 X − p1, q2 Y − p2) = c f^k`
-/// with f irreducible over Q and k the tracing index, without extraneous factor (Sederberg; Sendra &
-/// Winkler, *Rational Algebraic Curves*, Theorem 4.41). A curve that is run over several times gets a parameter first that
-/// runs over it once: m/k and n/k are left. f is what is returned, with three proofs: it vanishes
-/// identically on the curve (what substitution gives is 0 modulo primes whose product is larger than it could be);
-/// its degree in X is n/k', where k' bounds the index from above; so by degrees it is the minimal polynomial and
-/// k = k'.
+/// Write x = p1/q1 and y = p2/q2 in lowest terms, of degrees m and n in s. Then `Res_s(q1 X − p1, q2 Y − p2) = c f^k`, where f
+/// is irreducible over Q and k is the tracing index; there is no extraneous factor (Sederberg; Sendra & Winkler, *Rational
+/// Algebraic Curves*, Theorem 4.41). If k > 1, the curve first gets a parameter that traces it once, which divides both degrees
+/// by k. The returned f has three proofs. It vanishes identically on the curve: its substitution is 0 modulo primes whose
+/// product is larger than its coefficients could be. Its degree in X is n/k', where k' is an upper bound of the tracing index.
+/// So, by degrees, f is the minimal polynomial and k = k'.
 ///
 /// ```
 /// use stellate::implicitize::implicitize_plane;
@@ -48,8 +47,8 @@ pub struct PlaneEquation {
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
-/// Cost: m n³ products of residues for each of about (m + n)·(bits of a coefficient)/31 primes, and for the proof
-/// 2 m n (number of terms) for each of as many.
+/// Cost: m n³ products of residues for each of about (m + n)·(bits of a coefficient)/31 primes; the proof takes 2 m n (number
+/// of terms) products for each of as many primes.
 ///
 /// # Errors
 /// [`Error::Hypothesis`] if both coordinates are constant; [`Error::Limit`] if the resultant is too large; those

@@ -1,4 +1,4 @@
-//! What the parameter of a curve runs over, and how often that runs over the values of s.
+//! The number of parameter values for each value of s, on which the coordinates depend.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +12,13 @@ use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, SparsePolynomial};
 use crate::shape::{ParametricCurve, Patch};
 
-/// How often the parameter of a curve, or both of a patch, run over the values of s, which its coordinates are functions of: `turns/parts`.
+/// The number of parameter values for each value of s, as the quotient `turns/parts`. The coordinates of a curve or a patch are
+/// functions of s, or of s1 and s2.
 ///
-/// A number s = t runs over all of them once. An angle t runs over [0, 2π], or the longer common period of the coordinates:
-/// over the shortest period of them that is not below 2π. With s = tan(g·t/2) the coordinates have the period 2π/g, perhaps
-/// divided by a whole number `parts`; so it is 2π/g₀ with g₀ = `parts`·g, and `turns` = ⌈g₀⌉ of these are run through. All
-/// that depends on the functions alone, and not on how they are written.
+/// A parameter t that is a number has one value for each s = t. An angle t runs through [0, 2π], or through the shortest common
+/// period of the coordinates that is not below 2π. With s = tan(g·t/2) the coordinates have the period 2π/g, perhaps divided by
+/// an integer `parts`. So the period is 2π/g₀ with g₀ = `parts`·g, and the angle runs through `turns` = ⌈g₀⌉ periods. The
+/// numbers depend on the functions alone, not on how they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Run {
     turns: usize,
@@ -25,7 +26,7 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// Of a curve that is not a point.
+    /// The numbers for a curve that is not a point.
     #[must_use]
     pub(crate) fn of<const N: usize>(curve: &ParametricCurve<N>) -> Self {
         let Some(step) = curve.parameter().step() else {
@@ -36,7 +37,7 @@ impl Run {
         Self::with_gaps(step, gaps)
     }
 
-    /// Of both parameters of a patch, which run independently of one another: the numbers of times are multiplied.
+    /// The numbers for a patch. Its parameters are independent, so the numbers are products.
     #[must_use]
     pub(crate) fn of_patch(patch: &Patch) -> Self {
         let mut run = Self { turns: 1, parts: 1 };
@@ -48,7 +49,7 @@ impl Run {
                 let rows = [f.numerator(), f.denominator()].map(|p| in_one_variable(p, v));
                 let rows: Vec<&IntegerPolynomial> = rows.iter().flatten().collect();
                 let lengths = rows.iter().map(|row| row.coefficients_asc().len());
-                // The larger degree; 0 for a constant.
+                // The degree of the function is the larger one; it is 0 for a constant.
                 let degree = lengths.max().invariant("a denominator has a term") - 1;
                 gap_of_exponents(&rows, degree)
             });
@@ -60,7 +61,7 @@ impl Run {
     }
 
     fn with_gaps(step: &Rational, gaps: impl Iterator<Item = usize>) -> Self {
-        // 0 is the gap of what does not depend on the angle.
+        // The gap of a coordinate that does not depend on the angle is 0.
         let parts = gaps.fold(0, |a: usize, b| a.gcd(b)).max(1);
         let step = step * &Rational::whole(Integer::from(parts));
         let turns = -(-step).floor_integer();
@@ -70,15 +71,15 @@ impl Run {
         }
     }
 
-    /// How many values of the parameter there are for `count` values of s that belong to the same point: a number of
-    /// them which `parts` divides, because a turn through a part leaves the point where it is.
+    /// The number of parameter values of a point that has `count` values of s. `parts` must divide `count` · `turns`: the point
+    /// does not change after one part of a period.
     #[must_use]
     pub(crate) fn count(&self, count: usize) -> usize {
         self.checked_count(count)
             .invariant("turning through a part of the period permutes the values of s")
     }
 
-    /// The same for a number that is not proved; `None` if it is wrong.
+    /// The same number if `count` is not proved to be right; `None` if it is not divisible.
     #[must_use]
     pub(crate) fn checked_count(&self, count: usize) -> Option<usize> {
         let whole = count * self.turns;
@@ -86,7 +87,7 @@ impl Run {
     }
 }
 
-/// The coefficients, polynomials in s_v, by the powers of the other variable.
+/// The coefficients of the powers of the other variable, as polynomials in s_v.
 fn in_one_variable(f: &SparsePolynomial<2>, v: usize) -> Vec<IntegerPolynomial> {
     let mut rows: BTreeMap<u32, Vec<Integer>> = BTreeMap::new();
     for (e, c) in f.primitive().terms() {
@@ -99,11 +100,11 @@ fn in_one_variable(f: &SparsePolynomial<2>, v: usize) -> Vec<IntegerPolynomial> 
     rows.map(IntegerPolynomial::from_coefficients_asc).collect()
 }
 
-/// The largest number n such that f(s) is a function of z^n, z = e^(iθ) with s = tan(θ/2), given the polynomials in s that
-/// are its coprime numerator and denominator, or their coefficients, of at most this degree; 0 for a constant.
+/// The largest number n such that f(s) is a function of z^n, where z = e^(iθ) and s = tan(θ/2); 0 for a constant. The given
+/// polynomials in s are the coprime numerator and denominator of f, or their coefficients, of degree at most `degree`.
 ///
-/// With s = −i(z − 1)/(z + 1) numerator and denominator are coprime forms again; f does not change under z ↦ ζz exactly if
-/// both get the same factor, which is so for all ζ with ζ^n = 1 exactly if all exponents of both agree modulo n.
+/// With s = −i(z − 1)/(z + 1) numerator and denominator become coprime forms in z. f does not change under z ↦ ζz exactly if
+/// both get the same factor. That holds for all ζ with ζ^n = 1 exactly if all exponents in both are equal modulo n.
 fn gap_of_exponents(polynomials: &[&IntegerPolynomial], degree: usize) -> usize {
     let polynomials = polynomials.iter();
     let exponents = polynomials.flat_map(|p| exponents_in_z(p, degree));
@@ -118,7 +119,7 @@ fn gap_of_exponents(polynomials: &[&IntegerPolynomial], degree: usize) -> usize 
 fn exponents_in_z(p: &IntegerPolynomial, degree: usize) -> Vec<usize> {
     let line = |low: i64| IntegerPolynomial::from_coefficients_asc(vec![low.into(), 1.into()]);
     let (minus, plus) = (line(-1), line(1));
-    // Horner in z − 1, the powers of z + 1 beside it: real and imaginary part.
+    // Horner's rule in z − 1, with the powers of z + 1, for the real and the imaginary part.
     let mut value = [IntegerPolynomial::ZERO, IntegerPolynomial::ZERO];
     let mut power = IntegerPolynomial::from_coefficients_asc(vec![1.into()]);
     for k in (0..=degree).rev() {
@@ -195,7 +196,7 @@ mod tests {
                     "x = 4*cos(t)^3 - 3*cos(t); y = 3*sin(t) - 4*sin(t)^3",
                 ],
             ),
-            // Over [0, 4π], the longer common period.
+            // The longer common period is [0, 4π].
             (
                 1,
                 &[
@@ -210,7 +211,7 @@ mod tests {
                     "x = cos(t/2); y = 2*cos(t/2)^2 - 1",
                 ],
             ),
-            // Over [0, 3π].
+            // The longer common period is [0, 3π].
             (
                 1,
                 &[
@@ -255,7 +256,7 @@ mod tests {
         assert_eq!(once.count(2), 2);
         let twice = run("x = cos(2u)*sin(v); y = sin(2u)*sin(v); z = cos(v)");
         assert_eq!(twice.count(2), 4);
-        // Written in u, of period π in u: four values of tan(u/2), as many as before.
+        // The same curve with u has the period π in u; tan(u/2) has four values, as many as before.
         let written =
             run("x = (cos(u)^2 - sin(u)^2)*sin(v); y = 2*sin(u)*cos(u)*sin(v); z = cos(v)");
         assert_eq!(written.count(4), 4);

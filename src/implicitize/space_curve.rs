@@ -1,4 +1,4 @@
-//! Space curves: generators of all equations, by certified linear algebra.
+//! The equations of a space curve: generators of all polynomials that vanish on it, by certified linear algebra.
 
 use super::map::RationalMap;
 use super::tracing::{common_numerator, tracing_index_bound};
@@ -13,16 +13,17 @@ use crate::shape::{ImplicitSurface, SpaceCurve};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SpaceCurveEquations {
-    /// Surfaces whose intersection is the curve and nothing else, by ascending degree: a minimal set of
-    /// generators of all polynomials that vanish on it, degree by degree.
+    /// Surfaces whose intersection is the curve and nothing else, by ascending degree. Their polynomials are a minimal set of
+    /// generators, degree by degree, of all polynomials that vanish on the curve.
     pub surfaces: Vec<ImplicitSurface>,
-    /// The degree of the curve: in how many points, complex ones and those at infinity included, it meets a plane.
+    /// The degree of the curve: the number of points, complex ones and those at infinity included, in which it meets a general
+    /// plane.
     pub degree: usize,
-    /// How often the parametrization runs over the curve: see [`super::PlaneEquation::tracing_index`].
+    /// The tracing index of the parametrization: see [`super::PlaneEquation::tracing_index`].
     pub tracing_index: usize,
 }
 
-/// Which of x, y, z an equation may have: those with fewer variables are preferred.
+/// The sets of variables that an equation may have, in the order of preference: fewer variables first.
 const PREFERRED: [[bool; 3]; 7] = [
     [true, false, false],
     [false, true, false],
@@ -33,13 +34,13 @@ const PREFERRED: [[bool; 3]; 7] = [
     [true, true, true],
 ];
 
-/// Equations that cut out a space curve alone.
+/// Finds equations whose common zero set is the space curve alone.
 ///
-/// The polynomials of degree at most e that vanish on the curve are the kernel of the values of the monomials at
-/// random points modulo a prime; those that are not combinations of multiples of equations of lower degree are
-/// lifted to Q and proved by exact substitution. A curve of degree D that is in no plane is cut out, even as a
-/// scheme, by its equations of degree at most D − 1 (Gruson, Lazarsfeld & Peskine 1983: it is (D−1)-regular);
-/// one in a plane by the plane and one equation of degree D.
+/// The polynomials of degree at most e that vanish on the curve are the kernel of the values of the monomials at random points
+/// modulo a prime. Those that are not combinations of multiples of equations of lower degree are lifted to Q and proved by
+/// exact substitution. A curve of degree D that is in no plane is cut out, even as a scheme, by its equations of degree at most
+/// D − 1, because it is (D−1)-regular (Gruson, Lazarsfeld & Peskine 1983). A curve in a plane is cut out by the plane and one
+/// equation of degree D.
 ///
 /// ```
 /// use stellate::implicitize::implicitize_space_curve;
@@ -58,7 +59,7 @@ const PREFERRED: [[bool; 3]; 7] = [
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
-/// Cost: Gauss on C(D+2, 3) columns, and once more for every equation and every prime that it needs.
+/// Cost: Gaussian elimination with C(D+2, 3) columns, and once more for every equation and every prime that it needs.
 ///
 /// # Errors
 /// [`Error::Hypothesis`] if all coordinates are constant; [`Error::Limit`] for curves of degree above 19; those of
@@ -77,7 +78,7 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
         .next()
         .invariant("there are primes below 2^31");
     let mut surfaces: Vec<SparsePolynomial<3>> = Vec::new();
-    // A basis modulo the prime of the equations of degree at most e − 1.
+    // A basis, modulo the prime, of the equations of degree at most e − 1.
     let mut below: Vec<Vec<u64>> = Vec::new();
     let mut below_monomials = monomials(0, [true; 3]);
     let mut e = 0;
@@ -94,7 +95,7 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
         let kernel = kernel_modulo(&map, &all, prime, limits)?;
         let mut span = Span::new(all.len(), prime);
         for vector in multiples(&below, &below_monomials, &all) {
-            // All of them vanish on the curve, so there is nothing beyond the kernel.
+            // All these polynomials vanish on the curve, so no others are in the kernel.
             if span.len() == kernel.vectors.len() {
                 break;
             }
@@ -124,7 +125,7 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
     })
 }
 
-/// Exactly: 1 is proved by the bound, more by a gcd.
+/// The exact tracing index. The upper bound proves the value 1; a gcd proves a larger value.
 fn tracing_index(curve: &SpaceCurve, limits: &Limits) -> Result<usize> {
     let bound = tracing_index_bound(curve.coordinates());
     if bound == 1 {
@@ -135,8 +136,8 @@ fn tracing_index(curve: &SpaceCurve, limits: &Limits) -> Result<usize> {
     Ok(degree.invariant("a curve has a coordinate that is not constant"))
 }
 
-/// The degree of (x : y : z : 1) as a map to projective space: that of the numerators and the denominator over
-/// the least common denominator.
+/// The degree of (x : y : z : 1) as a map to projective space, that is the largest degree of the numerators and the denominator
+/// over the least common denominator.
 fn projective_degree(curve: &SpaceCurve) -> usize {
     use crate::poly::{IntegerPolynomial, polynomial_gcd};
     use malachite::base::polynomial::Polynomial;

@@ -1,4 +1,4 @@
-//! Symmetric polynomials in two parameters s and σ, in their sum S and their product P.
+//! Symmetric polynomials in two parameters s and σ, as polynomials in their sum S and their product P.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -7,8 +7,8 @@ use malachite::base::polynomial::Polynomial;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction};
 
-/// A polynomial in two variables: for each power of the second one, ascending, its coefficient, a polynomial in the first.
-/// The last one is not 0.
+/// A polynomial in two variables. For each power of the second variable, ascending, it has a coefficient, which is a polynomial
+/// in the first variable. The last coefficient is not 0.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Rows(Vec<IntegerPolynomial>);
 
@@ -24,12 +24,12 @@ impl Rows {
         &self.0
     }
 
-    /// The degree in the second variable, 0 for 0.
+    /// The degree in the second variable; 0 for the polynomial 0.
     pub(super) fn degree(&self) -> usize {
         self.0.len().saturating_sub(1)
     }
 
-    /// The degree in both variables together, 0 for 0.
+    /// The total degree; 0 for the polynomial 0.
     pub(super) fn total_degree(&self) -> usize {
         let degrees = self.0.iter().enumerate();
         let degrees =
@@ -37,12 +37,12 @@ impl Rows {
         degrees.max().unwrap_or(0)
     }
 
-    /// The coefficient of the highest power of the second variable, 0 for 0.
+    /// The coefficient of the highest power of the second variable; 0 for the polynomial 0.
     pub(super) fn lead(&self) -> IntegerPolynomial {
         self.0.last().cloned().unwrap_or(IntegerPolynomial::ZERO)
     }
 
-    /// A multiple of the polynomial in the second variable when the first is p/q: times q to the degree in the first.
+    /// The polynomial in the second variable for the value p/q of the first one, times q to the degree in the first variable.
     pub(super) fn at(&self, value: &Rational) -> IntegerPolynomial {
         let (p, q) = (value.numerator(), value.denominator());
         let length = |row: &IntegerPolynomial| row.coefficients_asc().len();
@@ -62,7 +62,7 @@ impl Rows {
         IntegerPolynomial::from_coefficients_asc(self.0.iter().map(row).collect())
     }
 
-    /// c·self − d·other.
+    /// The polynomial c·self − d·other.
     pub(super) fn combined(&self, c: &Integer, other: &Self, d: &Integer) -> Self {
         let scaled = |f: &Self, k: usize, c: &Integer| {
             let factor = IntegerPolynomial::from_coefficients_asc(vec![c.clone()]);
@@ -76,7 +76,7 @@ impl Rows {
         )
     }
 
-    /// `f(S, above/below)·below^degree` for two polynomials in S.
+    /// The polynomial `f(S, above/below)·below^degree`, where `above` and `below` are polynomials in S.
     pub(super) fn at_quotient(&self, [above, below]: [&IntegerPolynomial; 2]) -> IntegerPolynomial {
         let mut value = IntegerPolynomial::ZERO;
         let mut power = IntegerPolynomial::from_coefficients_asc(vec![Integer::from(1)]);
@@ -88,10 +88,10 @@ impl Rows {
     }
 }
 
-/// `(p(s) q(σ) − q(s) p(σ))/(s − σ)` of f = p/q by the powers of s and σ: Bézout's matrix, which is symmetric, with as many
-/// rows as f has degrees.
+/// Bézout's matrix of f = p/q: the coefficients of `(p(s) q(σ) − q(s) p(σ))/(s − σ)` by the powers of s and σ. It is symmetric,
+/// and its size is the degree of f.
 ///
-/// If D is what stands above the line and Q the quotient, `D[i][j] = Q[i−1][j] − Q[i][j−1]`.
+/// If D is the numerator and Q the quotient, `D[i][j] = Q[i−1][j] − Q[i][j−1]`.
 pub(super) fn bezoutian(f: &RationalFunction) -> Vec<Vec<Integer>> {
     let degree = f.degree();
     let [p, q] = [f.numerator(), f.denominator()].map(IntegerPolynomial::coefficients_asc);
@@ -124,7 +124,7 @@ pub(super) fn in_both(matrix: &[Vec<Integer>]) -> Rows {
 /// powers: p_k is `Σ_l c_(k,l) S^(k−2l) P^l`.
 pub(super) fn in_sum_and_product(matrix: &[Vec<Integer>]) -> Rows {
     let size = matrix.len();
-    // c_(k,l)
+    // The coefficients c_(k,l).
     let mut powers: Vec<Vec<Integer>> = vec![vec![Integer::from(2)], vec![Integer::from(1)]];
     for k in 2..size {
         let mut next = powers[k - 1].clone();
@@ -147,7 +147,7 @@ pub(super) fn in_sum_and_product(matrix: &[Vec<Integer>]) -> Rows {
     Rows::new(rows.map(IntegerPolynomial::from_coefficients_asc).collect())
 }
 
-/// f modulo s² − S s + P as u + v s: polynomials in S and P.
+/// The remainder u + v s of f modulo s² − S s + P, where u and v are polynomials in S and P.
 pub(super) fn modulo(f: &IntegerPolynomial) -> [Rows; 2] {
     let sum = IntegerPolynomial::from_coefficients_asc(vec![Integer::ZERO, Integer::from(1)]);
     let [mut u, mut v]: [Vec<IntegerPolynomial>; 2] = [Vec::new(), Vec::new()];
@@ -204,7 +204,7 @@ mod tests {
                 let symmetric = in_sum_and_product(&matrix);
                 prop_assert_eq!(&value_of_rows(&symmetric, &sum, &product), &expected);
                 prop_assert!(symmetric.total_degree() < f.degree().max(1));
-                // With numbers for the first variable, up to the denominator's power.
+                // The value of the first variable multiplies by a power of its denominator.
                 let at = symmetric.at(&sum);
                 let zero = value_of_rows(&symmetric, &sum, &product).is_zero();
                 prop_assert_eq!(value(&at, &product).is_zero(), zero);

@@ -18,7 +18,7 @@ use crate::shape::{FourierRadius, ImplicitCurve};
 pub struct Parts<R> {
     /// ρ^(N+1), with ρ = x² + y².
     pub top: R,
-    /// `2 ρ^⌊N/2+1⌋ · odd`, absent when there is no odd harmonic at all (N = 0).
+    /// `2 ρ^⌊N/2+1⌋ · odd`; `None` if there is no odd harmonic at all (N = 0).
     pub middle: Option<R>,
     /// `ρ·odd² − even²` for even N, `odd² − ρ·even²` for odd N.
     pub low: R,
@@ -77,8 +77,8 @@ pub fn square_away<R: Ring>(
     Parts { top, middle, low }
 }
 
-/// The implicit polynomial F of a Fourier radius, held as the pair of forms that it is made of: about
-/// 2N short coefficients instead of 6N long ones, expanded only when asked.
+/// The implicit polynomial F of a Fourier radius, stored as a pair of forms with about 2N short coefficients. F itself has 6N
+/// long coefficients and is expanded only on request.
 ///
 /// With `ρ = x² + y²` and r = odd + even on the unit circle (sums over odd and even harmonics),
 /// F = `ρ^(N+1) − 2ρ^⌊N/2+1⌋ odd + low`, of degree 2(N+1), in polar form
@@ -96,17 +96,17 @@ pub fn square_away<R: Ring>(
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SquaredForm {
-    /// The sums are so many times those of the radius.
+    /// The factor by which the stored sums are larger than those of the radius.
     unit: Integer,
     sums: SummedHarmonics,
     center: [Rational; 2],
 }
 
 impl SquaredForm {
-    /// The pair of forms of a radius: two changes of basis, quasi-linear in their size.
+    /// The pair of forms of a radius. Cost: two changes of basis, quasi-linear in their size.
     ///
     /// # Errors
-    /// [`Error::Hypothesis`] if r is identically 0: that is a point, not a curve.
+    /// [`Error::Hypothesis`] if r is identically 0: then the curve is a point.
     pub fn new(radius: &FourierRadius) -> Result<Self> {
         if radius.is_zero() {
             return Err(Error::Hypothesis {
@@ -135,7 +135,7 @@ impl SquaredForm {
         })
     }
 
-    /// N.
+    /// The number of harmonics N.
     #[must_use]
     pub fn harmonics(&self) -> usize {
         self.sums.harmonics
@@ -143,18 +143,18 @@ impl SquaredForm {
 
     /// Whether F is the square of a polynomial: exactly when a0 and all even harmonics are 0.
     ///
-    /// Otherwise F is irreducible over Q. For a factor of F is, in polar form and up to powers of
-    /// r, a product of some of `r − r(θ)` and `r + r(θ+π)`, and a polynomial in x and y does not
-    /// change under (r, θ) → (−r, θ+π), which exchanges the two; they are different exactly when
-    /// the even part is not 0; and a form that divides the top part ρ^(N+1) is a power of ρ,
-    /// which does not divide the low part as the N-th harmonic is not 0.
+    /// Otherwise F is irreducible over Q. Proof. In polar form, a factor of F is up to a power of r a product of some of `r −
+    /// r(θ)` and `r + r(θ+π)`. A polynomial in x and y does not change under (r, θ) → (−r, θ+π), which exchanges these two.
+    /// They are different exactly if the even part is not 0, so then the factor contains both or neither. A factor that
+    /// contains neither is a form that divides the top part ρ^(N+1), so it is a power of ρ, which does not divide the low part
+    /// because the N-th harmonic is not 0.
     #[must_use]
     pub fn is_perfect_square(&self) -> bool {
         self.sums.even.is_zero()
     }
 
-    /// The two sides of Eq. (7) or (8) before they are squared, without the factor r that one of them has: `r^N − odd`
-    /// (N even) or `r^(N+1) − odd` (N odd), and `even`; both times one integer.
+    /// The two sides of Eq. (7) or (8) before they are squared, without the factor r that one of them has: `r^N − odd` (N even)
+    /// or `r^(N+1) − odd` (N odd), and `even`. Both are multiplied by one integer.
     #[must_use]
     pub fn sides(&self) -> [PlanePolynomial; 2] {
         let plane = |parts: Vec<BinaryForm>| PlanePolynomial::from_parts(parts, Integer::ONE);
@@ -164,7 +164,7 @@ impl SquaredForm {
         ]
     }
 
-    /// `r^N − odd` or `r^(N+1) − odd`, times the unit.
+    /// `r^N − odd` or `r^(N+1) − odd`, multiplied by the unit.
     fn left_side(&self) -> Vec<BinaryForm> {
         let top = BinaryForm::rho_power(self.sums.harmonics.div_ceil(2)).scaled(&self.unit);
         let odd = self.sums.odd.as_ref().map(|odd| self.form(odd));
@@ -172,7 +172,7 @@ impl SquaredForm {
         std::iter::once(top).chain(minus_odd).collect()
     }
 
-    /// F itself, a primitive polynomial with positive first term, also where it is a square.
+    /// F itself, primitive and with a positive first coefficient, even if it is a perfect square.
     #[must_use]
     pub fn expand_unreduced(&self) -> ImplicitCurve {
         let parts = primitive_parts(&self.sums, &self.unit);
@@ -181,8 +181,8 @@ impl SquaredForm {
 
     /// The reduced implicit equation: F, or the G with F = G² if F is a perfect square.
     ///
-    /// Cost: two squares and one product of forms of degree N, quasi-linear in the size of the
-    /// answer (about 4N coefficients of 2N + 2·(bits of a coefficient) bits each).
+    /// Cost: two squares and one product of forms of degree N. That is quasi-linear in the size of the answer, about 4N
+    /// coefficients of 2N + 2·(bits of a coefficient) bits each.
     #[must_use]
     pub fn expand(&self) -> ImplicitCurve {
         if self.sums.harmonics > 0 && self.is_perfect_square() {
@@ -193,7 +193,7 @@ impl SquaredForm {
         self.expand_unreduced()
     }
 
-    /// One of the sums as a form.
+    /// One of the sums as a form in x and y.
     fn form(&self, sum: &FlatPolynomial) -> BinaryForm {
         let in_t = from_harmonic_basis(sum, self.sums.bits);
         BinaryForm::from_dehomogenized(in_t.len() - 1, in_t.to_polynomial())
@@ -209,7 +209,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The slow twin: the formulas of [`square_away`] on forms with coefficients of any size, then the primitive part.
+    /// The slow twin: the formulas of [`square_away`] on forms with coefficients of any size, made primitive.
     fn by_formulas(f: &SquaredForm) -> PlanePolynomial {
         let unit = BinaryForm::from_coefficients(vec![f.unit.clone()]);
         let (odd, even) = (
@@ -228,7 +228,7 @@ mod tests {
         PlanePolynomial::from_parts(parts.into_iter().flatten(), Integer::ONE).primitive()
     }
 
-    /// Dyadic numbers, thirds and the like, whole numbers with a common factor, and zeros.
+    /// Dyadic numbers, multiples of 1/3 and the like, integers with a common factor, and zeros.
     fn coefficient() -> impl Strategy<Value = Rational> {
         prop_oneof![
             Just(Rational::zero()),
@@ -241,7 +241,7 @@ mod tests {
         ]
     }
 
-    /// Where the ways to compute change, and beyond.
+    /// Numbers of harmonics around and beyond those at which the method changes.
     #[test]
     fn hundreds_of_harmonics() {
         for n in [377, 378, 379, 399, 400, 401, 520] {
@@ -264,7 +264,7 @@ mod tests {
             sin in prop::collection::vec(coefficient(), 1..130),
             kept in 0usize..4,
         ) {
-            // All harmonics, the odd ones, the even ones, or the last pair alone.
+            // All harmonics are kept, or only the odd ones, the even ones, or the last pair.
             let keep = |values: Vec<Rational>| {
                 let last = values.len() - 1;
                 let kept = |n: usize| match kept {

@@ -1,4 +1,4 @@
-//! How often a parametrization runs over its curve.
+//! The tracing index: how often a parametrization traces its curve.
 
 use malachite::base::num::basic::traits::Zero;
 
@@ -9,22 +9,22 @@ use crate::limits::Limits;
 use crate::modular::{PrimeField, large_primes, trimmed};
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 
-/// Values of the parameter that are tried.
+/// The number of values of the parameter that are tried.
 const TRIES: u64 = 4;
 
-/// An upper bound of the tracing index, the degree `[Q(s) : Q(x, y, …)]`; it is the index but for an exception of
-/// probability about (degree²/2³¹)⁴.
+/// An upper bound of the tracing index, which is the degree `[Q(s) : Q(x, y, …)]`. The bound is larger than the index only with
+/// a probability of about (degree²/2³¹)⁴.
 ///
 /// The index is the degree in s of the gcd of the numerators of x(s) − x(σ), y(s) − y(σ), …; modulo a prime and
 /// at a number σ the gcd of these binary forms in s, infinity counted, can only become larger.
 pub(super) fn tracing_index_bound(functions: &[RationalFunction]) -> usize {
     let moving: Vec<&RationalFunction> = functions.iter().filter(|f| !f.is_constant()).collect();
-    // 0 for a point.
+    // The bound for a point is 0.
     let mut least = moving.iter().map(|f| f.degree()).min().unwrap_or(0);
     let mut primes = large_primes();
     for k in 0..TRIES {
         let prime = primes.next().invariant("there are primes below 2^31");
-        // Any number does; these have no pattern.
+        // Any numbers are good; these have no pattern.
         let sigma = (k + 1) * 0x1234_5677 % prime;
         if let Some(degree) = common_degree(&moving, sigma, prime) {
             least = least.min(degree);
@@ -63,11 +63,11 @@ fn common_degree(functions: &[&RationalFunction], sigma: u64, prime: u64) -> Opt
 
 /// The gcd over Q of the numerators of x(s) − x(σ), y(s) − y(σ), …, a polynomial in s and σ.
 ///
-/// Its degree in s is the tracing index, and of its coefficients as a polynomial in s the quotients that are not
-/// constant generate the field of all functions of the point (Lüroth).
+/// Its degree in s is the tracing index. The quotients of its coefficients as a polynomial in s, as far as they are not
+/// constant, generate the field of all functions of the point (Lüroth).
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(super) fn common_numerator(
     functions: &[RationalFunction],
     limits: &Limits,
@@ -121,7 +121,7 @@ mod tests {
         let cases = [
             (vec![function("x^2+1", "1"), function("x^3+x", "1")], 1),
             (vec![function("x^2", "1"), function("x^4+1", "x^2")], 2),
-            // Poles and zeros at infinity: 1/s³ and s³.
+            // The functions 1/s³ and s³ have poles and zeros at infinity.
             (vec![function("1", "x^3"), function("x^6", "1")], 3),
             (vec![function("5", "1"), function("x^3", "1")], 3),
         ];

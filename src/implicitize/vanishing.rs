@@ -9,10 +9,10 @@ use crate::limits::Limits;
 use crate::modular::{Kernel, PrimeField, Reconstruction, SplitMix, kernel, large_primes};
 use crate::poly::{SparsePolynomial, term_order};
 
-/// More rows than columns: each one more makes an accidental kernel 2³¹ times less likely.
+/// The number of rows beyond the number of columns. Each of them makes an accidental kernel 2³¹ times less likely.
 const MORE_ROWS: usize = 8;
 
-/// Primes after which the lifting is given up: coefficients of about a million bits.
+/// The lifting ends without a result after this many primes, which is enough for coefficients of about a million bits.
 const MAX_PRIMES: usize = 30_000;
 
 /// The largest number of monomials: those of degree at most [`LARGEST_DEGREE`] in three variables.
@@ -21,7 +21,7 @@ const MAX_MONOMIALS: usize = 1330;
 /// The largest degree of an equation in three variables.
 pub(super) const LARGEST_DEGREE: usize = 18;
 
-/// The monomials of degree at most `degree` in the given ones of x, y, z, ascending in the order of terms.
+/// The monomials of degree at most `degree` in the given variables among x, y and z, ascending in the order of terms.
 pub(super) fn monomials(degree: u32, variables: [bool; 3]) -> Vec<[u32; 3]> {
     let most = |v: usize| if variables[v] { degree } else { 0 };
     let mut all = Vec::new();
@@ -38,8 +38,8 @@ pub(super) fn monomials(degree: u32, variables: [bool; 3]) -> Vec<[u32; 3]> {
 
 /// The kernel modulo a prime of the values of the monomials at random points of the map.
 ///
-/// A polynomial over Q that vanishes on the map, made primitive, is a vector of this kernel; so the kernel's
-/// dimension bounds theirs.
+/// Every polynomial over Q that vanishes on the map gives a vector of this kernel once it is primitive. So the space of these
+/// polynomials has at most the dimension of the kernel.
 ///
 /// # Errors
 /// [`Error::Limit`] for more than [`MAX_MONOMIALS`] monomials; those of `limits`.
@@ -69,13 +69,13 @@ pub(super) fn kernel_modulo(
     Ok(kernel(rows, monomials.len(), prime))
 }
 
-/// The monomials at a point.
+/// The values of the monomials at a point.
 fn values(point: &[u64], monomials: &[[u32; 3]], field: &PrimeField) -> Vec<u64> {
     let degree = monomials.iter().flatten().max();
     let degree = *degree.invariant("there are monomials");
     let powers: Vec<Vec<u64>> = (0..3)
         .map(|v| {
-            // A coordinate that the curve does not have does not occur in the monomials, either.
+            // A coordinate that the curve does not have does not occur in the monomials.
             let value = point.get(v).copied().unwrap_or(0);
             field.powers(value, degree as usize + 1)
         })
@@ -87,11 +87,11 @@ fn values(point: &[u64], monomials: &[[u32; 3]], field: &PrimeField) -> Vec<u64>
     monomials.iter().map(value).collect()
 }
 
-/// The polynomials that vanish on the map, as many as the kernel modulo the first prime has dimensions, each with
-/// its last monomial in no other one; primitive, with positive first term.
+/// A basis of the polynomials with these monomials that vanish on the map. Each is primitive, with a positive first
+/// coefficient, and its last monomial does not occur in the others.
 ///
-/// Each is proved by exact substitution; that there are no others is proved by the dimension. Empty if there is
-/// none.
+/// Exact substitution proves each of them. Their number is the dimension of the kernel modulo the first prime, which proves
+/// that there are no others. The list is empty if there are none.
 ///
 /// # Errors
 /// As [`kernel_modulo`].
@@ -109,12 +109,12 @@ pub(super) fn vanishing(
         .collect()
 }
 
-/// The polynomial over Q of which a vector of the kernel is the image.
+/// The polynomial over Q whose image modulo the prime is the given vector of the kernel.
 ///
-/// Only its own monomials are looked at: modulo every prime they have a kernel of dimension 1.
+/// Only the monomials of the vector are used: modulo every prime they have a kernel of dimension 1.
 ///
 /// # Errors
-/// As [`kernel_modulo`]; [`Error::Limit`] if nothing is found.
+/// As [`kernel_modulo`]; [`Error::Limit`] if no polynomial is found.
 pub(super) fn lift(
     map: &RationalMap,
     monomials: &[[u32; 3]],

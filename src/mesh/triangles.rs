@@ -216,7 +216,7 @@ impl Mesh {
 /// most, with a margin; and whether none was left out. `None` if there are no points.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub fn mesh_bounds(
     surface: &ImplicitSurface,
     limits: &Limits,

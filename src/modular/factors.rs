@@ -11,7 +11,7 @@ use crate::limits::Limits;
 /// O(n³ log p) operations modulo p at worst.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(crate) fn distinct_degrees(
     field: &PrimeField,
     f: &[u64],

@@ -18,7 +18,7 @@ use crate::limits::Limits;
 /// at once). Rounds: log2 k + log2 K + log2 L, each O(n² ) products in the ring of the round at worst.
 ///
 /// # Errors
-/// What `limits` returns.
+/// Those of `limits`.
 pub(crate) fn lift(
     target: &IntegerPolynomial,
     factors: &[Vec<u64>],

@@ -19,7 +19,7 @@ impl PatchFunction {
     /// In lowest terms; `None` if the denominator is 0. Cost: a gcd in two variables.
     ///
     /// # Errors
-    /// What `limits` returns.
+    /// Those of `limits`.
     pub fn new(
         numerator: &SparsePolynomial<2>,
         denominator: &SparsePolynomial<2>,

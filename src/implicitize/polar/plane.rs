@@ -11,24 +11,25 @@ use crate::limits::Limits;
 use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::{ImplicitCurve, ParametricCurve, PlaneCurve};
 
-/// What Eq. (1) gives.
+/// The result of Theorem 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PolarPlane {
     /// The irreducible equation of the curve.
     pub curve: ImplicitCurve,
-    /// Eq. (1), or why the slope function cannot be inverted by substitution.
+    /// Eq. (1), or the reason why substitution cannot invert the slope function.
     pub inverse: PolarInverse,
     /// The irreducible factors of the polar equation, cleared of denominators.
     pub factors: Vec<PolarFactor>,
 }
 
-/// Theorem 1 with its spurious factors removed.
+/// Theorem 1: the polar equation of a plane curve, its irreducible factors, and the factor that is the curve.
 ///
-/// With the slope m = y/x of the curve (h, g), `h² + g²` is a rational function H of m exactly if the numerator
-/// of m(s) − m(σ) divides that of h² + g²; then Eq. (1) reads `x² + y² = H(y/x)`. Otherwise the parameter is
-/// eliminated between m and w = h² + g² by a resultant: `P(y/x, x² + y²) = 0`. Cleared of denominators the
-/// equation is factored over Q; the factor that vanishes on the curve is the curve, and the others are named.
+/// With the slope m = y/x of the curve (h, g), `h² + g²` is a rational function H of m exactly if the numerator of m(s) − m(σ)
+/// divides that of the difference of `h² + g²` at s and σ; then Eq. (1) says `x² + y² = H(y/x)`. Otherwise a resultant
+/// eliminates the parameter between m and w = h² + g², and the polar equation is `P(y/x, x² + y²) = 0`. Cleared of
+/// denominators, the equation is factored over Q. The factor that vanishes on the curve is its equation; the others are
+/// spurious.
 ///
 /// DIFFERENCE: the paper calls Eq. (1) free of spurious parts. It contains the reflection −α of every curve
 /// that is not its own reflection.

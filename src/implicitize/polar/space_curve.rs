@@ -1,4 +1,5 @@
-//! Theorem 3, Eqs. (10) and (11): the paper's two surfaces through a space curve, and what else they meet in.
+//! Theorem 3, Eqs. (10) and (11): the paper's two surfaces through a space curve, and the other components of their
+//! intersection.
 
 use super::{PolarFactor, Role, squared_radius};
 use crate::error::{Error, Result};
@@ -10,16 +11,16 @@ use crate::limits::Limits;
 use crate::poly::{RationalFunction, Ring, SparsePolynomial, resultant};
 use crate::shape::SpaceCurve;
 
-/// What Eqs. (10) and (11) give.
+/// The result of Theorem 3.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PolarSpaceCurve {
-    /// The surface of Eq. (10), or why there is none.
+    /// The surface of Eq. (10), or the reason why it does not exist.
     pub first: std::result::Result<PolarSurface, String>,
-    /// The surface of Eq. (11), or why there is none.
+    /// The surface of Eq. (11), or the reason why it does not exist.
     pub second: std::result::Result<PolarSurface, String>,
-    /// What the two have in common besides the curve, after their spurious factors are removed: on the
-    /// given factor of the first surface, the zero set of the given polynomial in two variables.
+    /// The components of the intersection besides the curve, after the spurious factors are removed. Each is the common zero
+    /// set of a factor of the first surface and a polynomial in two variables.
     pub components: Vec<[SparsePolynomial<3>; 2]>,
 }
 
@@ -53,9 +54,9 @@ impl PolarSurface {
 /// - (10) `A(y/x) + B(z²/(x²+y²)) = x² + y² + z²`,
 /// - (11) `A(y/x) + C(z/y) = x² + y² + z²`,
 ///
-/// where `h² + g² = A(g/h)`, `k² = B(k²/(g²+h²))` and `k² = C(k/g)`, as far as these rational functions exist
-/// (the paper's f2 is the square root of the argument of B). Each equation is cleared of denominators and
-/// factored; the components of the intersection besides the curve are read off a resultant.
+/// where `h² + g² = A(g/h)`, `k² = B(k²/(g²+h²))` and `k² = C(k/g)`, if these rational functions exist (the paper's f2 is the
+/// square root of the argument of B). Each equation is cleared of denominators and factored. A resultant gives the components
+/// of the intersection besides the curve.
 ///
 /// DIFFERENCE: the paper simplifies the second surface of Example 3 to z = ±y² modulo the first; as derived, the
 /// two surfaces also meet in z = 0 and in z = −y².
@@ -120,7 +121,7 @@ fn ratio(p: &RationalFunction, q: &RationalFunction) -> Option<RationalFunction>
     Some(p.times(&q.recip()?))
 }
 
-/// w as a function of m, or why it is none.
+/// w as a rational function of m, or the reason why it is not one.
 fn inverse(
     w: &RationalFunction,
     m: Option<RationalFunction>,
@@ -182,7 +183,7 @@ fn common_components(
         .min_by_key(|&v| degree(a, v));
     let projected = match eliminated {
         Some(v) => resultant(a, b, v, limits)?,
-        // Nothing is shared: b itself tells where on a.
+        // If there is no common variable to eliminate, b itself cuts out the component.
         None => b.clone(),
     };
     let factors = factor_space(&projected, limits)?.factors.into_iter();
