@@ -1,4 +1,4 @@
-//! Angles known exactly, and ranges of them.
+//! Exact angles, and ranges of angles.
 
 use std::cmp::Ordering;
 
@@ -8,27 +8,27 @@ use crate::roots::RealRoot;
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 
-/// An angle known exactly.
+/// An exact angle.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum ExactAngle {
     /// A rational multiple of π.
     Pi(Rational),
-    /// `times · arctan t + half_turns · π`, for a real root t of a polynomial.
+    /// The angle `times · arctan t + half_turns · π`, for a real root t of a polynomial.
     Arctangent {
-        /// t.
+        /// The root t.
         tangent: RealRoot,
-        /// t, if it is rational.
+        /// The rational value of t, if it has one.
         rational: Option<Rational>,
-        /// 1, or 2 where t is the tangent of half the angle.
+        /// The factor: 1, or 2 if t is the tangent of half the angle.
         times: i32,
-        /// How many π are added.
+        /// The number of half turns that are added.
         half_turns: i32,
     },
 }
 
-/// Minimal polynomials (ascending) of the tangents of π/24·j that are at most quadratic, with the j
-/// in [0, 24) of their roots.
+/// The minimal polynomials (ascending) of tan(jπ/24), as far as they are at most quadratic, with the numbers j in [0, 24) that
+/// belong to their roots.
 const SPECIAL_TANGENTS: [(&[i64], &[i32]); 9] = [
     (&[0, 1], &[0]),
     (&[-1, 1], &[6]),
@@ -42,19 +42,19 @@ const SPECIAL_TANGENTS: [(&[i64], &[i32]); 9] = [
 ];
 
 impl ExactAngle {
-    /// 0.
+    /// The angle 0.
     #[must_use]
     pub fn zero() -> Self {
         Self::Pi(Rational::zero())
     }
 
-    /// π.
+    /// The angle π.
     #[must_use]
     pub fn pi() -> Self {
         Self::Pi(Rational::one())
     }
 
-    /// The exact order of the angle and π.
+    /// The exact order of this angle and π.
     #[must_use]
     pub fn cmp_pi(&self) -> Ordering {
         match self {
@@ -68,14 +68,14 @@ impl ExactAngle {
         }
     }
 
-    /// The exact order of two angles.
+    /// The exact order of this angle and another one.
     ///
-    /// If the bounds do not part soon it is decided by algebra whether the two differ by a multiple of π, or of a part of π
-    /// (`spacing`): then they are equal as soon as the bounds show that they are closer than that; else they
-    /// differ and the bounds part at last.
+    /// If bounds do not separate the angles soon, algebra decides whether they differ by a multiple of π or of a part of π
+    /// (`spacing`). If they do, they are equal as soon as the bounds show that they are closer than that; if they do not, they
+    /// are different, and narrower bounds will separate them.
     ///
-    /// Cost: a gcd of the polynomials of both tangents, of degrees m and n in the worst case one of degrees m and 2n; then
-    /// bounds of as many bits as it takes.
+    /// Cost: a gcd of the polynomials of both tangents, of degrees m and n, or in the worst case of degrees m and 2n; then
+    /// bounds with as many bits as necessary.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
         if let (Self::Pi(a), Self::Pi(b)) = (self, other) {
@@ -92,7 +92,7 @@ impl ExactAngle {
                 return Ordering::Greater;
             }
             if let Some(spacing) = spacing.get_or_insert_with(|| self.spacing(other)) {
-                // The bounds meet, so the difference is at most that of the outer ones.
+                // The bounds overlap, so the difference is at most the distance between the outer bounds.
                 let most = (high - &other_low).max(other_high - &low);
                 if most < *spacing {
                     return Ordering::Equal;
@@ -132,7 +132,7 @@ impl ExactAngle {
         }
     }
 
-    /// This angle and π.
+    /// The angle plus π.
     #[must_use]
     pub fn plus_pi(&self) -> Self {
         match self {
@@ -151,10 +151,10 @@ impl ExactAngle {
         }
     }
 
-    /// Certified decimals: the angle rounded to `digits` places after the point.
+    /// Certified decimals: the angle, rounded to `digits` places after the point.
     ///
-    /// Bounds are refined until both round to the same decimals; they do, because such an angle is
-    /// 0 or transcendental (Lindemann).
+    /// Bounds are narrowed until both are rounded to the same decimals. That ends, because the angle is 0 or transcendental
+    /// (Lindemann).
     #[must_use]
     pub fn to_decimal(&self, digits: u32) -> String {
         let mut bits = digits * 4 + 16;
@@ -199,7 +199,7 @@ impl ExactAngle {
         }
     }
 
-    /// A closed form if there is a nice one: `3*pi/4`, `pi + atan(1/2)`.
+    /// A closed form such as `3*pi/4` or `pi + atan(1/2)`, if there is a simple one.
     #[must_use]
     pub fn closed_form(&self) -> Option<String> {
         match self {
@@ -229,7 +229,7 @@ impl ExactAngle {
         }
     }
 
-    /// What the angle is, exactly: the closed form, or the polynomial and an interval of the tangent.
+    /// An exact description: the closed form, or the polynomial of the tangent and an interval that holds it.
     #[must_use]
     pub fn describe(&self) -> String {
         if let Some(nice) = self.closed_form() {
@@ -279,7 +279,7 @@ fn multiple_of_pi(q: &Rational) -> String {
     }
 }
 
-/// The j in [0, 24) with tan(jπ/24) = t, if there is one in the table.
+/// The number j in [0, 24) with tan(jπ/24) = t, if the table has one.
 fn special(t: &RealRoot) -> Option<i32> {
     SPECIAL_TANGENTS
         .iter()
@@ -299,16 +299,16 @@ fn special(t: &RealRoot) -> Option<i32> {
 /// An interval of angles within [0, 2π].
 #[derive(Clone, Debug)]
 pub struct AngleRange {
-    /// The lower end.
+    /// The lower end of the range.
     pub from: ExactAngle,
-    /// The upper end; equal to the lower one for an isolated angle.
+    /// The upper end of the range; it is equal to the lower end for an isolated angle.
     pub to: ExactAngle,
-    /// Whether the ends belong to it.
+    /// For each end, whether it belongs to the range.
     pub closed: [bool; 2],
 }
 
 impl AngleRange {
-    /// [0, 2π].
+    /// The full circle [0, 2π].
     #[must_use]
     pub fn full_circle() -> Self {
         Self {
@@ -318,7 +318,7 @@ impl AngleRange {
         }
     }
 
-    /// Whether it is a single angle.
+    /// Whether the range is a single angle.
     #[must_use]
     pub fn is_point(&self) -> bool {
         self.closed == [true, true] && self.from.describe() == self.to.describe()

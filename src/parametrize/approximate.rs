@@ -19,50 +19,50 @@ use crate::options::options;
 use crate::sample::Direction;
 use crate::shape::FourierRadius;
 
-/// Harmonics of a fit if no number is given.
+/// The default number of harmonics of a fit.
 pub const DEFAULT_HARMONICS: usize = 20;
 
-/// The directions between samples at which the error is looked at, per sample.
+/// The number of directions between samples, for each sample, in which the error is measured.
 const CHECKS_PER_SAMPLE: usize = 4;
 
 options! {
-    /// Which radius to fit, and how.
+    /// The options of the fit of a branch.
     BranchFitOptions {
-        /// The index of the branch; by default the outermost positive one that covers the circle, or else the
-        /// outermost positive radius, if there is one in every direction.
+        /// The index of the branch; by default the outermost positive branch that covers the circle or, if there is none, the
+        /// outermost positive radius, provided that there is one in every direction.
         branch: Option<usize> = None,
-        /// N.
+        /// The number of harmonics N.
         harmonics: usize = DEFAULT_HARMONICS,
-        /// Ns; by default max(8N, 256), rounded up to a power of two.
+        /// The number of samples Ns; by default max(8N, 256), rounded up to a power of two.
         samples: Option<usize> = None,
-        /// Round the coefficients to this many decimals; by default so many that rounding adds about 1 % to
+        /// The number of decimals to which the coefficients are rounded; by default as many as make rounding add about 1 % to
         /// the error.
         decimals: Option<u32> = None,
     }
 }
 
-/// A Fourier radius near a branch.
+/// A Fourier radius that approximates a branch.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct BranchFit {
-    /// The branch; `None` for the outermost positive radius in every direction.
+    /// The index of the branch; `None` for the outermost positive radius in every direction.
     pub branch: Option<usize>,
     /// The fit, with exact coefficients.
     pub radius: FourierRadius,
-    /// Ns.
+    /// The number of samples Ns.
     pub samples: usize,
     /// A certified bound of |fit − r| at all samples.
     pub error_at_samples: Rational,
-    /// The largest |fit − r| at directions between the samples, each certified: an estimate of the error
-    /// everywhere.
+    /// The largest |fit − r| in directions between the samples; each value is certified, and the largest is an estimate of the
+    /// error everywhere.
     pub error_between: Rational,
-    /// How many directions between were looked at.
+    /// The number of directions between the samples in which the error was measured.
     pub checks: usize,
-    /// Where the outermost radius jumps from one branch to another: there a Fourier series cannot follow.
+    /// The angles at which the outermost radius jumps from one branch to another. A Fourier series cannot follow it there.
     pub jumps: Vec<ExactAngle>,
 }
 
-/// What gives the radius in a direction.
+/// The radius that is fitted.
 enum Target<'a> {
     Branch(&'a RootBranch),
     Outermost(&'a RootBranch),
@@ -79,11 +79,11 @@ impl Target<'_> {
 
 /// Fits a Fourier series to one branch of a curve, by Definition 1 from certified radii.
 ///
-/// The error at a sample is |fit − r| in the exact direction, for the exact coefficients and the nearest
-/// double of r, and half an ulp of that: so it is a bound. `None` if no branch was asked for and no
-/// positive radius that has no closed form covers the circle.
+/// The error at a sample is |fit − r| in the exact direction, for the exact coefficients and the nearest double of r, plus half
+/// an ulp of r; so it is a bound. The result is `None` if no branch was requested, and no positive radius without a closed form
+/// covers the circle.
 ///
-/// Cost: 4 Ns times the roots of one polynomial.
+/// Cost: the roots of 4 Ns polynomials.
 ///
 /// # Errors
 /// [`Error::Usage`] if the branch does not exist, has a closed form, or does not cover the circle, or if Ns <
@@ -200,14 +200,14 @@ fn choose(curve: &Parametrization, wanted: Option<usize>) -> Result<Option<Chose
     )
 }
 
-/// The k-th of `count` uniform directions, or beside it if that is critical, and the radius there.
+/// The k-th of `count` uniform directions, or a direction near it if that one is critical, and the radius there.
 fn radius_near(target: &Target<'_>, k: usize, count: usize) -> Result<(Direction, f64)> {
     let turn = Rational::whole(Integer::from(k)) / Rational::whole(Integer::from(count));
     let exact = Direction::from_degrees(&(turn * Rational::from(360)));
     if let Some(r) = target.radius(&exact) {
         return Ok((exact, r));
     }
-    // Critical directions are isolated.
+    // Critical directions are isolated, so some direction near it is not critical.
     for step in 46..53 {
         let beside = Direction::from_radians(exact.theta() + f64::from(-step).exp2());
         if let Some(r) = target.radius(&beside) {
@@ -223,7 +223,7 @@ fn radius_near(target: &Target<'_>, k: usize, count: usize) -> Result<(Direction
     })
 }
 
-/// Decimals with which rounding adds about a hundredth of the error that the fit has anyway.
+/// A number of decimals with which rounding adds about a hundredth of the error that the fit has anyway.
 fn enough_decimals(radii: &[(Direction, f64)], cos: &[f64], sin: &[f64]) -> u32 {
     let error = |(direction, r): &(Direction, f64)| {
         let mut angle = 0.0;
@@ -273,14 +273,14 @@ impl Evaluator {
             im -= b * &power;
             power *= w;
         }
-        // The last power is one too many.
+        // The last power of W is one too many.
         let scale = (&power).div_round(w, RoundingMode::Exact).0 * &self.denominator;
         Rational::from_integers(re, scale).invariant("a denominator is not 0")
     }
 
     /// A bound of |fit − r|, where `r` is the nearest double of the radius.
     fn error(&self, direction: &Direction, r: f64) -> Rational {
-        // The samples of a radius near the largest double have no finite sum.
+        // Samples of a radius near the largest double have no finite sum.
         let [exact, next] = [r, r.abs().next_up()]
             .map(|r| Rational::try_from(r).invariant("a radius that has a fit is finite"));
         let ulp = next - exact.abs();
@@ -300,7 +300,7 @@ pub(crate) fn rounded_up(value: &Rational) -> String {
         let scaled = value * &ten(2 - exponent);
         -(-scaled).floor_integer()
     };
-    // The logarithm of a double may be off by one.
+    // The logarithm of a double may be wrong by one.
     while digits(exponent) >= Integer::from(10).pow(3) {
         exponent += 1;
     }

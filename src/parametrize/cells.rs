@@ -1,4 +1,4 @@
-//! The circle of directions, cut where forms vanish: exact signs in every direction.
+//! The circle of directions, cut at the zeros of forms, with the exact signs of the forms in every direction.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -14,17 +14,17 @@ use crate::roots::{RealRoot, real_roots};
 /// The circle [0, 2π] cut at the zeros of some forms: marks (the cuts, and 0 and 2π) and the open
 /// cells between them, in which no form changes its sign.
 pub(super) struct Cells {
-    /// Ascending from 0 to 2π.
+    /// The marks, ascending from 0 to 2π.
     marks: Vec<Mark>,
-    /// One inside each cell; one fewer than marks.
+    /// One direction inside each cell; there is one cell fewer than marks.
     insides: Vec<SignedDirection>,
 }
 
-/// A direction with the signs of all the forms, in their order.
+/// A direction, with the signs of all the forms in their order.
 #[derive(Clone, Debug)]
 pub(super) struct SignedDirection {
     pub(super) signs: Vec<i8>,
-    /// A vector in this direction, if it is a rational one.
+    /// A vector in this direction, if the direction is rational.
     pub(super) vector: Option<(Integer, Integer)>,
     /// Otherwise the tangent of the angle, and whether the direction is in [π, 2π).
     slope: Option<(RealRoot, bool)>,
@@ -33,14 +33,14 @@ pub(super) struct SignedDirection {
 struct Mark {
     angle: ExactAngle,
     place: SignedDirection,
-    /// Vectors in the cells before and after, or at the mark itself if that is rational.
+    /// Vectors in the cells before and after the mark; if the mark is rational, vectors at the mark itself.
     beside: [Vector; 2],
 }
 
 type Vector = (Integer, Integer);
 
 impl Cells {
-    /// Cuts at the real zeros of all the forms that are not 0. Cost: the real roots of their product.
+    /// Cuts the circle at the real zeros of all the forms that are not 0. Cost: the real roots of their product.
     pub(super) fn cut(forms: &[&BinaryForm]) -> Self {
         let mut product = IntegerPolynomial::one();
         let mut vertical = false;
@@ -48,7 +48,7 @@ impl Cells {
             let new = primitive_part(form.dehomogenized());
             let common = polynomial_gcd(&product, &new);
             product *= divide_exactly(&new, &common).unwrap_or(new);
-            // f(0, 1) = 0 where the degree in t drops.
+            // f(0, 1) = 0 exactly if the degree in t is smaller than that of the form.
             vertical |= form.dehomogenized().coefficients_asc().len() <= form.degree();
         }
         let tangents = real_roots(&product);
@@ -86,8 +86,8 @@ impl Cells {
         Self { marks, insides }
     }
 
-    /// The maximal ranges in which `holds`, within [0, 2π]; isolated angles as [θ, θ]. Besides the place
-    /// `holds` gets the two cells that a mark lies between.
+    /// The maximal ranges within [0, 2π] in which `holds` is true; an isolated angle is a range [θ, θ]. `holds` is called with
+    /// a direction and the two cells on both sides of it.
     pub(super) fn ranges(
         &self,
         holds: impl Fn(&SignedDirection, &[&SignedDirection]) -> bool,
@@ -111,7 +111,7 @@ impl Cells {
                     open = after.then(|| started(&mark.angle, at_mark));
                 }
                 (None, _, true) => open = Some(started(&mark.angle, at_mark)),
-                // 2π is 0 again.
+                // The angle 2π is the direction of 0.
                 (None, true, false) if index + 1 < self.marks.len() => {
                     ranges.push(AngleRange::point(mark.angle.clone()));
                 }
@@ -132,7 +132,7 @@ impl SignedDirection {
         }
     }
 
-    /// The sign of one more form.
+    /// The sign of another form in this direction.
     pub(super) fn sign_of(&self, form: &BinaryForm) -> i8 {
         if let Some((u, v)) = &self.vector {
             return integer_sign(&form.evaluate(u, v));
@@ -140,7 +140,7 @@ impl SignedDirection {
         let Some((slope, below)) = &self.slope else {
             return 0;
         };
-        // (1, t) has an angle in [0, π) for t ≥ 0 only.
+        // (1, t) has an angle in [0, π) only for t ≥ 0.
         let is_turned = *below != (slope.signum() < 0);
         let sign = slope.sign_of(form.dehomogenized());
         if is_turned && !form.is_even() {
@@ -152,10 +152,10 @@ impl SignedDirection {
 }
 
 impl Mark {
-    /// The direction in [0, π) with an algebraic tangent: a form that does not vanish there has the
-    /// sign that it has in the cells beside.
+    /// The direction in [0, π) with an algebraic tangent. A form that does not vanish there has the sign that it has in the
+    /// neighbouring cells.
     fn algebraic(mut tangent: RealRoot, forms: &[&BinaryForm]) -> Self {
-        // Away from 0, where there may be a mark.
+        // The enclosure is narrowed so that it does not hold 0, where there may be a mark.
         tangent.refine(8);
         let (low, high) = tangent.enclosure();
         let upward = |t: Rational| {
@@ -182,7 +182,7 @@ impl Mark {
         }
     }
 
-    /// This direction and half a turn.
+    /// The opposite direction.
     fn opposite(&self, forms: &[&BinaryForm]) -> Self {
         let turned = |(u, v): &Vector| (-u, -v);
         let signs = forms.iter().zip(&self.place.signs);
@@ -208,18 +208,18 @@ fn started(angle: &ExactAngle, closed: bool) -> AngleRange {
     }
 }
 
-/// A rational vector strictly between two neighbouring marks, given vectors just after the one and just
-/// before the other.
+/// A rational vector strictly between two neighbouring marks. The given vectors are just after the first mark and just before
+/// the second one.
 fn between((u0, v0): &Vector, (u1, v1): &Vector) -> Vector {
     let cross = u0 * v1 - v0 * u1;
     if cross > 0 {
         return (u0 + u1, v0 + v1);
     }
     if u0 == u1 && v0 == v1 {
-        // The enclosures of two tangents touch here, and neither tangent is an end of its own.
+        // The enclosures of two tangents touch at this vector, and neither tangent is the end of its enclosure.
         return (u0.clone(), v0.clone());
     }
-    // A half turn: the left normal.
+    // The marks are half a turn apart; the left normal of the first vector is between them.
     (-v0, u0.clone())
 }
 
@@ -251,34 +251,34 @@ mod tests {
     fn signs_of_forms_around_the_circle() {
         let positive = |s: i8| s > 0;
         let not_negative = |s: i8| s >= 0;
-        // x² − y² ≥ 0
+        // The set x² − y² ≥ 0.
         assert_eq!(
             shown(&form(&[1, 0, -1]), not_negative),
             "[0, pi/4] [3*pi/4, 5*pi/4] [7*pi/4, 2*pi]"
         );
-        // 2xy > 0: zeros at 0 and at π/2
+        // The set 2xy > 0; the form has zeros at 0 and at π/2.
         assert_eq!(shown(&form(&[0, 2, 0]), positive), "(0, pi/2) (pi, 3*pi/2)");
         assert_eq!(
             shown(&form(&[0, 2, 0]), not_negative),
             "[0, pi/2] [pi, 3*pi/2]"
         );
-        // An odd form: x − 2y > 0
+        // The set x − 2y > 0, for a form of odd degree.
         assert_eq!(
             shown(&form(&[1, -2]), positive),
             "[0, atan(1/2)) (pi + atan(1/2), 2*pi]"
         );
-        // Nowhere zero, and everywhere but at single directions
+        // A form without zeros, and a form that is not 0 except in single directions.
         assert_eq!(shown(&form(&[1, 0, 1]), positive), "[0, 2*pi]");
         assert_eq!(
             shown(&form(&[1, -2, 1]), positive),
             "[0, pi/4) (pi/4, 5*pi/4) (5*pi/4, 2*pi]"
         );
-        // Isolated admissible angles: −(x − y)² ≥ 0
+        // The set −(x − y)² ≥ 0 consists of isolated angles.
         assert_eq!(
             shown(&form(&[-1, 2, -1]), not_negative),
             "[pi/4, pi/4] [5*pi/4, 5*pi/4]"
         );
-        // x > 0, y > 0
+        // The sets x > 0 and y > 0.
         assert_eq!(shown(&form(&[1, 0]), positive), "[0, pi/2) (3*pi/2, 2*pi]");
         assert_eq!(shown(&form(&[0, 1]), positive), "(0, pi)");
     }

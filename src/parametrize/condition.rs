@@ -1,4 +1,4 @@
-//! Where a formula of Lemmas 7 to 10 holds, as an exact statement about signs of forms.
+//! Conditions under which a formula of Lemmas 7 to 10 holds, as exact statements about signs of forms.
 
 use super::expression::Expression;
 use crate::poly::{TernaryForm, integer_sign};
@@ -7,19 +7,19 @@ use crate::poly::{TernaryForm, integer_sign};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Condition {
-    /// All of these hold; with none of them, always.
+    /// All of these conditions hold. An empty list always holds.
     All(Vec<Self>),
-    /// One of these holds; with none of them, never.
+    /// One of these conditions holds. An empty list never holds.
     Any(Vec<Self>),
-    /// This does not hold.
+    /// This condition does not hold.
     Not(Box<Self>),
-    /// How a form in (sin φ cos θ, sin φ sin θ, cos φ) compares with 0.
+    /// A form in (sin φ cos θ, sin φ sin θ, cos φ) has this relation to 0.
     Form(TernaryForm, Relation),
-    /// The value of the formula, which is real where the conditions beside it hold, is not negative.
+    /// The value of the formula is not negative. The other conditions ensure that the value is real.
     NotNegative(Expression<TernaryForm>),
 }
 
-/// How a number compares with 0.
+/// A relation of a number to 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// = 0
@@ -37,7 +37,7 @@ pub enum Relation {
 }
 
 impl Condition {
-    /// That a form compares so with 0; a constant form is compared at once.
+    /// The condition that a form has this relation to 0. For a constant form it is decided at once.
     pub(super) fn form(form: &TernaryForm, relation: Relation) -> Self {
         if form.degree() > 0 {
             return Self::Form(form.clone(), relation);
@@ -49,7 +49,7 @@ impl Condition {
         }
     }
 
-    /// All of these, without what always holds.
+    /// The condition that all of these hold; conditions that always hold are left out.
     pub(super) fn all(parts: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Vec::new();
         for part in parts {
@@ -65,7 +65,7 @@ impl Condition {
         }
     }
 
-    /// One of these, without what never holds.
+    /// The condition that one of these holds; conditions that never hold are left out.
     pub(super) fn any(parts: impl IntoIterator<Item = Self>) -> Self {
         let mut any = Vec::new();
         for part in parts {
@@ -81,7 +81,7 @@ impl Condition {
         }
     }
 
-    /// That this does not hold.
+    /// The condition that this one does not hold.
     pub(super) fn negated(self) -> Self {
         match self {
             Self::All(inner) if inner.is_empty() => Self::Any(inner),
@@ -92,7 +92,7 @@ impl Condition {
 }
 
 impl Relation {
-    /// Whether a number of this sign compares so with 0.
+    /// Whether a number of this sign has this relation to 0.
     fn holds(self, sign: i8) -> bool {
         match self {
             Self::Zero => sign == 0,
@@ -116,7 +116,8 @@ mod tests {
     use crate::shape::Form;
     use malachite::Integer;
 
-    /// Whether a condition holds in the direction of a vector; `None` if the sign of a formula is too close to call.
+    /// Whether a condition holds in the direction of a vector; `None` if the value of a formula is too near to 0 to know its
+    /// sign.
     fn holds(condition: &Condition, vector: &[Integer; 3], unit: [f64; 3]) -> Option<bool> {
         let each = |parts: &[Condition]| -> Vec<Option<bool>> {
             parts.iter().map(|part| holds(part, vector, unit)).collect()
@@ -146,7 +147,7 @@ mod tests {
             }
             Condition::NotNegative(expression) => {
                 let value = expression.approximate(unit);
-                // Where it is not real another condition does not hold.
+                // If the value is not real, another condition fails.
                 (value.is_nan() || value.abs() > 1e-9).then_some(value >= 0.0)
             }
         }
@@ -185,7 +186,7 @@ mod tests {
                     assert_eq!(holds, sign.is_some(), "{text}: {:?}", branch.condition);
                     real += usize::from(holds);
                     not_real += usize::from(!holds);
-                    // Where a formula holds it is real; some hold wherever they are real.
+                    // The formula is real where its condition holds. Some formulas hold wherever they are real.
                     let value = branch.radius.approximate(unit);
                     assert!(!holds || !value.is_nan(), "{text}");
                     assert!(

@@ -1,16 +1,16 @@
-//! Closed forms of r(θ), as exact expression trees.
+//! Closed forms of r(θ) and R(θ, φ), as exact expression trees.
 
 use malachite::Integer;
 
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, HomogeneousPolynomial};
 
-/// An expression in the components of a unit vector, with exact coefficients: in θ for binary forms, in θ
-/// and φ for ternary ones.
+/// An expression in the components of a unit vector with exact coefficients, in θ for binary forms and in θ and φ for ternary
+/// ones.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Expression<F = BinaryForm> {
-    /// A form at (cos θ, sin θ), or at (sin φ cos θ, sin φ sin θ, cos φ).
+    /// The value of a form at (cos θ, sin θ) or (sin φ cos θ, sin φ sin θ, cos φ).
     Form(F),
     /// a + b
     Sum(Box<Self>, Box<Self>),
@@ -28,7 +28,7 @@ pub enum Expression<F = BinaryForm> {
     Cosine(Box<Self>),
     /// arccos a, in [0, π]
     Arccosine(Box<Self>),
-    /// The real k-th root: for even k the non-negative one of a non-negative number.
+    /// The real k-th root; for even k it is the root of a non-negative number that is not negative.
     Root(u32, Box<Self>),
     /// A positive rational number.
     Constant(Rational),
@@ -39,8 +39,8 @@ pub enum Expression<F = BinaryForm> {
 }
 
 impl<F: HomogeneousPolynomial> Expression<F> {
-    /// The value at a unit vector in doubles, with no bound of its error: for drawing and comparing. In the plane the
-    /// vector is [cos θ, sin θ, 0]. NaN where an even root of a negative number is taken.
+    /// The value at a unit vector in doubles, without a bound of its error, for drawing and comparing. In the plane the vector
+    /// is [cos θ, sin θ, 0]. The value is NaN if an even root of a negative number occurs.
     #[must_use]
     #[expect(
         clippy::cast_precision_loss,
@@ -65,7 +65,7 @@ impl<F: HomogeneousPolynomial> Expression<F> {
             Self::Negative(a) => -a.approximate(at),
             Self::Pi(q) => q.to_f64() * std::f64::consts::PI,
             Self::Cosine(a) => a.approximate(at).cos(),
-            // Rounding may carry the argument over the edge.
+            // Rounding may have moved the argument slightly beyond ±1.
             Self::Arccosine(a) => a.approximate(at).clamp(-1.0, 1.0).acos(),
             Self::Root(k, a) => {
                 let value = a.approximate(at);
@@ -102,7 +102,7 @@ impl<F: HomogeneousPolynomial> Expression<F> {
         }
     }
 
-    /// a / b, without a denominator 1.
+    /// The quotient a / b, or a if b is 1.
     pub(super) fn over(self, denominator: F) -> Self {
         if denominator == F::constant(Integer::from(1)) {
             return self;
@@ -110,7 +110,7 @@ impl<F: HomogeneousPolynomial> Expression<F> {
         Self::Quotient(Box::new(self), Box::new(Self::Form(denominator)))
     }
 
-    /// a · b, without a factor 1.
+    /// The product a · b, or a if b is 1.
     pub(super) fn times(self, factor: F) -> Self {
         if factor == F::constant(Integer::from(1)) {
             return self;

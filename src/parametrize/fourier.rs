@@ -1,4 +1,4 @@
-//! Polynomials born of a Fourier radius, recognised and taken back exactly (Lemmas 2 and 3).
+//! Polynomials that come from a Fourier radius are recognised, and the radius is recovered exactly (Lemmas 2 and 3).
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{
@@ -13,20 +13,20 @@ use crate::implicitize::SquaredForm;
 use crate::poly::{BinaryForm, IntegerPolynomial, Ring, harmonics_of_form, polynomial_sqrt};
 use crate::shape::{FourierRadius, ImplicitCurve};
 
-/// The branches of an implicit curve whose radii are exactly trigonometric polynomials.
+/// The branches of an implicit curve whose radii are trigonometric polynomials, exactly.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FourierBranches {
-    /// 2 (two homogeneous parts) or 3 (three): the lemma that gives the closed form.
+    /// The number of the lemma that gives the closed form: 2 for two homogeneous parts, 3 for three.
     pub lemma: usize,
-    /// The k of r^k: 2 where only every second degree occurs.
+    /// The step k: r^k is the root. It is 2 if only every second degree occurs.
     pub step: usize,
-    /// One radius, or two: r(θ) and −r(θ+π), the one with the first even coefficient positive
-    /// first. Both describe the same points; which has r > 0 where is a matter of sign.
+    /// One radius, or the two radii r(θ) and −r(θ+π); the one whose first even coefficient is positive comes first. Both describe
+    /// the same points, but they are positive at different angles.
     pub radii: Vec<FourierRadius>,
 }
 
-/// Takes an implicit polynomial back to the Fourier radii that it came from, exactly.
+/// Recovers the exact Fourier radii that an implicit polynomial comes from.
 ///
 /// With homogeneous parts s, p, q of degrees n, n−1, n−2 the radius satisfies
 /// `s r² + p r + q = 0` (Lemma 3, Eq. (21)ff). If s is a constant times a power of x² + y² (1 on
@@ -39,7 +39,7 @@ pub struct FourierBranches {
 /// basis.
 ///
 /// # Errors
-/// [`Error::Hypothesis`] with the reason when the radii are not of that kind.
+/// [`Error::Hypothesis`], with the reason, if the radii are not trigonometric polynomials.
 pub fn fourier_branches(curve: &ImplicitCurve) -> Result<FourierBranches> {
     let f = curve.polynomial();
     let degrees = f.homogeneous_degrees();
@@ -102,9 +102,8 @@ pub fn fourier_branches(curve: &ImplicitCurve) -> Result<FourierBranches> {
     })
 }
 
-/// The branches of a curve that is exactly the (reduced) implicit curve of a Fourier radius, without
-/// further factors: then it is irreducible over Q (see
-/// [`SquaredForm::is_perfect_square`]). `None` for all other curves.
+/// The branches of a curve that is exactly the (reduced) implicit curve of a Fourier radius and has no further factors, so that
+/// it is irreducible over Q (see [`SquaredForm::is_perfect_square`]). `None` for all other curves.
 #[must_use]
 pub(crate) fn born_of_radius(curve: &ImplicitCurve) -> Option<FourierBranches> {
     let found = fourier_branches(curve).ok()?;
@@ -135,16 +134,16 @@ fn form_sqrt(f: &BinaryForm) -> Option<BinaryForm> {
     Some(BinaryForm::from_dehomogenized(stripped.degree() / 2, root))
 }
 
-/// Coefficients of a trigonometric polynomial.
+/// The coefficients of a trigonometric polynomial.
 struct Harmonics {
     cos: Vec<Rational>,
     sin: Vec<Rational>,
 }
 
 impl Harmonics {
-    /// form / denominator on the unit circle.
+    /// The coefficients of form / denominator on the unit circle.
     fn of(form: &BinaryForm, denominator: &Rational) -> Self {
-        // A power of x² + y² is 1 on the circle: fewer harmonics to transform.
+        // A power of x² + y² is 1 on the circle; without it there are fewer harmonics to transform.
         let Some((_, form)) = form.strip_rho() else {
             return Self {
                 cos: vec![Rational::zero()],

@@ -1,4 +1,4 @@
-//! Theorem 7: the curve where two surfaces meet, as a parametric space curve.
+//! Theorem 7: the curve in which surfaces meet, as parametric space curves.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -16,17 +16,17 @@ use crate::poly::{
 };
 use crate::shape::{ImplicitCurve, ImplicitSurface, Parameter, PlaneCurve, SpaceCurve};
 
-/// The curve common to some surfaces, component by component.
+/// The intersection of surfaces, component by component.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct IntersectionParametrization {
-    /// Components with an exact parametrization; each satisfies every equation identically.
+    /// The components with an exact parametrization; each of these curves satisfies every equation identically.
     pub curves: Vec<SpaceCurve>,
-    /// Components without one.
+    /// The components without a parametrization.
     pub others: Vec<UnparametrizedComponent>,
-    /// The coordinate along which the curve was projected: 0, 1 or 2.
+    /// The index of the coordinate along which the intersection was projected: 0, 1 or 2.
     pub axis: usize,
-    /// What else a reader should know.
+    /// Further notes for the reader.
     pub notes: Vec<String>,
 }
 
@@ -36,16 +36,16 @@ pub struct IntersectionParametrization {
 pub struct UnparametrizedComponent {
     /// The irreducible equation of its projection along the axis.
     pub projection: SparsePolynomial<3>,
-    /// Why there is none, or that it was not found.
+    /// The reason why there is no parametrization, or why none was found.
     pub reason: String,
 }
 
-/// The parametric curve that Theorem 7 speaks of, where a rational or trigonometric relation gives one.
+/// Parametrizes the intersection of surfaces, where a rational or trigonometric relation gives a curve (Theorem 7).
 ///
-/// One coordinate is eliminated: the resultant of two equations, in irreducible factors, holds the projections of the
-/// components. A factor with a parametrization (x(t), y(t)) — a Fourier radius by Lemmas 2 and 3, or a rational
-/// curve — is put into the equations, which are then polynomials in z over Q(t): a linear factor of their greatest common
-/// divisor is z(t). Every curve is verified by substitution in all the equations.
+/// One coordinate is eliminated: the irreducible factors of the resultant of two equations contain the projections of the
+/// components. If a factor has a parametrization (x(t), y(t)), which is a Fourier radius by Lemmas 2 and 3 or a rational curve,
+/// it is substituted into the equations. They become polynomials in z over Q(t), and a linear factor of their greatest common
+/// divisor gives z(t). Every curve is verified by substitution into all the equations.
 ///
 /// Straight lines parallel to the axis of projection are not among the components.
 ///
@@ -105,11 +105,12 @@ pub fn parametrize_intersection(
     best.ok_or_else(|| failure.unwrap_or_else(none))
 }
 
-/// The axes along which to project, the cheapest first: where the degrees in that coordinate are small, but not both 0.
+/// The axes along which the surfaces can be projected, the cheapest first: those whose coordinate has small degrees, of which
+/// at least one is not 0.
 fn axes(pair: [&SparsePolynomial<3>; 2]) -> Vec<usize> {
     let degrees = |axis: usize| pair.map(|f| degree_in(f, axis));
     let mut axes: Vec<usize> = (0..3).filter(|&axis| degrees(axis) != [0, 0]).collect();
-    // z comes first among equals: the projection is then a curve in x and y.
+    // z is first among equally cheap axes, so that the projection is a curve in x and y.
     axes.sort_by_key(|&axis| {
         let [m, n] = degrees(axis);
         (m * n, m + n, 2 - axis)
@@ -121,7 +122,7 @@ fn degree_in(f: &SparsePolynomial<3>, axis: usize) -> u32 {
     f.terms().map(|(e, _)| e[axis]).max().unwrap_or(0)
 }
 
-/// The two other coordinates, in order.
+/// The two other coordinates, in ascending order.
 fn others(axis: usize) -> [usize; 2] {
     match axis {
         0 => [1, 2],
@@ -204,7 +205,7 @@ fn along(
     Ok(result)
 }
 
-/// The coordinates of a curve over an angle, for t + π/g instead of t: s = tan(g t/2) becomes −1/s.
+/// A curve whose parameter is an angle t, as a function of t + π/g instead of t: s = tan(g t/2) becomes −1/s.
 fn half_a_turn_on(curve: &SpaceCurve) -> Option<[RationalFunction; 3]> {
     let turned = |f: &RationalFunction| {
         let degree = f.degree();
@@ -226,14 +227,14 @@ fn half_a_turn_on(curve: &SpaceCurve) -> Option<[RationalFunction; 3]> {
     Some([x?, y?, z?])
 }
 
-/// Whether the leading coefficient in a coordinate is constant: then no line parallel to its axis is on the surface.
+/// Whether the leading coefficient in a coordinate is constant, so that no line parallel to this axis is on the surface.
 fn is_monic_in(f: &SparsePolynomial<3>, axis: usize) -> bool {
     let degree = degree_in(f, axis);
     let mut leading = f.terms().filter(|(e, _)| e[axis] == degree);
     degree > 0 && leading.all(|(e, _)| e.iter().sum::<u32>() == degree)
 }
 
-/// A parametrization of an irreducible plane curve, or why there is none.
+/// A parametrization of an irreducible plane curve, or the reason why there is none.
 fn projected(f: &PlanePolynomial) -> std::result::Result<PlaneCurve, String> {
     if let Ok(found) = fourier_branches(&ImplicitCurve::new(f.clone()))
         && let Some(radius) = found.radii.first()
@@ -262,7 +263,7 @@ fn rational(curve: RationalCurve) -> PlaneCurve {
     PlaneCurve::new(Parameter::number("t"), [curve.x, curve.y])
 }
 
-/// A straight line a x + b y + c = 0, by the coordinate that it is a function of.
+/// The straight line a x + b y + c = 0, parametrized by a coordinate that determines the other one.
 fn line(f: &PlanePolynomial) -> Option<RationalCurve> {
     if f.degree() != Some(1) {
         return None;
@@ -281,7 +282,7 @@ fn line(f: &PlanePolynomial) -> Option<RationalCurve> {
     Some(RationalCurve { x: t(), y })
 }
 
-/// a t + b
+/// The function a t + b.
 fn linear(a: &Rational, b: &Rational) -> RationalFunction {
     let denominator = a.denominator() * b.denominator();
     let scaled = |q: &Rational| (q * &Rational::whole(&denominator)).numerator();
@@ -290,11 +291,11 @@ fn linear(a: &Rational, b: &Rational) -> RationalFunction {
     RationalFunction::from_integers(numerator, below).invariant("no denominator is 0")
 }
 
-/// What lies above a parametrized projection.
+/// The part of the intersection above a parametrized projection.
 enum Lifted {
-    /// Nothing: the factor belongs to points at infinity.
+    /// No point: the factor of the resultant belongs to points at infinity.
     Nothing,
-    /// So many points above every one, that are not rational functions of the parameter.
+    /// This number of points above every point, which are not rational functions of the parameter.
     Irrational(u32),
     /// Curves that satisfy both equations.
     Curves(Vec<SpaceCurve>),
@@ -315,7 +316,7 @@ fn lifted(
     let mut curves = Vec::new();
     let mut irrational = None;
     for factor in factor_plane(&plane, limits)?.factors {
-        // a(t) z^k + …: the coefficients of the powers of z.
+        // The coefficients a(t) of the powers of z.
         let mut rows: Vec<Vec<Integer>> = Vec::new();
         for ((i, k), c) in factor.polynomial.terms() {
             rows.resize_with(rows.len().max(k + 1), Vec::new);
@@ -340,7 +341,7 @@ fn lifted(
                     _ => [x, y, height],
                 };
                 let curve = SpaceCurve::new(below.parameter().clone(), coordinates);
-                // A proof of its own, whatever the way it was found.
+                // This is a proof that does not depend on the way in which the curve was found.
                 if pair.iter().all(|f| lies_on(&curve, f)) {
                     curves.push(curve);
                 }
@@ -355,12 +356,12 @@ fn lifted(
     })
 }
 
-/// f with a plane curve in two of its variables, as a polynomial in the parameter s and the third variable, times a power of
-/// the denominators.
+/// f with a plane curve substituted for two of its variables: a polynomial in the parameter s and the third variable, times a
+/// power of the denominators.
 fn substituted(f: &SparsePolynomial<3>, axis: usize, curve: &PlaneCurve) -> SparsePolynomial<2> {
     let variables = others(axis);
     let f = f.primitive();
-    // For both coordinates numerator^i · denominator^(d − i), i = 0 … d.
+    // For both coordinates, the products numerator^i · denominator^(d − i) for i = 0 … d.
     let powers = [0, 1].map(|n: usize| {
         let degree = degree_in(&f, variables[n]);
         let function = &curve.coordinates()[n];

@@ -1,4 +1,4 @@
-//! A surface on a meridian θ = const, where it is a plane curve in the angle φ; and in single directions.
+//! Surfaces on a meridian θ = const, where they are plane curves in the angle φ, and in single directions.
 
 use std::cmp::Ordering;
 
@@ -14,36 +14,36 @@ use crate::poly::{BinaryForm, TernaryForm, integer_sign};
 use crate::sample::{Direction, IntegerVector, SpaceDirection};
 use crate::shape::ImplicitCurve;
 
-/// Where one branch is real on a meridian: ranges of φ within [0, π].
+/// The exact ranges of one branch on a meridian, within [0, π].
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct MeridianBranch {
-    /// Which factor it belongs to.
+    /// The index of the factor to which the branch belongs.
     pub factor: usize,
-    /// Its index among [`SurfaceParametrization::branches`]; `None` for a factor without a closed form, whose branches are
-    /// those of its curve on this meridian.
+    /// The index of the branch among [`SurfaceParametrization::branches`]; `None` for a factor without a closed form, whose
+    /// branches are those of its curve on this meridian.
     pub branch: Option<usize>,
-    /// Where R is real and finite, of either sign.
+    /// The ranges of φ in which R is real and finite, of either sign.
     pub real: Vec<AngleRange>,
-    /// Where R > 0.
+    /// The ranges of φ in which R > 0.
     pub positive: Vec<AngleRange>,
 }
 
-/// What is certain of a surface in one direction.
+/// The certified signs of a surface's formulas in one direction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct DirectionAnswer {
-    /// For every factor the sign of its discriminant, if it has one.
+    /// For each factor the sign of its discriminant, or `None` if it has no discriminant.
     pub discriminants: Vec<Option<i8>>,
-    /// For every branch the sign of R; `None` where the formula has no real value.
+    /// For each branch the sign of R, or `None` if the formula has no real value.
     pub branches: Vec<Option<i8>>,
 }
 
 impl SurfaceParametrization {
-    /// The exact ranges of φ in [0, π] where the branches are real, for the azimuth of an exact direction `theta`.
+    /// The exact ranges of φ in [0, π] in which the branches are real, for the azimuth of an exact direction `theta`.
     ///
-    /// On the meridian the form f_d(sin φ cos θ, sin φ sin θ, cos φ) is a binary form in (cos φ, sin φ), so this is
-    /// the problem of the plane again: the ranges are those of Lemmas 2 to 6.
+    /// On the meridian each form f_d(sin φ cos θ, sin φ sin θ, cos φ) is a binary form in (cos φ, sin φ). So the problem is the
+    /// one of the plane, and Lemmas 2 to 6 give the ranges.
     ///
     /// # Errors
     /// Those of [`parametrize`] for factors without a closed form.
@@ -81,7 +81,7 @@ impl SurfaceParametrization {
         Ok(result)
     }
 
-    /// The certified answer in one direction: which of the branches are real there, and their signs.
+    /// The certified answer in one direction: the branches that are real there, and their signs.
     #[must_use]
     pub fn in_direction(&self, direction: &SpaceDirection) -> DirectionAnswer {
         let (vector, _) = direction.over_common_denominator();
@@ -98,7 +98,7 @@ impl SurfaceParametrization {
 }
 
 impl SurfaceFactor {
-    /// [real, positive] for every branch, φ going all the way around; `None` without a closed form.
+    /// The ranges [real, positive] of every branch for φ in the full circle; `None` if there is no closed form.
     fn closed_ranges(&self, theta: &Direction) -> Option<Vec<[Vec<AngleRange>; 2]>> {
         let solved = self.solved.as_ref()?;
         let on_meridian = Meridian::new(theta);
@@ -146,7 +146,7 @@ impl Meridian {
     }
 }
 
-/// The part of some ranges of [0, 2π] that is in [0, π].
+/// The part of ranges of [0, 2π] that lies in [0, π].
 fn upper_half(ranges: Vec<AngleRange>) -> Vec<AngleRange> {
     let clipped =
         ranges

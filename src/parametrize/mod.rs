@@ -1,4 +1,4 @@
-//! Implicit → parametric (§3 of the paper).
+//! Parametrization: radii of implicit forms (§3 of the paper).
 
 mod angle;
 mod approximate;

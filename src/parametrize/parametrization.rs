@@ -1,4 +1,4 @@
-//! The whole of §3 for one curve: lines through the origin, and the branches r(θ) of the rest.
+//! The polar form of a plane curve by all of §3: straight lines through the origin, and branches r(θ).
 
 use std::sync::Arc;
 
@@ -25,56 +25,56 @@ use crate::shape::{Form, FourierRadius, ImplicitCurve};
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Parametrization {
-    /// What gives the branches.
+    /// The method that gives the branches.
     pub method: PolarMethod,
-    /// The k of r^k; 1 where there are several factors.
+    /// The step k, where r^k is the root of a polynomial; 1 if there are several factors.
     pub step: usize,
     /// The angles in [0, π) of straight lines through the origin that belong to the curve.
     pub lines: Vec<ExactAngle>,
     /// The branches of all factors.
     pub branches: Vec<Branch>,
-    /// What else a reader should know.
+    /// Further notes for the reader.
     pub notes: Vec<String>,
-    /// The point that r is measured from.
+    /// The center, from which r is measured.
     pub center: [Rational; 2],
-    /// What is known of rational parametrizations, factor by factor; factors of which nothing is known are left out.
+    /// The findings about rational parametrizations, factor by factor. Factors without findings are left out.
     pub rational: Vec<FactorRationality>,
     /// The form that this is the polar form of: an implicit curve or a superquadric.
     pub of: Form,
 }
 
-/// What gives the branches of a curve.
+/// The method that gives the branches of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PolarMethod {
-    /// There are only lines through the origin.
+    /// There are no branches, only lines through the origin.
     Lines,
     /// One of Lemmas 2 to 5.
     Lemma(usize),
     /// The curve has several factors, each with its own lemma.
     Factors,
-    /// Lemma 6: roots direction by direction, since the degree in r^k is more than four.
+    /// Lemma 6: the roots are found direction by direction, because the degree in r^k is more than four.
     Numeric,
 }
 
-/// One branch.
+/// A branch of a curve.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Branch {
-    /// Which factor of the polynomial it belongs to, from 0.
+    /// The index of the factor to which the branch belongs, from 0.
     pub factor: usize,
-    /// r(θ).
+    /// The radius r(θ).
     pub radius: BranchRadius,
-    /// Where r is real and finite, of either sign.
+    /// The ranges of θ in which r is real and finite, of either sign.
     pub real: Vec<AngleRange>,
-    /// Where r > 0.
+    /// The ranges of θ in which r > 0.
     pub positive: Vec<AngleRange>,
-    /// Whether the formula is real nowhere else than in `real`. Those of Lemmas 4 and 5 may be, where they give another
-    /// branch's root or none.
+    /// Whether the formula is real only in `real`. The formulas of Lemmas 4 and 5 may be real elsewhere, where they give the
+    /// root of another branch or no root.
     pub holds_where_real: bool,
 }
 
-/// r(θ), exactly.
+/// The exact radius r(θ) of a branch.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum BranchRadius {
@@ -86,16 +86,15 @@ pub enum BranchRadius {
     Root(RootBranch),
 }
 
-/// The polar form of a plane curve (Lemmas 2 to 6), with exact ranges.
+/// Finds the polar form of a plane curve (Lemmas 2 to 6), with exact ranges.
 ///
-/// The polynomial is factored over Q. A factor that is a form gives straight lines through the origin,
-/// its real zeros. With two to five equally spaced homogeneous parts the radius is the root of a
-/// polynomial of degree at most four in r^k, in closed form (Lemmas 2 to 5); otherwise it is a certified
-/// root in each direction (Lemma 6). If a radius is a trigonometric polynomial it
-/// comes as one. Multiplicities do not change the curve; they are in the notes.
+/// The polynomial is factored over Q. The real zeros of a factor that is a form are straight lines through the origin. If a
+/// factor has two to five homogeneous parts of equally spaced degrees, the radius is the root of a polynomial of degree at most
+/// four in r^k and has a closed form (Lemmas 2 to 5); otherwise it is a certified root in each direction (Lemma 6). A radius
+/// that is a trigonometric polynomial is returned as one. Multiplicities do not change the curve; the notes state them.
 ///
 /// # Errors
-/// [`Error::Usage`] for 0; [`Error::Limit`] if a discriminant is beyond what is computed; those of
+/// [`Error::Usage`] for the polynomial 0; [`Error::Limit`] if a discriminant is too large to be computed; those of
 /// [`factor_plane`].
 pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametrization> {
     let mut result = Parametrization {
@@ -151,7 +150,7 @@ pub fn parametrize(curve: &ImplicitCurve, limits: &Limits) -> Result<Parametriza
     Ok(result)
 }
 
-/// Notes on the origin, and on a curve with no real points or with isolated ones only.
+/// Adds notes about the origin, and about a curve that has no real points or only isolated ones.
 fn note_points(curve: &ImplicitCurve, result: &mut Parametrization) {
     let multiplicity = curve.polynomial().lowest_degree().unwrap_or(0);
     if multiplicity > 0 {
@@ -172,7 +171,7 @@ fn note_points(curve: &ImplicitCurve, result: &mut Parametrization) {
     result.notes.push(note.into());
 }
 
-/// What is known of the rational parametrizations of a factor whose branches are there already.
+/// The findings about the rational parametrizations of a factor whose branches are known.
 fn rationality(
     f: &PlanePolynomial,
     factor: usize,
@@ -232,7 +231,7 @@ fn add_factor(
         positive: ranges.positive,
         holds_where_real,
     });
-    // Of the formulas of Lemmas 4 and 5 many hold nowhere.
+    // Many of the formulas of Lemmas 4 and 5 hold in no direction.
     result
         .branches
         .extend(branches.filter(|b| degree < 3 || !b.real.is_empty()));
@@ -251,7 +250,7 @@ fn add_factor(
     Ok(())
 }
 
-/// The equation of a factor in powers of r^step.
+/// The equation of a factor as a polynomial in r^step.
 fn equation(f: &PlanePolynomial, step: usize) -> Equation {
     let degrees = f.homogeneous_degrees();
     let (top, lowest) = (degrees[0], degrees[degrees.len() - 1]);
@@ -263,7 +262,7 @@ fn equation(f: &PlanePolynomial, step: usize) -> Equation {
     }
 }
 
-/// The branches of a factor of degree more than four in r^step, root by root.
+/// Adds the branches of a factor of degree more than four in r^step, each as a root.
 fn add_traced(
     f: &PlanePolynomial,
     index: usize,
@@ -303,7 +302,7 @@ fn add_traced(
 }
 
 impl BranchRadius {
-    /// r(θ) in doubles, with no bound of its error: for drawing and comparing.
+    /// The value r(θ) in doubles, without a bound of its error, for drawing and comparing.
     #[must_use]
     pub fn approximate(&self, theta: f64) -> f64 {
         match self {
@@ -320,7 +319,7 @@ impl BranchRadius {
 }
 
 impl Branch {
-    /// A branch that is a trigonometric polynomial: real everywhere.
+    /// A branch whose radius is a trigonometric polynomial, so that it is real everywhere.
     pub(crate) fn fourier(factor: usize, radius: FourierRadius) -> Self {
         Self {
             factor,

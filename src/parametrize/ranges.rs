@@ -1,4 +1,4 @@
-//! Where a Fourier radius is positive: exact angle ranges.
+//! The exact angle ranges in which a Fourier radius is positive.
 
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
@@ -6,11 +6,11 @@ use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics};
 use crate::roots::real_roots;
 use crate::shape::FourierRadius;
 
-/// Where r(θ) > 0, ascending within [0, 2π]: open intervals, closed at 0 and 2π if r > 0 there.
+/// The ranges in which r(θ) > 0, ascending within [0, 2π]: open intervals, but closed at 0 and 2π if r > 0 there.
 ///
-/// With t = tan(θ/2), (1+t²)^N r is a polynomial of degree 2N in t; its real roots of odd
-/// multiplicity are the sign changes, and its degree drops where r(π) = 0. So r > 0 for every angle
-/// is certified by exact root counting, not by sampling: then the one range is the full circle.
+/// With t = tan(θ/2), (1+t²)^N r is a polynomial of degree 2N in t. Its real roots of odd multiplicity are the changes of sign,
+/// and its degree is smaller if r(π) = 0. So r > 0 for all angles is certified by exact root counting instead of sampling; then
+/// the only range is the full circle.
 #[must_use]
 pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
     let polynomial = half_angle_polynomial(radius);
@@ -19,7 +19,7 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
     };
     let degree = polynomial.coefficients_asc().len() - 1;
     let mut roots = real_roots(&polynomial);
-    // Ascending in θ over [0, 2π): t ≥ 0 first, then π (t = ∞), then t < 0.
+    // The zeros are ascending in θ over [0, 2π): first those with t ≥ 0, then π (t = ∞), then those with t < 0.
     let negative = roots.iter().take_while(|r| r.signum() < 0).count();
     roots.rotate_left(negative);
     let positive = roots.len() - negative;
@@ -28,7 +28,7 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
         .map(|root| (root.multiplicity(), root))
         .map(|(multiplicity, root)| (ExactAngle::of_half_tangent(root), multiplicity))
         .collect();
-    // Just before π the sign is the leading coefficient's; every odd zero changes it.
+    // Just before π the sign is that of the leading coefficient. Each zero of odd multiplicity changes it.
     let at_zero = matches!(zeros.first(), Some((ExactAngle::Pi(q), _)) if q.is_zero());
     let changes: usize = zeros[usize::from(at_zero)..positive]
         .iter()
@@ -95,7 +95,7 @@ mod tests {
     fn ranges_of_simple_radii() {
         assert_eq!(shown(&radius(&[2, 1], &[])), "[0.0000, 6.2832]");
         assert_eq!(shown(&radius(&[-2, 1], &[])), "");
-        // cos θ > 0 on either side of 0; sin θ on (0, π); 1 + cos θ touches 0 at π.
+        // cos θ > 0 on both sides of 0, sin θ > 0 on (0, π), and 1 + cos θ touches 0 at π.
         assert_eq!(
             shown(&radius(&[0, 1], &[])),
             "[0.0000, 1.5708) (4.7124, 6.2832]"

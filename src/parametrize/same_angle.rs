@@ -1,4 +1,4 @@
-//! Whether two angles are the same, decided by algebra.
+//! Decides by algebra whether two angles are the same.
 
 use std::cmp::Ordering;
 
@@ -12,8 +12,8 @@ use crate::poly::IntegerPolynomial;
 use crate::roots::RealRoot;
 
 impl ExactAngle {
-    /// A positive number below π/b if the two angles are known to differ by a multiple of π/b, for some b; `None` if they
-    /// are different.
+    /// Some positive number below π/b, if the two angles are proved to differ by a multiple of π/b for some b; `None` if they
+    /// are proved to be different.
     ///
     /// Lemma (two arctangents). Two angles differ by a multiple of π exactly if their tangents are the same, and tan 2x =
     /// 2t/(1 − t²) for t = tan x, which is a rational function of t.
@@ -32,7 +32,7 @@ impl ExactAngle {
                 let degree = tangent.polynomial().coefficients_asc().len() as u64;
                 let most = Integer::from(8 * degree * degree);
                 let b = q.denominator();
-                // In the angle whose tangent it is, π/b is a multiple of π/(times·b).
+                // For the angle of this tangent, π/b means a multiple of π/(times·b).
                 let parts = &b * Integer::from(*times);
                 let fits = parts <= most * Integer::from(*times);
                 let parts = u64::try_from(&parts).ok().filter(|_| fits)?;
@@ -64,10 +64,10 @@ impl ExactAngle {
     }
 }
 
-/// Im (1 + i t)^b, a polynomial in t: its roots are the tangents of the multiples of π/b.
+/// The polynomial Im (1 + i t)^b, whose roots are the tangents of the multiples of π/b.
 fn sine_of_multiple(b: u64) -> IntegerPolynomial {
     let mut coefficients = vec![Integer::ZERO; 1];
-    // C(b, k)
+    // The binomial coefficient C(b, k).
     let mut binomial = Integer::from(1);
     for k in 1..=b {
         binomial = binomial * Integer::from(b - k + 1) / Integer::from(k);
@@ -82,8 +82,8 @@ fn sine_of_multiple(b: u64) -> IntegerPolynomial {
 
 /// Whether a = 2b/(1 − b²), exactly.
 ///
-/// 2b/(1 − b²) is a root of the polynomial f of a exactly if b is one of f(2t/(1 − t²)) (1 − t²)^deg f; and that root is a
-/// if it is within the bounds of a, in which f has no other one.
+/// Let f be the polynomial of a. 2b/(1 − b²) is a root of f exactly if b is a root of f(2t/(1 − t²)) (1 − t²)^deg f. If it is a
+/// root and lies within the bounds of a, it is a, because f has no other root there.
 fn is_tangent_of_double(a: &RealRoot, b: &RealRoot) -> bool {
     let poly = |c: [i64; 3]| {
         IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
@@ -93,7 +93,7 @@ fn is_tangent_of_double(a: &RealRoot, b: &RealRoot) -> bool {
     if sign_below == 0 {
         return false;
     }
-    // The sign of 2b/(1 − b²) − p/q for q > 0.
+    // The sign of 2b/(1 − b²) − p/q, for q > 0.
     let compared_with = |bound: &Rational| {
         let constant = |c: Integer| IntegerPolynomial::from_coefficients_asc(vec![c]);
         let difference =
@@ -116,8 +116,8 @@ fn is_tangent_of_double(a: &RealRoot, b: &RealRoot) -> bool {
     b.is_root_of(&value)
 }
 
-/// Whether a b = −1, exactly: −1/b is a root of the polynomial of a exactly if b is one of the polynomial with the
-/// coefficients turned round and every other sign changed.
+/// Whether a b = −1, exactly. −1/b is a root of the polynomial of a exactly if b is a root of the polynomial with the
+/// coefficients in reverse order and every other sign changed.
 fn is_minus_inverse(a: &RealRoot, b: &RealRoot) -> bool {
     let product_sign = a.signum() * b.signum();
     if product_sign >= 0 {
@@ -126,13 +126,13 @@ fn is_minus_inverse(a: &RealRoot, b: &RealRoot) -> bool {
     let coefficients = a.polynomial().coefficients_asc().iter().rev().enumerate();
     let coefficients = coefficients.map(|(k, c)| if k % 2 == 0 { c.clone() } else { -c });
     let turned = IntegerPolynomial::from_coefficients_asc(coefficients.collect());
-    // a's bounds, −1/b ∈ (low, high).
+    // −1/b must be inside the bounds (low, high) of a.
     let (low, high) = a.enclosure();
     let compared_with = |bound: &Rational| -> Ordering {
         match bound.recip() {
             // −1/b has the sign of a.
             None => a.signum().cmp(&0),
-            // Of numbers of one sign the larger one has the smaller inverse.
+            // Of two numbers of one sign, the larger one has the smaller inverse.
             Some(inverse) if bound.signum() == a.signum() => b.cmp_rational(&-inverse),
             Some(_) => a.signum().cmp(&bound.signum()),
         }
@@ -154,19 +154,19 @@ mod tests {
         IntegerPolynomial::from_coefficients_asc(c.iter().map(|&c| Integer::from(c)).collect())
     }
 
-    /// The root of q t − p, times a polynomial with other roots.
+    /// A real root equal to a rational number q, of a polynomial with other roots as well.
     fn rational_root(q: &Rational) -> RealRoot {
         let f = IntegerPolynomial::from_coefficients_asc(vec![-q.numerator(), q.denominator()]);
         real_roots(&f).remove(0)
     }
 
-    /// 2t/(1 − t²)
+    /// The function 2t/(1 − t²).
     fn doubled(t: &Rational) -> Option<Rational> {
         let below = Rational::one() - t * t;
         Some(&(t + t) * &below.recip()?)
     }
 
-    /// The angle in [0, 2π) of a tangent and its half's tangent, both ways.
+    /// An angle in [0, 2π), written by its tangent and by the tangent of its half.
     fn both_ways(half: &RealRoot, tangent: RealRoot) -> [ExactAngle; 2] {
         let by_half = ExactAngle::of_half_tangent(half.clone());
         let by_tangent = ExactAngle::of_tangent(tangent);
@@ -194,11 +194,11 @@ mod tests {
                 prop_assert_eq!(b.plus_pi().compare(&a.plus_pi()), Ordering::Equal);
                 prop_assert_eq!(a.plus_pi().compare(&b), Ordering::Greater);
             }
-            // t = √c, and 2t/(1 − t²) is a root of (1 − c)² z² − 4c.
+            // With t = √c, 2t/(1 − t²) is a root of (1 − c)² z² − 4c.
             for half in real_roots(&poly(&[-c, 0, 1])) {
                 let square = (1 - c) * (1 - c);
                 let all = real_roots(&(poly(&[-4 * c, 0, square]) * poly(&[-7, 0, 3])));
-                // 2t/(1 − t²) < 0 for t > 1.
+                // 2t/(1 − t²) < 0 exactly for t > 1.
                 let tangent = all.into_iter().find(|z| {
                     z.signum() == -half.signum() && z.is_root_of(&poly(&[-4 * c, 0, square]))
                 });
@@ -206,20 +206,20 @@ mod tests {
                 prop_assert_eq!(a.compare(&b), Ordering::Equal);
                 prop_assert_eq!(b.compare(&a), Ordering::Equal);
             }
-            // x and x + π/2 have the half tangents t and −1/t: 2 atan t = 2 atan(−1/t) ± π.
+            // x and x + π/2 have the half tangents t and −1/t, where 2 atan t = 2 atan(−1/t) ± π.
             let inverse = -t.recip().unwrap();
             let [a, b] = [&t, &inverse].map(|t| ExactAngle::of_half_tangent(rational_root(t)));
             let (low, high) = if a.compare(&b).is_lt() { (a, b) } else { (b, a) };
             prop_assert_eq!(low.plus_pi().compare(&high), Ordering::Equal);
         }
 
-        /// Multiples of π whose tangents are held as roots: tan(aπ/b) with Im (1 + i t)^b = 0.
+        /// Multiples of π whose tangents are given as roots: tan(aπ/b) is a root of Im (1 + i t)^b.
         #[test]
         fn multiples_of_pi_are_equal_to_the_arctangents_that_they_are(b in 5u64..40, pick in 0usize..40) {
             let roots = real_roots(&sine_of_multiple(b));
             let root = &roots[pick % roots.len()];
             let angle = ExactAngle::of_tangent(root.clone());
-            // In [0, π), so that the nearest multiple is the one.
+            // The angle is in [0, π), so the nearest multiple is the right one.
             let (low, high) = angle.bounds(64);
             let of_pi = ((low + high) / Rational::from(2)).to_f64() / std::f64::consts::PI;
             #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a small number")]
@@ -249,7 +249,7 @@ mod tests {
             assert_eq!(by_half.compare(&other), order);
             assert_eq!(other.compare(&by_half), order.reverse());
         }
-        // And of one kind.
+        // Two angles of the same kind are compared as well.
         let [a, b] =
             [half.clone(), &half + &tiny].map(|t| ExactAngle::of_tangent(rational_root(&t)));
         assert_eq!(a.compare(&b), Ordering::Less);

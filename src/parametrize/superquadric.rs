@@ -1,4 +1,4 @@
-//! Examples 6 and 10: the radii of superquadrics, by Lemmas 2 and 7 with real degrees.
+//! Examples 6 and 10: the radii of superquadrics, by Lemmas 2 and 7 with real exponents.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
@@ -14,8 +14,8 @@ use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 
 /// `r(θ) = (c / (|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)))^(ε/2)` (Eq. (20)): real and positive for every θ.
 ///
-/// Where 2/ε is an even integer the absolute values are left out, and this is Lemma 2 for the polynomial. The other
-/// root, −r(θ), has the same points and is not listed.
+/// If 2/ε is an even integer, the absolute values are left out, and this is Lemma 2 for the polynomial. The other root, −r(θ),
+/// gives the same points and is not listed.
 ///
 /// ```
 /// use stellate::exact::Rational;
@@ -134,7 +134,7 @@ pub fn parametrize_space_superquadric(shape: &SpaceSuperquadric) -> SurfaceParam
     }
 }
 
-/// a/q with the denominator of q multiplied up: `3*cos(theta)/2`.
+/// The quotient a/q, written with the denominator of q as a factor: `3*cos(theta)/2`.
 fn over<F: HomogeneousPolynomial>(a: Expression<F>, q: &Rational) -> Expression<F> {
     a.times(F::constant(q.denominator()))
         .over(F::constant(q.numerator()))

@@ -16,31 +16,31 @@ use crate::shape::{Form, ImplicitSurface};
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SurfaceParametrization {
-    /// What gives the branches.
+    /// The method that gives the branches.
     pub method: SurfaceMethod,
-    /// The k of R^k; 1 where there are several factors.
+    /// The step k, where R^k is the root of a polynomial; 1 if there are several factors.
     pub step: usize,
-    /// The irreducible factors, in the order that branches count them.
+    /// The irreducible factors, in the order of the indices in the branches.
     pub factors: Vec<SurfaceFactor>,
     /// The branches of all factors.
     pub branches: Vec<SurfaceBranch>,
-    /// What else a reader should know.
+    /// Further notes for the reader.
     pub notes: Vec<String>,
     /// The form that this is the spherical form of: an implicit surface or a superquadric in space.
     pub of: Form,
 }
 
-/// What gives the branches of a surface.
+/// The method that gives the branches of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SurfaceMethod {
-    /// There are only cones.
+    /// There are no branches, only cones.
     Cones,
     /// One of Lemmas 7 to 10.
     Lemma(usize),
     /// The surface has several factors, each with its own lemma.
     Factors,
-    /// Certified roots in each direction, since the degree in R^k is more than four.
+    /// The roots are found direction by direction, because the degree in R^k is more than four.
     Numeric,
 }
 
@@ -50,51 +50,51 @@ pub enum SurfaceMethod {
 pub struct SurfaceFactor {
     /// The factor, by its homogeneous parts.
     pub polynomial: SpacePolynomial,
-    /// The discriminant in R^k for the degrees 2 to 4: a form in (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ).
+    /// The discriminant with respect to R^k, if the degree is 2 to 4: a form in (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ).
     pub discriminant: Option<TernaryForm>,
-    /// The k of R^k; 0 for a form, whose zero set is a cone.
+    /// The step k, where the factor is a polynomial in R^k; 0 for a form, whose zero set is a cone.
     pub step: usize,
-    /// The parts, descending, between which R^k is the step; none unless there is a closed form.
+    /// The coefficients of the polynomial in R^k, descending; the list is empty if there is no closed form.
     pub(super) parts: Vec<TernaryForm>,
     pub(super) solved: Option<Solved<TernaryForm>>,
 }
 
-/// One branch of a surface.
+/// A branch of a surface.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SurfaceBranch {
-    /// Which factor of the polynomial it belongs to, from 0.
+    /// The index of the factor to which the branch belongs, from 0.
     pub factor: usize,
-    /// R(θ, φ).
+    /// The radius R(θ, φ).
     pub radius: Expression<TernaryForm>,
-    /// In which directions the formula holds, in words.
+    /// The condition on the direction under which the formula holds, in words.
     pub condition: String,
-    /// The same, exactly.
+    /// The exact condition.
     pub real_where: Condition,
-    /// Whether the formula is real nowhere else.
+    /// Whether the formula is real only where it holds.
     pub holds_where_real: bool,
 }
 
 impl SurfaceFactor {
-    /// Whether the factor is a form: then its zero set is a cone with its apex at the origin.
+    /// Whether the factor is a form, so that its zero set is a cone with its apex at the origin.
     #[must_use]
     pub fn is_cone(&self) -> bool {
         self.step == 0
     }
 
-    /// Whether there is no closed form, the degree in R^k being more than four.
+    /// Whether there is no closed form, because the degree in R^k is more than four.
     #[must_use]
     pub fn is_numeric(&self) -> bool {
         !self.is_cone() && self.solved.is_none()
     }
 }
 
-/// The spherical form of a surface (Theorem 6, Lemmas 7 to 10).
+/// Finds the spherical form of a surface (Theorem 6, Lemmas 7 to 10).
 ///
-/// The polynomial is factored over Q. A factor that is a form is a cone. With two to five equally spaced homogeneous
-/// parts R is the root of a polynomial of degree at most four in R^k, and comes in closed form, by the formulas of
-/// Lemmas 2 to 5 over forms in (sin φ cos θ, sin φ sin θ, cos φ). A factor of higher degree in R^k has no branches here;
-/// [`SurfaceParametrization::on_meridian`] and sampling answer for it direction by direction.
+/// The polynomial is factored over Q. A factor that is a form is a cone. If a factor has two to five homogeneous parts of
+/// equally spaced degrees, R is the root of a polynomial of degree at most four in R^k and has a closed form, by the formulas
+/// of Lemmas 2 to 5 with forms in (sin φ cos θ, sin φ sin θ, cos φ). A factor of a higher degree in R^k has no branches here;
+/// [`SurfaceParametrization::on_meridian`] and sampling give its roots direction by direction.
 ///
 /// ```
 /// use stellate::limits::Limits;
@@ -177,7 +177,7 @@ fn factor(polynomial: SpacePolynomial) -> SurfaceFactor {
     }
 }
 
-/// The degree in R^step without the smallest power of R; 0 for a cone, whose step is 0.
+/// The degree in R^step, after the smallest power of R is divided out; 0 for a cone, whose step is 0.
 fn degree_in_power(polynomial: &SpacePolynomial, step: usize) -> usize {
     let degrees = polynomial.homogeneous_degrees();
     match (degrees.first(), degrees.last()) {
@@ -233,7 +233,7 @@ fn power(name: &str, k: usize) -> String {
     }
 }
 
-/// Where a formula holds. D is the discriminant.
+/// The condition under which a formula holds, in words; D stands for the discriminant.
 fn condition(rule: Rule, even: bool, power: &str) -> String {
     let real = match rule {
         Rule::Linear => "where the denominator is not 0",

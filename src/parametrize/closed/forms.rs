@@ -12,15 +12,15 @@ use crate::poly::{
     squarefree_decomposition,
 };
 
-/// Square factors of constants are taken out of roots up to this prime.
+/// Square factors of constants are taken out of roots for primes up to this one.
 const LARGEST_SQUARE_PRIME: u32 = 1000;
 
-/// Square factors are taken out of ternary forms up to this degree.
+/// Square factors of ternary forms are taken out of roots up to this degree.
 const LARGEST_SQUARE_DEGREE: usize = 24;
 
-/// A form whose square factors can be taken out of a root.
+/// A form from which square factors can be taken out of a root.
 pub(in crate::parametrize) trait LemmaForm: HomogeneousPolynomial {
-    /// (h, g) with `form = h² g` and g squarefree up to constants, as far as that is looked for.
+    /// (h, g) with `form = h² g`; g is squarefree up to constants, except for the limits above.
     fn squarefree_kernel(&self) -> (Self, Self);
 }
 
@@ -61,7 +61,7 @@ impl LemmaForm for TernaryForm {
     }
 }
 
-/// c · the product of some forms.
+/// The product of c and some forms.
 pub(super) fn product<F: HomogeneousPolynomial>(c: i64, forms: &[&F]) -> F {
     let one = F::constant(Integer::from(c));
     forms.iter().fold(one, |product, form| product.times(form))
@@ -76,7 +76,7 @@ pub(super) fn negative<F: HomogeneousPolynomial>(form: &F) -> F {
     form.scaled(&Integer::from(-1))
 }
 
-/// Forms divided by the gcd of all their coefficients, the last one with its first sign positive.
+/// The forms, divided by the gcd of all their coefficients; the first coefficient of the last form is positive.
 pub(super) fn reduced<F: HomogeneousPolynomial, const N: usize>(forms: [F; N]) -> [F; N] {
     let mut content = Integer::ZERO;
     for form in &forms {
@@ -99,12 +99,12 @@ pub(super) fn reduced<F: HomogeneousPolynomial, const N: usize>(forms: [F; N]) -
     forms.map(|form| form.div_exact(&content))
 }
 
-/// (h, g) with `form = h² g` on unit vectors, and g squarefree up to constants.
+/// (h, g) with `form = h² g` on unit vectors; g is squarefree up to constants.
 pub(super) fn square_part<F: LemmaForm>(form: &F) -> (F, F) {
     form.on_unit_vectors().squarefree_kernel()
 }
 
-/// (h, g) with `form = h² g` and g squarefree up to constants.
+/// (h, g) with `form = h² g`; g is squarefree up to constants.
 pub(in crate::parametrize) fn squarefree_kernel(form: &BinaryForm) -> (BinaryForm, BinaryForm) {
     let in_t = form.dehomogenized();
     let Some(lead) = in_t.coefficients_asc().last() else {
@@ -135,7 +135,7 @@ pub(in crate::parametrize) fn squarefree_kernel(form: &BinaryForm) -> (BinaryFor
     )
 }
 
-/// (a, b) with value = a² b, a as large as small primes make it.
+/// (a, b) with value = a² b, where a takes all square factors of small primes.
 pub(in crate::parametrize) fn integer_square_part(value: Integer) -> (Integer, Integer) {
     if value > 0
         && let Some(root) = (&value).checked_sqrt()

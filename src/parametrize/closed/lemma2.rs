@@ -1,4 +1,4 @@
-//! Lemmas 2 and 7: two homogeneous parts.
+//! Lemmas 2 and 7: closed forms for two homogeneous parts.
 
 use super::forms::{LemmaForm, negative, reduced};
 use super::{Rule, Solved};
@@ -18,7 +18,7 @@ pub(super) fn lemma_2<F: LemmaForm>([top, low]: [&F; 2]) -> Solved<F> {
     }
 }
 
-/// The forms that decide where the root is real, or their signs in a direction.
+/// The forms whose signs decide where the root is real, or the signs of these forms in a direction.
 pub(super) struct Critical<T> {
     pub(super) top: T,
     pub(super) minus_low: T,
@@ -30,7 +30,7 @@ impl<T: Clone> Critical<T> {
         vec![top, minus_low]
     }
 
-    /// From the list that [`Critical::into_list`] makes.
+    /// The named values of the list that [`Critical::into_list`] makes.
     pub(super) fn named(list: &[T]) -> Self {
         let [top, minus_low] = <&[T; 2]>::try_from(list)
             .invariant("Lemma 2 has two critical forms")
@@ -39,7 +39,7 @@ impl<T: Clone> Critical<T> {
     }
 }
 
-/// The sign of the root; `None` where it is not finite.
+/// The sign of the root; `None` if it is not finite.
 pub(super) fn sign(at: &SignedDirection) -> Option<i8> {
     let Critical { top, minus_low } = Critical::named(&at.signs);
     (top != 0).then_some(minus_low * top)

@@ -1,4 +1,4 @@
-//! Lemmas 3 and 8: three homogeneous parts.
+//! Lemmas 3 and 8: closed forms for three homogeneous parts.
 
 use malachite::Integer;
 
@@ -11,8 +11,8 @@ use crate::parametrize::expression::Expression;
 /// Eqs. (21)–(32): `s R² + p R + q = 0` with R = r^k, so that
 /// `R = (−p ± √(p² − 4sq)) / 2s`.
 ///
-/// The square factors of the discriminant are taken out of the root with their sign, so a branch goes
-/// on smoothly where they vanish.
+/// The square factors of the discriminant are taken out of the root with their sign, so a branch continues smoothly where they
+/// vanish.
 pub(super) fn lemma_3<F: LemmaForm>([s, p, q]: [&F; 3]) -> Solved<F> {
     let (outside, inside) = square_part(&discriminant([s, p, q]));
     let [s, p, q] = [s, p, q].map(F::on_unit_vectors);
@@ -44,7 +44,7 @@ pub(super) fn discriminant<F: LemmaForm>([s, p, q]: [&F; 3]) -> F {
     p.squared().minus(&s.times(q).scaled(&Integer::from(4)))
 }
 
-/// One root of s R² + p R + q, with √(p² − 4sq) = outside·√inside and a choice of sign.
+/// One root of s R² + p R + q = 0, where √(p² − 4sq) = outside·√inside, with a choice of its sign.
 struct Quadratic<'a, F> {
     s: &'a F,
     p: &'a F,
@@ -54,7 +54,7 @@ struct Quadratic<'a, F> {
 }
 
 impl<F: LemmaForm> Quadratic<'_, F> {
-    /// `(−p ± outside √inside) / 2s` without common constants.
+    /// The expression `(−p ± outside √inside) / 2s`, without common constant factors.
     fn expression(&self) -> Expression<F> {
         let minus_p = negative(self.p);
         let twice = self.s.scaled(&Integer::from(2));
@@ -76,7 +76,8 @@ impl<F: LemmaForm> Quadratic<'_, F> {
     }
 }
 
-/// The forms that decide where the roots are real, or their signs in a direction: p² − 4sq = outside² inside.
+/// The forms whose signs decide where the roots are real, or the signs of these forms in a direction; p² − 4sq = outside²
+/// inside.
 pub(super) struct Critical<T> {
     pub(super) s: T,
     pub(super) p: T,
@@ -97,7 +98,7 @@ impl<T: Clone> Critical<T> {
         vec![s, p, q, inside, outside]
     }
 
-    /// From the list that [`Critical::into_list`] makes.
+    /// The named values of the list that [`Critical::into_list`] makes.
     pub(super) fn named(list: &[T]) -> Self {
         let [s, p, q, inside, outside] = <&[T; 5]>::try_from(list)
             .invariant("Lemma 3 has five critical forms")
@@ -112,7 +113,7 @@ impl<T: Clone> Critical<T> {
     }
 }
 
-/// The sign of the root with the given sign of √(p² − 4sq); `None` where it is not real or not finite.
+/// The sign of the root with the given sign of √(p² − 4sq); `None` if it is not real or not finite.
 pub(super) fn sign(at: &SignedDirection, of_root: i8) -> Option<i8> {
     let Critical {
         s,
@@ -124,7 +125,7 @@ pub(super) fn sign(at: &SignedDirection, of_root: i8) -> Option<i8> {
     if inside < 0 && outside != 0 {
         return None;
     }
-    // The signed square root has this sign.
+    // The square root, with the sign of `outside`, has this sign.
     let root = if inside == 0 { 0 } else { outside * of_root };
     if s == 0 {
         // p R + q = 0 is the root that stays finite: there the numerator −p ± √… vanishes.

@@ -99,7 +99,7 @@ impl<F: LemmaForm> Cubic<F> {
     }
 }
 
-/// The forms that decide which roots are real, or their signs in a direction.
+/// The forms whose signs decide which roots are real, or the signs of these forms in a direction.
 #[derive(Clone)]
 pub(super) struct Critical<T> {
     pub(super) s: T,
@@ -123,7 +123,7 @@ impl<T: Clone> Critical<T> {
         vec![s, p, q, u, discriminant, big_p]
     }
 
-    /// From the list that [`Critical::into_list`] makes.
+    /// The named values of the list that [`Critical::into_list`] makes.
     pub(super) fn named(list: &[T]) -> Self {
         let [s, p, q, u, discriminant, big_p] = <&[T; 6]>::try_from(list)
             .invariant("Lemma 4 has six critical forms")
@@ -139,7 +139,7 @@ impl<T: Clone> Critical<T> {
     }
 }
 
-/// The sign of the root that the cube roots give: the only real one, or for Δ = 0 the simple one.
+/// The sign of the root that the cube roots give: the only real root or, for Δ = 0, the simple one.
 pub(super) fn sign_of_one(at: &SignedDirection) -> Option<i8> {
     let Critical {
         s,
@@ -152,16 +152,16 @@ pub(super) fn sign_of_one(at: &SignedDirection) -> Option<i8> {
     if s == 0 || discriminant > 0 {
         return None;
     }
-    // The product of the other two is not negative, and that of all three is −u/s.
+    // The product of the two other roots is not negative, and the product of all three is −u/s.
     Some(if u == 0 && discriminant == 0 && q == 0 {
-        // The double root is 0, the other one −p/s.
+        // The double root is 0, and the other root is −p/s.
         -p * s
     } else {
         -u * s
     })
 }
 
-/// The sign of the root with the j-th largest y where all three are real.
+/// The sign of the root with the j-th largest y, if all three roots are real.
 pub(super) fn sign_of_three(at: &SignedDirection, j: usize) -> Option<i8> {
     let Critical {
         s,
@@ -174,13 +174,13 @@ pub(super) fn sign_of_three(at: &SignedDirection, j: usize) -> Option<i8> {
     if s == 0 || discriminant < 0 || big_p >= 0 {
         return None;
     }
-    // y and R = (y − p)/3s are ordered alike for s > 0.
+    // For s > 0, y and R = (y − p)/3s have the same order.
     let rank = if s > 0 { j } else { 2 - j };
     Some(sign_of_rank(rank, &[s, p, q, u]))
 }
 
-/// The sign of the root with the given rank (0 for the largest) of a polynomial with real roots only,
-/// from the signs of its coefficients, descending: there Descartes' rule is exact.
+/// The sign of the root with the given rank (0 for the largest) of a polynomial with real roots only, from the signs of its
+/// coefficients, descending. Descartes' rule is exact for such a polynomial.
 pub(super) fn sign_of_rank(rank: usize, signs: &[i8]) -> i8 {
     let nonzero: Vec<i8> = signs.iter().copied().filter(|&sign| sign != 0).collect();
     let positive = nonzero.windows(2).filter(|pair| pair[0] != pair[1]).count();
@@ -188,7 +188,7 @@ pub(super) fn sign_of_rank(rank: usize, signs: &[i8]) -> i8 {
     rank_sign(rank, positive, zeros)
 }
 
-/// The sign of the root with the given rank (0 for the largest) among so many positive ones and zeros.
+/// The sign of the root with the given rank (0 for the largest), where `positive` roots are positive and `zeros` roots are 0.
 pub(super) fn rank_sign(rank: usize, positive: usize, zeros: usize) -> i8 {
     if rank < positive {
         1
@@ -199,8 +199,7 @@ pub(super) fn rank_sign(rank: usize, positive: usize, zeros: usize) -> i8 {
     }
 }
 
-/// The real root of y³ + 3Py + B = 0 where it is the only one:
-/// ∛((−B + h√g)/2) + ∛((−B − h√g)/2) with h²g = B² + 4P³.
+/// The real root of y³ + 3Py + B = 0, if it is the only one: ∛((−B + h√g)/2) + ∛((−B − h√g)/2) with h²g = B² + 4P³.
 pub(super) fn sum_of_cube_roots<F: LemmaForm>(b: &F, h: F, g: F) -> Expression<F> {
     let [minus_b, h, two] = reduced([negative(b), h, constant::<F>(2)]);
     let root = || Box::new(Expression::form(g.clone()).root(2).times(h.clone()));
@@ -210,8 +209,8 @@ pub(super) fn sum_of_cube_roots<F: LemmaForm>(b: &F, h: F, g: F) -> Expression<F
     Expression::Sum(Box::new(plus), Box::new(minus))
 }
 
-/// The j-th largest root (j = 0, 1, 2) of y³ + 3Py + B = 0 where all are real and P < 0:
-/// 2√(−P) cos((arccos(−B / (2 (−P) √(−P))) − 2πj) / 3).
+/// The j-th largest root (j = 0, 1, 2) of y³ + 3Py + B = 0, if all roots are real and P < 0: 2√(−P) cos((arccos(−B / (2 (−P)
+/// √(−P))) − 2πj) / 3).
 pub(super) fn cosine_root<F: LemmaForm>(p: &F, b: &F, j: usize) -> Expression<F> {
     let minus_p = negative(p);
     let twice = minus_p.scaled(&Integer::from(2));

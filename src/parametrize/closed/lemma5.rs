@@ -1,4 +1,4 @@
-//! Lemmas 5 and 10: five homogeneous parts.
+//! Lemmas 5 and 10: closed forms for five homogeneous parts.
 
 use malachite::Integer;
 
@@ -11,12 +11,11 @@ use crate::parametrize::expression::Expression;
 
 /// Eqs. (50)–(69): `s R⁴ + p R³ + q R² + u R + v = 0` with R = r^k.
 ///
-/// With y = 4sR + p this is y⁴ + Ay² + By + C = 0. If z is the largest real root of the resolvent
-/// z³ + 2Az² + (A² − 4C)z − B² = 0 and m = √z > 0, then
-/// y = (m ± √(−z − 2A − 2B/m))/2 or (−m ± √(−z − 2A + 2B/m))/2: the two larger and the two smaller
-/// roots. Where the discriminant Δ is negative z comes by cube roots and one pair is real, the
-/// upper one for B < 0; where Δ ≥ 0 it comes in cosine form, and all four are real if A < 0 and
-/// A² ≥ 4C. m = 0 has its own formula, y² = (−A + √(A² − 4C))/2.
+/// With y = 4sR + p this is y⁴ + Ay² + By + C = 0. Let z be the largest real root of the resolvent z³ + 2Az² + (A² − 4C)z − B²
+/// = 0, and let m = √z > 0. Then y = (m ± √(−z − 2A − 2B/m))/2 or y = (−m ± √(−z − 2A + 2B/m))/2: the two larger and the two
+/// smaller roots. If the discriminant Δ is negative, cube roots give z, and one pair is real, the larger one for B < 0. If Δ ≥
+/// 0, z has the cosine form, and all four roots are real if A < 0 and A² ≥ 4C. The case m = 0 has a formula of its own, y² =
+/// (−A + √(A² − 4C))/2.
 ///
 /// DIFFERENCE (errata Lemmas 5 and 10): printed Eqs. (59)–(64) lack three coefficients and signs, and the case
 /// of the paper's R = 0 (our m = 0).
@@ -42,16 +41,16 @@ pub(super) fn lemma_5<F: LemmaForm>(parts: [&F; 5]) -> Solved<F> {
     }
 }
 
-/// Forms on unit vectors.
+/// The forms of the quartic on unit vectors.
 struct Quartic<F> {
-    /// s, p, q, u, v
+    /// The forms s, p, q, u, v.
     parts: [F; 5],
     a: F,
     b: F,
     c: F,
-    /// A² − 4C
+    /// The form A² − 4C.
     inner: F,
-    /// Of the resolvent: w³ + 3Pw + B' with w = 3z + 2A.
+    /// The forms of the resolvent w³ + 3Pw + B' with w = 3z + 2A.
     resolvent_p: F,
     resolvent_b: F,
     discriminant: F,
@@ -94,9 +93,9 @@ impl<F: LemmaForm> Quartic<F> {
         }
     }
 
-    /// y → (y − p)/4s
+    /// The root R = (y − p)/4s.
     fn shifted(&self, y: Expression<F>, over: i64) -> Expression<F> {
-        // y comes multiplied by `over`.
+        // y is given multiplied by `over`.
         let minus_p = self.parts[1].scaled(&Integer::from(-over));
         let denominator = self.parts[0].scaled(&Integer::from(4 * over));
         let numerator = if minus_p.is_zero() {

@@ -1,5 +1,5 @@
-//! Closed forms of r for up to five equally spaced homogeneous parts (Lemmas 2–5 in the plane, 7–10 in
-//! space: the same formulas over other forms), and the exact ranges in which they are real.
+//! Closed forms of r for up to five homogeneous parts of equally spaced degrees, with the exact ranges in which they are real:
+//! Lemmas 2–5 in the plane, and Lemmas 7–10 in space, which are the same formulas with other forms.
 
 mod forms;
 mod lemma2;
@@ -25,33 +25,33 @@ use quartic_signs::{QuarticRoots, Signs};
 /// The formulas for the roots R of `Σ parts[i] R^(n−i) = 0`, n = 1 … 4.
 #[derive(Clone, Debug)]
 pub(super) struct Solved<F> {
-    /// A formula, and where it holds.
+    /// The formulas, each with the rule that decides where it holds.
     pub(super) roots: Vec<(Expression<F>, Rule)>,
-    /// The forms whose signs the rules ask for.
+    /// The forms whose signs the rules use.
     pub(super) critical: Vec<F>,
 }
 
-/// Which formula it is: this decides where it holds, and its sign.
+/// The kind of a formula. It decides where the formula holds, and the sign of its value.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rule {
-    /// Lemma 2.
+    /// Lemma 2, one root.
     Linear,
     /// Lemma 3, with the sign of the square root.
     Quadratic(i8),
-    /// Lemma 4 by cube roots: the one real root.
+    /// Lemma 4 by cube roots, for the only real root.
     CubicOne,
-    /// Lemma 4 in cosine form: the j-th of three real roots.
+    /// Lemma 4 in cosine form, for the j-th of three real roots.
     CubicThree(usize),
-    /// Lemma 5.
+    /// Lemma 5 in general.
     Quartic { cosine: bool, index: Index },
-    /// Lemma 5 where the linear term of the depressed quartic vanishes.
+    /// Lemma 5, if the linear term of the depressed quartic vanishes.
     Biquadratic(Index),
 }
 
-/// The lemmas solve polynomials in R^k up to this degree.
+/// The lemmas solve polynomials in R = r^k up to this degree.
 pub(super) const LARGEST_SOLVED_DEGREE: usize = 4;
 
-/// The closed forms for 2 to 5 parts, in descending order; `None` for another number.
+/// The closed forms for 2 to 5 parts, given in descending order; `None` for another number of parts.
 pub(super) fn solve<F: LemmaForm>(parts: &[F]) -> Option<Solved<F>> {
     match parts {
         [s, q] => Some(lemma2::lemma_2([s, q])),
@@ -62,7 +62,7 @@ pub(super) fn solve<F: LemmaForm>(parts: &[F]) -> Option<Solved<F>> {
     }
 }
 
-/// The discriminant in R of 3 to 5 parts, descending; `None` for another number.
+/// The discriminant with respect to R for 3 to 5 parts, given in descending order; `None` for another number of parts.
 pub(super) fn discriminant<F: LemmaForm>(parts: &[F]) -> Option<F> {
     match parts {
         [s, p, q] => Some(lemma3::discriminant([s, p, q])),
@@ -73,8 +73,9 @@ pub(super) fn discriminant<F: LemmaForm>(parts: &[F]) -> Option<F> {
 }
 
 impl Rule {
-    /// Whether the formula is real nowhere else than where it is the root that the rule says. Square roots and quotients are;
-    /// arccosines beyond 1 and sums of conjugate cube roots are real again where they belong to another root, or to none.
+    /// Whether the formula is real only where it is the root that the rule stands for. This is so for square roots and
+    /// quotients. Arccosines of numbers beyond 1 and sums of conjugate cube roots are real again where they are another root or
+    /// none.
     pub(super) fn holds_where_real(self) -> bool {
         match self {
             Self::Linear | Self::Quadratic(_) => true,
@@ -84,9 +85,10 @@ impl Rule {
         }
     }
 
-    /// Where the formula is real, finite and the root that the rule says: the same as the rule's sign being known.
+    /// The condition under which the formula is real, finite and the root that the rule stands for, that is the condition under
+    /// which the rule knows its sign.
     ///
-    /// `critical` are the forms of the [`Solved`] that the rule is from.
+    /// `critical` must be the forms of the [`Solved`] to which the rule belongs.
     pub(super) fn condition(self, critical: &[TernaryForm]) -> Condition {
         use Relation::{AtLeastZero, AtMostZero, Negative, NotZero, Positive, Zero};
         let form = Condition::form;
@@ -99,7 +101,7 @@ impl Rule {
                 let forms = lemma3::Critical::named(critical);
                 let real =
                     Condition::any([form(&forms.inside, AtLeastZero), form(&forms.outside, Zero)]);
-                // Where s = 0 the formula has no value; the root that stays finite is its limit.
+                // At s = 0 the formula has no value; the root that stays finite is its limit.
                 let finite = form(&forms.s, NotZero);
                 Condition::all([finite, real])
             }
@@ -153,7 +155,7 @@ impl Rule {
     }
 }
 
-/// [`Signs::all_real`] but for s ≠ 0.
+/// The conditions of [`Signs::all_real`] except s ≠ 0.
 fn all_real(forms: &quartic_signs::Critical<TernaryForm>) -> Vec<Condition> {
     vec![
         Condition::form(&forms.discriminant, Relation::AtLeastZero),
@@ -163,16 +165,16 @@ fn all_real(forms: &quartic_signs::Critical<TernaryForm>) -> Vec<Condition> {
     ]
 }
 
-/// Where a branch is real.
+/// The exact ranges in which a branch is real.
 #[derive(Clone, Debug)]
 pub(super) struct Ranges {
-    /// Where r is real and finite, of either sign.
+    /// The ranges in which r is real and finite, of either sign.
     pub(super) real: Vec<AngleRange>,
-    /// Where r > 0.
+    /// The ranges in which r > 0.
     pub(super) positive: Vec<AngleRange>,
 }
 
-/// The branches r of one root R = r^k: one for odd k, two of opposite sign for even k.
+/// The branches r of a root R = r^k: one if k is odd, two of opposite sign if k is even.
 pub(super) fn branches_of<F: LemmaForm>(root: &Expression<F>, k: u32) -> Vec<Expression<F>> {
     let radius = root.clone().root(k);
     if k.odd() {
@@ -181,8 +183,8 @@ pub(super) fn branches_of<F: LemmaForm>(root: &Expression<F>, k: u32) -> Vec<Exp
     vec![radius.clone(), radius.negated()]
 }
 
-/// Where the branches of every rule are real, in the order of [`branches_of`] for every root: exact ranges of
-/// the angle of the plane.
+/// The exact ranges of the angle in which the branches are real, for all rules and in the order of [`branches_of`] for each
+/// root.
 pub(super) fn ranges(
     rules: impl IntoIterator<Item = Rule>,
     critical: &[BinaryForm],
@@ -200,8 +202,8 @@ pub(super) fn ranges(
     ranges.collect()
 }
 
-/// The exact signs of the branches in the direction of a rational vector, in the same order; `None` where a
-/// formula has no real value.
+/// The exact signs of the branches in the direction of a rational vector, in the same order; `None` if a formula has no real
+/// value.
 pub(super) fn signs_at(
     vector: (Integer, Integer),
     rules: impl IntoIterator<Item = Rule>,
@@ -242,8 +244,8 @@ fn ranges_of(
     vec![Ranges { real, positive }, negative]
 }
 
-/// The exact sign of the root R that a formula gives at a place, with the cells beside a mark; `None` where it is
-/// not real, not finite, or not given by this formula.
+/// The exact sign of the root R that a formula gives in a direction, from the cells beside it if it is a mark. `None` if the
+/// root is not real, not finite, or not given by this formula.
 fn sign(
     rule: Rule,
     at: &SignedDirection,

@@ -1,9 +1,9 @@
-//! A polynomial of degree 4 in R whose coefficients are forms: its discriminant, its depressed form, and names of its roots.
+//! Quartics in R whose coefficients are forms: the discriminant, the depressed form, and the names of the roots.
 
 use super::forms::{LemmaForm, product};
 
-/// Which of the real roots: `pair` 1 for the two larger y, −1 for the two smaller, 0 for the only two;
-/// `sign` 1 for the larger one of the pair.
+/// The name of a real root: `pair` is 1 for the two larger y, −1 for the two smaller ones, and 0 if there are only two; `sign`
+/// is 1 for the larger root of the pair and −1 for the smaller one.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::parametrize) struct Index {
     pub(super) pair: i8,
@@ -35,7 +35,7 @@ pub(super) fn discriminant<F: LemmaForm>([s, p, q, u, v]: [&F; 5]) -> F {
         .fold(first, |sum, (c, forms)| sum.plus(&product(*c, forms)))
 }
 
-/// A = 16sq − 6p², B and C of the quartic in y = 4sR + p.
+/// The coefficients A = 16sq − 6p², B and C of the quartic y⁴ + Ay² + By + C in y = 4sR + p.
 pub(super) fn depressed<F: LemmaForm>([s, p, q, u, v]: [&F; 5]) -> [F; 3] {
     let a = product(16, &[s, q]).plus(&product(-6, &[p, p]));
     let b = product(64, &[s, s, u])

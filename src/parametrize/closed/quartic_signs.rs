@@ -1,4 +1,4 @@
-//! Which root of a quartic a formula of Lemma 5 gives, and its sign, exactly.
+//! The root of a quartic that a formula of Lemma 5 gives in a direction, and its exact sign.
 
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
@@ -11,7 +11,7 @@ use crate::parametrize::cells::SignedDirection;
 use crate::poly::{BinaryForm, HomogeneousPolynomial, IntegerPolynomial, Ring, integer_sign};
 use crate::roots::real_roots;
 
-/// The forms that decide which roots are real, or their signs in a direction.
+/// The forms whose signs decide which roots are real, or the signs of these forms in a direction.
 #[derive(Clone, Copy)]
 pub(super) struct Critical<T> {
     pub(super) s: T,
@@ -45,7 +45,7 @@ impl<T: Clone> Critical<T> {
         vec![s, p, q, u, v, a, b, c, inner, resolvent_p, discriminant]
     }
 
-    /// From the list that [`Critical::into_list`] makes.
+    /// The named values of the list that [`Critical::into_list`] makes.
     pub(super) fn named(list: &[T]) -> Self {
         let [s, p, q, u, v, a, b, c, inner, resolvent_p, discriminant] = <&[T; 11]>::try_from(list)
             .invariant("Lemma 5 has eleven critical forms")
@@ -66,7 +66,7 @@ impl<T: Clone> Critical<T> {
     }
 }
 
-/// The signs at a place.
+/// The signs of the forms in a direction.
 pub(super) type Signs = Critical<i8>;
 
 impl Signs {
@@ -74,7 +74,7 @@ impl Signs {
         Self::named(&at.signs)
     }
 
-    /// Where all four roots are real and the cosine form is defined.
+    /// Whether all four roots are real and the cosine form is defined.
     pub(super) fn all_real(self) -> bool {
         self.s != 0
             && self.discriminant >= 0
@@ -83,7 +83,7 @@ impl Signs {
             && self.resolvent_p < 0
     }
 
-    /// Where the cube roots give a real pair: the upper one for B < 0, the lower one for B > 0.
+    /// Whether the cube roots give this pair of real roots: the larger pair for B < 0, the smaller one for B > 0.
     pub(super) fn pair_real(self, pair: i8) -> bool {
         if self.s == 0 || self.discriminant > 0 || self.all_real() {
             return false;
@@ -93,7 +93,7 @@ impl Signs {
         self.b == -pair || (triple && self.b != 0)
     }
 
-    /// Where m = 0 and two roots are real.
+    /// Whether m = 0 and two roots are real.
     pub(super) fn biquadratic_real(self) -> bool {
         self.s != 0
             && self.b == 0
@@ -103,17 +103,17 @@ impl Signs {
     }
 }
 
-/// The quartic as a polynomial in R, for signs.
+/// The quartic as a polynomial in R, to find the signs of its roots.
 pub(super) struct QuarticRoots<'a> {
-    /// s, p, q, u, v
+    /// The forms s, p, q, u, v.
     parts: &'a [BinaryForm],
-    /// A double root where it is the only one is y = n/d with d = 2A³ − 8AC + 9B² and n = −B(A² + 12C) (the
-    /// first subresultant): d, and n − pd.
+    /// The forms d and n − pd. If the quartic has exactly one double root, it is y = n/d with d = 2A³ − 8AC + 9B² and n = −B(A²
+    /// + 12C), by the first subresultant.
     double: [BinaryForm; 2],
 }
 
 impl<'a> QuarticRoots<'a> {
-    /// For five parts; `None` for another number of them.
+    /// The quartic of five parts; `None` for another number of parts.
     pub(super) fn new(parts: &'a [BinaryForm]) -> Option<Self> {
         let [s, p, q, u, v] = parts else {
             return None;
@@ -129,7 +129,7 @@ impl<'a> QuarticRoots<'a> {
         Some(Self { parts, double })
     }
 
-    /// The sign of a real root R = (y − p)/4s; `None` if exact root counting finds no such root.
+    /// The sign of a real root R = (y − p)/4s; `None` if exact root counting does not find this root.
     pub(super) fn sign_of(
         &self,
         at: &SignedDirection,
@@ -142,14 +142,14 @@ impl<'a> QuarticRoots<'a> {
         let signs = Signs::of(at);
         let Signs { s, p, q, u, v, .. } = signs;
         if index.pair == 0 && signs.discriminant == 0 {
-            // The double root y = 0.
+            // The double root is y = 0.
             return Some(-p * s);
         }
         if signs.all_real() {
             return Some(sign_of_rank(position(index, 4, s), &[s, p, q, u, v]));
         }
         if v == 0 {
-            // 0 is a root; the other real one is that of the cubic.
+            // One root is 0; the other real root is that of the cubic.
             let other = -u * s;
             let is_larger = (index.sign > 0) == (s > 0);
             return Some(if is_larger {
@@ -158,21 +158,21 @@ impl<'a> QuarticRoots<'a> {
                 other.min(0)
             });
         }
-        // v ≠ 0: no root changes its sign here, and a cell beside, where it is real, knows it.
+        // v ≠ 0, so no root changes its sign here. A neighbouring cell in which the root is real knows the sign.
         let known = beside.iter().find_map(|near| {
             let signs = Signs::of(near);
             let real = signs.all_real() || signs.pair_real(index.pair) || index.pair == 0;
             let vector = near.vector.as_ref().filter(|_| real)?;
             self.sign_at(vector, index)
         });
-        // Else it is a double root, isolated between directions without it.
+        // If the root is real in neither cell, it is an isolated double root.
         Some(known.unwrap_or_else(|| {
             let [below, above] = self.double.each_ref().map(|form| at.sign_of(form));
             above * below * s
         }))
     }
 
-    /// The sign in a rational direction, from the certified roots of the quartic there.
+    /// The sign in a rational direction, by the certified roots of the quartic there.
     fn sign_at(&self, (x, y): &(Integer, Integer), index: Index) -> Option<i8> {
         let values = self.parts.iter().map(|form| form.evaluate(x, y));
         let mut values: Vec<Integer> = values.collect();
@@ -194,7 +194,7 @@ impl<'a> QuarticRoots<'a> {
     }
 }
 
-/// The place of a root among `all` real roots R, from the largest (0) down.
+/// The index of a root among `all` real roots R, from the largest (0) to the smallest.
 fn position(index: Index, all: usize, sign_of_s: i8) -> usize {
     let second_of_pair = usize::from(index.sign < 0);
     let by_y = if all > 2 && index.pair < 0 {

@@ -1,4 +1,4 @@
-//! Conics `w² = k(t0, t1)` over Q: points, and parametrizations by the lines through a point.
+//! Rational points of conics `w² = k(t0, t1)` over Q, and parametrizations by the lines through a point.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivExact, ExtendedGcd, Gcd, Square};
@@ -9,26 +9,26 @@ use malachite::base::polynomial::Polynomial;
 use super::legendre::{Solution, primitive, solve};
 use crate::poly::{BinaryForm, IntegerPolynomial};
 
-/// Points with |t0|, |t1| up to this are looked for first: they give the simplest parametrizations.
+/// Points with |t0|, |t1| up to this number are tried first, because they give the simplest parametrizations.
 const SMALL: i64 = 24;
 
-/// So many of them are tried.
+/// The largest number of these points that are tried.
 const MOST_POINTS: usize = 6;
 
-/// Sublattices of these indices are tried to make a parametrization smaller.
+/// Sublattices of these indices are tried to make the coefficients of a parametrization smaller.
 const INDICES: [i64; 6] = [2, 3, 5, 7, 11, 13];
 
 type Vector = [Integer; 3];
 
-/// (t0, t1, w), each a quadratic form `c0 a² + c1 ab + c2 b²`.
+/// The parametrization (t0, t1, w), each a quadratic form `c0 a² + c1 ab + c2 b²`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ConicParametrization([[Integer; 3]; 3]);
 
-/// What is found out about a conic.
+/// The rational points of a conic, as far as they are known.
 pub(super) enum Points {
     /// Rational points (t0, t1, w), at least one.
     Found(Vec<Vector>),
-    /// As [`Solution`].
+    /// The outcome of [`Solution`], if no small point was found.
     Other(Solution),
 }
 
@@ -50,7 +50,7 @@ pub(super) fn points(k: &BinaryForm) -> Points {
     };
     match solve(&discriminant, &[g.clone(), a.clone()]) {
         Solution::Point([x, y, z]) => {
-            // Times 2ga: t0 = Z − bX, t1 = 2aX, w = gaY.
+            // All coordinates are multiplied by 2ga: t0 = Z − bX, t1 = 2aX, w = gaY.
             let t0 = z - b * &x;
             let t1 = Integer::from(2) * &a * x;
             Points::Found(vec![primitive([t0, t1, g * a * y])])
@@ -59,7 +59,7 @@ pub(super) fn points(k: &BinaryForm) -> Points {
     }
 }
 
-/// Coprime (t0, t1) with small entries for which k is a square, smallest first.
+/// Coprime (t0, t1) with small entries for which k is a square, the smallest first.
 fn small_points(k: &BinaryForm) -> Vec<Vector> {
     let mut found = Vec::new();
     for size in 1..=SMALL {
@@ -83,12 +83,13 @@ fn small_points(k: &BinaryForm) -> Vec<Vector> {
     found
 }
 
-/// Up to so many bits of the size any smaller one is taken.
+/// While the size has at most this many bits, every smaller parametrization is accepted.
 const ANY_FALL_BITS: u64 = 20;
 
 impl ConicParametrization {
-    /// All points of the conic, by the lines through one of them: the line through P in direction D meets it
-    /// again in `Q(D) P − B(P, D) D`, Q = k − w², B its polar form. D runs over a basis of Z³/ZP.
+    /// Parametrizes all points of the conic by the lines through one of them, P. The line through P in the direction D meets
+    /// the conic again in `Q(D) P − B(P, D) D`, where Q = k − w² and B is its polar form. D runs through the combinations of a
+    /// basis of Z³/ZP.
     pub(super) fn through(k: &BinaryForm, point: &Vector) -> Self {
         let [d, e] = complement(point);
         let (q_d, q_e, b_de) = (quadric(k, &d), quadric(k, &e), polar(k, &d, &e));
@@ -103,7 +104,7 @@ impl ConicParametrization {
         Self(forms).reduced()
     }
 
-    /// t0, t1 and w as polynomials of t = a/b, or of b/a.
+    /// t0, t1 and w as polynomials in t = a/b, or in b/a.
     pub(super) fn polynomials(&self, inverse: bool) -> [IntegerPolynomial; 3] {
         self.0.each_ref().map(|form| {
             let mut coefficients = form.to_vec();
@@ -114,8 +115,8 @@ impl ConicParametrization {
         })
     }
 
-    /// The same conic with smaller coefficients: bases of the lattice of (a, b) and of sublattices are tried as long as
-    /// the sum of the squares of the coefficients falls.
+    /// The same conic parametrized with smaller coefficients. Bases of the lattice of (a, b) and of sublattices are tried as
+    /// long as the sum of the squares of the coefficients becomes smaller.
     fn reduced(self) -> Self {
         let mut best = self.primitive();
         let mut size = best.size();
@@ -140,7 +141,7 @@ impl ConicParametrization {
             let better = shears.chain(sublattices).find_map(|matrix| {
                 let other = best.substituted(&matrix).primitive();
                 let other_size = other.size();
-                // Large ones must fall by a 64th: the number of steps stays logarithmic.
+                // A large size must become smaller by a 64th, so that the number of steps is logarithmic in it.
                 let falls = if size.significant_bits() > ANY_FALL_BITS {
                     (&size - &other_size) << 6u64 > size
                 } else {
@@ -155,7 +156,7 @@ impl ConicParametrization {
         }
     }
 
-    /// (a, b) → (m00 a + m01 b, m10 a + m11 b)
+    /// The parametrization with (m00 a + m01 b, m10 a + m11 b) in place of (a, b).
     fn substituted(&self, [[p, q], [r, s]]: &[[Integer; 2]; 2]) -> Self {
         let two = Integer::from(2);
         Self(self.0.each_ref().map(|[c0, c1, c2]| {
@@ -193,7 +194,7 @@ fn polar(k: &BinaryForm, u: &Vector, v: &Vector) -> Integer {
     quadric(k, &sum) - quadric(k, u) - quadric(k, v)
 }
 
-/// Two vectors that form a basis of Z³ with a primitive one.
+/// Two vectors that together with a primitive vector are a basis of Z³.
 fn complement([x, y, z]: &Vector) -> [Vector; 2] {
     let (zero, one) = (Integer::ZERO, Integer::ONE);
     if *x == 0 && *y == 0 {
@@ -220,7 +221,7 @@ mod tests {
         fn a_parametrization_stays_on_its_conic(
             a in -50i64..50, b in -50i64..50, t0 in -30i64..30, t1 in 1i64..30, w in -30i64..30, s in -20i64..20,
         ) {
-            // k with k(t0, t1) t1² = …: choose c so that (t0 t1, t1², w t1²) is a point of the scaled conic.
+            // c is chosen so that (t0 t1, t1², w t1²) is a point of the scaled conic.
             let c = w * w - a * t0 * t0 - b * t0 * t1;
             let scale = t1 * t1;
             let k = BinaryForm::from_coefficients([a * scale, b * scale, c].map(Integer::from).to_vec());
@@ -236,7 +237,7 @@ mod tests {
                     p.coefficients_asc().iter().rev().fold(Integer::ZERO, |sum, c| sum * &at + c)
                 });
                 prop_assert_eq!(quadric(&k, &[u, v, w]), 0);
-                // Three independent forms: no constant map.
+                // The three forms are independent, so the map is not constant.
                 let [[a, b, c], [d, e, f], [g, h, i]] = &conic.0;
                 let determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
                 prop_assert!(determinant != 0);

@@ -1,13 +1,13 @@
-//! The prime factors of integers that are not too hard.
+//! Prime factors of integers, as far as they are not too hard to find.
 
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivRem, Parity};
 use malachite::base::num::factorization::traits::Factor;
 use malachite::{Integer, Natural};
 
-/// Primes below this are divided out of a number; the rest must be below 2⁶⁴, or the square of such a number.
+/// Primes below this number are divided out. The rest must be below 2⁶⁴, or the square of such a number.
 const TRIAL_DIVISORS: u64 = 1 << 14;
 
-/// An integer as sign · ∏ p^e.
+/// An integer in factored form, sign · ∏ p^e.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Factored {
     /// Whether it is negative.
@@ -17,7 +17,7 @@ pub(super) struct Factored {
 }
 
 impl Factored {
-    /// The factors of n ≠ 0; `None` if what small primes leave is too large (see [`TRIAL_DIVISORS`]).
+    /// The factors of n ≠ 0; `None` if the rest without small primes is too large (see [`TRIAL_DIVISORS`]).
     pub(super) fn of(n: &Integer) -> Option<Self> {
         let mut rest = n.unsigned_abs_ref().clone();
         if rest == 0u32 {
@@ -61,7 +61,7 @@ impl Factored {
         })
     }
 
-    /// The factors of a product of numbers that are not 0; the error is one that is too large.
+    /// The factors of a product of numbers that are not 0. The error is the number that is too large to be factored.
     pub(super) fn of_product(numbers: &[Integer]) -> Result<Self, Integer> {
         let mut product = Self {
             negative: false,
@@ -122,7 +122,7 @@ mod tests {
             for _ in 0..k {
                 n *= Integer::from(b);
             }
-            // Small primes leave a number of 63 bits.
+            // Without small primes a number of 63 bits is left.
             let found = Factored::of(&n).unwrap();
             prop_assert_eq!(found.value(), n.clone());
             let (root, rest) = found.square_part();

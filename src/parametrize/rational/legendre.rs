@@ -1,4 +1,4 @@
-//! Rational points of `Z² = A X² + B Y²`: Hilbert symbols decide, Lagrange's descent finds one.
+//! Rational points of `Z² = A X² + B Y²`. Hilbert symbols decide whether there is one, and Lagrange's descent finds it.
 //!
 //! Serre, *A Course in Arithmetic*, chapters III (Hilbert symbols) and IV (the theorem of Hasse and Minkowski);
 //! Cremona & Rusin, *Efficient solution of rational conics*, §2 (descent).
@@ -32,19 +32,19 @@ impl fmt::Display for Place {
     }
 }
 
-/// What is found out about `Z² = A X² + B Y²`.
+/// The answer about rational points of `Z² = A X² + B Y²`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Solution {
-    /// [X, Y, Z], not all 0.
+    /// A point [X, Y, Z] whose coordinates are not all 0.
     Point([Integer; 3]),
-    /// There is none at this place, so none over Q.
+    /// There is no point over this completion of Q, so there is none over Q.
     None(Place),
-    /// This number was not factored.
+    /// It is not decided, because this number was not factored.
     NotDecided(Integer),
 }
 
-/// A rational point of `Z² = A X² + B Y²` with A, B ≠ 0, or a place without one; A and B are given as products,
-/// the easier to factor.
+/// Finds a rational point of `Z² = A X² + B Y²` with A, B ≠ 0, or a place without a point. A and B are given as products, which
+/// are easier to factor.
 ///
 /// By the theorem of Hasse and Minkowski there is a rational point exactly if there is a real one and
 /// a p-adic one for every p that divides 2AB.
@@ -63,8 +63,7 @@ pub(super) fn solve(a: &[Integer], b: &[Integer]) -> Solution {
     }
 }
 
-/// A place at which the Hilbert symbol of two squarefree numbers is −1: the real one before odd primes
-/// before 2.
+/// A place at which the Hilbert symbol of two squarefree numbers is −1. The real place is tried first, then odd primes, then 2.
 fn obstruction(a: &Factored, b: &Factored) -> Option<Place> {
     if a.negative && b.negative {
         return Some(Place::Real);
@@ -114,12 +113,12 @@ fn hilbert(a: &Integer, b: &Integer, p: u64) -> i8 {
     sign
 }
 
-/// n mod p
+/// The residue of n modulo p.
 fn residue(n: &Integer, p: u64) -> u64 {
     u64::try_from(&n.mod_op(Integer::from(p))).invariant("a residue is below the modulus")
 }
 
-/// Lagrange's descent for squarefree a, b without an obstruction; the error is a number that was not factored.
+/// Lagrange's descent for squarefree a, b without an obstruction. The error is a number that was not factored.
 ///
 /// With r² ≡ a modulo b and |r| ≤ |b|/2, `r² − a = b b₁ m²` has |b₁| < |b|, and a point for (a, b₁) gives one for (a, b)
 /// by multiplying norms: `(Z² − aX²)(r² − a) = (rZ + aX)² − a(Z + rX)²`.
@@ -151,7 +150,7 @@ fn descend(a: &Factored, b: &Factored) -> Result<[Integer; 3], Integer> {
     ]))
 }
 
-/// r with r² ≡ a modulo a squarefree number and |r| at most half of it; `None` if there is none.
+/// An r with r² ≡ a modulo a squarefree number, and with |r| at most half of that number; `None` if there is none.
 fn root_modulo(a: &Integer, modulus: &Factored) -> Option<Integer> {
     let (mut root, mut product) = (Integer::ZERO, Integer::ONE);
     for &(p, _) in &modulus.primes {
@@ -178,7 +177,7 @@ fn root_modulo(a: &Integer, modulus: &Factored) -> Option<Integer> {
     Some(root)
 }
 
-/// Integers without their common factor.
+/// The integers, divided by their greatest common divisor.
 pub(super) fn primitive<const N: usize>(values: [Integer; N]) -> [Integer; N] {
     let mut common = Integer::ZERO;
     for v in &values {
@@ -208,7 +207,7 @@ mod tests {
         assert!(matches!(solved(2, 7), Solution::Point(_)));
     }
 
-    /// Whether Z² = aX² + bY² has a solution with coprime small numbers, by trial.
+    /// Whether Z² = aX² + bY² has a solution in small coprime numbers, by trial.
     fn small_solution(a: i64, b: i64, bound: i64) -> bool {
         let is_square = |n: i64| n >= 0 && n.isqrt().pow(2) == n;
         (0..=bound)
@@ -231,7 +230,7 @@ mod tests {
 
         #[test]
         fn a_point_that_was_put_there_is_never_denied(x in 1i64..1000, y in 1i64..1000, z in 1i64..1000, a in -5000i64..5000) {
-            // b y² = z² − a x² after scaling: (A, B) = (a, z² − a x²) has the point (x, 1, z).
+            // Up to scaling, (A, B) = (a, z² − a x²) has the point (x, 1, z).
             let b = z * z - a * x * x;
             prop_assume!(a != 0 && b != 0);
             let Solution::Point([u, v, w]) = solved(a, b) else {
@@ -239,7 +238,7 @@ mod tests {
             };
             prop_assert!(u != 0 || v != 0 || w != 0);
             prop_assert_eq!(&w * &w, Integer::from(a) * &u * &u + Integer::from(b) * &v * &v);
-            // and scaled by squares it has one too
+            // Multiplied by squares, the equation has a point as well.
             let scaled = solved(a * y * y, b);
             prop_assert!(matches!(scaled, Solution::Point(_)));
         }

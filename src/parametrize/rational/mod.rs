@@ -1,4 +1,5 @@
-//! Rational parametrizations: which factors of a curve have genus 0, and x(t), y(t) of those that have one over Q.
+//! Rational parametrizations: the factors of a curve that have genus 0, and x(t), y(t) for those that have a parametrization
+//! over Q.
 //!
 //! With y = t x a factor becomes a polynomial in R = x over the line of slopes (t0 : t1), by its homogeneous parts:
 //!
@@ -6,8 +7,8 @@
 //! - parts of degrees n, n−1, n−2: `s R² + p R + q = 0`, the double cover `w² = p² − 4sq` of that line ([`quadratic`]);
 //! - parts of degrees n, n−k with k ≥ 3: `R^k = −q/s`, a cyclic cover ([`power`]).
 //!
-//! Of other factors nothing is claimed. The paper stops at r(θ); this goes on to what its square roots
-//! mean: of genus g ≥ 1 no curve has a rational parametrization, over any field.
+//! Nothing is claimed about other factors. The paper ends with r(θ); this module finds what the square roots in r(θ) imply: a
+//! curve of genus g ≥ 1 has no rational parametrization over any field.
 
 mod conic;
 mod integers;
@@ -24,60 +25,60 @@ pub use legendre::Place;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
 use polynomials::{constant, form_at};
 
-/// Factors of a higher degree are not looked at: substituting x(t), y(t) into one of degree n is a
-/// polynomial of degree 2n² in t.
+/// Factors of a higher degree n are not examined: the substitution of x(t), y(t) into the factor has degree 2n² in t.
 const LARGEST_DEGREE: usize = 40;
 
-/// A curve x(t), y(t) of rational functions that satisfies the equation it comes with identically.
+/// A curve whose coordinates x(t), y(t) are rational functions that satisfy its equation identically.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RationalCurve {
-    /// x(t)
+    /// The coordinate x(t).
     pub x: RationalFunction,
-    /// y(t)
+    /// The coordinate y(t).
     pub y: RationalFunction,
 }
 
 impl RationalCurve {
-    /// How long it is when written.
+    /// The length of the curve when it is written.
     fn length(&self) -> usize {
         self.x.to_string().len() + self.y.to_string().len()
     }
 }
 
-/// What is proved of the rational parametrizations of an irreducible curve.
+/// The proved result about rational parametrizations of an irreducible curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Rationality {
-    /// Genus 0, with a parametrization over Q that was verified by substitution.
+    /// The genus is 0, and this is a parametrization over Q, verified by substitution.
     Parametrized(RationalCurve),
-    /// Genus 0: r(θ) is a trigonometric polynomial, so x and y are rational functions of tan(θ/2).
+    /// The genus is 0: r(θ) is a trigonometric polynomial, so x and y are rational functions of tan(θ/2).
     HalfAngle,
-    /// Genus 0, but no parametrization over Q.
+    /// The genus is 0, but there is no parametrization over Q.
     NoRationalPoint {
-        /// `w² = conic(1, t)` has no rational point,
+        /// The form of the conic `w² = conic(1, t)`, which has no rational point.
         conic: BinaryForm,
-        /// since it has none here,
+        /// A completion of Q over which the conic has no point.
         place: Place,
-        /// and it has one over Q(√field).
+        /// The number d for which the curve has a parametrization over Q(√d).
         field: BigInt,
     },
-    /// Genus 0; whether there is a rational point was not found out.
+    /// The genus is 0, but it was not decided whether there is a rational point.
     NotDecided {
-        /// `w² = conic(1, t)`
+        /// The form of the conic `w² = conic(1, t)`.
         conic: BinaryForm,
         /// The number that was not factored.
         number: BigInt,
     },
-    /// Genus at least 1: there is no rational parametrization, over any field.
+    /// The genus is at least 1, so there is no rational parametrization over any field.
     PositiveGenus {
         /// The genus.
         genus: usize,
-        /// The cover of the line of slopes t that proves it.
+        /// The cover of the line of slopes that proves the genus.
         cover: Cover,
     },
-    /// Irreducible over Q, but several conjugate curves over a larger field: no parametrization over Q.
+    /// The curve is irreducible over Q, but consists of several conjugate curves over a larger field, so it has no
+    /// parametrization over Q.
     Conjugates {
-        /// How many.
+        /// The number of conjugate curves.
         count: usize,
     },
 }
@@ -86,29 +87,29 @@ pub enum Rationality {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Cover {
-    /// `w² = kernel(1, t)` with a squarefree form of degree 2g + 2 (infinity counts).
+    /// The double cover `w² = kernel(1, t)`, where the squarefree form has degree 2g + 2 (a zero at infinity counts).
     Double(BinaryForm),
-    /// `R^degree = −low/top`, branched over so many slopes.
+    /// The cyclic cover `R^degree = −low/top`.
     Cyclic {
-        /// k
+        /// The degree k of the cover.
         degree: usize,
         /// The number of geometric points of the line over which it is branched.
         branch_points: usize,
     },
 }
 
-/// A factor of a curve, by its index, and what is known of its rational parametrizations.
+/// The findings about rational parametrizations of one factor of a curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct FactorRationality {
-    /// Which factor of the polynomial, from 0.
+    /// The index of the factor of the polynomial, from 0.
     pub factor: usize,
-    /// What is proved.
+    /// The proved result.
     pub rationality: Rationality,
 }
 
-/// Decides what it can about an irreducible curve; `None` where nothing is claimed: for forms, for other
-/// homogeneous parts than those above, and for degrees above 40.
+/// Decides what it can about the rational parametrizations of an irreducible curve. The result is `None` if nothing is claimed:
+/// for forms, for other homogeneous parts than those above, and for degrees above 40.
 ///
 /// Cost: a squarefree decomposition of a form of degree 2n, for genus 0 the factors of two integers
 /// (Legendre's theorem on the conic), and the substitution into the curve.
@@ -144,13 +145,13 @@ pub fn rational_parametrization(f: &PlanePolynomial) -> Option<Rationality> {
         _ => return None,
     };
     match &found {
-        // A proof of its own, whatever the way it was found.
+        // This is a proof that does not depend on the way in which the curve was found.
         Rationality::Parametrized(curve) => curve.satisfies(f).then_some(found),
         _ => Some(found),
     }
 }
 
-/// x = −p/s, y = t x.
+/// The curve x = −p/s, y = t x.
 fn linear(s: &BinaryForm, p: &BinaryForm) -> Option<RationalCurve> {
     let slope = [
         constant(1),
@@ -160,7 +161,7 @@ fn linear(s: &BinaryForm, p: &BinaryForm) -> Option<RationalCurve> {
 }
 
 impl RationalCurve {
-    /// (x, y) = (t0, t1) · numerator / denominator.
+    /// The curve (x, y) = (t0, t1) · numerator / denominator.
     fn along(
         [t0, t1]: &[IntegerPolynomial; 2],
         numerator: &IntegerPolynomial,

@@ -1,4 +1,4 @@
-//! Forms at polynomials.
+//! Values of forms at polynomials.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -11,12 +11,12 @@ pub(super) fn constant(c: impl Into<Integer>) -> IntegerPolynomial {
     IntegerPolynomial::from_coefficients_asc(vec![c.into()])
 }
 
-/// f^k
+/// The power f^k.
 pub(super) fn power(f: &IntegerPolynomial, k: usize) -> IntegerPolynomial {
     (0..k).fold(constant(1), |product, _| product * f)
 }
 
-/// form(a(t), b(t)), by Horner's rule. Cost: 2d products of polynomials.
+/// The polynomial form(a(t), b(t)), by Horner's rule. Cost: 2d products of polynomials.
 pub(super) fn form_at(form: &BinaryForm, [a, b]: &[IntegerPolynomial; 2]) -> IntegerPolynomial {
     let mut value = IntegerPolynomial::ZERO;
     let mut a_power = constant(1);

@@ -10,18 +10,18 @@ use super::{Cover, RationalCurve, Rationality};
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, IntegerPolynomial, squarefree_decomposition};
 
-/// A form without multiple zeros, and how often it occurs in −q/s: negative in s.
+/// A form without multiple zeros, and its multiplicity in −q/s, which is negative for a factor of s.
 struct Part {
     form: BinaryForm,
     multiplicity: i64,
 }
 
-/// By Riemann and Hurwitz `2g − 2 = −2k + Σ (k − gcd(k, m))` over the geometric zeros and poles of −q/s, infinity
-/// among them, with multiplicities m; if e = gcd(k, all m) > 1 the curve is e conjugate ones.
+/// Decides by the formula of Riemann and Hurwitz, `2g − 2 = −2k + Σ (k − gcd(k, m))`. The sum is over the geometric zeros and
+/// poles of −q/s, infinity included, with multiplicities m. If e = gcd(k, all m) > 1, the curve consists of e conjugate curves.
 ///
-/// Genus 0 needs two branch points over which all sheets meet. They are rational (conjugate ones have one
-/// multiplicity m with k | 2m, prime to k, so k ≤ 2), and over Q the cover is `R'^k = c u^m`, which
-/// v = R'^α u^β with α m + β k = 1 parametrizes: `u = v^k / c^α`, `R' = c^β v^m`.
+/// Genus 0 needs two branch points over which all sheets meet. These points are rational: conjugate ones would have one
+/// multiplicity m, prime to k, with k | 2m, so k ≤ 2. Over Q the cover is then `R'^k = c u^m`. With α m + β k = 1, v = R'^α u^β
+/// parametrizes it: `u = v^k / c^α`, `R' = c^β v^m`.
 pub(super) fn rationality(s: &BinaryForm, q: &BinaryForm, k: usize) -> Option<Rationality> {
     let modulus = i64::try_from(k).ok()?;
     let (parts, factor) = parts(s, q)?;
@@ -63,7 +63,7 @@ pub(super) fn rationality(s: &BinaryForm, q: &BinaryForm, k: usize) -> Option<Ra
     Some(Rationality::Parametrized(shortest))
 }
 
-/// The squarefree parts of −q/s, powers of x among them, and the constant that is left.
+/// The squarefree parts of −q/s, including powers of x, and the constant factor.
 fn parts(s: &BinaryForm, q: &BinaryForm) -> Option<(Vec<Part>, Rational)> {
     let mut parts = Vec::new();
     let mut constants = Vec::new();
@@ -93,16 +93,16 @@ fn parts(s: &BinaryForm, q: &BinaryForm) -> Option<(Vec<Part>, Rational)> {
     Some((parts, -(of_q / of_s)))
 }
 
-/// The parametrization with u = zero/pole: `R = R' · pole · ∏ part^j`, where j is the multiplicity divided by k, rounded
-/// down.
+/// The parametrization by u = zero/pole: `R = R' · pole · ∏ part^j`, where j is the multiplicity of the part divided by k,
+/// rounded down.
 fn cover(parts: &[Part], zero: &Part, pole: &Part, c: &Rational, k: i64) -> Option<RationalCurve> {
     let m = zero.multiplicity.rem_euclid(k);
-    // α m ≡ 1 modulo k, of least absolute value
+    // α with α m ≡ 1 modulo k, of least absolute value.
     let alpha = (1 - k..k)
         .filter(|a| (a * m).rem_euclid(k) == 1)
         .min_by_key(|a| a.abs())?;
     let beta = (1 - alpha * m) / k;
-    // u = zero/pole = v^k / c^α
+    // The substitution u = zero/pole = v^k / c^α.
     let (ratio, scale) = (c.pow(alpha)?, c.pow(beta)?);
     let variable = |exponent: i64| {
         let mut coefficients = vec![Integer::ZERO; usize::try_from(exponent).unwrap_or(0)];
@@ -111,7 +111,7 @@ fn cover(parts: &[Part], zero: &Part, pole: &Part, c: &Rational, k: i64) -> Opti
     };
     let above = variable(k) * constant(ratio.denominator());
     let below = constant(ratio.numerator());
-    // zero(t0, t1) = above, pole(t0, t1) = below, up to a common factor
+    // t0 and t1 solve zero(t0, t1) = above, pole(t0, t1) = below, up to a common factor.
     let [a, b] =
         [&zero.form, &pole.form].map(|f| [constant(f.coefficient(0)), constant(f.coefficient(1))]);
     let slope = [

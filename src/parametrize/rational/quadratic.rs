@@ -1,4 +1,4 @@
-//! Three homogeneous parts: the double cover `w² = p² − 4sq` of the line of slopes.
+//! Curves with three homogeneous parts: the double cover `w² = p² − 4sq` of the line of slopes.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -11,20 +11,21 @@ use crate::exact::integer_to_num;
 use crate::parametrize::closed::{integer_square_part, squarefree_kernel};
 use crate::poly::{BinaryForm, IntegerPolynomial, Ring};
 
-/// Values of the conic at |t0|, |t1| up to this are looked at for a small quadratic field.
+/// The values of the conic at |t0|, |t1| up to this number are searched for a small quadratic field.
 const FIELD_SEARCH: i64 = 12;
 
-/// `s R² + p R + q = 0`, so that `R = (−p ± h √k) / 2s` with `p² − 4sq = h² k`, k squarefree up to constants.
+/// Decides about `s R² + p R + q = 0`, that is `R = (−p ± h √k) / 2s` where `p² − 4sq = h² k` and k is squarefree up to
+/// constants.
 ///
-/// The curve is birational to `w² = k(t0, t1)`: of genus g for k of degree 2g + 2, a conic for degree 2,
-/// two conjugate curves for degree 0.
+/// The curve is birational to `w² = k(t0, t1)`. If k has the degree 2g + 2, the genus is g. For degree 2 this is a conic; for
+/// degree 0 it is a pair of conjugate curves.
 pub(super) fn rationality(s: &BinaryForm, p: &BinaryForm, q: &BinaryForm) -> Option<Rationality> {
     let discriminant = p.squared().minus(&s.times(q).scaled(&Integer::from(4)));
     let (h, k) = squarefree_kernel(&discriminant);
     match k.degree() {
         0 => {
             let value = k.coefficient(0);
-            // A square would make the curve reducible.
+            // If the value were a square, the curve would be reducible.
             let square = value >= 0 && value.checked_sqrt().is_some();
             (!square).then_some(Rationality::Conjugates { count: 2 })
         }
@@ -61,7 +62,7 @@ struct DoubleCover<'a> {
 }
 
 impl DoubleCover<'_> {
-    /// The curve by the lines through a point of the conic, in both directions of the parameter.
+    /// The curves that the lines through a point of the conic give, in both directions of the parameter.
     fn curves(&self, point: &[Integer; 3]) -> Vec<RationalCurve> {
         let conic = ConicParametrization::through(&self.k, point);
         let both = [false, true].map(|inverse| {
@@ -76,7 +77,7 @@ impl DoubleCover<'_> {
     }
 }
 
-/// A small d such that the conic has a point over Q(√d): a value of k without squares of small primes.
+/// A small number d such that the conic has a point over Q(√d): a value of k, divided by the squares of small primes.
 fn smallest_field(k: &BinaryForm) -> Integer {
     let values = (0..=FIELD_SEARCH).flat_map(|t0| {
         (-FIELD_SEARCH..=FIELD_SEARCH)

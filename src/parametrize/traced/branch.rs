@@ -1,4 +1,4 @@
-//! From roots in sectors to branches r(θ) with exact ranges.
+//! Branches r(θ) with exact ranges, assembled from the roots in sectors.
 
 use std::sync::Arc;
 
@@ -12,55 +12,56 @@ use crate::roots::{RealRoot, real_roots};
 use crate::sample::Direction;
 use malachite::base::polynomial::Polynomial;
 
-/// One continuous real branch r(θ) of a curve, given by which root it is in every direction.
+/// A continuous real branch r(θ) of a curve. In every direction, its rank among the real radii is known.
 #[derive(Clone, Debug)]
 pub struct RootBranch {
     tracing: Arc<Tracing>,
-    /// The sectors where it is real, with the index of r among the real radii there, ascending.
+    /// The sectors in which the branch is real, each with the index of r among the real radii there, ascending.
     arcs: Vec<(usize, usize)>,
-    /// For a root at a single angle: which of the real radii r ≠ 0 there, from the largest, and of how many.
+    /// For a branch that is real at a single angle: the rank of r among the real radii r ≠ 0 there, from the largest, and their
+    /// number.
     single: Option<(usize, usize)>,
-    /// Where it is real and finite.
+    /// The ranges in which the branch is real and finite.
     pub(in crate::parametrize) real: Vec<AngleRange>,
-    /// Where it is positive.
+    /// The ranges in which the branch is positive.
     pub(in crate::parametrize) positive: Vec<AngleRange>,
 }
 
-/// On some range of angles, the branch is one of the real radii.
+/// A range of angles in which the branch has a fixed rank among the real radii.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct RootArc {
-    /// The open range.
+    /// The range, which is open.
     pub range: AngleRange,
-    /// Which root: 0 for the largest r.
+    /// The rank of the branch: 0 for the largest r.
     pub rank: usize,
-    /// Of how many.
+    /// The number of real radii in the range.
     pub of: usize,
 }
 
-/// A real radius in a sector: which root R, and the sign of r.
+/// A real radius in a sector: the index of the root R, and the sign of r.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct SignedRoot {
     root: usize,
     sign: i8,
 }
 
-/// The radii of all sectors, and how those of neighbours go on.
+/// The radii of all sectors, and the connections between neighbouring sectors.
 #[derive(Debug, Default)]
 pub(super) struct Graph {
     radii: Vec<Vec<SignedRoot>>,
-    /// For each radius the one of the next sector that it continues as.
+    /// For each radius, the radius of the next sector that continues it.
     next: Vec<Vec<Option<usize>>>,
     has_previous: Vec<Vec<bool>>,
-    /// The signs of the limits at the beginning and at the end of the sector; `None` where infinite.
+    /// The signs of the limits at the beginning and at the end of the sector; `None` if the limit is infinite.
     limits: Vec<Vec<[Option<i8>; 2]>>,
     angles: Vec<ExactAngle>,
-    /// Isolated points, as the boundary and the sign of r.
+    /// The isolated points, each as the index of a boundary and the sign of r.
     isolated: Vec<(usize, i8)>,
 }
 
 impl Tracing {
-    /// The branches, from the angle 0 on; isolated points last.
+    /// The branches in the order of the angles at which they begin, from 0; isolated points are last.
     pub(in crate::parametrize) fn branches(self: &Arc<Self>) -> Vec<RootBranch> {
         let graph = &self.graph;
         let mut branches: Vec<RootBranch> = graph
@@ -87,8 +88,8 @@ impl Tracing {
         branches
     }
 
-    /// The finite real r ≠ 0 at the single angles where another root is infinite: there a formula with the leading
-    /// coefficient as its denominator has no value.
+    /// The finite real r ≠ 0 at the single angles at which another root is infinite. A formula whose denominator is the leading
+    /// coefficient has no value there.
     pub(in crate::parametrize) fn finite_where_one_is_infinite(
         self: &Arc<Self>,
     ) -> Vec<RootBranch> {
@@ -118,7 +119,7 @@ impl Tracing {
         branches
     }
 
-    /// The r of a sector, ascending.
+    /// The radii r of a sector, ascending.
     fn radii(&self, sector: Sector) -> Vec<SignedRoot> {
         let signs = self.signs(sector);
         let all = signs.iter().enumerate();
@@ -135,7 +136,7 @@ impl Tracing {
             .collect()
     }
 
-    /// How the radii of all sectors go on.
+    /// The graph of the radii of all sectors.
     pub(super) fn new_graph(&self) -> Graph {
         let sectors = self.sectors();
         let boundaries = self.boundaries();
@@ -162,7 +163,7 @@ impl Tracing {
         graph
     }
 
-    /// The radii in an exact direction that is not critical as (|r|^step, sign of r), ascending in r.
+    /// The radii in an exact direction that is not critical, as pairs of |r|^step and the sign of r, ascending in r.
     fn radii_at(&self, direction: &Direction) -> Vec<(RealRoot, i8)> {
         let along = self.equation.along(direction);
         let positive = |g: &IntegerPolynomial| {
@@ -185,7 +186,7 @@ impl Tracing {
 }
 
 impl Tracing {
-    /// The nearest double of sign · root^(1/step).
+    /// The double nearest to sign · root^(1/step).
     fn nearest(&self, mut root: RealRoot, sign: i8) -> f64 {
         let step = u32::try_from(self.equation.step);
         let step = step.invariant("a degree is below 2^32");
@@ -194,7 +195,7 @@ impl Tracing {
 }
 
 impl Graph {
-    /// What happens between two neighbouring sectors.
+    /// Adds the connections between two neighbouring sectors.
     fn add(&mut self, before: usize, after: usize, link: &Link, odd: bool) {
         let limit = |radius: &SignedRoot, side: usize| {
             let of_root = link.limits[side][radius.root];
@@ -236,8 +237,8 @@ impl Graph {
         }
     }
 
-    /// Maximal chains of (sector, radius), each at most once around; a chain that goes on through the
-    /// angle 0 is one branch if its parts do not overlap.
+    /// The maximal chains of (sector, radius), each at most one turn long. A chain that continues through the angle 0 is one
+    /// branch if its two parts do not overlap.
     fn chains(&self) -> Vec<Vec<(usize, usize)>> {
         let count = self.radii.len();
         let mut seen: Vec<Vec<bool>> = self
@@ -251,7 +252,7 @@ impl Graph {
                 .flat_map(move |s| (0..self.radii[s].len()).map(move |i| (s, i)))
                 .filter(move |&(s, i)| self.has_previous[s][i] != wanted)
         };
-        // Those with a beginning first, then closed ones, from the angle 0 on.
+        // The chains with a beginning are first, then the closed ones, in the order of angles from 0.
         for start in starts(true).chain(starts(false)) {
             if seen[start.0][start.1] {
                 continue;
@@ -280,7 +281,7 @@ impl Graph {
         chains
     }
 
-    /// The maximal ranges of a chain where `at_limit` holds at boundaries and `inside` in sectors.
+    /// The maximal ranges of a chain in which `at_limit` holds at the boundaries and `inside` holds in the sectors.
     fn ranges(
         &self,
         arcs: &[(usize, usize)],
@@ -316,7 +317,7 @@ impl Graph {
 }
 
 impl RootBranch {
-    /// Where the branch is which of the real radii; neighbouring ranges with the same answer are one.
+    /// The maximal angle ranges in which the branch has a fixed rank among the real radii.
     #[must_use]
     pub fn arcs(&self) -> Vec<RootArc> {
         let graph = &self.tracing.graph;
@@ -356,20 +357,20 @@ impl RootBranch {
         arcs.into_iter().map(|(_, arc)| arc).collect()
     }
 
-    /// The forms f_(low), f_(low + step), … of the polynomial Σ f_(low + i·step)(cos θ, sin θ) r^(i·step), of
-    /// which r is a root, and the step.
+    /// The forms f_(low), f_(low + step), … of the polynomial Σ f_(low + i·step)(cos θ, sin θ) r^(i·step), of which r is a
+    /// root; and the step.
     pub(crate) fn equation(&self) -> (&[BinaryForm], usize) {
         (&self.tracing.equation.forms, self.tracing.equation.step)
     }
 
-    /// The discriminant of that polynomial with respect to r^step, up to a constant: its coefficients in t = tan θ, ascending.
-    /// Branches begin, end and meet where it vanishes.
+    /// The discriminant of that polynomial with respect to r^step, up to a constant, by its coefficients in t = tan θ,
+    /// ascending. Branches begin, end and meet at zeros of the discriminant.
     #[must_use]
     pub fn discriminant(&self) -> Vec<Rational> {
         coefficients(&self.tracing.discriminant())
     }
 
-    /// Whether the branch is a point: real at a single angle only.
+    /// Whether the branch is a point, that is real at a single angle only.
     #[must_use]
     pub fn is_point(&self) -> bool {
         self.arcs.is_empty()
@@ -388,8 +389,8 @@ impl RootBranch {
             && self.positive[0].closed == [true, true]
     }
 
-    /// Where the outermost positive radius, of all branches together, goes from one branch to another. `None`
-    /// if there is not one in every direction, or it is not bounded.
+    /// The angles at which the outermost positive radius changes from one branch to another, all branches together. `None` if
+    /// some direction has no positive radius, or if the radii are not bounded.
     #[must_use]
     pub fn outermost_jumps(&self) -> Option<Vec<ExactAngle>> {
         let graph = &self.tracing.graph;
@@ -412,15 +413,14 @@ impl RootBranch {
         Some(jumps.into_iter().map(|(_, angle)| angle).collect())
     }
 
-    /// The nearest double of the largest positive radius of all branches in an exact direction.
+    /// The double nearest to the largest positive radius of all branches in an exact direction.
     #[must_use]
     pub fn outermost_radius(&self, direction: &Direction) -> Option<f64> {
         let (root, sign) = self.tracing.radii_at(direction).pop()?;
         (sign > 0).then(|| self.tracing.nearest(root, sign))
     }
 
-    /// The nearest double of r in an exact direction; `None` where the branch is not real, and in
-    /// critical directions.
+    /// The double nearest to r in an exact direction; `None` in critical directions and where the branch is not real.
     #[must_use]
     pub fn radius(&self, direction: &Direction) -> Option<f64> {
         let (u, v, _) = direction.integers();

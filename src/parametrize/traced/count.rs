@@ -1,4 +1,4 @@
-//! How many real roots P(α, ·) has at an algebraic α, from the signs of subresultants.
+//! Counts the real roots of P(α, ·) for an algebraic α, by the signs of subresultants.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -8,21 +8,21 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, Weights, signed_subresultant};
 use crate::roots::RealRoot;
 
-/// The distinct roots of P(α, ·), without R = 0.
+/// The numbers of distinct roots of P(α, ·), without R = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct RootCount {
-    /// Real ones.
+    /// The number of real roots.
     pub(super) real: usize,
-    /// Positive ones.
+    /// The number of positive roots.
     pub(super) positive: usize,
-    /// Multiplicities beyond 1, all complex roots together.
+    /// The sum of all multiplicities beyond 1, over all complex roots.
     pub(super) repeated: usize,
 }
 
 /// Counts the roots of Σ a_i(α) R^i, where neither the first nor the last coefficient vanishes at α.
 ///
-/// The real ones by the signs of the signed subresultant coefficients at α (Basu, Pollack, Roy,
-/// Theorem 4.33), the positive ones by those of P(α, R²).
+/// The signs of the signed subresultant coefficients at α give the number of real roots (Basu, Pollack, Roy, Theorem 4.33);
+/// those of P(α, R²) give the number of positive roots.
 pub(super) fn count_roots(
     coefficients: &[IntegerPolynomial],
     weights: Weights,
@@ -38,7 +38,7 @@ pub(super) fn count_roots(
         }
         squared.push(a.clone());
     }
-    // In powers of R the step is a half: twice all degrees are at most twice the lowest and i steps.
+    // As a polynomial in R, P(α, R²) has half the step, rounded up.
     let doubled = Weights {
         lowest: weights.lowest,
         step: weights.step.div_ceil(2),
@@ -86,7 +86,7 @@ fn variations(signs: &[i8]) -> usize {
     usize::try_from(total).invariant("a number of real roots is not negative")
 }
 
-/// Whether an integer polynomial in R has R = 0 as a root, how often.
+/// The multiplicity of R = 0 as a root of a polynomial in R.
 pub(super) fn zero_multiplicity(g: &IntegerPolynomial) -> usize {
     g.coefficients_asc()
         .iter()
@@ -134,7 +134,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(40))]
-        /// Constant coefficients: the count must be that of the exact isolation.
+        /// For constant coefficients the count is that of exact root isolation.
         #[test]
         fn agrees_with_isolation(roots in prop::collection::vec((-4i64..5, 1usize..3), 0..4), pairs in prop::collection::vec(-3i64..4, 0..2), lead in prop_oneof![-3i64..0, 1i64..4]) {
             let mut f = poly(&[lead]);

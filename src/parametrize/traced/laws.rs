@@ -45,7 +45,7 @@ fn traced(equation: &Equation) -> (Arc<Tracing>, Vec<RootBranch>) {
     (tracing, branches)
 }
 
-/// Where a branch is real and positive, and the angles that its arcs end at, in doubles.
+/// The ranges in which a branch is real and positive, and the angles at which its arcs end, in doubles.
 struct Shown {
     real: Vec<[f64; 2]>,
     positive: Vec<[f64; 2]>,
@@ -72,7 +72,8 @@ fn within(ranges: &[[f64; 2]], theta: f64) -> bool {
     ranges.iter().any(|[from, to]| *from < theta && theta < *to)
 }
 
-/// In directions all around, and close to both sides of every critical one.
+/// Compares the branches with the certified roots in directions all around, and close to both sides of every critical
+/// direction.
 fn check(equation: &Equation) -> Result<(), TestCaseError> {
     let f = polynomial(equation);
     let solver = RaySolver::new(&f);
@@ -123,7 +124,7 @@ fn check(equation: &Equation) -> Result<(), TestCaseError> {
         found.sort_by(f64::total_cmp);
         prop_assert_eq!(&found, &expected, "at {}", theta);
     }
-    // Inside a range a branch is continuous, as r^step: across every critical direction.
+    // Inside a range the branch is continuous in r^step, across all critical directions.
     let step = f64::from(u32::try_from(equation.step).unwrap());
     for (branch, shown) in branches.iter().zip(&shown) {
         for &angle in critical.iter().filter(|a| within(&shown.real, **a)) {
@@ -160,20 +161,20 @@ fn isolated(branches: &[RootBranch]) -> Vec<String> {
 #[test]
 fn folds_nodes_cusps_and_asymptotes() {
     for (text, step) in [
-        // Infinite roots, and a fold beside them.
+        // Roots that tend to infinity, and a fold beside them.
         ("x^5 - x - 1 + y^5", 1),
         // A node and a cusp at (1, 1), and at (1, ±√2).
         ("(x-1)^2 - (y-1)^2 + (x-1)^5 + y*(y-1)^4", 1),
         ("(x-1)^3 - (y-1)^2 + (y-1)^5*x", 1),
         ("(x-1)^2 - (y^2-2)^2 + (x-1)^5 + x*(y^2-2)^3", 1),
-        // Touches the x axis at two points from above: with r < 0 a pair is born as another one dies.
+        // The curve touches the x axis from above at two points: for r < 0 one pair of roots begins where another one ends.
         ("(y - (x^2-1)^2)*(1 + x^2) + y^3", 1),
-        // In r².
+        // A polynomial in r².
         ("x^10 + y^10 - 3x^4*y^4 + x^2*y^2*5 - x*y - 1", 2),
-        // The origin, with branches through it.
+        // The origin is on the curve, with branches through it.
         ("x^6 + y^6 + x^3*y^2 - x^2 + 2y^2", 1),
         ("x^7 + y^7 + x^3*y^2 - x*y", 1),
-        // In r³, and only negative r at that.
+        // A polynomial in r³ with negative r only.
         ("x^15 + y^15 + x^3*y^9 + x^9 + x^3 + 2", 3),
     ] {
         check(&equation(text, step)).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -182,13 +183,13 @@ fn folds_nodes_cusps_and_asymptotes() {
 
 #[test]
 fn isolated_points_are_kept() {
-    // (1, 1) is isolated: the quadratic part there is definite.
+    // The point (1, 1) is isolated, because the quadratic part there is definite.
     let (_, branches) = traced(&equation(
         "(x-1)^2 + (y-1)^2 + (x-1)^5 + (x-1)^3*(y-1)^2",
         1,
     ));
     assert_eq!(isolated(&branches), ["pi/4 +", "5*pi/4"]);
-    // (1, ±√2)
+    // The points (1, ±√2) are isolated.
     let (_, branches) = traced(&equation("(x-1)^2 + (y^2-2)^2 + (x-1)^5", 1));
     let angles = isolated(&branches);
     assert_eq!(angles.len(), 4);
@@ -197,7 +198,7 @@ fn isolated_points_are_kept() {
         "{}",
         angles[0]
     );
-    // In r²: R = 2 at 45° and nothing else near.
+    // In r², the root R = 2 at 45° is isolated.
     let (_, branches) = traced(&equation("(x-y)^2*(1+x^2) + (x^2+y^2-2)^2", 2));
     assert_eq!(
         isolated(&branches),
@@ -232,7 +233,7 @@ fn forms(degrees: Vec<usize>) -> impl Strategy<Value = Vec<BinaryForm>> {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(30))]
-    /// Dense polynomials of degree 2 to 6 in r^k, also with the origin on the curve.
+    /// Dense polynomials of degree 2 to 6 in r^k; for some of them the origin is on the curve.
     #[test]
     fn branches_are_the_certified_roots(
         (equation, sparse) in (0usize..3, 1usize..4, 2usize..7).prop_flat_map(|(lowest, step, m)| {
@@ -242,7 +243,7 @@ proptest! {
         }),
     ) {
         let mut equation = equation;
-        // Sometimes without middle parts, and even in y.
+        // Some have no middle parts, and some are even in y.
         let last = equation.forms.len() - 1;
         if sparse == 1 && last > 2 {
             equation.forms[1] = BinaryForm::zero(equation.forms[1].degree());

@@ -23,7 +23,7 @@
 //! (t − α)^k times an analytic function without a zero; it is positive on both sides, so k is even and the difference of the two
 //! analytic roots is (t − α)^(k/2) times such a function.
 //!
-//! Laws: those of `laws.rs` beside this file.
+//! Laws: `branches_are_the_certified_roots`, `folds_nodes_cusps_and_asymptotes`, `isolated_points_are_kept`.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;

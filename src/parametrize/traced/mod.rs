@@ -1,9 +1,8 @@
-//! Branches of any degree: certified roots, followed from direction to direction (Lemma 6).
+//! Branches of any degree: certified roots that are followed from direction to direction (Lemma 6).
 //!
-//! P(θ, R) = Σ f_(low + ik)(cos θ, sin θ) R^i with R = r^k has a constant number of real roots between
-//! *critical* directions, the zeros of its first and last coefficient and of its discriminant. They are
-//! algebraic, so everything about the branches but their values is known exactly: where they begin and
-//! end, meet, vanish or become infinite.
+//! P(θ, R) = Σ f_(low + ik)(cos θ, sin θ) R^i with R = r^k has a constant number of real roots between *critical* directions,
+//! which are the zeros of its first coefficient, its last coefficient and its discriminant. These zeros are algebraic, so the
+//! angles at which branches begin, end, meet, vanish or become infinite are known exactly.
 
 mod branch;
 mod count;
@@ -42,7 +41,7 @@ pub(super) struct Equation {
 }
 
 impl Equation {
-    /// P in an exact direction, ascending in R, up to a positive factor.
+    /// P in an exact direction, ascending in R and up to a positive factor.
     fn along(&self, direction: &Direction) -> IntegerPolynomial {
         let (u, v, w) = direction.integers();
         let unit = w.pow(self.step as u64);
@@ -58,26 +57,26 @@ impl Equation {
     }
 }
 
-/// The circle of directions cut into sectors, with the real roots in each and what becomes of them
-/// between.
+/// The circle of directions, cut into sectors at the critical directions, with the real roots in each sector and their
+/// connections across the cuts.
 #[derive(Debug)]
 pub(super) struct Tracing {
     equation: Equation,
-    /// The critical slopes t = y/x, ascending, with disjoint enclosures; 0 is always one.
+    /// The critical slopes t = y/x, ascending and with disjoint enclosures; 0 is always one of them.
     slopes: Vec<RealRoot>,
-    /// Slopes below, between and above them.
+    /// Slopes below, between and above the critical ones.
     insides: Vec<Rational>,
-    /// The signs of the real roots R at each of these slopes, ascending in R.
+    /// The signs of the real roots R at each slope of `insides`, ascending in R.
     roots: Vec<Vec<i8>>,
-    /// One for each critical slope, then the vertical direction.
+    /// A link for each critical slope, and one for the vertical direction at the end.
     links: Vec<Link>,
     /// The discriminant with respect to R, as a polynomial in t = tan θ.
     discriminant: IntegerPolynomial,
     graph: Graph,
 }
 
-/// Directions between two neighbouring critical ones: those of one interval of slopes, with x > 0 or, turned,
-/// x < 0.
+/// A sector: the directions between two neighbouring critical ones. Their slopes are in one interval (`cell`), and x > 0 or, if
+/// `turned`, x < 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Sector {
     cell: usize,
@@ -85,7 +84,7 @@ struct Sector {
 }
 
 impl Tracing {
-    /// Cuts the circle and follows the roots. The equation has degree ≥ 1 in R, without repeated factors.
+    /// Cuts the circle and follows the roots. The equation must have a degree of at least 1 in R, and no repeated factors.
     ///
     /// # Errors
     /// Those of [`signed_subresultant`].
@@ -135,7 +134,7 @@ impl Tracing {
                 None => Link::through(&Critical::Irrational(slope), &cx)?,
             });
         }
-        // The vertical direction, in the other chart: there the side below is beyond the vertical.
+        // The vertical direction has t = 0 in the other chart. Negative t of that chart are the slopes beyond the vertical.
         let reciprocal = |t: &Rational| t.abs().recip().unwrap_or_default();
         let room = reciprocal(&insides[0]).min(reciprocal(&insides[insides.len() - 1]));
         let vertical = Strip::of_cotangent(&equation.forms);
@@ -165,7 +164,7 @@ impl Tracing {
         Ok(tracing)
     }
 
-    /// The discriminant of P with respect to R at (1, t), without its content.
+    /// The discriminant of P with respect to R at (1, t), made primitive.
     pub(super) fn discriminant(&self) -> IntegerPolynomial {
         primitive_part(&self.discriminant)
     }
@@ -180,7 +179,7 @@ impl Tracing {
             .collect()
     }
 
-    /// All sectors from angle 0 on.
+    /// All sectors, in the order of angles from 0.
     fn sectors(&self) -> Vec<Sector> {
         let zero = self.slopes.iter().take_while(|t| t.signum() < 0).count();
         let right =
@@ -191,12 +190,12 @@ impl Tracing {
         half.chain(other).collect()
     }
 
-    /// What is before each sector: the index of a link and whether it is turned.
+    /// The boundary before each sector: the index of its link, and whether it is turned.
     fn boundaries(&self) -> Vec<(usize, bool)> {
         let vertical = self.slopes.len();
         let before = |sector: &Sector| {
             if sector.cell == 0 {
-                // Beyond the vertical: turned when that comes from x > 0.
+                // The boundary is the vertical; it is turned if the sector before it has x > 0.
                 (vertical, !sector.turned)
             } else {
                 (sector.cell - 1, sector.turned)
@@ -205,13 +204,13 @@ impl Tracing {
         self.sectors().iter().map(before).collect()
     }
 
-    /// The angle in [0, 2π) of a link.
+    /// The angle in [0, 2π) that belongs to a link.
     fn angle(&self, index: usize, turned: bool) -> ExactAngle {
         let angle = match self.slopes.get(index) {
             None => ExactAngle::Pi(Rational::one() / Rational::from(2)),
             Some(slope) => ExactAngle::of_tangent(slope.clone()),
         };
-        // of_tangent is in [0, π), which for negative slopes has x < 0.
+        // `of_tangent` gives an angle in [0, π), in which x < 0 for negative slopes.
         let is_left = self.slopes.get(index).is_some_and(|t| t.signum() < 0);
         if turned != is_left {
             angle.plus_pi()
@@ -220,7 +219,7 @@ impl Tracing {
         }
     }
 
-    /// Whether turning by π changes the signs of all R.
+    /// Whether a turn by π changes the signs of all R.
     fn is_odd(&self) -> bool {
         self.equation.step % 2 == 1
     }
@@ -235,7 +234,7 @@ impl Tracing {
         }
     }
 
-    /// A link as seen by directions with x > 0, or turned by π.
+    /// The link for directions with x > 0, or for the opposite ones if `turned`.
     fn link(&self, index: usize, turned: bool) -> Link {
         let mut link = self.links[index].clone();
         if turned && self.is_odd() {
@@ -257,7 +256,7 @@ impl Tracing {
         link
     }
 
-    /// The sector that a direction is in; `None` for a critical one.
+    /// The index of the sector in which a direction is; `None` for a critical direction.
     fn sector_of(&self, u: &Integer, v: &Integer) -> Option<usize> {
         let slope = Rational::from_integers(v.clone(), u.clone())?;
         let cell = self
@@ -277,8 +276,8 @@ impl Tracing {
     }
 }
 
-/// The distinct real zeros of some polynomials, and 0, ascending; each as a root of a factor that is as small
-/// as squarefree decompositions make it.
+/// The distinct real zeros of some polynomials, and 0, ascending. Each is a root of a factor that is as small as squarefree
+/// decompositions make it.
 fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
     let t = IntegerPolynomial::from_coefficients_asc(vec![Integer::ZERO, Integer::ONE]);
     let mut roots = real_roots(&t);
@@ -294,7 +293,7 @@ fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
     roots
 }
 
-/// The same roots with disjoint enclosures.
+/// The roots with disjoint enclosures.
 fn separated(mut roots: Vec<RealRoot>) -> Vec<RealRoot> {
     for i in 1..roots.len() {
         let mut bits = 4;
@@ -326,7 +325,7 @@ fn insides(roots: &[RealRoot]) -> Vec<Rational> {
     points
 }
 
-/// A simple rational number strictly between two others, low < high.
+/// The simplest rational number in the middle half of the interval (low, high).
 fn strictly_between(low: &Rational, high: &Rational) -> Rational {
     let quarter = (high - low) / Rational::from(4);
     Rational::simplest_between(&(low + &quarter), &(high - &quarter))

@@ -1,4 +1,4 @@
-//! P(t, R) near a line of directions: exact values along and across.
+//! P(t, R) for directions near one direction, as polynomials in R for fixed t and in t for fixed R.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -9,20 +9,20 @@ use crate::exact::Rational;
 use crate::poly::{BinaryForm, IntegerPolynomial};
 use crate::roots::constant_sign;
 
-/// P(t, R) = Σ a_i(t) R^i, in the chart where directions are (1, t), or (t, 1).
+/// P(t, R) = Σ a_i(t) R^i, where t stands for the direction (1, t) or the direction (t, 1).
 #[derive(Clone, Debug)]
 pub(super) struct Strip {
     coefficients: Vec<IntegerPolynomial>,
 }
 
 impl Strip {
-    /// Σ f_i(1, t) R^i
+    /// The polynomial Σ f_i(1, t) R^i.
     pub(super) fn of_slope(forms: &[BinaryForm]) -> Self {
         let coefficients = forms.iter().map(|f| f.dehomogenized().clone()).collect();
         Self { coefficients }
     }
 
-    /// Σ f_i(t, 1) R^i
+    /// The polynomial Σ f_i(t, 1) R^i.
     pub(super) fn of_cotangent(forms: &[BinaryForm]) -> Self {
         let turned = forms.iter().map(|f| {
             let row = (0..=f.degree()).rev().map(|k| f.coefficient(k));
@@ -33,18 +33,18 @@ impl Strip {
         }
     }
 
-    /// The a_i, ascending in i.
+    /// The coefficients a_i, ascending in i.
     pub(super) fn coefficients(&self) -> &[IntegerPolynomial] {
         &self.coefficients
     }
 
-    /// P(t, ·) up to a positive factor.
+    /// The polynomial P(t, ·) in R, up to a positive factor.
     pub(super) fn along(&self, t: &Rational) -> IntegerPolynomial {
         let (p, q) = (t.numerator(), t.denominator());
         let length = |a: &IntegerPolynomial| a.coefficients_asc().len();
         let longest = self.coefficients.iter().map(length).max().unwrap_or(0);
         let value = |a: &IntegerPolynomial| {
-            // Σ c_k p^k q^(longest − 1 − k), by Horner from the highest possible power.
+            // The value is Σ c_k p^k q^(longest − 1 − k), by Horner's rule from the highest possible power.
             let mut value = Integer::ZERO;
             let mut q_power = Integer::ONE;
             for k in (0..longest).rev() {
@@ -59,7 +59,7 @@ impl Strip {
         IntegerPolynomial::from_coefficients_asc(self.coefficients.iter().map(value).collect())
     }
 
-    /// P(·, r) up to a positive factor.
+    /// The polynomial P(·, r) in t, up to a positive factor.
     pub(super) fn across(&self, r: &Rational) -> IntegerPolynomial {
         let (p, q) = (r.numerator(), r.denominator());
         let mut value = IntegerPolynomial::ZERO;
@@ -78,7 +78,7 @@ impl Strip {
     }
 }
 
-/// Bounds of g on [low, high], by Horner.
+/// Bounds of g on [low, high], by Horner's rule.
 pub(super) fn range(
     g: &IntegerPolynomial,
     low: &Rational,
@@ -130,7 +130,7 @@ mod tests {
             prop_assert_eq!(crate::poly::sign_at_rational(&strip.along(&t), &r), expected.signum());
             prop_assert_eq!(crate::poly::sign_at_rational(&strip.across(&r), &t), expected.signum());
             if p != 0 {
-                // The same direction, (1, t) = t (1/t, 1).
+                // The direction is the same, because (1, t) = t (1/t, 1).
                 let turned = Strip::of_cotangent(&forms).along(&fraction(q * p.signum(), p.abs()));
                 prop_assert_eq!(crate::poly::sign_at_rational(&turned, &r), expected.signum());
             }
