@@ -7,9 +7,9 @@ use malachite::base::num::basic::traits::{One, Zero};
 use super::Rational;
 use crate::error::Invariant;
 
-/// Bits carried beyond those asked for. The bounds hold whatever this is, because the error is counted; that they are no
-/// wider than promised asks for an error below 2^48 units, which is so for fewer than 2^37 terms of the series.
-/// Law: `the_bounds_are_as_narrow_as_promised`.
+/// The number of bits that are carried beyond those of the result. The bounds hold for any number, because the error is
+/// counted. They are as narrow as promised if the error is below 2^48 units, and this is so for fewer than 2^37 terms of the
+/// series. Law: `the_bounds_are_as_narrow_as_promised`.
 const GUARD_BITS: u32 = 48;
 
 /// How often the argument is halved before the series is summed.
@@ -17,8 +17,8 @@ const HALVINGS: u32 = 8;
 
 /// Certified bounds `low ≤ atan(q) ≤ high` with `high − low ≤ 2^(1−bits)`.
 ///
-/// Fixed-point arithmetic: atan q = 2⁸ atan q' after eight half-angle steps
-/// q' = q / (1 + √(1 + q²)), then the alternating series. Cost: about `bits`/16 products of `bits` bits.
+/// Fixed-point arithmetic: atan q = 2⁸ atan q' after eight half-angle steps q' = q / (1 + √(1 + q²)); then the alternating
+/// series gives atan q'. Cost: about `bits`/16 products of `bits` bits.
 ///
 /// ```
 /// use stellate::exact::{Rational, arctangent};
@@ -41,25 +41,26 @@ pub fn pi(bits: u32) -> (Rational, Rational) {
     (low * &four, high * four)
 }
 
-/// A whole number of units near an exact number, and how far away that is at most.
+/// An integer near an exact number, and a bound of the distance between the two.
 struct Approximation {
     value: Integer,
     error: Integer,
 }
 
-/// atan(q)·2^precision, with the error of every step counted.
+/// The number atan(q)·2^precision, with an error that is counted in every step.
 ///
 /// Lemma. In units of 2^−precision, for 0 ≤ q ≤ 1:
-/// - Cutting q to a whole number is an error below 1.
-/// - A half-angle step takes an error e to at most ⌈e/2⌉ + 2. Its derivative is at most 1/2; cutting the root makes the
-///   denominator, at least 2·2^precision, smaller by less than 1, and the quotient, at most 2^precision/2, larger by less than
-///   1; cutting the quotient is below 1.
-/// - With x < 2^−7 every power x^k is at most 2 too small: an error of 2 is multiplied by x² < 2^−14, that of the square, below
-///   1, by x^(k−2) < 2^−7, and the product is cut, 2·2^−14 + 2^−7 + 1 < 2. So a term beyond the first is off by less than
-///   2/k + 1 < 2. The first power that is cut to 0 is below 3, and so is all that follows.
-/// - The derivative of atan is at most 1, and the doublings at the end multiply all of it.
+/// - Rounding q down to an integer makes an error below 1.
+/// - A half-angle step makes an error of at most ⌈e/2⌉ + 2 from an error e. The derivative of the step is at most 1/2. Rounding
+///   the root down makes the denominator, which is at least 2·2^precision, smaller by less than 1, so the quotient, which is at
+///   most 2^precision/2, becomes larger by less than 1. Rounding the quotient down makes an error below 1.
+/// - For x < 2^−7, every computed power x^k is at most 2 too small. Proof by induction: an error of 2 is multiplied by x² <
+///   2^−14, the error of the square, which is below 1, is multiplied by x^(k−2) < 2^−7, and the product is rounded down, so the
+///   new error is below 2·2^−14 + 2^−7 + 1 < 2. So every term after the first has an error below 2/k + 1 < 2. The first power
+///   that is rounded to 0 is below 3, and so is the sum of all terms from there on.
+/// - The derivative of atan is at most 1, so the error of x counts once; the doublings at the end multiply the whole error.
 ///
-/// For q > 1 it is π/2 − atan(1/q), with the errors added.
+/// For q > 1 the number is π/2 − atan(1/q), and the errors are added.
 ///
 /// Law: `the_error_is_counted`.
 fn fixed_arctangent(q: &Rational, precision: u32) -> Approximation {
@@ -105,7 +106,7 @@ fn fixed_arctangent(q: &Rational, precision: u32) -> Approximation {
         power = (power * &square) >> precision;
         k += 2;
     }
-    // What is cut off.
+    // The terms that are left out.
     error += 3;
     Approximation {
         value: sum << HALVINGS,
@@ -126,12 +127,13 @@ mod tests {
         assert_eq!(high.to_decimal(50), digits);
     }
 
-    /// Whether the value of this precision is as near as it says, by one of 300 bits more; and the part of the error it uses.
+    /// Checks that the value at this precision is as near to the value with 300 more bits as its error says, and returns the
+    /// part of the error that is used.
     fn share_of_error(q: &Rational, precision: u32) -> f64 {
         let [short, long] = [precision, precision + 300].map(|p| fixed_arctangent(q, p));
         let distance = Rational::whole((short.value << 300u64) - long.value).abs();
         let allowed = short.error << 300u64;
-        // The longer one is off, too.
+        // The longer value has an error as well.
         assert!(distance <= Rational::whole(&allowed + long.error));
         (distance / Rational::whole(allowed)).to_f64()
     }
@@ -176,7 +178,7 @@ mod tests {
             let (low, high) = arctangent(&x, 100);
             prop_assert!((low.to_f64() - x.to_f64().atan()).abs() < 1e-15);
             prop_assert!(low < high);
-            // atan x + atan 1/x = ±π/2
+            // atan x + atan 1/x = ±π/2.
             if p != 0 {
                 let (l2, h2) = arctangent(&x.recip().unwrap(), 100);
                 let (pl, ph) = pi(100);

@@ -8,18 +8,18 @@ use malachite::base::num::logic::traits::SignificantBits;
 use super::{Rational, pi};
 use crate::error::Invariant;
 
-/// Bits carried beyond those asked for; the error of a few hundred roundings and eight doublings is far below 2⁴⁰.
+/// The number of bits that are carried beyond those of the result. The error of a few hundred roundings and eight doublings is
+/// far below 2⁴⁰ units.
 const GUARD_BITS: u32 = 48;
 
 /// How often the angle is halved before the series are summed.
 const HALVINGS: u32 = 8;
 
-/// Rational numbers within 2^−`bits` of cos θ and of sin θ, for an angle θ in radians that is exactly `angle`; for
-/// θ = 0 they are exact. For any other rational angle both are transcendental (Lindemann 1882): an enclosure is all
-/// that there is.
+/// Rational numbers within 2^−`bits` of cos θ and of sin θ, for the angle of exactly `angle` radians. For θ = 0 they are exact.
+/// For any other rational angle both are transcendental (Lindemann 1882), so they can only be enclosed.
 ///
-/// Fixed-point arithmetic: θ less the nearest multiple of π/2, halved eight times, the two power series, eight
-/// doublings. Cost: about `bits`/8 products of `bits` + log₂ |θ| bits.
+/// Fixed-point arithmetic: the nearest multiple of π/2 is subtracted from θ, the rest is halved eight times, the two power
+/// series are summed, and their sums are doubled eight times. Cost: about `bits`/8 products of `bits` + log₂ |θ| bits.
 ///
 /// ```
 /// use stellate::exact::{Rational, cosine_and_sine};
@@ -51,12 +51,12 @@ pub fn cosine_and_sine(angle: &Rational, bits: u32) -> [Rational; 2] {
     [c, s].map(|v| Rational::from_dyadic(v, -i64::from(precision)))
 }
 
-/// cos and sin of 2^HALVINGS times the small angle x, everything in units of 2^−precision.
+/// cos and sin of 2^HALVINGS times the small angle x, all in units of 2^−precision.
 fn fixed_series(x: &Integer, precision: u32) -> [Integer; 2] {
     let mut term = Integer::ONE << precision;
     let (mut c, mut s) = (term.clone(), Integer::ZERO);
     let mut k = 0u64;
-    // 1, x, −x²/2, −x³/6, x⁴/24, …
+    // The terms are 1, x, −x²/2, −x³/6, x⁴/24, ….
     loop {
         k += 1;
         term = ((term * x) >> precision) / Integer::from(k);
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn a_large_double_is_reduced_exactly() {
-        // cos and sin of 10²² (Ng 1992).
+        // The cosine and sine of 10²² (Ng 1992).
         let [c, s] = cosine_and_sine(&Rational::try_from(1e22).unwrap(), 80);
         assert_eq!(c.to_decimal(16), "0.5232147853951389");
         assert_eq!(s.to_decimal(16), "-0.8522008497671888");
@@ -108,7 +108,7 @@ mod tests {
             prop_assert!((s.to_f64() - theta.sin()).abs() < 1e-15);
         }
 
-        /// The oracle: the arctangent, summed on its own.
+        /// The arctangent is an independent oracle.
         #[test]
         fn the_arctangent_takes_them_back(p in -700i64..700, bits in 60u32..300) {
             let theta = Rational::from(p) / Rational::from(1000);

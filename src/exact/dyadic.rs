@@ -1,4 +1,4 @@
-//! Dyadic numbers `m · 2^e`: the points at which polynomials are probed.
+//! Dyadic numbers `m · 2^e`: the points at which polynomials are evaluated exactly.
 
 use std::cmp::Ordering;
 
@@ -9,9 +9,9 @@ use malachite::base::num::logic::traits::SignificantBits;
 use super::Rational;
 use crate::error::Invariant;
 
-/// `mantissa · 2^exponent`. Closed under sums, products and halving, and cheap: no gcds.
+/// The number `mantissa · 2^exponent`. Sums, products and halves of such numbers are such numbers, and they need no gcds.
 ///
-/// The exponent and the place of the leading bit fit in 64 bits; where a result would be beyond that, the program stops.
+/// The exponent and the position of the leading bit must fit in 64 bits; the program stops if those of a result do not.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     mantissa: Integer,
@@ -19,7 +19,7 @@ pub struct Dyadic {
 }
 
 impl Dyadic {
-    /// `mantissa · 2^exponent`.
+    /// The number `mantissa · 2^exponent`.
     #[must_use]
     pub fn new(mantissa: Integer, exponent: i64) -> Self {
         let mut value = Self { mantissa, exponent };
@@ -27,7 +27,7 @@ impl Dyadic {
         value
     }
 
-    /// Keeps mantissas short: strips factors of two.
+    /// Divides the mantissa by its power of two, so that it stays short.
     fn normalize(&mut self) {
         if self.mantissa == 0 {
             self.exponent = 0;
@@ -42,13 +42,13 @@ impl Dyadic {
         }
     }
 
-    /// 0.
+    /// The number 0.
     #[must_use]
     pub fn zero() -> Self {
         Self::new(Integer::from(0), 0)
     }
 
-    /// The exact value of a finite double, `None` for ±∞ and NaN.
+    /// The exact value of a finite double; `None` for ±∞ and NaN.
     #[must_use]
     pub fn from_f64(value: f64) -> Option<Self> {
         let q = Rational::try_from(value).ok()?;
@@ -57,13 +57,13 @@ impl Dyadic {
         Some(Self::new(q.numerator(), -exponent))
     }
 
-    /// m.
+    /// The mantissa m, which is odd or 0.
     #[must_use]
     pub fn mantissa(&self) -> &Integer {
         &self.mantissa
     }
 
-    /// e.
+    /// The exponent e.
     #[must_use]
     pub fn exponent(&self) -> i64 {
         self.exponent
@@ -81,7 +81,7 @@ impl Dyadic {
         self.to_rational().to_f64()
     }
 
-    /// −1, 0 or 1.
+    /// The sign: −1, 0 or 1.
     #[must_use]
     pub fn signum(&self) -> i8 {
         match self.mantissa.cmp(&Integer::from(0)) {
@@ -91,14 +91,14 @@ impl Dyadic {
         }
     }
 
-    /// ⌊log₂ |self|⌋, `None` for 0.
+    /// The integer ⌊log₂ |self|⌋; `None` for 0.
     #[must_use]
     pub fn log2(&self) -> Option<i64> {
         let bits = self.mantissa.significant_bits().cast_signed();
         (bits > 0).then(|| raised(self.exponent, bits - 1))
     }
 
-    /// −self.
+    /// The number −self.
     #[must_use]
     pub fn negated(&self) -> Self {
         Self {
@@ -107,28 +107,28 @@ impl Dyadic {
         }
     }
 
-    /// Both mantissas at the smaller exponent.
+    /// Both mantissas for the smaller one of the exponents, and that exponent.
     fn aligned(&self, other: &Self) -> (Integer, Integer, i64) {
         let exponent = self.exponent.min(other.exponent);
         let raise = |d: &Self| &d.mantissa << d.exponent.abs_diff(exponent);
         (raise(self), raise(other), exponent)
     }
 
-    /// self + other.
+    /// The sum self + other.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let (a, b, e) = self.aligned(other);
         Self::new(a + b, e)
     }
 
-    /// self − other.
+    /// The difference self − other.
     #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         let (a, b, e) = self.aligned(other);
         Self::new(a - b, e)
     }
 
-    /// self · 2^k.
+    /// The product self · 2^k.
     ///
     /// # Panics
     /// If the exponent of the result does not fit in 64 bits.
@@ -137,13 +137,13 @@ impl Dyadic {
         Self::new(self.mantissa.clone(), raised(self.exponent, k))
     }
 
-    /// self · n.
+    /// The product self · n.
     #[must_use]
     pub fn times_integer(&self, n: &Integer) -> Self {
         Self::new(&self.mantissa * n, self.exponent)
     }
 
-    /// self^k.
+    /// The power self^k.
     ///
     /// # Panics
     /// If the exponent of the result does not fit in 64 bits.
@@ -155,14 +155,14 @@ impl Dyadic {
         )
     }
 
-    /// (self + other) / 2.
+    /// The mean (self + other) / 2.
     #[must_use]
     pub fn midpoint(&self, other: &Self) -> Self {
         self.plus(other).times_power_of_two(-1)
     }
 }
 
-/// What a sum or a product of exponents must be; beyond it no wrong number comes back, but the program stops.
+/// The message if an exponent is too large: the program stops instead of returning a wrong number.
 const SMALL: &str = "the exponent of a dyadic number is between -2^63 and 2^63";
 
 /// `exponent + by`.

@@ -1,4 +1,4 @@
-//! Numbers as people and programs write them.
+//! Numbers in the notations of people and programs are read.
 
 use std::str::FromStr;
 
@@ -9,7 +9,7 @@ use malachite::base::num::conversion::traits::FromStringBase;
 use super::Rational;
 use crate::error::{Error, Invariant, Result};
 
-/// Decimal exponents beyond this are refused: `1e999999999` would not fit in memory.
+/// The largest decimal exponent: `1e999999999` would not fit in memory.
 const MAX_EXPONENT: i64 = 100_000;
 
 /// The exact value of `text`: an integer `-12`, a decimal `0.1` (one tenth) or `1e-5`, a fraction
@@ -39,7 +39,7 @@ pub fn exact_literal(text: &str) -> Result<Rational> {
     }
 }
 
-/// The exact value of the double nearest to `text` (decimal), or of the hexadecimal float.
+/// The exact value of the double that is nearest to a decimal number, or of a hexadecimal float.
 ///
 /// ```
 /// use stellate::exact::double_literal;
@@ -54,8 +54,8 @@ pub fn double_literal(text: &str) -> Result<Rational> {
     })
 }
 
-/// A finite double as a hexadecimal float, bit for bit, as C's `%a` and Python's `float.fromhex` have it; `inf`, `-inf` or
-/// `nan` if it is not finite.
+/// A double as a hexadecimal float with all its bits, in the notation of C's `%a` and Python's `float.fromhex`; `inf`, `-inf`
+/// or `nan` if it is not finite.
 ///
 /// ```
 /// use stellate::exact::hex_literal;
@@ -75,7 +75,7 @@ pub fn hex_literal(double: f64) -> String {
     }
     let bits = double.abs().to_bits();
     let fraction = bits & ((1 << FRACTION_BITS) - 1);
-    // Subnormal numbers have the exponent of the smallest normal ones, and no leading 1.
+    // Subnormal numbers have the exponent of the smallest normal number, and no leading 1.
     let (lead, exponent) = match bits >> FRACTION_BITS {
         0 if fraction == 0 => (0, 0),
         0 => (0, -1022),
@@ -102,7 +102,7 @@ fn simple(text: &str, whole: &str) -> Result<Rational> {
     Ok(if negative { -value } else { value })
 }
 
-/// `digits[.digits][mark exponent]` in base 10 or 16; the exponent is of 10, or of 2.
+/// Reads `digits[.digits][mark exponent]` in base 10 or 16. The exponent is a power of 10 or of 2.
 fn radix(text: &str, base: u8, marks: &[char], whole: &str) -> Result<Rational> {
     let (mantissa, exponent) = match text.split_once(marks) {
         None => (text, 0),

@@ -1,7 +1,7 @@
-//! Exact numbers: integers and rationals, how they are read, rounded and printed.
+//! Exact numbers: rational numbers and dyadic numbers, with reading, rounding and printing.
 //!
-//! [`Rational`] is the one exact number that users see: an integer is a rational number with denominator 1. Inside, integers
-//! are malachite's; what goes in and out of the library are the types of `num-bigint` and `num-rational`.
+//! [`Rational`] is the exact number of the public interface: an integer is a rational number with denominator 1. The library
+//! computes with malachite's integers; its functions take and return the types of `num-bigint` and `num-rational`.
 
 mod angle;
 mod cosine;
@@ -14,7 +14,7 @@ pub use literal::exact_literal;
 pub use rational::{NotANumber, NotAnInteger, Rational};
 pub(crate) use rounding::nearest_double;
 
-// For the tests and benches of this project; no part of what the library promises.
+// Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]
 pub use angle::{arctangent, pi};
 #[doc(hidden)]

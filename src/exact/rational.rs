@@ -1,4 +1,4 @@
-//! [`Rational`]: malachite's rational number with conversions to and from the `num` crates.
+//! [`Rational`]: malachite's rational number, with conversions from and to the `num` crates.
 
 use std::fmt;
 use std::iter::Sum;
@@ -16,7 +16,7 @@ use crate::error::Error;
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
-/// Its integers go in and come out as those of `num-bigint`, and it is converted from and to the rational number of `num-rational`:
+/// Its integers are those of `num-bigint`, and it is converted from and to the rational number of `num-rational`:
 ///
 /// ```
 /// use num_bigint::BigInt;
@@ -47,19 +47,19 @@ pub struct NotANumber;
 pub struct NotAnInteger;
 
 impl Rational {
-    /// 0.
+    /// The number 0.
     #[must_use]
     pub fn zero() -> Self {
         Self(malachite::Rational::ZERO)
     }
 
-    /// 1.
+    /// The number 1.
     #[must_use]
     pub fn one() -> Self {
         Self(malachite::Rational::ONE)
     }
 
-    /// `numerator / denominator`, `None` if the denominator is 0.
+    /// The number `numerator / denominator`; `None` if the denominator is 0.
     #[must_use]
     pub fn new(numerator: impl Into<BigInt>, denominator: impl Into<BigInt>) -> Option<Self> {
         Self::from_integers(
@@ -68,7 +68,7 @@ impl Rational {
         )
     }
 
-    /// The numerator p, with the sign.
+    /// The numerator p, which has the sign.
     #[must_use]
     pub fn numer(&self) -> BigInt {
         integer_to_num(&self.numerator())
@@ -80,12 +80,12 @@ impl Rational {
         integer_to_num(&self.denominator())
     }
 
-    /// [`Self::new`] of malachite's integers.
+    /// As [`Self::new`], from malachite's integers.
     pub(crate) fn from_integers(numerator: Integer, denominator: Integer) -> Option<Self> {
         (denominator != 0).then(|| Self(malachite::Rational::from_integers(numerator, denominator)))
     }
 
-    /// A whole number of malachite's, or a reference to one.
+    /// The rational number that is equal to an integer of malachite, or to a reference to one.
     pub(crate) fn whole<T>(value: T) -> Self
     where
         malachite::Rational: From<T>,
@@ -93,22 +93,22 @@ impl Rational {
         Self(malachite::Rational::from(value))
     }
 
-    /// p as malachite's integer.
+    /// The numerator p as malachite's integer.
     pub(crate) fn numerator(&self) -> Integer {
         Integer::from_sign_and_abs_ref(self.0 >= 0, self.0.numerator_ref())
     }
 
-    /// q as malachite's integer.
+    /// The denominator q as malachite's integer.
     pub(crate) fn denominator(&self) -> Integer {
         Integer::from(self.0.denominator_ref())
     }
 
-    /// |p|, lent.
+    /// A reference to |p|.
     pub(crate) fn magnitude_ref(&self) -> &Natural {
         self.0.numerator_ref()
     }
 
-    /// q, lent.
+    /// A reference to q.
     pub(crate) fn denominator_ref(&self) -> &Natural {
         self.0.denominator_ref()
     }
@@ -125,7 +125,7 @@ impl Rational {
         *self.0.denominator_ref() == Natural::ONE
     }
 
-    /// −1, 0 or 1.
+    /// The sign: −1, 0 or 1.
     #[must_use]
     pub fn signum(&self) -> i8 {
         match self.0.sign() {
@@ -135,19 +135,19 @@ impl Rational {
         }
     }
 
-    /// |self|.
+    /// The absolute value |self|.
     #[must_use]
     pub fn abs(&self) -> Self {
         Self((&self.0).abs())
     }
 
-    /// 1/self, `None` for 0.
+    /// The inverse 1/self; `None` for 0.
     #[must_use]
     pub fn recip(&self) -> Option<Self> {
         (!self.is_zero()).then(|| Self((&self.0).reciprocal()))
     }
 
-    /// self^exponent; a power of 0 with a negative exponent is `None`.
+    /// The power self^exponent; `None` for 0 with a negative exponent.
     #[must_use]
     pub fn pow(&self, exponent: i64) -> Option<Self> {
         if exponent < 0 && self.is_zero() {
@@ -156,7 +156,7 @@ impl Rational {
         Some(Self((&self.0).pow(exponent)))
     }
 
-    /// The non-negative rational square root, if there is one.
+    /// The square root that is not negative; `None` if it is not rational.
     #[must_use]
     pub fn sqrt(&self) -> Option<Self> {
         (self.0 >= 0)
@@ -164,7 +164,7 @@ impl Rational {
             .flatten()
     }
 
-    /// The fraction of smallest denominator in the closed interval between two numbers.
+    /// The fraction with the smallest denominator in the closed interval between two numbers.
     #[must_use]
     pub fn simplest_between(low: &Self, high: &Self) -> Self {
         use malachite::rational::rational::arithmetic::traits::SimplestRationalInInterval;
@@ -198,7 +198,7 @@ impl Rational {
 }
 
 impl fmt::Display for Rational {
-    /// `-1/3`; a width and the like go to the numerator and to the denominator.
+    /// The fraction, such as `-1/3`. Format options such as a width apply to the numerator and to the denominator.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.0 < 0 {
             f.write_str("-")?;
@@ -250,7 +250,7 @@ impl TryFrom<f64> for Rational {
     }
 }
 
-/// The same integer in malachite's type: both hold 64-bit digits.
+/// The integer in malachite's type. Both types have 64-bit digits.
 pub fn integer_from_num(value: &BigInt) -> Integer {
     let (sign, digits) = value.to_u64_digits();
     Integer::from_sign_and_abs(
@@ -259,7 +259,7 @@ pub fn integer_from_num(value: &BigInt) -> Integer {
     )
 }
 
-/// The same integer in the type of `num-bigint`.
+/// The integer in the type of `num-bigint`.
 pub fn integer_to_num(value: &Integer) -> BigInt {
     let sign = if *value < 0 {
         BigSign::Minus
@@ -308,7 +308,7 @@ impl From<BigRational> for Rational {
 
 impl From<&Rational> for BigRational {
     fn from(value: &Rational) -> Self {
-        // Already in lowest terms.
+        // The fraction is already in lowest terms.
         Self::new_raw(
             integer_to_num(&value.numerator()),
             integer_to_num(&value.denominator()),
@@ -336,7 +336,7 @@ impl Sum for Rational {
     }
 }
 
-/// One operator, for values and references alike.
+/// Implements one operator, for values and references alike.
 macro_rules! operator {
     ($trait:ident, $method:ident, $doc:literal) => {
         impl $trait for Rational {

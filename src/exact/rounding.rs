@@ -276,7 +276,7 @@ mod tests {
         assert_eq!(more.to_f64(), f64::from_bits(1));
     }
 
-    /// Finite doubles: any, and those at the ends of a binade, of the subnormal ones, and of all.
+    /// Finite doubles: random ones, and those at the ends of a binade, of the subnormal doubles, and of all doubles.
     fn double() -> impl Strategy<Value = f64> {
         let power = (0_u64..0x7FF, 0_u64..3).prop_map(|(exponent, more)| (exponent << 52) + more);
         let before = (1_u64..0x7FF, 1_u64..3).prop_map(|(exponent, less)| (exponent << 52) - less);
@@ -296,7 +296,7 @@ mod tests {
         })
     }
 
-    /// Fractions that are much smaller than 1: 0, powers of two, and those with low bits that are all 0, all 1 or any.
+    /// Numbers that are much smaller than 1: 0, powers of two, and those whose low bits are all 0, all 1 or random.
     fn tiny() -> impl Strategy<Value = Rational> {
         let power = |bits: i64| Rational::from_dyadic(Integer::from(1), -bits);
         let one_bit = prop_oneof![Just(60_i64), 2_i64..70, 100_i64..2000].prop_map(power);
@@ -311,14 +311,15 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(1000))]
-        /// Numbers at and beside doubles and the midpoints between them; of the doubles of a tie the one with the even last bit.
+        /// Numbers at and next to doubles and the midpoints between them. Of the two doubles of a tie, the one with the even
+        /// last bit is nearest.
         #[test]
         fn numbers_beside_midpoints_are_rounded_to_the_right_side(
             double in double(), tiny in tiny(), at in 0..4, guess in any::<u64>(), steps in -70_i64..70,
         ) {
             let above = double.next_up();
             let exact = Rational::try_from(double).unwrap();
-            // Up to where the next double would be if there were one.
+            // The distance to the next double, or to where it would be if there were one.
             let gap = Rational::try_from(above).map_or_else(|_| Rational::from_dyadic(Integer::from(1), 971), |above| above - &exact);
             let half = Rational::one() / Rational::from(2);
             let part = match at {
@@ -348,7 +349,7 @@ mod tests {
             }
         }
 
-        /// Decimals at and beside the midpoints between them.
+        /// Numbers at and next to decimals and the midpoints between them.
         #[test]
         fn decimals_beside_midpoints_are_rounded_to_the_right_side(
             limbs in prop::collection::vec(any::<u64>(), 0..20), negative in any::<bool>(), tiny in tiny(), side in -1..2, decimals in 0_u32..40,
@@ -369,12 +370,12 @@ mod tests {
             prop_assert_eq!(text.parse::<Rational>().unwrap(), expected);
             let after = text.split_once('.').map_or(0, |(_, fraction)| fraction.len());
             prop_assert_eq!(after, usize::try_from(decimals).unwrap());
-            // A digit before the point, and a sign only where something is left of the number.
+            // The text has a digit before the point, and a sign only if a digit is not 0.
             prop_assert!(text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit()));
             prop_assert_eq!(text.starts_with('-'), text.parse::<Rational>().unwrap().signum() < 0);
         }
 
-        /// Beside powers of ten and midpoints, with exponents on both sides of every way of writing.
+        /// Numbers next to powers of ten and to midpoints, with exponents around every change of the notation.
         #[test]
         fn significant_digits_are_those_of_the_nearest_decimal(
             lead in 1_u64..100_000, exponent in -30_i64..30, half in any::<bool>(), tiny in tiny(), side in -1..2, digits in 1_u32..8,
@@ -391,7 +392,8 @@ mod tests {
             prop_assert!(in_units.is_integer());
             use malachite::base::num::arithmetic::traits::Parity;
             prop_assert!(error < unit || in_units.numerator().even());
-            // Written in full from 10^-5 to below 10^16, with no zero at the end of a fraction or of digits before an exponent.
+            // A number is written in full from 10^-5 to below 10^16. A fraction, and the digits before an exponent, do not end
+            // with 0.
             let exponent = found.decimal_exponent().unwrap();
             prop_assert_eq!(text.contains('e'), !(-5..16).contains(&exponent));
             let mantissa = text.split('e').next().unwrap();
@@ -411,7 +413,7 @@ mod tests {
 
     #[test]
     fn guesses_of_decimal_exponents_are_at_most_one_off() {
-        // log₁₀ 2 from above and from below: 10^(10^8) has 332 192 810 bits.
+        // log₁₀ 2 is approximated from above and from below: 10^(10^8) has 332 192 810 bits.
         for (binary, decimal) in [
             (0, 0),
             (332_192_809, 100_000_000),

@@ -1,4 +1,4 @@
-//! The point that the radius is measured from.
+//! The center of a fit: the point from which the radius is measured.
 
 use super::kernel::kernel;
 use super::radius::{outside, star_shaped_about};
@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::shape::Contour;
 
-/// Which center is asked for.
+/// The center that a fit should have.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum CenterChoice {
@@ -14,17 +14,17 @@ pub enum CenterChoice {
     /// replacement (see [`CenterOrigin`]).
     #[default]
     Centroid,
-    /// This point, which must lie inside the outline.
+    /// This point, which must be strictly inside the outline.
     Point([Rational; 2]),
 }
 
-/// Where a center came from.
+/// The origin of a center.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CenterOrigin {
-    /// It is the centroid of the area enclosed.
+    /// The center is the centroid of the enclosed area.
     Centroid,
-    /// It was given.
+    /// The center was given.
     Given,
     /// The outline is not star-shaped about its centroid, but it is about this point: the centroid
     /// of the kernel (the set of points that see the whole outline).
@@ -35,7 +35,7 @@ pub enum CenterOrigin {
 }
 
 impl CenterOrigin {
-    /// A phrase for people: "the centroid", …
+    /// A phrase for people, such as "the centroid".
     #[must_use]
     pub fn describe(self) -> &'static str {
         match self {
@@ -56,25 +56,24 @@ impl CenterOrigin {
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Center {
-    /// The center, exactly: a double bit for bit, a multiple of 10^−D after rounding to D decimals,
-    /// or as given.
+    /// The exact center: the exact value of a double, a multiple of 10^−D after rounding to D decimals, or the given point.
     pub exact: [Rational; 2],
-    /// The doubles nearest to it; radii are measured from here.
+    /// The doubles nearest to the exact center; radii are measured from this point.
     pub point: [f64; 2],
-    /// Where it came from.
+    /// The origin of the center.
     pub origin: CenterOrigin,
-    /// Whether the outline is star-shaped about `point`, exactly.
+    /// Whether the outline is exactly star-shaped about `point`.
     pub star_shaped: bool,
 }
 
 impl Center {
-    /// Chooses the center of `contour`, then rounds it to `decimals` decimals if asked to.
+    /// Chooses the center of `contour` and, if `decimals` is given, rounds it to this many decimals.
     ///
-    /// For [`CenterChoice::Centroid`]: the centroid if the outline is star-shaped about it; else
-    /// the centroid of the kernel if the outline is star-shaped about that (found in floating point,
-    /// verified exactly; a kernel thinner than rounding may be missed); else the centroid again if it
-    /// is inside; else the middle of the longest inside piece of the horizontal line through it.
-    /// Cost: O(n), with the kernel O(n log n).
+    /// For [`CenterChoice::Centroid`] these points are tried in turn: the centroid, if the outline is star-shaped about it; the
+    /// centroid of the kernel, if the outline is star-shaped about that (it is found in floating point and verified exactly, so
+    /// a kernel thinner than rounding may be missed); the centroid again, if it is inside; and the middle of the longest inside
+    /// piece of the horizontal line through the centroid.
+    /// Cost: O(n) for n vertices, or O(n log n) if the kernel is computed.
     ///
     /// ```
     /// use stellate::fit::{Center, CenterChoice, CenterOrigin};
@@ -171,7 +170,7 @@ fn chord_middle(contour: &Contour, height: f64) -> Option<[f64; 2]> {
         .map(|chord| [f64::midpoint(chord[0], chord[1]), height])
 }
 
-/// The doubles, bit for bit.
+/// The exact values of two doubles.
 fn exactly(point: [f64; 2]) -> Result<[Rational; 2]> {
     let exact = |c: f64| {
         Rational::try_from(c).map_err(|_| Error::Usage(format!("the center's coordinate is {c}")))
@@ -193,7 +192,7 @@ mod tests {
     }
 
     const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
-    /// A U, 10 wide, walls of different thickness: its centroid is in the hollow, its kernel empty.
+    /// A U of width 10 with walls of different thickness. Its centroid is in the hollow, and its kernel is empty.
     const U: [[f64; 2]; 8] = [
         [0., 0.],
         [10., 0.],
@@ -212,7 +211,7 @@ mod tests {
         for outside in [[0.0, 1.0], [2.0, 2.0], [3.0, 1.0], [f64::NAN, 1.0]] {
             assert!(!star_shaped_about(&square, outside));
         }
-        // An L sees itself only from its corner square; its border is in line with edges.
+        // An L has its corner square as its kernel; the border of the kernel is in line with edges.
         let l = contour(&[[0., 0.], [3., 0.], [3., 1.], [1., 1.], [1., 3.], [0., 3.]]);
         assert!(star_shaped_about(&l, [0.5, 0.5]));
         assert!(star_shaped_about(&l, [1f64.next_down(), 0.5]));

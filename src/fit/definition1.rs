@@ -14,9 +14,9 @@ use crate::error::{Error, Result};
 /// DIFFERENCE (erratum Definition 1): the paper prints 1/(2 Ns) for a0 and 1/Ns for an and bn. With
 /// these the series gives r/2: a circle of radius 1 comes back with radius 1/2.
 ///
-/// If r(θ) is a trigonometric polynomial with at most N harmonics, they are its coefficients.
-/// Cost: one FFT, O(Ns log Ns) for every Ns, without instructions that differ between processors; its
-/// cosines and sines are those of the platform.
+/// If r(θ) is a trigonometric polynomial with at most N harmonics, these are its coefficients, up to rounding.
+/// Cost: one FFT, O(Ns log Ns) for every Ns. The FFT uses no instructions that differ between processors; its cosines and sines
+/// are those of the platform.
 ///
 /// ```
 /// use stellate::fit::fourier_coefficients;
@@ -38,7 +38,7 @@ pub fn fourier_coefficients(samples: &[f64], harmonics: usize) -> Result<(Vec<f6
     let count = as_f64(samples.len());
     let mut cos = vec![buffer[0].re / count];
     let mut sin = vec![0.0];
-    // The transform is Σ r(k) (cos − i sin).
+    // The transform is Σ r(k) (cos(2πkn/Ns) − i sin(2πkn/Ns)).
     for term in &buffer[1..=harmonics] {
         cos.push(2.0 * term.re / count);
         sin.push(-2.0 * term.im / count);
@@ -99,7 +99,7 @@ mod tests {
         assert!((series(&cos, &sin, 0.7) - 0.5).abs() < 1e-15);
         let (cos, sin) = fourier_coefficients(&circle, 3).unwrap();
         assert!((series(&cos, &sin, 0.7) - 1.0).abs() < 1e-15);
-        // The same for a curve with harmonics.
+        // Half the radius comes back for a curve with harmonics, too.
         let (a, b) = ([2.0, 0.3, -0.1], [0.0, 0.2, 0.25]);
         let [cos, sin] = plain_sums(&sampled(&a, &b, 16), 3, 0.5, 1.0);
         for theta in [0.0, 1.0, 2.5, 4.0] {

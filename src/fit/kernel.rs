@@ -1,11 +1,11 @@
-//! The kernel of an outline: the points that see all of it.
+//! The kernel of an outline: the points from which all of the outline is visible.
 
 use crate::shape::Contour;
 
 /// The kernel of `contour` as a convex contour, in floating point: the intersection of the
 /// half-planes to the left of its edges, by sorting them by direction (O(n log n)).
 ///
-/// `None` if it is empty or too thin for rounding. Callers verify exactly what they take from it.
+/// The result is `None` if the kernel is empty or too thin for rounding. Callers must verify exactly what they use of it.
 pub(super) fn kernel(contour: &Contour) -> Option<Contour> {
     let (middle, scale) = contour.frame();
     let unit = |p: [f64; 2]| [(p[0] - middle[0]) / scale, (p[1] - middle[1]) / scale];
@@ -13,7 +13,7 @@ pub(super) fn kernel(contour: &Contour) -> Option<Contour> {
         .edges()
         .filter_map(|(p, q)| HalfPlane::new(unit(p), unit(q)))
         .collect();
-    // A box around it all bounds every intermediate intersection.
+    // A box around everything bounds all intermediate intersections.
     let corners = [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]];
     planes.extend((0..4).filter_map(|i| HalfPlane::new(corners[i], corners[(i + 1) % 4])));
     planes.sort_by(|a, b| a.angle.total_cmp(&b.angle));
@@ -28,7 +28,7 @@ pub(super) fn kernel(contour: &Contour) -> Option<Contour> {
 #[derive(Clone, Copy, Debug)]
 struct HalfPlane {
     point: [f64; 2],
-    /// Of length 1.
+    /// The direction of the line, a unit vector.
     direction: [f64; 2],
     angle: f64,
 }
@@ -44,12 +44,12 @@ impl HalfPlane {
         })
     }
 
-    /// How far `v` is to the left.
+    /// The distance of `v` from the line, positive to the left.
     fn depth(&self, v: [f64; 2]) -> f64 {
         cross(self.direction, [v[0] - self.point[0], v[1] - self.point[1]])
     }
 
-    /// Where the two lines meet.
+    /// The point in which the two lines meet.
     fn meet(&self, other: &Self) -> [f64; 2] {
         let t = other.depth(self.point) / cross(self.direction, other.direction);
         [
@@ -63,12 +63,12 @@ fn cross(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[1] - u[1] * v[0]
 }
 
-/// Lines whose directions differ by less than this are taken as parallel.
+/// Lines whose directions differ by less than this count as parallel.
 const PARALLEL: f64 = 1e-14;
 
 /// The vertices of the intersection of half-planes sorted by angle; `None` if it is empty.
 fn intersect(planes: &[HalfPlane]) -> Option<Vec<[f64; 2]>> {
-    // The border so far, as a queue: `kept[first..]`.
+    // The border of the intersection so far, as a queue: `kept[first..]`.
     let mut kept: Vec<HalfPlane> = Vec::new();
     let mut first = 0;
     for plane in planes {
@@ -84,12 +84,12 @@ fn intersect(planes: &[HalfPlane]) -> Option<Vec<[f64; 2]>> {
             let dot =
                 last.direction[0] * plane.direction[0] + last.direction[1] * plane.direction[1];
             if turn.abs() < PARALLEL && dot > 0.0 {
-                // Of two lines in the same direction the one farther left counts.
+                // If two lines have the same direction, the one farther left is kept.
                 if plane.depth(last.point) >= 0.0 {
                     continue;
                 }
                 kept.pop();
-                // The queue's end is older now and may be cut by the replacement.
+                // The end of the queue is now an older line, which the replacement may cut off.
                 while kept.len() > first + 1 && cuts_last(&kept, plane) {
                     kept.pop();
                 }
@@ -164,7 +164,7 @@ mod tests {
     }
 
     proptest! {
-        /// Star polygons built about a known point, which is then in the kernel.
+        /// A star polygon that is built about a point has this point in its kernel.
         #[test]
         fn a_star_has_a_kernel_with_the_point_it_was_built_about(
             radii in prop::collection::vec(1.0f64..2.0, 5..30),
@@ -183,7 +183,7 @@ mod tests {
             region.check_invariants();
             prop_assert!(region.contains([x, 0.0]));
             prop_assert!(star_shaped_about(&contour, region.centroid()));
-            // Half way to each corner is still inside the kernel.
+            // The points half way to each corner are still inside the kernel.
             let middle = region.centroid();
             for v in region.points() {
                 let half_way = [

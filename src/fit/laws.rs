@@ -1,4 +1,4 @@
-//! Laws that fits obey, on outlines made at random.
+//! The laws of fits, on random outlines.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ fn comb(heights: &[f64]) -> Vec<[f64; 2]> {
     points
 }
 
-/// A thick spiral: out along one arm, back along another that stays beside it.
+/// A thick spiral: it goes out along one arm and back along another arm beside it.
 fn spiral(steps: usize, thickness: f64) -> Vec<[f64; 2]> {
     let arm = |shift: f64| {
         (0..steps).map(move |k| {
@@ -66,7 +66,7 @@ fn outlines() -> impl Strategy<Value = Contour> {
         .prop_map(|(points, angle)| Contour::new(turned(&points, angle), "random").unwrap())
 }
 
-/// The distance to the last of all edges that a ray from `c` meets.
+/// The distance from `c` to the last edge that the ray in the direction θ meets.
 fn cast(contour: &Contour, c: [f64; 2], theta: f64) -> f64 {
     let (u, v) = (theta.cos(), theta.sin());
     contour
@@ -74,7 +74,7 @@ fn cast(contour: &Contour, c: [f64; 2], theta: f64) -> f64 {
         .filter_map(|(p, q)| {
             let (px, py) = (p[0] - c[0], p[1] - c[1]);
             let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-            // c + r (u, v) = p + t d.
+            // The intersection of the lines: c + r (u, v) = p + t d.
             let determinant = u * dy - v * dx;
             let r = (px * dy - py * dx) / determinant;
             let t = (px * v - py * u) / determinant;
@@ -83,7 +83,7 @@ fn cast(contour: &Contour, c: [f64; 2], theta: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// A point inside, the `pick`-th of a grid.
+/// A point inside the contour, number `pick` of those of a grid.
 fn some_interior_point(contour: &Contour, pick: usize) -> Option<[f64; 2]> {
     let [low, high] = contour.bounding_box();
     let inside: Vec<[f64; 2]> = (1..31)
@@ -116,7 +116,7 @@ proptest! {
             prop_assert!((sample - radius.at(TAU * (as_f64(k) / 37.0))).abs() <= 1e-12 * sample);
         }
         prop_assert_eq!(radius.is_star_shaped(), star_shaped_about(&contour, c));
-        // By the definition of "hidden": follow the outline and look whether it is outermost.
+        // The hidden share by its definition: the outline is followed, and each piece is tested whether it is outermost.
         let (mut hidden, mut all) = (0.0, 0.0);
         for (p, q) in contour.edges() {
             let parts = 50;
@@ -179,7 +179,7 @@ proptest! {
         let scaled = Contour::new(scaled, "scaled").unwrap();
         let options = FitOptions::new(FitSize::Harmonics(5));
         let (plain, scaled) = (fit(&contour, &options).unwrap(), fit(&scaled, &options).unwrap());
-        // A power of two scales every double exactly.
+        // A power of two scales every double without rounding.
         let factor = Rational::try_from(scale).unwrap();
         for n in 0..=plain.radius.harmonics() {
             prop_assert_eq!(&(plain.radius.cos(n) * &factor), scaled.radius.cos(n));
@@ -234,7 +234,7 @@ proptest! {
             decimals,
         };
         let Ok(fitted) = fit(&contour, &options) else {
-            // Coarse rounding may never meet it; then no number of harmonics does.
+            // With coarse rounding it may happen that no number of harmonics meets the tolerance.
             prop_assert!(decimals.is_some());
             return Ok(());
         };
@@ -279,7 +279,7 @@ fn decimals_round_the_center_and_the_coefficients() {
     assert!(radius.center().iter().all(thousandths));
     assert!(radius.cosines().iter().all(thousandths));
     assert!(radius.sines().iter().all(thousandths));
-    // The residual is that of the rounded coefficients: coarser rounding is worse.
+    // The residual belongs to the rounded coefficients, so coarser rounding makes it larger.
     let error = |decimals| {
         let options = FitOptions {
             decimals,

@@ -1,11 +1,11 @@
-//! From an outline to the Fourier radius of Lemma 1, by Definition 1.
+//! Fits: the Fourier radius (Lemma 1) of an outline, by Definition 1.
 //!
-//! The steps, each usable by itself: [`read_contour`] reads rows of points or traces a silhouette;
-//! [`Center::choose`] chooses the point to measure from; [`ContourRadius`] is the outline's radius about
-//! it; [`fourier_coefficients`] is Definition 1; [`fit`] does all of it and measures the error.
+//! The steps of a fit can be used separately. [`read_contour`] reads rows of points or traces a silhouette; [`Center::choose`]
+//! chooses the center; [`ContourRadius`] is the radius of the outline about the center; [`fourier_coefficients`] is Definition
+//! 1; [`fit`] does all of this and measures the error.
 //!
-//! Coefficients are the doubles that Definition 1 gives, bit for bit, or these rounded to a number of
-//! decimals; from there on everything is exact.
+//! The coefficients are exactly the doubles that Definition 1 gives, or these doubles rounded to a number of decimals. All
+//! later computations with them are exact.
 
 mod center;
 mod definition1;
@@ -28,7 +28,7 @@ pub use definition1::fourier_coefficients;
 pub use radius::ContourRadius;
 pub use read::{ContourKind, contour_from_reader, read_contour};
 
-// For the tests and benches of this project; no part of what the library promises.
+// Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]
 pub use radius::star_shaped_about;
 
@@ -40,79 +40,79 @@ use definition1::enough_samples;
 use residual::{Assessment, CheckAngles};
 use tolerance::HarmonicsSearch;
 
-/// The most harmonics that a fit may have.
+/// The largest number of harmonics of a fit.
 pub const MAX_HARMONICS: usize = 100_000;
-/// The most samples that a fit may take.
+/// The largest number of samples of a fit.
 pub const MAX_SAMPLES: usize = 1 << 22;
-/// The most decimals that coefficients may be rounded to (no double has more).
+/// The largest number of decimals to which coefficients can be rounded (no double has more).
 pub const MAX_DECIMALS: u32 = 1100;
 
-/// The most samples that are taken unasked when a tolerance is given.
+/// The largest default number of samples for a fit to a tolerance.
 const MAX_DEFAULT_SAMPLES: usize = 1 << 17;
-/// Check angles per sample.
+/// The number of check angles for each sample.
 const CHECKS_PER_SAMPLE: usize = 4;
 
-/// How many harmonics a fit has.
+/// The size of a fit: its number of harmonics, or the tolerance that determines it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FitSize {
-    /// This many.
+    /// This number of harmonics.
     Harmonics(usize),
-    /// The fewest with which the largest radial error is at most this.
+    /// The smallest number of harmonics with which the largest radial error is at most this.
     Tolerance(f64),
 }
 
-/// What to fit, and how.
+/// The options of a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FitOptions {
-    /// The point that the radius is measured from.
+    /// The center, from which the radius is measured.
     pub center: CenterChoice,
-    /// Ns. By default max(8N, 1024) rounded up to a power of two for N harmonics; for a tolerance
-    /// max(4096, twice the number of vertices) rounded up to a power of two, at most 131072.
+    /// The number of samples Ns. For N harmonics the default is max(8N, 1024) rounded up to a power of two. For a tolerance it
+    /// is max(4096, twice the number of vertices) rounded up to a power of two, at most 131072.
     pub samples: Option<usize>,
-    /// How many harmonics; to be said before a fit is made.
+    /// The size of the fit. It has no default; a fit without it is an error.
     pub size: Option<FitSize>,
-    /// Round the center (before r is sampled) and the coefficients to this many decimals.
+    /// The number of decimals to which the center (before r is sampled) and the coefficients are rounded.
     pub decimals: Option<u32>,
 }
 
 impl FitOptions {
-    /// Fits of this size about the centroid, with the default number of samples and no rounding.
+    /// Options for a fit of this size about the centroid, with the default number of samples and no rounding.
     #[must_use]
     pub fn new(size: FitSize) -> Self {
         Self::default().size(Some(size))
     }
 
-    /// How many harmonics.
+    /// Sets the size of the fit.
     #[must_use]
     pub fn size(mut self, size: Option<FitSize>) -> Self {
         self.size = size;
         self
     }
 
-    /// The point that the radius is measured from.
+    /// Sets the center, from which the radius is measured.
     #[must_use]
     pub fn center(mut self, center: CenterChoice) -> Self {
         self.center = center;
         self
     }
 
-    /// Ns.
+    /// Sets the number of samples Ns.
     #[must_use]
     pub fn samples(mut self, samples: Option<usize>) -> Self {
         self.samples = samples;
         self
     }
 
-    /// Rounds the center and the coefficients to this many decimals.
+    /// Sets the number of decimals to which the center and the coefficients are rounded.
     #[must_use]
     pub fn decimals(mut self, decimals: Option<u32>) -> Self {
         self.decimals = decimals;
         self
     }
 
-    /// The number of harmonics, if it is given.
+    /// The number of harmonics, if the size is given as one.
     #[must_use]
     pub fn harmonics(&self) -> Option<usize> {
         match self.size {
@@ -121,7 +121,7 @@ impl FitOptions {
         }
     }
 
-    /// The size, which must be given.
+    /// The size, or an error if it is not given.
     fn given_size(&self) -> Result<FitSize> {
         self.size.ok_or_else(|| {
             Error::Usage(
@@ -163,30 +163,30 @@ impl FitOptions {
     }
 }
 
-/// A Fourier radius fitted to an outline, and how good it is.
+/// A Fourier radius that was fitted to an outline, and its deviations from it.
 #[non_exhaustive]
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// The radius, with its center, in exact numbers.
+    /// The radius with its center, in exact numbers.
     pub radius: FourierRadius,
-    /// The center and where it came from.
+    /// The center and its origin.
     pub center: Center,
-    /// The largest |fit − outline| along a ray from the center, over at least four times as many
-    /// uniform angles as there are samples and the direction of every visible vertex (at a jump, from
-    /// both sides), computed in doubles with the final coefficients.
+    /// The largest |fit − outline| along a ray from the center, computed in doubles with the final coefficients. It is taken over
+    /// the directions of all visible vertices (from both sides, where r jumps) and over at least four times as many uniform angles
+    /// as there are samples.
     pub max_radial_error: f64,
-    /// The root of the mean square of the same over the uniform angles.
+    /// The root of the mean square of |fit − outline| over the uniform angles.
     pub rms_radial_error: f64,
-    /// Ns, the number of samples taken.
+    /// The number of samples Ns.
     pub samples: usize,
-    /// Whether the outline is star-shaped about the center, exactly.
+    /// Whether the outline is exactly star-shaped about the center.
     pub star_shaped: bool,
     /// The share (0 to 1) of the outline's length that the fit cannot see; 0 if it is star-shaped.
     pub hidden_share: f64,
 }
 
 impl Fit {
-    /// How good it is, in numbers.
+    /// The deviations of the fit from the outline, as numbers.
     #[must_use]
     pub fn report(&self) -> FitReport {
         FitReport {
@@ -199,7 +199,7 @@ impl Fit {
     }
 }
 
-/// How well a Fourier radius fits the contour it was computed from.
+/// The deviations of a Fourier radius from the contour to which it was fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitReport {
     /// As [`Fit::max_radial_error`].
@@ -216,9 +216,8 @@ pub struct FitReport {
 
 /// Fits a Fourier radius to `contour`: Definition 1 applied to samples of its outermost radius.
 ///
-/// With [`FitSize::Tolerance`] the number of harmonics is truly the smallest whose largest radial error
-/// (as [`Fit::max_radial_error`] measures it) is within the tolerance, for the samples taken; all
-/// smaller ones were refused.
+/// For a [`FitSize::Tolerance`] the number of harmonics is the smallest for which [`Fit::max_radial_error`] is within the
+/// tolerance, with the given samples: each smaller number was tried and its error is larger.
 /// Cost: O(n log n) for the outline, O(Ns log Ns) for the coefficients; a tolerance adds O(N) for
 /// about two thousand angles.
 ///
@@ -242,7 +241,7 @@ pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
     fit_within(contour, options, &Limits::none())
 }
 
-/// As [`fit`], stopped when `limits` say so.
+/// As [`fit`], but ended by `limits`.
 ///
 /// ```
 /// use stellate::fit::{FitOptions, FitSize, fit_within};
@@ -276,7 +275,7 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
     let (cos, sin) = fourier_coefficients(&outline.samples(samples), most)?;
     let exact_cos = exactly(&cos, options.decimals)?;
     let exact_sin = exactly(&sin, options.decimals)?;
-    // From here on with the final coefficients.
+    // The final coefficients are used from here on.
     let (cos, sin) = (nearest(&exact_cos), nearest(&exact_sin));
     limits.check()?;
     let check = CheckAngles::new(&outline, CHECKS_PER_SAMPLE * samples);
@@ -303,7 +302,7 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
     })
 }
 
-/// Ns, for an outline with this many vertices.
+/// The default number of samples Ns for an outline with this many vertices.
 fn default_samples(size: FitSize, vertices: usize) -> usize {
     match size {
         FitSize::Harmonics(n) => n
@@ -317,7 +316,7 @@ fn default_samples(size: FitSize, vertices: usize) -> usize {
     }
 }
 
-/// An error if r jumps so far that no series is within `tolerance` on both sides.
+/// An error if r has a jump so large that no series is within `tolerance` on both sides of it.
 fn refuse_jump(tolerance: f64, outline: &ContourRadius) -> Result<()> {
     let (jump, theta) = outline.largest_jump();
     if jump / 2.0 <= tolerance {
@@ -331,7 +330,7 @@ fn refuse_jump(tolerance: f64, outline: &ContourRadius) -> Result<()> {
     )))
 }
 
-/// The fewest harmonics within `tolerance`, or an error that says how near the best ones come.
+/// The smallest number of harmonics within `tolerance`, or an error that names the best number and its error.
 fn fewest(
     tolerance: f64,
     check: &CheckAngles,
@@ -354,7 +353,7 @@ fn fewest(
     }
 }
 
-/// The doubles bit for bit, or rounded to `decimals` decimals.
+/// The exact values of doubles, or the doubles rounded to `decimals` decimals.
 fn exactly(values: &[f64], decimals: Option<u32>) -> Result<Vec<Rational>> {
     values
         .iter()

@@ -11,9 +11,9 @@ use crate::shape::{Contour, coordinate_fault, orientation};
 /// The outermost radius r(θ) of an outline about an interior point: the distance to the last point
 /// of the outline in direction θ (`x = r cos θ`, `y = r sin θ` from the center, Lemma 1).
 ///
-/// For an outline that is star-shaped about the center this is the outline itself. Otherwise parts of
-/// it are hidden behind others, r(θ) jumps, and [`ContourRadius::hidden_share`] says how much is lost.
-/// Which edge is outermost is decided exactly; the radii are rounded.
+/// If the outline is star-shaped about the center, this is the outline itself. If not, some parts are hidden behind others,
+/// r(θ) jumps, and [`ContourRadius::hidden_share`] is the hidden part of the length. The decision which edge is outermost is
+/// exact; the radii are rounded.
 ///
 /// ```
 /// use stellate::fit::ContourRadius;
@@ -27,7 +27,7 @@ use crate::shape::{Contour, coordinate_fault, orientation};
 /// ```
 #[derive(Clone, Debug)]
 pub struct ContourRadius {
-    /// In order of `start`; directions before the first start belong to the last arc.
+    /// The arcs, in the order of `start`. Directions before the first start belong to the last arc.
     arcs: Vec<Arc>,
     star_shaped: bool,
     hidden_share: f64,
@@ -75,11 +75,11 @@ impl ContourRadius {
                 }
             })
             .collect();
-        // The first arc may begin before direction 0; it then begins more than π after the second.
+        // The first arc may begin before direction 0; then its start is more than π larger than that of the second one.
         if arcs.len() > 1 && arcs[0].start - arcs[1].start > 1.0 {
             arcs.rotate_left(1);
         }
-        // Neighbouring directions may round to angles in the wrong order by a last bit.
+        // The angles of neighbouring directions may be in the wrong order by one unit in the last place.
         let mut last = 0.0;
         for arc in &mut arcs {
             last = arc.start.max(last);
@@ -100,20 +100,19 @@ impl ContourRadius {
         })
     }
 
-    /// Whether every ray from the center meets the outline in exactly one point, exactly.
+    /// Whether every ray from the center meets the outline in exactly one point; this is decided exactly.
     #[must_use]
     pub fn is_star_shaped(&self) -> bool {
         self.star_shaped
     }
 
-    /// The share (0 to 1) of the outline's length that is not outermost as seen from the center;
-    /// exactly 0 for a star-shaped outline.
+    /// The share (0 to 1) of the outline's length that is hidden from the center; exactly 0 for a star-shaped outline.
     #[must_use]
     pub fn hidden_share(&self) -> f64 {
         self.hidden_share
     }
 
-    /// r(θ); where r jumps, the larger value. Cost: O(log n).
+    /// The radius r(θ); where r jumps, the larger value. Cost: O(log n).
     #[must_use]
     pub fn at(&self, theta: f64) -> f64 {
         let theta = theta.rem_euclid(TAU);
@@ -121,7 +120,7 @@ impl ContourRadius {
         self.value(theta, begun)
     }
 
-    /// r(2πk/`count`) for k = 0 … `count` − 1. Cost: O(count + n).
+    /// The radii r(2πk/`count`) for k = 0 … `count` − 1. Cost: O(count + n).
     #[must_use]
     pub fn samples(&self, count: usize) -> Vec<f64> {
         let mut begun = 0;
@@ -136,7 +135,7 @@ impl ContourRadius {
             .collect()
     }
 
-    /// The largest jump of r and the angle where it happens; 0 for a star-shaped outline.
+    /// The largest jump of r, and the angle at which it happens; 0 for a star-shaped outline.
     #[must_use]
     pub fn largest_jump(&self) -> (f64, f64) {
         if self.star_shaped {
@@ -148,7 +147,7 @@ impl ContourRadius {
             .unwrap_or((0.0, 0.0))
     }
 
-    /// Every direction in which the outermost edge changes.
+    /// All directions in which the outermost edge changes.
     pub(super) fn corners(&self) -> impl Iterator<Item = Corner> + '_ {
         let count = self.arcs.len();
         self.arcs.iter().enumerate().map(move |(i, arc)| {
@@ -161,13 +160,13 @@ impl ContourRadius {
         })
     }
 
-    /// r(θ), the first `begun` arcs having begun at θ.
+    /// The radius r(θ), if `begun` arcs begin at or before θ.
     fn value(&self, theta: f64, begun: usize) -> f64 {
         let direction = [theta.cos(), theta.sin()];
         let count = self.arcs.len();
         let arc = |back: usize| &self.arcs[(begun + count - back) % count];
         let mut radius = length(arc(1).point(direction));
-        // At the very angle where arcs begin, the ones before are met too.
+        // In a direction in which arcs begin, the ray also meets the arcs before them.
         let mut back = 1;
         while back < count && arc(back).start >= theta && back <= begun {
             back += 1;
@@ -178,7 +177,7 @@ impl ContourRadius {
 }
 
 impl Arc {
-    /// The point of the edge in `direction`, or its nearer end if rounding puts it outside.
+    /// The point of the edge in `direction`, or the nearer end of the edge if rounding puts the point outside.
     fn point(&self, direction: [f64; 2]) -> [f64; 2] {
         let [p, q] = self.ends;
         let weights = [cross(direction, q).max(0.0), cross(p, direction).max(0.0)];
@@ -198,7 +197,7 @@ impl Arc {
     }
 }
 
-/// The error for a center that is not inside.
+/// The error for a center that is not strictly inside the outline.
 pub(super) fn outside(contour: &Contour, center: [f64; 2]) -> Error {
     let [low, high] = contour.bounding_box();
     Error::Usage(format!(
@@ -225,10 +224,10 @@ fn length(v: [f64; 2]) -> f64 {
 fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {
     (q[0] - p[0]).hypot(q[1] - p[1])
 }
-/// Whether `contour` is star-shaped about c with room to spare: every edge is seen strictly
-/// counter-clockwise from c, so that r(θ) is a continuous function. Exact. Cost: O(n).
+/// Whether `contour` is star-shaped about c in the strict sense, exactly: every edge is seen strictly counter-clockwise from c,
+/// so that r(θ) is a continuous function. Cost: O(n).
 ///
-/// An edge in line with c would make r jump; it counts as not star-shaped.
+/// An edge in line with c would make r jump, so it does not count as star-shaped.
 #[must_use]
 pub fn star_shaped_about(contour: &Contour, c: [f64; 2]) -> bool {
     c.iter().all(|&x| coordinate_fault(x).is_none())

@@ -1,4 +1,4 @@
-//! Reading outlines from files.
+//! Outlines are read from files.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -10,10 +10,10 @@ use super::silhouette::trace_silhouette;
 use crate::error::{Error, Result};
 use crate::shape::Contour;
 
-/// The most bytes that are read from one file.
+/// The largest number of bytes that are read from one file.
 const MAX_BYTES: u64 = 1 << 30;
 
-/// What a file that holds an outline is.
+/// The kind of a file that holds an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ContourKind {
@@ -24,7 +24,8 @@ pub enum ContourKind {
 }
 
 impl ContourKind {
-    /// By the extension, in any case: `csv` for rows; `png`, `jpg`, `jpeg`, `bmp` for a picture.
+    /// The kind that the extension of a file means, in upper or lower case: `csv` for rows; `png`, `jpg`, `jpeg`, `bmp` for a
+    /// picture.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
@@ -39,8 +40,8 @@ impl ContourKind {
 /// Reads the outline in a file: see [`contour_from_reader`].
 ///
 /// # Errors
-/// [`Error::Io`] if the file cannot be read, [`Error::Usage`] if its extension is not one of
-/// [`ContourKind::of`], and what [`contour_from_reader`] gives.
+/// [`Error::Io`] if the file cannot be read, [`Error::Usage`] if its extension is not one of [`ContourKind::of`], and those of
+/// [`contour_from_reader`].
 pub fn read_contour(path: &Path) -> Result<Contour> {
     let kind = ContourKind::of(path).ok_or_else(|| {
         Error::Usage(format!(
@@ -55,17 +56,16 @@ pub fn read_contour(path: &Path) -> Result<Contour> {
     contour_from_reader(file, kind, &path.display().to_string())
 }
 
-/// Reads an outline; `place` names its source in messages.
+/// Reads an outline; `place` names the source in messages.
 ///
 /// Rows are `x,y` in order along the outline: decimal numbers or hexadecimal floats, read as the
 /// nearest doubles. The first row may be a header; blank rows and rows that begin with `#` are skipped.
 /// At most 10 000 000 rows.
 ///
-/// A picture is a silhouette on a plain background: transparency is put on white, Otsu's threshold
-/// separates dark from bright, the background is what most border pixels are, and the longest outline is
-/// traced by marching squares with linear interpolation. Coordinates are pixels from the lower left
-/// corner, y upwards: the center of pixel (i, j) is (i + 1/2, height − j − 1/2). At most 20 000 pixels a
-/// side and 64 million in all.
+/// A picture shows a silhouette on a plain background. Transparent pixels are put on white. Otsu's threshold separates dark
+/// from bright, and the background is the class of most border pixels. The longest outline is traced by marching squares with
+/// linear interpolation. Coordinates are pixels from the lower left corner, y upwards: the center of pixel (i, j) is (i + 1/2,
+/// height − j − 1/2). A picture has at most 20 000 pixels a side and 64 million in all.
 ///
 /// ```
 /// use stellate::fit::{ContourKind, contour_from_reader};
@@ -75,8 +75,8 @@ pub fn read_contour(path: &Path) -> Result<Contour> {
 /// ```
 ///
 /// # Errors
-/// [`Error::Data`] naming the row, or what is wrong with the picture or the outline (see
-/// [`Contour::new`]); [`Error::Limit`] beyond the limits above or 1 GiB; [`Error::Io`] if reading fails.
+/// [`Error::Data`] with the row, or with the fault of the picture or of the outline (see [`Contour::new`]); [`Error::Limit`]
+/// beyond the limits above or 1 GiB; [`Error::Io`] if reading fails.
 pub fn contour_from_reader(reader: impl Read, kind: ContourKind, place: &str) -> Result<Contour> {
     let failed = |source| Error::Io {
         path: place.into(),
@@ -108,7 +108,7 @@ fn outline_of(picture: &[u8], place: &str) -> Result<Contour> {
     trace_silhouette(picture, place)
 }
 
-/// Without the feature `images` no picture is read.
+/// The error for a picture, if the feature `images` is off.
 #[cfg(not(feature = "images"))]
 fn outline_of(_: &[u8], place: &str) -> Result<Contour> {
     Err(Error::Usage(format!(

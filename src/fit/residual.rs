@@ -1,4 +1,4 @@
-//! How far a Fourier series is from the radius that it was fitted to.
+//! The deviations of a Fourier series from the radius to which it was fitted.
 
 use std::f64::consts::TAU;
 
@@ -6,8 +6,8 @@ use super::as_f64;
 use super::radius::ContourRadius;
 use super::series::{at_angles, at_uniform};
 
-/// Angles at which a fit is compared with the outline: uniform ones, and every visible vertex (where
-/// r jumps, from both sides).
+/// The angles at which a fit is compared with the outline: uniform angles, and the angles of all visible vertices (from both
+/// sides, where r jumps).
 #[derive(Debug)]
 pub(super) struct CheckAngles {
     uniform: Vec<f64>,
@@ -15,18 +15,18 @@ pub(super) struct CheckAngles {
     corner_radii: Vec<[f64; 2]>,
 }
 
-/// The radial error of a series over some check angles.
+/// The radial error of a series at the check angles.
 #[derive(Debug)]
 pub(super) struct Assessment {
-    /// The largest |series − r| over all check angles.
+    /// The largest |series − r| at a check angle.
     pub(super) max: f64,
-    /// The root of the mean square over the uniform angles.
+    /// The root of the mean square of |series − r| over the uniform angles.
     pub(super) rms: f64,
-    /// The worst angle of each of a few sectors.
+    /// The angle with the largest error in each of a few sectors.
     pub(super) worst: Vec<CheckAngle>,
 }
 
-/// One direction: the outline's radius there (from both sides), and the error.
+/// A check angle: the radius of the outline there (from both sides), and the error of the series.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CheckAngle {
     pub(super) theta: f64,
@@ -34,7 +34,7 @@ pub(super) struct CheckAngle {
     error: f64,
 }
 
-/// Sectors for [`Assessment::worst`].
+/// The number of sectors of [`Assessment::worst`].
 const SECTORS: usize = 16;
 
 impl CheckAngles {
@@ -133,7 +133,7 @@ impl CheckAngles {
     }
 }
 
-/// |value − r|, the larger of both sides.
+/// The larger of |value − r| for the radii from both sides.
 pub(super) fn error(value: f64, radii: [f64; 2]) -> f64 {
     (value - radii[0]).abs().max((value - radii[1]).abs())
 }

@@ -1,16 +1,16 @@
-//! Rows of points in the plane.
+//! Rows of points in the plane are read.
 
 use std::io::BufRead;
 
 use crate::error::{Error, Result};
 use crate::rows::{RowReader, double, fields_of};
 
-/// The most rows with points in one file.
+/// The largest number of rows with points in one file.
 pub(super) const MAX_ROWS: usize = 10_000_000;
-/// What a row is.
+/// The columns of a row, for messages.
 const COLUMNS: &str = "x,y";
 
-/// The points and, for each, its row in the file (counted from 1, every line counts).
+/// The points and, for each point, its row in the file (counted from 1; every line counts).
 pub(super) fn read_rows(
     reader: &mut impl BufRead,
     place: &str,
@@ -63,7 +63,7 @@ mod tests {
         assert_eq!(read("0,1\n2,3").unwrap().0.len(), 2);
         assert_eq!(read("easting,northing\n2,3").unwrap().0.len(), 1);
         assert_eq!(read("").unwrap().0.len(), 0);
-        // Only the first row can be one, and only if none of its fields is a number.
+        // Only the first row can be a header, and only if none of its fields is a number.
         assert!(message("x,y\nx,y\n").contains("row 2: \"x\" is not a number"));
         assert!(message("1,y\n").contains("row 1: \"y\" is not a number"));
     }

@@ -7,7 +7,7 @@ use rustfft::num_complex::Complex;
 
 use super::as_f64;
 
-/// Terms of the Taylor series in [`at_angles`].
+/// The number of terms of the Taylor series in [`at_angles`].
 const TAYLOR_TERMS: usize = 13;
 
 /// Σ (a_n cos nθ + b_n sin nθ) at θ = 2πk/`count`, k = 0 … `count` − 1; `count` must exceed the number
@@ -17,10 +17,10 @@ pub(super) fn at_uniform(cos: &[f64], sin: &[f64], count: usize) -> Vec<f64> {
     transform(terms, count).into_iter().map(|z| z.re).collect()
 }
 
-/// The same at any angles in [0, 2π]: the Taylor series about the nearest of G ≥ 8(N+1) uniform
-/// angles, whose derivatives are FFTs.
+/// The values of the series at any angles in [0, 2π]. Each is computed by the Taylor series about the nearest of G ≥ 8(N+1)
+/// uniform angles; FFTs give the derivatives there.
 ///
-/// Then n|δ| ≤ π/8, and 13 terms leave at most Σ(|a_n| + |b_n|) (π/8)^13/13! < 1e-15 Σ(|a_n| + |b_n|).
+/// The distance δ from the nearest uniform angle has n|δ| ≤ π/8, so 13 terms leave an error of at most
 /// Cost: 13 FFTs of length G and O(13) per angle, whatever N.
 pub(super) fn at_angles(cos: &[f64], sin: &[f64], angles: &[f64]) -> Vec<f64> {
     if angles.is_empty() {
@@ -37,7 +37,7 @@ pub(super) fn at_angles(cos: &[f64], sin: &[f64], angles: &[f64]) -> Vec<f64> {
             (node_index(node, grid), 2.0 * (steps - node))
         })
         .collect();
-    // The k-th derivative times (half a step)^k/k!.
+    // The k-th derivative, times (half a step)^k/k!.
     let mut terms: Vec<Complex<f64>> = cos
         .iter()
         .zip(sin)
@@ -58,7 +58,7 @@ pub(super) fn at_angles(cos: &[f64], sin: &[f64], angles: &[f64]) -> Vec<f64> {
     values
 }
 
-/// Σ_n c_n e^{2πi nk/count}, k = 0 … count − 1.
+/// The sums Σ_n c_n e^{2πi nk/count} for k = 0 … count − 1.
 fn transform(terms: impl Iterator<Item = Complex<f64>>, count: usize) -> Vec<Complex<f64>> {
     let mut buffer: Vec<Complex<f64>> = terms.collect();
     buffer.resize(count, Complex::default());
@@ -68,7 +68,7 @@ fn transform(terms: impl Iterator<Item = Complex<f64>>, count: usize) -> Vec<Com
     buffer
 }
 
-/// `node` as an index modulo `grid`.
+/// The number `node` as an index modulo `grid`.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

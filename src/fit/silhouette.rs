@@ -1,4 +1,4 @@
-//! Tracing the outline of a silhouette in a picture.
+//! The outline of a silhouette in a picture is traced.
 
 use std::io::Cursor;
 
@@ -10,9 +10,9 @@ use crate::shape::Contour;
 
 /// The longest side of a picture, in pixels.
 const MAX_SIDE: u32 = 20_000;
-/// The most pixels in a picture.
+/// The largest number of pixels of a picture.
 const MAX_PIXELS: u64 = 64_000_000;
-/// The most memory that decoding may take.
+/// The largest amount of memory that decoding may take.
 const MAX_ALLOC: u64 = 1 << 30;
 
 /// Traces the longest outline in a picture; see [`super::contour_from_reader`] for the rules.
@@ -69,8 +69,8 @@ impl Picture {
         })
     }
 
-    /// For every pixel a height that is larger inside the silhouette, 0 the plainest background; and
-    /// the level between inside and outside, which no pixel has.
+    /// The height of every pixel, which is larger inside the silhouette and 0 for the plainest background; and the level
+    /// between inside and outside, which no pixel has.
     fn heights(&self, split: u8) -> (Vec<u8>, f64) {
         let border: Vec<u8> = (0..self.width)
             .flat_map(|i| [(i, 0), (i, self.height - 1)])
@@ -90,14 +90,14 @@ impl Picture {
     }
 }
 
-/// Grey over white.
+/// The grey value on a white background.
 fn on_white([grey, alpha]: [u8; 2]) -> u8 {
     let sum = u32::from(grey) * u32::from(alpha) + 255 * (255 - u32::from(alpha));
     u8::try_from((sum + 127) / 255).invariant("a mean of grey values is one")
 }
 
-/// Otsu's threshold: the value v for which the classes `≤ v` and `> v` have the largest variance
-/// between them, the middle one of the first run of best values. `None` if there is one value only.
+/// Otsu's threshold: the value v for which the variance between the classes `≤ v` and `> v` is largest. If several values are
+/// best, the middle one of their first run is taken. `None` if all pixels have one value.
 fn otsu(grey: &[u8]) -> Option<u8> {
     let mut histogram = [0u64; 256];
     for &value in grey {
@@ -118,7 +118,7 @@ fn otsu(grey: &[u8]) -> Option<u8> {
         let variance = low * high * gap * gap;
         match &mut best {
             Some((most, _, last)) if variance <= *most => {
-                // An empty stretch of the histogram gives the same classes again.
+                // A value that no pixel has gives the same classes as the value before it.
                 if count == 0 && *last + 1 == value {
                     *last = value;
                 }
@@ -144,8 +144,8 @@ fn longest_outline(
     level: f64,
     place: &str,
 ) -> Result<Vec<[f64; 2]>> {
-    // Only the silhouette's surroundings are traced, with one pixel around it; beyond the picture
-    // is background.
+    // Only the rectangle around the silhouette is traced, with one more pixel on each side. Everything beyond the picture is
+    // background.
     let inside = |i: usize, j: usize| f64::from(heights[j * picture.width + i]) > level;
     let columns: Vec<usize> = (0..picture.width)
         .filter(|&i| (0..picture.height).any(|j| inside(i, j)))
@@ -166,7 +166,7 @@ fn longest_outline(
     let mut grid = Vec::with_capacity(wide * high);
     for row in 0..high {
         for column in 0..wide {
-            // The grid's (1, 1) is the picture's (left, top).
+            // The grid point (1, 1) is the pixel (left, top) of the picture.
             let pixel = (left + column)
                 .checked_sub(1)
                 .zip((top + row).checked_sub(1))
@@ -214,7 +214,7 @@ mod tests {
         bytes.into_inner()
     }
 
-    /// A disc with smooth borders: each pixel's grey is the part of it that is covered, roughly.
+    /// A disc with smooth borders: the grey value of a pixel is roughly the part of it that is covered.
     fn disc(size: u32, center: [f64; 2], radius: f64, inside: f64, outside: f64) -> GrayImage {
         GrayImage::from_fn(size, size, |i, j| {
             let (x, y) = (f64::from(i) + 0.5, f64::from(size - j) - 0.5);
@@ -273,7 +273,7 @@ mod tests {
     fn a_plain_picture_has_no_silhouette() {
         for image in [
             DynamicImage::from(GrayImage::from_pixel(9, 9, Luma([7]))),
-            // White on nothing is white on white.
+            // White pixels on a transparent background are white on white.
             DynamicImage::from(RgbaImage::from_fn(9, 9, |i, _| {
                 Rgba([255, 255, 255, if i == 4 { 255 } else { 0 }])
             })),

@@ -16,13 +16,13 @@ pub(super) struct Visible {
     pub(super) to: usize,
 }
 
-/// The outermost edges all around `center`, which must lie strictly inside the simple
-/// counter-clockwise polygon `points`, in order. The first range begins at or after direction 0, or
-/// contains it.
+/// The outermost edges in all directions from `center`, in order. The caller must ensure that `points` is a simple
+/// counter-clockwise polygon and that `center` is strictly inside. The first range begins at or after direction 0, or contains
+/// it.
 ///
-/// On a ray from an interior point the last crossing of the boundary leaves the polygon, so only
-/// edges that are counter-clockwise from the center count. Edges do not cross, so those met by a
-/// ray keep their order along it, and exact turns decide it: nothing is rounded here.
+/// On a ray from an interior point the last crossing of the boundary leaves the polygon, so only edges that are
+/// counter-clockwise from the center count. Edges do not cross, so the edges that a ray meets keep their order along it. Exact
+/// turns decide this order; nothing is rounded.
 ///
 /// Cost: O(n log n); O(n) after the sort where the polygon is star-shaped.
 pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
@@ -45,12 +45,12 @@ pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
     let outgoing: Vec<bool> = (0..n)
         .map(|i| orientation(center, points[i], points[next(i)]) == Ordering::Greater)
         .collect();
-    // With the center to their left, the greatest of the active edges is the farthest.
+    // The center is to the left of the active edges, so the greatest one is the farthest.
     let key = |edge: usize| SweptEdge {
         index: edge,
         ends: [points[edge], points[next(edge)]],
     };
-    // Before direction 0: the edges that pass over it.
+    // The edges that are active before direction 0, because they pass over it.
     let mut active: BTreeSet<SweptEdge> = (0..n)
         .filter(|&i| outgoing[i] && rank[next(i)] <= rank[i])
         .map(key)
@@ -63,8 +63,8 @@ pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
             at += 1;
         }
         let group = &order[group_start..at];
-        // Edges that end in this direction leave before those that begin here arrive: the two
-        // share no ray, and only edges that share one can be compared.
+        // Edges that end in this direction are removed before edges that begin here are added. The two kinds share no ray, and
+        // only edges that share a ray can be compared.
         for &i in group {
             let before = (i + n - 1) % n;
             if outgoing[before] {
@@ -87,7 +87,7 @@ pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
             }
         }
     }
-    // The last range runs on to the first one's start, or both are one.
+    // The last range ends where the first one begins; if the same edge has both, they are one range.
     if let [first, .., last] = found.as_mut_slice() {
         if first.edge == last.edge {
             first.from = last.from;
@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_notch_hides_behind_the_tip_in_front_of_it() {
-        // A hook: from the origin the tip (edges 2 to 4) is behind the inner side of the hook.
+        // A hook: from the origin its tip (edges 2 to 4) is behind its inner side.
         let hook = [
             [-1.0, -1.0],
             [4.0, -1.0],

@@ -12,22 +12,22 @@ use crate::limits::Limits;
 pub(super) enum HarmonicsSearch {
     /// N harmonics are the fewest that meet the tolerance.
     Found(usize, Assessment),
-    /// No N does; the best one looked at, and its largest error.
+    /// No number of harmonics meets the tolerance; this is the best number that was assessed, and its largest error.
     Missed(usize, f64),
 }
 
-/// Angles watched harmonic by harmonic.
+/// The number of angles at which every number of harmonics is tested.
 const WATCHED: usize = 2048;
-/// After a failed search, candidates for the best N that are assessed in full.
+/// After a failed search, this many candidates for the best number are assessed at all angles.
 const BEST_CANDIDATES: usize = 16;
 
 /// The smallest N for which the series cut after N harmonics is within `tolerance` of the radius at
 /// every check angle.
 ///
-/// The error does not fall steadily with N, so every N is tried, upwards. One angle is enough to
-/// refuse an N: about two thousand angles are watched, each harmonic is added to their values as it
-/// comes, and only an N that they all accept is assessed at all check angles. If it then fails, its
-/// worst angles are watched from there on. Cost: O(N) per watched angle, and few full assessments.
+/// The error does not decrease steadily with N, so every N is tried, in ascending order. One angle is enough to reject an N.
+/// About two thousand angles are watched: each new harmonic is added to their values, and only an N that none of them rejects
+/// is assessed at all check angles. If it fails there, its worst angles are watched from then on. Cost: O(N) for each watched
+/// angle, and few full assessments.
 pub(super) fn smallest(
     check: &CheckAngles,
     cos: &[f64],
@@ -35,21 +35,21 @@ pub(super) fn smallest(
     tolerance: f64,
     limits: &Limits,
 ) -> Result<HarmonicsSearch> {
-    // The watched values are rounded differently from the full assessment, which decides.
+    // The watched values have other rounding errors than the full assessment, which decides.
     let refuse = tolerance + 1e-11 * check.largest_radius();
     let mut watched: Vec<Watch> = check
         .selection(WATCHED)
         .into_iter()
         .map(|angle| Watch::new(angle, &cos[..1], &sin[..1]))
         .collect();
-    // A lower bound of the error for each N tried.
+    // A lower bound of the error for each N that was tried.
     let mut bounds = Vec::with_capacity(cos.len());
     for n in 0..cos.len() {
         limits.check()?;
         let is_zero = cos[n].abs().max(sin[n].abs()) <= 0.0;
         if n > 0 {
             if is_zero {
-                // The same series as before: refused already.
+                // The harmonic is 0, so the series is the one that was rejected before.
                 bounds.push(f64::INFINITY);
                 for watch in &mut watched {
                     watch.wave *= watch.step;
@@ -93,13 +93,13 @@ pub(super) fn smallest(
     Ok(HarmonicsSearch::Missed(best.0, best.1))
 }
 
-/// A check angle and the value there of the series so far.
+/// A check angle, and the value of the series so far at this angle.
 #[derive(Debug)]
 struct Watch {
     radii: [f64; 2],
-    /// e^{iθ}.
+    /// The number e^{iθ}.
     step: Complex<f64>,
-    /// e^{inθ}.
+    /// The number e^{inθ}.
     wave: Complex<f64>,
     value: f64,
 }
@@ -115,7 +115,7 @@ impl Watch {
         for n in 1..cos.len() {
             watch.add(cos[n], sin[n]);
         }
-        // Start the next rotations without the rounding of the ones so far.
+        // The next rotations start without the rounding errors of those before.
         watch.wave = Complex::from_polar(1.0, as_f64(cos.len() - 1) * angle.theta);
         watch
     }

@@ -1,4 +1,4 @@
-//! The cells of a grid that may hold zeros: an octree, cut off where a cube is proved empty.
+//! The cells of a grid that may hold zeros, found by an octree without the cubes that are proved empty.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -9,26 +9,26 @@ use crate::limits::Limits;
 /// A grid of equal cubes.
 pub(super) struct Grid {
     origin: [f64; 3],
-    /// The side of a cell.
+    /// The side of a cell, which is a cube.
     pub(super) side: f64,
-    /// Cells along each axis.
+    /// The numbers of cells along each axis.
     counts: [u32; 3],
 }
 
-/// A cell that is not proved empty.
+/// A cell that is not proved to be empty.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     pub(super) index: [u32; 3],
-    /// Whether it is proved to hold one sheet without singular points.
+    /// Whether it is proved that the cell holds one sheet without singular points.
     pub(super) is_regular: bool,
 }
 
-/// Parts of a cell's side by which the grid is moved off the corner of the box: round numbers are where surfaces like to
-/// touch grid points.
+/// The grid is moved from the corner of the box by these parts of a cell's side, because surfaces often touch points with round
+/// coordinates.
 const OFFSETS: [f64; 3] = [0.387, 0.206, 0.604];
 
 impl Grid {
-    /// Covers a box with `resolution` cells along its longest side, and one more on every side.
+    /// The grid that covers a box, with `resolution` cells along its longest side and one more cell on every side.
     pub(super) fn covering(bounds: &[[f64; 2]; 3], resolution: u32) -> Self {
         let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
         let side = longest / f64::from(resolution);
@@ -49,12 +49,12 @@ impl Grid {
         }
     }
 
-    /// The grid point with the given numbers.
+    /// The grid point with these indices.
     pub(super) fn point(&self, index: [u32; 3]) -> [f64; 3] {
         std::array::from_fn(|i| self.origin[i] + self.side * f64::from(index[i]))
     }
 
-    /// The cells that are not proved empty, in order. `done` hears of the parts of 512 that are finished.
+    /// The cells that are not proved to be empty, in order. `done` is called with the number of finished parts, of 512.
     pub(super) fn cells(
         &self,
         field: &Field,

@@ -1,4 +1,4 @@
-//! Taking out short edges: marching tetrahedra leave slivers where the surface passes close by a grid point.
+//! Short edges are collapsed: marching tetrahedra make slivers where the surface passes close to a grid point.
 
 use std::collections::BTreeSet;
 
@@ -8,13 +8,13 @@ use super::refine::edges;
 use crate::error::Invariant;
 use crate::intervals::{Crossing, distance};
 
-/// Triangles beside a collapsed edge turn by less than the angle with this cosine.
+/// The cosine of the largest angle by which a triangle next to a collapsed edge may turn.
 const LEAST_COSINE: f64 = 0.3;
 
-/// Collapses edges shorter than `shortest`, the shortest first, to one of their ends, so that every vertex stays a
-/// certified one. An edge is collapsed only where the triangles around stay a surface (its ends have exactly the two
-/// neighbours in common that its triangles have: the link condition of Dey, Edelsbrunner, Guha & Nekhayev 1999), none turns
-/// over, and no end is on the rim: so pieces, holes and rims stay what they are.
+/// Collapses edges shorter than `shortest`, the shortest first, to one of their ends, so that every vertex stays a certified
+/// one. An edge is collapsed only under three conditions. The triangles around it remain a surface: the ends of the edge have
+/// exactly the two common neighbours that its triangles have (the link condition of Dey, Edelsbrunner, Guha & Nekhayev 1999).
+/// No triangle turns over. And no end is on the rim. So pieces, holes and rims do not change.
 pub(super) fn collapse(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>, shortest: f64) {
     let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertices.len()];
     for (number, triangle) in (0u32..).zip(triangles.iter()) {
@@ -42,7 +42,7 @@ pub(super) fn collapse(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3
     compact(vertices, triangles);
 }
 
-/// A removed triangle has three equal corners.
+/// Whether a triangle was removed; then its three corners are equal.
 fn is_removed(triangle: [u32; 3]) -> bool {
     triangle[0] == triangle[1]
 }
@@ -63,7 +63,7 @@ fn may_collapse(
 ) -> bool {
     let [of_from, of_to] = [from, to].map(|v| neighbours(v, triangles, around));
     let valence = |v: u32| around[v as usize].len();
-    // Inside the surface there are as many triangles around a vertex as neighbours.
+    // Around a vertex in the interior of the surface there are as many triangles as neighbours.
     let inside = of_from.len() == valence(from) && of_to.len() == valence(to);
     if !inside || !of_from.contains(&to) {
         return false;
@@ -102,7 +102,7 @@ fn merge(from: u32, to: u32, triangles: &mut [[u32; 3]], around: &mut [Vec<u32>]
     }
 }
 
-/// Without removed triangles, and without vertices that belong to none.
+/// Deletes the removed triangles, and the vertices that belong to no triangle.
 fn compact(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>) {
     triangles.retain(|&t| !is_removed(t));
     let mut numbers: Vec<Option<u32>> = vec![None; vertices.len()];

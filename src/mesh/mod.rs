@@ -1,4 +1,4 @@
-//! Triangle meshes of implicit surfaces: exact signs at grid points, certified vertices, every sheet.
+//! Triangle meshes of surfaces, with exact signs at grid points and a certified zero near each vertex.
 
 mod cells;
 mod collapse;

@@ -1,4 +1,4 @@
-//! Meshes of forms that every ray meets once, direction by direction.
+//! Meshes of forms that every ray from the origin meets once, by points in given directions.
 
 use nalgebra::Vector3;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -10,13 +10,13 @@ use crate::limits::Limits;
 use crate::sample::{Direction, Ray, SpaceDirection, solve_radial};
 use crate::shape::Radial;
 
-/// The mesh of a form that every ray from the origin meets once: closed, each vertex correctly rounded from the exact point in an
-/// exact direction.
+/// Meshes a form that every ray from the origin meets once. The mesh is closed, and each vertex is the exact point in an exact
+/// direction, correctly rounded.
 ///
-/// The angles are those around, θ, from 0 below 2π, and those from pole to pole, φ, from 0 to π; both ascend.
+/// The angles θ run around from 0 to below 2π, and the angles φ run from pole to pole, from 0 to π; both are ascending.
 ///
 /// # Errors
-/// Those of [`solve_radial`]; what `limits` returns; [`Error::Usage`] for fewer than three angles of a kind.
+/// Those of [`solve_radial`] and of `limits`; [`Error::Usage`] for fewer than three angles of a kind.
 ///
 /// ```
 /// use stellate::exact::Rational;
@@ -45,7 +45,7 @@ pub fn mesh_radial(
     let around = thetas.len();
     let turned = thetas.iter().map(|&theta| Direction::from_radians(theta));
     let thetas: Vec<Direction> = turned.collect();
-    // The poles once, then row by row.
+    // The poles are first, then the points row by row.
     let inner = &phis[1..phis.len() - 1];
     let pole = |half_turns: i32| {
         let phi = Direction::from_degrees(&Rational::from(180 * half_turns));
@@ -96,13 +96,13 @@ pub fn mesh_radial(
         vertices,
         triangles,
         factors: vec![0],
-        // Three coordinates, each half a unit in the last place off.
+        // Each of the three coordinates is wrong by half a unit in the last place.
         vertex_bound: largest * f64::EPSILON,
         ..Mesh::default()
     })
 }
 
-/// The directions of the sums of the triangles' normals around each vertex.
+/// The normals at the vertices, as unit vectors in the direction of the sum of the normals of the triangles there.
 fn normals(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[f64; 3]> {
     let mut sums = vec![Vector3::zeros(); vertices.len()];
     for triangle in triangles {
@@ -112,7 +112,7 @@ fn normals(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[f64; 3]> {
             sums[*vertex as usize] += normal;
         }
     }
-    // Where all triangles are points there is no direction.
+    // There is no direction if all these triangles are points.
     let unit = |sum: Vector3<f64>| sum.try_normalize(0.0).map_or([0.0; 3], Into::into);
     sums.into_iter().map(unit).collect()
 }

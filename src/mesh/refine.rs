@@ -1,4 +1,4 @@
-//! Splitting edges where the surface bends.
+//! Edges are split where the surface bends.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -6,12 +6,12 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 
 use crate::intervals::{Crossing, Field, between, distance};
 
-/// How far from the middle of an edge the surface is looked for, in parts of the edge.
+/// The distances from the middle of an edge, in parts of the edge, at which the surface is searched.
 const STEPS: [f64; 5] = [1.0 / 32.0, 1.0 / 16.0, 0.125, 0.25, 0.5];
 
 type Edge = (u32, u32);
 
-/// Unit normals, towards growing f; 0 where the gradient vanishes.
+/// Unit normals in the direction of growing f; 0 where the gradient is 0.
 pub(super) fn normals(field: &Field, vertices: &[Crossing]) -> Vec<[f64; 3]> {
     let normal = |v: &Crossing| {
         let gradient = field.gradient(v.point);
@@ -25,9 +25,9 @@ pub(super) fn normals(field: &Field, vertices: &[Crossing]) -> Vec<[f64; 3]> {
     vertices.par_iter().map(normal).collect()
 }
 
-/// Splits every edge whose normals differ by an angle with a cosine below `cosine`, at a certified point of the surface
-/// beside its middle. Edges shorter than `shortest` stay. A split edge is split in both of its triangles, so what was
-/// closed stays closed. Returns whether anything was split.
+/// Splits every edge at whose ends the normals differ by an angle with a cosine below `cosine`. The new vertex is a certified
+/// point of the surface near the middle of the edge. Edges shorter than `shortest` are not split. An edge is split in both of
+/// its triangles, so a closed mesh stays closed. Returns whether any edge was split.
 pub(super) fn split(
     field: &Field,
     vertices: &mut Vec<Crossing>,
@@ -80,7 +80,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// A certified point of the surface on the line along the gradient through the middle of p and q.
+/// A certified point of the surface on the line through the middle of p and q, in the direction of the gradient.
 fn beside(field: &Field, p: [f64; 3], q: [f64; 3]) -> Option<Crossing> {
     let middle = between(p, q, 0.5);
     let gradient = field.gradient(middle);
@@ -105,7 +105,7 @@ fn beside(field: &Field, p: [f64; 3], q: [f64; 3]) -> Option<Crossing> {
     None
 }
 
-/// A triangle, divided at the middles of its split edges.
+/// The triangles into which a triangle is divided at the middles of its split edges.
 fn divided(
     triangle: [u32; 3],
     middles: &HashMap<Edge, u32>,
@@ -113,7 +113,7 @@ fn divided(
 ) -> Vec<[u32; 3]> {
     let mut t = triangle;
     let mut cut = edges(&t).map(|edge| middles.get(&edge).copied());
-    // Turned so that the first edge is split, and with two split edges the last one is not.
+    // The triangle is turned so that its first edge is split and, if two edges are, its last edge is not.
     for _ in 0..3 {
         let is_first = cut[0].is_some() && (cut[1].is_some() || cut[2].is_none());
         if is_first {

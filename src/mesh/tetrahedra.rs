@@ -9,8 +9,8 @@ use super::cells::{Cell, Grid};
 use crate::error::Invariant;
 use crate::intervals::{Crossing, Field};
 
-/// The corners of a cell as bits: x is 1, y is 2, z is 4. Kuhn's six tetrahedra all have the diagonal from 0 to 7,
-/// and the triangulations of neighbouring cells fit.
+/// The six tetrahedra of a cell (Kuhn), with the corners as bits: x is 1, y is 2, z is 4. All six have the diagonal from 0 to
+/// 7, and the triangulations of neighbouring cells fit together.
 const TETRAHEDRA: [[u8; 4]; 6] = [
     [0, 1, 3, 7],
     [0, 1, 5, 7],
@@ -21,10 +21,10 @@ const TETRAHEDRA: [[u8; 4]; 6] = [
 ];
 
 type GridPoint = [u32; 3];
-/// From the negative end to the other one.
+/// An edge of a tetrahedron, from the end with f < 0 to the other end.
 type Edge = [GridPoint; 2];
 
-/// The vertices on the edges of the tetrahedra, and the triangles between them, with f < 0 behind them.
+/// The vertices on the edges of the tetrahedra, and the triangles between them. The side with f < 0 is behind each triangle.
 pub(super) fn triangles(
     field: &Field,
     grid: &Grid,
@@ -93,9 +93,9 @@ fn in_cell(index: GridPoint, is_negative: &HashMap<GridPoint, bool>) -> Vec<[Edg
     found.iter().map(oriented).collect()
 }
 
-/// The triangle with the negative ends of its edges behind it.
+/// The triangle with its corners ordered so that the ends with f < 0 are behind it.
 fn oriented(triangle: &[Edge; 3]) -> [Edge; 3] {
-    // Twice the middles of the edges, in which everything is an integer.
+    // Doubling the middles of the edges makes all numbers integers.
     let middle = |[a, b]: &Edge| [0, 1, 2].map(|i| i64::from(a[i]) + i64::from(b[i]));
     let [p, q, r] = triangle.each_ref().map(middle);
     let minus = |a: [i64; 3], b: [i64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);

@@ -1,4 +1,4 @@
-//! What the triangles of a mesh make: closed or not, in how many pieces, with how many holes.
+//! The topology of a mesh: whether it is closed, the number of its pieces, and the number of its holes.
 
 use std::collections::HashMap;
 
@@ -6,22 +6,22 @@ use super::refine::edges;
 use super::triangles::Mesh;
 use crate::error::Invariant;
 
-/// Counts that describe a mesh as a surface; all of them exact.
+/// Exact counts that describe a mesh as a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Topology {
-    /// Edges with one triangle.
+    /// The number of edges with one triangle.
     pub boundary_edges: usize,
-    /// Edges with more than two triangles, or with two that do not agree which side is out.
+    /// The number of edges with more than two triangles, or with two triangles that disagree about which side is outside.
     pub irregular_edges: usize,
-    /// Connected pieces.
+    /// The number of connected pieces.
     pub components: usize,
-    /// Vertices − edges + triangles: 2 for a sphere, 0 for a torus.
+    /// The number of vertices − edges + triangles: 2 for a sphere, 0 for a torus.
     pub euler_characteristic: i64,
 }
 
 impl Topology {
-    /// Whether every edge has exactly two triangles, which agree on the side that is out.
+    /// Whether every edge has exactly two triangles, which agree about which side is outside.
     #[must_use]
     pub fn is_watertight(&self) -> bool {
         self.boundary_edges == 0 && self.irregular_edges == 0
@@ -32,7 +32,7 @@ impl Mesh {
     /// Counts edges and pieces. Cost: linear in the number of triangles.
     #[must_use]
     pub fn topology(&self) -> Topology {
-        // How often an edge is run through upwards and downwards.
+        // For each edge, how many triangles have it in the ascending and in the descending direction.
         let mut uses: HashMap<(u32, u32), [usize; 2]> = HashMap::new();
         for triangle in &self.triangles {
             for (corner, edge) in edges(triangle).into_iter().enumerate() {
@@ -52,7 +52,7 @@ impl Mesh {
         }
     }
 
-    /// The piece of every vertex, and how many pieces there are.
+    /// The index of the piece of every vertex, and the number of pieces.
     pub(super) fn pieces(&self) -> (Vec<usize>, usize) {
         let count = u32::try_from(self.vertices.len());
         let count = count.invariant("a mesh has fewer than 2^32 vertices");
@@ -73,7 +73,7 @@ impl Mesh {
     }
 }
 
-/// The smallest vertex of a piece, with the path to it shortened.
+/// The smallest vertex of a piece. The path to it is shortened for later searches.
 fn root(parent: &mut [u32], vertex: u32) -> u32 {
     let mut at = vertex;
     while parent[at as usize] != at {

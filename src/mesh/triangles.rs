@@ -1,4 +1,4 @@
-//! From a surface to a mesh.
+//! Meshes of implicit surfaces by marching tetrahedra.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -12,62 +12,63 @@ use crate::options::options;
 use crate::sample::{Ray, RaySolver, SpaceDirection};
 use crate::shape::ImplicitSurface;
 
-/// At most so many cells of the grid may hold a part of the surface.
+/// The largest number of cells of the grid that may hold a part of the surface.
 pub const MAX_MESH_CELLS: usize = 4_000_000;
-/// Edges shorter than this part of a cell are taken out.
+/// Edges shorter than this part of a cell are collapsed.
 const COLLAPSED: f64 = 0.35;
-/// Edges are split at most so many times one after the other.
+/// The largest number of rounds in which edges are split.
 const ROUNDS: usize = 4;
-/// Split edges are no shorter than this part of a cell.
+/// Edges shorter than this part of a cell are not split.
 const SHORTEST: f64 = 1.0 / 24.0;
-/// Directions in which the extent of a surface is looked for.
+/// The number of directions in which the extent of a surface is determined.
 const DIRECTIONS: usize = 400;
-/// A surface whose largest radius is more than this times the median goes on beyond what is shown.
+/// If the largest radius is more than this times the median, the surface continues beyond the box.
 const LARGEST_OVER_MEDIAN: f64 = 4.0;
 
 options! {
     /// How a surface is meshed.
     MeshOptions of {
-        /// The box that is covered; the mesh ends less than two cells beyond it.
+        /// The box in which the surface is meshed; the mesh ends less than two cells beyond it.
         bounds: [[f64; 2]; 3],
     } {
-        /// Cells along the longest side of the box.
+        /// The number of cells along the longest side of the box.
         resolution: u32 = 64,
-        /// Edges are split where normals turn by more than this, in degrees.
+        /// Edges are split if the normals at their ends differ by more than this angle, in degrees.
         angle: f64 = 20.0,
     }
 }
 
-/// Triangles in space.
+/// A mesh of triangles in space.
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Mesh {
-    /// Points with a certified zero of the polynomial within [`Mesh::vertex_bound`] of each.
+    /// The vertices. The polynomial has a certified zero within [`Mesh::vertex_bound`] of each.
     pub vertices: Vec<[f64; 3]>,
     /// Unit normals at the vertices, in doubles; 0 at singular points.
     pub normals: Vec<[f64; 3]>,
-    /// Vertices, counter-clockwise seen from outside (for a closed piece), or from where f > 0.
+    /// The triangles, as indices of vertices, counter-clockwise seen from outside (for a closed piece), or else from where f >
+    /// 0.
     pub triangles: Vec<[u32; 3]>,
-    /// The first triangle of every factor of the polynomial.
+    /// The index of the first triangle of every factor of the polynomial.
     pub factors: Vec<usize>,
-    /// The largest distance between a vertex and a zero that is proved to be beside it.
+    /// A bound of the distance between a vertex and the certified zero near it.
     pub vertex_bound: f64,
     /// The side of a cell.
     pub cell: f64,
-    /// Cells that could not be proved empty, and how many of them could not be proved to hold a single smooth sheet: there,
-    /// and only there, the mesh may miss what is smaller than a cell.
+    /// The number of cells that could not be proved to be empty, and how many of these could not be proved to hold a single
+    /// smooth sheet. Only in cells of the second kind the mesh may miss a part that is smaller than a cell.
     pub cells: [usize; 2],
 }
 
-/// The triangle mesh of the zero set of a polynomial in a box.
+/// Meshes the zero set of a polynomial in a box.
 ///
-/// The polynomial is factored, and every factor meshed on its own, so double sheets are not missed. An octree of
-/// cubes is cut off where a Taylor bound proves that f ≠ 0; the exact signs of f at the corners of the cells that
-/// remain give triangles by marching tetrahedra, which fit across cells; their slivers are collapsed: a surface that is closed inside the box gives a
-/// closed mesh. Every vertex is a point between two points at most 2·[`Mesh::vertex_bound`] apart at which f has
-/// exactly opposite signs. Then edges are split where the surface bends.
+/// The polynomial is factored and every factor is meshed separately, so double sheets are not missed. An octree drops the cubes
+/// in which a Taylor bound proves that f ≠ 0. In the cells that remain, the exact signs of f at the corners give triangles by
+/// marching tetrahedra, which fit together across cells, and their slivers are collapsed. So a surface that is closed inside
+/// the box has a closed mesh. Every vertex is a point between two points at most 2·[`Mesh::vertex_bound`] apart, at which f has
+/// exactly opposite signs. At the end edges are split where the surface bends.
 ///
-/// `progress` hears numbers from 0 to 1000.
+/// `progress` is called with numbers from 0 to 1000.
 ///
 /// Cost: a Taylor expansion for every cube of the octree, about resolution² times a constant.
 ///
@@ -89,8 +90,8 @@ pub struct Mesh {
 /// ```
 ///
 /// # Errors
-/// [`Error::Limit`] for more than [`MAX_MESH_CELLS`] cells with a part of the surface; [`Error::Usage`] for a constant or a
-/// box that is not one; those of [`factor_space`].
+/// [`Error::Limit`] for more than [`MAX_MESH_CELLS`] cells with a part of the surface; [`Error::Usage`] for a constant, or for
+/// a box with an empty side; those of [`factor_space`].
 pub fn mesh_surface(
     surface: &ImplicitSurface,
     options: &MeshOptions,
@@ -173,7 +174,7 @@ fn add_factor(
 }
 
 impl Mesh {
-    /// Turns closed pieces whose triangles look inward.
+    /// Turns the closed pieces whose triangles look inward.
     fn turn_outward(&mut self) {
         let (pieces, count) = self.pieces();
         let mut volumes = vec![0.0; count];
@@ -212,8 +213,8 @@ impl Mesh {
     }
 }
 
-/// A box around the certified points of a surface in many directions from the origin, without those much farther out than
-/// most, with a margin; and whether none was left out. `None` if there are no points.
+/// A box with a margin around the certified points of a surface in many directions from the origin, except for points that are
+/// much farther away than most; and whether no point was left out. `None` if there are no points.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -249,7 +250,7 @@ pub fn mesh_bounds(
         })
     });
     let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
-    // A point, or a surface in a plane through the origin, has a box too.
+    // A point, or a surface in a plane through the origin, also gets a box.
     let margin = if longest > 0.0 { 0.08 * longest } else { 1.0 };
     Ok(Some((bounds.map(|[a, b]| [a - margin, b + margin]), all)))
 }

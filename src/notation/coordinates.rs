@@ -1,4 +1,4 @@
-//! Parametric curves and patches as formulas: functions of s = tan(g·t/2) go back to cosines and sines.
+//! Parametric curves and patches as formulas: functions of s = tan(g·t/2) are written with cosines and sines of t.
 
 use std::collections::BTreeMap;
 
@@ -15,11 +15,11 @@ use crate::shape::{Basis, Expansion, Parameter, ParametricCurve, Patch, quotient
 /// The names of coordinates.
 pub(crate) const NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// The formulas of a parametric form, as every format needs them.
+/// The coordinates of a parametric form, ready to be written in every format.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coordinates {
     parameters: Vec<Parameter>,
-    /// Numerators and denominators as polynomials in s1 and s2.
+    /// The numerator and the denominator of each coordinate, as polynomials in s1 and s2.
     functions: Vec<[SparsePolynomial<2>; 2]>,
 }
 
@@ -51,7 +51,7 @@ impl From<&Patch> for Coordinates {
 }
 
 impl Coordinates {
-    /// The formula of every coordinate, in order.
+    /// The formulas of the coordinates, in order.
     ///
     /// ```
     /// use stellate::document::{Coordinates, Format};
@@ -76,7 +76,7 @@ impl Coordinates {
         self.parameters.iter().map(Parameter::name).collect()
     }
 
-    /// `{"x": "…", "y": "…"}`
+    /// The formulas by the names of the coordinates: `{"x": "…", "y": "…"}`.
     pub(crate) fn fields(&self) -> BTreeMap<&'static str, String> {
         NAMES.into_iter().zip(self.formulas(Format::Text)).collect()
     }
@@ -96,7 +96,7 @@ impl Coordinates {
         if whole {
             let harmonics = text(&above);
             let others = self.in_powers(&above, format);
-            // The shortest; harmonics where it makes no difference.
+            // The shortest formula is taken; among equally short ones, that with harmonics.
             let all = std::iter::once(harmonics).chain(others);
             let shortest = all.min_by_key(String::len);
             return shortest.invariant("the harmonics are one of the texts");
@@ -123,7 +123,7 @@ impl Coordinates {
         )
     }
 
-    /// A sum of harmonics of a single angle as powers of its cosine and sine, in two ways.
+    /// A sum of harmonics of a single angle, written with powers of its cosine and sine in two ways.
     fn in_powers(&self, f: &Expansion, format: Format) -> Vec<String> {
         let [parameter] = &self.parameters[..] else {
             return Vec::new();
@@ -173,7 +173,7 @@ fn written_sum(terms: impl Iterator<Item = (Rational, String)>, format: Format) 
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// `sin(t)^5`; in LaTeX `{\sin t}^{5}`.
+/// A power of a function, such as `sin(t)^5`, or in LaTeX `{\sin t}^{5}`.
 fn raised(function: &str, exponent: u32, format: Format) -> String {
     match (exponent, format) {
         (1, _) => function.to_owned(),
@@ -183,7 +183,7 @@ fn raised(function: &str, exponent: u32, format: Format) -> String {
     }
 }
 
-/// A factor of a term, in a notation.
+/// The text of a factor of a term.
 fn factor_text(basis: Basis, parameter: &Parameter, format: Format) -> String {
     let name = parameter.name();
     let latex = format == Format::Latex;
@@ -224,10 +224,11 @@ fn factor_text(basis: Basis, parameter: &Parameter, format: Format) -> String {
     format!("{function}({factor}{shown}{divisor})")
 }
 
-/// The number by which both are divided to have coprime integers, the first one of the denominator positive.
+/// The number by which both are divided, so that they have coprime integer coefficients and the first coefficient of the
+/// denominator is positive.
 fn content(above: &Expansion, below: &Expansion) -> Rational {
     let values = below.values().chain(above.values());
-    // Descending powers keep the order.
+    // Descending numbers keep the order of the coefficients.
     let indexed = values.zip((0..u32::MAX).rev());
     let polynomial = SparsePolynomial::from_terms(indexed.map(|(c, n)| ([n], c.clone())));
     let first = |p: &SparsePolynomial<1>| p.terms().next().map(|(_, c)| c.clone());

@@ -5,31 +5,31 @@ use std::str::FromStr;
 
 use crate::error::{Error, Result};
 
-/// How a result is written.
+/// A format of results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Format {
-    /// A formula in the input language.
+    /// Text: a formula in the input language.
     #[default]
     Text,
-    /// A document with every exact number as a string.
+    /// JSON: a document with every exact number as a string.
     Json,
-    /// A table of coefficients.
+    /// CSV: a table of coefficients.
     Csv,
-    /// A formula to be typeset.
+    /// LaTeX: a formula to be typeset.
     Latex,
-    /// An expression for SymPy, or for Python with x, y and Rational in scope.
+    /// SymPy: an expression, which is also Python with x, y and Rational in scope.
     Sympy,
-    /// A statement for Maple.
+    /// Maple: a statement.
     Maple,
-    /// Statements for Singular.
+    /// Singular: statements.
     Singular,
 }
 
 use Format::{Csv, Json, Latex, Maple, Singular, Sympy, Text};
 
 impl Format {
-    /// All of them.
+    /// All formats.
     pub const ALL: [Self; 7] = [Text, Json, Csv, Latex, Sympy, Maple, Singular];
 
     /// The name that the command line uses.
@@ -46,7 +46,7 @@ impl Format {
         }
     }
 
-    /// What starts a comment; JSON has none.
+    /// The text that starts a comment; it is empty for JSON, which has no comments.
     pub(crate) fn comment(self) -> &'static str {
         match self {
             Latex => "%",
@@ -55,7 +55,7 @@ impl Format {
         }
     }
 
-    /// What it is, for people.
+    /// A description for people.
     #[must_use]
     pub fn about(self) -> &'static str {
         match self {
@@ -80,7 +80,7 @@ impl fmt::Display for Format {
 impl FromStr for Format {
     type Err = Error;
 
-    /// From the name that the command line uses.
+    /// The format with this name on the command line.
     ///
     /// ```
     /// use stellate::document::Format;

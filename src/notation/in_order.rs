@@ -1,20 +1,21 @@
-//! Long lists of pieces of text, made in parallel and written in their order.
+//! Long lists of texts are made in parallel and written in order.
 
 use std::io::{self, Write};
 
 use rayon::prelude::*;
 
-/// Text of about so many bytes is made while as much is written: memory is bounded by both, and by a piece of each.
+/// About this many bytes of text are made while as many are written. So the memory is bounded by two windows and two pieces of
+/// text.
 const WINDOW: u64 = 1 << 20;
 
-/// Pieces of about so many bytes together are made by one thread.
+/// Each thread makes pieces of about this many bytes together.
 const TASK: usize = 1 << 16;
 
-/// Shorter text is made without other threads.
+/// Shorter texts are made on one thread.
 const PARALLEL_FROM: u64 = 1 << 16;
 
-/// Writes what `append` makes of each item. `size` is about the bytes of it; the bytes written do not depend on it, nor
-/// on the number of threads.
+/// Writes the text that `append` makes of each item, in the order of the items. `size` is about the length of the text in
+/// bytes; neither `size` nor the number of threads changes what is written.
 ///
 /// # Errors
 /// Those of `out`.
@@ -42,7 +43,7 @@ pub(crate) fn write_in_order<T: Send>(
     made.write(out)
 }
 
-/// The same on this thread.
+/// The same on the current thread alone.
 fn write_alone<T>(
     items: impl Iterator<Item = T>,
     append: impl Fn(&T, &mut Vec<u8>),
@@ -59,12 +60,12 @@ fn write_alone<T>(
     out.write_all(&text)
 }
 
-/// Items that are next to each other, and their text between making and writing it.
+/// Consecutive items, with their texts between the time they are made and the time they are written.
 struct Window<T> {
     tasks: Vec<Task<T>>,
-    /// As many of them are in use: memory is used again.
+    /// The number of items; buffers of earlier items are used again.
     count: usize,
-    /// About as long is the text; 0 if there are no items.
+    /// The approximate length of the texts; 0 if there are no items.
     bytes: u64,
 }
 
@@ -90,7 +91,7 @@ impl<T: Send> Window<T> {
         self.tasks.into_iter().flat_map(|task| task.items)
     }
 
-    /// The next items in place of those that are there.
+    /// Replaces the items by the next ones.
     fn take(&mut self, items: &mut impl Iterator<Item = T>, size: impl Fn(&T) -> u64) {
         (self.count, self.bytes) = (0, 0);
         let mut room = 0;
@@ -115,7 +116,7 @@ impl<T: Send> Window<T> {
         }
     }
 
-    /// Makes the text, on all threads.
+    /// Makes the texts on all threads.
     fn make(&mut self, append: impl Fn(&T, &mut Vec<u8>) + Sync) {
         let tasks = self.tasks().par_iter_mut();
         tasks.for_each(|Task { items, text }| {
@@ -124,7 +125,7 @@ impl<T: Send> Window<T> {
         });
     }
 
-    /// Writes the text and forgets it, and the memory of pieces that are longer than others.
+    /// Writes the texts and clears them. The memory of unusually long texts is freed.
     fn write(&mut self, out: &mut dyn Write) -> io::Result<()> {
         for Task { text, .. } in self.tasks() {
             out.write_all(text)?;
@@ -142,7 +143,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
-        /// Sizes around all limits, right or wrong, from a thread of a pool and from another one.
+        /// Lengths around all limits, with right and wrong sizes, called from a thread of a pool and from another thread.
         #[test]
         fn all_pieces_come_in_their_order(
             lengths in prop::collection::vec(prop_oneof![0usize..9, 30_000usize..90_000], 0..300),
@@ -168,7 +169,7 @@ mod tests {
             prop_assert!(found == expected);
         }
 
-        /// A full disk.
+        /// A full disk gives an error.
         #[test]
         fn what_cannot_be_written_is_an_error(lengths in prop::collection::vec(0usize..90_000, 1..90), part in 0usize..100) {
             struct Full(usize);

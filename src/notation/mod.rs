@@ -1,4 +1,4 @@
-//! Formulas as people and other programs write them: numbers, polynomials and functions of parameters as text.
+//! Text of numbers, polynomials and functions of parameters, in the notations of people and of other programs.
 
 mod coordinates;
 mod format;

@@ -1,4 +1,4 @@
-//! Harmonics of one angle as powers of its cosine and sine: `sin(t)^5` for five harmonics.
+//! Harmonics of one angle are written as powers of its cosine and sine: `sin(t)^5` is shorter than its harmonics.
 
 use malachite::base::num::arithmetic::traits::Gcd;
 
@@ -6,10 +6,10 @@ use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::{Basis, Expansion};
 
-/// Powers up to here are tried: beyond, harmonics are shorter.
+/// The largest harmonic that is written as powers; beyond it harmonics are shorter.
 const LARGEST_HARMONIC: usize = 16;
 
-/// The numbers that divide all the harmonics of a sum: cos and sin of that multiple of the angle may be raised to powers.
+/// The common divisors of all harmonics of a sum. Powers of the cosine and sine of such a multiple of the angle can be used.
 pub(super) fn units(f: &Expansion) -> Vec<usize> {
     let harmonics = f.keys().flatten().map(|basis| match basis {
         Basis::Cos(n) | Basis::Sin(n) => *n,
@@ -20,8 +20,8 @@ pub(super) fn units(f: &Expansion) -> Vec<usize> {
     (1..=common.min(LARGEST_HARMONIC)).filter(divides).collect()
 }
 
-/// A sum of harmonics of multiples of `unit` in two ways: with cos to the first power at most, and with sin to the first power at most; terms
-/// (exponents of cos and sin, coefficient). `None` if there are other functions, or high harmonics.
+/// A sum of harmonics of multiples of `unit`, written in two ways: with at most the first power of cos, and with at most the
+/// first power of sin. The terms have the exponents of cos and sin. `None` if there are other functions or high harmonics.
 pub(super) fn in_powers(f: &Expansion, unit: usize) -> Option<[SparsePolynomial<2>; 2]> {
     let mut sum = SparsePolynomial::zero();
     for (basis, c) in f {
@@ -40,7 +40,7 @@ pub(super) fn in_powers(f: &Expansion, unit: usize) -> Option<[SparsePolynomial<
     Some([0, 1].map(|kept| reduced(&sum, kept)))
 }
 
-/// (cos nt, sin nt) = the real and imaginary parts of (cos t + i sin t)^n.
+/// The polynomials for cos nt and sin nt, which are the real and the imaginary part of (cos t + i sin t)^n.
 fn power_of_unit(n: usize) -> [SparsePolynomial<2>; 2] {
     let [c, s] = [0, 1].map(SparsePolynomial::<2>::variable);
     let mut power = [
@@ -58,7 +58,7 @@ fn power_of_unit(n: usize) -> [SparsePolynomial<2>; 2] {
     power
 }
 
-/// With the variable `kept` (0 for cos, 1 for sin) to the first power at most, by kept² = 1 − other².
+/// The polynomial with at most the first power of the variable `kept` (0 for cos, 1 for sin), by kept² = 1 − other².
 fn reduced(f: &SparsePolynomial<2>, kept: usize) -> SparsePolynomial<2> {
     let other = SparsePolynomial::<2>::variable(1 - kept);
     let one = SparsePolynomial::constant(Rational::one());
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn known_identities() {
-        // cos 2t = 1 − 2 sin² t = 2 cos² t − 1
+        // cos 2t = 1 − 2 sin² t = 2 cos² t − 1.
         let f = Expansion::from([([Basis::Cos(2), Basis::Power(0)], Rational::one())]);
         let [in_sines, in_cosines] = in_powers(&f, 1).unwrap();
         let [c, s] = [0, 1].map(SparsePolynomial::<2>::variable);

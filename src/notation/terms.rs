@@ -1,4 +1,4 @@
-//! Sums of terms in the notations of several systems.
+//! Sums of terms, written in the notations of several systems.
 
 use std::borrow::Cow;
 use std::io::Write;
@@ -13,7 +13,7 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::poly::SparsePolynomial;
 
-/// A coefficient, lent where it can be: it may be long.
+/// A coefficient, by reference if possible, because it may be long.
 #[derive(Clone, Debug)]
 pub(crate) enum Number<'a> {
     Integer(&'a Integer),
@@ -46,7 +46,7 @@ impl Number<'_> {
         }
     }
 
-    /// The sign aside: p and q, no q for an integer.
+    /// The absolute value as p and q; q is `None` for an integer.
     fn magnitude(&self) -> (&Natural, Option<&Natural>) {
         match self {
             Self::Integer(value) => (value.unsigned_abs_ref(), None),
@@ -57,15 +57,15 @@ impl Number<'_> {
         }
     }
 
-    /// About as many bytes as digits.
+    /// About the number of digits.
     pub(crate) fn size(&self) -> u64 {
         let (above, below) = self.magnitude();
         let bits = above.significant_bits() + below.map_or(0, |q| q.significant_bits());
-        // log 2 = 0.301
+        // log10(2) = 0.301…
         bits * 3 / 10 + 1
     }
 
-    /// `-1/3`
+    /// Appends the number, such as `-1/3`.
     pub(crate) fn append(&self, text: &mut Vec<u8>) {
         if self.is_negative() {
             text.push(b'-');
@@ -74,12 +74,12 @@ impl Number<'_> {
     }
 }
 
-/// What a coefficient is multiplied by.
+/// The factor of a coefficient in a term.
 #[derive(Clone, Debug)]
 pub(crate) enum Monomial {
-    /// `x^i y^j z^k`.
+    /// The product `x^i y^j z^k`.
     Powers([u32; 3]),
-    /// A product as it is written, empty for 1.
+    /// A product as text; empty for 1.
     Written(String),
 }
 
@@ -96,7 +96,7 @@ impl From<String> for Monomial {
 }
 
 impl Monomial {
-    /// More bytes than most have.
+    /// A number of bytes that is enough for most monomials.
     fn size(&self) -> u64 {
         match self {
             Self::Powers(_) => 20,
@@ -112,12 +112,12 @@ impl Monomial {
     }
 }
 
-/// A small number in decimal.
+/// Appends a small number in decimal.
 pub(crate) fn append_word(word: u32, text: &mut Vec<u8>) {
     text.extend_from_slice(itoa::Buffer::new().format(word).as_bytes());
 }
 
-/// p, or p and q with what is before, between and after them.
+/// Appends p, or p and q, with the given texts before, between and after them.
 fn append_fraction(around: [&str; 3], (p, q): (&Natural, Option<&Natural>), text: &mut Vec<u8>) {
     let Some(q) = q else {
         return append_decimal(p, text);
@@ -130,7 +130,7 @@ fn append_fraction(around: [&str; 3], (p, q): (&Natural, Option<&Natural>), text
     text.extend_from_slice(after.as_bytes());
 }
 
-/// A notation.
+/// A notation of a system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Notation {
     /// `1/3x^2y`
@@ -154,7 +154,7 @@ impl Notation {
         }
     }
 
-    /// `x^i y^j z^k`, empty for the constant monomial.
+    /// The text of the product `x^i y^j z^k`; empty for the constant monomial.
     pub(crate) fn monomial(self, exponents: &[u32; 3]) -> String {
         let mut text = Vec::new();
         self.append_powers(exponents, &mut text);
@@ -177,7 +177,7 @@ impl Notation {
         }
     }
 
-    /// What is before and after an exponent.
+    /// The texts before and after an exponent.
     fn raised(self) -> [&'static str; 2] {
         match self {
             Notation::Text | Notation::Explicit => ["^", ""],
@@ -186,7 +186,7 @@ impl Notation {
         }
     }
 
-    /// A polynomial in x, y, z.
+    /// The text of a polynomial in x, y, z.
     pub(crate) fn polynomial(self, f: &SparsePolynomial<3>) -> String {
         let terms = f.terms();
         let terms = terms.map(|(e, c)| (c, *e));
@@ -196,7 +196,7 @@ impl Notation {
         String::from_utf8_lossy(&text).into_owned()
     }
 
-    /// A number that is not negative.
+    /// Appends a number that is not negative.
     fn append_number(self, number: (&Natural, Option<&Natural>), text: &mut Vec<u8>) {
         let around = match self {
             Notation::Text | Notation::Explicit => ["", "/", ""],
@@ -207,7 +207,7 @@ impl Notation {
         append_fraction(around, number, text);
     }
 
-    /// `c1 m1 + c2 m2 - …`; the empty sum is 0.
+    /// Writes the sum `c1 m1 + c2 m2 - …`; an empty sum is 0.
     pub(crate) fn write_sum<'a, N: Into<Number<'a>>, M: Into<Monomial>>(
         self,
         terms: impl Iterator<Item = (N, M)>,
@@ -231,7 +231,7 @@ impl Notation {
         )?)
     }
 
-    /// ` - c m`
+    /// Appends a term that is not the first, such as ` - c m`.
     fn append_term(self, term: &Term<'_>, text: &mut Vec<u8>) {
         let Term {
             is_first,
@@ -266,7 +266,7 @@ struct Term<'a> {
     monomial: Monomial,
 }
 
-/// A polynomial in x, y, z as the input language has it.
+/// The text of a polynomial in x, y, z in the input language.
 pub(crate) fn polynomial_text(f: &SparsePolynomial<3>) -> String {
     Notation::Text.polynomial(f)
 }

@@ -20,8 +20,7 @@ use crate::shape::{Form, FourierRadius};
 /// implicit equation, the Fourier radius that was fitted, or the exact Fourier radius of its first branch. Unknown fields are
 /// ignored.
 ///
-/// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; both are read as text, so no number is
-/// rounded.
+/// Numbers may be strings (`"p/q"`, decimals, hexadecimal floats) or JSON numbers; both are read from their text.
 ///
 /// ```
 /// use stellate::reading::read_document;

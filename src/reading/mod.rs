@@ -1,4 +1,4 @@
-//! Forms as they come in files: JSON documents, tables of coefficients, and formulas.
+//! Forms are read from the contents of files: JSON documents, tables of coefficients, and formulas.
 
 mod document;
 mod node;

@@ -1,4 +1,4 @@
-//! A value inside a JSON document, and where it is: every fault names its place.
+//! Values of a JSON document with their places, so that every error names a place.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{Numbers, number_at};
 
-/// The way from the root of a document to a value; it is spelled out only for a message.
+/// The path from the root of a document to a value. It is only written out for a message.
 #[derive(Clone, Copy)]
 pub(super) enum NodePath<'a> {
     Root(&'a str),
@@ -27,7 +27,7 @@ impl fmt::Display for NodePath<'_> {
     }
 }
 
-/// A value of a document and where it is.
+/// A value of a document with its place.
 pub(super) struct Node<'a> {
     pub(super) value: &'a Value,
     pub(super) place: NodePath<'a>,
@@ -35,7 +35,7 @@ pub(super) struct Node<'a> {
 }
 
 impl Node<'_> {
-    /// Where it is.
+    /// The place of the value, as text.
     pub(super) fn place(&self) -> String {
         self.place.to_string()
     }
@@ -85,7 +85,7 @@ impl Node<'_> {
         }
     }
 
-    /// A JSON number or a string, from its text.
+    /// The number that is written as a JSON number or as a string.
     pub(super) fn number(&self) -> Result<Rational> {
         let owned;
         let text = match self.value {
@@ -113,7 +113,7 @@ impl Node<'_> {
         }
     }
 
-    /// The field `center`, if there is one.
+    /// The field `center` with its node, if the object has one.
     pub(super) fn center<'b>(
         &'b self,
         object: &'b Map<String, Value>,

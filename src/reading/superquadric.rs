@@ -1,4 +1,4 @@
-//! Superquadrics in JSON documents.
+//! Superquadrics are read from JSON documents.
 
 use serde_json::{Map, Value};
 

@@ -1,4 +1,4 @@
-//! Tables of coefficients.
+//! Tables of coefficients are read.
 
 use std::collections::BTreeMap;
 
@@ -114,11 +114,11 @@ pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Resu
     })
 }
 
-/// The rows of a CSV file, all equally long, each with its place.
+/// The rows of a CSV file, all of the same length, each with its line.
 pub(crate) struct Table {
     header: Option<(String, Vec<String>)>,
     pub(crate) rows: Vec<(String, Vec<String>)>,
-    /// The line of each row, from 1.
+    /// The line of each row, counted from 1.
     pub(crate) lines: Vec<usize>,
     center: Option<[Rational; 2]>,
 }
@@ -177,7 +177,7 @@ impl Table {
         header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
     }
 
-    /// Checks the names of the columns, if there are any.
+    /// Checks the names of the columns, if the table has a header.
     pub(crate) fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
         let Some((place, names)) = &self.header else {
             return Ok(());
@@ -198,7 +198,7 @@ impl Table {
     }
 }
 
-/// Counts lines as an editor does: the reader's own count leaves out the comments and blank lines before a record.
+/// Counts lines as an editor does. The counter of the CSV reader leaves out the comments and blank lines before a record.
 struct Lines<'a> {
     text: &'a str,
     at: usize,
@@ -206,7 +206,7 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// The line, from 1, of the record that the reader found after so many bytes; records come in order.
+    /// The line, counted from 1, of the record that the reader found at this byte. The records must come in order.
     fn of_record(&mut self, byte: u64) -> usize {
         let byte = usize::try_from(byte).unwrap_or(usize::MAX);
         let skipped = self.text.get(self.at..byte).unwrap_or("");

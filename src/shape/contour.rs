@@ -6,9 +6,9 @@ use super::crossing::find_crossing;
 use super::orientation::{on_segment, orientation};
 use crate::error::{Error, Invariant, Result};
 
-/// Coordinates larger than this are refused: products of two of them must not overflow.
+/// The largest size of a coordinate: products of two coordinates must not overflow.
 const LARGEST: f64 = 1e120;
-/// Non-zero coordinates smaller than this are refused: exact signs need room below the last bit.
+/// The smallest size of a coordinate other than 0: exact signs need room below the last bit.
 const SMALLEST: f64 = 1e-120;
 
 /// A closed outline that does not touch itself: a simple polygon, its vertices counter-clockwise.
@@ -32,8 +32,8 @@ pub struct Contour {
 }
 
 impl Contour {
-    /// The outline through `points`, in either sense; repeated consecutive points and a last point
-    /// equal to the first are dropped. `place` says in messages where the points came from.
+    /// The outline through `points`, in either sense. Repeated consecutive points are dropped, and so is a last point that is
+    /// equal to the first. `place` names the source of the points in messages.
     ///
     /// Cost: O(n log n).
     ///
@@ -45,8 +45,8 @@ impl Contour {
         Self::build(points, place, |i| format!("point {}", i + 1))
     }
 
-    /// The same for points read from the rows of a file: `rows[i]` is the row of `points[i]`
-    /// (counted from 1 and missing ones taken as the next), and messages name rows.
+    /// The outline through points that were read from the rows of a file: `rows[i]` is the row of `points[i]`, counted from 1, and
+    /// a row that `rows` does not have is i + 1. Messages name rows.
     ///
     /// # Errors
     /// As [`Contour::new`].
@@ -62,7 +62,7 @@ impl Contour {
                 return Err(Error::data(format!("{place}, {}", name(i)), fault));
             }
         }
-        // `origin[k]` is the index, among the points given, of the vertex that became number k.
+        // `origin[k]` is the index, among the given points, of the vertex with the number k.
         let mut origin: Vec<usize> = Vec::with_capacity(points.len());
         for i in 0..points.len() {
             if origin.last().is_none_or(|&k| !same(points[k], points[i])) {
@@ -183,7 +183,7 @@ impl Contour {
         (middle, scale)
     }
 
-    /// Area and first moments after the bounding box is moved to the origin and scaled to ±1.
+    /// The area and the first moments, after the bounding box is moved to the origin and scaled to ±1.
     fn unit_moments(&self) -> [f64; 3] {
         let (middle, scale) = self.frame();
         let unit = |p: [f64; 2]| [(p[0] - middle[0]) / scale, (p[1] - middle[1]) / scale];
@@ -198,9 +198,9 @@ impl Contour {
         sums
     }
 
-    /// Whether `point` is strictly inside, exactly. Cost: O(n).
+    /// Whether `point` is strictly inside the outline, exactly. Cost: O(n).
     ///
-    /// A coordinate outside the range of a contour's (see [`Contour`]) makes this `false`.
+    /// The answer is `false` if a coordinate is outside the range of those of a contour (see [`Contour`]).
     #[must_use]
     pub fn contains(&self, point: [f64; 2]) -> bool {
         if point.iter().any(|&c| coordinate_fault(c).is_some()) {
@@ -222,10 +222,10 @@ impl Contour {
         inside
     }
 
-    /// What every contour must satisfy; for tests.
+    /// Checks the properties of every contour; for tests.
     ///
     /// # Panics
-    /// If something does not hold.
+    /// If one of them does not hold.
     #[cfg(test)]
     pub(crate) fn check_invariants(&self) {
         assert!(self.len() >= 3);
@@ -237,7 +237,7 @@ impl Contour {
     }
 }
 
-/// What is wrong with a coordinate, if anything.
+/// The fault of a coordinate, if it has one.
 pub(crate) fn coordinate_fault(c: f64) -> Option<String> {
     if !c.is_finite() {
         Some(format!("the coordinate {c} is not finite"))
@@ -255,7 +255,7 @@ fn same(p: [f64; 2], q: [f64; 2]) -> bool {
     p.partial_cmp(&q) == Some(Ordering::Equal)
 }
 
-/// The sense of a simple polygon: the turn at its lowest vertex of the leftmost ones.
+/// Whether a simple polygon is clockwise, by the turn at the lowest of its leftmost vertices.
 fn is_clockwise(points: &[[f64; 2]]) -> bool {
     let n = points.len();
     let lowest = (0..n)

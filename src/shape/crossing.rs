@@ -1,4 +1,4 @@
-//! Whether a closed polygon touches or crosses itself.
+//! Tests whether a closed polygon touches or crosses itself.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -15,16 +15,16 @@ use crate::error::Invariant;
 pub(super) struct Crossing {
     pub(super) first: usize,
     pub(super) second: usize,
-    /// Roughly where.
+    /// The approximate place of the shared point.
     pub(super) near: [f64; 2],
 }
 
-/// A crossing of the closed polygon with itself, the first that a sweep from left to right finds.
+/// The first point, in a sweep from left to right, in which the closed polygon crosses or touches itself.
 ///
-/// Neighbouring edges may share their common vertex only; all other pairs of edges must be disjoint.
-/// Consecutive points must differ. This is the sweep of Shamos and Hoey with exact signs: as long as
-/// nothing has crossed, the edges met by the sweeping line are ordered, and the first two that meet
-/// are neighbours in that order before they do. Cost: O(n log n).
+/// Neighbouring edges may share only their common vertex, and all other pairs of edges must be disjoint. Consecutive points
+/// must be different. This is the sweep of Shamos and Hoey with exact signs: before anything has crossed, the edges that the
+/// sweeping line meets are ordered, and the first two edges that will meet are neighbours in this order before they do. Cost:
+/// O(n log n).
 pub(super) fn find_crossing(points: &[[f64; 2]]) -> Option<Crossing> {
     let n = points.len();
     let before = |i: usize| (i + n - 1) % n;
@@ -96,7 +96,7 @@ fn left_to_right(p: [f64; 2], q: [f64; 2]) -> Ordering {
     p.partial_cmp(&q).invariant("coordinates are finite")
 }
 
-/// The edges next to `edge`, which is not in the status itself.
+/// The neighbours of `edge` in the status, which does not contain `edge`.
 fn neighbours<'a>(
     status: &'a BTreeSet<SweptEdge>,
     edge: &SweptEdge,
@@ -108,7 +108,8 @@ fn neighbours<'a>(
 
 /// Whether the edges a → b and b → c overlap: c lies on the ray from b to a.
 fn doubles_back(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
-    // On a line, "same side of b" can be read off one coordinate in which a differs from b.
+    // All three points are on one line, so a coordinate in which a and b differ tells whether a and c are on the same side of
+    // b.
     let same_side = (0..2).any(|k| (a[k] < b[k] && c[k] < b[k]) || (a[k] > b[k] && c[k] > b[k]));
     same_side && orientation(a, b, c) == Ordering::Equal
 }
@@ -126,7 +127,7 @@ fn share_a_point(p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]) -> bool {
     p_side == Ordering::Equal || p_side != q_side
 }
 
-/// Roughly where the segments meet: the crossing of their lines, or the middle of what they share.
+/// The approximate point in which two segments meet: the crossing of their lines, or the middle of their common part.
 fn meeting_point([p, q]: [[f64; 2]; 2], [r, s]: [[f64; 2]; 2]) -> [f64; 2] {
     let (u, v) = ([q[0] - p[0], q[1] - p[1]], [s[0] - r[0], s[1] - r[1]]);
     let cross = u[0] * v[1] - u[1] * v[0];

@@ -4,8 +4,8 @@ use super::Parameter;
 use crate::exact::Rational;
 use crate::poly::RationalFunction;
 
-/// A curve whose N coordinates are rational functions of one parameter, or of the cosine and sine of an
-/// angle: α(t) of Theorems 1 and 3.
+/// The curve α(t) of Theorems 1 and 3: its N coordinates are rational functions of one parameter, or of the cosine and sine of
+/// an angle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParametricCurve<const N: usize> {
     parameter: Parameter,
@@ -19,7 +19,7 @@ pub type PlaneCurve = ParametricCurve<2>;
 pub type SpaceCurve = ParametricCurve<3>;
 
 impl<const N: usize> ParametricCurve<N> {
-    /// From the coordinates as functions of s, which is what [`Parameter`] says.
+    /// The curve whose coordinates are these functions of s; `parameter` says how s depends on the parameter.
     #[must_use]
     pub fn new(parameter: Parameter, coordinates: [RationalFunction; N]) -> Self {
         Self {
@@ -28,7 +28,7 @@ impl<const N: usize> ParametricCurve<N> {
         }
     }
 
-    /// What runs along the curve.
+    /// The parameter of the curve.
     #[must_use]
     pub fn parameter(&self) -> &Parameter {
         &self.parameter
@@ -40,13 +40,13 @@ impl<const N: usize> ParametricCurve<N> {
         &self.coordinates
     }
 
-    /// Whether all coordinates are constant: a point.
+    /// Whether all coordinates are constant, so that the curve is a point.
     #[must_use]
     pub fn is_point(&self) -> bool {
         self.coordinates.iter().all(RationalFunction::is_constant)
     }
 
-    /// The point at s, `None` if a coordinate has a pole there.
+    /// The point at s; `None` if a coordinate has a pole there.
     #[must_use]
     pub fn point(&self, s: &Rational) -> Option<[Rational; N]> {
         let mut point = std::array::from_fn(|_| Rational::zero());
@@ -56,7 +56,7 @@ impl<const N: usize> ParametricCurve<N> {
         Some(point)
     }
 
-    /// The point at s = ∞, `None` if a coordinate has a pole there.
+    /// The point at s = ∞; `None` if a coordinate has a pole there.
     #[must_use]
     pub fn point_at_infinity(&self) -> Option<[Rational; N]> {
         let mut point = std::array::from_fn(|_| Rational::zero());

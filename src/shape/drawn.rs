@@ -1,4 +1,4 @@
-//! What of a parametric form is drawn: points in doubles, with no certificate.
+//! Points of parametric forms for drawing: doubles without certificate.
 
 use super::{Parameter, ParametricCurve, Patch, PatchFunction};
 use crate::error::Invariant;
@@ -6,16 +6,16 @@ use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::roots::real_roots;
 
-/// The part of a parameter that runs through all numbers that must be seen if the form goes to infinity, and
-/// all that is drawn of a patch.
+/// The range of a parameter that is a number. A picture shows at least this part of a curve that goes to infinity, and exactly
+/// this part of a patch.
 pub(crate) const DRAWN_NUMBERS: [f64; 2] = [-1.5, 1.5];
 
-/// A value of s as the ratio of two doubles, so that infinity is a value too.
+/// A value of s as the ratio of two doubles, so that s may be infinite.
 type Ratio = [f64; 2];
 
 impl Parameter {
-    /// `count + 1` values over the range; without one, over a full period of an angle or over all numbers
-    /// (infinity left out).
+    /// `count + 1` values of s over the given range. Without a range they cover a full period of an angle, or all numbers
+    /// except infinity.
     fn values(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Ratio> {
         let part = |k: u32| f64::from(k) / f64::from(count);
         let between = |[a, b]: [f64; 2], k: u32| a + (b - a) * part(k);
@@ -31,7 +31,7 @@ impl Parameter {
                     .collect()
             }
             (None, None) => {
-                // tan runs through all numbers; its ends are left out.
+                // The tangent takes all numbers; its infinite ends are left out.
                 let right = std::f64::consts::FRAC_PI_2;
                 (0..=count)
                     .map(|k| {
@@ -47,9 +47,9 @@ impl Parameter {
 }
 
 impl<const N: usize> ParametricCurve<N> {
-    /// Points along the curve, in lines that end at poles: about `count` of them, over the range of the parameter.
+    /// Lines of points along the curve, about `count` points in all, over the range of the parameter. A line ends at a pole.
     ///
-    /// Without a range: a full period of an angle, all numbers.
+    /// Without a range the lines cover a full period of an angle, or all numbers.
     #[must_use]
     pub fn polylines(&self, range: Option<[f64; 2]>, count: u32) -> Vec<Vec<[f64; N]>> {
         let values = self.parameter().values(range, count.max(1));
@@ -60,7 +60,7 @@ impl<const N: usize> ParametricCurve<N> {
             let forms = curve.forms(s);
             let point = forms.map(|[p, q]| p / q);
             let now = forms.map(|[_, q]| q > 0.0);
-            // Through a pole the denominator changes its sign.
+            // At a pole the denominator changes its sign.
             let jumps = signs.is_some_and(|before| before != now);
             if jumps && !self.is_bounded() {
                 lines.push(Vec::new());
@@ -76,8 +76,8 @@ impl<const N: usize> ParametricCurve<N> {
         lines
     }
 
-    /// A box that shows the curve: all of it if it is bounded, else most of what it does in the range, or between −3/2 and
-    /// 3/2. `None` if nothing of it is finite.
+    /// A box that shows the curve. If the curve is bounded, the box holds all of it; if not, the box holds most of its points
+    /// for parameters in the range, or between −3/2 and 3/2. `None` if no point is finite.
     #[must_use]
     pub fn extent(&self, range: Option<[f64; 2]>) -> Option<[[f64; 2]; N]> {
         const POINTS: u32 = 720;
@@ -88,12 +88,12 @@ impl<const N: usize> ParametricCurve<N> {
             range.or(Some(DRAWN_NUMBERS))
         };
         let lines = self.polylines(range, POINTS);
-        // Poles run off to infinity: the ends of all values are left out then.
+        // Near poles the curve goes to infinity; then the largest and smallest values are left out.
         let has_poles = !bounded && lines.len() > 1;
         box_around(&lines.concat(), if has_poles { 0.05 } else { 0.0 })
     }
 
-    /// Whether no coordinate has a real pole, infinity included: exact.
+    /// Whether no coordinate has a real pole or a pole at infinity; this is decided exactly.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
         self.coordinates().iter().all(|f| {
@@ -104,8 +104,8 @@ impl<const N: usize> ParametricCurve<N> {
     }
 }
 
-/// The box around points, for each coordinate without the given share of the smallest and of the largest values but
-/// half as large again.
+/// The box around points. In each coordinate the given share of the smallest and of the largest values is left out, and the
+/// range of the others is made half as large again.
 fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f64; 2]; N]> {
     let last = points.len().checked_sub(1)?;
     #[expect(
@@ -126,7 +126,7 @@ fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f6
     Some(bounds)
 }
 
-/// The coordinates of a curve in doubles, with no certificate: numerators and denominators in s.
+/// The coordinates of a curve in doubles without certificate, as numerators and denominators in s.
 #[derive(Debug)]
 pub(crate) struct CurveInDoubles<const N: usize> {
     coordinates: [[Vec<f64>; 2]; N],
@@ -151,7 +151,7 @@ impl<const N: usize> CurveInDoubles<N> {
         self.forms(s).map(|[p, q]| p / q)
     }
 
-    /// Numerators and denominators at s = a/b, each pair as forms of the same degree.
+    /// The numerators and denominators at s = a/b, each pair as forms of the same degree.
     fn forms(&self, [a, b]: Ratio) -> [[f64; 2]; N] {
         self.coordinates.each_ref().map(|both| {
             let length = both[0].len().max(both[1].len());
@@ -168,9 +168,9 @@ impl<const N: usize> CurveInDoubles<N> {
 }
 
 impl Patch {
-    /// Points of the surface on a grid of parameters, a row for each value of the first one; `None` at poles.
+    /// The points of the surface on a grid of parameters, with a row for each value of the first parameter; `None` at poles.
     ///
-    /// Without ranges: a full period of an angle, −3/2 to 3/2 of a number.
+    /// Without ranges the grid covers a full period of an angle, and −3/2 to 3/2 for a number.
     #[must_use]
     pub fn grid(
         &self,
@@ -193,7 +193,7 @@ impl Patch {
     }
 }
 
-/// The coordinates of a patch in doubles, with no certificate.
+/// The coordinates of a patch in doubles without certificate.
 #[derive(Debug)]
 pub(crate) struct PatchInDoubles {
     functions: [[Doubles; 2]; 3],
@@ -215,7 +215,7 @@ impl PatchInDoubles {
     }
 }
 
-/// A polynomial in doubles, as a form in each variable.
+/// A polynomial with coefficients in doubles, as a form in each variable.
 #[derive(Debug)]
 struct Doubles {
     terms: Vec<([i32; 2], f64)>,
@@ -274,7 +274,7 @@ mod tests {
         assert!(!hyperbola.is_bounded());
         let lines = hyperbola.polylines(None, 101);
         assert_eq!(lines.len(), 2);
-        // It shows the middle, not where it goes to infinity.
+        // The box shows the middle of the hyperbola, not the parts that go to infinity.
         let [x, y] = hyperbola.extent(None).unwrap();
         assert!(x[1] < 3.0 && y[1] < 40.0, "{x:?} {y:?}");
     }

@@ -1,4 +1,4 @@
-//! [`FourierRadius`]: a star-shaped curve given by a finite Fourier series of its radius.
+//! [`FourierRadius`]: a curve that is given by a finite Fourier series of its radius.
 
 use malachite::base::num::arithmetic::traits::{DivExact, IsPowerOf2, LcmAssign};
 use malachite::base::num::basic::traits::One;
@@ -10,7 +10,7 @@ use crate::exact::Rational;
 use crate::poly::{BinaryForm, RationalFunction, Ring, doubled_form_from_harmonics};
 
 /// The radius `r(θ) = a0 + Σ_{n=1..N} (a_n cos nθ + b_n sin nθ)` with exact rational coefficients
-/// (Lemma 1), and the point it is measured from.
+/// (Lemma 1), and the center, from which the radius is measured.
 ///
 /// `N` is the *true* number of harmonics: trailing pairs that are zero are dropped on construction.
 ///
@@ -31,7 +31,7 @@ pub struct FourierRadius {
 }
 
 impl FourierRadius {
-    /// From `cos = [a0, a1, …]` and `sin = [ignored, b1, …]`; the shorter one is padded with zeros.
+    /// The radius with `cos = [a0, a1, …]` and `sin = [ignored, b1, …]`; the shorter list is padded with zeros.
     #[must_use]
     pub fn new(mut cos: Vec<Rational>, mut sin: Vec<Rational>) -> Self {
         let len = cos.len().max(sin.len()).max(1);
@@ -59,47 +59,47 @@ impl FourierRadius {
         self
     }
 
-    /// The point that the radius is measured from, in the contour's coordinates.
+    /// The center, in the contour's coordinates.
     #[must_use]
     pub fn center(&self) -> &[Rational; 2] {
         &self.center
     }
 
-    /// N: the largest n with `a_n ≠ 0` or `b_n ≠ 0` (0 for a constant).
+    /// The number of harmonics N: the largest n with `a_n ≠ 0` or `b_n ≠ 0`, or 0 for a constant.
     #[must_use]
     pub fn harmonics(&self) -> usize {
         self.cos.len() - 1
     }
 
-    /// `a_n`, for n ≤ N.
+    /// The coefficient `a_n`, for n ≤ N.
     #[must_use]
     pub fn cos(&self, n: usize) -> &Rational {
         &self.cos[n]
     }
 
-    /// `b_n`, for n ≤ N; `b_0` is 0.
+    /// The coefficient `b_n`, for n ≤ N; `b_0` is 0.
     #[must_use]
     pub fn sin(&self, n: usize) -> &Rational {
         &self.sin[n]
     }
 
-    /// `[a_0, …, a_N]`.
+    /// The coefficients `[a_0, …, a_N]`.
     #[must_use]
     pub fn cosines(&self) -> &[Rational] {
         &self.cos
     }
 
-    /// `[0, b_1, …, b_N]`.
+    /// The coefficients `[0, b_1, …, b_N]`.
     #[must_use]
     pub fn sines(&self) -> &[Rational] {
         &self.sin
     }
 
-    /// (D, D·cosines, D·sines) with the least common denominator D of all coefficients.
+    /// The numbers (D, D·cosines, D·sines), where D is the least common denominator of all coefficients.
     #[doc(hidden)]
     #[must_use]
     pub fn over_common_denominator(&self) -> (Integer, Vec<Integer>, Vec<Integer>) {
-        // D = 2^power · odd: where all coefficients are dyadic, a gcd is never taken.
+        // D = 2^power · odd. If all coefficients are dyadic, no gcd is computed.
         let (mut power, mut odd) = (0, Natural::ONE);
         for q in self.cos.iter().chain(&self.sin) {
             let denominator = q.denominator_ref();
@@ -122,13 +122,13 @@ impl FourierRadius {
         (common, cos, sin)
     }
 
-    /// The curve (r cos θ, r sin θ) about its center, in s = tan(θ/2):
+    /// The curve (r cos θ, r sin θ) about its center, as a function of s = tan(θ/2):
     /// `r = Σ a_n Re (1+is)^(2n) (1+s²)^(N−n) + b_n Im … over (1+s²)^N`.
     #[must_use]
     pub fn to_plane_curve(&self) -> PlaneCurve {
         let n = self.harmonics();
         let (denominator, cos, sin) = self.over_common_denominator();
-        // Harmonics of θ are even harmonics of θ/2.
+        // The harmonics of θ are the even harmonics of θ/2.
         let halves = (0..=n).map(|m| (2 * m, &cos[m], &sin[m]));
         let above = doubled_form_from_harmonics(2 * n, halves);
         let below = BinaryForm::rho_power(n + 1).scaled(&(denominator << 1u64));
@@ -151,12 +151,12 @@ impl FourierRadius {
     }
 }
 
-/// What is drawn: doubles, with no certificate.
+/// Values for drawing: doubles without certificate.
 impl FourierRadius {
-    /// About `count` points (x, y) of the curve in the contour's own coordinates, closed, for
-    /// drawing. Where r < 0 they lie opposite, as r(θ)(cos θ, sin θ) does.
+    /// About `count` points (x, y) of the curve for drawing, closed, in the contour's own coordinates. Where r < 0 the point
+    /// r(θ)(cos θ, sin θ) is on the opposite side of the center.
     ///
-    /// Computed in doubles by the sum of the series: accurate to about N·10⁻¹⁶ of the size.
+    /// The series is summed in doubles; the error is about N·10⁻¹⁶ of the size.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a count of points is small")]
     pub fn polyline(&self, count: usize) -> Vec<[f64; 2]> {
@@ -172,7 +172,7 @@ impl FourierRadius {
             .collect()
     }
 
-    /// r(θ) in doubles, as accurate as [`FourierRadius::polyline`].
+    /// The radius r(θ) in doubles, as accurate as [`FourierRadius::polyline`].
     #[must_use]
     pub fn approximate(&self, theta: f64) -> f64 {
         let (cos, sin) = self.to_doubles();
@@ -198,7 +198,7 @@ fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
     terms.sum()
 }
 
-/// How often a denominator can be halved.
+/// The number of times that a denominator can be halved.
 fn factors_of_two(denominator: &Natural) -> u64 {
     denominator
         .trailing_zeros()

@@ -1,4 +1,4 @@
-//! Functions of s = tan(g·t/2) as quotients of finite Fourier series again.
+//! Rational functions of s = tan(g·t/2) are written as quotients of finite Fourier series.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -46,8 +46,8 @@ impl PartialOrd for Basis {
 /// A polynomial in at most two parameters, by its terms.
 pub(crate) type Expansion = BTreeMap<[Basis; 2], Rational>;
 
-/// Numerator and denominator, over angles divided by the same power of 1 + s²: powers of numbers and harmonics of
-/// angles.
+/// The numerator and the denominator in powers of numbers and harmonics of angles. For angles both are divided by the same
+/// power of 1 + s².
 pub(crate) fn quotient_in_harmonics(
     [above, below]: [&SparsePolynomial<2>; 2],
     parameters: &[Parameter],
@@ -56,14 +56,14 @@ pub(crate) fn quotient_in_harmonics(
         let terms = above.terms().chain(below.terms());
         let degree = terms.map(|(e, _)| e[v]).max();
         let degree = degree.invariant("a denominator has a term");
-        // The half angle must go: forms of even degree.
+        // The forms must have an even degree, so that only harmonics of the whole angle occur.
         degree.next_multiple_of(2)
     };
     let degrees = [degree(0), degree(1)];
     [above, below].map(|f| expand(f, parameters, degrees))
 }
 
-/// The coefficients in powers of numbers and harmonics of angles, of f/∏ (1 + s²)^(degree/2) over angles.
+/// The coefficients in powers of numbers and harmonics of angles; for angles, those of f/∏ (1 + s²)^(degree/2).
 fn expand(f: &SparsePolynomial<2>, parameters: &[Parameter], degrees: [u32; 2]) -> Expansion {
     let power = |e: u32| Basis::Power(e as usize);
     let terms = f.terms().map(|(e, c)| (e.map(power), c.clone()));
@@ -82,7 +82,7 @@ fn expand(f: &SparsePolynomial<2>, parameters: &[Parameter], degrees: [u32; 2]) 
         table = BTreeMap::new();
         for (other, row) in rows {
             for (n, a, b) in harmonics(&row, degrees[v] as usize) {
-                // Harmonics of the half angle are all even.
+                // All harmonics of the half angle are even.
                 let n = n / 2;
                 let cosine = if n == 0 {
                     Basis::Power(0)
@@ -102,7 +102,7 @@ fn expand(f: &SparsePolynomial<2>, parameters: &[Parameter], degrees: [u32; 2]) 
     table
 }
 
-/// The harmonics of Σ c_k cos^(d−k) sin^k of the half angle.
+/// The harmonics of the form Σ c_k cos^(d−k) sin^k of the half angle.
 fn harmonics(coefficients: &[Rational], degree: usize) -> Vec<(usize, Rational, Rational)> {
     let denominator = coefficients.iter().fold(Integer::ONE, |d, c| {
         Integer::from(d.unsigned_abs_ref().lcm(c.denominator().unsigned_abs_ref()))

@@ -7,8 +7,8 @@ use crate::poly::{PlanePolynomial, SpacePolynomial, SparsePolynomial};
 
 /// The plane curve `f(x, y) = 0`, in coordinates relative to `center`.
 ///
-/// For a contour the center is the one of its fit: only there has F its three homogeneous parts.
-/// [`ImplicitCurve::in_original_coordinates`] expands F about the contour's own origin.
+/// The curve of a contour's fit has the center of the fit, because F has its three homogeneous parts only about that point.
+/// [`ImplicitCurve::in_original_coordinates`] expands F about the origin of the contour's own coordinates.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImplicitCurve {
     polynomial: PlanePolynomial,
@@ -25,20 +25,20 @@ impl ImplicitCurve {
         }
     }
 
-    /// The same polynomial in coordinates relative to `center`.
+    /// The curve of the same polynomial, in coordinates relative to `center`.
     #[must_use]
     pub fn with_center(mut self, center: [Rational; 2]) -> Self {
         self.center = center;
         self
     }
 
-    /// f.
+    /// The polynomial f.
     #[must_use]
     pub fn polynomial(&self) -> &PlanePolynomial {
         &self.polynomial
     }
 
-    /// The same curve with a multiple of f.
+    /// The same curve, with its polynomial replaced by a multiple of it.
     #[must_use]
     pub fn map_polynomial(
         mut self,
@@ -48,16 +48,16 @@ impl ImplicitCurve {
         self
     }
 
-    /// Where x = y = 0 lies in the contour's coordinates.
+    /// The point x = y = 0, in the contour's coordinates.
     #[must_use]
     pub fn center(&self) -> &[Rational; 2] {
         &self.center
     }
 
-    /// Certified bounds of f at a point of doubles in the contour's own coordinates: the doubles next to the exact value, or that
-    /// value twice if it is a double. Their signs are that of f unless it is far below the smallest double.
+    /// Certified bounds of f at a point of doubles, given in the contour's own coordinates. They are the doubles next to the
+    /// exact value, or twice the value if it is a double. Their signs are that of f, unless f is far below the smallest double.
     ///
-    /// Cost: an exact evaluation. Infinite where the value is beyond the largest double.
+    /// Cost: an exact evaluation. A bound is infinite if the value is beyond the largest double.
     ///
     /// ```
     /// use stellate::shape::ImplicitCurve;
@@ -76,7 +76,7 @@ impl ImplicitCurve {
         Ok(bounds(&self.polynomial.evaluate(&(x? - a), &(y? - b))))
     }
 
-    /// The same curve with its polynomial expanded in the contour's own coordinates.
+    /// The same curve, with its polynomial expanded in the contour's own coordinates.
     #[must_use]
     pub fn in_original_coordinates(&self) -> Self {
         let [a, b] = &self.center;
@@ -84,7 +84,7 @@ impl ImplicitCurve {
     }
 }
 
-/// The surface `f(x, y, z) = 0`, with f by its terms and by its homogeneous parts.
+/// The surface `f(x, y, z) = 0`, with f both by its terms and by its homogeneous parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImplicitSurface {
     polynomial: SparsePolynomial<3>,
@@ -102,13 +102,13 @@ impl ImplicitSurface {
         }
     }
 
-    /// f.
+    /// The polynomial f.
     #[must_use]
     pub fn polynomial(&self) -> &SparsePolynomial<3> {
         &self.polynomial
     }
 
-    /// f by its homogeneous parts.
+    /// The polynomial f by its homogeneous parts.
     ///
     /// ```
     /// use stellate::language::{Numbers, parse_form};
@@ -134,13 +134,13 @@ impl ImplicitSurface {
     }
 }
 
-/// A double exactly.
+/// The exact value of a finite double.
 fn finite(x: f64) -> Result<Rational> {
     Rational::try_from(x)
         .map_err(|_| Error::Usage(format!("a coordinate is {x}: expected a number")))
 }
 
-/// The doubles around a value.
+/// The doubles next to a value, below and above.
 fn bounds(value: &Rational) -> [f64; 2] {
     let around = Interval::narrowest(value);
     [around.low(), around.high()]

@@ -1,5 +1,4 @@
-//! What a user holds: Fourier radii, parametric curves and patches, implicit curves and surfaces,
-//! superquadrics, contours.
+//! Forms and contours: Fourier radii, parametric curves and patches, implicit curves and surfaces, superquadrics.
 
 mod contour;
 mod crossing;
@@ -31,26 +30,26 @@ pub use radial::Radial;
 pub use superquadric::{SpaceSuperquadric, Superquadric};
 pub(crate) use swept_edge::SweptEdge;
 
-/// Any form that the input language or a document can say exactly.
+/// An exact form, of any kind that the input language or a document can describe.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Form {
-    /// `r = …`
+    /// A radius `r = …` that is a Fourier series.
     Fourier(FourierRadius),
     /// A polynomial in x and y.
     Curve(ImplicitCurve),
     /// A polynomial in x, y and z.
     Surface(ImplicitSurface),
-    /// `superquadric 2d …`
+    /// A plane superquadric, `superquadric 2d …`.
     Superquadric(Superquadric),
-    /// `superquadric 3d …`
+    /// A superquadric in space, `superquadric 3d …`.
     SpaceSuperquadric(SpaceSuperquadric),
-    /// `x = …; y = …` in one parameter
+    /// A plane curve `x = …; y = …` with one parameter.
     PlaneCurve(PlaneCurve),
-    /// `x = …; y = …; z = …` in one parameter
+    /// A space curve `x = …; y = …; z = …` with one parameter.
     SpaceCurve(SpaceCurve),
-    /// `x = …; y = …; z = …` in two parameters
+    /// A patch `x = …; y = …; z = …` with two parameters.
     Patch(Patch),
-    /// The common points of two or more surfaces: one polynomial in x, y and z to an equation.
+    /// The intersection of two or more surfaces, each given by a polynomial in x, y and z.
     Intersection(Vec<ImplicitSurface>),
 }

@@ -1,4 +1,4 @@
-//! On which side of a line a point lies, with the exact sign.
+//! The side of a line on which a point lies, by an exact sign.
 
 use std::cmp::Ordering;
 

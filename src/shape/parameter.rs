@@ -1,11 +1,11 @@
-//! What runs along a parametric curve or surface.
+//! The parameters of parametric curves and surfaces.
 
 use std::fmt;
 
 use crate::exact::Rational;
 
-/// A parameter, and how the rational functions of a parametric form depend on it: they are functions of
-/// one variable s, which is the parameter itself or the tangent of a multiple of it.
+/// A parameter. The coordinates of a parametric form are rational functions of a variable s, which is the parameter itself or
+/// the tangent of a multiple of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
     name: String,
@@ -32,19 +32,19 @@ impl Parameter {
         }
     }
 
-    /// What it is called.
+    /// The name of the parameter.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The positive number g of s = tan(g·t/2) if the parameter is an angle: everything has period 2π/g.
+    /// The positive number g in s = tan(g·t/2), if the parameter is an angle; all coordinates have the period 2π/g.
     #[must_use]
     pub fn step(&self) -> Option<&Rational> {
         self.step.as_ref()
     }
 
-    /// Whether the parameter is an angle: then s = ∞ is a value like any other, at t = π/g.
+    /// Whether the parameter is an angle; then s may be infinite, at t = π/g.
     #[must_use]
     pub fn is_angle(&self) -> bool {
         self.step.is_some()
@@ -52,7 +52,7 @@ impl Parameter {
 }
 
 impl fmt::Display for Parameter {
-    /// What s stands for.
+    /// The variable s in terms of the parameter.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.step {
             None => f.write_str(&self.name),

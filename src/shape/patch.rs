@@ -7,8 +7,8 @@ use crate::factor::coprime_parts;
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 
-/// numerator / denominator of polynomials in two variables: coprime, with coprime integer coefficients, the
-/// first term of the denominator positive. So equal functions are equal values.
+/// The quotient of two polynomials in two variables. They are coprime with coprime integer coefficients, and the first
+/// coefficient of the denominator is positive; so equal functions are equal values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PatchFunction {
     numerator: SparsePolynomial<2>,
@@ -16,7 +16,7 @@ pub struct PatchFunction {
 }
 
 impl PatchFunction {
-    /// In lowest terms; `None` if the denominator is 0. Cost: a gcd in two variables.
+    /// The quotient in lowest terms; `None` if the denominator is 0. Cost: a gcd in two variables.
     ///
     /// # Errors
     /// Those of `limits`.
@@ -55,7 +55,7 @@ impl PatchFunction {
         &self.denominator
     }
 
-    /// The larger one of the degrees of numerator and denominator in the given variable.
+    /// The larger of the degrees of numerator and denominator in the given variable.
     #[must_use]
     pub fn degree_in(&self, variable: usize) -> u32 {
         let terms = self.numerator.terms().chain(self.denominator.terms());
@@ -63,7 +63,7 @@ impl PatchFunction {
         degree.invariant("a denominator has a term")
     }
 
-    /// The value at rational numbers, `None` where the denominator is 0.
+    /// The value at rational numbers; `None` if the denominator is 0 there.
     #[must_use]
     pub fn evaluate(&self, at: &[Rational; 2]) -> Option<Rational> {
         let below = self.denominator.evaluate(at);
@@ -71,7 +71,7 @@ impl PatchFunction {
     }
 }
 
-/// f / g, for a multiple f of g.
+/// The rational number f / g, where f is a multiple of g.
 fn ratio(f: &SparsePolynomial<2>, g: &SparsePolynomial<2>) -> Rational {
     let first = |h: &SparsePolynomial<2>| h.terms().next().map(|(_, c)| c.clone());
     match (first(f), first(g)) {
@@ -80,8 +80,7 @@ fn ratio(f: &SparsePolynomial<2>, g: &SparsePolynomial<2>) -> Rational {
     }
 }
 
-/// A surface whose coordinates are rational functions of two parameters, or of the cosines and sines of
-/// angles: Theorem 4.
+/// A surface whose coordinates are rational functions of two parameters, or of the cosines and sines of angles (Theorem 4).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Patch {
     parameters: [Parameter; 2],
@@ -89,7 +88,7 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// From the coordinates as functions of s1 and s2, which are what the [`Parameter`]s say.
+    /// The patch whose coordinates are these functions of s1 and s2; the [`Parameter`]s say how s1 and s2 depend on them.
     #[must_use]
     pub fn new(parameters: [Parameter; 2], coordinates: [PatchFunction; 3]) -> Self {
         Self {
@@ -98,7 +97,7 @@ impl Patch {
         }
     }
 
-    /// What runs over the surface.
+    /// The two parameters.
     #[must_use]
     pub fn parameters(&self) -> &[Parameter; 2] {
         &self.parameters
@@ -110,7 +109,7 @@ impl Patch {
         &self.coordinates
     }
 
-    /// The point at (s1, s2), `None` if a coordinate has a pole there.
+    /// The point at (s1, s2); `None` if a coordinate has a pole there.
     #[must_use]
     pub fn point(&self, at: &[Rational; 2]) -> Option<[Rational; 3]> {
         let [x, y, z] = &self.coordinates;
@@ -128,7 +127,7 @@ mod tests {
 
     #[test]
     fn a_quotient_is_in_lowest_terms() {
-        // (2u² − 2v²) / (−4u + 4v) = −(u + v)/2
+        // (2u² − 2v²) / (−4u + 4v) = −(u + v)/2.
         let f = PatchFunction::new(
             &polynomial(&[([2, 0], 2), ([0, 2], -2)]),
             &polynomial(&[([1, 0], -4), ([0, 1], 4)]),

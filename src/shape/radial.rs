@@ -5,15 +5,15 @@ use std::cmp::Ordering;
 use crate::error::Result;
 use crate::exact::Rational;
 
-/// A closed form about the origin that every ray from there meets in exactly one point, decided by exact comparisons; with every
-/// point it has the opposite one. What is sampled and meshed needs no more of it.
+/// A closed form that every ray from the origin meets in exactly one point, and that is symmetric about the origin. Exact
+/// comparisons decide where a point is; sampling and meshing need nothing else.
 pub trait Radial<const V: usize>: Sync {
-    /// Where a rational point is: `Less` inside, `Equal` on the form, `Greater` outside.
+    /// The position of a rational point: `Less` inside, `Equal` on the form, `Greater` outside.
     ///
     /// # Errors
-    /// [`crate::error::Error::Limit`] if the comparison is given up.
+    /// [`crate::error::Error::Limit`] if the comparison would need too long numbers.
     fn compare(&self, point: &[Rational; V]) -> Result<Ordering>;
 
-    /// The radius in the direction of a unit vector, in doubles, with no bound of its error.
+    /// The radius in the direction of a unit vector, in doubles without a bound of the error.
     fn approximate_along(&self, unit: [f64; V]) -> f64;
 }

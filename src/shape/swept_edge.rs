@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 
 use super::orientation::orientation;
 
-/// A directed edge that a sweeping line or ray meets, ordered along it by exact turns: the greater one
-/// is farther to the right, as seen in the direction of the edges.
+/// A directed edge that a sweeping line or ray meets. Exact turns order these edges along the line: the greater edge is farther
+/// to the right, seen in the direction of the edges.
 ///
-/// The order is defined for edges that are met at the same moment of the sweep, are directed across it in
-/// the same sense and do not cross. Edges are told apart by their index.
+/// The order is defined for edges that are met at the same moment of the sweep, are directed across it in the same sense and do
+/// not cross. Edges with different indices are different.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SweptEdge {
     pub(crate) index: usize,
@@ -16,7 +16,7 @@ pub(crate) struct SweptEdge {
 }
 
 impl SweptEdge {
-    /// How this edge compares with `other` if all of `other` is on one side of this edge's line.
+    /// The order of this edge and `other`, if all of `other` is on one side of the line of this edge.
     fn against(&self, other: &Self) -> Option<Ordering> {
         let sides = other
             .ends

@@ -15,8 +15,8 @@ use crate::shape::Radial;
 ///
 /// By Lemma 2, `r(θ) = c^(ε/2) / [|cos θ/a1|^(2/ε) + |sin θ/a2|^(2/ε)]^(ε/2)`, positive for every θ.
 ///
-/// DIFFERENCE (erratum Eq. (20)): Eq. (20) as printed has `[… − a]^(ε2/ε1) = 1` and no absolute values. That does not
-/// give the printed r(θ); the absolute values may be left out only where 2/ε is an even integer.
+/// DIFFERENCE (erratum Eq. (20)): Eq. (20) as printed has `[… − a]^(ε2/ε1) = 1` and no absolute values. That does not give the
+/// printed r(θ). The absolute values may be omitted only if 2/ε is an even integer.
 ///
 /// ```
 /// use stellate::exact::Rational;
@@ -37,7 +37,7 @@ pub struct Superquadric {
 }
 
 impl Superquadric {
-    /// With a1 and a2, ε and c; `None` unless all are positive.
+    /// The superquadric with a1 and a2, ε and c; `None` unless all of them are positive.
     #[must_use]
     pub fn new(semi_axes: [Rational; 2], epsilon: Rational, level: Rational) -> Option<Self> {
         let shape = Self {
@@ -50,38 +50,38 @@ impl Superquadric {
         (positive == [true; 4]).then_some(shape)
     }
 
-    /// a1 and a2.
+    /// The semi-axes a1 and a2.
     #[must_use]
     pub fn semi_axes(&self) -> &[Rational; 2] {
         &self.semi_axes
     }
 
-    /// ε.
+    /// The number ε.
     #[must_use]
     pub fn epsilon(&self) -> &Rational {
         &self.epsilon
     }
 
-    /// c, the paper's a.
+    /// The level c, which is the paper's a.
     #[must_use]
     pub fn level(&self) -> &Rational {
         &self.level
     }
 
-    /// 2/ε.
+    /// The exponent 2/ε.
     #[must_use]
     pub fn exponent(&self) -> Rational {
         Rational::from(2) / &self.epsilon
     }
 
-    /// Whether the region inside is convex: it is a disk of the norm of exponent 2/ε, stretched, and that
-    /// is a norm exactly for 2/ε ≥ 1 (Minkowski).
+    /// Whether the region inside is convex. It is a stretched disk of the norm with exponent 2/ε, and this is a norm exactly
+    /// for 2/ε ≥ 1 (Minkowski).
     #[must_use]
     pub fn is_convex(&self) -> bool {
         self.epsilon <= Rational::from(2)
     }
 
-    /// 2/ε if it is an even integer: then the absolute values fall away.
+    /// The exponent 2/ε if it is an even integer, so that the absolute values can be omitted.
     #[must_use]
     pub fn even_exponent(&self) -> Option<usize> {
         let exponent = self.exponent();
@@ -89,7 +89,7 @@ impl Superquadric {
         even.then(|| usize::try_from(&exponent.numerator()).ok())?
     }
 
-    /// `(x/a1)^n + (y/a2)^n − c` as a primitive polynomial for an even integer n = 2/ε, else `None`.
+    /// The primitive polynomial that is proportional to `(x/a1)^n + (y/a2)^n − c`, if n = 2/ε is an even integer.
     #[must_use]
     pub fn polynomial(&self) -> Option<PlanePolynomial> {
         let n = self.even_exponent()?;
@@ -109,7 +109,7 @@ impl Radial<2> for Superquadric {
         let [a1, a2] = self.semi_axes.each_ref().map(Rational::to_f64);
         let exponent = self.exponent().to_f64();
         let (u, v) = ((u / a1).abs(), (v / a2).abs());
-        // The larger of the two is taken out, so that no power overflows.
+        // The larger number is factored out, so that no power overflows.
         let largest = u.max(v);
         let sum = (u / largest).powf(exponent) + (v / largest).powf(exponent);
         (self.level.to_f64() / sum).powf(1.0 / exponent) / largest
@@ -117,10 +117,10 @@ impl Radial<2> for Superquadric {
 
     /// The exact order of `|x/a1|^(2/ε) + |y/a2|^(2/ε)` and c.
     ///
-    /// With 2/ε = p/q in lowest terms this is `α^(1/q) + β^(1/q)` with rational `α = |x/a1|^p`, `β = |y/a2|^p`. Which side is
-    /// larger is decided by integer q-th roots at growing precision; equality of positive numbers needs both roots rational
-    /// (real radicals of different classes are linearly independent over Q: Besicovitch 1940), which is decided by exact roots.
-    /// So every comparison ends, up to roots of numbers of 2²² bits.
+    /// With 2/ε = p/q in lowest terms the left side is `α^(1/q) + β^(1/q)` with rational `α = |x/a1|^p`, `β = |y/a2|^p`.
+    /// Integer q-th roots at growing precision decide which side is larger. The sides can only be equal if both roots are
+    /// rational, because real radicals of different classes are linearly independent over Q (Besicovitch 1940); exact roots
+    /// decide this case. So every comparison ends, unless it needs roots of numbers of more than 2²² bits.
     fn compare(&self, [x, y]: &[Rational; 2]) -> Result<Ordering> {
         let exponent = Exponent::from(&self.exponent());
         let why = || {
@@ -149,7 +149,7 @@ impl Radial<2> for Superquadric {
             let low = Rational::whole(Integer::from(&roots[0] + &roots[1]));
             let scaled = &self.level * &unit;
             if low >= scaled {
-                // The sum of the roots is no integer multiple of a unit unless both are, and they are irrational.
+                // The roots are not both rational here, so one of them is larger than its floor.
                 return Ok(Ordering::Greater);
             }
             if low + Rational::from(2) <= scaled {
@@ -160,17 +160,17 @@ impl Radial<2> for Superquadric {
     }
 }
 
-/// What is drawn: doubles, with no certificate.
+/// Values for drawing: doubles without certificate.
 impl Superquadric {
-    /// r(θ) in doubles, with no bound of its error.
+    /// The radius r(θ) in doubles without a bound of the error.
     #[must_use]
     pub fn approximate(&self, theta: f64) -> f64 {
         let (s, c) = theta.sin_cos();
         self.approximate_along([c, s])
     }
 
-    /// Points (x, y) of the curve for drawing, closed: `4·count` directions evenly spaced in θ, and as many evenly spaced
-    /// in the parameter of `(a1 cos^ε, a2 sin^ε)`, which are dense where the others are sparse.
+    /// Points (x, y) of the curve for drawing, closed: `4·count` directions with equal steps in θ, and as many with equal steps
+    /// in the parameter of `(a1 cos^ε, a2 sin^ε)`. The points of one kind are dense where those of the other kind are sparse.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a count of points is small")]
     pub fn polyline(&self, count: usize) -> Vec<[f64; 2]> {

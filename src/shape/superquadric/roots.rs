@@ -1,4 +1,4 @@
-//! Powers p/q of rational numbers: exactly where they are rational, else between integers in a unit of 2^−bits.
+//! Powers of rational numbers with exponents p/q: exact if they are rational, else enclosed by integers in units of 2^−bits.
 
 use malachite::base::num::arithmetic::traits::{CheckedRoot, FloorRoot, Pow};
 use malachite::{Integer, Natural};
@@ -6,13 +6,13 @@ use malachite::{Integer, Natural};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 
-/// The precision that a comparison begins with, in bits after the point.
+/// The precision at which a comparison begins, in bits after the point.
 pub(super) const FIRST_BITS: u64 = 128;
 
-/// The largest number, in bits, of which a root is taken before a comparison is given up.
+/// The largest length, in bits, of a number whose root is taken. Beyond it a comparison ends with an error.
 pub(crate) const MAX_ROOT_BITS: u64 = 1 << 22;
 
-/// p/q > 0
+/// A positive exponent p/q.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Exponent {
     pub(super) p: u64,
@@ -21,7 +21,7 @@ pub(super) struct Exponent {
 
 impl From<&Rational> for Exponent {
     fn from(exponent: &Rational) -> Self {
-        // What does not fit meets the limit of the roots.
+        // An exponent that does not fit is larger than the limit of the roots.
         let small = |n: Integer| u64::try_from(&n).unwrap_or(u64::MAX);
         Self {
             p: small(exponent.numerator()),
@@ -31,7 +31,8 @@ impl From<&Rational> for Exponent {
 }
 
 impl Exponent {
-    /// Refuses roots of numbers with more than [`MAX_ROOT_BITS`] bits, for numbers with so many.
+    /// An error if a comparison would take roots of numbers with more than [`MAX_ROOT_BITS`] bits; its numbers have `bits`
+    /// bits.
     pub(super) fn check_size(self, bits: u64, why: &dyn Fn() -> String) -> Result<()> {
         if bits.saturating_mul(self.p.max(self.q)) <= MAX_ROOT_BITS {
             return Ok(());
@@ -43,23 +44,23 @@ impl Exponent {
     }
 }
 
-/// The q-th root if it is rational.
+/// The q-th root, if it is rational.
 pub(super) fn exact_root(radicand: &Rational, q: u64) -> Option<Rational> {
     let (above, below) = natural_parts(radicand);
     let root = |n: Natural| n.checked_root(q).map(Integer::from);
     Rational::from_integers(root(above)?, root(below)?)
 }
 
-/// base^(p/q) if it is rational, for a base that is not negative.
+/// The power base^(p/q), if it is rational; the base must not be negative.
 pub(super) fn exact_power(base: &Rational, Exponent { p, q }: Exponent) -> Option<Rational> {
-    // For q > 1 in lowest terms the power is rational exactly if the root of the base is.
+    // For p/q in lowest terms, the power is rational exactly if the q-th root of the base is.
     exact_root(base, q)?.pow(i64::try_from(p).ok()?)
 }
 
-/// ⌊radicand^(1/q) · 2^bits⌋
+/// The integer ⌊radicand^(1/q) · 2^bits⌋.
 pub(super) fn scaled_root(radicand: &Rational, q: u64, bits: u64) -> Natural {
     let (above, below) = natural_parts(radicand);
-    // ⌊⌊n⌋^(1/q)⌋ = ⌊n^(1/q)⌋
+    // The floor of the radicand is enough: ⌊⌊n⌋^(1/q)⌋ = ⌊n^(1/q)⌋.
     ((above << (bits * q)) / below).floor_root(q)
 }
 
@@ -90,7 +91,7 @@ impl Bounds {
         }
     }
 
-    /// The (p/q)-th power. With v = n/2^b it is (n^p 2^(b(q − p)))^(1/q) units.
+    /// Bounds of the (p/q)-th power. For v = n/2^b it is (n^p 2^(b(q − p)))^(1/q) units.
     pub(super) fn power(&self, Exponent { p, q }: Exponent, bits: u64) -> Self {
         let root = |n: &Natural, up: bool| {
             let power = n.pow(p);

@@ -18,8 +18,8 @@ use crate::shape::Radial;
 /// `R(θ, φ) = (c / {[|α/a1|^(2/ε2) + |β/a2|^(2/ε2)]^(ε2/ε1) + |γ/a3|^(2/ε1)})^(ε1/2)` with
 /// (α, β, γ) = (sin φ cos θ, sin φ sin θ, cos φ), positive in every direction.
 ///
-/// DIFFERENCE (erratum Eq. (77)): printed is `a2` under cos φ, which is a3; the absolute values may be left out only for
-/// even integer exponents.
+/// DIFFERENCE (erratum Eq. (77)): the paper prints `a2` under cos φ, which must be a3. The absolute values may be omitted only
+/// for even integer exponents.
 ///
 /// ```
 /// use stellate::exact::Rational;
@@ -41,7 +41,7 @@ pub struct SpaceSuperquadric {
 }
 
 impl SpaceSuperquadric {
-    /// With a1, a2, a3, then ε1 (north–south), ε2 (around), and c; `None` unless all are positive.
+    /// The superquadric with a1, a2, a3, then ε1 (north–south) and ε2 (around), and c; `None` unless all of them are positive.
     #[must_use]
     pub fn new(semi_axes: [Rational; 3], epsilon: [Rational; 2], level: Rational) -> Option<Self> {
         let positive = |q: &Rational| q.signum() > 0;
@@ -53,19 +53,19 @@ impl SpaceSuperquadric {
         })
     }
 
-    /// a1, a2 and a3.
+    /// The semi-axes a1, a2 and a3.
     #[must_use]
     pub fn semi_axes(&self) -> &[Rational; 3] {
         &self.semi_axes
     }
 
-    /// ε1 and ε2.
+    /// The numbers ε1 and ε2.
     #[must_use]
     pub fn epsilon(&self) -> &[Rational; 2] {
         &self.epsilon
     }
 
-    /// c.
+    /// The level c.
     #[must_use]
     pub fn level(&self) -> &Rational {
         &self.level
@@ -79,14 +79,14 @@ impl SpaceSuperquadric {
         [two() / e2, e2 / e1, two() / e1]
     }
 
-    /// Whether the body inside is convex. It is a ball of the norm of exponent 2/ε1 of (the norm of exponent 2/ε2 of
-    /// (x, y), z), stretched, and these are norms exactly for exponents of at least 1 (Minkowski).
+    /// Whether the body inside is convex. It is a stretched ball of the norm with exponent 2/ε1 of the pair (norm with exponent
+    /// 2/ε2 of (x, y), z), and these are norms exactly for exponents of at least 1 (Minkowski).
     #[must_use]
     pub fn is_convex(&self) -> bool {
         self.epsilon.iter().all(|e| *e <= Rational::from(2))
     }
 
-    /// Whether all the exponents that stand over an absolute value are even integers.
+    /// Whether all exponents of absolute values are even integers.
     #[must_use]
     pub fn has_even_exponents(&self) -> bool {
         let even = |q: &Rational| q.is_integer() && q.numerator().even();
@@ -94,12 +94,12 @@ impl SpaceSuperquadric {
         even(of_xy) && even(of_z)
     }
 
-    /// The primitive polynomial with the same zero set: for even integers 2/ε2 and 2/ε1, and ε2/ε1 = p/q with odd q, it is
-    /// `[(x/a1)^(2/ε2) + (y/a2)^(2/ε2)]^p − (c − (z/a3)^(2/ε1))^q`.
+    /// The primitive polynomial with the same zero set. It exists for even integers 2/ε2 and 2/ε1, and ε2/ε1 = p/q with odd q,
+    /// and is then proportional to `[(x/a1)^(2/ε2) + (y/a2)^(2/ε2)]^p − (c − (z/a3)^(2/ε1))^q`.
     ///
     /// # Errors
-    /// [`Error::Hypothesis`] with the reason if there is none: for other exponents the left side is not smooth enough, and
-    /// for even q the polynomial has a second sheet, where c − |z/a3|^(2/ε1) is negative.
+    /// [`Error::Hypothesis`] with the reason if there is no such polynomial: for other exponents the left side is not smooth
+    /// enough, and for even q the polynomial has a second sheet, where c − |z/a3|^(2/ε1) is negative.
     pub fn polynomial(&self) -> Result<SparsePolynomial<3>> {
         let none = |witness: String| Error::Hypothesis {
             statement: "implicitization as a polynomial",
@@ -147,9 +147,9 @@ impl Radial<3> for SpaceSuperquadric {
 
     /// The exact order of `[|x/a1|^m + |y/a2|^m]^k + |z/a3|^n` and c, with rational m = 2/ε2, k = ε2/ε1, n = 2/ε1.
     ///
-    /// Which side is larger is decided by integer roots at growing precision, in intervals. Where all the roots are rational
-    /// the sides are compared exactly, so that ties are found where they can be expected; a tie of nested radicals ends at
-    /// roots of numbers of 2²² bits with a limit, never with a guess.
+    /// Integer roots at growing precision, as intervals, decide which side is larger. If all roots are rational, the sides are
+    /// compared exactly, so that ties are found where they can be expected. A tie of nested radicals ends with an error at
+    /// roots of numbers of 2²² bits; the answer is never a guess.
     fn compare(&self, point: &[Rational; 3]) -> Result<Ordering> {
         let exponents = self.exponents().each_ref().map(Exponent::from);
         let check_size = |bits: u64| {
@@ -182,14 +182,14 @@ impl Radial<3> for SpaceSuperquadric {
     }
 }
 
-/// The left side if it is a number that is known to be rational.
+/// The left side, if it is known to be a rational number.
 fn exact_value(
     [around, of_sum, of_z]: [Exponent; 3],
     [x, y, z]: &[Rational; 3],
 ) -> Option<Rational> {
     let height = exact_power(z, of_z)?;
     if x.is_zero() || y.is_zero() {
-        // One power of a power: its exponent is that of z.
+        // The bracket is a power of a power, with the exponent 2/ε2 · ε2/ε1 = 2/ε1 of z.
         return Some(exact_power(&(x + y), of_z)? + height);
     }
     let both = [exact_power(x, around), exact_power(y, around)];
@@ -202,17 +202,18 @@ fn exact_value(
     Some(exact_power(x, of_z)? * factor + height)
 }
 
-/// What is drawn: doubles, with no certificate.
+/// Values for drawing: doubles without certificate.
 impl SpaceSuperquadric {
-    /// The angles (θ, φ) of `4·count` directions around in `2·count + 1` rows from pole to pole, denser where the surface
-    /// bends: those of the points `cos^ε1 η cos^ε2 ω, …` and evenly spaced ones, half of each.
+    /// The angles (θ, φ) of `4·count` directions around, in `2·count + 1` rows from pole to pole. Half of them have equal
+    /// steps; the other half are those of the points `cos^ε1 η cos^ε2 ω, …`, which are dense where the surface bends.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a count of points is small")]
     pub fn angles(&self, count: usize) -> [Vec<f64>; 2] {
         let axes = self.semi_axes.each_ref().map(Rational::to_f64);
         let [e1, e2] = self.epsilon.each_ref().map(Rational::to_f64);
         let quarter = |from: f64, to: f64, epsilon: f64| -> Vec<f64> {
-            // Angles in [0, π/2): half evenly spaced, half in the parameter of the superellipse.
+            // The angles in [0, π/2): half of them with equal steps, half with equal steps in the parameter of the
+            // superellipse.
             let steps =
                 (0..count).map(|k| (k as f64 + 0.5) / count as f64 * std::f64::consts::FRAC_PI_2);
             let mut all: Vec<f64> = steps
@@ -235,7 +236,7 @@ impl SpaceSuperquadric {
         let half = std::f64::consts::FRAC_PI_2;
         let around = quarter(axes[0], axes[1], e2);
         let mirrored = |list: &[f64]| -> Vec<f64> {
-            // [0, π/2) and (π/2, π], with π/2 between.
+            // The angles in [0, π/2) and (π/2, π], with π/2 between them.
             let upper = list.iter().rev().map(|a| 2.0 * half - a);
             list.iter().copied().chain([half]).chain(upper).collect()
         };
@@ -252,7 +253,7 @@ impl SpaceSuperquadric {
     }
 }
 
-/// (a^p + b^p)^(1/p) with the larger one taken out, so that no power overflows.
+/// The norm (a^p + b^p)^(1/p). The larger number is factored out, so that no power overflows.
 fn norm(a: f64, b: f64, p: f64) -> f64 {
     let largest = a.max(b);
     if largest == 0.0 {
