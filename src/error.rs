@@ -1,29 +1,29 @@
-//! The one public error: what was wrong, where, and what would be right.
+//! The one public error type. Its messages say what is wrong, where, and what would be right.
 
 use std::path::PathBuf;
 
-/// Everything that can go wrong, sorted by whose turn it is to act.
+/// All errors, sorted by who must act.
 #[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The text of a form or a number is malformed; the message shows the line with a caret.
     #[error("{}", caret(.message, .source_name, .text, *.at))]
     Syntax {
-        /// What is wrong and what would be right.
+        /// The fault, and what would be right.
         message: String,
-        /// Where the text came from: a file name, or `<form>` for the command line.
+        /// The source of the text: a file name, or `<form>` for the command line.
         source_name: String,
         /// The whole text.
         text: String,
-        /// Byte offset of the first offending character.
+        /// The byte offset of the first wrong character.
         at: usize,
     },
     /// A data file or value is malformed: a row of a CSV file, a field of a document, an image.
     #[error("{place}: {message}")]
     Data {
-        /// Where: `outline.csv, row 17`.
+        /// The place, such as `outline.csv, row 17`.
         place: String,
-        /// What is wrong and what would be right.
+        /// The fault, and what would be right.
         message: String,
     },
     /// An argument has a value that cannot be right.
@@ -32,30 +32,31 @@ pub enum Error {
     /// The input is well formed but a theorem's hypothesis fails for it.
     #[error("{statement} does not apply: {witness}")]
     Hypothesis {
-        /// Which theorem or lemma.
+        /// The theorem or lemma.
         statement: &'static str,
-        /// Why not, with the evidence.
+        /// The reason why the hypothesis fails, with the evidence.
         witness: String,
     },
     /// A stated limit was reached.
     #[error("limit reached: {limit}{}", finished_clause(.finished))]
     Limit {
-        /// Which limit and its value.
+        /// The limit and its value.
         limit: String,
-        /// What was finished before, empty if nothing.
+        /// The part of the work that was finished before; empty if nothing was.
         finished: String,
     },
     /// The user interrupted the work.
     #[error("interrupted; nothing was written")]
     Interrupted,
-    /// The program contradicted itself: a defect of stellate, not of the input. A wrong answer is never preferred to this.
+    /// The program contradicted itself. This is a defect of stellate, not of the input; it is reported instead of a wrong
+    /// answer.
     #[error(
         "internal contradiction in {place}: {broken}; nothing was written; please report the input"
     )]
     Internal {
-        /// Where: a file and line of the source, or the name of an algorithm.
+        /// The place: a file and line of the source, or the name of an algorithm.
         place: String,
-        /// Which invariant does not hold.
+        /// The invariant that does not hold.
         broken: String,
     },
     /// Reading or writing failed.
@@ -69,7 +70,7 @@ pub enum Error {
 }
 
 impl From<std::io::Error> for Error {
-    /// An error of a writer that has no name here.
+    /// The error of a writer whose name is not known here.
     fn from(source: std::io::Error) -> Self {
         Error::Io {
             path: OUTPUT.into(),
@@ -78,7 +79,7 @@ impl From<std::io::Error> for Error {
     }
 }
 
-/// What a writer is called in messages until whoever opened it says its name.
+/// The name of a writer in messages, until the code that opened it gives the real name.
 pub const OUTPUT: &str = "output";
 
 /// The result of every fallible function of this crate.
@@ -93,7 +94,7 @@ impl Error {
         }
     }
 
-    /// A [`Error::Internal`] for an answer that does not pass its own check in the algorithm `place`.
+    /// An [`Error::Internal`] for an answer that fails its own check in the algorithm `place`.
     pub(crate) fn internal(place: impl Into<String>, broken: impl Into<String>) -> Self {
         Error::Internal {
             place: place.into(),
@@ -101,8 +102,8 @@ impl Error {
         }
     }
 
-    /// The [`Error::Internal`] for a panic that was caught at the boundary of the program, given what it carried and the
-    /// place in the source where it arose.
+    /// The [`Error::Internal`] for a panic that was caught at the boundary of the program; it has the payload of the panic and
+    /// the place in the source.
     #[must_use]
     pub fn from_panic(payload: &(dyn std::any::Any + Send), place: Option<String>) -> Self {
         let text = payload.downcast_ref::<&str>().copied();
@@ -113,7 +114,7 @@ impl Error {
         }
     }
 
-    /// A [`Error::Limit`] with nothing finished.
+    /// An [`Error::Limit`] without finished parts.
     pub(crate) fn limit(limit: impl Into<String>) -> Self {
         Error::Limit {
             limit: limit.into(),
@@ -122,15 +123,15 @@ impl Error {
     }
 }
 
-/// What cannot happen stops the program loudly: `value.invariant("a part has a degree")` is the value, or a panic with that
-/// statement. The command line catches it once and reports it as [`Error::Internal`] (exit code 4).
+/// Invariants: `value.invariant("a part has a degree")` is the value, or a panic with this statement if there is no value. The
+/// command line catches the panic and reports it as [`Error::Internal`] (exit code 4).
 ///
-/// Only for what the code around it guarantees, never for what depends on the input alone.
+/// Only code that guarantees the invariant may use it. A failure that depends on the input alone must be another error.
 pub(crate) trait Invariant {
-    /// What is there if the invariant holds.
+    /// The type of the value that exists if the invariant holds.
     type Value;
 
-    /// The value, which is there because of what `statement` says.
+    /// The value, which exists because `statement` is true.
     #[track_caller]
     fn invariant(self, statement: &str) -> Self::Value;
 }
@@ -167,7 +168,7 @@ pub(crate) fn broken(statement: &str) -> ! {
     panic!("it does not hold that {statement}")
 }
 
-/// What the system says, without its number for it.
+/// The message of the system, without the number of the error.
 fn reason(source: &std::io::Error) -> String {
     let text = source.to_string();
     match text.split_once(" (os error") {
@@ -184,10 +185,10 @@ fn finished_clause(finished: &str) -> String {
     }
 }
 
-/// The longest stretch of a source line that an error message repeats.
+/// The largest part of a line of the text that an error message repeats, in characters.
 const LINE_SHOWN: usize = 100;
 
-/// `message`, then the offending line and a caret under the offending character.
+/// The message, then the line with the wrong character, and a caret under that character.
 fn caret(message: &str, source_name: &str, text: &str, at: usize) -> String {
     let at = (0..=at.min(text.len()))
         .rev()

@@ -2,13 +2,16 @@
 //! Ünsalan & Erçil, *Conversions between Parametric and Implicit Forms Using Polar/Spherical Coordinate
 //! Representations*, Computer Vision and Image Understanding 81, 1–25 (2001).
 //!
-//! A contour has a radius r(θ). A truncated Fourier series of it becomes, by squaring away the odd
-//! powers of r, an implicit polynomial of degree 2(N+1); the other way, an implicit polynomial splits
-//! into homogeneous parts, and in each direction is a polynomial in r. All of this happens here
-//! in exact rational arithmetic: doubles enter only when roots are sampled at the very end, and each
-//! sample is then checked against the exact form.
+//! A **radius** r(θ) traces the points r(θ)(cos θ, sin θ). An **implicit form** is a polynomial f that is 0 on a curve or surface.
+//! Its **homogeneous part** f_d consists of the terms of degree d, so f(r cos θ, r sin θ) = Σ r^d f_d(cos θ, sin θ): in each
+//! direction an implicit form is a polynomial in r, and its roots are the radii. In the other direction, a radius that is a Fourier
+//! series with N harmonics becomes an implicit polynomial of degree 2(N+1), because the odd powers of r can be squared away.
 //!
-//! What the command line can do is a function of [`verb`] each: a form in, an outcome out, which [`document`] writes.
+//! **Exact** results are rational numbers, and polynomials and functions with rational coefficients. **Certified** results are
+//! doubles or counts with a proof, such as sampled points. All other numbers are **approximate**, such as the coefficients that
+//! Definition 1 gives for a measured contour; but everything that is computed from these coefficients is exact or certified again.
+//!
+//! Each verb of the command line is a function of [`verb`]: it takes a form and returns an outcome, which [`document`] writes.
 //!
 //! ```
 //! use stellate::language::Numbers;
@@ -18,7 +21,7 @@
 //! # Ok::<(), stellate::error::Error>(())
 //! ```
 //!
-//! The same with the engine itself:
+//! The modules can also be used directly:
 //!
 //! ```
 //! use stellate::implicitize::SquaredForm;
@@ -67,31 +70,31 @@
 //! | roots in a direction | [`sample`] |
 //! | triangles of a surface | [`mesh`] |
 //! | Theorem 8, Example 12 (inspection) | [`inspect`] |
-//! | beyond the paper: float programs against exact, test vectors for them | [`check`] |
-//! | all of it, statement by statement, with its errata | [`paper`] |
-//! | the time comparison that it leaves to others | `compare`, with the feature `cli` |
+//! | beyond the paper: comparisons of float programs with exact results, and test vectors for them | [`check`] |
+//! | all statements of the paper, checked one by one, with errata | [`paper`] |
+//! | the time comparison that the paper leaves to others | `compare`, with the feature `cli` |
 //!
-//! # From below to above
+//! # The order of the modules
 //!
-//! Arithmetic modulo primes, fast whole numbers → [`exact`] numbers → [`poly`]nomials → their real [`roots`],
-//! [`factor`]s → [`shape`]s → [`implicitize`], [`fit`], [`language`], [`reading`] → [`parametrize`], [`sample`], [`mesh`],
-//! [`arcs`], [`describe`] → [`inspect`], [`check`], [`picture`] → [`verb`] → [`document`] → [`paper`] → the command line. A file
-//! imports only from below it, and [`error`] and [`limits`].
+//! Arithmetic modulo primes, fast integers → [`exact`] numbers → [`poly`]nomials → their real [`roots`] and [`factor`]s → [`shape`]s
+//! → [`implicitize`], [`fit`], [`language`], [`reading`] → [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] →
+//! [`inspect`], [`check`], [`picture`] → [`verb`] → [`document`] → [`paper`] → the command line. A file imports only from modules
+//! that come before its own, and from [`error`] and [`limits`].
 //!
 //! # Conventions
 //!
 //! - Coefficients of univariate polynomials ascend; the zero polynomial has no degree (`None`).
 //! - Terms are ordered by total degree, then by exponents, both descending.
 //! - A canonical polynomial has coprime integer coefficients and its first term positive.
-//! - A parametric form is held as rational functions of s, which is the parameter t itself or tan(g·t/2) for an
-//!   angle of which all multiples that occur are multiples of g·t ([`shape::Parameter`]).
+//! - The coordinates of a parametric form are rational functions of s. If the parameter t is a number, s = t. If it is an angle,
+//!   s = tan(g·t/2), where all multiples of the angle that occur are multiples of g·t ([`shape::Parameter`]).
 //! - θ is in radians from +x towards +y, φ from +z.
-//! - Fourier radii are `a0 + Σ a_n cos nθ + b_n sin nθ`: a0 is the mean, not twice it.
-//! - Ranges of angles lie in [0, 2π] and say at each end whether it belongs to them.
-//! - What is exact is a [`exact::Rational`]; what is certified is a [`roots::RealRoot`] or a
-//!   [`sample::Sample`]; what is approximate is an `f64`, printed after ≈.
+//! - Fourier radii are `a0 + Σ a_n cos nθ + b_n sin nθ`: a0 is the mean, not twice the mean.
+//! - Ranges of angles lie in [0, 2π]; for each end they state whether it belongs to the range.
+//! - An exact number is an [`exact::Rational`], a certified one a [`roots::RealRoot`] or a
+//!   [`sample::Sample`], and an approximate one an `f64`, which is printed after ≈.
 //!
-//! Departures from the paper are marked `DIFFERENCE` with the erratum.
+//! Departures from the paper are marked `DIFFERENCE`, with the erratum.
 
 pub mod arcs;
 mod bigint;

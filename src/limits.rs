@@ -1,4 +1,4 @@
-//! Stated limits of one piece of work: time, and the user's patience.
+//! The limits of a piece of work: a deadline, and cancellation by the user.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
 
-/// A deadline and a cancellation flag, asked at checkpoints of long loops.
+/// A deadline and a cancellation flag. Long loops check them at checkpoints.
 ///
 /// ```
 /// use stellate::limits::Limits;
@@ -27,14 +27,14 @@ impl Limits {
         Self::default()
     }
 
-    /// Work is stopped `time` from now.
+    /// Sets a deadline `time` from now.
     #[must_use]
     pub fn with_time_limit(mut self, time: Duration) -> Self {
         self.deadline = Instant::now().checked_add(time).map(|end| (end, time));
         self
     }
 
-    /// For one piece of the work, which has `time` from now at most.
+    /// The limits for one part of the work, which ends at most `time` from now.
     ///
     /// ```
     /// use std::time::Duration;
@@ -53,14 +53,14 @@ impl Limits {
         }
     }
 
-    /// How much time is left; `None` without a deadline.
+    /// The time until the deadline; `None` without a deadline.
     #[must_use]
     pub fn time_left(&self) -> Option<Duration> {
         let (end, _) = self.deadline?;
         Some(end.saturating_duration_since(Instant::now()))
     }
 
-    /// The same without a deadline, for what is to be finished after it.
+    /// The same limits without the deadline, for a part that must be finished after it.
     #[must_use]
     pub fn without_deadline(&self) -> Self {
         Self {
@@ -69,13 +69,13 @@ impl Limits {
         }
     }
 
-    /// The flag that stops the work when it becomes true.
+    /// The flag that cancels the work when it becomes true.
     #[must_use]
     pub fn cancellation(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.cancelled)
     }
 
-    /// To be asked between pieces of work.
+    /// Checks the limits; long work calls this between its pieces.
     ///
     /// # Errors
     /// [`Error::Interrupted`] after a cancellation, [`Error::Limit`] after the deadline.

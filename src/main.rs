@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use mimalloc::MiMalloc;
 
-/// Products of large integers take megabytes and give them back at once. This allocator keeps them for the next product;
-/// the system's has them cleared by the kernel again, which takes as long as the product itself.
+/// The allocator. Products of large integers take megabytes and free them at once. MiMalloc keeps this memory for the next
+/// product. With the allocator of the system the kernel clears it each time, which takes as long as the product itself.
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 

@@ -1,6 +1,6 @@
-//! How option structures are written down: each field once, with its default and a method that sets it.
+//! Macros that define structures of options: each field is written once, with its default and a method that sets it.
 
-/// A structure of options, and for every field with a default a method of its name that sets it.
+/// Defines a structure of options and, for every field with a default, a method of the same name that sets it.
 ///
 /// `Name { … }` has `Default`; `Name of { given } { … }` has `new`, which takes the fields that have no default.
 macro_rules! options {
@@ -45,7 +45,7 @@ macro_rules! options {
         }
 
         impl $name {
-            /// With what has no default.
+            /// The options with these values for the fields that have no default.
             #[must_use]
             pub fn new($($given: $given_type),*) -> Self {
                 Self { $($given,)* $($field: $default,)* }
@@ -54,7 +54,7 @@ macro_rules! options {
     };
 }
 
-/// The structure itself, and for every field of the second list a method of its name that sets it.
+/// Defines the structure itself and, for every field of the second list, a method of the same name that sets it.
 macro_rules! structure {
     (
         $(#[$about:meta])*

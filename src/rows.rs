@@ -1,17 +1,17 @@
-//! Rows of numbers, one after the other: tables of any length in bounded memory.
+//! Rows of numbers are read one by one, so that tables of any length need bounded memory.
 //!
-//! Rows are split here and not by the `csv` crate because messages name rows: its positions do not
-//! count the blank lines and comments that it skips before a record.
+//! The `csv` crate cannot do this, because messages name rows: its positions do not count the blank lines and comments that it
+//! skips before a record.
 
 use std::io::{BufRead, Read};
 
 use crate::error::{Error, Result};
 use crate::exact::double_literal;
 
-/// The longest row, in bytes.
+/// The largest length of a row, in bytes.
 const MAX_ROW_BYTES: u64 = 1 << 16;
 
-/// Reads rows of numbers with commas between them. The first row may be a header; blank rows and rows that begin with `#`
+/// Reads rows of numbers that are separated by commas. The first row may be a header; blank rows and rows that begin with `#`
 /// are skipped.
 #[derive(Debug)]
 pub(crate) struct RowReader<'a, R> {
@@ -24,7 +24,7 @@ pub(crate) struct RowReader<'a, R> {
 }
 
 impl<'a, R: BufRead> RowReader<'a, R> {
-    /// `place` names the source, and `expected` the columns, in messages.
+    /// A reader of rows. In messages `place` names the source and `expected` names the columns.
     pub(crate) fn new(reader: R, place: &'a str, expected: &'a str) -> Self {
         Self {
             reader,
@@ -36,10 +36,10 @@ impl<'a, R: BufRead> RowReader<'a, R> {
         }
     }
 
-    /// The next row with its number (counted from 1, every line counts), trimmed; `None` at the end.
+    /// The next row, trimmed, with its number (counted from 1; every line counts); `None` at the end.
     ///
     /// # Errors
-    /// [`Error::Data`] for what is not text or longer than 64 KiB; [`Error::Io`] if reading fails.
+    /// [`Error::Data`] for a row that is not text or is longer than 64 KiB; [`Error::Io`] if reading fails.
     pub(crate) fn next_row(&mut self) -> Result<Option<(usize, &str)>> {
         loop {
             self.line.clear();
@@ -86,19 +86,19 @@ impl<'a, R: BufRead> RowReader<'a, R> {
         Ok(text.trim_start_matches('\u{feff}').trim())
     }
 
-    /// What is wrong with a row.
+    /// The error for a wrong row.
     pub(crate) fn error(&self, row: usize, message: impl Into<String>) -> Error {
         row_error(self.place, row, message)
     }
 }
 
-/// What is wrong with a row of the source `place`.
+/// The error for a wrong row of the source `place`.
 #[must_use]
 pub(crate) fn row_error(place: &str, row: usize, message: impl Into<String>) -> Error {
     Error::data(format!("{place}, row {row}"), message)
 }
 
-/// The N fields of a row, or what is wrong.
+/// The N fields of a row.
 ///
 /// # Errors
 /// The message for another number of fields.
@@ -124,7 +124,7 @@ pub(crate) fn fields_of<'r, const N: usize>(
     Err(format!("found {columns}; each row must be {expected}"))
 }
 
-/// The fields of a row, without white space and one pair of double quotes around each.
+/// The fields of a row, without white space around them and without one pair of double quotes around each.
 pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
     row.split(',').map(|field| {
         let field = field.trim();
@@ -135,16 +135,16 @@ pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether a field of the first row belongs to a header. Infinity, NaN and numbers too large are
-/// mistakes, not words.
+/// Whether a field of the first row belongs to a header. Infinity, NaN and numbers that are too large are wrong numbers, not
+/// words.
 fn is_word(field: &str) -> bool {
     double(field).is_err() && field.parse::<f64>().is_err()
 }
 
-/// The double nearest to the number written, or what is wrong with it.
+/// The double nearest to a number in a text.
 ///
 /// # Errors
-/// The message for what is no finite number.
+/// The message for a text that is not a finite number.
 pub(crate) fn double(field: &str) -> std::result::Result<f64, String> {
     let is_plain = field
         .bytes()

@@ -1,4 +1,4 @@
-//! Univariate polynomials as users have them: their coefficients, ascending.
+//! Univariate polynomials of the public interface: lists of coefficients, ascending.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
@@ -8,7 +8,7 @@ use malachite::base::polynomial::Polynomial;
 use super::IntegerPolynomial;
 use crate::exact::Rational;
 
-/// D·f with the least D > 0 that makes its coefficients integers, and D.
+/// (D·f, D) with the least D > 0 for which the coefficients of D·f are integers.
 pub(crate) fn with_integers(f: &[Rational]) -> (IntegerPolynomial, Integer) {
     let common = f.iter().fold(Integer::ONE, |d, c| {
         Integer::from(d.unsigned_abs_ref().lcm(c.denominator_ref()))

@@ -12,22 +12,23 @@ use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, Reconstruction, large_primes};
 
-/// Products of residues beyond which the work is refused: some ten seconds.
+/// The largest number of products of residues; that many take about ten seconds.
 const MAX_WORK: f64 = 3e10;
 
-/// The resultant of `q1(s) x − p1(s)` and `q2(s) y − p2(s)` with respect to s, for two functions in lowest
-/// terms of which one is not constant: a power of the irreducible equation of the curve, times a constant.
-/// Its degree in x is the degree of y(s), and the other way round.
+/// Computes the resultant of `q1(s) x − p1(s)` and `q2(s) y − p2(s)` with respect to s, for two functions in lowest terms that
+/// are not both constant. It is a constant times a power of the irreducible equation of the curve; its degree in x is the
+/// degree of y(s), and its degree in y is the degree of x(s).
 ///
-/// By evaluation at values of y, a characteristic polynomial in x for each modulo 31-bit primes, interpolation and
-/// Chinese remainders: of the resultant itself, and of the multiple of it in which one coefficient is 1, over fractions, because the constant in front
-/// is often much longer than the equation. As soon as more primes change nothing the polynomial is given to
-/// `prove`; what that returns first is the result. Cost:
-/// for degrees m and n, m n³ products of residues for each prime, of which (m + n) coefficients' lengths
-/// are needed.
+/// Method: for values of y and modulo 31-bit primes, the resultant is a characteristic polynomial in x; then interpolation and
+/// Chinese remainders. The constant factor is often much longer than the equation, so two polynomials are reconstructed: the
+/// resultant itself, and its multiple in which one coefficient is 1, with fractions as coefficients. As soon as more primes do
+/// not change one of them, the polynomial is passed to `prove`; the first result of `prove` is returned.
+///
+/// Cost, for degrees m and n: m n³ products of residues for each prime; the primes must be as long together as (m + n)
+/// coefficients.
 ///
 /// # Errors
-/// [`Error::Limit`] if that is too much; those of `limits` and of `prove`.
+/// [`Error::Limit`] if the computation takes too much work; those of `limits` and of `prove`.
 pub(crate) fn eliminate<T>(
     x: &RationalFunction,
     y: &RationalFunction,
@@ -44,7 +45,7 @@ pub(crate) fn eliminate<T>(
             "a resultant of degrees {n} and {m} with coefficients of up to {bits:.0} bits, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
         )));
     }
-    // Lemma 1 of resultant.rs: n rows of the first polynomial, m of the second.
+    // The bound is Lemma 1 of resultant.rs, with n rows of the first polynomial and m rows of the second.
     let bound = (&lengths[0]).pow(n as u64) * (&lengths[1]).pow(m as u64);
     let mut combined = Images::unknown((m + 1) * (n + 1));
     let mut monic = Reconstruction::new();
@@ -73,7 +74,7 @@ pub(crate) fn eliminate<T>(
         if tried < next_try && !complete {
             continue;
         }
-        // A quarter more each time: trying is not much cheaper than one more prime.
+        // The number of primes between two trials grows by a quarter, because a trial is not much cheaper than another prime.
         next_try = tried + 1 + tried / 4;
         if let Some(found) = monic.attempt() {
             let found = IntegerPolynomial::from_coefficients_asc(found);
@@ -97,7 +98,7 @@ pub(crate) fn eliminate<T>(
     }
 }
 
-/// From the coefficients of x^i y^j at place i (m + 1) + j.
+/// The polynomial whose coefficient of x^i y^j is at the index i (m + 1) + j.
 fn polynomial(flat: &IntegerPolynomial, m: usize) -> PlanePolynomial {
     let mut parts: Vec<Vec<Integer>> = Vec::new();
     for (index, c) in flat.coefficients_asc().iter().enumerate() {
@@ -118,7 +119,7 @@ fn polynomial(flat: &IntegerPolynomial, m: usize) -> PlanePolynomial {
     PlanePolynomial::from_parts(forms, Integer::ONE)
 }
 
-/// The coefficients modulo a prime, in the order of [`polynomial`].
+/// The coefficients of the resultant modulo a prime, in the order of [`polynomial`].
 fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<u64> {
     let field = PrimeField::new(prime);
     let reduce = |f: &IntegerPolynomial, degree: usize| {
@@ -131,7 +132,7 @@ fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<
     };
     let (in_x, in_y) = (both(x, m), both(y, n));
     let inverses = field.inverses(n + 1);
-    // For each y the coefficients of the powers of x, then for each of these the powers of y.
+    // First the coefficients of the powers of x for each value of y, then for each of them the coefficients of the powers of y.
     let rows: Vec<Vec<u64>> = (0..=m as u64)
         .into_par_iter()
         .map(|y| {
@@ -145,26 +146,27 @@ fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<
         .collect()
 }
 
-/// q v − p
+/// The polynomial q v − p.
 fn pencil([p, q]: &[Vec<u64>; 2], v: u64, field: &PrimeField) -> Vec<u64> {
     let prime = field.prime();
     let terms = q.iter().zip(p);
     terms.map(|(q, p)| (q * v + prime - p) % prime).collect()
 }
 
-/// The coefficients of the powers of X in `Res(q X − p, g)`, from its values at 0, 1, 2, …, by Euclid.
+/// The coefficients of the powers of X in `Res(q X − p, g)`, by Euclid's algorithm for X = 0, 1, 2, ….
 fn on_grid(x: &[Vec<u64>; 2], g: &[u64], field: &PrimeField) -> Vec<u64> {
     let values = (0..g.len() as u64).map(|v| field.resultant(pencil(x, v, field), g.to_vec()));
     field.interpolate(values.collect())
 }
 
-/// The same as [`on_grid`] for all X at once, if the leading coefficient of g and `Res(q, g)` are not 0.
+/// The same coefficients as [`on_grid`], without a grid. The leading coefficient of g and `Res(q, g)` must not be 0.
 ///
-/// It is Res(q, g) times the characteristic polynomial of h = p/q modulo g. The sums of the k-th powers of h at
-/// the zeros of g are values of a linear form: of s^i it is the sum of the i-th powers of the zeros, and of
-/// `s^i h^k` that of `(s^i h) h^(k−1)`. Coefficients from power sums, for g and back, by Newton's identities (von zur
-/// Gathen & Gerhard, *Modern Computer Algebra*, Exercise 6.5; Shoup 1999). Cost: n³ products, n the degree of g,
-/// where the grid takes n inverses for each of n + 1 values of X besides.
+/// The resultant is Res(q, g) times the characteristic polynomial of h = p/q modulo g. Let L_k be the linear form that takes a
+/// polynomial a to the sum of a h^k over the zeros of g. The values L_0(s^i) are the power sums of these zeros, and
+/// L_k(s^i) = L_(k−1)(s^i h). So the power sums L_k(1) of the values of h follow step by step. Newton's identities give the power
+/// sums of the zeros from the coefficients of g, and the characteristic polynomial from the power sums of the values (von zur
+/// Gathen & Gerhard, *Modern Computer Algebra*, Exercise 6.5; Shoup 1999). Cost: n³ products for the degree n of g. The grid takes
+/// n inverses more for each of n + 1 values of X.
 fn in_traces(
     [p, q]: &[Vec<u64>; 2],
     g: &[u64],
@@ -180,7 +182,7 @@ fn in_traces(
     let mut h = field.product(p, &field.inverse_modulo(q, &g)?);
     field.divide(&mut h, &g);
     h.resize(n, 0);
-    // s^i h modulo g
+    // The polynomial s^i h modulo g.
     let mut shifted = vec![h];
     for i in 1..n {
         let mut next = vec![0];
@@ -195,11 +197,11 @@ fn in_traces(
         }
         shifted.push(next);
     }
-    // Of a monic polynomial the coefficients from above, and the power sums of its zeros.
+    // Converts the coefficients of a monic polynomial, descending, into the power sums of its zeros.
     let descending: Vec<u64> = g.iter().rev().copied().collect();
     let mut form = vec![n as u64];
     for k in 1..n {
-        // p_k + e_1 p_(k−1) + … + e_(k−1) p_1 + k e_k = 0
+        // Newton's identity: p_k + e_1 p_(k−1) + … + e_(k−1) p_1 + k e_k = 0.
         let earlier: Vec<u64> = form[1..].iter().rev().copied().collect();
         let sum = field.dot(&descending[1..], &earlier) + descending[k] * k as u64 % prime;
         form.push((2 * prime - sum) % prime);
@@ -229,7 +231,7 @@ fn length(f: &RationalFunction) -> Natural {
         .sum()
 }
 
-/// The length in bits of a norm, for estimates of the work.
+/// The length of a norm in bits, to estimate the work.
 pub(super) fn bits_of(norm: &Natural) -> f64 {
     let bits = usize::try_from(norm.significant_bits());
     as_f64(bits.invariant("a number fits in memory"))
@@ -255,7 +257,7 @@ mod tests {
             g in prop::collection::vec(0..P, 1..9),
             small in prop::bool::ANY,
         ) {
-            // Small coefficients have common zeros and leading zeros now and then.
+            // Small coefficients often give common zeros and leading zeros.
             let reduce = |f: Vec<u64>| -> Vec<u64> { f.iter().map(|c| if small { c % 2 } else { *c }).collect() };
             let [mut p, mut q, g] = [p, q, g].map(reduce);
             let formal = p.len().max(q.len());

@@ -13,8 +13,8 @@ use crate::exact::{integer_from_num, integer_to_num};
 
 /// A homogeneous polynomial `f(x, y) = Σ_k f_k x^(d−k) y^k` with integer coefficients.
 ///
-/// It is held as the univariate polynomial `f(1, t)` and the degree d, so a product of forms is a
-/// fast product of univariate polynomials.
+/// The form is stored as the univariate polynomial `f(1, t)` with the degree d, so a product of forms is one fast product of
+/// univariate polynomials.
 ///
 /// ```
 /// use stellate::poly::PlanePolynomial;
@@ -32,8 +32,8 @@ pub struct BinaryForm {
 }
 
 impl BinaryForm {
-    /// The form of degree `coefficients.len() − 1` whose coefficient of `x^(d−k) y^k` is the k-th; the zero form of degree 0 if
-    /// there are none.
+    /// The form of degree `coefficients.len() − 1` in which the k-th number is the coefficient of `x^(d−k) y^k`. Without
+    /// coefficients it is the zero form of degree 0.
     #[must_use]
     pub fn new(coefficients: impl IntoIterator<Item = impl Into<BigInt>>) -> Self {
         let coefficients = coefficients.into_iter();
@@ -45,7 +45,7 @@ impl BinaryForm {
         Self::from_coefficients(integers)
     }
 
-    /// [`Self::new`] of malachite's integers.
+    /// As [`Self::new`], from malachite's integers.
     ///
     /// # Panics
     /// If there are no coefficients: even the zero form has a degree.
@@ -90,7 +90,7 @@ impl BinaryForm {
         Self::from_coefficients(row)
     }
 
-    /// d, also for the zero form.
+    /// The degree d, which the zero form has as well.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.degree
@@ -102,7 +102,7 @@ impl BinaryForm {
         self.in_t.coefficients_asc().is_empty()
     }
 
-    /// `f(1, t)`.
+    /// The polynomial `f(1, t)`.
     pub(crate) fn dehomogenized(&self) -> &IntegerPolynomial {
         &self.in_t
     }
@@ -116,7 +116,7 @@ impl BinaryForm {
             .unwrap_or(Integer::ZERO)
     }
 
-    /// The d + 1 coefficients: the k-th is that of `x^(d−k) y^k`.
+    /// The d + 1 coefficients; the k-th is that of `x^(d−k) y^k`.
     #[must_use]
     pub fn coefficients(&self) -> Vec<BigInt> {
         (0..=self.degree)
@@ -133,12 +133,12 @@ impl BinaryForm {
             .filter(|(_, c)| **c != 0)
     }
 
-    /// The gcd of the coefficients, 0 for the zero form.
+    /// The gcd of the coefficients; 0 for the zero form.
     pub(crate) fn content(&self) -> Integer {
         Integer::from((&self.in_t).content())
     }
 
-    /// `f / divisor` for a divisor of the content.
+    /// The quotient `f / divisor`; the divisor must divide the content.
     pub(crate) fn div_exact(&self, divisor: &Integer) -> Self {
         if *divisor == 1 {
             return self.clone();
@@ -149,7 +149,7 @@ impl BinaryForm {
         }
     }
 
-    /// `factor · f`.
+    /// The product `factor · f`.
     #[doc(hidden)]
     #[must_use]
     pub fn scaled(&self, factor: &Integer) -> Self {
@@ -160,7 +160,7 @@ impl BinaryForm {
         }
     }
 
-    /// `(x² + y²) f`: one addition per coefficient.
+    /// The product `(x² + y²) f`, by one addition for each coefficient.
     pub(crate) fn times_rho(&self) -> Self {
         Self {
             degree: sum_of_degrees(self.degree, 2),
@@ -168,7 +168,7 @@ impl BinaryForm {
         }
     }
 
-    /// `f / (x² + y²)` if it divides f.
+    /// The quotient `f / (x² + y²)`; `None` if it is not a form.
     pub(crate) fn divided_by_rho(&self) -> Option<Self> {
         if self.is_zero() {
             return (self.degree >= 2).then(|| Self::zero(self.degree - 2));
@@ -178,7 +178,7 @@ impl BinaryForm {
             return None;
         }
         let quotient = rest.split_off(2).len();
-        // Dividing upwards from the lowest coefficient: q_k = f_k − q_(k−2).
+        // The division begins with the lowest coefficient: q_k = f_k − q_(k−2).
         let coefficients = self.in_t.coefficients_asc();
         let mut q: Vec<Integer> = Vec::with_capacity(quotient);
         for (k, c) in coefficients.iter().enumerate() {
@@ -208,9 +208,9 @@ impl BinaryForm {
         Some((power, rest))
     }
 
-    /// `f(u, v)`. Cost: d products of a growing number with u and v.
+    /// The value `f(u, v)`. Cost: d products by u and v of a number that becomes longer and longer.
     pub(crate) fn evaluate(&self, u: &Integer, v: &Integer) -> Integer {
-        // Horner in y/x, homogenised: Σ f_k u^(d−k) v^k.
+        // Horner's rule in y/x, homogenised: Σ f_k u^(d−k) v^k.
         let mut value = Integer::ZERO;
         let mut u_power = Integer::ONE;
         for k in (0..=self.degree).rev() {
@@ -227,7 +227,7 @@ impl BinaryForm {
         value
     }
 
-    /// Where the form has its monomials: `Some(true)` if f(−x, −y) = f, i.e. the degree is even.
+    /// Whether f(−x, −y) = f, that is, whether the degree is even.
     pub(crate) fn is_even(&self) -> bool {
         self.degree.is_multiple_of(2)
     }
@@ -237,7 +237,7 @@ impl BinaryForm {
     }
 }
 
-/// The degree of a product. The zero form has any degree, so it is not bounded by what fits in memory.
+/// The degree of a product. A zero form can have any degree, so it may be larger than the memory allows.
 fn sum_of_degrees(a: usize, b: usize) -> usize {
     a.checked_add(b)
         .invariant("the degree of a product fits in a word")

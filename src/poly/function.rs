@@ -12,8 +12,8 @@ use super::{IntegerPolynomial, Ring, divide_exactly, polynomial_gcd};
 use crate::error::Invariant;
 use crate::exact::Rational;
 
-/// numerator / denominator: coprime polynomials whose coefficients have no common factor either, the
-/// denominator with positive leading coefficient. So equal functions are equal values.
+/// The quotient of two coprime polynomials. Their coefficients have no common factor, and the leading coefficient of the
+/// denominator is positive; so equal functions are equal values.
 ///
 /// ```
 /// use stellate::exact::Rational;
@@ -32,7 +32,7 @@ pub struct RationalFunction {
 }
 
 impl Default for RationalFunction {
-    /// 0.
+    /// The function 0.
     fn default() -> Self {
         Self {
             numerator: IntegerPolynomial::ZERO,
@@ -42,8 +42,8 @@ impl Default for RationalFunction {
 }
 
 impl RationalFunction {
-    /// In lowest terms, from the coefficients of numerator and denominator, ascending; `None` if the denominator is 0.
-    /// Cost: a gcd.
+    /// The function in lowest terms, from the coefficients of numerator and denominator, ascending; `None` if the denominator
+    /// is 0. Cost: a gcd.
     ///
     /// ```
     /// use stellate::poly::RationalFunction;
@@ -59,13 +59,13 @@ impl RationalFunction {
         Self::from_integers(times(&above, below_scale), times(&below, above_scale))
     }
 
-    /// The coefficients of the numerator and of the denominator, ascending: integers without a common factor.
+    /// The coefficients of the numerator and of the denominator, ascending. They are integers without a common factor.
     #[must_use]
     pub fn coefficients(&self) -> [Vec<Rational>; 2] {
         [&self.numerator, &self.denominator].map(coefficients)
     }
 
-    /// [`Self::new`] of polynomials with integer coefficients.
+    /// As [`Self::new`], from polynomials with integer coefficients.
     pub(crate) fn from_integers(
         numerator: IntegerPolynomial,
         denominator: IntegerPolynomial,
@@ -99,7 +99,7 @@ impl RationalFunction {
         &self.denominator
     }
 
-    /// The value at a rational number, `None` at a pole.
+    /// The value at a rational number; `None` at a pole.
     #[must_use]
     pub fn evaluate(&self, at: &Rational) -> Option<Rational> {
         let value = |f: &IntegerPolynomial| {
@@ -110,7 +110,7 @@ impl RationalFunction {
         (!below.is_zero()).then(|| value(&self.numerator) / below)
     }
 
-    /// The value at infinity, `None` if there is a pole.
+    /// The value at infinity; `None` if it is a pole.
     #[must_use]
     pub fn evaluate_at_infinity(&self) -> Option<Rational> {
         let (above, below) = (
@@ -126,13 +126,13 @@ impl RationalFunction {
         }
     }
 
-    /// 1/f, `None` for 0.
+    /// The function 1/f; `None` for 0.
     #[must_use]
     pub fn recip(&self) -> Option<Self> {
         Self::from_integers(self.denominator.clone(), self.numerator.clone())
     }
 
-    /// This function and a constant.
+    /// The sum of this function and a constant.
     #[must_use]
     pub fn plus_constant(&self, constant: &Rational) -> Self {
         let numerator = times(&self.numerator, constant.denominator())
@@ -141,20 +141,20 @@ impl RationalFunction {
         Self::from_integers(numerator, denominator).invariant("a denominator is not 0")
     }
 
-    /// Whether it is a polynomial with integer coefficients.
+    /// Whether the function is a polynomial with integer coefficients.
     #[must_use]
     pub fn is_polynomial(&self) -> bool {
         self.denominator == IntegerPolynomial::one()
     }
 
-    /// The degree of the map t ↦ f(t): the larger one of the two degrees, 0 for a constant.
+    /// The degree of the map t ↦ f(t): the larger of the two degrees, 0 for a constant.
     #[must_use]
     pub fn degree(&self) -> usize {
         let length = |f: &IntegerPolynomial| f.coefficients_asc().len();
         length(&self.numerator).max(length(&self.denominator)) - 1
     }
 
-    /// Whether it does not depend on t.
+    /// Whether the function does not depend on t.
     #[must_use]
     pub fn is_constant(&self) -> bool {
         self.degree() == 0
@@ -165,7 +165,7 @@ fn times(f: &IntegerPolynomial, factor: Integer) -> IntegerPolynomial {
     f * IntegerPolynomial::from_coefficients_asc(vec![factor])
 }
 
-/// Sums and products in lowest terms, at the cost of a gcd each.
+/// The results are in lowest terms; each operation costs a gcd.
 impl Ring for RationalFunction {
     fn plus(&self, other: &Self) -> Self {
         let numerator = &self.numerator * &other.denominator + &other.numerator * &self.denominator;
@@ -187,7 +187,7 @@ impl Ring for RationalFunction {
 }
 
 impl fmt::Display for RationalFunction {
-    /// In the parameter t, as `(-t+1)/2`.
+    /// Writes the function with the parameter t, such as `(-t+1)/2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = |p: &IntegerPolynomial| {
             let text = p.to_string().replace('x', "t");

@@ -12,11 +12,11 @@ use super::IntegerPolynomial;
 use crate::error::Invariant;
 use crate::modular::{Images, PrimeField, large_primes};
 
-/// So many primes share one division of the long coefficients: of 5000 bits and degree 20 the gcd of degree 10 takes 2.7 ms,
-/// with 8 it takes 3.2 ms.
+/// The number of primes by whose product the long coefficients are divided at once. With 24, the gcd of degree 10 of
+/// polynomials of 5000 bits and degree 20 takes 2.7 ms; with 8 it takes 3.2 ms.
 const GROUP: usize = 24;
 
-/// The primitive part with positive leading coefficient (0 for 0).
+/// The primitive part, with a positive leading coefficient; 0 for 0.
 #[must_use]
 pub(crate) fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
     f.canonical_primitive_part()
@@ -31,8 +31,8 @@ pub(crate) fn primitive_part(f: &IntegerPolynomial) -> IntegerPolynomial {
 /// the candidate.
 ///
 /// Cost, for degrees ≤ d and coefficients of ≤ b bits: O(d² + d·b) word operations for each prime. Coprime inputs take one
-/// prime, barring unlucky ones; others about one more than the leading coefficient times the gcd has half words, and two exact
-/// divisions.
+/// prime, unless it is unlucky. Other inputs take about one prime for each half word of the product of leading coefficient and
+/// gcd, one more prime, and two exact divisions.
 ///
 /// ```
 /// use std::str::FromStr;
@@ -57,7 +57,7 @@ pub fn polynomial_gcd(f: &IntegerPolynomial, g: &IntegerPolynomial) -> IntegerPo
     let lead = Integer::from(a.unsigned_abs_ref().gcd(b.unsigned_abs_ref()));
     let mut combined: Option<Images> = None;
     let mut all = large_primes();
-    // The first prime tells coprime polynomials.
+    // One prime is enough for coprime polynomials.
     let mut count = 1;
     loop {
         let primes: Vec<u64> = all.by_ref().take(count).collect();
@@ -98,7 +98,7 @@ pub fn polynomial_gcd(f: &IntegerPolynomial, g: &IntegerPolynomial) -> IntegerPo
     }
 }
 
-/// f with coefficients modulo the product of the primes, if they are longer than that.
+/// The polynomial, with its coefficients reduced modulo the product of the primes if they are longer than it.
 fn shortened<'a>(f: &'a IntegerPolynomial, primes: &[u64]) -> Cow<'a, IntegerPolynomial> {
     let longest = f.coefficients_asc().iter().map(|c| c.significant_bits());
     if primes.len() == 1 || longest.max().unwrap_or(0) <= 32 * GROUP as u64 {
@@ -113,7 +113,7 @@ fn shortened<'a>(f: &'a IntegerPolynomial, primes: &[u64]) -> Cow<'a, IntegerPol
     ))
 }
 
-/// The quotient `f / g` if g divides f over the integers.
+/// The quotient `f / g`; `None` if g does not divide f over the integers.
 ///
 /// ```
 /// use std::str::FromStr;
@@ -213,8 +213,8 @@ mod tests {
         })
     }
 
-    /// Coefficients of up to 700 bits: runs of equal bits, powers of two and their neighbours, primes that are used and multiples of
-    /// them, so that they are unlucky, and any.
+    /// Coefficients of up to 700 bits: runs of equal bits, powers of two and their neighbours, primes that are used and their
+    /// multiples, which make them unlucky, and random ones.
     fn long_polynomial(terms: std::ops::Range<usize>) -> impl Strategy<Value = IntegerPolynomial> {
         let limb = prop_oneof![Just(0), Just(u64::MAX), any::<u64>()];
         let runs = prop::collection::vec(limb, 0..12)
@@ -232,7 +232,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(128))]
-        /// The primitive part of h, times what the cofactors have in common, which is the gcd of these.
+        /// gcd(h·a, h·b) is the primitive part of h times gcd(a, b).
         #[test]
         fn the_gcd_of_multiples_is_the_multiple_of_the_gcd(
             f in long_polynomial(1..7), g in long_polynomial(1..7), h in long_polynomial(1..6),
@@ -241,12 +241,12 @@ mod tests {
             prop_assert_eq!(found, primitive_part(&(polynomial_gcd(&f, &g) * h)));
         }
 
-        /// Inputs built backwards: linear factors with long roots, of which it is known which are common.
+        /// Products of linear factors with long roots, so that the common factors are known.
         #[test]
         fn common_linear_factors_are_found(
             roots in prop::collection::btree_map(0_i64..400, (0_usize..3, 0_usize..3), 1..6), bits in 0_u64..500,
         ) {
-            // Coprime in pairs: roots are consecutive numbers of so many bits, over 1.
+            // The linear factors are pairwise coprime: their roots are consecutive integers with this number of bits.
             let linear = |root: &i64| {
                 let c = (Integer::from(1) << bits) + Integer::from(*root);
                 IntegerPolynomial::from_coefficients_asc(vec![-c, Integer::from(1)])

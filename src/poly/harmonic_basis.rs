@@ -1,9 +1,8 @@
-//! Forms on the unit circle and their harmonics: two bases of one space.
+//! The change between forms on the unit circle and their harmonics, which are two bases of one space.
 //!
-//! On `x = cos θ, y = sin θ` a form of degree d is a trigonometric polynomial with harmonics
-//! n ≡ d (mod 2), n ≤ d, and every such polynomial is one form. With z = x + iy, w = x − iy the
-//! harmonics are the coefficients in the basis `z^j w^(d−j)`; the change to the basis
-//! `x^(d−k) y^k` is the Möbius substitution (1+T)/(1−T), T = i y/x.
+//! With `x = cos θ, y = sin θ` a form of degree d is a trigonometric polynomial with harmonics n ≡ d (mod 2), n ≤ d, and every
+//! such polynomial comes from exactly one form. With z = x + iy and w = x − iy the harmonics are the coefficients in the basis
+//! `z^j w^(d−j)`. The change to the basis `x^(d−k) y^k` is the Möbius substitution (1+T)/(1−T), T = i y/x.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -16,9 +15,9 @@ use crate::exact::Rational;
 
 /// `2 Σ_m (a_m Re (x+iy)^m + b_m Im (x+iy)^m) (x²+y²)^((d−m)/2)`, a form of degree d = `degree`.
 ///
-/// `harmonics` lists `(m, a_m, b_m)` with m ≡ d (mod 2) and m ≤ d (Definition 1's K_m, doubled so
-/// that everything stays an integer). Cost: about four products of forms of degree d/2, quasi-linear in the size of
-/// the answer, or fewer modulo primes; of low degree, d² additions.
+/// `harmonics` lists `(m, a_m, b_m)` with m ≡ d (mod 2) and m ≤ d (the K_m of Definition 1, doubled so that all coefficients
+/// are integers). Cost: about four products of forms of degree d/2, which is quasi-linear in the size of the answer, or fewer
+/// products modulo primes; for low degrees, d² additions.
 ///
 /// # Panics
 /// If an m is larger than d or of the other parity.
@@ -33,10 +32,10 @@ pub fn doubled_form_from_harmonics<'a>(
     BinaryForm::from_dehomogenized(degree, from_harmonic_basis(&g, bits).to_polynomial())
 }
 
-/// An e with Σ |a_m + b_m| + |a_m − b_m| < 2^e, over the harmonics [a_m, b_m]; at most 2 more than the least one.
+/// An e with Σ |a_m + b_m| + |a_m − b_m| < 2^e, over the harmonics [a_m, b_m]. It is at most 2 more than the least such e.
 pub(crate) fn harmonic_bits<'a>(pairs: impl Iterator<Item = [&'a Integer; 2]> + Clone) -> u64 {
-    // Such a sum is twice the larger of |a| and |b|, which is below 2^size. Sums of 2^size are kept in units of
-    // 2^(largest − UNITS), each rounded up.
+    // Each summand is twice the larger of |a| and |b|, which is below 2^size. The sums of 2^size are computed in units of
+    // 2^(largest − UNITS), and each summand is rounded up.
     const UNITS: u64 = 32;
     let sizes = pairs.map(|[a, b]| a.significant_bits().max(b.significant_bits()));
     let largest = sizes.clone().max().unwrap_or(0);
@@ -45,7 +44,7 @@ pub(crate) fn harmonic_bits<'a>(pairs: impl Iterator<Item = [&'a Integer; 2]> + 
     largest + 1 + sum.significant_bits().saturating_sub(UNITS)
 }
 
-/// The same form in the basis z^j w^(d−j). `bits` is [`harmonic_bits`] or more.
+/// The form of [`doubled_form_from_harmonics`] in the basis z^j w^(d−j). `bits` must be at least [`harmonic_bits`].
 ///
 /// # Panics
 /// If an m is larger than d or of the other parity.
@@ -72,10 +71,10 @@ pub(crate) fn doubled_harmonics<'a>(
     g
 }
 
-/// From the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](crate::bigint::form_bits).
+/// Changes from the basis z^j w^(d−j) to f(1, t), with room for integers below 2^[`form_bits`](crate::bigint::form_bits).
 pub(crate) fn from_harmonic_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let mut h = change_of_basis(g, bits);
-    // i^k: signs + + − −
+    // The factors i^k have the signs + + − −.
     for (k, c) in h.coefficients_mut().enumerate() {
         if k % 4 >= 2 {
             negate(c);
@@ -86,7 +85,7 @@ pub(crate) fn from_harmonic_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomi
 
 /// The harmonics `(n, a_n, b_n)` of a form on the unit circle, ascending in n; `b_0 = 0`.
 ///
-/// The inverse of [`doubled_form_from_harmonics`], up to its factor 2, at the same cost.
+/// This is the inverse of [`doubled_form_from_harmonics`], without its factor 2 and at the same cost.
 #[must_use]
 pub(crate) fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rational)> {
     let exponent = -i64::try_from(form.degree()).invariant("degrees are below 2^63");
@@ -95,7 +94,7 @@ pub(crate) fn harmonics_of_form(form: &BinaryForm) -> Vec<(usize, Rational, Rati
     harmonics.map(|(m, a, b)| (m, over(a), over(b))).collect()
 }
 
-/// The same times 2^d, which makes them integers.
+/// The harmonics times 2^d, which are integers.
 pub(crate) fn scaled_harmonics(form: &BinaryForm) -> Vec<(usize, Integer, Integer)> {
     let degree = form.degree();
     let largest = form.terms().map(|(_, c)| c.significant_bits()).max();
@@ -103,11 +102,11 @@ pub(crate) fn scaled_harmonics(form: &BinaryForm) -> Vec<(usize, Integer, Intege
     // With h(T) = (1−T)^d g((1+T)/(1−T)) and S = (1+T)/(1−T): 2^d g(S) = Σ h_k (S−1)^k (S+1)^(d−k).
     let mut h = FlatPolynomial::zero(degree + 1, bits);
     for (k, c) in form.terms() {
-        // i^k: signs + + − −, and (−1)^k.
+        // The signs are those of i^k, + + − −, times (−1)^k.
         h.add_at(degree - k, c, k % 4 == 1 || k % 4 == 2);
     }
     let g: Vec<Integer> = change_of_basis(&h, bits).to_integers(0).collect();
-    // g is 2^d (a + b) at (d+m)/2 and 2^d (a − b) at (d−m)/2 of half the form.
+    // For half of the form, g is 2^d (a + b) at (d+m)/2 and 2^d (a − b) at (d−m)/2.
     let indices = (0..=degree).filter(|m| (degree - m).is_multiple_of(2));
     let harmonics = indices.map(|m| {
         let (high, low) = (&g[usize::midpoint(degree, m)], &g[(degree - m) / 2]);
@@ -135,7 +134,7 @@ mod tests {
         assert_eq!(found, [(0, half(), zero()), (2, half(), zero())]);
     }
 
-    /// Re and Im of (x+iy)^n, by the recurrence of Appendix A.
+    /// The real and the imaginary part of (x+iy)^n, by the recurrence of Appendix A.
     fn re_im(n: usize) -> (BinaryForm, BinaryForm) {
         let x = BinaryForm::from_coefficients(vec![1.into(), 0.into()]);
         let y = BinaryForm::from_coefficients(vec![0.into(), 1.into()]);

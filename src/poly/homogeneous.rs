@@ -1,4 +1,4 @@
-//! What binary and ternary forms have in common.
+//! The common interface of binary and ternary forms.
 
 use std::fmt::Debug;
 
@@ -8,43 +8,43 @@ use super::{BinaryForm, Ring, TernaryForm};
 
 /// A homogeneous polynomial with integer coefficients, in x and y or in x, y and z.
 ///
-/// The lemmas of §3 of the paper are the same in the plane and in space: Lemmas 7 to 10 are Lemmas 2 to
-/// 5 with forms in (α, β, γ) for forms in (cos θ, sin θ). So they are written once, for any form.
+/// The lemmas of §3 of the paper are the same in the plane and in space: Lemmas 7 to 10 are Lemmas 2 to 5 with forms in (α, β,
+/// γ) instead of forms in (cos θ, sin θ). So the program has them once, for both kinds of forms.
 pub trait HomogeneousPolynomial: Ring + PartialEq + Debug {
-    /// 2 or 3.
+    /// The number of variables, 2 or 3.
     const VARIABLES: usize;
 
-    /// The constant as a form of degree 0.
+    /// A constant, as a form of degree 0.
     fn constant(value: Integer) -> Self;
 
-    /// The degree, also of the zero form.
+    /// The degree, which the zero form has as well.
     fn degree(&self) -> usize;
 
     /// Whether every coefficient is 0.
     fn is_zero(&self) -> bool;
 
-    /// The gcd of the coefficients, 0 for the zero form.
+    /// The gcd of the coefficients; 0 for the zero form.
     fn content(&self) -> Integer;
 
-    /// `factor · f`.
+    /// The product `factor · f`.
     #[must_use]
     fn scaled(&self, factor: &Integer) -> Self;
 
-    /// `f / divisor` for a divisor of the content.
+    /// The quotient `f / divisor`; the divisor must divide the content.
     #[must_use]
     fn div_exact(&self, divisor: &Integer) -> Self;
 
-    /// The form without its powers of the squared length (`x² + y²`, or `x² + y² + z²`), which is 1 on unit vectors.
+    /// The form, divided by all powers of the squared length (`x² + y²` or `x² + y² + z²`), which is 1 on unit vectors.
     #[must_use]
     fn on_unit_vectors(&self) -> Self;
 
-    /// The terms as `Σ c (x² + y²)^e z^k`, (e, k, c), if it is a ternary form of this shape: one of a surface of
-    /// revolution about the z axis.
+    /// The terms (e, k, c) of the form as `Σ c (x² + y²)^e z^k`; `None` unless it is a ternary form of this shape, which
+    /// belongs to a surface of revolution about the z axis.
     fn of_revolution(&self) -> Option<Vec<(usize, usize, Integer)>> {
         None
     }
 
-    /// The non-zero terms as (exponents of x, y, z; coefficient).
+    /// The non-zero terms, each with the exponents of x, y, z and the coefficient.
     fn monomials(&self) -> Vec<([usize; 3], &Integer)>;
 }
 

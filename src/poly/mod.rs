@@ -1,8 +1,7 @@
 //! Polynomials with exact coefficients.
 //!
-//! Conventions: univariate coefficients are ascending; the zero polynomial has no degree; a plane
-//! polynomial *is* its homogeneous parts, and a binary form of degree d is the univariate
-//! polynomial f(1, t) together with d.
+//! Conventions: the coefficients of univariate polynomials are ascending; the zero polynomial has no degree; a plane polynomial
+//! *is* the list of its homogeneous parts; and a binary form of degree d is the univariate polynomial f(1, t) together with d.
 
 mod dense;
 mod eliminate;
@@ -52,7 +51,7 @@ pub(crate) use terms::tests::terms as any_integer_terms;
 pub use ternary::TernaryForm;
 pub(crate) use trig::TrigPolynomial;
 
-// For the tests and benches of this project; no part of what the library promises.
+// Only the tests and benches of this project use this; it is no part of the public interface.
 #[doc(hidden)]
 pub use evaluate::sign_at;
 #[doc(hidden)]

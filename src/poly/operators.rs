@@ -1,8 +1,8 @@
-//! Polynomials with operators.
+//! The operators +, − and · of polynomials.
 
 use super::{BinaryForm, PlanePolynomial, RationalFunction, Ring, SparsePolynomial};
 
-/// Sums, differences and products of polynomials as operators between references.
+/// Implements sums, differences and products of polynomials as operators between references.
 macro_rules! operators {
     ($type:ty $(, const $v:ident)?) => {
         impl$(<const $v: usize>)? std::ops::Add for &$type {

@@ -1,4 +1,4 @@
-//! Plane polynomials as the list of their homogeneous parts.
+//! Polynomials in x and y, as lists of homogeneous parts.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,8 @@ use super::{BinaryForm, IntegerPolynomial, Ring, SparsePolynomial};
 use crate::error::Invariant;
 use crate::exact::{Rational, integer_to_num};
 
-/// A polynomial in x and y, held as its non-zero homogeneous parts over one common denominator:
-/// `f = (1/D) Σ_d f_d`. Splitting it, which is the first step of everything in §3 of the paper, is
-/// therefore free.
+/// A polynomial in x and y, stored as its non-zero homogeneous parts over one common denominator: `f = (1/D) Σ_d f_d`. So the
+/// split into homogeneous parts, which is the first step of everything in §3 of the paper, costs nothing.
 ///
 /// Invariants: no part is zero; D > 0 has no common factor with all the coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +24,7 @@ pub struct PlanePolynomial {
 }
 
 impl PlanePolynomial {
-    /// `(1/denominator) Σ parts`; parts of equal degree are added.
+    /// The polynomial `(1/denominator) Σ parts`; parts of equal degree are added.
     ///
     /// # Panics
     /// If the denominator is 0.
@@ -51,7 +50,7 @@ impl PlanePolynomial {
         result
     }
 
-    /// From terms `((i, j), c)` meaning `c x^i y^j`; repeated exponents are added.
+    /// The polynomial with the terms `((i, j), c)`, each of which means `c x^i y^j`; terms with equal exponents are added.
     #[must_use]
     pub fn from_terms(terms: impl IntoIterator<Item = ((usize, usize), Rational)>) -> Self {
         let terms: Vec<_> = terms.into_iter().collect();
@@ -100,13 +99,13 @@ impl PlanePolynomial {
         self.denominator = (&self.denominator).div_exact(&common);
     }
 
-    /// The largest total degree, `None` for the zero polynomial.
+    /// The largest total degree; `None` for the zero polynomial.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
         self.parts.keys().next_back().copied()
     }
 
-    /// The smallest total degree of a term: the multiplicity of the origin. `None` for 0.
+    /// The smallest total degree of a term, which is the multiplicity of the origin; `None` for 0.
     #[must_use]
     pub fn lowest_degree(&self) -> Option<usize> {
         self.parts.keys().next().copied()
@@ -124,24 +123,24 @@ impl PlanePolynomial {
         self.parts.keys().rev().copied().collect()
     }
 
-    /// D times the homogeneous part of the given degree, if it is not zero.
+    /// D times the homogeneous part of the given degree; `None` if it is zero.
     #[must_use]
     pub fn part(&self, degree: usize) -> Option<&BinaryForm> {
         self.parts.get(&degree)
     }
 
-    /// The parts (times D), descending in degree.
+    /// The homogeneous parts, times D, descending in degree.
     pub fn parts(&self) -> impl DoubleEndedIterator<Item = &BinaryForm> {
         self.parts.values().rev()
     }
 
-    /// D, the common denominator of the parts.
+    /// The common denominator D of the parts.
     #[must_use]
     pub fn common_denominator(&self) -> BigInt {
         integer_to_num(&self.denominator)
     }
 
-    /// D, lent.
+    /// A reference to the denominator D.
     pub(crate) fn denominator(&self) -> &Integer {
         &self.denominator
     }
@@ -155,7 +154,7 @@ impl PlanePolynomial {
         })
     }
 
-    /// D times the terms, lent, in the same order.
+    /// The terms of D·f, by reference, in the same order.
     pub(crate) fn integer_terms(&self) -> impl Iterator<Item = ((usize, usize), &Integer)> {
         self.parts()
             .flat_map(|part| part.terms().map(|(k, c)| ((part.degree() - k, k), c)))
@@ -173,13 +172,13 @@ impl PlanePolynomial {
         self.terms().next().map(|(_, c)| c)
     }
 
-    /// The primitive part with positive first term: the multiple with coprime integer coefficients.
+    /// The primitive part: the multiple with coprime integer coefficients whose first coefficient is positive.
     #[must_use]
     pub fn primitive(&self) -> Self {
         self.clone().into_primitive()
     }
 
-    /// The same in place: what is primitive already is returned as it is.
+    /// The primitive part, in place. A polynomial that is primitive is returned unchanged.
     #[must_use]
     pub fn into_primitive(mut self) -> Self {
         let mut content = Integer::ZERO;
@@ -211,7 +210,7 @@ impl PlanePolynomial {
         }
     }
 
-    /// Exact value at a rational point.
+    /// The exact value at a rational point.
     #[must_use]
     pub fn evaluate(&self, x: &Rational, y: &Rational) -> Rational {
         // x = u/w, y = v/w: f_d(x, y) = f_d(u, v) / w^d.
@@ -231,16 +230,15 @@ impl PlanePolynomial {
         value / power(&scale, above.unwrap_or(0)) / Rational::whole(&self.denominator)
     }
 
-    /// `f(x − a, y − b)`: the curve moved by (a, b). Dense: about d²/2 terms.
+    /// The polynomial `f(x − a, y − b)`, whose curve is moved by (a, b). It is dense, with about d²/2 terms.
     ///
-    /// Two passes of Taylor shifts, cost O(d³) additions of growing numbers (d² log d products for
-    /// large d).
+    /// Cost: two passes of Taylor shifts, which take O(d³) additions of growing numbers (d² log d products for large d).
     #[must_use]
     pub fn translated(&self, a: &Rational, b: &Rational) -> Self {
         let Some(degree) = self.degree() else {
             return self.clone();
         };
-        // rows[j][i] = coefficient of x^i y^j.
+        // rows[j][i] is the coefficient of x^i y^j.
         let mut rows = vec![Vec::new(); degree + 1];
         for ((i, j), c) in self.terms() {
             let row: &mut Vec<Rational> = &mut rows[j];
@@ -284,7 +282,7 @@ impl PlanePolynomial {
             .unwrap_or(0)
     }
 
-    /// The invariants of the type; called by every property test.
+    /// Checks the invariants of the type; every property test calls it.
     #[doc(hidden)]
     #[must_use]
     pub fn check_invariants(&self) -> bool {
@@ -351,8 +349,8 @@ fn power(base: &Rational, exponent: usize) -> Rational {
         .invariant("a power with a natural exponent exists")
 }
 
-/// f(x) → f(x + h), over one common denominator: with h = p/q, g(X) = q^d f(X/q) has integer
-/// coefficients up to the denominator of f and is shifted by p.
+/// Replaces f(x) by f(x + h), over one common denominator. For h = p/q the polynomial g(X) = q^d f(X/q) has integer
+/// coefficients, up to the denominator of f, and is shifted by p.
 fn shift_rational(coefficients: &mut [Rational], h: &Rational) {
     if h.is_zero() || coefficients.len() < 2 {
         return;
@@ -362,7 +360,8 @@ fn shift_rational(coefficients: &mut [Rational], h: &Rational) {
         .fold(Integer::ONE, |d, c| lcm(d, &c.denominator()));
     let scale = Rational::whole(&common);
     let (p, q) = (h.numerator(), h.denominator());
-    // f(p(X + 1)/q) with x = pX/q: scale by (p/q)^k, shift by one, scale back; all over q^d.
+    // f(p(X + 1)/q) with x = pX/q: the coefficients are multiplied by (p/q)^k, the polynomial is shifted by one, and the
+    // coefficients are divided by (p/q)^k; all of them are over q^d.
     let degree = coefficients.len() - 1;
     let mut integers: Vec<Integer> = coefficients
         .iter()

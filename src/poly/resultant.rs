@@ -9,25 +9,25 @@ use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, large_primes};
 
-/// Products of residues beyond which the work is refused: some seconds.
+/// The largest number of products of residues; that many take some seconds.
 const MAX_WORK: f64 = 3e9;
 
 /// The resultant of the primitive parts of f and g with respect to the variable v, exactly.
 ///
-/// By evaluation on a grid, Euclid modulo 31-bit primes, interpolation, and Chinese remainders up to the bound of
-/// Lemma 1. At the end the result is compared with the resultant at one more point modulo one more prime.
+/// Method: evaluation on a grid, Euclid's algorithm modulo 31-bit primes, interpolation, and Chinese remainders up to the bound
+/// of Lemma 1. At the end the result is checked at one more point modulo one more prime.
 ///
-/// Cost: for degrees m and n in v, and degrees k and l of the result, k l m n products of residues for each prime, of
-/// which there is one for every 31 bits of the bound.
+/// Cost, for degrees m and n in v and degrees k and l of the result: k l m n products of residues for each prime, and one prime
+/// for every 31 bits of the bound.
 ///
-/// Lemma 1. With ‖f‖ the sum of the absolute values of all coefficients, those of the resultant add up to at most
-/// ‖f‖^n ‖g‖^m.
+/// Lemma 1. Let ‖f‖ be the sum of the absolute values of all coefficients of f. The absolute values of the coefficients of the
+/// resultant add up to at most ‖f‖^n ‖g‖^m.
 /// Proof. ‖fg‖ ≤ ‖f‖ ‖g‖ and ‖f + g‖ ≤ ‖f‖ + ‖g‖. By these the norm of a determinant is at most the product over its
 /// rows of the sum of the norms in the row, which is ‖f‖ in n rows of Sylvester's matrix, and ‖g‖ in m of them.
 /// Law: `the_bound_is_reached_at_half_the_modulus`.
 ///
 /// # Errors
-/// [`Error::Limit`] if that is too much work; those of `limits`; [`Error::Internal`] if the result is wrong.
+/// [`Error::Limit`] if the computation takes too much work; those of `limits`; [`Error::Internal`] if the result is wrong.
 pub(crate) fn resultant(
     f: &SparsePolynomial<3>,
     g: &SparsePolynomial<3>,
@@ -93,7 +93,7 @@ pub(crate) fn resultant(
     Ok(found.to_sparse())
 }
 
-/// Where the result is compared: no point of the grid. A wrong polynomial of degrees k and l vanishes at less than one in
+/// The point of the check, which is not on the grid. A polynomial of degrees k and l other than 0 vanishes at less than one in
 /// 2^31/(k + l) points.
 const ANY_POINT: [u64; 2] = [0x9e37_79b9_7f4a_7c15, 0xbf58_476d_1ce4_e5b9];
 
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn the_bound_is_reached_at_half_the_modulus() {
-        // Res_x(x + y, c y + z) = c y + z, up to sign, which c + 1 bounds.
+        // Res_x(x + y, c y + z) is ± (c y + z), and c + 1 is the bound of its coefficients.
         let f = SparsePolynomial::variable(0).plus(&SparsePolynomial::variable(1));
         for primes in 1..6 {
             for more in -3..4 {
@@ -136,7 +136,7 @@ mod tests {
         }
     }
 
-    /// Up to 600 bits: next to a power of two, or any.
+    /// Integers of up to 600 bits, near a power of two or random.
     fn long_integer() -> impl Strategy<Value = Integer> {
         (0u64..600, -1i64..2, any::<[u64; 10]>(), 0..4).prop_map(|(bits, more, limbs, kind)| {
             let power = Integer::from(1) << bits;
@@ -152,7 +152,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(60))]
-        /// Up to the product of the norms: Res_x(f, x + c y) = ± f(−c y) for f = a x^m + y.
+        /// Coefficients up to the product of the norms: Res_x(f, x + c y) = ± f(−c y) for f = a x^m + y.
         #[test]
         fn long_coefficients_are_found(a in long_integer(), c in long_integer(), m in 1u32..6) {
             let term = |e: [u32; 3], c: &Integer| (e, Rational::whole(c));
@@ -163,7 +163,7 @@ mod tests {
             let expected = SparsePolynomial::from_terms([term([0, m, 0], &power), term([0, 1, 0], &one)]);
             let found = resultant(&f, &g, 0, &Limits::none()).unwrap();
             prop_assert_eq!(found.primitive(), expected.primitive());
-            // The first coefficients of all are positive, so the size tells more than the primitive part.
+            // All primitive polynomials have a positive first coefficient, so its size is compared.
             let first = |f: &SparsePolynomial<3>| f.terms().next().map(|(_, c)| c.abs());
             prop_assert_eq!(first(&found), first(&expected));
         }
@@ -189,7 +189,7 @@ mod tests {
             let linear = |p: &SparsePolynomial<3>| SparsePolynomial::variable(0).minus(p);
             let f = linear(&p).times(&linear(&q));
             let found = resultant(&f, &g, 0, &Limits::none()).unwrap();
-            // Primitive parts have positive first terms: up to sign.
+            // Primitive polynomials have a positive first coefficient, so the signs do not matter.
             prop_assert_eq!(found.primitive(), at(&p).times(&at(&q)).primitive());
         }
     }

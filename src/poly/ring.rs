@@ -1,18 +1,18 @@
-//! The little that Theorem 2 asks of its coefficients.
+//! The operations that Theorem 2 needs for its coefficients.
 
-/// A commutative ring, as far as squaring away the odd powers of r needs one: forms with integer
-/// coefficients in production, polynomials in symbols K0, K1, … when Appendix B is reproduced.
+/// A commutative ring, in which the odd powers of r are squared away: forms with integer coefficients in general, and
+/// polynomials in symbols K0, K1, … to reproduce Appendix B.
 pub trait Ring: Clone {
-    /// self + other.
+    /// The sum self + other.
     #[must_use]
     fn plus(&self, other: &Self) -> Self;
-    /// self − other.
+    /// The difference self − other.
     #[must_use]
     fn minus(&self, other: &Self) -> Self;
-    /// self · other.
+    /// The product self · other.
     #[must_use]
     fn times(&self, other: &Self) -> Self;
-    /// self².
+    /// The square self².
     #[must_use]
     fn squared(&self) -> Self {
         self.times(self)

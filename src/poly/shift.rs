@@ -1,4 +1,4 @@
-//! Taylor shifts: f(x + 1) and f(x − 1).
+//! Taylor shifts: f(x + 1) from f(x).
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -7,11 +7,11 @@ use malachite::base::polynomial::Polynomial;
 
 use super::IntegerPolynomial;
 
-/// Below this length the classical d²/2 additions are faster than splitting in halves.
+/// Below this length the classical d²/2 additions are faster than divide and conquer.
 const CLASSICAL_BELOW: usize = 128;
 
-/// f(x + 1). Classical up to degree 127, then divide and conquer over fast products: quasi-linear
-/// in the size of the answer, which has about d bits more per coefficient than f.
+/// The polynomial f(x + 1). Degrees up to 127 take classical additions; larger ones take divide and conquer with fast products,
+/// which is quasi-linear in the size of the answer. The coefficients of the answer are about d bits longer than those of f.
 ///
 /// ```
 /// use std::str::FromStr;
@@ -24,14 +24,14 @@ pub fn shift_by_one(f: IntegerPolynomial) -> IntegerPolynomial {
     shift(f.into_coefficients_asc())
 }
 
-/// f(−x), in place.
+/// Replaces f(x) by f(−x), in place.
 pub(crate) fn negate_odd(coefficients: &mut [Integer]) {
     for c in coefficients.iter_mut().skip(1).step_by(2) {
         *c = -std::mem::take(c);
     }
 }
 
-/// f(x + 1) by repeated synthetic division, in place: d²/2 additions.
+/// Replaces f(x) by f(x + 1) by repeated synthetic division, in place, with d²/2 additions.
 pub(crate) fn shift_classical(coefficients: &mut [Integer]) {
     let n = coefficients.len();
     for start in (0..n.saturating_sub(1)).rev() {
@@ -42,7 +42,7 @@ pub(crate) fn shift_classical(coefficients: &mut [Integer]) {
     }
 }
 
-/// f = f0 + x^m f1 with m a power of two: f(x+1) = f0(x+1) + (x+1)^m f1(x+1).
+/// Divide and conquer for f = f0 + x^m f1, where m is a power of two: f(x+1) = f0(x+1) + (x+1)^m f1(x+1).
 fn shift(coefficients: Vec<Integer>) -> IntegerPolynomial {
     let levels = coefficients
         .len()
@@ -78,7 +78,7 @@ fn shift(coefficients: Vec<Integer>) -> IntegerPolynomial {
         }
         blocks = joined;
     }
-    // No block is the zero polynomial.
+    // There is no block if f is the zero polynomial.
     blocks.pop().unwrap_or_default()
 }
 

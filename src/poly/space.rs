@@ -1,4 +1,4 @@
-//! Polynomials in x, y and z as the list of their homogeneous parts.
+//! Polynomials in x, y and z, as lists of homogeneous parts.
 
 use std::collections::BTreeMap;
 
@@ -9,11 +9,11 @@ use malachite::base::num::basic::traits::One;
 use super::ternary_terms::{multiply_by_power, on_meridian, value};
 use super::{BinaryForm, PlanePolynomial, SparsePolynomial, TernaryForm};
 
-/// A polynomial in x, y and z by its non-zero homogeneous parts over one common denominator:
-/// `f = (1/D) Σ_d f_d`. The three-dimensional sibling of [`PlanePolynomial`].
+/// A polynomial in x, y and z, stored as its non-zero homogeneous parts over one common denominator: `f = (1/D) Σ_d f_d`. It
+/// corresponds to [`PlanePolynomial`].
 ///
-/// The parts are held by their terms: a form of degree d has (d + 1)(d + 2)/2 coefficients, of which few are not 0 where the
-/// degree is high.
+/// A part is stored as its terms: a form of degree d has (d + 1)(d + 2)/2 coefficients, and most of them are 0 if the degree is
+/// high.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpacePolynomial {
     /// The terms of every part in descending lexicographic order of their exponents.
@@ -22,7 +22,7 @@ pub struct SpacePolynomial {
 }
 
 impl SpacePolynomial {
-    /// The largest total degree, `None` for the zero polynomial.
+    /// The largest total degree; `None` for the zero polynomial.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
         self.parts.keys().next_back().copied()
@@ -34,9 +34,9 @@ impl SpacePolynomial {
         self.parts.keys().rev().copied().collect()
     }
 
-    /// D times the homogeneous part of the given degree, the zero form if there is none.
+    /// D times the homogeneous part of the given degree; the zero form if there is no such part.
     ///
-    /// Memory: that of the rows of a [`TernaryForm`], up to its largest power of y.
+    /// Memory: the rows of the [`TernaryForm`], each up to its largest power of y.
     pub(crate) fn part(&self, degree: usize) -> TernaryForm {
         let terms = self.parts.get(&degree).into_iter().flatten().cloned();
         TernaryForm::from_terms(degree, terms)
@@ -51,7 +51,7 @@ impl SpacePolynomial {
         parts.map(|(degree, terms)| (*degree, terms.as_slice()))
     }
 
-    /// The degrees of the parts, descending, with the values of D times the part at an integer vector.
+    /// The degrees of the parts, descending, each with the value of D times the part at an integer vector.
     pub(crate) fn values_at(
         &self,
         vector: &[Integer; 3],
@@ -60,13 +60,13 @@ impl SpacePolynomial {
             .map(|(degree, terms)| (degree, value(terms, vector.each_ref())))
     }
 
-    /// D, the common denominator of the parts.
+    /// The common denominator D of the parts.
     pub(crate) fn denominator(&self) -> &Integer {
         &self.denominator
     }
 
-    /// f on the half plane through the z axis and (a, b, 0), with a² + b² = c²: the polynomial
-    /// `f(aY/c, bY/c, X)` in (X, Y), whose polar angle is φ.
+    /// The polynomial on the half plane through the z axis and (a, b, 0), where a² + b² = c². It is `f(aY/c, bY/c, X)` in (X,
+    /// Y), and the polar angle of (X, Y) is φ.
     pub(crate) fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> PlanePolynomial {
         let Some(top) = self.degree() else {
             return PlanePolynomial::from_parts([], Integer::ONE);
@@ -79,7 +79,7 @@ impl SpacePolynomial {
             above = degree;
             parts.push(on_meridian(degree, terms, [a, b, c]).scaled(&power));
         }
-        // Every part is now c^top too large.
+        // Every part is multiplied by c^top, and so is the denominator.
         let mut scale = self.denominator.clone();
         multiply_by_power(&mut scale, c, top);
         PlanePolynomial::from_parts(parts, scale)
@@ -125,7 +125,7 @@ mod tests {
     }
 
     proptest! {
-        /// The parts have the values of the polynomial, and are the same as dense forms.
+        /// The parts have the values of the polynomial, and are equal to dense forms.
         #[test]
         fn parts_have_the_values_of_the_polynomial(f in sparse(), at in prop::array::uniform3(-9i64..10)) {
             let parts = SpacePolynomial::from(&f);
@@ -138,7 +138,7 @@ mod tests {
             }
         }
 
-        /// On a meridian a part is the binary form of the dense one, and has its values.
+        /// On a meridian a part is the binary form that the dense part has there, with the same values.
         #[test]
         fn meridians_are_those_of_dense_forms(f in sparse(), x in -9i64..10, y in -9i64..10) {
             let [a, b, c] = [3, 4, 5].map(Integer::from);

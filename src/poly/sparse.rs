@@ -1,4 +1,4 @@
-//! Sparse polynomials in a fixed number of variables: what expressions are expanded into.
+//! Sparse polynomials in a fixed number of variables.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ use crate::exact::Rational;
 
 /// A polynomial in `V` variables with exact rational coefficients, as a map from exponents.
 ///
-/// It serves where polynomials come from text or hold symbols; a curve is computed with as a
+/// This type is for polynomials that come from text or have symbols as coefficients. Computations with curves use
 /// [`PlanePolynomial`].
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct SparsePolynomial<const V: usize> {
@@ -20,8 +20,7 @@ pub struct SparsePolynomial<const V: usize> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Exponents<const V: usize>([u32; V]);
 
-/// The one order of terms that is printed anywhere: by total degree, then by exponents, both
-/// descending. `Less` comes first.
+/// The order of terms in everything that is written: by total degree, then by exponents, both descending. `Less` comes first.
 #[must_use]
 pub(crate) fn term_order<const V: usize>(a: &[u32; V], b: &[u32; V]) -> Ordering {
     total_degree(b).cmp(&total_degree(a)).then_with(|| b.cmp(a))
@@ -54,7 +53,7 @@ impl<const V: usize> SparsePolynomial<V> {
         }
     }
 
-    /// A constant.
+    /// The constant polynomial with this value.
     #[must_use]
     pub fn constant(value: Rational) -> Self {
         Self::from_terms([([0; V], value)])
@@ -101,7 +100,7 @@ impl<const V: usize> SparsePolynomial<V> {
         }
     }
 
-    /// Adds `factor · other` in place: linear in the length of `other`, so that long sums stay cheap.
+    /// Adds `factor · other` in place. Cost: linear in the length of `other`, so that long sums stay cheap.
     pub fn add_multiple(&mut self, other: &Self, factor: &Rational) {
         for (exponents, coefficient) in &other.terms {
             self.add_term(exponents.0, coefficient * factor);
@@ -125,13 +124,13 @@ impl<const V: usize> SparsePolynomial<V> {
         self.terms.is_empty()
     }
 
-    /// The largest total degree, `None` for the zero polynomial.
+    /// The largest total degree; `None` for the zero polynomial.
     #[must_use]
     pub fn degree(&self) -> Option<u64> {
         self.terms.keys().next().map(|e| total_degree(&e.0))
     }
 
-    /// The value if this is a constant.
+    /// The value, if the polynomial is a constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
         match self.degree() {
@@ -154,7 +153,7 @@ impl<const V: usize> SparsePolynomial<V> {
         })
     }
 
-    /// The derivative by the variable with this index.
+    /// The derivative with respect to the variable with this index.
     #[must_use]
     pub fn derivative(&self, variable: usize) -> Self {
         let terms = self.terms.iter().filter(|(e, _)| e.0[variable] > 0);
@@ -165,7 +164,7 @@ impl<const V: usize> SparsePolynomial<V> {
         }))
     }
 
-    /// `factor · self`.
+    /// The product `factor · self`.
     #[must_use]
     pub fn scaled(&self, factor: &Rational) -> Self {
         let mut result = Self::zero();
@@ -173,7 +172,7 @@ impl<const V: usize> SparsePolynomial<V> {
         result
     }
 
-    /// The primitive part with positive first term: the multiple with coprime integer coefficients.
+    /// The primitive part: the multiple with coprime integer coefficients whose first coefficient is positive.
     #[must_use]
     pub fn primitive(&self) -> Self {
         use malachite::base::num::arithmetic::traits::{Gcd, Lcm};
@@ -198,7 +197,7 @@ impl<const V: usize> SparsePolynomial<V> {
         first.map_or_else(|| self.clone(), |factor| self.scaled(&factor))
     }
 
-    /// `self^exponent` by repeated squaring.
+    /// The power `self^exponent`, by repeated squaring.
     ///
     /// # Panics
     /// If an exponent of the power is 2^32 or more.
@@ -252,7 +251,7 @@ impl<const V: usize> Ring for SparsePolynomial<V> {
 }
 
 impl SparsePolynomial<3> {
-    /// The polynomial as one in x and y, `None` if z occurs.
+    /// The polynomial in x and y; `None` if z occurs.
     #[must_use]
     pub fn to_plane(&self) -> Option<PlanePolynomial> {
         if self.terms.keys().any(|e| e.0[2] != 0) {

@@ -7,10 +7,10 @@ use malachite::base::polynomial::Polynomial;
 
 use super::IntegerPolynomial;
 
-/// The q with `q² = f` and positive leading coefficient, if f is a square of a polynomial with
+/// The polynomial q with `q² = f` and a positive leading coefficient; `None` if f is not the square of a polynomial with
 /// integer coefficients.
 ///
-/// Coefficient by coefficient from the top, then verified by squaring: d²/8 products of
+/// The coefficients are computed from the highest one down, and the result is verified by squaring. Cost: d²/8 products of
 /// coefficients for degree d.
 #[must_use]
 pub(crate) fn polynomial_sqrt(f: &IntegerPolynomial) -> Option<IntegerPolynomial> {

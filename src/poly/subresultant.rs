@@ -1,4 +1,4 @@
-//! Subresultants of a polynomial and its derivative, where the coefficients are polynomials themselves.
+//! Subresultants of a polynomial and its derivative, where the coefficients are polynomials in t.
 
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::{CeilingSqrt, Pow, Square};
@@ -10,33 +10,32 @@ use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, determinant, large_primes};
 
-/// Products of residues beyond which the work is refused: about a minute.
+/// The largest number of products of residues; that many take about a minute.
 const MAX_WORK: f64 = 3e10;
 
-/// Degrees of the coefficients: the i-th has at most degree `lowest + i·step`.
+/// The degrees of the coefficients: the i-th coefficient has at most the degree `lowest + i·step`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Weights {
     pub(crate) lowest: usize,
     pub(crate) step: usize,
 }
 
-/// The j-th signed principal subresultant coefficient sRes_j(P, P′) in Z[t] of `P = Σ a_i(t) R^i`,
-/// m = deg P ≥ 1 and 0 ≤ j < m: the determinant of the Sylvester–Habicht matrix (Basu, Pollack, Roy,
-/// *Algorithms in Real Algebraic Geometry*, Notation 8.55). sRes_0 is a_m times the discriminant, up to
-/// the positive factor 1 and a sign that depends on m only.
+/// The j-th signed principal subresultant coefficient sRes_j(P, P′) in Z[t] of `P = Σ a_i(t) R^i`, where m = deg P ≥ 1 and 0 ≤
+/// j < m: the determinant of the Sylvester–Habicht matrix (Basu, Pollack, Roy, *Algorithms in Real Algebraic Geometry*,
+/// Notation 8.55). sRes_0 is a_m times the discriminant, up to a sign that depends on m only.
 ///
-/// By evaluation at integers, Gauss modulo 31-bit primes, interpolation, and Chinese remainders up to the bound of Lemma 1.
-/// At the end the result is compared with the determinant at one more point modulo one more prime. Cost:
-/// (degree · primes) determinants of size 2m − 1 − 2j.
+/// Method: evaluation at integers, Gaussian elimination modulo 31-bit primes, interpolation, and Chinese remainders up to the
+/// bound of Lemma 1. At the end the result is checked at one more point modulo one more prime. Cost: (degree · primes)
+/// determinants of size 2m − 1 − 2j.
 ///
-/// Lemma 1. With ‖a‖ the sum of the absolute values of all coefficients, no coefficient of the determinant is more than
-/// √(Σ ‖a_i‖²)^(m−1−j) √(Σ i² ‖a_i‖²)^(m−j).
-/// Proof. Where |t| = 1, |a_i(t)| ≤ ‖a_i‖, and by Hadamard the determinant is at most the product of the lengths of its
-/// rows: m − 1 − j of P and m − j of P′. A coefficient is a mean of values times powers of t there (Cauchy).
+/// Lemma 1. Let ‖a‖ be the sum of the absolute values of all coefficients of a. No coefficient of the determinant is larger
+/// than √(Σ ‖a_i‖²)^(m−1−j) √(Σ i² ‖a_i‖²)^(m−j).
+/// Proof. For |t| = 1, |a_i(t)| ≤ ‖a_i‖, and by Hadamard the determinant is at most the product of the lengths of its rows, of
+/// which m − 1 − j belong to P and m − j to P′. A coefficient is a mean of values times powers of t over this circle (Cauchy).
 /// Law: `the_bound_is_reached_at_half_the_modulus`.
 ///
 /// # Errors
-/// [`Error::Limit`] if that is too much; those of `limits`; [`Error::Internal`] if the result is wrong.
+/// [`Error::Limit`] if the computation takes too much work; those of `limits`; [`Error::Internal`] if the result is wrong.
 pub(crate) fn signed_subresultant(
     p: &[IntegerPolynomial],
     j: usize,
@@ -78,8 +77,8 @@ pub(crate) fn signed_subresultant(
     Ok(found)
 }
 
-/// Where the result is compared: none of the small integers. A wrong polynomial of degree d vanishes at less than one in
-/// 2^30/d points.
+/// The point of the check, which is not one of the small integers. A polynomial of degree d other than 0 vanishes at less than
+/// one in 2^30/d points.
 const ANY_POINT: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// The coefficients of polynomials modulo a prime.
@@ -106,7 +105,7 @@ impl Matrix {
         Self { m, j, size }
     }
 
-    /// (k, whether the row is R^k P′)
+    /// The row with this index: the exponent k, and whether the row is R^k P′.
     fn row(&self, index: usize) -> (usize, bool) {
         let of_p = self.m - 1 - self.j;
         if index < of_p {
@@ -141,10 +140,10 @@ impl Matrix {
         (of_p * of_derivative).ceiling_sqrt()
     }
 
-    /// log₂ of that, about, for an estimate of the work.
+    /// About the binary logarithm of the bound, to estimate the work.
     fn coefficient_bits(&self, p: &[IntegerPolynomial]) -> f64 {
         let mut norms = [0.0f64; 2];
-        // Scaled down by the largest coefficient, so that no square overflows.
+        // The norms are divided by the largest one, so that no square overflows.
         let scale = p.iter().map(one_norm_bits).fold(0.0, f64::max);
         for (i, a) in p.iter().enumerate() {
             let norm = (one_norm_bits(a) - scale).exp2();
@@ -170,7 +169,7 @@ impl Matrix {
         for index in 0..self.size {
             let (shift, of_derivative) = self.row(index);
             let source = if of_derivative { &derivative } else { &p };
-            // There is no coefficient of a negative power, and none beyond the degree.
+            // The coefficients of negative powers and of powers beyond the degree are 0.
             let column = |c: usize| {
                 let power = self.j + self.size - 1 - c;
                 power
@@ -185,13 +184,13 @@ impl Matrix {
     }
 }
 
-/// The sum of the absolute values.
+/// The sum of the absolute values of the coefficients.
 fn one_norm(a: &IntegerPolynomial) -> Natural {
     let coefficients = a.coefficients_asc().iter();
     coefficients.map(|c| c.unsigned_abs_ref()).sum()
 }
 
-/// log₂ of the sum of the absolute values, 0 for 0; rounded up a little.
+/// The binary logarithm of the sum of the absolute values, rounded up a little; 0 for the polynomial 0.
 fn one_norm_bits(a: &IntegerPolynomial) -> f64 {
     let sum = one_norm(a);
     let bits = sum.significant_bits();
@@ -219,7 +218,7 @@ mod tests {
 
     #[test]
     fn the_discriminant_of_a_quadratic() {
-        // a R² + b R + c with a = t, b = 1 + t, c = 2 − t: sRes_0 = a (b² − 4ac)
+        // a R² + b R + c with a = t, b = 1 + t, c = 2 − t has sRes_0 = a (b² − 4ac).
         let p = [poly(&[2, -1]), poly(&[1, 1]), poly(&[0, 1])];
         let found =
             signed_subresultant(&p, 0, Weights { lowest: 1, step: 0 }, &Limits::none()).unwrap();
@@ -231,7 +230,7 @@ mod tests {
 
     #[test]
     fn the_bound_is_reached_at_half_the_modulus() {
-        // The determinant is the derivative of c t R.
+        // For c t R the determinant is the derivative.
         let (mut all, mut modulus) = (large_primes(), Integer::from(1));
         for primes in 1..6 {
             modulus *= Integer::from(all.following());
@@ -270,7 +269,7 @@ mod tests {
         );
     }
 
-    /// Gauss over the fractions of num-rational, at one t.
+    /// The slow twin: Gaussian elimination over fractions of num-rational, for one t.
     fn naive(p: &[IntegerPolynomial], j: usize, t: i64) -> BigRational {
         let value = |a: &IntegerPolynomial| {
             a.coefficients_asc()
@@ -332,7 +331,7 @@ mod tests {
             bits in prop_oneof![Just(0u64), 20u64..40, 100u64..400],
             low in -1i64..2,
         ) {
-            // Next to multiples of a power of two.
+            // Coefficients near multiples of a power of two.
             let long = |f: IntegerPolynomial| {
                 let c = f.into_coefficients_asc().into_iter();
                 IntegerPolynomial::from_coefficients_asc(c.map(|c| (c << bits) + Integer::from(low)).collect())

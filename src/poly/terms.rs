@@ -1,4 +1,4 @@
-//! Integer polynomials in a few variables as sorted terms: what is factored, eliminated and evaluated modulo primes.
+//! Integer polynomials in a few variables as sorted lists of terms, for factoring, elimination and evaluation modulo primes.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -15,11 +15,11 @@ use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::modular::PrimeField;
 
-/// A dense table is used while it has at most this many cells per product of two terms.
+/// A product uses a dense table if the table has at most this many cells for each product of two terms.
 const SPARSE_FACTOR: usize = 4;
 
-/// A polynomial in V variables with integer coefficients; its non-zero terms in descending lexicographic
-/// order of exponents. Variables are told by index.
+/// A polynomial in V variables with integer coefficients, as the list of its non-zero terms in descending lexicographic order
+/// of exponents. A variable is named by its index.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct IntegerTerms<const V: usize>(Vec<([u32; V], Integer)>);
 
@@ -49,12 +49,12 @@ impl<const V: usize> IntegerTerms<V> {
         Self::new(vec![(exponents, Integer::ONE)])
     }
 
-    /// The numerators of a polynomial, whose denominators are 1.
+    /// The polynomial with the numerators as coefficients; all denominators must be 1.
     pub(crate) fn of_numerators(f: &SparsePolynomial<V>) -> Self {
         Self::new(f.terms().map(|(e, c)| (*e, c.numerator())).collect())
     }
 
-    /// The same polynomial with its type for rational coefficients.
+    /// The same polynomial as a [`SparsePolynomial`].
     pub(crate) fn to_sparse(&self) -> SparsePolynomial<V> {
         SparsePolynomial::from_terms(self.0.iter().map(|(e, c)| (*e, Rational::whole(c))))
     }
@@ -63,7 +63,7 @@ impl<const V: usize> IntegerTerms<V> {
         self.0.iter()
     }
 
-    /// How many terms there are.
+    /// The number of terms.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
@@ -76,7 +76,7 @@ impl<const V: usize> IntegerTerms<V> {
         self.degrees() == [0; V]
     }
 
-    /// The degree in each variable, 0 for the zero polynomial.
+    /// The degree in each variable; 0 for the zero polynomial.
     pub(crate) fn degrees(&self) -> [u32; V] {
         self.0
             .iter()
@@ -89,7 +89,7 @@ impl<const V: usize> IntegerTerms<V> {
         (0..V).filter(|&v| degrees[v] > 0).collect()
     }
 
-    /// Σ c² .
+    /// The sum of the squares of the coefficients.
     pub(crate) fn norm_squared(&self) -> Integer {
         use malachite::base::num::arithmetic::traits::Square;
         self.0
@@ -97,7 +97,7 @@ impl<const V: usize> IntegerTerms<V> {
             .fold(Integer::ZERO, |sum, (_, c)| sum + c.square())
     }
 
-    /// Σ |c|.
+    /// The sum of the absolute values of the coefficients.
     pub(crate) fn norm(&self) -> Natural {
         let magnitudes = self.0.iter().map(|(_, c)| c.unsigned_abs_ref());
         magnitudes.sum()
@@ -125,7 +125,7 @@ impl<const V: usize> IntegerTerms<V> {
         }
     }
 
-    /// Coprime coefficients, the first one positive.
+    /// The multiple with coprime coefficients whose first coefficient is positive.
     pub(crate) fn primitive(mut self) -> Self {
         let content = self.signed_content();
         if content != 0 && content != 1 {
@@ -144,13 +144,13 @@ impl<const V: usize> IntegerTerms<V> {
         self
     }
 
-    /// Every coefficient modulo a number.
+    /// The polynomial with every coefficient reduced modulo a number.
     pub(crate) fn modulo(&self, modulus: &Integer) -> Self {
         let terms = self.0.iter().map(|(e, c)| (*e, c.mod_op(modulus)));
         Self(terms.filter(|(_, c)| *c != 0).collect())
     }
 
-    /// The same coefficients at other exponents.
+    /// The polynomial with the same coefficients and other exponents.
     pub(crate) fn map_exponents(&self, map: impl Fn(&[u32; V]) -> [u32; V]) -> Self {
         Self::new(self.0.iter().map(|(e, c)| (map(e), c.clone())).collect())
     }
@@ -184,11 +184,11 @@ impl<const V: usize> IntegerTerms<V> {
             rest[v] = 0;
             rows.entry(e[v]).or_default().push((rest, c.clone()));
         }
-        // Within a row the order is kept.
+        // The terms of one power remain in order.
         rows.into_iter().map(|(k, row)| (k, Self(row))).collect()
     }
 
-    /// The value at `v = a`, free of v.
+    /// The polynomial for `v = a`, in which v does not occur.
     pub(crate) fn evaluated(&self, v: usize, a: &Integer) -> Self {
         let degree = self.degrees()[v];
         let mut powers = vec![Integer::ONE];
@@ -208,7 +208,7 @@ impl<const V: usize> IntegerTerms<V> {
         )
     }
 
-    /// f(…, v + a, …), by synthetic division in every row.
+    /// The polynomial f(…, v + a, …), by synthetic division in every row.
     pub(crate) fn shifted(&self, v: usize, a: &Integer) -> Self {
         if *a == 0 {
             return self.clone();
@@ -254,7 +254,7 @@ impl<const V: usize> IntegerTerms<V> {
         Self::new(self.0.iter().cloned().chain(minus).collect())
     }
 
-    /// The product: into a dense table, or into a map when that would be mostly empty.
+    /// The product, computed in a dense table, or in a map if the table would be mostly empty.
     pub(crate) fn product(&self, other: &Self) -> Self {
         let (a, b) = (self.degrees(), other.degrees());
         let table = Table::for_degrees(std::array::from_fn(|v| {
@@ -280,8 +280,8 @@ impl<const V: usize> IntegerTerms<V> {
         table.terms(cells)
     }
 
-    /// `self / divisor` if the divisor divides it over the integers. The remainder is a dense table of
-    /// the size of self; a wrong divisor is refused as soon as a degree or a coefficient does not fit.
+    /// The quotient `self / divisor`; `None` if the divisor does not divide over the integers. The remainder is a dense table
+    /// of the size of self. The division ends as soon as a degree or a coefficient does not fit.
     pub(crate) fn divided_by(&self, divisor: &Self) -> Option<Self> {
         let (lead_exponents, lead) = divisor.0.first()?;
         let (degrees, lower) = (self.degrees(), divisor.degrees());
@@ -323,7 +323,7 @@ impl<const V: usize> IntegerTerms<V> {
         Some(Self(quotient))
     }
 
-    /// By repeated squaring.
+    /// The power, by repeated squaring.
     pub(crate) fn pow(&self, exponent: usize) -> Self {
         let mut result = Self::constant(Integer::ONE);
         for bit in (0..usize::BITS - exponent.leading_zeros()).rev() {
@@ -335,7 +335,7 @@ impl<const V: usize> IntegerTerms<V> {
         result
     }
 
-    /// As a polynomial in v; the other variables must not occur.
+    /// The polynomial in v; the other variables must not occur.
     pub(crate) fn to_univariate(&self, v: usize) -> IntegerPolynomial {
         let mut coefficients = vec![Integer::ZERO; self.degrees()[v] as usize + 1];
         for (e, c) in &self.0 {
@@ -358,8 +358,8 @@ impl<const V: usize> IntegerTerms<V> {
         Table::for_degrees(self.degrees()).cells
     }
 
-    /// The polynomial in v that is left modulo a prime where the other variables have values, with as many coefficients as the
-    /// degree in v says; `point[v]` is not looked at.
+    /// The polynomial in v modulo a prime, for given values of the other variables. It has as many coefficients as the degree
+    /// in v requires; `point[v]` is not used.
     pub(crate) fn image(&self, v: usize, point: &[u64; V], field: &PrimeField) -> Vec<u64> {
         let degrees = self.degrees();
         let powers: [Vec<u64>; V] = std::array::from_fn(|w| {
@@ -433,7 +433,7 @@ pub(super) mod tests {
     use proptest::prelude::*;
 
     pub(crate) fn terms() -> impl Strategy<Value = IntegerTerms<3>> {
-        // Small ones, and ones next to multiples of a power of two.
+        // Small coefficients, and coefficients near multiples of a power of two.
         let coefficient = prop_oneof![
             (-9i64..9).prop_map(Integer::from),
             (-3i64..4, 20u64..300, -1i64..2)

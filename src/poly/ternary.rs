@@ -10,16 +10,16 @@ use super::{BinaryForm, IntegerPolynomial, Ring, SparsePolynomial};
 use crate::error::Invariant;
 use crate::exact::Rational;
 
-/// A homogeneous polynomial `f(x, y, z) = Σ_j f_j(x, y) z^j` with integer coefficients: a binary form of
-/// degree d − j for every power of z. Its terms are those of the [`SparsePolynomial`] that it converts into.
+/// A homogeneous polynomial `f(x, y, z) = Σ_j f_j(x, y) z^j` with integer coefficients, stored as a binary form of degree d − j
+/// for every power of z. It can be converted into a [`SparsePolynomial`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TernaryForm {
-    /// `rows[j]` has degree d − j; there are d + 1.
+    /// The d + 1 binary forms; `rows[j]` has the degree d − j.
     rows: Vec<BinaryForm>,
 }
 
 impl TernaryForm {
-    /// From the binary forms beside z⁰, z¹, …, z^d.
+    /// The form whose coefficients of z⁰, z¹, …, z^d are these binary forms.
     ///
     /// # Panics
     /// If the degrees are not d, d − 1, …, 0.
@@ -40,7 +40,7 @@ impl TernaryForm {
         degree: usize,
         terms: impl IntoIterator<Item = ([usize; 3], Integer)>,
     ) -> Self {
-        // Only as long as the terms ask.
+        // The rows are only as long as the terms require.
         let mut rows: Vec<Vec<Integer>> = vec![Vec::new(); degree + 1];
         for ([i, j, k], c) in terms {
             assert_eq!(i + j + k, degree, "the terms of a form have one degree");
@@ -65,7 +65,7 @@ impl TernaryForm {
         Self::from_rows((0..=degree).rev().map(BinaryForm::zero).collect())
     }
 
-    /// `x² + y² + z²`.
+    /// The form `x² + y² + z²`.
     #[cfg(test)]
     pub(crate) fn rho() -> Self {
         let one = || Integer::from(1);
@@ -75,7 +75,7 @@ impl TernaryForm {
         )
     }
 
-    /// d, also for the zero form.
+    /// The degree d, which the zero form has as well.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.rows.len() - 1
@@ -87,7 +87,7 @@ impl TernaryForm {
         self.rows.iter().all(BinaryForm::is_zero)
     }
 
-    /// The forms in x and y beside z⁰, z¹, …
+    /// The coefficients of z⁰, z¹, …, which are forms in x and y.
     pub(crate) fn rows(&self) -> &[BinaryForm] {
         &self.rows
     }
@@ -105,7 +105,7 @@ impl TernaryForm {
         terms.into_iter()
     }
 
-    /// The gcd of the coefficients, 0 for the zero form.
+    /// The gcd of the coefficients; 0 for the zero form.
     pub(crate) fn content(&self) -> Integer {
         let contents = self.rows.iter().map(BinaryForm::content);
         contents.fold(Integer::ZERO, |gcd, c| {
@@ -113,12 +113,12 @@ impl TernaryForm {
         })
     }
 
-    /// `f / divisor` for a divisor of the content.
+    /// The quotient `f / divisor`; the divisor must divide the content.
     pub(crate) fn div_exact(&self, divisor: &Integer) -> Self {
         self.each(|row| row.div_exact(divisor))
     }
 
-    /// `factor · f`.
+    /// The product `factor · f`.
     pub(crate) fn scaled(&self, factor: &Integer) -> Self {
         self.each(|row| row.scaled(factor))
     }
@@ -129,13 +129,13 @@ impl TernaryForm {
         }
     }
 
-    /// `f / (x² + y² + z²)` if it divides f.
+    /// The quotient `f / (x² + y² + z²)`; `None` if it is not a form.
     pub(crate) fn divided_by_rho(&self) -> Option<Self> {
         let degree = self.degree();
         if degree < 2 || !self.vanishes_at_an_isotropic_vector() {
             return None;
         }
-        // From the highest power of z down: q_j = f_(j+2) − (x² + y²) q_(j+2).
+        // The division begins with the highest power of z: q_j = f_(j+2) − (x² + y²) q_(j+2).
         let mut rest = self.rows.clone();
         let mut quotient = Vec::with_capacity(degree - 1);
         for j in (0..=degree - 2).rev() {
@@ -148,11 +148,11 @@ impl TernaryForm {
         divides.then(|| Self::from_rows(quotient))
     }
 
-    /// Whether f(3, 4, 5i) = 0, as it is where x² + y² + z² divides f: 3² + 4² + (5i)² = 0. A division of f, which fills its zeros
-    /// with coefficients, costs far more than this value.
+    /// Whether f(3, 4, 5i) = 0. This is necessary for x² + y² + z² to divide f, because 3² + 4² + (5i)² = 0. The value costs
+    /// far less than a division, which fills the zeros of f with coefficients.
     fn vanishes_at_an_isotropic_vector(&self) -> bool {
         let (three, four) = (Integer::from(3), Integer::from(4));
-        // Horner's rule in z² = −25 for the even and for the odd powers of z.
+        // Horner's rule in z² = −25, separately for the even and the odd powers of z.
         let mut sums = [Integer::ZERO, Integer::ZERO];
         for (j, row) in self.rows.iter().enumerate().rev() {
             let sum = &mut sums[j % 2];
@@ -177,7 +177,7 @@ impl TernaryForm {
         Some((power, rest))
     }
 
-    /// `f(u, v, w)`. Cost: that of evaluating d + 1 binary forms.
+    /// The value `f(u, v, w)`. Cost: the evaluation of d + 1 binary forms.
     pub(crate) fn evaluate(&self, [u, v, w]: &[Integer; 3]) -> Integer {
         let rows = self.rows.iter().rev();
         rows.fold(Integer::ZERO, |value, row| {
@@ -190,8 +190,8 @@ impl TernaryForm {
         })
     }
 
-    /// The form on the plane through the z axis and (a, b, 0): with a² + b² = c², the binary form
-    /// `c^d f(aY/c, bY/c, X)` in (X, Y) = (cos φ, sin φ).
+    /// The form on the plane through the z axis and (a, b, 0), where a² + b² = c²: the binary form `c^d f(aY/c, bY/c, X)` in
+    /// (X, Y) = (cos φ, sin φ).
     pub(crate) fn on_meridian(&self, a: &Integer, b: &Integer, c: &Integer) -> BinaryForm {
         let terms: Vec<_> = self.terms().collect();
         on_meridian(self.degree(), &terms, [a, b, c])
@@ -276,7 +276,7 @@ mod tests {
             prop_assert_eq!(Rational::whole(f.evaluate(&at.map(Integer::from))), value);
         }
 
-        /// Powers of x² + y² + z² come off exactly.
+        /// All powers of x² + y² + z² are divided out exactly.
         #[test]
         fn powers_of_the_squared_length_come_off(f in form(3), e in 0usize..4) {
             prop_assume!(f.divided_by_rho().is_none());
@@ -284,7 +284,7 @@ mod tests {
             prop_assert_eq!(product.strip_rho(), Some((e, f)));
         }
 
-        /// On a meridian a form is the binary form with the same values.
+        /// On a meridian a form is a binary form with the same values.
         #[test]
         fn a_meridian_has_the_values_of_the_form(f in form(4), x in -9i64..10, y in -9i64..10) {
             let on_meridian = f.on_meridian(&3.into(), &4.into(), &5.into());

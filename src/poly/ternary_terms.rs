@@ -1,4 +1,4 @@
-//! Values of ternary forms that are given by their terms, in descending lexicographic order of the exponents of x, y, z.
+//! Values of ternary forms that are given as terms, in descending lexicographic order of the exponents of x, y, z.
 
 use std::borrow::Borrow;
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ use malachite::base::num::basic::traits::{One, Zero};
 
 use super::BinaryForm;
 
-/// value · base^exponent, in its place.
+/// Multiplies value by base^exponent, in place.
 pub(super) fn multiply_by_power(value: &mut Integer, base: &Integer, exponent: usize) {
     match exponent {
         0 => {}
@@ -18,7 +18,7 @@ pub(super) fn multiply_by_power(value: &mut Integer, base: &Integer, exponent: u
     }
 }
 
-/// Σ c u^i v^j w^k: Horner's rule in u, and in v for every power of u.
+/// The value Σ c u^i v^j w^k, by Horner's rule in u, and in v for every power of u.
 pub(super) fn value(
     terms: &[([usize; 3], impl Borrow<Integer>)],
     [u, v, w]: [&Integer; 3],
@@ -44,7 +44,8 @@ pub(super) fn value(
     sum
 }
 
-/// The form on the plane through the z axis and (a, b, 0): with a² + b² = c², the binary form `c^d f(aY/c, bY/c, X)` in (X, Y).
+/// The form on the plane through the z axis and (a, b, 0), where a² + b² = c²: the binary form `c^d f(aY/c, bY/c, X)` in (X,
+/// Y).
 pub(super) fn on_meridian(
     degree: usize,
     terms: &[([usize; 3], impl Borrow<Integer>)],
@@ -56,7 +57,7 @@ pub(super) fn on_meridian(
         row.push(([*i, *j, 0], coefficient.borrow()));
     }
     let (mut below, mut power) = (0, Integer::ONE);
-    // Beside X^k Y^(d−k).
+    // The coefficients of X^k Y^(d−k).
     let mut coefficients = vec![Integer::ZERO; degree + 1];
     for (k, row) in beside_z {
         multiply_by_power(&mut power, c, k - below);

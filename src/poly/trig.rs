@@ -9,22 +9,21 @@ use crate::exact::Rational;
 /// `Σ_n (a_n cos nθ + b_n sin nθ)` with exact rational coefficients, as a map from n to
 /// `[a_n, b_n]`.
 ///
-/// It is the ring that a formula for a Fourier radius is evaluated in: products of cosines and
-/// sines are sums of them again.
+/// Formulas for a Fourier radius are evaluated in this ring: products of cosines and sines are sums of cosines and sines.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub(crate) struct TrigPolynomial {
-    /// No pair is `[0, 0]`, and `b_0` is 0.
+    /// The non-zero pairs; `b_0` is 0.
     harmonics: BTreeMap<u32, [Rational; 2]>,
 }
 
 impl TrigPolynomial {
-    /// 0.
+    /// The polynomial 0.
     #[must_use]
     pub(crate) fn zero() -> Self {
         Self::default()
     }
 
-    /// A constant.
+    /// The constant polynomial with this value.
     #[must_use]
     pub(crate) fn constant(value: Rational) -> Self {
         let mut result = Self::zero();
@@ -32,7 +31,7 @@ impl TrigPolynomial {
         result
     }
 
-    /// `cos nθ`; n may be negative.
+    /// The polynomial `cos nθ`; n may be negative.
     #[must_use]
     pub(crate) fn cosine(n: i32) -> Self {
         let mut result = Self::zero();
@@ -40,7 +39,7 @@ impl TrigPolynomial {
         result
     }
 
-    /// `sin nθ`; n may be negative.
+    /// The polynomial `sin nθ`; n may be negative.
     #[must_use]
     pub(crate) fn sine(n: i32) -> Self {
         let mut result = Self::zero();
@@ -61,14 +60,14 @@ impl TrigPolynomial {
         }
     }
 
-    /// Adds `factor · other` in place: linear in the length of `other`.
+    /// Adds `factor · other` in place. Cost: linear in the length of `other`.
     pub(crate) fn add_multiple(&mut self, other: &Self, factor: &Rational) {
         for (&n, [a, b]) in &other.harmonics {
             self.add_harmonic(n, [a * factor, b * factor]);
         }
     }
 
-    /// `factor · self`.
+    /// The product `factor · self`.
     #[must_use]
     pub(crate) fn scaled(&self, factor: &Rational) -> Self {
         let mut result = Self::zero();
@@ -93,7 +92,7 @@ impl TrigPolynomial {
         self.harmonics.keys().next_back().copied()
     }
 
-    /// The value if this is a constant.
+    /// The value, if the polynomial is a constant.
     #[must_use]
     pub(crate) fn as_constant(&self) -> Option<Rational> {
         match self.degree() {
@@ -131,7 +130,7 @@ impl TrigPolynomial {
         value
     }
 
-    /// The invariants of the type; called by every property test.
+    /// Checks the invariants of the type; every property test calls it.
     #[cfg(test)]
     pub(crate) fn check_invariants(&self) -> bool {
         self.harmonics
@@ -153,8 +152,8 @@ impl Ring for TrigPolynomial {
         sum
     }
 
-    /// By product-to-sum: with `z_n = a_n − i b_n`, the harmonic n of f is `Re z_n e^{inθ}`, and
-    /// `Re z e^{inθ} · Re w e^{imθ} = ½ Re (z w e^{i(n+m)θ} + z w̄ e^{i(n−m)θ})`.
+    /// The product-to-sum formulas: with `z_n = a_n − i b_n`, the harmonic n of f is `Re z_n e^{inθ}`, and `Re z e^{inθ} · Re w
+    /// e^{imθ} = ½ Re (z w e^{i(n+m)θ} + z w̄ e^{i(n−m)θ})`.
     /// # Panics
     /// If a harmonic of the product is 2^32 or more.
     fn times(&self, other: &Self) -> Self {

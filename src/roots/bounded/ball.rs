@@ -9,8 +9,7 @@
 //! Midpoints must stay inside (−128, 128). Lists keep the sum of their midpoints' sizes at most 64, so that sums, values at
 //! points of [0, 1], Bernstein coefficients and means stay inside.
 //!
-//! The laws are in `ball_laws.rs` and `unit_laws.rs`, one for every rule; they feed it limbs that are all ones, all zeros, one bit, or
-//! cancel.
+//! The laws are in `ball_laws.rs` and `unit_laws.rs`, one for every rule.
 
 use std::cell::OnceCell;
 
@@ -35,15 +34,15 @@ mod unit_laws;
 /// x (1 − 2^(−53))^(−4097) < x (1 + 2^(−40.9)), and SLACK = 1 + 2^(−40). Law: `sums_of_radii_are_covered`.
 const SLACK: f64 = 1.0 + 4096.0 * f64::EPSILON;
 
-/// Radii from 2^126 on are compared with midpoints by their bits alone.
+/// From 2^126 on, radii are compared with midpoints by their numbers of bits alone.
 const LARGE_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0;
 
 const TWO_TO_64: f64 = 18_446_744_073_709_551_616.0;
 
-/// The sizes of the midpoints of a list add up to at most that.
+/// The sizes of the midpoints of a list add up to at most this number.
 const LARGEST_SUM: f64 = 64.0;
 
-/// 2^k, exactly; 2^(−1000) where it is smaller than that, and infinity above 2^1000: never less than 2^k.
+/// A double that is at least 2^k. It is exact for |k| ≤ 1000; it is 2^(−1000) for smaller k and infinite for larger ones.
 fn power_of_two(k: i64) -> f64 {
     match k {
         1001.. => f64::INFINITY,
@@ -52,7 +51,7 @@ fn power_of_two(k: i64) -> f64 {
     }
 }
 
-/// The radius of what is shifted down by s bits.
+/// The radius of a ball whose midpoint is shifted down by s bits.
 ///
 /// **Lemma 2.** If |x − mid| ≤ rad, then |x 2^(−s) − mid'| ≤ rad 2^(−s) + [s > 0], where mid' is mid · 2^(−s) cut towards 0.
 ///
@@ -65,7 +64,7 @@ fn radius_after_shift(radius: f64, s: i64) -> f64 {
     (radius * power_of_two(-s) + f64::from(u8::from(s > 0))) * SLACK
 }
 
-/// The radius of the mean of two midpoints.
+/// A bound of the radius of the mean of two balls.
 ///
 /// **Lemma 3.** If |x − a| ≤ r and |y − b| ≤ s, then |(x + y)/2 − m| ≤ (r + s)/2 + 1/2, where m is (a + b)/2 rounded down. The
 /// double that is returned is at least that.
@@ -79,7 +78,7 @@ fn radius_of_mean(r: f64, s: f64) -> f64 {
     (r + s) * HALF + 1.0
 }
 
-/// The sign of all numbers within `radius` of `mid`, `None` if they do not have one, or may not have one.
+/// The sign of all numbers within `radius` of `mid`; `None` if they do not have one sign, or if this is not certain.
 ///
 /// **Lemma 4.** A sign that is returned is that of every number that is held, none of which is 0.
 ///
@@ -108,18 +107,18 @@ fn known_sign<const W: usize>(mid: Fixed<W>, radius: f64) -> Option<i8> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ball<const W: usize> {
     mid: Fixed<W>,
-    /// In ulps.
+    /// The radius, in ulps.
     radius: f64,
 }
 
 impl<const W: usize> Ball<W> {
-    /// 0, exactly.
+    /// The exact number 0.
     pub(crate) const ZERO: Self = Self {
         mid: Fixed::ZERO,
         radius: 0.0,
     };
 
-    /// value · 2^(−exponent), which must be in (−128, 128).
+    /// The ball of value · 2^(−exponent), which must be in (−128, 128).
     ///
     /// **Lemma 5.** The radius is 0 if the bits of the value fit, else 1.
     ///
@@ -132,12 +131,12 @@ impl<const W: usize> Ball<W> {
         }
     }
 
-    /// The sign of all numbers that are held (Lemma 4).
+    /// The sign of all numbers that the ball holds (Lemma 4).
     pub(crate) fn sign(self) -> Option<i8> {
         known_sign(self.mid, self.radius)
     }
 
-    /// About the midpoint.
+    /// The midpoint, approximately.
     pub(crate) fn to_f64(self) -> f64 {
         self.mid.to_f64()
     }
@@ -151,13 +150,13 @@ pub(crate) struct ScaledBall<const W: usize> {
 }
 
 impl<const W: usize> ScaledBall<W> {
-    /// 0, exactly.
+    /// The exact number 0.
     pub(crate) const ZERO: Self = Self {
         ball: Ball::ZERO,
         exponent: 0,
     };
 
-    /// An integer, with as many leading bits as there is room for.
+    /// The ball of an integer, with as many leading bits as fit.
     pub(crate) fn of_integer(value: &Integer) -> Self {
         let exponent = Fixed::<W>::bits_of(value);
         Self {
@@ -166,28 +165,28 @@ impl<const W: usize> ScaledBall<W> {
         }
     }
 
-    /// About log₂ |value|; `None` if it may be 0.
+    /// About log₂ |value|; `None` if the ball may hold 0.
     pub(crate) fn log2(&self) -> Option<i64> {
         self.ball.sign()?;
         Some(self.ball.mid.bits() - Fixed::<W>::FRACTION_BITS + self.exponent)
     }
 }
 
-/// Coefficients c_0, …, c_d of a polynomial on [0, 1], in powers or in the Bernstein basis; the sizes of their midpoints
-/// add up to at most 64 in powers, and each is at most 64 in the Bernstein basis.
+/// The coefficients c_0, …, c_d of a polynomial on [0, 1], in powers or in the Bernstein basis. In powers, the sizes of the
+/// midpoints add up to at most 64; in the Bernstein basis, each is at most 64.
 #[derive(Clone, Debug)]
 pub(super) struct Balls<const W: usize> {
     mids: Vec<Fixed<W>>,
     radii: Vec<f64>,
-    /// The radii of the Bernstein coefficients, which are those for −y, too.
+    /// The radii of the Bernstein coefficients, which are the same for the polynomial in −y.
     bernstein_radii: OnceCell<Vec<f64>>,
-    /// The radius of a value, at any point and of −y, too.
+    /// The radius of a value at any point, which is the same for the polynomial in −y.
     value_radius: OnceCell<f64>,
 }
 
 impl<const W: usize> Balls<W> {
-    /// Numbers, each times 2^(its shift), all times one power of two such that the sum of the sizes of the midpoints is at
-    /// most 64; `None` if all are 0.
+    /// The balls of numbers, each times 2^(its shift), and all times one power of two that makes the sum of the sizes of the
+    /// midpoints at most 64. `None` if all numbers are 0.
     ///
     /// **Lemma 6.** The midpoints fit, and each ball holds its number times that power of two.
     ///
@@ -206,7 +205,7 @@ impl<const W: usize> Balls<W> {
             .map(|(number, shift)| {
                 let down = top - number.exponent - shift;
                 let Ball { mid, radius } = number.ball;
-                // What is 0 stays 0, however far it is shifted.
+                // The number 0 stays 0, however far it is shifted.
                 let down_mid = if mid.is_zero() { 0 } else { down };
                 (mid.shifted_down(down_mid), radius_after_shift(radius, down))
             })
@@ -224,7 +223,7 @@ impl<const W: usize> Balls<W> {
         }
     }
 
-    /// How many there are.
+    /// The number of coefficients.
     pub(super) fn len(&self) -> usize {
         self.mids.len()
     }
@@ -234,19 +233,19 @@ impl<const W: usize> Balls<W> {
         known_sign(self.mids[k], self.radii[k])
     }
 
-    /// About the midpoints.
+    /// The midpoints, approximately.
     pub(super) fn to_doubles(&self) -> Vec<f64> {
         self.mids.iter().map(|c| c.to_f64()).collect()
     }
 
-    /// The opposite of every second coefficient, from the one at `first` on: exact.
+    /// Replaces every second coefficient, from the one at `first` on, by its opposite. This is exact.
     pub(super) fn negate_every_second(&mut self, first: usize) {
         for c in self.mids.iter_mut().skip(first).step_by(2) {
             *c = c.negated();
         }
     }
 
-    /// How often the signs of the sums c_0, c_0 + c_1, …, c_0 + … + c_d change.
+    /// The number of changes of sign in the sums c_0, c_0 + c_1, …, c_0 + … + c_d.
     ///
     /// **Lemma 7.** The k-th sum is wrong by at most the sum of the radii so far: sums of midpoints are exact.
     pub(super) fn changes_of_partial_sums(&self) -> Changes {
@@ -258,12 +257,12 @@ impl<const W: usize> Balls<W> {
         }))
     }
 
-    /// How often the signs of the coefficients change.
+    /// The number of changes of sign of the coefficients.
     pub(super) fn changes(&self) -> Changes {
         Changes::count((0..self.len()).map(|k| self.sign(k)))
     }
 
-    /// The radius of a value, at least Σ radii + W n (Lemma 8).
+    /// The radius of a value; it is at least Σ radii + W n (Lemma 8).
     pub(super) fn radius_of_a_value(&self) -> f64 {
         *self.value_radius.get_or_init(|| {
             let rounding = float(W) * float(self.len());
@@ -271,7 +270,7 @@ impl<const W: usize> Balls<W> {
         })
     }
 
-    /// Σ c_i y^i.
+    /// The value Σ c_i y^i.
     ///
     /// **Lemma 8.** Horner's rule with n coefficients is wrong by less than Σ radii + W n ulps for 0 ≤ y < 1.
     ///
@@ -284,9 +283,9 @@ impl<const W: usize> Balls<W> {
         Ball { mid, radius }
     }
 
-    /// The value as [`Balls::value`] has it, and about the derivative.
+    /// The value, as [`Balls::value`], and an approximation of the derivative.
     pub(super) fn value_and_slope(&self, y: &Fraction<W>) -> (Ball<W>, f64) {
-        // The slope may be d times larger than a sum that has just room.
+        // The slope may be d times larger than a sum that just fits.
         let bits = self.len().ilog2() + 1;
         let (mut mid, mut slope) = (Fixed::ZERO, Fixed::ZERO);
         for c in self.mids.iter().rev() {
@@ -324,8 +323,8 @@ impl<const W: usize> Balls<W> {
         Self::new(scaled_to_bernstein(&self.mids, table), radii.clone())
     }
 
-    /// The Bernstein coefficients on [0, 1/2] and on [1/2, 1] of a polynomial that is given by those on [0, 1]: De Casteljau's
-    /// means, each wrong by what Lemma 3 says.
+    /// The Bernstein coefficients on [0, 1/2] and on [1/2, 1] of a polynomial that is given by those on [0, 1], by De
+    /// Casteljau's means. Each mean has the error of Lemma 3.
     pub(super) fn halves(self) -> [Self; 2] {
         let (mut high, mut high_radii) = (self.mids, self.radii);
         let mut low = Vec::with_capacity(high.len());
@@ -344,7 +343,7 @@ impl<const W: usize> Balls<W> {
     }
 }
 
-/// A small count.
+/// A small count as a double.
 #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
 fn float(count: usize) -> f64 {
     count as f64
@@ -358,19 +357,19 @@ pub(crate) struct UnitBall<const W: usize> {
 }
 
 impl<const W: usize> UnitBall<W> {
-    /// 1: the largest fraction is one unit below.
+    /// The number 1; the largest fraction is one unit below it.
     pub(crate) const ONE: Self = Self {
         mid: Signed::LARGEST,
         radius: 1.0,
     };
 
-    /// 0, exactly.
+    /// The exact number 0.
     const ZERO: Self = Self {
         mid: Signed::ZERO,
         radius: 0.0,
     };
 
-    /// p / q for |p| ≤ |q| ≠ 0.
+    /// The quotient p / q, for |p| ≤ |q| ≠ 0.
     ///
     /// **Lemma 10.** The quotient is cut by less than one unit, or is ±1 and replaced by the largest fraction. Law:
     /// `quotients_are_inside`.
@@ -424,11 +423,11 @@ pub(crate) fn rotations<const W: usize>(
     [cosines, sines]
 }
 
-/// Values of functions at one point, each in [−1, 1].
+/// The values of functions at one point, each in [−1, 1].
 #[derive(Debug)]
 pub(crate) struct UnitBalls<const W: usize> {
     mids: Vec<Signed<W>>,
-    /// At least the radius of each of them.
+    /// A number that is at least the radius of each value.
     radius: f64,
 }
 
@@ -444,26 +443,26 @@ impl<const W: usize> FromIterator<UnitBall<W>> for UnitBalls<W> {
     }
 }
 
-/// Coefficients of a sum Σ c_i b_i over numbers b_i in [−1, 1]; the sizes of their midpoints add up to at most 64.
+/// The coefficients of a sum Σ c_i b_i over numbers b_i in [−1, 1]. The sizes of their midpoints add up to at most 64.
 #[derive(Debug)]
 pub(crate) struct Coefficients<const W: usize> {
-    /// Divided by 2^8.
+    /// The midpoints, divided by 2^8.
     mids: Vec<Signed<W>>,
     /// The sum of the radii.
     radius: f64,
 }
 
 impl<const W: usize> Coefficients<W> {
-    /// Integers, all divided by the power of two that is returned with them.
+    /// The balls of integers, all divided by the power of two that is returned with them.
     ///
-    /// **Lemma 13.** The midpoints fit, and each ball holds its quotient: as Lemmas 5 and 6.
+    /// **Lemma 13.** The midpoints fit, and each ball holds its quotient. The proof is that of Lemmas 5 and 6.
     pub(crate) fn of_integers<'a>(
         integers: impl Iterator<Item = &'a Integer> + Clone,
     ) -> (Self, i64) {
         let bits = integers.clone().map(Fixed::<W>::bits_of).max();
         let room = Fixed::<W>::room_for(integers.clone().count());
         let exponent = bits.map_or(0, |bits| bits - room);
-        // Each radius is 0 or 1, so that their sum is exact.
+        // Each radius is 0 or 1, so their sum is exact.
         let mut radius = 0.0;
         let mid = |value| {
             let ball = Ball::of_integer(value, exponent);
@@ -474,7 +473,7 @@ impl<const W: usize> Coefficients<W> {
         (Self { mids, radius }, exponent)
     }
 
-    /// Σ c_i b_i, where b_i is the value at the i-th of `indices`.
+    /// The sum Σ c_i b_i, where b_i is the value at the i-th of `indices`.
     ///
     /// **Lemma 14.** If the b_i are wrong by at most R units of 2^(−64W), that is R/256 ulps, the sum of n products is wrong
     /// by at most 64 R/256 + Σ r_i + W n ulps.

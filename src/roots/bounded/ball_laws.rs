@@ -1,8 +1,8 @@
-//! The laws of the rules in `ball.rs`: whatever numbers the operands hold, the result holds the exact result; and each radius
-//! is not too large, since some input has an error of nearly all of it.
+//! The laws of the rules in `ball.rs`. For all numbers that the operands hold, the result holds the exact result. And no radius
+//! is much too large, because for some input the error is nearly the radius.
 //!
-//! The inputs have limbs that are all ones, all zeros, one bit, or next to a power of two, so that every cut takes away as much as
-//! it can, and midpoints that cancel. The numbers that a ball holds are taken at its ends, at its middle, and between.
+//! The limbs of the inputs are all ones, all zeros, single bits, or next to a power of two, so that every cut loses as much as
+//! it can; and some midpoints cancel. The numbers that a ball holds are taken at its ends, at its middle, and between.
 
 use malachite::Natural;
 
@@ -11,7 +11,7 @@ use super::*;
 use crate::bigint::binomials;
 use crate::exact::Rational;
 
-/// How many inputs are drawn for each law and width.
+/// The number of inputs for each law and width.
 pub(super) const CASES: usize = 2000;
 
 impl Draw {
@@ -56,33 +56,33 @@ fn ulps_of(count: i64) -> f64 {
     float(usize::try_from(count).expect("a radius is not negative"))
 }
 
-/// The value of a double.
+/// The exact value of a double.
 pub(super) fn exact(value: f64) -> Rational {
     Rational::try_from(value).expect("a finite double")
 }
 
-/// In ulps.
+/// The number in ulps.
 pub(super) fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
     let size = Rational::whole(Integer::from(Natural::from_limbs_asc(&value.magnitude())));
     if value.is_negative() { -size } else { size }
 }
 
-/// As a number.
+/// The exact value of a fraction.
 pub(super) fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
     Rational::from_dyadic(fraction.to_integer(), -(64 * W as i64))
 }
 
-/// 2^(64W − 8): how many ulps are 1.
+/// The number of ulps in 1, which is 2^(64W − 8).
 pub(super) fn one<const W: usize>() -> Rational {
     Rational::from_dyadic(Integer::from(1), Fixed::<W>::FRACTION_BITS)
 }
 
-/// The largest share of a radius that an error had.
+/// The largest quotient of an error and its radius so far.
 #[derive(Default)]
 pub(super) struct Tightness(f64);
 
 impl Tightness {
-    /// The truth is held by the ball with this midpoint and radius.
+    /// Checks that the ball with this midpoint and radius holds the true value.
     pub(super) fn check(&mut self, truth: &Rational, mid: &Rational, radius: f64) {
         let error = (truth - mid).abs();
         assert!(
@@ -94,7 +94,7 @@ impl Tightness {
         }
     }
 
-    /// Some error is that share of its radius, so that no radius is much too large.
+    /// Checks that some error had this share of its radius, so that no radius is much too large.
     pub(super) fn is_at_least(&self, share: f64) {
         assert!(
             self.0 >= share,
@@ -104,7 +104,7 @@ impl Tightness {
     }
 }
 
-/// A radius is at least what a lemma says, and hardly more.
+/// Checks that a radius is at least the bound of a lemma, and hardly more.
 pub(super) fn is_just(radius: f64, lemma: &Rational) {
     let slack = Rational::one() + Rational::from_dyadic(Integer::from(1), -30);
     let radius = exact(radius);
@@ -150,7 +150,7 @@ mod all {
             let truth = Rational::from_dyadic(value, -exponent) * one::<W>();
             tightness.check(&truth, &ulps(ball.mid), ball.radius);
             assert_eq!(ball.radius == 0.0, truth == ulps(ball.mid));
-            // With all leading bits, and shifted by any number of them.
+            // Integers with all leading bits, shifted by any number of them.
             let value = draw.integer(W + 3);
             let bits = Fixed::<W>::bits_of(&value);
             let mut scaled = ScaledBall::<W>::of_integer(&value);
@@ -170,7 +170,7 @@ mod all {
             let truth = draw.held(&ulps(ball.mid), ball.radius);
             let shifted = ball.mid.shifted_down(shift);
             let radius = radius_after_shift(ball.radius, shift);
-            // Nothing is cut off by a shift upwards, or by none.
+            // A shift upwards, or none, cuts nothing.
             assert!(shift > 0 || ball.radius > 0.0 || radius == 0.0);
             assert!(shift > 0 || radius <= ball.radius * power_of_two(-shift) * SLACK);
             let truth = truth * Rational::from_dyadic(Integer::from(1), -shift);
@@ -197,7 +197,7 @@ mod all {
     pub(super) fn a_sign_is_that_of_all_numbers_inside<const W: usize>(draw: &mut Draw) {
         let mut known = 0;
         for _ in 0..CASES {
-            // Midpoints about as large as the radius, and radii next to whole numbers.
+            // The midpoints are about as large as the radius, and the radii are near integers.
             let bits = Fixed::<W>::FRACTION_BITS.unsigned_abs();
             let size = match draw.below(3) {
                 0 => Integer::from(draw.below(1000)),
@@ -226,7 +226,7 @@ mod all {
             if radius < LARGE_RADIUS || !is_one_sign {
                 assert_eq!(sign, expected, "{mid:?} {radius}");
             } else {
-                // Bits alone tell unless the sizes are within a factor of 4.
+                // The numbers of bits decide unless the sizes are within a factor of 4.
                 assert!(
                     sign == expected || sign.is_none() && exact(4.0 * radius) > ulps(mid).abs()
                 );
@@ -236,7 +236,7 @@ mod all {
         assert!(known > CASES / 8, "{known}");
     }
 
-    /// The numbers of a list, each held by its ball.
+    /// For each ball of a list a number that it holds.
     fn held<const W: usize>(draw: &mut Draw, list: &Balls<W>) -> Vec<Rational> {
         let pairs = list.mids.iter().zip(&list.radii);
         let all_at_one_end = draw.below(2) == 0;
@@ -251,7 +251,7 @@ mod all {
             .collect()
     }
 
-    /// A list of which the sizes of the midpoints add up to at most 64.
+    /// A list in which the sizes of the midpoints add up to at most 64.
     fn list<const W: usize>(draw: &mut Draw, longest: usize) -> Balls<W> {
         let count = 1 + draw.below(longest);
         let room = Fixed::<W>::room_for(count);
@@ -301,7 +301,7 @@ mod all {
                 .iter()
                 .fold(Rational::zero(), |sum, mid| sum + ulps(*mid).abs());
             assert!(sum <= one::<W>() * Rational::from(64));
-            // The power of two that all are times.
+            // The power of two by which all numbers are multiplied.
             let sizes = numbers.iter().filter(|(_, _, value)| *value != 0);
             let top = sizes
                 .map(|(_, shift, value)| Fixed::<W>::bits_of(value) + shift)
@@ -317,7 +317,7 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    /// Midpoints and radii of a few ulps, so that the signs of many sums are not known; the numbers are taken at all ends.
+    /// Midpoints and radii of a few ulps, so that the signs of many sums are unknown. The numbers are taken at all ends.
     pub(super) fn partial_sums_change_as_often_as_is_said<const W: usize>(draw: &mut Draw) {
         let mut told = 0;
         for _ in 0..CASES / 4 {
@@ -366,7 +366,7 @@ mod all {
             tightness.check(&truth, &ulps(value.mid), value.radius);
             let (again, slope) = list.value_and_slope(&y);
             assert_eq!((again.mid, again.radius), (value.mid, value.radius));
-            // The slope, as an estimate: its terms have sizes of at most 64 d.
+            // The slope is an estimate; its terms have sizes of at most 64 d.
             let terms = list.mids.iter().enumerate().skip(1).rev();
             let expected = terms.fold(Rational::zero(), |sum, (i, c)| {
                 sum * &point + ulps(*c) * Rational::from(i as i64)
@@ -401,7 +401,7 @@ mod all {
                 });
                 is_just(found.radii[k], &lemma);
             }
-            // Also for −y.
+            // The radii are right for −y as well.
             let mut reflected = list.clone();
             reflected.negate_every_second(1);
             let again = reflected.to_bernstein(&BernsteinTable::of_degree(degree));
@@ -431,7 +431,7 @@ mod all {
     }
 }
 
-/// A ball with a radius as large as its midpoint holds 0, also where radii begin to be compared in another way.
+/// A ball whose radius is as large as its midpoint holds 0. The radii include those at which the way to compare them changes.
 #[test]
 fn no_sign_is_known_where_zero_is_at_the_end() {
     for k in 0..180i64 {
@@ -446,7 +446,7 @@ fn no_sign_is_known_where_zero_is_at_the_end() {
     }
 }
 
-/// The sum of the radii is rounded down here, and the sum of the midpoints is between that and the true sum.
+/// The sum of the radii would be rounded down here, and the sum of the midpoints is between this value and the true sum.
 #[test]
 fn partial_sums_round_their_radii_up() {
     let number = |n: i64| Fixed::<2>::of_integer(&Integer::from(n), Fixed::<2>::FRACTION_BITS).0;
@@ -458,7 +458,7 @@ fn partial_sums_round_their_radii_up() {
     assert!(matches!(said, Changes::More));
 }
 
-/// Lemma 1, for as many roundings as it allows.
+/// Lemma 1, for the largest number of roundings.
 #[test]
 fn sums_of_radii_are_covered() {
     let mut draw = Draw(1);
@@ -470,7 +470,7 @@ fn sums_of_radii_are_covered() {
             .fold(Rational::zero(), |sum, r| sum + exact(*r));
         assert!(truth <= exact(sum * SLACK));
     }
-    // Where all roundings go down.
+    // All roundings go down in this sum.
     let sum = (0..4096).fold(1.0, |sum, _| sum + f64::EPSILON * 0.49);
     let truth = Rational::one() + exact(f64::EPSILON * 0.49) * Rational::from(4096);
     assert!(truth > exact(sum) && truth <= exact(sum * SLACK));

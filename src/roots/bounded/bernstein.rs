@@ -1,4 +1,4 @@
-//! From powers to the Bernstein basis on [0, 1]: midpoints, and the table that this takes.
+//! The change from powers to the Bernstein basis on [0, 1] for midpoints, and the table that it needs.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use super::fixed::{Fixed, Fraction};
 use crate::bigint::{FlatPolynomial, ShiftByOne, binomials, form_bits, widen};
 use crate::error::Invariant;
 
-/// 1 / C(d, 0), …, 1 / C(d, d).
+/// The table of 1 / C(d, 0), …, 1 / C(d, d).
 #[derive(Debug)]
 pub(super) struct BernsteinTable<const W: usize>(Vec<InverseBinomial<W>>);
 
@@ -20,7 +20,7 @@ pub(super) struct BernsteinTable<const W: usize>(Vec<InverseBinomial<W>>);
 struct InverseBinomial<const W: usize> {
     shift: u32,
     factor: Fraction<W>,
-    /// All of it as a double, after at most 3W + 1 roundings.
+    /// The whole number 1 / C(d, k) as a double, after at most 3W + 1 roundings.
     double: f64,
 }
 
@@ -29,7 +29,7 @@ impl<const W: usize> InverseBinomial<W> {
         let bits = binomial.significant_bits() - 1;
         let shift = u32::try_from(bits).invariant("a binomial coefficient has few bits");
         let factor = Fraction::quotient(&(Integer::from(1) << bits), binomial);
-        // A power of two divides exactly.
+        // Division by 2 is exact.
         let double = (0..shift).fold(factor.to_f64(), |value, _| value / 2.0);
         Self {
             shift,
@@ -40,7 +40,7 @@ impl<const W: usize> InverseBinomial<W> {
 }
 
 impl<const W: usize> BernsteinTable<W> {
-    /// The table of degree d, computed once.
+    /// The table of degree d, which is computed once.
     pub(super) fn of_degree(degree: usize) -> Arc<Self> {
         type Tables = BTreeMap<(usize, usize), Arc<dyn Any + Send + Sync>>;
         static TABLES: Mutex<Tables> = Mutex::new(BTreeMap::new());
@@ -59,7 +59,7 @@ impl<const W: usize> BernsteinTable<W> {
             .invariant("a table has the width of its key")
     }
 
-    /// 1 / C(d, k) as doubles, right up to a factor of 1 ± 2^(−47).
+    /// The numbers 1 / C(d, k) as doubles, with a relative error of at most 2^(−47).
     pub(super) fn inverses(&self) -> impl Iterator<Item = f64> {
         self.0.iter().map(|inverse| inverse.double)
     }
@@ -68,10 +68,10 @@ impl<const W: usize> BernsteinTable<W> {
 /// The Bernstein coefficients b_k = Σ_{i ≤ k} C(k, i)/C(d, i) c_i of Σ c_i y^i, each wrong by less than W + 2 ulps. The sizes of
 /// the c_i must add up to at most 64.
 ///
-/// The numbers C(d, k) b_k are the coefficients of `Σ c_i X^i (1 + X)^(d−i)`: a Taylor shift of the c_i backwards, exact in
-/// integers that are d bits longer. A product with a fraction then divides by C(d, k) = 2^shift / factor: the shift cuts less
-/// than 1 ulp; the factor is wrong by less than 2^(−64W), times a number below 128, which is half an ulp; and the product is cut
-/// by less than W. Cost: d²/2 additions and d products.
+/// The numbers C(d, k) b_k are the coefficients of `Σ c_i X^i (1 + X)^(d−i)`, a Taylor shift of the reversed c_i, which is
+/// exact in integers that are d bits longer. A product with a fraction then divides by C(d, k) = 2^shift / factor. The shift
+/// cuts less than 1 ulp. The factor has an error of less than 2^(−64W); times a number below 128 that is half an ulp. The
+/// product is cut by less than W. Cost: d²/2 additions and d products.
 pub(super) fn scaled_to_bernstein<const W: usize>(
     c: &[Fixed<W>],
     table: &BernsteinTable<W>,

@@ -1,11 +1,11 @@
-//! Inputs of laws, drawn from a seed: numbers with long runs of equal bits, of which a cut takes away as much as it can.
+//! Random inputs for laws: numbers with long runs of equal bits, of which a cut loses as much as it can.
 
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::{Integer, Natural};
 
 use super::fixed::Fraction;
 
-/// SplitMix64 (Steele, Lea & Flood).
+/// The generator SplitMix64 (Steele, Lea & Flood).
 #[derive(Debug)]
 pub(crate) struct Draw(pub(crate) u64);
 
@@ -35,7 +35,7 @@ impl Draw {
         }
     }
 
-    /// Limbs with long runs of equal bits, often the same kind throughout.
+    /// Limbs with long runs of equal bits; often all runs are of the same kind.
     pub(crate) fn limbs<const W: usize>(&mut self) -> [u64; W] {
         match self.below(4) {
             0 => [u64::MAX; W],

@@ -1,5 +1,5 @@
-//! Numbers of W limbs without errors: fixed-point numbers with a sign, and fractions between 0 and 1. Each operation says how
-//! it rounds; what that does to an error is said in `ball.rs`.
+//! Numbers of W limbs without errors: fixed-point numbers with a sign, and fractions between 0 and 1. Each operation states how
+//! it rounds; `ball.rs` states the effect on an error.
 
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
@@ -7,7 +7,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use crate::bigint::sign_limb;
 use crate::error::Invariant;
 
-/// Bits of a [`Fixed`] before the point, the sign among them.
+/// The number of bits of a [`Fixed`] before the point, including the sign.
 const WHOLE_BITS: i64 = 8;
 
 /// A number in (−128, 128), a multiple of the *ulp* 2^(8 − 64W), in two's complement: the lowest limb first.
@@ -20,20 +20,20 @@ pub(crate) struct Fixed<const W: usize>([u64; W]);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fraction<const W: usize>([u64; W]);
 
-/// The low half.
+/// The low half of a double word.
 #[expect(clippy::cast_possible_truncation, reason = "that is what it is for")]
 #[inline]
 fn low(wide: u128) -> u64 {
     wide as u64
 }
 
-/// The high half.
+/// The high half of a double word.
 #[inline]
 fn high(wide: u128) -> u64 {
     low(wide >> 64)
 }
 
-/// a + b + carry, wrapping, with the carry out.
+/// The sum a + b + carry, wrapping, and its carry.
 #[inline]
 fn sum<const W: usize>(a: &[u64; W], b: &[u64; W], carry: bool) -> ([u64; W], bool) {
     let mut result = [0; W];
@@ -50,11 +50,11 @@ fn complement<const W: usize>(a: &[u64; W]) -> [u64; W] {
     a.map(|limb| !limb)
 }
 
-/// a b / 2^(64W), rounded down by less than W: the columns of the product that are entirely below, W(W−1)/2 products of
-/// limbs less than W − 1 together, are left out.
+/// The product a b / 2^(64W), rounded down by less than W. The columns of the product that are entirely below the result are
+/// left out: they are W(W−1)/2 products of limbs, together less than W − 1.
 #[inline]
 fn high_product<const W: usize>(a: &[u64; W], b: &[u64; W]) -> [u64; W] {
-    // The columns from 2^(64(W−1)) on, but for the last one.
+    // The columns from 2^(64(W−1)) on, except the last one.
     let mut columns = [0; W];
     let mut last = 0;
     for (i, a) in a.iter().enumerate() {
@@ -72,13 +72,13 @@ fn high_product<const W: usize>(a: &[u64; W], b: &[u64; W]) -> [u64; W] {
     std::array::from_fn(|k| if k + 1 < W { columns[k + 1] } else { last })
 }
 
-/// a · 2^(−shift), rounded down, or a · 2^(−shift) modulo 2^(64W) for a negative shift.
+/// The number a · 2^(−shift), rounded down; for a negative shift modulo 2^(64W).
 fn shifted<const W: usize>(a: &[u64; W], shift: i64) -> [u64; W] {
     let bits = shift.unsigned_abs();
-    // From W limbs on nothing is left.
+    // A shift by W limbs or more leaves nothing.
     let limbs = usize::try_from((bits / 64).min(W as u64)).invariant("a number has few limbs");
     let bits = bits % 64;
-    // Beyond the limbs there are zeros.
+    // The limbs beyond both ends are zeros.
     let at = |k: Option<usize>| u128::from(k.and_then(|k| a.get(k)).copied().unwrap_or(0));
     let mut result = [0; W];
     for (k, r) in result.iter_mut().enumerate() {
@@ -96,7 +96,7 @@ fn shifted<const W: usize>(a: &[u64; W], shift: i64) -> [u64; W] {
     result
 }
 
-/// A number of bits, which is far below 2^63.
+/// A number of bits as a signed integer; it is far below 2^63.
 fn signed(bits: u64) -> i64 {
     i64::try_from(bits).invariant("the bits of a number that fits in memory fit in an i64")
 }
@@ -108,7 +108,7 @@ fn significant_bits<const W: usize>(a: &[u64; W]) -> i64 {
     })
 }
 
-/// The nearest double or one of its neighbours of `limbs` · 2^(−64W).
+/// `limbs` · 2^(−64W) as the nearest double or one of its neighbours.
 #[expect(clippy::cast_precision_loss, reason = "an approximation")]
 fn approximate<const W: usize>(limbs: &[u64; W]) -> f64 {
     let mut value = 0.0;
@@ -119,13 +119,13 @@ fn approximate<const W: usize>(limbs: &[u64; W]) -> f64 {
 }
 
 impl<const W: usize> Fixed<W> {
-    /// 0.
+    /// The number 0.
     pub(crate) const ZERO: Self = Self([0; W]);
 
-    /// log₂ of one over the ulp.
+    /// The binary logarithm of the number of ulps in 1.
     pub(crate) const FRACTION_BITS: i64 = 64 * W as i64 - WHOLE_BITS;
 
-    /// The largest r such that `count` numbers below 2^r have sums of at most 64, or one less.
+    /// A number r such that `count` numbers below 2^r have sums of at most 64; it is the largest one or one less.
     pub(crate) fn room_for(count: usize) -> i64 {
         6 - i64::from(count.max(1).ilog2()) - 1
     }
@@ -135,7 +135,7 @@ impl<const W: usize> Fixed<W> {
         signed(value.unsigned_abs_ref().significant_bits())
     }
 
-    /// value · 2^(−exponent), cut towards 0 to a multiple of the ulp, and whether something was cut off.
+    /// value · 2^(−exponent), cut towards 0 to a multiple of the ulp, and whether bits were cut off.
     ///
     /// # Panics
     /// If that is not in (−128, 128).
@@ -168,7 +168,7 @@ impl<const W: usize> Fixed<W> {
         (value, is_cut)
     }
 
-    /// ⌊a / 2^shift⌋ ulps, for a number a in two's complement that is less than 2^(64W − 1 + shift).
+    /// ⌊a / 2^shift⌋ ulps, for a number a in two's complement whose size is less than 2^(64W − 1 + shift).
     pub(super) fn from_wide(a: &[u64], shift: u32) -> Self {
         let (limbs, bits) = (shift as usize / 64, shift % 64);
         let sign = sign_limb(a);
@@ -178,7 +178,7 @@ impl<const W: usize> Fixed<W> {
         }))
     }
 
-    /// In two's complement, in ulps, the lowest limb first.
+    /// The number in ulps, in two's complement, the lowest limb first.
     pub(super) fn limbs(&self) -> &[u64; W] {
         &self.0
     }
@@ -187,7 +187,7 @@ impl<const W: usize> Fixed<W> {
         self.0[W - 1] >> 63 != 0
     }
 
-    /// |self|, in ulps.
+    /// The absolute value, in ulps.
     pub(super) fn magnitude(self) -> [u64; W] {
         if self.is_negative() {
             self.negated().0
@@ -196,12 +196,12 @@ impl<const W: usize> Fixed<W> {
         }
     }
 
-    /// |self|, in units of 2^8.
+    /// The absolute value, in units of 2^8.
     pub(super) fn size(self) -> Fraction<W> {
         Fraction(self.magnitude())
     }
 
-    /// The number of bits of |self| in ulps.
+    /// The number of bits of the absolute value in ulps.
     pub(crate) fn bits(self) -> i64 {
         significant_bits(&self.magnitude())
     }
@@ -218,7 +218,7 @@ impl<const W: usize> Fixed<W> {
         Self::ZERO.minus(self)
     }
 
-    /// (self + other) / 2, rounded down to a multiple of the ulp.
+    /// The mean (self + other) / 2, rounded down to a multiple of the ulp.
     pub(crate) fn mean(self, other: Self) -> Self {
         let total = sum(&self.0, &other.0, false).0;
         let mut result = [0; W];
@@ -230,7 +230,7 @@ impl<const W: usize> Fixed<W> {
         Self(result)
     }
 
-    /// self · fraction, rounded towards 0 by less than W ulps.
+    /// The product self · fraction, rounded towards 0 by less than W ulps.
     pub(crate) fn times(self, fraction: &Fraction<W>) -> Self {
         let product = Self(high_product(&self.magnitude(), &fraction.0));
         if self.is_negative() {
@@ -240,7 +240,7 @@ impl<const W: usize> Fixed<W> {
         }
     }
 
-    /// self ± 2^8 a b, with an error of less than W ulps.
+    /// The number self ± 2^8 a b, with an error of less than W ulps.
     #[inline]
     pub(super) fn plus_or_minus_product(
         self,
@@ -253,7 +253,7 @@ impl<const W: usize> Fixed<W> {
         Self(sum(&self.0, &product, is_negative).0)
     }
 
-    /// self · 2^(−shift), rounded towards 0.
+    /// The number self · 2^(−shift), rounded towards 0.
     pub(crate) fn shifted_down(self, shift: i64) -> Self {
         let magnitude = Self(shifted(&self.magnitude(), shift));
         if self.is_negative() {
@@ -263,7 +263,7 @@ impl<const W: usize> Fixed<W> {
         }
     }
 
-    /// Whether |self| is more than so many ulps.
+    /// Whether the absolute value is more than this number of ulps.
     #[inline]
     pub(super) fn is_larger_than(self, ulps: u128) -> bool {
         let magnitude = self.magnitude();
@@ -275,7 +275,7 @@ impl<const W: usize> Fixed<W> {
         self == Self::ZERO
     }
 
-    /// About the value.
+    /// An approximation of the number.
     pub(crate) fn to_f64(self) -> f64 {
         let size = approximate(&self.magnitude()) * 256.0;
         if self.is_negative() { -size } else { size }
@@ -283,13 +283,13 @@ impl<const W: usize> Fixed<W> {
 }
 
 impl<const W: usize> Fraction<W> {
-    /// 0.
+    /// The number 0.
     pub(crate) const ZERO: Self = Self([0; W]);
 
-    /// The largest: 1 − 2^(−64W).
+    /// The largest fraction, 1 − 2^(−64W).
     pub(crate) const LARGEST: Self = Self([u64::MAX; W]);
 
-    /// index · 2^(−depth), at most [`Fraction::LARGEST`], for depth < 64.
+    /// The number index · 2^(−depth), or [`Fraction::LARGEST`] if it is smaller, for depth < 64.
     pub(crate) fn dyadic(index: u64, depth: u32) -> Self {
         let mut result = Self::ZERO;
         if depth == 0 || index >> depth != 0 {
@@ -299,7 +299,7 @@ impl<const W: usize> Fraction<W> {
         result
     }
 
-    /// |p| / |q|, rounded down, for |p| ≤ |q| ≠ 0 ([`Fraction::LARGEST`] if they are equal).
+    /// The quotient |p| / |q|, rounded down, for |p| ≤ |q| ≠ 0; [`Fraction::LARGEST`] if they are equal.
     pub(crate) fn quotient(p: &Integer, q: &Integer) -> Self {
         let (p, q) = (p.unsigned_abs_ref(), q.unsigned_abs_ref());
         if p >= q {
@@ -313,29 +313,29 @@ impl<const W: usize> Fraction<W> {
         Self(limbs)
     }
 
-    /// self · other, rounded down by less than W 2^(−64W).
+    /// The product self · other, rounded down by less than W 2^(−64W).
     pub(crate) fn times(&self, other: &Self) -> Self {
         Self(high_product(&self.0, &other.0))
     }
 
-    /// self + other, `None` if that is 1 or more.
+    /// The sum self + other; `None` if it is 1 or more.
     pub(crate) fn plus(&self, other: &Self) -> Option<Self> {
         let (total, carry) = sum(&self.0, &other.0, false);
         (!carry).then_some(Self(total))
     }
 
-    /// self − other, `None` if that is negative.
+    /// The difference self − other; `None` if it is negative.
     pub(crate) fn minus(&self, other: &Self) -> Option<Self> {
         let (total, carry) = sum(&self.0, &complement(&other.0), true);
         carry.then_some(Self(total))
     }
 
-    /// self · 2^(−shift), rounded down.
+    /// The number self · 2^(−shift), rounded down.
     pub(crate) fn shifted_down(&self, shift: u32) -> Self {
         Self(shifted(&self.0, i64::from(shift)))
     }
 
-    /// self · 2^shift, at most [`Fraction::LARGEST`].
+    /// The number self · 2^shift, or [`Fraction::LARGEST`] if it is smaller.
     pub(crate) fn shifted_up(&self, shift: u32) -> Self {
         let shift = i64::from(shift);
         if significant_bits(&self.0) + shift > 64 * W as i64 {
@@ -362,12 +362,12 @@ impl<const W: usize> Fraction<W> {
         result
     }
 
-    /// About the value.
+    /// An approximation of the number.
     pub(crate) fn to_f64(self) -> f64 {
         approximate(&self.0)
     }
 
-    /// As an integer times 2^(−64W).
+    /// The integer self · 2^(64W).
     pub(crate) fn to_integer(self) -> Integer {
         Integer::from(malachite::Natural::from_limbs_asc(&self.0))
     }
@@ -407,7 +407,7 @@ mod tests {
 
     const W: usize = 3;
 
-    /// In ulps.
+    /// The number in ulps.
     fn integer(a: Fixed<W>) -> Integer {
         let magnitude = Integer::from(malachite::Natural::from_limbs_asc(&a.magnitude()));
         if a.is_negative() {
@@ -418,11 +418,11 @@ mod tests {
     }
 
     fn fixed(limbs: [u64; W]) -> Fixed<W> {
-        // A few bits of headroom.
+        // Three bits of headroom.
         Fixed(limbs).shifted_down(3)
     }
 
-    /// Numbers with that much room have sums of at most 64, and not much less than they could.
+    /// Numbers with this room have sums of at most 64, and the room is at most one bit too small.
     #[test]
     fn there_is_room_for_sums() {
         for count in 1..5000u32 {
@@ -435,7 +435,7 @@ mod tests {
     }
 
     proptest! {
-        /// Against malachite's integers.
+        /// The operations agree with malachite's integers.
         #[test]
         fn arithmetic(a: [u64; W], b: [u64; W], p in 0u64..1000, shift in -300i64..300) {
             let (x, y, f) = (fixed(a), fixed(b), Fraction(b));
@@ -477,7 +477,7 @@ mod tests {
         #[test]
         fn doubles(a in 0.0f64..1.0, down in 0i32..250, b: [u64; W]) {
             prop_assert!((Fraction::<W>::from_f64(a).to_f64() - a).abs() <= a * f64::EPSILON);
-            // Also where a double has bits in all limbs, or below them.
+            // Also doubles that have bits in all limbs, or below them.
             let small = a * 2f64.powi(-down);
             let scaled = Rational::try_from(small).unwrap() * Rational::from_dyadic(Integer::from(1), 64 * W as i64);
             prop_assert_eq!(Fraction::<W>::from_f64(small).to_integer(), scaled.floor_integer());

@@ -1,4 +1,4 @@
-//! The laws of [`roots_of`]: it finds all real roots of polynomials built backwards, and does so where it can.
+//! The laws of [`roots_of`]: it finds all real roots of polynomials with known roots, and it succeeds for most of them.
 
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
@@ -7,7 +7,7 @@ use super::draw::Draw;
 use super::*;
 use crate::exact::Rational;
 
-/// f · (q x − p), ascending.
+/// The polynomial f · (q x − p), ascending.
 fn with_root(f: &[Integer], [p, q]: [&Integer; 2]) -> Vec<Integer> {
     let mut product = vec![Integer::from(0); f.len() + 1];
     for (i, c) in f.iter().enumerate() {
@@ -17,7 +17,7 @@ fn with_root(f: &[Integer], [p, q]: [&Integer; 2]) -> Vec<Integer> {
     product
 }
 
-/// f · (a x² + b) with a, b > 0, which has no real root.
+/// The polynomial f · (a x² + b) with a, b > 0, whose second factor has no real root.
 fn with_none(f: &[Integer], a: &Integer, b: &Integer) -> Vec<Integer> {
     let mut product = vec![Integer::from(0); f.len() + 2];
     for (i, c) in f.iter().enumerate() {
@@ -27,7 +27,7 @@ fn with_none(f: &[Integer], a: &Integer, b: &Integer) -> Vec<Integer> {
     product
 }
 
-/// The value at a dyadic number has this sign.
+/// The sign of the value at a dyadic number.
 fn sign_at(f: &[Integer], x: &Rational) -> i8 {
     let value = f
         .iter()
@@ -36,13 +36,13 @@ fn sign_at(f: &[Integer], x: &Rational) -> i8 {
     value.signum()
 }
 
-/// A small count.
+/// A small count as a double.
 #[expect(clippy::cast_precision_loss, reason = "a degree")]
 fn float(count: usize) -> f64 {
     count as f64
 }
 
-/// How many polynomials were decided, of those drawn.
+/// The number of random polynomials that were decided.
 fn decided<const W: usize>(draw: &mut Draw, count: usize, longest: f64) -> usize {
     let mut decided = 0;
     for _ in 0..count {
@@ -51,7 +51,7 @@ fn decided<const W: usize>(draw: &mut Draw, count: usize, longest: f64) -> usize
                 let sign = if draw.below(2) == 0 { 1 } else { -1 };
                 let size = draw.below(1 << 20) as i64 + 1;
                 let down = draw.below(40) as i64;
-                // Odd over a power of 3: no point of bisection.
+                // An odd number over a power of 3 is not a point of bisection.
                 Rational::from_dyadic(Integer::from(sign * (2 * size + 1)), -down)
                     / Rational::from(3i64.pow(12))
             })
@@ -144,7 +144,7 @@ fn the_largest_degree_is_decided() {
     }
 }
 
-/// 2^k y is below 1/2, and is not after one more.
+/// 2^k y is below 1/2, and 2^(k + 1) y is not.
 #[test]
 fn small_numbers_are_scaled_up_to_a_quarter() {
     for y in [0.9, 0.5, 0.49, 0.25, 0.2, 0.1, 1e-3, 1e-30, 1e-200] {

@@ -1,11 +1,12 @@
-//! Certified real roots in a bounded number of bits.
+//! Certified real roots in bounded arithmetic.
 //!
-//! The coefficients are cut to balls of W limbs (`ball.rs`), and only signs that hold for all numbers of a ball are used. So what
-//! is found is proved: all real roots, simple, each between two bounds. Where W limbs do not suffice nothing is found, and the
-//! caller takes more or goes to exact arithmetic.
+//! The coefficients become balls of W limbs (`ball.rs`), and only signs that are certain for all numbers of a ball are used. So
+//! every result is proved: all real roots, all simple, each between two bounds. If W limbs are not enough, there is no result,
+//! and the caller takes more limbs or exact arithmetic.
 //!
-//! With x = ±2^s y the axis is four intervals: y in (0, 1) and 1/y in (0, 1) for either sign, s such that the roots have
-//! mean size 1. On each of them Laguerre's rule or Descartes' rule in the Bernstein basis isolates, Newton's method encloses.
+//! With x = ±2^s y the real axis is cut into four pieces: y in (0, 1) and 1/y in (0, 1), for either sign, where s is chosen so
+//! that the roots have mean size 1. On each piece Laguerre's rule, or Descartes' rule in the Bernstein basis, isolates the
+//! roots, and Newton's method encloses them.
 
 mod ball;
 mod bernstein;
@@ -37,7 +38,7 @@ use crate::error::Invariant;
 use crate::exact::Dyadic;
 use crate::poly::IntegerPolynomial;
 
-/// Beyond this degree the tables of weights and d² are too much.
+/// The largest degree; beyond it the tables of weights and the d² operations are too large.
 const MAX_DEGREE: usize = 256;
 
 /// A simple root ±2^s y or ±2^s / y, with `low` < y < `high`.
@@ -45,32 +46,34 @@ const MAX_DEGREE: usize = 256;
 pub(crate) struct BoundedRoot<const W: usize> {
     pub(crate) is_negative: bool,
     pub(crate) is_inverted: bool,
-    /// s.
+    /// The exponent s.
     pub(crate) scale: i64,
     pub(crate) low: Fraction<W>,
     pub(crate) high: Fraction<W>,
-    /// The sign of the polynomial towards smaller x.
+    /// The sign of the polynomial for x slightly below the root.
     sign_below: i8,
 }
 
-/// Relative lengths of enclosures: 58 bits, from which one in 32 cannot be rounded to a double of 53, and mostly there are more.
+/// The relative length of an enclosure from which a double is rounded: 58 bits. For one root in 32 such an enclosure does not
+/// determine the double of 53 bits; mostly the enclosure is shorter.
 pub(crate) const FOR_DOUBLES: f64 = 3.469_446_951_953_614e-18;
-/// The same where an exact root goes on from there: 12 bits.
+/// The relative length of an enclosure that an exact root refines further: 12 bits.
 const FOR_REFINEMENT: f64 = 2.441_406_25e-4;
 
-/// All real roots of Σ c_i x^i, each enclosed in an interval that is about `longest` times as long, in no order.
+/// Finds all real roots of Σ c_i x^i in no order, each enclosed in an interval of a relative length of about `longest`.
 ///
-/// Cost: 2d² additions of W limbs and d bits, less where Laguerre's rule decides, d²/2 means of W limbs for every interval
-/// of the search, some 10 d products for a root.
+/// Cost: 2d² additions of numbers with W limbs and d bits, fewer if Laguerre's rule decides; d²/2 means of W limbs for every
+/// interval of the search; and about 10 d products for each root.
 ///
 /// # Errors
-/// If W limbs do not prove that they are all and simple: for one if the first or the last coefficient may be 0.
+/// An error if W limbs do not prove that these are all roots and that they are simple, for example if the first or the last
+/// coefficient may be 0.
 pub(crate) fn roots_of<const W: usize>(
     coefficients: &[ScaledBall<W>],
     longest: f64,
 ) -> Result<Vec<BoundedRoot<W>>, Unproved> {
     let [first, .., last] = coefficients else {
-        // A constant has no roots, if it is not 0.
+        // A constant other than 0 has no roots.
         let is_constant = coefficients.first().is_some_and(|c| c.log2().is_some());
         return is_constant.then(Vec::new).ok_or(Unproved::Bits);
     };
@@ -80,7 +83,7 @@ pub(crate) fn roots_of<const W: usize>(
     }
     let log2 = |c: &ScaledBall<W>| c.log2().ok_or(Unproved::Bits);
     let by = degree as i64;
-    // To the nearest: else roots of size 1 are found as those of size 1/2, which takes d bits more.
+    // s is rounded to nearest. Otherwise roots of size 1 would be treated as roots of size 1/2, which takes d bits more.
     let scale = (log2(first)? - log2(last)? + by / 2).div_euclid(by);
     let table = LazyCell::new(|| BernsteinTable::of_degree(degree));
     let mut roots = Vec::new();
@@ -110,7 +113,7 @@ pub(crate) fn roots_of<const W: usize>(
     Ok(roots)
 }
 
-/// A quarter of the axis: x = ±2^s y or x = ±2^s / y, with 0 < y < 1.
+/// One of the four pieces of the axis: x = ±2^s y or x = ±2^s / y, with 0 < y < 1.
 #[derive(Clone, Copy)]
 struct Piece<'a, const W: usize> {
     coefficients: &'a [ScaledBall<W>],
@@ -120,7 +123,7 @@ struct Piece<'a, const W: usize> {
 }
 
 impl<const W: usize> Piece<'_, W> {
-    /// f as a polynomial in y, times a power of y and a constant.
+    /// The polynomial f in terms of y, times a power of y and a constant.
     fn polynomial(&self) -> Balls<W> {
         let scale = self.scale;
         let scaled = |(i, c): (usize, &ScaledBall<W>)| (*c, scale * i as i64);
@@ -146,7 +149,7 @@ impl<const W: usize> Piece<'_, W> {
         }
     }
 
-    /// The root in `place`; `polynomial` is this piece's.
+    /// The root that is alone in `place`; `polynomial` must be that of this piece.
     fn enclose(
         &self,
         polynomial: &Balls<W>,
@@ -154,7 +157,7 @@ impl<const W: usize> Piece<'_, W> {
         longest: f64,
     ) -> Option<BoundedRoot<W>> {
         let guess = polynomial.guess(place);
-        // Near 0 the high powers would leave their limbs empty: y = 2^(−drop) z, with z between 1/4 and 1.
+        // Near 0 the limbs of the high powers would be empty. So y = 2^(−drop) z, with z between 1/4 and 1.
         let drop = drop_to_quarter(guess);
         let bounds = place.bounds().map(|end| end.shifted_up(drop));
         let guess = Fraction::from_f64(guess * f64::from(drop).exp2());
@@ -175,7 +178,7 @@ impl<const W: usize> Piece<'_, W> {
             scale,
             low,
             high,
-            // x grows with y, or falls.
+            // x increases or decreases with y.
             sign_below: if self.is_negative == self.is_inverted {
                 place.sign_low
             } else {
@@ -196,11 +199,11 @@ fn drop_to_quarter(y: f64) -> u32 {
     drop
 }
 
-/// All real roots of f, as (low, high, sign of f at low) with one simple root between, f ≠ 0 at both and the intervals
-/// disjoint, short as W limbs tell, at most 2^−11 of its size; in no order.
+/// All real roots of f in no order, as (low, high, sign of f at low). Each interval holds one root, which is simple; f ≠ 0 at
+/// both ends, and the intervals are disjoint. They are as short as W limbs allow, at most 2^−11 of their size.
 ///
 /// # Errors
-/// If W limbs do not prove that.
+/// An error if W limbs do not prove this.
 pub(crate) fn bounded_roots<const W: usize>(
     f: &IntegerPolynomial,
 ) -> Result<Vec<(Dyadic, Dyadic, i8)>, Unproved> {
@@ -214,14 +217,14 @@ pub(crate) fn bounded_roots<const W: usize>(
 }
 
 impl<const W: usize> BoundedRoot<W> {
-    /// Bounds of the root itself, and the sign at the lower one.
+    /// Bounds of the root itself, and the sign at the lower bound.
     fn to_dyadic(self) -> (Dyadic, Dyadic, i8) {
         let width = 64 * W as u64;
         let exponent = self.scale - 64 * W as i64;
         let (low, high) = (self.low.to_integer(), self.high.to_integer());
         let (low, high) = if self.is_inverted {
-            // 1/y, rounded outwards: that moves x by less than 2^(−64W), and y by less than that times y². The sign at the
-            // new end is that at the old one, since an enclosure is strictly inside its place (`newton::is_inside`).
+            // 1/y is rounded outwards. This moves x by less than 2^(−64W), and y by less than that times y². The sign at the
+            // new end is that at the old one, because an enclosure is strictly inside its place (`newton::is_inside`).
             let one = Integer::from(1) << (2 * width);
             (&one / high, one.div_round(low, RoundingMode::Ceiling).0)
         } else {

@@ -1,20 +1,21 @@
-//! Newton's method: doubles find a root, fixed-point numbers sharpen it, two signs prove it.
+//! Newton's method for enclosures of roots: doubles find a root, fixed-point numbers sharpen it, and two signs prove it.
 
 use super::ball::Balls;
 use super::fixed::{Fixed, Fraction};
 use super::search::IsolatingInterval;
 
-/// Steps in doubles; they stop earlier when they gain nothing.
+/// The largest number of steps in doubles; they end earlier if they make no progress.
 const DOUBLE_STEPS: usize = 40;
-/// Steps in fixed-point numbers: each one adds about 50 bits, after a few for what doubles could not see.
+/// The largest number of steps in fixed-point numbers. After a few steps for the error of the doubles, each step adds about 50
+/// bits.
 const FIXED_STEPS: usize = 24;
-/// Newton's method goes on until the enclosure is relatively that short, 2^−70, or rounding hides the value.
+/// Newton's method ends when the enclosure is relatively as short as this, 2^−70, or when rounding hides the value.
 const SHORT: f64 = 8.470_329_472_543_003e-22;
-/// By how much, in ulps, an enclosure is longer than the estimate of the error.
+/// The number of ulps by which an enclosure is longer than the estimated error.
 const ROOM: f64 = 4.0;
 
-/// Whether a root between the two ends is proved. Only this and [`is_inside`] are trusted by [`Balls::enclose`]: a bad guess
-/// costs time, and no more.
+/// Whether a root between the two ends is proved. [`Balls::enclose`] trusts only this and [`is_inside`]; a bad guess only costs
+/// time.
 ///
 /// **Lemma.** Certain and opposite signs at the two ends have a root between them. Proof: the balls of the values hold the
 /// true values (Lemma 8 of `ball.rs`), and polynomials are continuous. Law: `an_enclosure_holds_the_root`.
@@ -29,18 +30,20 @@ fn proves_root<const W: usize>(
 
 /// Whether an enclosure is strictly inside its place.
 ///
-/// **Lemma.** Let a place have exactly one root, and have it in an enclosure that is strictly inside. Then an end of the
-/// enclosure may be moved outwards by less than 2^(−64W) without changing what is said of it.
+/// **Lemma.** Let a place hold exactly one root, in an enclosure that is strictly inside the place. If an end of the enclosure
+/// is moved outwards by less than 2^(−64W), the enclosure still holds exactly this root, and the sign at the moved end does not
+/// change.
 ///
-/// Proof. All ends are multiples of 2^(−64W), so the moved end is still inside the place, in which the polynomial has no
-/// other root: it has the same sign there. Law: `an_enclosure_holds_the_root`.
+/// Proof. All ends are multiples of 2^(−64W), so the moved end is still inside the place. The polynomial has no other root
+/// there, so it has the same sign. Law: `an_enclosure_holds_the_root`.
 fn is_inside<const W: usize>(enclosure: &[Fraction<W>; 2], [low, high]: &[Fraction<W>; 2]) -> bool {
     enclosure[0] > *low && enclosure[1] < *high
 }
 
 impl<const W: usize> Balls<W> {
-    /// Bounds of the root that lies alone in `place`, where the sign is `sign_low` below it: strictly inside, with opposite
-    /// certain signs. `None` if they would be farther apart than twice `longest` times the root.
+    /// Bounds of the root that is alone in `place`, where the polynomial has the sign `sign_low` below the root. They are
+    /// strictly inside the place and have certain, opposite signs. `None` if they would be farther apart than twice `longest`
+    /// times the root.
     pub(super) fn enclose(
         &self,
         guess: &Fraction<W>,
@@ -60,7 +63,7 @@ impl<const W: usize> Balls<W> {
         for _ in 0..FIXED_STEPS {
             let (value, slope) = self.value_and_slope(&y);
             let step = value.to_f64() / slope;
-            // The root is within twice the step, unless the rounding is larger.
+            // The root is within twice the step, unless the rounding error is larger.
             radius = 2.0 * (step.abs() + error * ulp::<W>() / slope.abs());
             if radius <= SHORT * y.to_f64() {
                 break;
@@ -92,7 +95,7 @@ impl<const W: usize> Balls<W> {
         proved.then_some(enclosure)
     }
 
-    /// About the root in an isolating interval, by Newton's method in doubles, halving where it is slow.
+    /// An approximation of the root in an isolating interval, by Newton's method in doubles with bisection where it is slow.
     pub(super) fn guess(&self, place: &IsolatingInterval) -> f64 {
         let sign_low = place.sign_low;
         let [mut low, mut high] = place.bounds::<W>().map(Fraction::to_f64);
@@ -116,7 +119,7 @@ impl<const W: usize> Balls<W> {
             if next > low && next < high && size < last / 2.0 {
                 y = next;
                 last = size;
-                // What is left is about the square of the step, or rounding.
+                // The remaining error is about the square of the step, or a rounding error.
                 if size < y * 1e-8 {
                     break;
                 }
@@ -131,7 +134,7 @@ impl<const W: usize> Balls<W> {
     }
 }
 
-/// A point between 0 ≤ low < high ≤ 1: the middle, or where they are of different size one of a size between.
+/// A point between 0 ≤ low < high ≤ 1: the middle or, if the two have different sizes, a point of a size between them.
 fn between(low: f64, high: f64) -> f64 {
     if low == 0.0 {
         high * high / 4.0
@@ -180,7 +183,7 @@ mod tests {
         Rational::from_dyadic(fraction.to_integer(), -(64 * W as i64))
     }
 
-    /// A polynomial with positive coefficients of more bits than W limbs have, which has no root in (0, 1).
+    /// A polynomial with positive coefficients, which are longer than W limbs; it has no root in (0, 1).
     fn positive(draw: &mut Draw, limbs: usize) -> Vec<Integer> {
         let count = 1 + draw.below(12);
         (0..count)
@@ -226,7 +229,7 @@ mod tests {
                 let room = exact(3.0 * ROOM * ulp::<W>());
                 assert!(number(&high) - number(&low) < exact(2.5 * longest) * &root + room);
             }
-            // What is false is not proved.
+            // A wrong sign is not proved.
             assert!(polynomial.enclose(&guess, bounds, 1, longest).is_none());
             assert!(
                 balls::<W>(&without)
@@ -242,7 +245,7 @@ mod tests {
         assert!(found > 100, "{found}");
     }
 
-    /// One certain sign is not enough: 2y − 1 has its root between neither of these ends and beyond.
+    /// Certain signs at both ends are not enough if they are equal: 2y − 1 has no root between 1/4 and 3/8, nor between 5/8 and 3/4.
     #[test]
     fn both_signs_are_asked_for() {
         let polynomial = balls::<2>(&[Integer::from(-1), Integer::from(2)]);

@@ -1,23 +1,23 @@
-//! Descartes' rule by halving, in a bounded number of bits.
+//! Isolation of roots by Descartes' rule and bisection, in bounded arithmetic.
 
 use super::super::sign_changes::Changes;
 use super::ball::Balls;
 use super::fixed::Fraction;
 
-/// Roots closer than that are left to exact arithmetic.
+/// An interval is halved at most this often; roots that are closer are left to exact arithmetic.
 const MAX_DEPTH: u32 = 40;
 
-/// Why a number of bits proves nothing.
+/// The reason why a number of bits proves nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unproved {
-    /// More bits may do.
+    /// More bits may be enough.
     Bits,
-    /// Roots are multiple or very close: no number of bits here does.
+    /// Roots are multiple or very close, so bounded arithmetic proves nothing with any number of bits.
     Close,
 }
 
 impl Unproved {
-    /// Tries again, if that may help.
+    /// Calls `again` if more bits may help.
     pub(crate) fn with_more_bits<T>(
         self,
         retry: impl FnOnce() -> Result<T, Self>,
@@ -44,9 +44,9 @@ impl IsolatingInterval {
     }
 }
 
-/// The roots in (0, 1) of a polynomial in powers, by Laguerre's rule: `f(y) / (1 − y) = Σ S_k y^k` with the partial sums
-/// S_k = c_0 + … + c_k, the last one for ever. So f has as many roots in (0, 1) as these have changes of sign, or fewer by an
-/// even number. `None` if that leaves it open. Cost: d additions.
+/// The roots in (0, 1) of a polynomial in powers, by Laguerre's rule. `f(y) / (1 − y) = Σ S_k y^k` with the partial sums S_k =
+/// c_0 + … + c_k, where the last one is repeated for ever. So f has as many roots in (0, 1) as the S_k have changes of sign, or
+/// fewer by an even number. `None` if that does not determine the number. Cost: d additions.
 pub(super) fn by_partial_sums<const W: usize>(
     polynomial: &Balls<W>,
 ) -> Result<Option<Vec<IsolatingInterval>>, Unproved> {
@@ -71,14 +71,14 @@ struct Node<const W: usize> {
     polynomial: Balls<W>,
 }
 
-/// All roots in (0, 1) of a polynomial in the Bernstein basis, each alone in its interval; an error if the coefficients are not
-/// known well enough to tell (a root at 1 or at a point of bisection, multiple or close roots).
+/// All roots in (0, 1) of a polynomial in the Bernstein basis, each alone in its interval. An error if the coefficients are not
+/// known well enough to decide: for a root at 1 or at a point of bisection, and for multiple or close roots.
 ///
 /// Descartes' rule: there are as many roots in (0, 1) as the coefficients have changes of sign, or fewer by an even number. A
-/// coefficient of which no sign is known may have any or be 0, and only a count that is the same whatever it is counts
-/// ([`Changes::count`]). No end of an interval is a root: its sign is known.
+/// coefficient whose sign is unknown may have either sign or be 0, and only a count that is the same in all these cases is used
+/// ([`Changes::count`]). The signs at the ends of an interval are known, so no end is a root.
 ///
-/// At most 4d + 64 intervals are looked at, each of d²/2 means.
+/// At most 4d + 64 intervals are examined, each of which takes d²/2 means.
 pub(super) fn isolate<const W: usize>(
     polynomial: Balls<W>,
 ) -> Result<Vec<IsolatingInterval>, Unproved> {
@@ -134,7 +134,7 @@ mod tests {
     use malachite::Integer;
     use proptest::prelude::*;
 
-    /// Π (q_i y − p_i), as a polynomial on (0, 1).
+    /// The product Π (q_i y − p_i), as a polynomial on (0, 1).
     fn with_roots(roots: &[(i64, i64)]) -> Balls<4> {
         let mut c = vec![Integer::from(1)];
         for (p, q) in roots {
@@ -152,7 +152,7 @@ mod tests {
         Balls::aligned(numbers).expect("the leading coefficient is not 0")
     }
 
-    /// Laguerre's rule alone finds a single root, and that there is none.
+    /// Laguerre's rule alone finds a single root, and decides that there is no root.
     #[test]
     fn partial_sums_find_a_single_root() {
         let found = by_partial_sums(&with_roots(&[(1, 2), (-3, 1)])).expect("certain signs");
@@ -165,7 +165,7 @@ mod tests {
     }
 
     proptest! {
-        /// Built backwards: the rules say how many roots there are, or nothing.
+        /// For known roots, the rules give the number of roots or no answer.
         #[test]
         fn both_rules_find_the_roots(roots in prop::collection::vec((-30i64..30, 1i64..20), 1..12)) {
             prop_assume!(roots.iter().all(|(p, q)| *p != 0 && p != q));
@@ -182,7 +182,7 @@ mod tests {
             if let Ok(found) = isolate(f.to_bernstein(&table)) {
                 prop_assert_eq!(found.len(), inside.len());
                 for place in found {
-                    // index < 2^depth p/q < index + 1
+                    // The root is in the interval: index < 2^depth p/q < index + 1.
                     let within = inside.iter().filter(|(p, q)| {
                         let (p, q) = (i128::from(*p) << place.depth, i128::from(*q));
                         i128::from(place.index) * q < p && p < i128::from(place.index + 1) * q

@@ -1,4 +1,4 @@
-//! Fractions with a sign, without errors: what their roundings do to an error is said in `ball.rs`.
+//! Fractions with a sign, without errors. Each operation states how it rounds; `ball.rs` states the effect on an error.
 
 use malachite::Integer;
 
@@ -13,19 +13,19 @@ pub(super) struct Signed<const W: usize> {
 }
 
 impl<const W: usize> Signed<W> {
-    /// 1 − 2^(−64W).
+    /// The largest number, 1 − 2^(−64W).
     pub(super) const LARGEST: Self = Self {
         size: Fraction::LARGEST,
         is_negative: false,
     };
 
-    /// 0.
+    /// The number 0.
     pub(super) const ZERO: Self = Self {
         size: Fraction::ZERO,
         is_negative: false,
     };
 
-    /// p / q for |p| ≤ |q| ≠ 0, rounded towards 0.
+    /// The quotient p / q, for |p| ≤ |q| ≠ 0, rounded towards 0.
     pub(super) fn quotient(p: &Integer, q: &Integer) -> Self {
         Self {
             size: Fraction::quotient(p, q),
@@ -33,7 +33,7 @@ impl<const W: usize> Signed<W> {
         }
     }
 
-    /// self · other, rounded towards 0 by less than W 2^(−64W).
+    /// The product self · other, rounded towards 0 by less than W 2^(−64W).
     pub(super) fn times(&self, other: &Self) -> Self {
         Self {
             size: self.size.times(&other.size),
@@ -41,7 +41,7 @@ impl<const W: usize> Signed<W> {
         }
     }
 
-    /// self + other, or ±[`Fraction::LARGEST`] where that is at least 1 in size.
+    /// The sum self + other, or ±[`Fraction::LARGEST`] if its size is at least 1.
     pub(super) fn plus(&self, other: &Self) -> Self {
         if self.is_negative == other.is_negative {
             let size = self.size.plus(&other.size);
@@ -71,7 +71,7 @@ impl<const W: usize> Signed<W> {
 }
 
 impl<const W: usize> Fixed<W> {
-    /// self, as a number in (−1, 1) times 2^8.
+    /// The number self / 2^8, in (−1, 1).
     pub(super) fn over_256(self) -> Signed<W> {
         Signed {
             size: self.size(),
@@ -79,7 +79,7 @@ impl<const W: usize> Fixed<W> {
         }
     }
 
-    /// self + 2^8 a b, rounded by less than W ulps.
+    /// The number self + 2^8 a b, rounded by less than W ulps.
     #[inline]
     pub(super) fn plus_product(self, a: &Signed<W>, b: &Signed<W>) -> Self {
         self.plus_or_minus_product(&a.size, &b.size, a.is_negative != b.is_negative)

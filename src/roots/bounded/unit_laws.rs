@@ -1,4 +1,4 @@
-//! The laws of the rules in `ball.rs` for numbers in [−1, 1], as those of `ball_laws.rs`.
+//! The laws of the rules in `ball.rs` for numbers in [−1, 1], in the manner of `ball_laws.rs`.
 
 use super::super::draw::Draw;
 use super::laws::{CASES, Tightness, exact, for_widths, is_just, one, ulps};
@@ -6,7 +6,7 @@ use super::*;
 use crate::exact::Rational;
 use crate::poly::TrigPolynomial;
 
-/// In units of 2^(−64W).
+/// The number in units of 2^(−64W).
 fn units<const W: usize>(value: &Signed<W>) -> Rational {
     let size = Rational::whole(value.size.to_integer());
     if value.is_negative { -size } else { size }
@@ -21,7 +21,7 @@ for_widths!(sums_of_products_are_inside);
 mod all {
     use super::*;
 
-    /// A ball that holds a number in [−1, 1], and one of those.
+    /// A ball that holds a number in [−1, 1], and such a number.
     fn unit_ball<const W: usize>(draw: &mut Draw) -> (UnitBall<W>, Rational) {
         let size = if draw.below(2) == 0 {
             Fraction::LARGEST
@@ -71,7 +71,7 @@ mod all {
     pub(super) fn rotations_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES / 40 {
-            // tan(θ/2) = p/q
+            // The angle with tan(θ/2) = p/q.
             let (p, q) = (draw.integer(2), draw.integer(2));
             let (pp, qq) = (&p * &p, &q * &q);
             let (w, u, v) = (&qq + &pp, &qq - &pp, &p * &q * Integer::from(2));
@@ -94,8 +94,8 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    /// The step is a quarter of a turn, computed with a cosine that is too large by much more than roundings; the radii are those
-    /// of Lemma 12.
+    /// The step is a quarter of a turn. Its cosine is too large by much more than roundings, and the radii are those of Lemma
+    /// 12.
     pub(super) fn errors_of_steps_are_multiplied<const W: usize>(draw: &mut Draw) {
         let width = 64 * W as u64;
         let last = 12;
@@ -130,7 +130,7 @@ mod all {
                     tightness.check(&truth, &units(&table[m].mid), table[m].radius);
                     is_just(table[m].radius, &radius);
                 }
-                // Where the other errors are small, some coordinate is wrong by nearly all of it.
+                // If the other errors are small, some coordinate has nearly the largest error.
                 if off > 1e4 * sin.radius && off > 1e4 * float(W) {
                     tightness.is_at_least(0.95);
                 }
