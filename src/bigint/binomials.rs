@@ -4,11 +4,11 @@ use malachite::base::num::arithmetic::traits::DivExactAssign;
 use malachite::base::num::basic::traits::One;
 use malachite::{Integer, Natural};
 
-/// C(61, 30)·31 is below 2^64.
+/// The longest row whose numbers fit in words: C(61, 30)·31 is below 2^64.
 const LONGEST_OF_WORDS: usize = 61;
 
-/// `[C(n, 0), …, C(n, n)]`. Cost: one product with a word and one division by a word for each of n/2 numbers of up to
-/// n bits.
+/// The row `[C(n, 0), …, C(n, n)]`. Cost: one product by a word and one division by a word for each of n/2 numbers of up to n
+/// bits.
 pub(crate) fn binomials(n: usize) -> Vec<Integer> {
     let mut row = Vec::with_capacity(n + 1);
     if n <= LONGEST_OF_WORDS {
@@ -25,7 +25,7 @@ pub(crate) fn binomials(n: usize) -> Vec<Integer> {
             binomial.div_exact_assign(Natural::from(k + 1));
         }
     }
-    // C(n, k) = C(n, n − k)
+    // C(n, k) = C(n, n − k).
     for k in (0..n.div_ceil(2)).rev() {
         row.push(row[k].clone());
     }

@@ -1,61 +1,62 @@
-//! Sums Σ y C of large numbers C with words y, digit by digit, in doubles.
+//! Sums Σ y C of large numbers C with words y as factors, digit by digit, in doubles.
 //!
-//! Lemma 1 (halves of a product). Let a, b ≥ 0 be integers that are doubles, with a b ≤ 2^100 − 2^47. With h = fl(2^100 + a b), where fl
-//! rounds once, and l = fl(a b + (2^100 + 2^52 + 2^51 − h)), the bits of h less those of 2^100 are an integer `high`, those of l
-//! less those of 2^52 + 2^51 are an integer `low`, `a b = 2^48 high + low`, and |low| ≤ 2^47.
-//! Proof. From 2^100 to 2^101 doubles are the multiples of 2^48, and their bits count them: h = 2^100 + 2^48 high with
-//! |a b − 2^48 high| ≤ 2^47. So 2^100 + 2^52 + 2^51 − h, a multiple of 2^48 below 2^101, is a double, and
-//! a b − 2^48 high + 2^52 + 2^51, an integer between 2^52 and 2^53, is a double, too, of which the last bits count the integers.
+//! Lemma 1 (halves of a product). Let a, b ≥ 0 be integers that are doubles, with a b ≤ 2^100 − 2^47. Let h = fl(2^100 + a b),
+//! where fl rounds once, and l = fl(a b + (2^100 + 2^52 + 2^51 − h)). Let `high` be the bits of h, as an integer, minus those
+//! of 2^100, and `low` the bits of l minus those of 2^52 + 2^51. Then `a b = 2^48 high + low`, and |low| ≤ 2^47.
+//! Proof. From 2^100 to 2^101 the doubles are the multiples of 2^48, and their bits count them: h = 2^100 + 2^48 high with |a b
+//! − 2^48 high| ≤ 2^47. So 2^100 + 2^52 + 2^51 − h is a multiple of 2^48 below 2^101, hence a double. And a b − 2^48 high +
+//! 2^52 + 2^51 is an integer between 2^52 and 2^53, hence a double, whose last bits count the integers.
 //! Laws: `products_are_their_halves`, `sums_are_those_of_products`.
 //!
-//! Lemma 2 (sums). The sums of `high` and `low` over n ≤ 2^12 products below 2^98 are at most 2^50 n ≤ 2^62 and 2^47 n ≤ 2^59: they
-//! stand in 64 bits, in two's complement, in whatever order bits are added and those of the constants taken away.
-//! Proof. By Lemma 1 for each product; additions modulo 2^64 lose nothing that is between −2^63 and 2^63 at the end.
+//! Lemma 2 (sums). The sums of `high` and of `low` over n ≤ 2^12 products below 2^98 are at most 2^50 n ≤ 2^62 and 2^47 n ≤
+//! 2^59. So they fit in 64 bits, in two's complement, and the bits of the products and those of the constants may be added and
+//! subtracted in any order.
+//! Proof. Lemma 1 holds for each product, and additions modulo 2^64 are exact if the final result is between −2^63 and 2^63.
 //! Law: `the_largest_sums`.
 //!
-//! Lemma 3 (carrying). Where high · 2^(48 − bits) ≤ 2^62 for all sums, no step of [`Sums::carried`] leaves 64 bits.
-//! Proof. A carry is at most (2^62 + 2^59 + carry) / 2^bits, hence below 2^31 for bits ≥ 32, so that low, what is above and
-//! the carry are below 2^59 + 2^62 + 2^31 < 2^63 together.
+//! Lemma 3 (carrying). If high · 2^(48 − bits) ≤ 2^62 for all sums, no step of [`Sums::carried`] exceeds 64 bits.
+//! Proof. A carry is at most (2^62 + 2^59 + carry) / 2^bits, hence below 2^31 for bits ≥ 32. So the sum of `low`, `above` and
+//! the carry is below 2^59 + 2^62 + 2^31 < 2^63.
 //! Laws: `the_largest_sums` (48 bits), `sums_are_those_of_products` (40 bits).
 
 use pulp::{Simd, WithSimd};
 
 use super::{Machine, f64_from};
 
-/// Bits of the lower part of a sum, and of the digits of numbers that are not in another base.
+/// The number of bits of the lower part of a sum, and of digits in base 2^48.
 pub(crate) const DIGIT_BITS: u32 = 48;
 
-/// 2^100: the last bit of it, and of all doubles up to 2^101, is 2^48.
+/// The number 2^100. The last bit of it, and of all doubles up to 2^101, is worth 2^48.
 const HIGH: f64 = f64::from_bits((100 + 1023) << 52);
 
-/// 2^52 + 2^51: the last bit of it, and of all doubles that are less than 2^51 away, is 1.
+/// The number 2^52 + 2^51. The last bit of it, and of all doubles that differ from it by less than 2^51, is worth 1.
 const LOW: f64 = f64::from_bits((52 + 1023) << 52 | 1 << 51);
 
-/// So many products are summed at most.
+/// The largest number of products in a sum.
 const MOST_PRODUCTS: usize = 1 << 12;
 
-/// Some numbers C, by their digits in any base: whole numbers, the least significant first.
+/// Some natural numbers C, by their digits in any base, the least significant first.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
     machine: Machine,
-    /// How many numbers they are.
+    /// The number of the numbers C.
     count: usize,
-    /// How many digits stand side by side: as many as two registers of the machine have places.
+    /// The number of digits that are processed together: as many as fit in two registers of the machine.
     across: usize,
     panels: Vec<Panel>,
 }
 
-/// Digits of all numbers at so many places.
+/// The digits of all numbers at `across` consecutive positions.
 #[derive(Clone, Debug)]
 struct Panel {
-    /// The first number that has one there.
+    /// The index of the first number that has a digit there.
     first: usize,
-    /// Those of this number, of the next one, …
+    /// The digits of this number, then those of the next one, and so on.
     digits: Vec<f64>,
 }
 
-/// The sums for one place after the other, `Σ y c = 2^48 high + low` with a low part of at most half as many times 2^48 as
-/// there are numbers.
+/// The sums at one position after the other. Each is `Σ y c = 2^48 high + low`, where |low| is at most 2^47 times the number of
+/// products.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sums {
     pub(crate) high: Vec<u64>,
@@ -63,7 +64,8 @@ pub(crate) struct Sums {
 }
 
 impl Columns {
-    /// Numbers by their digits; later ones have as many as earlier ones or more. Sums are formed with these instructions.
+    /// Numbers by their digits. A number must have at least as many digits as the one before. `machine` names the instructions
+    /// that compute the sums.
     pub(crate) fn new(machine: Machine, numbers: &[Vec<f64>]) -> Self {
         let across = machine.dispatch(Across);
         let len = numbers.iter().map(Vec::len).max().unwrap_or(0);
@@ -87,16 +89,16 @@ impl Columns {
         }
     }
 
-    /// How many numbers they are.
+    /// The number of the numbers C.
     pub(crate) fn count(&self) -> usize {
         self.count
     }
 
-    /// The first `len` digits of Σ y C, and some more if there are more, for each list of y: as many of each as there are
-    /// numbers or fewer; products y c are to be below 2^98.
+    /// The first `len` digits of Σ y C for each list of y, and perhaps some more. A list may not be longer than the number of
+    /// numbers, and the products y c must be below 2^98.
     ///
     /// # Panics
-    /// If a list has more than 2^12 words, as Lemma 2 asks.
+    /// If a list has more than 2^12 words, which Lemma 2 does not allow.
     pub(crate) fn sums(&self, y: &[&[f64]], len: usize, sums: &mut [Sums]) {
         assert!(
             y.iter().all(|y| y.len() <= MOST_PRODUCTS),
@@ -123,8 +125,8 @@ pub(crate) fn halves_of_product(a: f64, b: f64) -> [u64; 2] {
 }
 
 impl Sums {
-    /// Hands on the digits, carried, of Σ y C in base 2^`bits`, at most 2^48, for numbers C in that base: of all of it, if
-    /// there are sums for all of C. Lemma 3.
+    /// Passes the digits of Σ y C in base 2^`bits`, at most 2^48, to `digit`, with all carries. The digits of the numbers C
+    /// must be in that base. All digits are passed if there are sums for all digits of C. Lemma 3.
     #[inline(always)]
     pub(crate) fn carried(&self, bits: u32, mut digit: impl FnMut(u64)) {
         let mask = (1 << bits) - 1;
@@ -140,7 +142,7 @@ impl Sums {
         digit(last >> bits);
     }
 
-    /// The number as limbs, as far as the target goes: that is right if there are sums for so many digits.
+    /// Writes the number as limbs, as many as the target has. This is right if there are sums for all of their digits.
     #[inline(always)]
     pub(crate) fn limbs(&self, target: &mut [u64]) {
         let mut targets = target.iter_mut();
@@ -163,17 +165,17 @@ impl Sums {
     }
 }
 
-/// How many digits in base 2^48 so many limbs are.
+/// The number of digits in base 2^48 of a number with this many limbs.
 pub(crate) fn digits_for(limbs: usize) -> usize {
     (limbs * 4).div_ceil(3)
 }
 
-/// The digits in base 2^48 of a number by its limbs.
+/// The digits in base 2^48 of a number that is given by its limbs.
 pub(crate) fn digits(limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
     digits_of_bits(DIGIT_BITS, limbs)
 }
 
-/// The digits in base 2^`bits`, at most 2^50 and at least 2^32, of a number by its limbs.
+/// The digits in base 2^`bits` of a number that is given by its limbs; `bits` must be from 32 to 50.
 #[inline]
 pub(crate) fn digits_of_bits(bits: u32, limbs: impl IntoIterator<Item = u64>) -> Vec<f64> {
     let limbs = limbs.into_iter();
@@ -228,7 +230,7 @@ impl WithSimd for Summation<'_> {
             sums.high.resize(len, 0);
             sums.low.resize(len, 0);
         }
-        // One panel for all lists, as long as it is at hand; two lists at once for each digit that is read.
+        // Each panel is used for all lists while it is in the cache, and each digit that is read is used for two lists.
         for (panel, start) in panels.iter().zip((0..).step_by(across)) {
             let mut y = y.chunks_exact(2);
             let mut sums = sums.chunks_exact_mut(2);
@@ -247,9 +249,9 @@ impl WithSimd for Summation<'_> {
 }
 
 impl Panel {
-    /// The sums at the places from `start` on, for as many lists as there are sums.
+    /// The sums at the positions from `start` on, for as many lists as there are sums.
     ///
-    /// Lemmas 1 and 2. The products are the fused ones: `mul_add_e_f64s` would round twice on machines without them.
+    /// Lemmas 1 and 2 hold for fused products. `mul_add_e_f64s` would round twice on machines without them.
     #[inline(always)]
     fn sums<S: Simd, const B: usize>(
         &self,
@@ -297,7 +299,7 @@ mod tests {
     use malachite::Natural;
     use proptest::prelude::*;
 
-    /// Up to `most`, rather at the ends than between them.
+    /// Words up to `most`, more often at the ends of the range than between.
     fn word(most: u64) -> impl Strategy<Value = u64> {
         let middle = most / 2 + 1;
         prop_oneof![
@@ -347,7 +349,7 @@ mod tests {
                 let places = sums.high.iter().zip(&sums.low);
                 let found = number(places.map(|(high, low)| (Integer::from(*high) << DIGIT_BITS) + Integer::from(low.cast_signed())));
                 prop_assert_eq!(&found, &expected);
-                // In another base the digits are those of another number.
+                // The same digits in another base are those of another number.
                 let in_other_base = numbers.iter().map(|c| c.iter().rev().fold(Integer::from(0), |n, c| (n << 40_u32) + Integer::from(*c)));
                 let other: Integer = y.iter().zip(in_other_base).map(|(y, c)| Integer::from(*y) * c).sum();
                 let mut digits = Vec::new();
@@ -356,7 +358,7 @@ mod tests {
                     let carried = digits.iter().rev().fold(Integer::from(0), |n, digit| (n << 40_u32) + Integer::from(*digit));
                     prop_assert_eq!(carried, other);
                 }
-                // As limbs: all of them, and modulo powers of 2, for which fewer sums do.
+                // The sums as limbs: all limbs, and fewer, for which fewer sums are enough.
                 let all = expected.into_twos_complement_limbs_asc();
                 let width = all.len();
                 for width in [width + 1, width, width / 2] {
@@ -392,7 +394,7 @@ mod tests {
         }
     }
 
-    /// As many as are allowed, as large as is allowed, and with the largest low parts of both signs.
+    /// The largest number of products with the largest factors, and with the largest low parts of both signs.
     #[test]
     fn the_largest_sums() {
         let count = u128::try_from(MOST_PRODUCTS).unwrap();

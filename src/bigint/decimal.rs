@@ -356,20 +356,20 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(128))]
-        /// Beside `num-bigint`.
+        /// The digits are those of `num-bigint`.
         #[test]
         fn all_lengths_have_the_digits_of_another_library(number in number(0usize..60)) {
             let other = BigUint::from_bytes_le(&number.as_limbs_asc().iter().flat_map(|limb| limb.to_le_bytes()).collect::<Vec<_>>());
             prop_assert_eq!(decimal(&number), other.to_string());
         }
 
-        /// Up to parts of parts, and around the first division.
+        /// The digits are those of malachite, for numbers up to parts of parts and around the first division.
         #[test]
         fn long_numbers_have_the_digits_of_malachite(number in number(prop_oneof![60usize..700, 764usize..772, 700usize..4000])) {
             prop_assert_eq!(decimal(&number), number.to_string());
         }
 
-        /// By places with all instructions, with divisions or without: on machines without fused products, too.
+        /// The digits are the same with all instructions, also without fused products, and with or without divisions.
         #[test]
         fn all_machines_give_the_same_digits(number in number(prop_oneof![4 => 1usize..40, 1 => 700usize..1600])) {
             prop_assume!(number != Natural::ZERO);
@@ -381,7 +381,7 @@ mod tests {
             }
         }
 
-        /// Beside wider integers.
+        /// Carries and places are those of wider integers.
         #[test]
         fn carries_are_quotients_and_places_are_rests(
             high in 0..1_u64 << 60, low in -(1_i64 << 57)..=1 << 57, carry in -146_i64..1 << 59, extreme in 0..27_usize,
@@ -399,7 +399,7 @@ mod tests {
 
         #[test]
         fn places_are_cut_in_fours(place in 0..BASE, zeros in 0..15_u32, edge in -2..2_i64) {
-            // Multiples of powers of ten, and what is next to them.
+            // Multiples of powers of ten, and their neighbours.
             let unit = 10_u64.pow(zeros);
             for place in [place, (place / unit * unit).saturating_add_signed(edge).min(BASE - 1)] {
                 let [above, below] = seven_and_eight(place);
@@ -410,7 +410,7 @@ mod tests {
             }
         }
 
-        /// Width, zeros in front and signs are those of malachite.
+        /// Widths, leading zeros and signs are those of malachite.
         #[test]
         fn numbers_are_displayed_as_malachite_does(number in number(0usize..9), width in 0usize..200) {
             let ours = Decimal(&number);
@@ -444,7 +444,7 @@ mod tests {
 
     #[test]
     fn powers_and_the_numbers_before_them() {
-        // Every length up to the second table, and the limits of all tables and of parts.
+        // All lengths up to the second table, and those near the limits of all tables and of parts.
         let near = |bits: u64| bits.saturating_sub(50)..bits + 50;
         let tables = (0..TABLES).flat_map(|k| near(48 * (SHORTEST_TABLE << k) as u64));
         let exponents = (0..3300)

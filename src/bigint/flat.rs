@@ -1,4 +1,4 @@
-//! Polynomials in one block of memory: every coefficient has the same number of limbs.
+//! Polynomials in one block of memory: all coefficients have the same number of limbs.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Square;
@@ -10,12 +10,13 @@ use super::limbs::{
 };
 use malachite::base::polynomial::Polynomial;
 
-/// A polynomial whose coefficients, ascending, are two's complement numbers of one fixed width.
+/// A polynomial whose coefficients, ascending, are two's complement numbers of one width.
 ///
-/// An addition costs about a nanosecond per limb, without a look at the heap, and the block is at the same time, but
-/// for borrows, the value at 2^(64·width): products are products of two large integers (Kronecker's substitution).
+/// An addition takes about a nanosecond for each limb and does not use the heap. Except for borrows, the block is also the
+/// value of the polynomial at 2^(64·width), so products of polynomials are products of two large integers (Kronecker's
+/// substitution).
 ///
-/// The width is chosen by the user of the type, who knows a bound: sums that do not fit wrap around.
+/// The user of the type chooses the width from a known bound. Sums that do not fit wrap around.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct FlatPolynomial {
     width: usize,
@@ -23,7 +24,7 @@ pub(crate) struct FlatPolynomial {
 }
 
 impl FlatPolynomial {
-    /// `len` coefficients 0, with room for integers below 2^`bits`.
+    /// The polynomial with `len` coefficients that are all 0, with room for integers below 2^`bits`.
     pub(crate) fn zero(len: usize, bits: u64) -> Self {
         let width = width_for(bits);
         Self {
@@ -32,7 +33,7 @@ impl FlatPolynomial {
         }
     }
 
-    /// The coefficients, with room for integers below 2^`bits`.
+    /// The polynomial with these coefficients, with room for integers below 2^`bits`.
     pub(crate) fn from_integers<'a>(
         coefficients: impl ExactSizeIterator<Item = &'a Integer>,
         bits: u64,
@@ -44,7 +45,7 @@ impl FlatPolynomial {
         flat
     }
 
-    /// The coefficients, of `width` limbs each, one after the other.
+    /// The polynomial with these coefficients, of `width` limbs each, one after the other.
     pub(crate) fn from_limbs(limbs: Vec<u64>, width: usize) -> Self {
         Self { width, limbs }
     }
@@ -69,13 +70,13 @@ impl FlatPolynomial {
         self.limbs.chunks_exact_mut(self.width)
     }
 
-    /// `self[k] += value`, or `−=` if `negated`.
+    /// Adds `value` to the coefficient k, or subtracts it if `negated`.
     pub(crate) fn add_at(&mut self, k: usize, value: &Integer, negated: bool) {
         let target = &mut self.limbs[k * self.width..][..self.width];
         add_integer(target, value, negated);
     }
 
-    /// The coefficients from `start` on, `step` apart, as many as asked for, with room for integers below 2^`bits`.
+    /// The polynomial with `len` of the coefficients, from `start` on and `step` apart, with room for integers below 2^`bits`.
     pub(crate) fn part(&self, start: usize, step: usize, len: usize, bits: u64) -> Self {
         let mut part = Self::zero(len, bits);
         let from = self.coefficients().skip(start).step_by(step);
@@ -85,12 +86,12 @@ impl FlatPolynomial {
         part
     }
 
-    /// The coefficients of even and of odd powers, with room for integers below 2^`bits`.
+    /// The polynomials with the coefficients of even and of odd powers, with room for integers below 2^`bits`.
     pub(crate) fn halves(&self, bits: u64) -> [Self; 2] {
         [0, 1].map(|start| self.part(start, 2, (self.len() + 1 - start) / 2, bits))
     }
 
-    /// `self ± x^at · other(x^step)`, for another that is not narrower; what of it does not fit is cut off.
+    /// Adds `± x^at · other(x^step)`. `other` must not be narrower; coefficients beyond the length of `self` are left out.
     pub(crate) fn add(&mut self, other: &Self, place: Target) {
         let targets = self.coefficients_mut().skip(place.at).step_by(place.step);
         let pairs = targets.zip(other.coefficients());
@@ -101,18 +102,18 @@ impl FlatPolynomial {
         }
     }
 
-    /// `(1 + x²)^power · self` for a `self` that ends with 2·power coefficients 0: as many passes of additions.
+    /// Multiplies by `(1 + x²)^power`, by `power` passes of additions. The last 2·power coefficients must be 0.
     pub(crate) fn multiply_by_rho(&mut self, power: usize) {
         self.run(TimesRho { power });
     }
 
-    /// Whether operations are compiled for the width that holds integers below 2^`bits`: they take 0.25 ns per limb and
-    /// addition, and 0.6 ns for others.
+    /// Whether operations are compiled for the width that holds integers below 2^`bits`. They take 0.25 ns for each limb and
+    /// addition, operations for other widths 0.6 ns.
     pub(crate) fn is_compiled_for(bits: u64) -> bool {
         width_for(bits) <= 12
     }
 
-    /// Runs an operation on the coefficients in place, compiled for their width if that is small.
+    /// Runs an operation on the coefficients in place. It is compiled for their width if that is small.
     pub(crate) fn run(&mut self, operation: impl OnNumbers) {
         match self.width {
             1 => operation.run(self.limbs.as_chunks_mut::<1>().0),
@@ -136,7 +137,7 @@ impl FlatPolynomial {
         self.coefficients().filter_map(trailing_zeros).min()
     }
 
-    /// The coefficients times 2^`shift`, which are integers.
+    /// The coefficients times 2^`shift`, which must be integers.
     pub(crate) fn to_integers(&self, shift: i64) -> impl Iterator<Item = Integer> {
         let mut scratch = Vec::with_capacity(self.width + 1);
         self.coefficients()
@@ -149,7 +150,7 @@ impl FlatPolynomial {
     }
 }
 
-/// An operation on numbers of one width.
+/// An operation on numbers that all have one width.
 pub(crate) trait OnNumbers {
     fn run<C: AsRef<[u64]> + AsMut<[u64]>>(self, numbers: &mut [C]);
 }
@@ -170,7 +171,7 @@ impl OnNumbers for TimesRho {
     }
 }
 
-/// Where a polynomial f is added: `± x^at · f(x^step)`.
+/// A place at which a polynomial f is added, as `± x^at · f(x^step)`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
     negative: bool,
@@ -179,20 +180,20 @@ pub(crate) struct Target {
 }
 
 impl Target {
-    /// `+ x^at · f(x^step)`
+    /// The place `+ x^at · f(x^step)`.
     pub(crate) fn of_sum(at: usize, step: usize) -> Self {
         let negative = false;
         Self { negative, at, step }
     }
 
-    /// `− x^at · f(x^step)`
+    /// The place `− x^at · f(x^step)`.
     pub(crate) fn of_difference(at: usize, step: usize) -> Self {
         let negative = true;
         Self { negative, at, step }
     }
 
-    /// Where the products of halves go that are added to f: with `f = E + xO` and `g = G + xU`, all four polynomials in
-    /// x², `fg = EG + x²OU + x((E + O)(G + U) − EG − OU)`. In this order: EG, OU, (E + O)(G + U).
+    /// The places of the products of halves, if f g is added at `places`. With `f = E + xO` and `g = G + xU`, where E, O, G, U
+    /// are polynomials in x², `fg = EG + x²OU + x((E + O)(G + U) − EG − OU)`. The order is EG, OU, (E + O)(G + U).
     fn of_halves(places: &[Self]) -> [Vec<Self>; 3] {
         let [mut even, mut odd, mut sum] = [const { Vec::new() }; 3];
         for &Self { negative, at, step } in places {
@@ -209,15 +210,15 @@ impl Target {
     }
 }
 
-/// A product of two integers of this many limbs takes ten times their memory; larger ones are put together from three of
-/// half the length, which takes half again as much time for each halving.
+/// The largest integer that is multiplied at once, in limbs, because a product takes ten times the memory of its factors.
+/// Larger ones are computed from three products of half the length, which takes one and a half times as long for each halving.
 const LARGEST_PRODUCT: usize = 1 << 20;
 
-/// Kronecker's substitution. Quasi-linear in the size of the product.
+/// Kronecker's substitution. Cost: quasi-linear in the size of the product.
 ///
 /// Lemma 1. A polynomial with coefficients below 2^(64·width − 1) is determined by its value at 2^(64·width).
-/// Proof. The lowest coefficient is congruent to the value modulo 2^(64·width), and there is one number of this size that is; the rest
-/// is the value of a polynomial with the others.
+/// Proof. The lowest coefficient is congruent to the value modulo 2^(64·width), and only one number of this size is. The rest
+/// is the value of the polynomial with the other coefficients.
 ///
 /// Lemma 2. If every sum Σ |f_j| |g_(k−j)| is below 2^bits, the same sums for E, O and E + O of `f = E + xO`, `g = G + xU` are below
 /// 2^(bits + 2), and so are the coefficients themselves.
@@ -225,17 +226,17 @@ const LARGEST_PRODUCT: usize = 1 << 20;
 /// indices of one coefficient of fg are below 2^bits: less than 4 · 2^bits.
 /// Law for both: `products_are_those_of_integer_polynomials`, with equal coefficients of the largest size, too.
 impl FlatPolynomial {
-    /// Adds `f · g` at all these places; every sum `Σ |f_j| |g_(k−j)|` is below 2^`bits`.
+    /// Adds `f · g` at all these places. Every sum `Σ |f_j| |g_(k−j)|` must be below 2^`bits`.
     pub(crate) fn add_product(&mut self, f: &Self, g: &Self, bits: u64, places: &[Target]) {
         self.add_products(f, Some(g), bits, places, LARGEST_PRODUCT);
     }
 
-    /// Adds `f²` at all these places; every sum `Σ |f_j| |f_(k−j)|` is below 2^`bits`.
+    /// Adds `f²` at all these places. Every sum `Σ |f_j| |f_(k−j)|` must be below 2^`bits`.
     pub(crate) fn add_square(&mut self, f: &Self, bits: u64, places: &[Target]) {
         self.add_products(f, None, bits, places, LARGEST_PRODUCT);
     }
 
-    /// The square of f if there is no g. Integers have at most `largest` limbs.
+    /// Adds f g, or the square of f if there is no g. Integers of more than `largest` limbs are not multiplied.
     fn add_products(
         &mut self,
         f: &Self,
@@ -256,7 +257,7 @@ impl FlatPolynomial {
             places.iter().for_each(|&place| self.add(&product, place));
             return;
         }
-        // Lemma 2.
+        // The room is that of Lemma 2.
         let room = bits + 2;
         let (f, g) = (f.halves_and_sum(room), g.map(|g| g.halves_and_sum(room)));
         for (k, places) in Target::of_halves(places).iter().enumerate() {
@@ -264,7 +265,7 @@ impl FlatPolynomial {
         }
     }
 
-    /// E, O and E + O of `f = E + xO`, polynomials in x².
+    /// The polynomials E, O and E + O in x², where `f = E + xO`.
     fn halves_and_sum(&self, bits: u64) -> [Self; 3] {
         let [even, odd] = self.halves(bits);
         let mut sum = even.clone();
@@ -286,7 +287,7 @@ impl FlatPolynomial {
         Integer::from_owned_twos_complement_limbs_asc(limbs)
     }
 
-    /// The polynomial with `len` coefficients of which this is the value at 2^(64·width).
+    /// The polynomial with `len` coefficients whose value at 2^(64·width) is given.
     pub(crate) fn unpacked(value: Integer, len: usize, width: usize) -> Self {
         let sign = if value < 0 { u64::MAX } else { 0 };
         let mut limbs = value.into_twos_complement_limbs_asc();
@@ -320,12 +321,12 @@ mod tests {
         let small = small.prop_map(Integer::from);
         prop_oneof![
             prop::collection::vec(small.clone(), 1..40),
-            // The largest sums there are.
+            // Equal coefficients give the largest sums.
             (small, 1usize..40).prop_map(|(c, len)| vec![c; len]),
         ]
     }
 
-    /// Sums just below a power of two with which a limb ends, of which the halves' are twice as large.
+    /// Sums just below a power of two at the end of a limb; those of the halves are twice as large.
     #[test]
     fn sums_of_halves_have_the_room_that_they_need() {
         for limbs in 1..6_u64 {
@@ -349,7 +350,7 @@ mod tests {
             let bits = 254 + 6 + spare;
             prop_assert_eq!(flat(&a).to_polynomial(), long(&a));
             let expected = [long(&a) * long(&b), long(&a).square()];
-            // In one piece, and in as many as there can be.
+            // In one piece, and in as many pieces as possible.
             for largest in [usize::MAX, 1, 12, 60] {
                 for (other, expected) in [Some(flat(&b)), None].iter().zip(&expected) {
                     let len = a.len() + other.as_ref().map_or(a.len(), FlatPolynomial::len) - 1;

@@ -1,26 +1,29 @@
-//! How large the coefficients of a form can be, whose coefficients in another basis are known to be small.
+//! Bounds of the coefficients of a form, from the sum of its coefficients in another basis.
 //!
 //! Lemma 1. Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` with Σ |g_j| < 2^b is below 2 to the power b + d − ⌊⌊log₂ d⌋/2⌋, d ≥ 1.
-//! Proof. The k-th coefficient of (1+T)^j (1−T)^(d−j) is at most C(d, k) ≤ C(d, ⌊d/2⌋), as absolute values are those of (1+T)^d at most. And
-//! C(2m, m) ≤ 4^m/√(2m), C(2m + 1, m) = C(2m + 2, m + 1)/2 ≤ 2^(2m + 1)/√(2m + 2): at most 2^d/√d ≤ 2^(d − ⌊log₂ d⌋/2).
+//! Proof. The k-th coefficient of (1+T)^j (1−T)^(d−j) is in absolute value at most that of (1+T)^d, which is C(d, k) ≤ C(d,
+//! ⌊d/2⌋). And C(2m, m) ≤ 4^m/√(2m), C(2m + 1, m) = C(2m + 2, m + 1)/2 ≤ 2^(2m + 1)/√(2m + 2); so C(d, ⌊d/2⌋) is at most 2^d/√d
+//! ≤ 2^(d − ⌊log₂ d⌋/2).
 //! Law: `binomials_have_the_bits_that_are_said`, where the bound is reached within two bits.
 //!
-//! Lemma 2. The k-th coefficient of a polynomial f with coefficients that are not negative is at most f(t)/t^k for every t > 0, and
-//! log f(t)/t^k is a linear function of k, so that the larger one of its values at the ends of a range bounds all between.
+//! Lemma 2. If all coefficients of a polynomial f are non-negative, the k-th one is at most f(t)/t^k for every t > 0. The
+//! logarithm of f(t)/t^k is a linear function of k, so the larger of its values at the ends of a range of k is a bound for the
+//! whole range.
 //! Proof. All terms of f(t) are non-negative, and c_k t^k is one of them.
 //! Law: `no_coefficient_is_larger_than_is_said`, with the coefficients that are as large as they can be.
 
 use crate::error::Invariant;
 use std::ops::Range;
 
-/// Every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)` is below 2 to this power, if Σ |g_j| < 2^`bits`. Lemma 1.
+/// The exponent of a power of 2 that is above every coefficient of `Σ_j g_j (1+T)^j (1−T)^(d−j)`, if Σ |g_j| < 2^`bits`. Lemma
+/// 1.
 pub(crate) fn form_bits(degree: usize, bits: u64) -> u64 {
     let degree = degree as u64;
     bits + degree - u64::from(degree.max(1).ilog2()) / 2
 }
 
-/// The coefficients of `(1 + t²)^power f(1, t)`, f a form with coefficients in z^j w^(d−j) that add up to less than
-/// 2^`bits`: below those of `2^bits (1 + t²)^power (1 + t)^degree`.
+/// The sizes of the coefficients of `(1 + t²)^power f(1, t)`, where f is a form whose coefficients in z^j w^(d−j) have absolute
+/// values that add up to less than 2^`bits`. They are below those of `2^bits (1 + t²)^power (1 + t)^degree`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FormSize {
     pub(crate) power: usize,
@@ -29,32 +32,33 @@ pub(crate) struct FormSize {
 }
 
 impl FormSize {
-    /// How many they are.
+    /// The number of coefficients.
     pub(crate) fn len(self) -> usize {
         2 * self.power + self.degree + 1
     }
 
-    /// All are below 2 to this power.
+    /// The exponent of a power of 2 that is above all coefficients.
     pub(crate) fn largest(self) -> u64 {
         form_bits(self.degree, self.bits) + self.power as u64
     }
 
-    /// Those in this range are below 2 to this power. Lemma 2, with absolute values of coefficients for the coefficients.
+    /// The exponent of a power of 2 that is above all coefficients in this range. Lemma 2 for the absolute values of the
+    /// coefficients.
     pub(crate) fn largest_of(self, range: Range<usize>) -> u64 {
-        // Degrees are small.
+        // Degrees are small enough for doubles.
         let float = |n: usize| f64::from(u32::try_from(n).invariant("degrees are below 2^32"));
         let middle = float(range.start + range.end) / 2.0;
-        // Where the k-th term of (1 + t)^(len − 1) is the largest.
+        // The t for which the term of `middle` in (1 + t)^(len − 1) is the largest.
         let t = middle / (float(self.len()) - middle);
         let value = float(self.power) * (t * t).ln_1p() + float(self.degree) * t.ln_1p();
         let bits = |k: usize| (value - float(k) * t.ln()) / std::f64::consts::LN_2;
         let bits = bits(range.start).max(bits(range.end - 1));
-        // One more is far more than the errors of the logarithms: some 2^-50 of numbers that are below 2^33.
+        // The logarithms are below 2^33 and have relative errors of about 2^-50, so adding 1 is more than enough.
         (whole(bits) + 1 + self.bits).min(self.largest())
     }
 }
 
-/// The least integer that is not below a number, which is small, and not negative but for rounding.
+/// The smallest integer that is at least a number. The number is small, and it is negative only by rounding.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -1,20 +1,20 @@
-//! Integers of a fixed width in place: slices of 64-bit limbs, the least significant first, in two's complement.
+//! Integers of a fixed width, in place: slices of 64-bit limbs in two's complement, the least significant first.
 //!
-//! What does not fit wraps around, so sums, differences and left shifts are right whenever the final result fits,
-//! however large an intermediate one is.
+//! Results that do not fit wrap around. So sums, differences and left shifts are right if the final result fits, however large
+//! the intermediate ones are.
 
 use crate::error::Invariant;
 use malachite::{Integer, Natural};
 
-/// Bits of a limb.
+/// The number of bits of a limb.
 pub(crate) const LIMB_BITS: u64 = 64;
 
-/// The number of limbs that hold every integer with |value| < 2^`bits`, and one less than each of these.
+/// The number of limbs that hold every integer of absolute value below 2^`bits`, and every such integer minus 1.
 pub(crate) fn width_for(bits: u64) -> usize {
     usize::try_from((bits + 1).div_ceil(LIMB_BITS)).invariant("a number fits in memory")
 }
 
-/// `a += b`.
+/// Performs `a += b`.
 #[inline]
 pub(crate) fn add(a: &mut [u64], b: &[u64]) {
     let mut carry = false;
@@ -25,7 +25,7 @@ pub(crate) fn add(a: &mut [u64], b: &[u64]) {
     }
 }
 
-/// `a -= b`.
+/// Performs `a -= b`.
 #[inline]
 pub(crate) fn subtract(a: &mut [u64], b: &[u64]) {
     let mut borrow = false;
@@ -36,7 +36,7 @@ pub(crate) fn subtract(a: &mut [u64], b: &[u64]) {
     }
 }
 
-/// `a += 1`.
+/// Performs `a += 1`.
 pub(crate) fn increment(a: &mut [u64]) {
     for x in a {
         let (sum, carry) = x.overflowing_add(1);
@@ -47,7 +47,7 @@ pub(crate) fn increment(a: &mut [u64]) {
     }
 }
 
-/// `a -= 1`.
+/// Performs `a -= 1`.
 pub(crate) fn decrement(a: &mut [u64]) {
     for x in a {
         let (difference, borrow) = x.overflowing_sub(1);
@@ -58,7 +58,7 @@ pub(crate) fn decrement(a: &mut [u64]) {
     }
 }
 
-/// `a = −a`.
+/// Performs `a = −a`.
 pub(crate) fn negate(a: &mut [u64]) {
     let mut carry = true;
     for x in a {
@@ -72,13 +72,13 @@ pub(crate) fn is_negative(a: &[u64]) -> bool {
     a.last().is_some_and(|&top| top >> (LIMB_BITS - 1) != 0)
 }
 
-/// All further limbs of the number.
+/// The limb that all limbs beyond the width would be: all ones for a negative number, else 0.
 #[inline]
 pub(crate) fn sign_limb(a: &[u64]) -> u64 {
     if is_negative(a) { u64::MAX } else { 0 }
 }
 
-/// `target = a`, for a target that is at least as wide.
+/// Performs `target = a`, where the target is at least as wide.
 #[inline]
 pub(crate) fn widen(target: &mut [u64], a: &[u64]) {
     let (low, high) = target.split_at_mut(a.len());
@@ -86,7 +86,7 @@ pub(crate) fn widen(target: &mut [u64], a: &[u64]) {
     high.fill(sign_limb(a));
 }
 
-/// `a <<= bits`; all bits of it if there are more.
+/// Performs `a <<= bits`; more bits than the number has give 0.
 pub(crate) fn shift_left(a: &mut [u64], bits: u64) {
     let whole = usize::try_from(bits / LIMB_BITS)
         .unwrap_or(usize::MAX)
@@ -102,7 +102,7 @@ pub(crate) fn shift_left(a: &mut [u64], bits: u64) {
     }
 }
 
-/// `a >>= bits` of a number that is not negative; all bits of it if there are more.
+/// Performs `a >>= bits` for a number that is not negative; more bits than the number has give 0.
 fn shift_right(a: &mut [u64], bits: u64) {
     let whole = usize::try_from(bits / LIMB_BITS)
         .unwrap_or(usize::MAX)
@@ -125,7 +125,7 @@ pub(crate) fn trailing_zeros(a: &[u64]) -> Option<u64> {
     Some(k as u64 * LIMB_BITS + u64::from(a[k].trailing_zeros()))
 }
 
-/// `a += value`, or `a −= value` if `negated`.
+/// Performs `a += value`, or `a −= value` if `negated`.
 pub(crate) fn add_integer(a: &mut [u64], value: &Integer, negated: bool) {
     let magnitude = value.unsigned_abs_ref();
     let mut carry = false;
@@ -144,8 +144,8 @@ pub(crate) fn add_integer(a: &mut [u64], value: &Integer, negated: bool) {
     }
 }
 
-/// `a · 2^shift` as an [`Integer`] that takes no more memory than it needs; exact, also for a negative shift, only if
-/// the result is an integer. `scratch` is overwritten.
+/// The number `a · 2^shift` as an [`Integer`] that takes no more memory than it needs. The result must be an integer. `scratch`
+/// is overwritten.
 pub(crate) fn to_integer(a: &[u64], shift: i64, scratch: &mut Vec<u64>) -> Integer {
     scratch.clear();
     scratch.extend_from_slice(a);
@@ -173,7 +173,7 @@ mod tests {
         Integer::from_twos_complement_limbs_asc(a)
     }
 
-    /// Numbers with long runs of equal bits, where carries go far.
+    /// Numbers with long runs of equal bits, so that carries go far.
     fn limbs(width: usize) -> impl Strategy<Value = Vec<u64>> {
         let limb = prop_oneof![
             Just(0),
@@ -186,7 +186,7 @@ mod tests {
     }
 
     proptest! {
-        /// Beside malachite, modulo 2^256.
+        /// The operations agree with malachite's, modulo 2^256.
         #[test]
         fn they_are_integers_modulo_a_power_of_two(a in limbs(4), b in limbs(4), by in 0u64..300, narrow in limbs(2)) {
             let wrapped = |value: Integer| {

@@ -1,13 +1,13 @@
-//! The instructions that loops over doubles are compiled for.
+//! The sets of instructions for which loops over doubles are compiled.
 
 use pulp::{Arch, WithSimd};
 
-/// A set of instructions: in the program that of this machine, in tests every other one as well.
+/// A set of instructions. The program uses that of its machine; tests use all others as well.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Machine {
-    /// The best set that this machine has.
+    /// The best set of instructions of this machine.
     This(Arch),
-    /// No vectors, and no fused products: each is rounded by a function of the library.
+    /// No vector instructions and no fused products; a library function rounds each product.
     #[cfg(test)]
     Scalar,
     /// Vectors of two doubles.
@@ -22,12 +22,12 @@ pub(crate) enum Machine {
 }
 
 impl Machine {
-    /// This machine.
+    /// The instructions of this machine.
     pub(crate) fn this() -> Self {
         Self::This(Arch::new())
     }
 
-    /// Every set of instructions, this machine's first.
+    /// All sets of instructions, beginning with that of this machine.
     #[cfg(test)]
     pub(crate) fn all() -> [Self; 5] {
         [
@@ -39,8 +39,8 @@ impl Machine {
         ]
     }
 
-    /// Whether there are instructions for fused products: a function of the library gives the same numbers, and takes some fifty
-    /// times as long.
+    /// Whether there are instructions for fused products. Without them a library function gives the same numbers, but takes
+    /// about fifty times as long.
     pub(crate) fn has_fused_products(self) -> bool {
         match self {
             Self::This(arch) => !matches!(arch, Arch::Scalar),

@@ -1,4 +1,4 @@
-//! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)`: from harmonics to powers.
+//! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)`, from harmonics to powers.
 
 use malachite::Integer;
 
@@ -9,8 +9,9 @@ use super::form_size::form_bits;
 use super::limbs::{add, negate, shift_left, width_for};
 use super::residues::changed_by_residues;
 
-/// Up to this many coefficients of `bits` bits the n² additions of [`ByShifts`] are faster than two products of halves:
-/// 24 to 66 µs at n = 150 and 134 to 177 µs at 300, where they are compiled for the width, and else 164 to 164 at 250.
+/// The largest number of coefficients of `bits` bits for which the n² additions of [`ByShifts`] are faster than two products of
+/// halves. Additions took 24 µs and products 66 µs at n = 150, 134 and 177 µs at 300, where the additions are compiled for the
+/// width; otherwise both took 164 µs at 250.
 fn shifts_up_to(bits: u64) -> usize {
     if FlatPolynomial::is_compiled_for(bits) {
         400
@@ -19,12 +20,12 @@ fn shifts_up_to(bits: u64) -> usize {
     }
 }
 
-/// `h(T) = Σ_j g_j (1+T)^j (1−T)^(d−j)` for d + 1 coefficients g with Σ |g_j| < 2^`bits`; what it returns has room for
-/// integers below 2^[`form_bits`], at least.
+/// Computes `h(T) = Σ_j g_j (1+T)^j (1−T)^(d−j)` for d + 1 coefficients g with Σ |g_j| < 2^`bits`. The result has room for
+/// integers below 2^[`form_bits`] at least.
 ///
-/// With g in halves of k and d + 1 − k coefficients, `h = (1−T)^(d+1−k) h_low + (1+T)^k h_high`: numbers grow by a bit
-/// per degree only as degrees do, so that all levels together cost about twice the topmost, which is two products of
-/// polynomials of half the degree.
+/// Let g_low be the first k coefficients and g_high the other d + 1 − k. Then `h = (1−T)^(d+1−k) h_low + (1+T)^k h_high`. The
+/// numbers of h_low and h_high are shorter by a bit for each degree less, so all levels together cost about twice the topmost
+/// level, which is two products of polynomials of half the degree.
 pub(crate) fn change_of_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     let machine = Machine::this();
     if residues_are_faster(machine, g.len(), bits) {
@@ -34,8 +35,8 @@ pub(crate) fn change_of_basis(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     }
 }
 
-/// Whether residues modulo primes are faster than products of large integers: 0.5 of their time at 600 coefficients
-/// and 0.3 at 1000, where it is the same time at 6000 bits; above that their steps that are quadratic in the bits count.
+/// Whether residues modulo primes are faster than products of large integers. They take 0.5 of the time at 600 coefficients and
+/// 0.3 at 1000. Their cost is quadratic in the bits, so at 1000 coefficients of 6000 bits the two methods tie.
 fn residues_are_faster(machine: Machine, len: usize, bits: u64) -> bool {
     machine.has_fused_products() && (300..100_000).contains(&len) && bits / 6 <= len as u64
 }
@@ -44,7 +45,7 @@ fn by_large_integers(g: &FlatPolynomial, bits: u64) -> FlatPolynomial {
     changed(g, 0, g.len(), bits, &mut Vec::new())
 }
 
-/// `(1−T)^n` and `(1+T)^n` as large integers, for coefficients of one width.
+/// The polynomials `(1−T)^n` and `(1+T)^n` as large integers, for one width of the coefficients.
 struct Powers {
     exponent: usize,
     width: usize,
@@ -68,7 +69,8 @@ impl Powers {
     }
 }
 
-/// Halves of one level differ by one in length, so two entries of a level serve all.
+/// The index of an entry for this exponent. The halves of one level differ by at most one in length, so two entries are enough
+/// for each level.
 fn powers(levels: &mut Vec<Powers>, exponent: usize, width: usize) -> usize {
     let known = |p: &Powers| p.exponent == exponent && p.width == width;
     levels.iter().position(known).unwrap_or_else(|| {
@@ -102,11 +104,11 @@ fn changed(
     FlatPolynomial::unpacked(value, len, width)
 }
 
-/// The same in place, by (1+T)/(1−T) = −1 + 2/(1−T): two Taylor shifts, n² additions. What of it exceeds the width
-/// comes back into it.
+/// The change of basis in place, by (1+T)/(1−T) = −1 + 2/(1−T): two Taylor shifts with n² additions. Intermediate results may
+/// exceed the width; the final ones fit again.
 ///
-/// With c(x) = g(x − 1), `h = Σ c_k 2^k (1−T)^(d−k)`. From the coefficients of h backwards, which are those of
-/// `Σ (−1)^(d−j) g_j …`, no sign but (−1)^k remains.
+/// With c(x) = g(x − 1), `h = Σ c_k 2^k (1−T)^(d−k)`. The coefficients of h in reverse order are those of `Σ (−1)^(d−j) g_j …`,
+/// so only the signs (−1)^k remain.
 struct ByShifts;
 
 impl OnNumbers for ByShifts {
@@ -123,7 +125,7 @@ impl OnNumbers for ByShifts {
     }
 }
 
-/// The Taylor shift f(x + 1) in place: n²/2 additions.
+/// The Taylor shift f(x + 1) in place, with n²/2 additions.
 pub(crate) struct ShiftByOne;
 
 impl OnNumbers for ShiftByOne {
@@ -140,7 +142,7 @@ fn negate_odd<C: AsMut<[u64]>>(g: &mut [C]) {
     }
 }
 
-/// To each number the next one is added.
+/// Adds to each number the next one.
 #[inline]
 fn add_neighbours<'a, C: AsRef<[u64]> + AsMut<[u64]> + 'a>(
     mut numbers: impl Iterator<Item = &'a mut C>,
@@ -162,7 +164,7 @@ pub(crate) mod tests {
     use malachite::integer_polynomial::IntegerPolynomial;
     use proptest::prelude::*;
 
-    /// Of absolute value below 2^size; as large as that allows if it is `extreme`.
+    /// An integer of absolute value below 2^size; the largest one if it is `extreme`.
     pub(crate) fn bounded_integer(seed: i64, size: u64, extreme: bool) -> Integer {
         let most = (Integer::from(1) << size) - Integer::from(1);
         if extreme {
@@ -172,7 +174,7 @@ pub(crate) mod tests {
         }
     }
 
-    /// f(x − 1) as the reflection of a shift by 1.
+    /// The polynomial f(x − 1), as the reflection of a shift by 1.
     fn shift_by_minus_one(f: Vec<Integer>) -> Vec<Integer> {
         let reflected = |mut c: Vec<Integer>| {
             negate_odd(&mut c);
@@ -200,8 +202,8 @@ pub(crate) mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
-        /// Around every length where the way changes, for every width that has its own code and for larger ones; signs
-        /// that make all of h as large as it can be.
+        /// Lengths around every change of method, for every width that has compiled code and for larger ones; and signs that
+        /// make all of h as large as possible.
         #[test]
         fn the_change_of_basis_is_two_taylor_shifts(
             len in prop_oneof![1usize..20, 198usize..203, 398usize..403, 798usize..803, 1usize..1200],
@@ -216,7 +218,7 @@ pub(crate) mod tests {
             let expected = by_taylor_shifts(g);
             prop_assert_eq!(by_large_integers(&flat, bits).to_polynomial(), expected.clone());
             prop_assert_eq!(changed_by_residues(Machine::this(), &flat, bits).to_polynomial(), expected.clone());
-            // With all other instructions, where that does not take long.
+            // All other sets of instructions, if that does not take long.
             if len < 60 {
                 for machine in Machine::all() {
                     prop_assert_eq!(changed_by_residues(machine, &flat, bits).to_polynomial(), expected.clone());

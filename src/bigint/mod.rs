@@ -1,6 +1,6 @@
-//! The fast layer for whole numbers: limbs, flat polynomials, residues modulo many primes, long numbers in decimal.
+//! Fast arithmetic of integers: limbs, flat polynomials, residues modulo many primes, and long numbers in decimal.
 //!
-//! All results are exact: they are the integers that plain arithmetic gives, and laws compare the two.
+//! All results are exact: they are the integers that ordinary arithmetic gives, and laws compare the two.
 
 mod binomials;
 mod columns;

@@ -10,15 +10,15 @@ use crate::limits::Limits;
 use crate::modular::{PrimeField, SplitMix, trimmed};
 use crate::poly::{IntegerPolynomial, IntegerTerms, polynomial_gcd};
 
-/// The prime that quick tests are made with: 2³¹ − 1.
+/// The prime of quick tests, 2³¹ − 1.
 pub(super) const QUICK_PRIME: u64 = (1 << 31) - 1;
 
-/// The greatest common divisor, with positive first coefficient; integer content included.
+/// The greatest common divisor, including the integer content, with a positive first coefficient.
 ///
-/// First a proof of coprimality by images in one variable modulo a prime. Otherwise the heuristic gcd
-/// of Char, Geddes & Gonnet (*Algorithms for Computer Algebra*, Theorem 7.7): evaluate one variable at
-/// a large integer, take the gcd there, read its digits in that base as coefficients, and prove the
-/// result by division. A failed try repeats with a larger integer.
+/// First, images in one variable modulo a prime may prove that the polynomials are coprime. If they do not, the heuristic gcd
+/// of Char, Geddes & Gonnet is used (*Algorithms for Computer Algebra*, Theorem 7.7): one variable is evaluated at a large
+/// integer, the gcd is computed there, its digits in this base are taken as coefficients, and division proves the result. After
+/// a failure a larger integer is tried.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -69,7 +69,8 @@ fn primitive_gcd(
             return Ok(candidate);
         }
         failures += 1;
-        // A ratio without pattern; squares when that keeps failing, so that the end is near.
+        // The integer grows by a ratio without special properties. After several failures it is squared, so that the search
+        // ends soon.
         point = if failures < 6 {
             point * Integer::from(73_794) / Integer::from(27_011)
         } else {
@@ -78,7 +79,7 @@ fn primitive_gcd(
     }
 }
 
-/// The polynomial in v whose value at `v = base` is `image` and whose coefficients are at most base/2.
+/// The polynomial in v whose value at `v = base` is `image`, with coefficients of absolute value at most base/2.
 fn from_digits(image: &IntegerTerms<3>, v: usize, base: &Integer) -> IntegerTerms<3> {
     let mut terms = Vec::new();
     for (e, c) in image.iter() {
@@ -104,7 +105,7 @@ fn random_point() -> [u64; 3] {
     std::array::from_fn(|_| random.next() % QUICK_PRIME)
 }
 
-/// Whether an image modulo a prime proves that the gcd is free of v.
+/// Whether an image modulo a prime proves that v does not occur in the gcd.
 fn image_is_coprime(f: &IntegerTerms<3>, g: &IntegerTerms<3>, v: usize) -> bool {
     let field = PrimeField::new(QUICK_PRIME);
     let point = random_point();
@@ -113,11 +114,11 @@ fn image_is_coprime(f: &IntegerTerms<3>, g: &IntegerTerms<3>, v: usize) -> bool 
         trimmed(g.image(v, &point, &field)),
     );
     let full = |image: &[u64], f: &IntegerTerms<3>| image.len() == f.degrees()[v] as usize + 1;
-    // The leading coefficient of the gcd divides both, so one that survives is enough.
+    // The leading coefficient of the gcd divides both leading coefficients, so it is enough that one of them is not 0.
     (full(&a, f) || full(&b, g)) && field.gcd(a, b).len() == 1
 }
 
-/// The gcd of the coefficients of the powers of v, primitive; and f divided by it.
+/// The gcd of the coefficients of the powers of v, primitive, and f divided by it.
 pub(super) fn content_in(
     f: &IntegerTerms<3>,
     v: usize,
@@ -139,14 +140,14 @@ pub(super) fn content_in(
     Ok((content, rest))
 }
 
-/// Whether an image modulo a prime proves that f, primitive in v, is squarefree.
+/// Whether an image modulo a prime proves that f is squarefree; f must be primitive in v.
 fn image_is_squarefree(f: &IntegerTerms<3>, v: usize) -> bool {
     let field = PrimeField::new(QUICK_PRIME);
     let image = trimmed(f.image(v, &random_point(), &field));
     image.len() == f.degrees()[v] as usize + 1 && field.is_squarefree(&image)
 }
 
-/// Yun's squarefree decomposition of an f that is primitive in v: the parts and multiplicities.
+/// Yun's squarefree decomposition of an f that is primitive in v: its parts and their multiplicities.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -187,8 +188,8 @@ pub(super) fn squarefree_parts(
     Ok(parts)
 }
 
-/// The largest form that divides a polynomial in the two given variables: the gcd of its homogeneous
-/// parts, each a univariate polynomial in disguise. Neither variable may divide f.
+/// The largest form in the two given variables that divides a polynomial: the gcd of its homogeneous parts, each of which is
+/// treated as a univariate polynomial. Neither variable may divide f.
 pub(super) fn form_content(f: &IntegerTerms<3>, u: usize, v: usize) -> IntegerTerms<3> {
     let mut parts = std::collections::BTreeMap::<u32, Vec<(u32, Integer)>>::new();
     for (e, c) in f.iter() {

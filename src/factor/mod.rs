@@ -1,10 +1,10 @@
 //! Factorization over the rational numbers, in one, two and three variables.
 //!
-//! The order of work: rational content; monomials; the largest form that divides a plane polynomial;
-//! x^k → x; contents and squarefree parts (Yun); then for each part the factors at an integer point of
-//! all variables but one, by Zassenhaus' algorithm, lifted by Hensel's lemma to the other variables and
-//! recombined with true division. Every factor comes with the reason why it is irreducible, and the
-//! product of all is compared with the input before anything is returned.
+//! The steps are: the rational content; monomials; the largest form that divides a plane polynomial; the substitution x^k → x;
+//! contents and squarefree parts (Yun). Each part is then factored at an integer point of all variables but one by Zassenhaus'
+//! algorithm; these factors are lifted to the other variables by Hensel's lemma and recombined with exact division. Every
+//! factor has a proof that it is irreducible, and the product of all factors is compared with the input before the result is
+//! returned.
 //!
 //! The algorithms are those of von zur Gathen & Gerhard, *Modern Computer Algebra*, chapters 14 and 15,
 //! and Geddes, Czapor & Labahn, *Algorithms for Computer Algebra*, chapters 7 and 8.
@@ -34,12 +34,12 @@ use crate::poly::{
 };
 use split::Found;
 
-/// A polynomial as `content · ∏ polynomial^multiplicity`, exactly.
+/// A polynomial in factored form, exactly `content · ∏ polynomial^multiplicity`.
 ///
 /// The factors are pairwise different and in canonical order: by total degree, then term by term.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Factorization<P> {
-    /// The rational number in front, with the sign; a constant is its own content.
+    /// The rational factor in front, with the sign; a constant is its own content.
     pub content: Rational,
     /// The irreducible factors.
     pub factors: Vec<Factor<P>>,
@@ -48,16 +48,16 @@ pub struct Factorization<P> {
 /// An irreducible factor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Factor<P> {
-    /// With coprime integer coefficients and positive first term (for one variable: leading term).
+    /// The factor, with coprime integer coefficients and a positive first coefficient (for one variable: leading coefficient).
     pub polynomial: P,
-    /// How often it occurs, at least 1.
+    /// The multiplicity, at least 1.
     pub multiplicity: usize,
-    /// Why it has no proper factors over the rational numbers.
+    /// The proof that it has no proper factors over the rational numbers.
     pub proof: Irreducibility,
 }
 
-/// The primitive parts of two polynomials in at most three variables, none of them 0, divided by their
-/// greatest common divisor; first terms positive.
+/// Two polynomials in at most three variables, neither of them 0, divided by their greatest common divisor. The results are
+/// primitive with positive first coefficients.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -73,8 +73,8 @@ pub(crate) fn coprime_parts<const V: usize>(
     Ok([f, g].map(|f| canonical(&f.divided_by(&common).invariant("a gcd divides"))))
 }
 
-/// The primitive part of the greatest common divisor of two polynomials in at most three variables, with positive
-/// first term; one of them may be 0.
+/// The primitive part of the greatest common divisor of two polynomials in at most three variables, with a positive first
+/// coefficient. One of the polynomials may be 0.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -90,8 +90,7 @@ pub(crate) fn greatest_common_divisor<const V: usize>(
     Ok(canonical(&common))
 }
 
-/// The product of the different irreducible factors of a plane polynomial that is a power of an irreducible one:
-/// that one.
+/// The irreducible polynomial of which a plane polynomial is a power.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -107,8 +106,8 @@ pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<P
         .invariant("a divisor of a polynomial without z is one without z"))
 }
 
-/// The squarefree decomposition of a ternary form that is not 0: pairwise coprime primitive forms with their
-/// multiplicities, without the content and the sign.
+/// The squarefree decomposition of a ternary form that is not 0, without the content and the sign: pairwise coprime primitive
+/// forms with their multiplicities.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -121,7 +120,7 @@ pub(crate) fn squarefree_form(
     let terms = form.terms().map(|(e, c)| Ok((narrow(e)?, c.clone())));
     let mut rest = IntegerTerms::new(terms.collect::<Result<_>>()?).primitive();
     let mut parts = Vec::new();
-    // Whatever is free of the main variable is decomposed in the next one.
+    // The part in which the main variable does not occur is decomposed in the next variable.
     while let Some(&v) = rest.used().first() {
         let (content, primitive) = gcd::content_in(&rest, v, limits)?;
         parts.extend(gcd::squarefree_parts(&primitive, v, limits)?);
@@ -155,11 +154,11 @@ fn canonical<const V: usize>(f: &IntegerTerms<3>) -> SparsePolynomial<V> {
     SparsePolynomial::from_terms(terms).primitive()
 }
 
-/// The irreducible factors over Q of a univariate polynomial with integer coefficients.
+/// Finds the irreducible factors over Q of a univariate polynomial with rational coefficients.
 ///
-/// Deflation, Yun, Zassenhaus. Cost: with r factors modulo the best prime, at most 2^(r−1) cheap tests
-/// (2²⁸ of them are allowed), usually next to none; besides that O(n³) operations modulo a small
-/// prime, and polynomial arithmetic with coefficients of about n + log ‖f‖ bits.
+/// Method: deflation, Yun's decomposition, Zassenhaus' algorithm. Cost: if there are r factors modulo the best prime, at most
+/// 2^(r−1) cheap tests, of which 2²⁸ are allowed and usually hardly any are needed; O(n³) operations modulo a small prime; and
+/// polynomial arithmetic with coefficients of about n + log ‖f‖ bits.
 ///
 /// ```
 /// use stellate::factor::factor_univariate;
@@ -174,8 +173,8 @@ fn canonical<const V: usize>(f: &IntegerTerms<3>) -> SparsePolynomial<V> {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] for the zero polynomial; [`Error::Limit`] when a stated limit is reached (degree
-/// 4096 after deflation, 2²⁸ products of modular factors, the time of `limits`); [`Error::Interrupted`].
+/// [`Error::Usage`] for the zero polynomial; [`Error::Limit`] if a limit is reached: degree 4096 after deflation, 2²⁸ products
+/// of modular factors, or the time of `limits`; [`Error::Interrupted`].
 pub fn factor_univariate(f: &[Rational], limits: &Limits) -> Result<Factorization<Vec<Rational>>> {
     let (integers, denominator) = with_integers(f);
     let (content, found) = factor_terms(IntegerTerms::from_univariate(&integers, 0), limits)?;
@@ -185,12 +184,11 @@ pub fn factor_univariate(f: &[Rational], limits: &Limits) -> Result<Factorizatio
     })
 }
 
-/// The irreducible factors over Q of a polynomial in x and y.
+/// Finds the irreducible factors over Q of a polynomial in x and y.
 ///
-/// A polynomial in powers of x and y is factored as one in those first; what is irreducible at one
-/// value of x or y is found out without any lifting. Cost of lifting with degrees n, m: O(log m)
-/// products of polynomials with 4nm coefficients of about n + m + log ‖f‖ bits, times the number of
-/// factors at the chosen point.
+/// A polynomial in powers of x and y is factored first as a polynomial in these powers. A factor that is irreducible at one
+/// value of x or y needs no lifting. Cost of lifting, for degrees n and m: O(log m) products of polynomials with 4nm
+/// coefficients of about n + m + log ‖f‖ bits, times the number of factors at the chosen point.
 ///
 /// ```
 /// use stellate::factor::factor_plane;
@@ -212,8 +210,7 @@ pub fn factor_univariate(f: &[Rational], limits: &Limits) -> Result<Factorizatio
 /// ```
 ///
 /// # Errors
-/// As [`factor_univariate`]; besides, [`Error::Limit`] when the degrees leave room for more than 2²¹
-/// terms.
+/// Those of [`factor_univariate`], and [`Error::Limit`] if polynomials of these degrees may have more than 2²¹ terms.
 pub fn factor_plane(
     f: &PlanePolynomial,
     limits: &Limits,
@@ -237,9 +234,9 @@ pub fn factor_plane(
     })
 }
 
-/// The irreducible factors over Q of a polynomial in x, y and z.
+/// Finds the irreducible factors over Q of a polynomial in x, y and z.
 ///
-/// As [`factor_plane`], with one more variable to lift to.
+/// The method is that of [`factor_plane`], with one more variable to which factors are lifted.
 ///
 /// ```
 /// use stellate::factor::factor_space;
@@ -289,15 +286,15 @@ fn factors_as<P>(found: Vec<Found>, convert: impl Fn(&IntegerTerms<3>) -> P) -> 
     factors.collect()
 }
 
-/// The content and the factors in canonical order and with canonical signs, multiplied back.
+/// The content and the factors, in canonical order and with canonical signs. Their product is compared with f.
 fn factor_terms(f: IntegerTerms<3>, limits: &Limits) -> Result<(Integer, Vec<Found>)> {
     if f.is_zero() {
         return Err(Error::Usage(
             "the zero polynomial has no factorization".into(),
         ));
     }
-    // Graded and purely lexicographic order are both multiplicative, so signs can be fixed by either
-    // one, factor by factor.
+    // The graded order and the purely lexicographic order are both multiplicative, so the signs can be determined factor by
+    // factor in either order.
     let graded = graded_terms(&f);
     let negative = graded.first().is_some_and(|(_, c)| *c < 0);
     let content = f.signed_content();
@@ -338,8 +335,8 @@ fn graded_terms(f: &IntegerTerms<3>) -> Vec<&([u32; 3], Integer)> {
     terms
 }
 
-/// By total degree, then term by term: what comes first in the order of terms, then smaller
-/// coefficients.
+/// The order of factors: by total degree, then term by term; the term that comes first in the order of terms is first, then the
+/// smaller coefficient.
 fn canonical_order(f: &IntegerTerms<3>, g: &IntegerTerms<3>) -> Ordering {
     let (f, g) = (graded_terms(f), graded_terms(g));
     let total = |terms: &[&([u32; 3], Integer)]| {

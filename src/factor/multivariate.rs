@@ -1,4 +1,4 @@
-//! Irreducible factors of a squarefree polynomial in two or three variables.
+//! The irreducible factors of a squarefree polynomial in two or three variables.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::DivisibleBy;
@@ -17,16 +17,16 @@ use crate::limits::Limits;
 use crate::modular::{PrimeField, SplitMix, TruncatedRing, balanced, lift};
 use crate::poly::{IntegerPolynomial, IntegerTerms};
 
-/// The irreducible factors of f, squarefree and primitive in v (no factor is free of v), with proofs.
+/// The irreducible factors, with proofs, of a polynomial f that is squarefree and primitive in v, so that v occurs in every
+/// factor.
 ///
-/// The factors at a point of the other variables are lifted to power series there (Musser; Wang;
-/// *Modern Computer Algebra*, §15.6), one precision above the degree of f in each variable, with
-/// coefficients modulo a prime power above what a factor can have. Leading coefficients need no
-/// guess: f is divided by its own as a power series, and lc(f)/lc(g) · g is what is read off.
+/// The factors at a point of the other variables are lifted to power series there (Musser; Wang; *Modern Computer Algebra*,
+/// §15.6). The precision in each variable is one more than the degree of f, and the coefficients are computed modulo a prime
+/// power that is larger than those of a factor. No guess of leading coefficients is necessary: f is divided by its leading
+/// coefficient as a power series, and a factor g appears as lc(f)/lc(g) · g.
 ///
 /// # Errors
-/// [`crate::error::Error::Limit`] when too many subsets would have to be tried, and what `limits`
-/// returns.
+/// [`crate::error::Error::Limit`] if too many subsets would have to be tried; those of `limits`.
 pub(super) fn irreducible_factors(
     f: &IntegerTerms<3>,
     v: usize,
@@ -77,7 +77,7 @@ pub(super) fn irreducible_factors(
     Ok(with_proof.collect())
 }
 
-/// f with the chosen point moved to the origin, and its monic factors as power series there.
+/// The polynomial f, moved so that the chosen point is the origin, and its monic factors as power series there.
 struct Local {
     f: IntegerTerms<3>,
     variables: Roles,
@@ -85,7 +85,7 @@ struct Local {
     factors: Vec<IntegerPolynomial>,
 }
 
-/// Which variables play the parts of x, y, z in a [`TruncatedRing`].
+/// The variables that play the parts of x, y, z in a [`TruncatedRing`].
 struct Roles {
     main: usize,
     y: usize,
@@ -96,7 +96,7 @@ impl Roles {
     fn new(f: &IntegerTerms<3>, main: usize) -> Self {
         let degrees = f.degrees();
         let mut others: Vec<usize> = (0..3).filter(|&w| w != main).collect();
-        // An unused variable plays z.
+        // An unused variable plays the part of z.
         others.sort_by_key(|&w| std::cmp::Reverse(degrees[w]));
         Self {
             main,
@@ -113,8 +113,8 @@ impl Local {
         });
         let variables = Roles::new(&f, v);
         let degrees = f.degrees();
-        // Mahler's measure is multiplicative and at most ‖f‖; a coefficient of lc(f)/lc(g) · g is at
-        // most 2^(sum of the degrees) times its measure.
+        // Mahler's measure is multiplicative and at most ‖f‖. A coefficient of lc(f)/lc(g) · g is at most 2^(sum of the
+        // degrees) times its measure.
         let bits = f.norm_squared().significant_bits().div_ceil(2)
             + degrees.iter().map(|&d| u64::from(d)).sum::<u64>()
             + 2;
@@ -140,8 +140,9 @@ impl Local {
         })
     }
 
-    /// lc(f)/lc(g) · g has the degree of f in y at most, one less than the precision: of lc(f) times
-    /// the sum of the second coefficients, a random combination of the terms above that degree.
+    /// The sieve uses that lc(f)/lc(g) · g has at most the degree of f in y, which is one less than the precision. So in lc(f)
+    /// times the sum of the second coefficients, the terms above that degree vanish; a random combination of them is the
+    /// weight.
     fn sieve(&self, allowed: Vec<bool>) -> Sieve {
         let ring = &self.ring;
         let lead = ring.lead(&pack(ring, &self.variables, &self.f));
@@ -171,7 +172,7 @@ impl Local {
         }
     }
 
-    /// The factor of `rest` that is lc(rest) times the chosen local factors, and the quotient.
+    /// The candidate factor of `rest`, which is lc(rest) times the chosen local factors, and the quotient, if it divides.
     fn try_product(
         &self,
         rest: &IntegerTerms<3>,
@@ -189,7 +190,7 @@ impl Local {
         if (0..3).any(|w| degrees[w] > most[w]) {
             return Ok(None);
         }
-        // The candidate divides lc(rest) · rest; at a point that costs little to ask.
+        // The candidate must divide lc(rest) · rest; testing this at one point costs little.
         let point = [Integer::from(2), Integer::from(3), Integer::from(5)];
         let value = candidate.value(&point);
         let rows = rest.coefficients_in(self.variables.main);
@@ -206,7 +207,7 @@ impl Local {
     }
 }
 
-/// A large prime that keeps the factors coprime and their degrees.
+/// A large prime modulo which the factors keep their degrees and are coprime.
 fn good_prime(factors: &[IntegerPolynomial]) -> PrimeField {
     let mut prime = QUICK_PRIME;
     loop {

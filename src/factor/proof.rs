@@ -1,15 +1,15 @@
-//! Why a factor is irreducible.
+//! Proofs that a factor is irreducible.
 
 use std::fmt;
 
-/// One of the coordinates.
+/// A coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Variable {
-    /// x, also the variable of a univariate polynomial.
+    /// The coordinate x, which is also the variable of a univariate polynomial.
     X,
-    /// y.
+    /// The coordinate y.
     Y,
-    /// z.
+    /// The coordinate z.
     Z,
 }
 
@@ -33,44 +33,43 @@ impl fmt::Display for Variable {
     }
 }
 
-/// Why a factor has no proper factors over the rational numbers. Each reason goes with a factor
-/// whose coefficients in the variable in question have no common factor.
+/// The reason why a factor has no proper factors over the rational numbers. In every case the coefficients of the factor in the
+/// variable in question have no common factor.
 ///
-/// A homogeneous factor is judged with its last variable put to 1.
+/// A homogeneous factor is judged by its value at 1 for the last variable.
 ///
-/// `Display` gives one phrase.
+/// `Display` writes the reason as one phrase.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Irreducibility {
-    /// Of degree 1 in a variable.
+    /// The factor has degree 1 in a variable.
     Linear {
-        /// That variable.
+        /// The variable.
         variable: Variable,
     },
-    /// No proper factor has a degree that is possible modulo all these primes; with one prime, it is
-    /// irreducible modulo that.
+    /// No degree of a proper factor is possible modulo all these primes. If there is one prime, the factor is irreducible
+    /// modulo it.
     Degrees {
         /// The primes.
         primes: Vec<u64>,
     },
-    /// No proper factor has a degree that is possible at all these points, each of which keeps the
-    /// degree in the remaining variable; with one point, it is irreducible there.
+    /// No degree of a proper factor is possible at all these points, at each of which the factor keeps its degree in the
+    /// remaining variable. If there is one point, the factor is irreducible there.
     Specialization {
         /// The values of all variables but one.
         points: Vec<Vec<(Variable, i64)>>,
     },
-    /// Irreducible in a power of a variable, and Capelli's theorem (Lang, *Algebra*, VI, Theorem 9.1)
-    /// says that it is in the variable itself: the norm of a root is no such power.
+    /// The factor is irreducible as a polynomial in a power of a variable. By Capelli's theorem (Lang, *Algebra*, VI, Theorem
+    /// 9.1) it is also irreducible in the variable itself, because the norm of a root is not such a power.
     Capelli {
         /// The variable.
         variable: Variable,
         /// The prime exponent of its power.
         exponent: u32,
     },
-    /// No product of some, not all, of its local factors (modulo a prime power, or power series at a
-    /// point) is a factor.
+    /// No product of some, but not all, of the local factors (modulo a prime power, or as power series at a point) is a factor.
     Recombination {
-        /// The number of local factors of the polynomial it was found in.
+        /// The number of local factors of the polynomial in which the factor was found.
         local: usize,
     },
 }

@@ -1,32 +1,32 @@
-//! Which products of local factors are true factors.
+//! Recombination: the products of local factors that are true factors are found.
 
 use crate::error::{Error, Result};
 use crate::limits::Limits;
 
-/// The largest number of subsets of local factors that are looked at.
+/// The largest number of subsets of local factors that are tested.
 pub(super) const SUBSETS_AT_MOST: u64 = 1 << 28;
 
-/// What every true factor satisfies and is cheap to ask of a subset.
+/// Conditions that every true factor satisfies and that are cheap to test for a subset.
 pub(super) struct Sieve {
     /// The degree of each local factor.
     pub(super) degrees: Vec<usize>,
-    /// Which degrees a true factor may have.
+    /// For each degree, whether a true factor may have it.
     pub(super) allowed: Vec<bool>,
-    /// A number of each local factor, as a fraction of 2⁶⁴, whose sum over a true factor is almost
-    /// an integer: the trace, modulo a prime power or modulo a power of a variable.
+    /// A number for each local factor, as a fraction of 2⁶⁴. The sum of these numbers over a true factor is almost an integer.
+    /// The number is the trace, modulo a prime power or modulo a power of a variable.
     pub(super) weights: Vec<u64>,
-    /// How near to an integer, as a fraction of 2⁶⁴.
+    /// The largest distance of the sum from an integer, as a fraction of 2⁶⁴.
     pub(super) tolerance: u64,
 }
 
-/// Calls `accept` with subsets of 0..n that pass the sieve, smallest first; what it accepts is taken
-/// out. Afterwards no subset of the rest, nor its complement, was accepted: the rest is irreducible.
+/// Calls `accept` with the subsets of 0..n that pass the sieve, the smallest first. The members of an accepted subset are
+/// removed. In the end no subset of the rest, and no complement of one, was accepted, so the rest is irreducible.
 ///
-/// Zassenhaus' recombination (*Modern Computer Algebra*, Algorithm 15.22). Cost: at most 2^(n−1)
-/// subsets, one addition each; [`SUBSETS_AT_MOST`] of them.
+/// Method: Zassenhaus' recombination (*Modern Computer Algebra*, Algorithm 15.22). Cost: one addition for each of at most
+/// 2^(n−1) subsets, of which at most [`SUBSETS_AT_MOST`] are allowed.
 ///
 /// # Errors
-/// [`Error::Limit`] if there are more subsets than that, and what `accept` and `limits` return.
+/// [`Error::Limit`] if there are more subsets than that; those of `accept` and of `limits`.
 pub(super) fn recombine(
     sieve: &Sieve,
     limits: &Limits,
@@ -44,7 +44,7 @@ pub(super) fn recombine(
     while 2 * size <= search.left.len() {
         let mut first = 0;
         while first < search.left.len() {
-            // Of a subset of half the factors and its complement, one is enough.
+            // If a subset has half the factors, either it or its complement is tested, not both.
             if 2 * size > search.left.len() || (2 * size == search.left.len() && first > 0) {
                 break;
             }
@@ -74,7 +74,7 @@ struct Recombination<'a, F> {
 }
 
 impl<F: FnMut(&[usize]) -> Result<bool>> Recombination<'_, F> {
-    /// Chooses `more` of `left[from..]`; whether a factor was found, which is then in `chosen`.
+    /// Chooses `more` of the factors `left[from..]`. Returns whether a true factor was found, which is then in `chosen`.
     fn extend(&mut self, from: usize, more: usize, sum: u64) -> Result<bool> {
         if more == 0 {
             return self.leaf(sum);
@@ -112,7 +112,7 @@ impl<F: FnMut(&[usize]) -> Result<bool>> Recombination<'_, F> {
     }
 }
 
-/// Which degrees the products of some of the given factors have: entry d for degree d.
+/// The degrees of products of some of the given factors: entry d says whether d is such a degree.
 pub(super) fn degrees_of_products(degrees: impl IntoIterator<Item = usize>) -> Vec<bool> {
     let mut possible = vec![true];
     for d in degrees {
@@ -126,7 +126,7 @@ pub(super) fn degrees_of_products(degrees: impl IntoIterator<Item = usize>) -> V
     possible
 }
 
-/// Keeps the degrees that are possible in both; whether a proper factor is still possible.
+/// Keeps the degrees that are possible in both lists. Returns whether a proper factor is still possible.
 pub(super) fn intersect(possible: &mut [bool], other: &[bool]) -> bool {
     for (slot, &o) in possible.iter_mut().zip(other) {
         *slot &= o;

@@ -1,4 +1,4 @@
-//! Values of the other variables at which a polynomial is factored in one.
+//! Values of the other variables at which a polynomial is factored in one variable.
 
 use malachite::Integer;
 
@@ -11,11 +11,11 @@ use crate::limits::Limits;
 use crate::modular::{PrimeField, trimmed};
 use crate::poly::{IntegerPolynomial, IntegerTerms};
 
-/// With so few factors two points are compared, otherwise [`POINTS`].
+/// With at most this many factors two points are compared, with more factors [`POINTS`].
 const FEW_FACTORS: usize = 3;
 const POINTS: usize = 4;
 
-/// What the univariate factors at a few points say.
+/// The result of the univariate factorizations at a few points.
 pub(super) enum Specialized {
     Irreducible(Irreducibility),
     Factors(Best),
@@ -23,15 +23,15 @@ pub(super) enum Specialized {
 
 /// The point with the fewest factors.
 pub(super) struct Best {
-    /// The values of the variables, 0 for the main one.
+    /// The values of the variables; 0 for the main variable.
     pub(super) point: [i64; 3],
     pub(super) factors: Vec<IntegerPolynomial>,
-    /// Which degrees in the main variable a factor may have, after all the points.
+    /// For each degree in the main variable, whether a factor may have it, after all the points.
     pub(super) allowed: Vec<bool>,
 }
 
-/// Factors f, squarefree and primitive in v, at a few small integer points that keep its degree in v
-/// and leave it squarefree. Nearly all points have as many factors as f (Hilbert).
+/// Factors f, which is squarefree and primitive in v, at a few small integer points that keep its degree in v and leave it
+/// squarefree. At nearly all points there are as many factors as f has (Hilbert).
 ///
 /// # Errors
 /// Those of the univariate factorization.
@@ -85,7 +85,7 @@ pub(super) fn specialize(f: &IntegerTerms<3>, v: usize, limits: &Limits) -> Resu
     }))
 }
 
-/// Points with small coordinates in the given variables, and 0 elsewhere, in growing size: 0, 1, −1, 2 …
+/// Points with small coordinates in the given variables and 0 in the others, with coordinates 0, 1, −1, 2, … of growing size.
 fn points(variables: &[usize]) -> impl Iterator<Item = [i64; 3]> {
     let (first, second) = (
         variables

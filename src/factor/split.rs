@@ -1,4 +1,4 @@
-//! The order of work: monomials, forms, powers of variables, contents, squarefree parts, factors.
+//! The steps of a factorization in order: monomials, forms, powers of variables, contents, squarefree parts, factors.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
@@ -11,13 +11,13 @@ use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::poly::IntegerTerms;
 
-/// The largest dense table of coefficients that is worked on.
+/// The largest number of coefficients of a dense table.
 pub(super) const CELLS_AT_MOST: usize = 1 << 21;
 
 /// The largest degree of a univariate polynomial that is factored modulo primes.
 pub(super) const DEGREE_AT_MOST: usize = 1 << 12;
 
-/// The largest total degree, before anything is divided out.
+/// The largest total degree of an input, before anything is divided out.
 pub(super) const EXPONENTS_AT_MOST: u64 = 1 << 20;
 
 /// An irreducible factor, its multiplicity and the proof.
@@ -30,8 +30,8 @@ pub(super) struct Found {
 /// All irreducible factors of a primitive f.
 ///
 /// # Errors
-/// [`Error::Limit`] beyond [`EXPONENTS_AT_MOST`], [`CELLS_AT_MOST`], [`DEGREE_AT_MOST`] or too many subsets, and what
-/// `limits` returns.
+/// [`Error::Limit`] beyond [`EXPONENTS_AT_MOST`], [`CELLS_AT_MOST`] or [`DEGREE_AT_MOST`], or for too many subsets; those of
+/// `limits`.
 pub(super) fn factors(f: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     let total = f
         .iter()
@@ -75,7 +75,7 @@ pub(super) fn factors(f: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>
     Ok(found)
 }
 
-/// The factors of a form without monomial factors: those of its value at `last variable = 1`.
+/// The factors of a form that no variable divides; they are found at `last variable = 1`.
 fn of_form(form: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     let Some(&last) = form.used().last() else {
         return Ok(Vec::new());
@@ -96,7 +96,7 @@ fn of_form(form: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     Ok(found)
 }
 
-/// The factors of f, not divisible by a variable: of the polynomial in powers of the variables first.
+/// The factors of a polynomial f that no variable divides; f is factored first as a polynomial in powers of the variables.
 fn deflated(f: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     let powers = f.exponent_gcds().map(|k| k.max(1));
     let small = f.map_exponents(|e| std::array::from_fn(|v| e[v] / powers[v]));
@@ -123,7 +123,7 @@ fn deflated(f: &IntegerTerms<3>, limits: &Limits) -> Result<Vec<Found>> {
     Ok(found)
 }
 
-/// Squarefree pairwise coprime parts with multiplicities, and a variable in which each is primitive.
+/// The squarefree, pairwise coprime parts of f with their multiplicities, each with a variable in which it is primitive.
 fn squarefree(
     f: &IntegerTerms<3>,
     limits: &Limits,
@@ -157,7 +157,7 @@ fn within_limits(f: &IntegerTerms<3>) -> Result<()> {
     Ok(())
 }
 
-/// The factors of g(…, v^q, …) for an irreducible g that v does not divide, and a prime q.
+/// The factors of g(…, v^q, …), for an irreducible g that v does not divide and a prime q.
 fn inflate(g: Found, v: usize, q: u32, limits: &Limits) -> Result<Vec<Found>> {
     if g.polynomial.degrees()[v] == 0 {
         return Ok(vec![g]);
@@ -196,9 +196,9 @@ fn inflate(g: Found, v: usize, q: u32, limits: &Limits) -> Result<Vec<Found>> {
         .collect())
 }
 
-/// Capelli: for an irreducible g of degree n in v with root α over K = Q(other variables), and a prime
-/// q, g(v^q) is reducible only if α is a q-th power in K(α); then its norm, (−1)^n g(0)/lc(g), is one
-/// in K, and so are the values of that at points, in Q.
+/// Capelli's theorem: let g be irreducible of degree n in v, with a root α over K = Q(other variables), and let q be a prime.
+/// g(v^q) is reducible only if α is a q-th power in K(α). Then the norm (−1)^n g(0)/lc(g) of α is a q-th power in K, and so are
+/// its values at points, in Q.
 fn stays_irreducible(g: &IntegerTerms<3>, v: usize, q: u32) -> bool {
     let rows = g.coefficients_in(v);
     let (Some((_, constant)), Some((&n, lead))) = (rows.first_key_value(), rows.last_key_value())

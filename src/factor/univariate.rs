@@ -1,4 +1,4 @@
-//! Irreducible factors of a squarefree univariate polynomial: Zassenhaus' algorithm.
+//! The irreducible factors of a squarefree univariate polynomial, by Zassenhaus' algorithm.
 
 use malachite::base::num::arithmetic::traits::{CeilingLogBase2, DivisibleBy, Square};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -14,25 +14,24 @@ use crate::limits::Limits;
 use crate::modular::{PrimeField, TruncatedRing, balanced, distinct_degrees, equal_degree, lift};
 use crate::poly::{IntegerPolynomial, divide_exactly, primitive_part};
 
-/// Primes are tried from here on.
+/// Primes are tried from this number on.
 const FIRST_PRIME: u64 = 13;
 
-/// How many good primes are compared, and how many more while there are many factors.
+/// The number of good primes that are compared, the number of primes if all of them have many factors, and this number of factors.
 const PRIMES: usize = 4;
 const MORE_PRIMES: usize = 9;
 const MANY_FACTORS: usize = 10;
 
-/// The irreducible factors of a primitive squarefree polynomial of positive degree in `variable`,
-/// each primitive with positive leading coefficient, with its proof.
+/// The irreducible factors, with proofs, of a primitive squarefree polynomial of positive degree in `variable`. Each is
+/// primitive with a positive leading coefficient.
 ///
-/// von zur Gathen & Gerhard, *Modern Computer Algebra*, Algorithm 15.19 with the recombination of
-/// 15.22: factors modulo the best of a few small primes, Hensel lifting above the Landau–Mignotte
-/// bound, products of subsets, trial division. The degrees possible modulo all the primes are
-/// intersected first, which proves most irreducible polynomials so.
+/// Method: von zur Gathen & Gerhard, *Modern Computer Algebra*, Algorithm 15.19 with the recombination of 15.22. It uses the
+/// factors modulo the best of a few small primes, Hensel lifting above the Landau–Mignotte bound, products of subsets, and
+/// trial division. Before that, the degrees that are possible modulo all the primes are intersected, which proves that most
+/// irreducible polynomials are so.
 ///
 /// # Errors
-/// [`crate::error::Error::Limit`] when too many subsets would have to be tried, and what `limits`
-/// returns.
+/// [`crate::error::Error::Limit`] if too many subsets would have to be tried; those of `limits`.
 pub(super) fn irreducible_factors(
     f: &IntegerPolynomial,
     variable: Variable,
@@ -94,14 +93,14 @@ pub(super) fn irreducible_factors(
     Ok(with_proof.collect())
 }
 
-/// What a few primes say.
+/// The result of the factorizations modulo a few primes.
 enum Modular {
-    /// No proper factor has a degree possible modulo all these primes.
+    /// The polynomial is irreducible: no proper factor has a degree that is possible modulo all these primes.
     Irreducible(Vec<u64>),
     Factors(Local),
 }
 
-/// The prime with the fewest factors, and the products of those of equal degree.
+/// The prime with the fewest factors, and the products of factors of equal degree.
 struct Local {
     field: PrimeField,
     parts: Vec<(usize, Vec<u64>)>,
@@ -163,8 +162,8 @@ fn primes_for(factors: usize) -> usize {
     }
 }
 
-/// k and p^k above twice the coefficients of `lc(f)/lc(g) · g` for every factor g of f, which are at
-/// most 2^n ‖f‖ (Landau–Mignotte), and well above the trace.
+/// The pair (k, p^k), where p^k is more than twice the coefficients of `lc(f)/lc(g) · g` for every factor g of f, which are at
+/// most 2^n ‖f‖ (Landau–Mignotte), and also much larger than the trace.
 fn precision(f: &IntegerPolynomial, field: &PrimeField) -> (u64, Integer) {
     let bound =
         (norm_squared(f).significant_bits()).div_ceil(2) + f.coefficients_asc().len() as u64 + 2;
@@ -172,7 +171,7 @@ fn precision(f: &IntegerPolynomial, field: &PrimeField) -> (u64, Integer) {
     power_above(field.prime(), bits)
 }
 
-/// The least k with p^k > 2^bits, and p^k.
+/// The pair (k, p^k) with the least k for which p^k > 2^bits.
 pub(super) fn power_above(prime: u64, bits: u64) -> (u64, Integer) {
     let (mut exponent, mut power) = (1, Integer::from(prime));
     while power.significant_bits() <= bits {
@@ -182,15 +181,15 @@ pub(super) fn power_above(prime: u64, bits: u64) -> (u64, Integer) {
     (exponent, power)
 }
 
-/// Σ c².
+/// The sum of the squares of the coefficients.
 fn norm_squared(f: &IntegerPolynomial) -> Integer {
     f.coefficients_asc()
         .iter()
         .fold(Integer::ZERO, |sum, c| sum + c.square())
 }
 
-/// A bound, as a power of 2, of |lc(f)| times the sum of the absolute values of the roots: Fujiwara's
-/// `2 max |a_(n−k)/a_n|^(1/k)` for each.
+/// The exponent of a power of 2 that bounds |lc(f)| times the sum of the absolute values of the roots. For each root it uses
+/// Fujiwara's bound `2 max |a_(n−k)/a_n|^(1/k)`.
 fn trace_bits(f: &IntegerPolynomial) -> u64 {
     let c = f.coefficients_asc();
     let n = c.len() - 1;
@@ -206,7 +205,7 @@ fn trace_bits(f: &IntegerPolynomial) -> u64 {
     lead + root + 1 + (n as u64).ceiling_log_base_2() + 1
 }
 
-/// The second coefficients of lc(f) g_i over p^k, in units of 2^−64.
+/// The sieve by the second coefficients of lc(f) g_i over p^k, in units of 2^−64.
 fn trace_sieve(
     f: &IntegerPolynomial,
     lifted: &[IntegerPolynomial],
@@ -224,7 +223,7 @@ fn trace_sieve(
         let c = g.coefficients_asc();
         fraction(&ring.reduced(&lead * &c[c.len() - 2]), modulus)
     });
-    // bits of the trace over bits of the modulus, and one unit of rounding for each summand.
+    // The tolerance is bits of the trace over bits of the modulus, plus one unit of rounding for each summand.
     let room = modulus.significant_bits() - 1;
     let shift = (64 + trace_bits(f)).saturating_sub(room);
     Sieve {
@@ -238,12 +237,12 @@ fn trace_sieve(
     }
 }
 
-/// ⌊2^64 residue/modulus⌋.
+/// The number ⌊2^64 residue/modulus⌋.
 pub(super) fn fraction(residue: &Integer, modulus: &Integer) -> u64 {
     u64::try_from(&((residue << 64u64) / modulus)).invariant("a residue is less than its modulus")
 }
 
-/// The factor of `rest` that is lc(rest) times the chosen local factors, and the quotient.
+/// The candidate factor of `rest`, which is lc(rest) times the chosen local factors, and the quotient, if it divides.
 fn try_product(
     rest: &IntegerPolynomial,
     chosen: &[&IntegerPolynomial],
@@ -251,7 +250,7 @@ fn try_product(
 ) -> Option<(IntegerPolynomial, IntegerPolynomial)> {
     let c = rest.coefficients_asc();
     let (lead, constant) = (c.last()?, c.first()?);
-    // The constant terms first: that of lc(rest)/lc(g) · g divides lc(rest) rest(0).
+    // The constant terms are tested first: that of lc(rest)/lc(g) · g must divide lc(rest) rest(0).
     let mut product = lead.clone();
     for g in chosen {
         product = ring.reduced(product * g.coefficients_asc().first()?);

@@ -3,58 +3,61 @@
 use super::interval::{Interval, UNIT, exactly};
 use super::{FLOOR, Field, largest_powers};
 
-/// Steps towards the best bound of a distance.
+/// The number of halvings in the search for the best bound of a distance.
 const HALVINGS: usize = 12;
 
-/// f on a box, as the polynomial g(s) = f(m + ρ∘s) over the cube [−1, 1]³.
+/// The polynomial f on a box, as the polynomial g(s) = f(m + ρ∘s) over the cube [−1, 1]³.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxBounds {
-    /// g(0), in doubles, and how far off it is.
+    /// The value g(0) in doubles, and a bound of its error.
     value: f64,
     error: f64,
     /// The derivatives of g at 0, in doubles.
     linear: [f64; 3],
-    /// How far from that the derivatives get on the cube.
+    /// Bounds of the differences between these and the derivatives anywhere on the cube.
     spread: [f64; 3],
-    /// Bounds |g(s) − value − linear·s| on the cube.
+    /// A bound of |g(s) − value − linear·s| on the cube.
     rest: f64,
 }
 
-/// What is proved of f on a box.
+/// The proved property of f on a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BoxProof {
-    /// It has no zero there.
+    /// f has no zero in the box.
     Empty,
-    /// Any two of its gradients there make an acute angle: one sheet at most, without singular points.
+    /// Any two gradients of f in the box make an acute angle, so there is at most one sheet, without singular points.
     Regular,
     /// Neither is proved.
     Open,
 }
 
 impl BoxBounds {
-    /// f in the middle of the box.
+    /// The value of f in the middle of the box.
     pub(crate) fn value(&self) -> Interval {
         Interval::around(self.value, self.error)
     }
 
-    /// The derivative of g by one variable, anywhere on the cube.
+    /// The derivative of g with respect to one variable, anywhere on the cube.
     pub(crate) fn slope(&self, axis: usize) -> Interval {
         Interval::around(self.linear[axis], self.spread[axis])
     }
 
-    /// f has no zero on the box: its constant Taylor coefficient outweighs all others.
+    /// Whether it is proved that f has no zero in the box, because its constant Taylor coefficient is larger than all others
+    /// together.
     pub(crate) fn is_empty(&self) -> bool {
         let [a, b, c] = exactly(self.linear).map(Interval::abs);
         (a + b + c + Interval::from(self.rest)).high() < self.value.abs()
     }
 
-    /// The two functions have no common zero on the box: one of them has none, or a combination g − λ f without the
-    /// part of ∇g along ∇f, which tells apart surfaces that cross at a small angle.
+    /// Whether it is proved that the two functions have no common zero in the box. Either one of them has no zero there, or a
+    /// combination g − λ f has none. λ is chosen so that ∇g − λ∇f has no part along ∇f, which separates surfaces that cross at
+    /// a small angle.
     pub(crate) fn exclude(&self, other: &Self) -> bool {
         self.is_empty() || other.is_empty() || self.combined(other) || other.combined(self)
     }
 
-    /// The constant coefficient of a combination outweighs all others; any factor is as good.
+    /// Whether the constant coefficient of a combination is larger than all others together. The result is right for any factor
+    /// λ.
     fn combined(&self, other: &Self) -> bool {
         let dot = |a: &Self, b: &Self| -> f64 {
             let pairs = a.linear.iter().zip(&b.linear);
@@ -70,10 +73,10 @@ impl BoxBounds {
         spread.high() < value.mignitude()
     }
 
-    /// No zero of g in the cube is nearer than this to a point, in units of the (equal) half sides; 0 where it does not seem to be
-    /// more than what is `known`.
+    /// A lower bound of the distances of the zeros of g in the cube from a point, in units of the half sides, which must be
+    /// equal. The result is 0 if the bound does not seem to be larger than `known`.
     ///
-    /// The weight is sought in doubles; only the bound that it gives is trusted.
+    /// A search in doubles chooses the weight; only the bound that the weight gives is trusted.
     pub(crate) fn nearest_zero(&self, p: [Interval; 3], known: f64) -> f64 {
         let near = p.map(Interval::middle);
         let plane = |s: [f64; 3]| -> f64 {
@@ -87,7 +90,7 @@ impl BoxBounds {
             })
         };
         let square: f64 = self.linear.iter().map(|m| m * m).sum();
-        // Without the cube this is where the nearest point of the slab is.
+        // Without the cube this weight gives the nearest point of the slab.
         let mut high = 2.0 * side(near).max(0.0) / square;
         let mut low = 0.0;
         let (mut found, mut found_at) = (0.0f64, None);
@@ -116,9 +119,9 @@ impl BoxBounds {
         better.map_or(0.0, |(weight, s)| self.distance_bound(p, sense, weight, s))
     }
 
-    /// Lemma 10. For λ ≥ 0, σ = ±1 and any s in the cube, no zero x of g in it has |x − p|² less than
-    /// λ(σ·value − rest) + Σ ((sᵢ − pᵢ)² + λσ·linearᵢ·sᵢ − lossᵢ), where lossᵢ is 0 if sᵢ is an end of [−1, 1] towards which
-    /// q(x) = (x − pᵢ)² + λσ·linearᵢ·x does not grow, else q′(sᵢ)²/4.
+    /// Lemma 10. Let λ ≥ 0, σ = ±1 and s a point of the cube. No zero x of g in the cube has |x − p|² less than λ(σ·value −
+    /// rest) + Σ ((sᵢ − pᵢ)² + λσ·linearᵢ·sᵢ − lossᵢ). Here lossᵢ is 0 if sᵢ is an end of [−1, 1] towards which q(x) = (x −
+    /// pᵢ)² + λσ·linearᵢ·x does not increase, else q′(sᵢ)²/4.
     ///
     /// Proof. At a zero σ(value + linear·x) ≤ rest, so |x − p|² ≥ |x − p|² + λ(σ(value + linear·x) − rest) (weak duality), which
     /// is a sum over the coordinates; and q(x) = q(sᵢ) + q′(sᵢ)(x − sᵢ) + (x − sᵢ)² ≥ q(sᵢ) − lossᵢ.
@@ -144,8 +147,8 @@ impl BoxBounds {
         bound.or_zero().sqrt().low()
     }
 
-    /// What is certain of f on the box: the sheet is regular where the gradients, each component within its bounds, have
-    /// positive products (the small normal variation of Plantinga & Vegter, SGP 2004).
+    /// The proved property of f on the box. The sheet is regular if the gradients, with each component anywhere within its
+    /// bounds, have positive scalar products (the small normal variation of Plantinga & Vegter, SGP 2004).
     pub(crate) fn verdict(&self) -> BoxProof {
         if self.is_empty() {
             return BoxProof::Empty;
@@ -160,16 +163,17 @@ impl BoxBounds {
 }
 
 impl Field {
-    /// Bounds of f and its derivatives on the box with a given middle and half sides: Σ |g_α| ρ^α over the Taylor coefficients.
+    /// Bounds of f and its derivatives on the box with the given middle and half sides, by the sums Σ |g_α| ρ^α over the Taylor
+    /// coefficients.
     ///
-    /// Lemma 11. With N monomials and degrees of D in all the computed sums are at most `relative_error(N + D + 6)` too small, in
-    /// parts of themselves and `FLOOR`·P·(1 + Σ|g_α|), P being the product of the largest powers of the half sides that
-    /// are > 1.
+    /// Lemma 11. Let N be the number of monomials, D the sum of the degrees, and P the product of the largest powers of the
+    /// half sides that are > 1. A computed sum S is too small by at most `relative_error(N + D + 6)` times (S + `FLOOR`·P·(1 +
+    /// Σ|g_α|)).
     ///
-    /// Proof. ρ^α is rounded at most D times, |g| + error, the products with it and with an exponent once each, the sum once
-    /// for every monomial (Lemma 2); two more are for the last sum and product here. A loss by underflow is multiplied by at
-    /// most P and one of the |g| + error (Lemma 3): one more. The linear coefficients are rounded once more themselves, by a
-    /// `UNIT` part that is added to their errors.
+    /// Proof. ρ^α is rounded at most D times; |g| + error, its product with ρ^α and the product with an exponent are rounded
+    /// once each; and the sum is rounded once for every monomial (Lemma 2). Two more roundings are those of the last sum and
+    /// product here. A loss by underflow is multiplied by at most P and one of the |g| + error (Lemma 3), which counts as one
+    /// more. The linear coefficients are rounded once more, by a `UNIT` part that is added to their errors.
     ///
     /// Law: `boxes_hold_the_exact_values`.
     #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
@@ -220,9 +224,9 @@ mod tests {
     use crate::poly::{Ring, SparsePolynomial};
     use proptest::prelude::*;
 
-    /// The square of the distance from p to the zeros that a box may have: the points of the cube with
-    /// |value + linear·x| ≤ rest. Exact: the nearest one is the projection of p to a face of the cube, or of that and the side
-    /// of the slab.
+    /// The squared distance from p to the zeros that a box may have, that is to the points of the cube with |value + linear·x|
+    /// ≤ rest. It is exact: the nearest point is the projection of p to a face of the cube, or to the intersection of a face
+    /// and the side of the slab.
     fn exact_nearest(bounds: &BoxBounds, p: &[Rational; 3]) -> Option<Rational> {
         let linear = rationals(bounds.linear);
         let [value, rest] = [bounds.value, bounds.rest].map(rational);
@@ -268,7 +272,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
 
-        /// Lemma 11, at the corners of the box, where the bounds are reached if all signs agree.
+        /// Lemma 11 at the corners of the box, where the bounds are reached if all signs agree.
         #[test]
         fn boxes_hold_the_exact_values(f in nasty_cubics(), m in nasty_points(), halves in nasty_points(), is_positive in any::<bool>()) {
             let f = if is_positive {
@@ -294,7 +298,7 @@ mod tests {
             }
         }
 
-        /// Lemma 10: the bound of the distance is at most the exact one, and where the weight is found it is nearly that.
+        /// Lemma 10: the bound of the distance is at most the exact distance, and nearly equal to it if the weight is found.
         #[test]
         fn no_zero_is_nearer_than_its_bound(value in -3.0f64..3.0, linear in prop::array::uniform3(-2.0f64..2.0), kind in 0u8..3, rest in 0.0f64..0.5, p in prop::array::uniform3(-4.0f64..4.0)) {
             let linear = match kind {
@@ -313,7 +317,7 @@ mod tests {
             }
         }
 
-        /// Lemma 10 for any weight and any point of the cube, not only those that are found.
+        /// Lemma 10 for any weight and any point of the cube.
         #[test]
         fn every_weight_gives_a_bound(value in -3.0f64..3.0, linear in prop::array::uniform3(-2.0f64..2.0), rest in 0.0f64..0.5, p in prop::array::uniform3(-4.0f64..4.0), weight in 0.0f64..4.0, s in prop::array::uniform3(prop_oneof![Just(-1.0), Just(1.0), -1.0f64..1.0]), is_negative in any::<bool>()) {
             let bounds = BoxBounds { value, error: 0.0, linear, spread: [0.0; 3], rest };
@@ -324,7 +328,7 @@ mod tests {
             }
         }
 
-        /// A plane through a corner of the cube, exactly or an ulp beside: the box is called empty only where it is.
+        /// A plane through a corner of the cube, or an ulp beside it: the box is proved to be empty only if it is.
         #[test]
         fn boxes_with_a_zero_at_a_corner_are_not_empty(linear in prop::array::uniform3(-2.0f64..2.0), rest in 0.0f64..0.5, ulps in -3i64..4) {
             let sum = linear.iter().map(|m| m.abs()).sum::<f64>() + rest;
@@ -337,8 +341,8 @@ mod tests {
         }
     }
 
-    /// Boxes without a common zero that are excluded: one of the functions has none there, or the two cross at a small angle
-    /// elsewhere.
+    /// Boxes without a common zero are excluded: one of the functions has no zero there, or the two cross elsewhere at a small
+    /// angle.
     #[test]
     fn boxes_apart_from_common_zeros_are_excluded() {
         let [x, y, _] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
@@ -351,9 +355,9 @@ mod tests {
             on(&y.minus(&constant(1))),
             on(&y.minus(&constant(8))),
         );
-        // Each has a zero in the box, and they cross in it.
+        // Each of the two has a zero in the box, and they cross in it.
         assert!(!here.exclude(&tilted) && !tilted.exclude(&here));
-        // Parallel, or nearly so: no common zero, though each has zeros in the box.
+        // The two are parallel or nearly parallel. Each has zeros in the box, but there is no common zero.
         for (f, g) in [(&here, &beside), (&tilted, &beside), (&here, &far)] {
             assert!(f.exclude(g) && g.exclude(f));
         }
@@ -370,8 +374,7 @@ mod tests {
     }
 
     proptest! {
-        /// A box that is called empty of common zeros of a small-angled pair has none: at no point do both vanish, since
-        /// both are built with a common zero at a known point.
+        /// A box with a known common zero of two functions that cross at a small angle is not excluded.
         #[test]
         fn boxes_with_a_common_zero_are_not_excluded(c in prop::collection::vec(-9i64..10, 20), d in prop::collection::vec(-9i64..10, 20), small in 1u32..30, p in prop::array::uniform3(-8i64..9), off in prop::array::uniform3(-1.0f64..1.0), half in 0.001f64..0.5) {
             let at = p.map(|k| Rational::from(k) / Rational::from(4));
@@ -387,7 +390,7 @@ mod tests {
             prop_assert!(!f.exclude(&g));
         }
 
-        /// A cube that is called empty has no zero: there f has one sign everywhere.
+        /// In a cube that is proved to be empty f has one sign.
         #[test]
         fn empty_cubes_have_one_sign(c in prop::collection::vec(-9i64..10, 20), m in prop::array::uniform3(-3.0f64..3.0), half in 0.01f64..0.5, at in prop::array::uniform3(-1.0f64..1.0)) {
             let all = (0..4u32).flat_map(|i| (0..4 - i).flat_map(move |j| (0..4 - i - j).map(move |k| [i, j, k])));

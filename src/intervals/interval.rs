@@ -1,8 +1,8 @@
-//! Real numbers that are known to lie between two doubles. All rounding of doubles that a certified answer rests on is
-//! answered for here: by outward rounding ([`Interval`]) or, in long sums, by counting ([`relative_error`]).
+//! Intervals: real numbers that are known to lie between two doubles. This file accounts for all rounding errors on which
+//! certified answers rest, by outward rounding ([`Interval`]) or, in long sums, by counting roundings ([`relative_error`]).
 //!
-//! The one rule: an operation on intervals holds the results of the operation on all their members. Nothing is promised about
-//! how narrow it is; each operation widens by one or two units in the last place.
+//! There is one rule: the result of an operation on intervals holds the results of the operation on all their members. The
+//! results need not be the narrowest intervals; each operation widens them by one or two units in the last place.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -23,18 +23,19 @@ pub(crate) struct Interval {
     high: f64,
 }
 
-/// A little more than `UNIT`, 2^(−53) + 2^(−105).
+/// A number slightly above `UNIT`: 2^(−53) + 2^(−105).
 const STEP: f64 = UNIT * (1.0 + f64::EPSILON);
 /// The least positive double, 2^(−1074).
 const LEAST: f64 = f64::from_bits(1);
 
-/// Lemma 1. If `rounded` is the double nearest to a real number x (±∞ beyond the largest), x ≤ `above(rounded)` and
-/// x ≥ `below(rounded)`.
+/// Lemma 1. If `rounded` is the double nearest to a real number x, or ±∞ if x is too large, then `below(rounded)` ≤ x ≤
+/// `above(rounded)`.
 ///
-/// Proof. Were x beyond the next double, that would be nearer to x than `rounded`. For 2^e ≤ |rounded| < 2^(e + 1) doubles are at
-/// most 2^(e − 52) apart there, and what is added, `STEP`·|rounded|, is more than half of that; so is `LEAST` for subnormal
-/// numbers: the sum rounds to the next double or one beyond it (Rump, Zimmermann, Boldo, Melquiond, *Computing predecessor and
-/// successor in rounding to nearest*, BIT 49 (2009)). The sum is NaN only for ∞ − ∞ and NaN, and then the bound is infinite.
+/// Proof. x is not beyond the neighbour of `rounded`, because then this neighbour would be nearer to x. For 2^e ≤ |rounded| <
+/// 2^(e + 1), neighbouring doubles there differ by at most 2^(e − 52), and `STEP`·|rounded| is more than half of that; for
+/// subnormal numbers `LEAST` is. So the sum is rounded to the neighbour or to the double after it (Rump, Zimmermann, Boldo,
+/// Melquiond, *Computing predecessor and successor in rounding to nearest*, BIT 49 (2009)). The sum is NaN only for ∞ − ∞ and
+/// for NaN, and then the bound is infinite.
 ///
 /// Laws: `operations_hold_the_exact_results`, `the_next_double_is_reached`.
 #[inline]
@@ -42,19 +43,20 @@ fn above(rounded: f64) -> f64 {
     (rounded + (STEP * rounded.abs() + LEAST)).min(f64::INFINITY)
 }
 
-/// See [`above`].
+/// The lower bound of the lemma at [`above`].
 #[inline]
 fn below(rounded: f64) -> f64 {
     (rounded - (STEP * rounded.abs() + LEAST)).max(f64::NEG_INFINITY)
 }
 
-/// Lemma 2. If a number is computed from non-negative ones by additions and multiplications, and every product of inputs
-/// that it is the sum of is rounded at most n times (each factor of n roundings without underflow), the result is off by at
-/// most `relative_error(n)` times itself. For inputs of both signs that many times the same sum of the sizes bounds the error.
+/// Lemma 2. Let a number be computed from non-negative inputs by additions and multiplications. It is a sum of products of
+/// inputs; let each product be rounded at most n times, without underflow. Then the error of the computed number is at most
+/// `relative_error(n)` times this number. If the inputs may be negative, the same multiple of the sum of the absolute values of
+/// the products bounds the error.
 ///
-/// Proof. Every product is off by a factor between (1 − u)^n and (1 + u)^n ≤ (1 − u)^(−n). So a computed sum of
-/// sizes S is at least (1 − u)^n of the exact one, the error at most (1 − u)^(−n) − 1 of that, and with Bernoulli's
-/// (1 − u)^n ≥ 1 − nu the error is at most nu/(1 − nu)² times S.
+/// Proof. Let u be `UNIT`. Every product gets a factor between (1 − u)^n and (1 + u)^n ≤ (1 − u)^(−n). So a computed sum S of
+/// absolute values is at least (1 − u)^n times the exact sum, and the error is at most (1 − u)^(−n) − 1 times the exact sum. By
+/// Bernoulli's inequality (1 − u)^n ≥ 1 − nu, the error is at most nu/(1 − nu)² times S.
 ///
 /// Laws: `counted_errors_hold_and_are_reached`, and those of `value`, `taylor` and `on_box`.
 #[expect(clippy::cast_precision_loss, reason = "far fewer than 2^53 roundings")]
@@ -65,7 +67,7 @@ pub(crate) fn relative_error(roundings: usize) -> f64 {
 }
 
 impl From<f64> for Interval {
-    /// The number itself; everything for ±∞ and NaN, of which nothing is known.
+    /// The number itself; for ±∞ and NaN all real numbers, because nothing is known.
     #[inline]
     fn from(x: f64) -> Self {
         if x.is_finite() {
@@ -77,7 +79,7 @@ impl From<f64> for Interval {
 }
 
 impl From<&Rational> for Interval {
-    /// By Lemma 1, as conversions round to nearest.
+    /// The interval holds the number by Lemma 1, because conversions round to nearest.
     fn from(x: &Rational) -> Self {
         let rounded = x.to_f64();
         Self::ordered(below(rounded), above(rounded))
@@ -85,14 +87,15 @@ impl From<&Rational> for Interval {
 }
 
 impl Interval {
-    /// The narrowest interval that holds a number: from the next double that is not above it to the next that is not below.
+    /// The narrowest interval that holds a number: from the largest double that is not above it to the smallest that is not
+    /// below it.
     pub(crate) fn narrowest(x: &Rational) -> Self {
         let rounded = x.to_f64();
         match Rational::try_from(rounded).map(|y| y.cmp(x)) {
             Ok(Ordering::Equal) => Self::from(rounded),
             Ok(Ordering::Less) => Self::ordered(rounded, rounded.next_up()),
             Ok(Ordering::Greater) => Self::ordered(rounded.next_down(), rounded),
-            // Beyond the largest double.
+            // The number is beyond the largest double.
             Err(_) if rounded > 0.0 => Self::ordered(f64::MAX, rounded),
             Err(_) => Self::ordered(rounded, f64::MIN),
         }
@@ -103,13 +106,13 @@ impl Interval {
         low: f64::NEG_INFINITY,
         high: f64::INFINITY,
     };
-    /// 0.
+    /// The number 0.
     pub(crate) const ZERO: Self = Self {
         low: 0.0,
         high: 0.0,
     };
 
-    /// From the lower end to the upper one; everything if they are none.
+    /// The interval between two ends; all real numbers if these are no ends of an interval.
     #[inline]
     fn ordered(low: f64, high: f64) -> Self {
         if low <= high {
@@ -119,14 +122,14 @@ impl Interval {
         }
     }
 
-    /// From a lower bound to an upper bound of the same number.
+    /// The interval between a lower and an upper bound of the same number.
     #[inline]
     pub(crate) fn between(low: f64, high: f64) -> Self {
         debug_assert!(low <= high, "bounds in the wrong order: {low}, {high}");
         Self::ordered(low, high)
     }
 
-    /// All numbers within `radius` of `middle`; everything if either is not finite. By Lemma 1.
+    /// All numbers within `radius` of `middle`; all real numbers if one of the two is not finite. By Lemma 1.
     #[inline]
     pub(crate) fn around(middle: f64, radius: f64) -> Self {
         if middle.is_finite() {
@@ -136,43 +139,43 @@ impl Interval {
         }
     }
 
-    /// The numbers of size at most `radius`.
+    /// All numbers of absolute value at most `radius`.
     #[inline]
     pub(crate) fn up_to(radius: f64) -> Self {
         Self::ordered(-radius, radius)
     }
 
-    /// No member is less.
+    /// The lower end: no member is less.
     #[inline]
     pub(crate) fn low(self) -> f64 {
         self.low
     }
 
-    /// No member is greater.
+    /// The upper end: no member is greater.
     #[inline]
     pub(crate) fn high(self) -> f64 {
         self.high
     }
 
-    /// A double near the middle, to go on with where nothing is claimed.
+    /// A double near the middle, for computations that claim nothing.
     #[inline]
     pub(crate) fn middle(self) -> f64 {
         f64::midpoint(self.low, self.high)
     }
 
-    /// No member is larger in size.
+    /// An upper bound of the absolute values of the members.
     #[inline]
     pub(crate) fn magnitude(self) -> f64 {
         self.low.abs().max(self.high.abs())
     }
 
-    /// No member is smaller in size.
+    /// A lower bound of the absolute values of the members.
     #[inline]
     pub(crate) fn mignitude(self) -> f64 {
         self.low.max(-self.high).max(0.0)
     }
 
-    /// The sizes of the members.
+    /// The absolute values of the members.
     #[inline]
     pub(crate) fn abs(self) -> Self {
         Self {
@@ -181,19 +184,19 @@ impl Interval {
         }
     }
 
-    /// Every member is positive.
+    /// Whether every member is positive.
     #[inline]
     pub(crate) fn is_positive(self) -> bool {
         self.low > 0.0
     }
 
-    /// Every member is negative.
+    /// Whether every member is negative.
     #[inline]
     pub(crate) fn is_negative(self) -> bool {
         self.high < 0.0
     }
 
-    /// The sign that all members have, if they have one.
+    /// The sign of all members, if they have the same one.
     #[inline]
     pub(crate) fn sign(self) -> Option<i8> {
         match self {
@@ -203,13 +206,13 @@ impl Interval {
         }
     }
 
-    /// Every member of `self` is less than every member of `other`.
+    /// Whether every member of `self` is less than every member of `other`.
     #[inline]
     pub(crate) fn is_below(self, other: Self) -> bool {
         self.high < other.low
     }
 
-    /// The larger of a member and 0.
+    /// The interval of max(x, 0) for all members x.
     #[inline]
     pub(crate) fn or_zero(self) -> Self {
         Self {
@@ -218,7 +221,7 @@ impl Interval {
         }
     }
 
-    /// max(x, y) for members of either.
+    /// The interval of max(x, y) for all members x and y.
     #[inline]
     pub(crate) fn max(self, other: Self) -> Self {
         Self {
@@ -227,14 +230,15 @@ impl Interval {
         }
     }
 
-    /// x² for every member x. By Lemma 1: squares grow with the size.
+    /// The squares of all members. By Lemma 1, as squares increase with the absolute value.
     #[inline]
     pub(crate) fn squared(self) -> Self {
         let (low, high) = (self.mignitude(), self.magnitude());
         Self::ordered(below(low * low).max(0.0), above(high * high))
     }
 
-    /// √x for the members x ≥ 0, of which there has to be one. By Lemma 1: roots are correctly rounded and grow with x.
+    /// The square roots of the members x ≥ 0, of which there must be one. By Lemma 1, as roots are correctly rounded and
+    /// increase with x.
     #[inline]
     pub(crate) fn sqrt(self) -> Self {
         Self::ordered(
@@ -266,8 +270,8 @@ impl Neg for Interval {
 impl Add for Interval {
     type Output = Self;
 
-    /// By Lemma 1: the least sum is that of the lower ends, the greatest that of the upper ones. Lower ends are < ∞ and
-    /// upper ones > −∞, so no sum is ∞ − ∞.
+    /// By Lemma 1: the least sum is that of the lower ends, the greatest that of the upper ends. Lower ends are < ∞ and upper
+    /// ends > −∞, so no sum is ∞ − ∞.
     #[inline]
     fn add(self, other: Self) -> Self {
         Self {
@@ -289,8 +293,9 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
 
-    /// By Lemma 1: xy is linear in x and in y, so its extremes are products of ends. Minimum and maximum pass over NaN, which
-    /// only 0·∞ gives: instead of it there is the product of that 0 with the other end, 0, or an infinite one, or nothing.
+    /// By Lemma 1: xy is linear in x and in y, so its extremes are products of ends. Minimum and maximum ignore NaN, which only
+    /// 0·∞ gives. Then the other products of this 0 or of this infinite end are among the candidates, and they bound the
+    /// result.
     #[inline]
     fn mul(self, other: Self) -> Self {
         let [a, b, c, d] = [
@@ -309,7 +314,7 @@ impl Mul for Interval {
 impl Mul<f64> for Interval {
     type Output = Self;
 
-    /// The product with a double, likewise.
+    /// The product with a double, by the same rule.
     #[inline]
     fn mul(self, factor: f64) -> Self {
         let (a, b) = (self.low * factor, self.high * factor);
@@ -327,8 +332,8 @@ impl Mul<f64> for Interval {
 impl Div for Interval {
     type Output = Self;
 
-    /// By Lemma 1: x/y is monotone in x and in y ≠ 0, so its extremes are quotients of ends. Everything where the divisor
-    /// may be 0, or both may be unbounded.
+    /// By Lemma 1: x/y is monotonic in x and in y ≠ 0, so its extremes are quotients of ends. The result is all real numbers if
+    /// the divisor may be 0, or if both may be unbounded.
     #[inline]
     fn div(self, other: Self) -> Self {
         if other.sign().is_none() {
@@ -350,12 +355,12 @@ impl Div for Interval {
     }
 }
 
-/// A point or vector of doubles.
+/// A point or vector of doubles, as intervals.
 pub(crate) fn exactly(v: [f64; 3]) -> [Interval; 3] {
     v.map(Interval::from)
 }
 
-/// a − b
+/// The difference a − b.
 pub(crate) fn minus(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -370,12 +375,12 @@ pub(crate) fn cross(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| a[i] * b[j] - a[j] * b[i])
 }
 
-/// |a|²
+/// The squared length |a|².
 pub(crate) fn square(a: [Interval; 3]) -> Interval {
     a[0].squared() + a[1].squared() + a[2].squared()
 }
 
-/// |a − b| for two points of doubles.
+/// The distance |a − b| of two points of doubles.
 pub(crate) fn separation(a: [f64; 3], b: [f64; 3]) -> Interval {
     square(minus(exactly(a), exactly(b))).sqrt()
 }

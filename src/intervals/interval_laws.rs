@@ -3,7 +3,7 @@
 use super::*;
 use proptest::prelude::*;
 
-/// Doubles where rounding does its worst: neighbours of powers of two, subnormal numbers, the largest, ±0, and others.
+/// Doubles with the worst rounding: neighbours of powers of two, subnormal numbers, the largest doubles, ±0, and others.
 pub(crate) fn nasty() -> impl Strategy<Value = f64> {
     let near_a_power = (-1074i32..1024, -2i64..3, any::<bool>()).prop_map(|(e, ulps, negative)| {
         let power = if e < -1022 {
@@ -35,7 +35,7 @@ fn exact(x: f64) -> Rational {
     Rational::try_from(x).unwrap()
 }
 
-/// An interval with finite ends and the members that are tried: its ends.
+/// An interval with finite ends, and its ends as the members that are tested.
 fn intervals() -> impl Strategy<Value = (Interval, [Rational; 2])> {
     (nasty(), nasty(), any::<bool>()).prop_map(|(a, b, is_thin)| {
         let b = if is_thin { a } else { b };
@@ -44,7 +44,7 @@ fn intervals() -> impl Strategy<Value = (Interval, [Rational; 2])> {
     })
 }
 
-/// Signs are told where all members have one, and only there.
+/// A sign is returned exactly if all members have it.
 #[test]
 fn signs_are_those_of_all_members() {
     let sign = |low, high| Interval::between(low, high).sign();
@@ -59,7 +59,8 @@ fn signs_are_those_of_all_members() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
 
-    /// Lemma 1: the exact results for the ends are members, and for thin intervals the result is at most four units wide.
+    /// Lemma 1: the exact results for the ends are members of the result, and for thin intervals the result is at most four
+    /// units wide.
     #[test]
     fn operations_hold_the_exact_results((x, of_x) in intervals(), (y, of_y) in intervals()) {
         let checked = |found: Interval, operation: &dyn Fn(&Rational, &Rational) -> Option<Rational>| {
@@ -92,14 +93,14 @@ proptest! {
         }
     }
 
-    /// The number itself is a member of its interval, and so are those within the radius.
+    /// The interval of a number holds it, and the interval around a number holds all numbers within the radius.
     #[test]
     fn conversions_hold_the_number(p in any::<i64>(), q in 1i64..i64::MAX, e in -1100i64..1100, middle in nasty(), radius in nasty()) {
         let x = Rational::from(p) / Rational::from(q) * Rational::from(2).pow(e).unwrap();
         prop_assert!(Interval::from(&x).contains(&x));
         let narrow = Interval::narrowest(&x);
         prop_assert!(narrow.contains(&x));
-        // Beyond the largest double there is no next one.
+        // There is no next double beyond the largest one.
         prop_assert!(narrow.low().next_up() >= narrow.high() || narrow.high().is_infinite());
         let found = Interval::around(middle, radius.abs());
         for end in [exact(middle) - exact(radius.abs()), exact(middle) + exact(radius.abs())] {
@@ -124,14 +125,15 @@ fn nothing_is_claimed_of_what_is_no_number() {
     assert_eq!(all.sign(), None);
     assert_eq!(all * f64::INFINITY, all);
     assert_eq!(one * f64::NAN, all);
-    // [0, 1] times all numbers is all numbers, and times the positive ones those.
+    // [0, 1] times all real numbers is all real numbers; [0, 1] times the positive numbers is the numbers that are not
+    // negative.
     let part = Interval::between(0.0, 1.0);
     let positive = Interval::between(0.0, f64::INFINITY);
     assert_eq!(part * all, all);
     assert!((part * positive).high().is_infinite());
     assert!((part * positive).low() >= -f64::MIN_POSITIVE);
     assert!((all * Interval::ZERO).low() <= 0.0 && (all * Interval::ZERO).high() >= 0.0);
-    // Overflow leaves no bound.
+    // After an overflow there is no bound.
     let huge = Interval::from(f64::MAX);
     assert!((huge + huge).high().is_infinite());
     assert!((huge * huge).high().is_infinite());
@@ -140,7 +142,7 @@ fn nothing_is_claimed_of_what_is_no_number() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 10_000, ..ProptestConfig::default() })]
 
-    /// Lemma 1: at least the next double, and no farther than the one after it.
+    /// Lemma 1: the result is the next double or the one after it.
     #[test]
     fn the_next_double_is_reached(x in nasty()) {
         prop_assert!(x.next_up() <= above(x) && above(x) <= x.next_up().next_up());
@@ -148,7 +150,7 @@ proptest! {
     }
 }
 
-/// Lemma 2 on powers: of the powers of some doubles every one is within the counted error, and some use an eighth of it.
+/// Lemma 2 for powers: every error is within the counted error, and some errors are an eighth of it.
 #[test]
 fn counted_errors_hold_and_are_reached() {
     let mut most = 0.0f64;

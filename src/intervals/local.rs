@@ -1,4 +1,4 @@
-//! What one Taylor expansion says of f around a point: value, gradient, curvature, and how far the rest may go.
+//! The Taylor expansion of f around a point: the value, the gradient, the curvature, and bounds of the rest.
 
 use std::cell::OnceCell;
 
@@ -10,42 +10,42 @@ use super::spectrum::{least_across, spectrum};
 use super::{Field, Taylor};
 use crate::exact::Rational;
 
-/// f(m + w) = value + gradient·w + wᵀ hessian w/2 + Σ f_k(w), with |f_k(w)| ≤ norm_k |w|^k. For an f without z all w are in the
-/// plane of x and y.
+/// The expansion f(m + w) = value + gradient·w + wᵀ hessian w/2 + Σ f_k(w), with |f_k(w)| ≤ norm_k |w|^k. If f does not depend
+/// on z, all w must be in the plane of x and y.
 ///
-/// The norms are Bombieri's, √(Σ c_α² α!/k!), which bound a form on the unit sphere.
+/// The norms are Bombieri's, √(Σ c_α² α!/k!). They bound a form on the unit sphere.
 #[derive(Clone, Debug)]
 pub(crate) struct Local {
     pub(crate) value: Interval,
     pub(crate) gradient: [Interval; 3],
     hessian: Matrix3<f64>,
-    /// wᵀ hessian w/2 is off by at most this times |w|².
+    /// The error of wᵀ hessian w/2, in parts of |w|².
     quadratic_error: f64,
-    /// The eigenvalues of `hessian` lie between these; computed when they are asked for.
+    /// A lower and an upper bound of the eigenvalues of `hessian`, computed when they are first needed.
     spectrum: OnceCell<[f64; 2]>,
-    /// For k = 3, 4, …, with the errors of the coefficients.
+    /// The norms for k = 3, 4, …, including the errors of the coefficients.
     norms: SmallVec<[f64; 12]>,
 }
 
 impl Field {
-    /// The expansion in doubles.
+    /// The expansion about a point, in doubles.
     pub(crate) fn local(&self, middle: [f64; 3]) -> Local {
         self.local_of(&self.taylor(middle))
     }
 
-    /// The expansion with exact coefficients, rounded at the end.
+    /// The expansion with exact coefficients, which are rounded at the end.
     ///
-    /// Cost: for degree n about n times as many exact operations as there are monomials.
+    /// Cost: for degree n, about n times as many exact operations as there are monomials.
     pub(crate) fn exact_local(&self, middle: &[Rational; 3]) -> Local {
         self.local_of(&self.exact_taylor(middle))
     }
 
-    /// Lemma 9. The norms are at least Bombieri's of the exact forms, if r bounds the relative error of their squares and
-    /// 2^(−1022) is added to those.
+    /// Lemma 9. The computed norms are at least Bombieri's norms of the exact forms, if r bounds the relative error of their
+    /// squares and 2^(−1022) is added to the squares.
     ///
-    /// Proof. A summand is rounded once as |g| + error, so twice in its square, twice for every factor of its weight, and
-    /// once in the product: 2k + 3 times, and once for every monomial in the sum (Lemma 2). Of each at most two products
-    /// underflow, by 2^(−1075), and the weight is at most 1.
+    /// Proof. A summand is rounded once as |g| + error, which counts twice in its square, twice for every factor of its weight,
+    /// and once in the product: 2k + 3 times; the sum is rounded once for every monomial (Lemma 2). At most two products of
+    /// each summand underflow, by 2^(−1075), and the weight is at most 1.
     ///
     /// Law: `curvature_bounds_the_second_order`.
     fn local_of(&self, taylor: &Taylor) -> Local {
@@ -64,7 +64,7 @@ impl Field {
             let mut quadratic = |i: usize, j: usize| {
                 local.hessian[(i, j)] = if i == j { 2.0 * g } else { g };
                 local.hessian[(j, i)] = local.hessian[(i, j)];
-                // |wᵢwⱼ| ≤ |w|²
+                // |wᵢwⱼ| ≤ |w|².
                 quadratic_error = quadratic_error + Interval::from(error);
             };
             match *e {
@@ -89,7 +89,7 @@ impl Field {
         }
         local.quadratic_error = quadratic_error.high();
         if self.is_flat() {
-            // The extremes are those of x and y alone: this entry is between theirs.
+            // This entry is between those of x and y, so the extremes are those of x and y.
             let [a, b] = [0, 1].map(|i| local.hessian[(i, i)]);
             local.hessian[(2, 2)] = f64::midpoint(a, b);
         }
@@ -102,7 +102,7 @@ impl Field {
 }
 
 impl Local {
-    /// f has no zero within this distance, as far as one bound of everything but the value tells.
+    /// Whether f is proved to have no zero within this distance, by one bound of all terms but the value.
     pub(crate) fn excludes(&self, radius: f64) -> bool {
         let radius = Interval::from(radius);
         let bend = self.curvature(radius.high(), false).abs();
@@ -110,24 +110,27 @@ impl Local {
         spread.high() < self.value.mignitude()
     }
 
-    /// f is strictly convex, or strictly concave, within this distance (for one without z: in the plane of x and y).
+    /// Whether f is proved to be strictly convex, or strictly concave, within this distance (if f does not depend on z: in the
+    /// plane of x and y).
     pub(crate) fn is_convex(&self, radius: f64) -> bool {
         self.curvature(radius, true).sign().is_some()
     }
 
-    /// |gradient|
+    /// The length of the gradient.
     pub(crate) fn slope(&self) -> Interval {
         square(self.gradient).sqrt()
     }
 
-    /// Bounds of (f(m + w) − value − gradient·w)/|w|² for 0 < |w| ≤ radius; `anywhere` bounds the same about every other
-    /// center, too, as long as it and all w stay within the radius: then a form of degree k has k(k−1)/2 times its norm.
+    /// Bounds of (f(m + w) − value − gradient·w)/|w|² for 0 < |w| ≤ radius. If `anywhere`, they also hold about every other
+    /// center, as long as this center and all w stay within the radius; then a form of degree k counts with k(k−1)/2 times its
+    /// norm.
     pub(crate) fn curvature(&self, radius: f64, anywhere: bool) -> Interval {
         let [low, high] = *self.spectrum.get_or_init(|| spectrum(&self.hessian));
         Interval::between(low, high) * 0.5 + Interval::up_to(self.tail(radius, anywhere))
     }
 
-    /// What the forms of degree 3 and more, and the errors of the quadratic one, add to the curvature.
+    /// A bound of the part of the curvature that comes from the forms of degree 3 and more, and from the errors of the
+    /// quadratic form.
     #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
     fn tail(&self, radius: f64, anywhere: bool) -> f64 {
         let radius = Interval::from(radius);
@@ -145,8 +148,9 @@ impl Local {
         tail.high()
     }
 
-    /// For w = u + τn, with u across the unit vector n along `away`, |w| ≤ radius, and about every center within the radius:
-    /// sign·(f(m + w) − value − gradient·w) ≥ across·|w|² − along·|τ||w|. The two numbers.
+    /// The numbers [across, along] of the following bound. Let n be the unit vector along `away`, and w = u + τn with u
+    /// orthogonal to n and |w| ≤ radius. Then sign·(f(m + w) − value − gradient·w) ≥ across·|w|² − along·|τ
+    /// w|, also about every center within the radius.
     ///
     /// Proof. With Q = sign·hessian/2 we have wᵀQw = uᵀQu + τ(Qn)·(w + u), |u| ≤ |w|, and `across` is not positive.
     pub(crate) fn one_sided(&self, sign: i8, away: [Interval; 3], radius: f64) -> [f64; 2] {
@@ -158,12 +162,12 @@ impl Local {
         [(least - tail).low(), image.sqrt().high()]
     }
 
-    /// The gradient in doubles, with no bound of its error.
+    /// The gradient in doubles, without a bound of its error.
     pub(crate) fn direction(&self) -> [f64; 3] {
         self.gradient.map(Interval::middle)
     }
 
-    /// The second derivatives in doubles.
+    /// The second derivatives in doubles, without a bound of their errors.
     pub(crate) fn hessian(&self) -> Matrix3<f64> {
         self.hessian
     }
@@ -177,7 +181,7 @@ mod tests {
     use crate::intervals::{rational, rationals};
     use proptest::prelude::*;
 
-    /// Points of thirds of a power of two, so that forms of degree 3 count for much or little.
+    /// Points that are thirds of a power of two, so that the forms of degree 3 are large or small.
     fn offsets() -> impl Strategy<Value = ([f64; 3], [f64; 3])> {
         let v = || prop::array::uniform3(-3i32..4);
         (v(), v(), -50i32..2).prop_map(|(a, b, e)| {
@@ -190,7 +194,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
 
-        /// Lemma 9: the bound of the cubic form is not below Bombieri's norm, and hardly above it.
+        /// Lemma 9: the bound of the cubic form is at least Bombieri's norm, and hardly larger.
         #[test]
         fn norms_are_those_of_bombieri(f in nasty_cubics(), m in prop::array::uniform3(-2.0f64..2.0)) {
             let field = Field::new(&f);
@@ -205,12 +209,13 @@ mod tests {
             prop_assert!(found.to_f64() <= square.to_f64().sqrt() * (1.0 + 1e-13) + 1e-150);
         }
 
-        /// The bounds hold about the center and about other centers, exactly, and so do those to one side of a plane.
+        /// The bounds are right about the center and about other centers, exactly, and so are the bounds to one side of a
+        /// plane.
         #[test]
         fn curvature_bounds_the_second_order(f in prop_oneof![nasty_cubics(), prop::collection::vec(-9i64..10, 20).prop_map(|c| cubic(&c))], m in prop::array::uniform3(-2.0f64..2.0), (a, b) in offsets(), n in prop::array::uniform3(-3i32..4)) {
             let field = Field::new(&f);
             let local = field.local(m);
-            // Without z all is in the plane.
+            // If f does not depend on z, all points are in the plane.
             let [a, b] = [a, b].map(|[x, y, z]| [x, y, if field.is_flat() { 0.0 } else { z }]);
             let n = if field.is_flat() { [n[0], n[1], 0] } else { n };
             let at = |v: [f64; 3]| -> [Rational; 3] { std::array::from_fn(|i| rational(m[i]) + rational(v[i])) };
@@ -239,7 +244,7 @@ mod tests {
             }
         }
 
-        /// The bounds hold where the quadratic coefficient is all that is left of two larger ones: x³ − 3cx² at c, but for δ.
+        /// The bounds hold if the quadratic coefficient is the difference of two larger numbers: x³ − 3cx² at c, up to δ.
         #[test]
         fn curvature_is_bounded_where_coefficients_cancel(m in 0.1f64..2.0, part in -40i64..41, k in 1i32..4) {
             let x = crate::poly::SparsePolynomial::<3>::variable(0);
@@ -256,7 +261,7 @@ mod tests {
             prop_assert!(found.contains(&(remainder / (&step * &step))), "{found:?}");
         }
 
-        /// Value and gradient hold the exact ones.
+        /// The intervals of value and gradient hold the exact numbers.
         #[test]
         fn values_and_gradients_are_enclosed(f in nasty_cubics(), m in prop::array::uniform3(-3.0f64..3.0)) {
             let field = Field::new(&f);
@@ -269,14 +274,14 @@ mod tests {
             prop_assert!(minus(field.local(m).gradient, field.exact_local(&exact).gradient).iter().all(|d| d.sign().is_none()));
         }
 
-        /// Where a ball is excluded, f has the sign of its center: at the zero of a linear form it ends.
+        /// In an excluded ball f has the sign of its center; for a linear form the ball ends at the zero.
         #[test]
         fn excluded_balls_have_one_sign(c in prop::collection::vec(-9i64..10, 20), m in prop::array::uniform3(-2.0f64..2.0), v in prop::array::uniform3(-0.5f64..0.5)) {
             let f = Field::new(&cubic(&c));
             if f.local(m).excludes(1.0) {
                 prop_assert_eq!(f.sign(m), f.sign(std::array::from_fn(|i| m[i] + v[i])));
             }
-            // x − m₀ − r, from m: r away.
+            // The plane x − m₀ − r is at the distance r from m.
             let r = v[0].abs();
             let x = crate::poly::SparsePolynomial::<3>::variable(0);
             let f = Field::new(&crate::poly::Ring::minus(&x, &crate::poly::SparsePolynomial::constant(rational(m[0]) + rational(r))));

@@ -1,4 +1,4 @@
-//! A polynomial as a function of doubles: exact signs, Taylor bounds over boxes, certified crossings.
+//! Polynomials as functions of doubles: exact signs, Taylor bounds over boxes, and certified crossings.
 
 mod bounds;
 mod crossing;
@@ -25,31 +25,32 @@ use crate::poly::SparsePolynomial;
 use interval::relative_error;
 use taylor::Layout;
 
-/// 2^(−900): added to sums of sizes, so that a relative error of them covers what products lose to underflow, too.
+/// The number 2^(−900). It is added to sums of absolute values, so that a relative error of a sum also covers losses by
+/// underflow.
 ///
-/// Lemma 3. If a sum of sizes is at least `FLOOR` times the factors by which later products can magnify a loss, less than
-/// 2^110 losses of 2^(−1075) by underflow are less than half a `UNIT` of it.
+/// Lemma 3. Consider fewer than 2^110 losses of 2^(−1075) by underflow, which later products magnify by at most some factor. If
+/// a sum of absolute values is at least `FLOOR` times this factor, the losses are less than half a `UNIT` of the sum.
 ///
 /// Proof. 2^110·2^(−1075) < 2^(−54)·2^(−900).
 ///
 /// Laws: `values_are_within_their_bounds`, `coefficients_are_within_their_errors`, `boxes_hold_the_exact_values`.
 const FLOOR: f64 = f64::from_bits((1023 - 900) << 52);
 
-/// 1, x, x², … Those of low degrees need no memory of their own.
+/// The powers 1, x, x², …. For low degrees they need no memory on the heap.
 type Powers = SmallVec<[f64; 16]>;
 
-/// f, with its coefficients also as doubles, scaled so that the largest is 1.
+/// A polynomial f, scaled so that its largest coefficient is 1, also with its coefficients as doubles.
 #[derive(Debug)]
 pub(crate) struct Field {
     exact: SparsePolynomial<3>,
     terms: Vec<([usize; 3], f64)>,
-    /// A positive multiple of f: the coefficients of its terms.
+    /// The coefficients of the terms of a positive multiple of f, as integers.
     integers: Vec<Integer>,
-    /// In each variable.
+    /// The degrees in each variable.
     degrees: [usize; 3],
-    /// The error of a value in doubles, in parts of the sum of the sizes of the terms.
+    /// The error of a value in doubles, in parts of the sum of the absolute values of the terms.
     relative: f64,
-    /// The same for the sums over a box.
+    /// The error of the sums over a box, in parts of these sums.
     relative_of_boxes: f64,
     layout: Layout,
 }
@@ -61,7 +62,7 @@ pub(crate) struct Field {
 impl Field {
     pub(crate) fn new(f: &SparsePolynomial<3>) -> Self {
         let largest = f.terms().map(|(_, c)| c.abs()).max();
-        // The polynomial 0 has no terms, and stays 0.
+        // The polynomial 0 has no terms and stays 0.
         let scale = largest.and_then(|c| c.recip());
         let exact = scale.map_or_else(SparsePolynomial::zero, |scale| f.scaled(&scale));
         let terms: Vec<([usize; 3], f64)> = exact
@@ -84,7 +85,8 @@ impl Field {
         }
     }
 
-    /// Filled in their places: lists that are built apart are copied as a whole, which takes longer than the products.
+    /// The powers of the coordinates of p. The lists are filled in place, because copying finished lists takes longer than the
+    /// products.
     fn powers(&self, p: [f64; 3]) -> [Powers; 3] {
         let mut lists = [Powers::new(), Powers::new(), Powers::new()];
         for (list, (degree, x)) in lists.iter_mut().zip(self.degrees.iter().zip(p)) {
@@ -96,14 +98,14 @@ impl Field {
         lists
     }
 
-    /// f at a point.
+    /// The value of f at a point, as an interval.
     ///
-    /// Lemma 4. With T terms and degrees of D in all the computed value is off by at most `relative_error(T + D + 4)` times
-    /// the computed Σ|term| + `FLOOR`·P, P being the product of the largest powers that are > 1.
+    /// Lemma 4. Let T be the number of terms, D the sum of the degrees, and P the product of the largest powers that are > 1.
+    /// The error of the computed value is at most `relative_error(T + D + 4)` times (the computed Σ|term| + `FLOOR`·P).
     ///
-    /// Proof. A coefficient is rounded once, x^k k − 1 times, its product with the others once: at most D + 1 roundings for a
-    /// term, and T for the sum (Lemma 2). Two more are for the last sum and product here. What underflows is multiplied by at
-    /// most P later (Lemma 3): less than one more.
+    /// Proof. A coefficient is rounded once, x^k is rounded k − 1 times, and each of its products is rounded once: at most D +
+    /// 1 roundings for a term, and T for the sum (Lemma 2). Two more are those of the last sum and product here. A loss by
+    /// underflow is multiplied by at most P later (Lemma 3), which counts as less than one more.
     ///
     /// Law: `values_are_within_their_bounds`.
     fn sums(&self, p: [f64; 3]) -> Interval {
@@ -119,15 +121,15 @@ impl Field {
         Interval::around(value, self.relative * (size + floor))
     }
 
-    /// The exact sign of f at a point: by doubles with an error bound where that decides, else exactly.
+    /// The exact sign of f at a point. Doubles with an error bound decide it if they can; else it is computed exactly.
     pub(crate) fn sign(&self, p: [f64; 3]) -> i8 {
         self.sums(p).sign().unwrap_or_else(|| self.exact_sign(p))
     }
 
-    /// The sign of f at a point with finite coordinates, in integers.
+    /// The sign of f at a point with finite coordinates, computed in integers.
     ///
-    /// With x = m/2^e, … and d the degree in x, `2^(d e) …` times f has the terms `c m^i 2^((d − i) e) …`: no
-    /// denominators, so no greatest common divisors.
+    /// With x = m/2^e, … and d the degree in x, `2^(d e) …` times f has the terms `c m^i 2^((d − i) e) …`. These have no
+    /// denominators, so no greatest common divisors are needed.
     fn exact_sign(&self, p: [f64; 3]) -> i8 {
         let powers: [Vec<Integer>; 3] = std::array::from_fn(|axis| {
             let x = Dyadic::from_f64(p[axis]).invariant(FINITE);
@@ -154,12 +156,12 @@ impl Field {
         }
     }
 
-    /// f, exactly, at a point with finite coordinates.
+    /// The exact value of f at a point with finite coordinates.
     pub(crate) fn exact_value(&self, p: [f64; 3]) -> Rational {
         self.exact.evaluate(&rationals(p))
     }
 
-    /// f and its gradient, exactly.
+    /// The exact values of f and its gradient.
     pub(crate) fn exact_value_and_gradient(&self, p: &[Rational; 3]) -> (Rational, [Rational; 3]) {
         let powers: [Vec<Rational>; 3] = std::array::from_fn(|i| {
             let all = std::iter::successors(Some(Rational::one()), |power| Some(power * &p[i]));
@@ -185,25 +187,25 @@ impl Field {
         (value, gradient)
     }
 
-    /// f in doubles, with no bound of its error.
+    /// The value of f in doubles, without a bound of its error.
     pub(crate) fn value(&self, p: [f64; 3]) -> f64 {
         let [x, y, z] = self.powers(p);
         let terms = self.terms.iter();
         terms.fold(0.0, |sum, ([i, j, k], c)| sum + c * x[*i] * y[*j] * z[*k])
     }
 
-    /// f and its gradient in doubles, with no bound of their errors.
+    /// The value of f and its gradient in doubles, without bounds of their errors.
     pub(crate) fn value_and_gradient(&self, p: [f64; 3]) -> (f64, [f64; 3]) {
         self.value_and_gradient_of(&self.powers(p), |c| c)
     }
 
-    /// The same for the polynomial whose coefficients are some function of those of f.
+    /// The value and the gradient of the polynomial whose coefficients are `coefficient` of those of f.
     fn value_and_gradient_of(
         &self,
         [x, y, z]: &[Powers; 3],
         coefficient: impl Fn(f64) -> f64,
     ) -> (f64, [f64; 3]) {
-        // k x^(k−1)
+        // The derivative k x^(k−1).
         let slope = |list: &Powers, k: usize| match k {
             0 => 0.0,
             k => k as f64 * list[k - 1],
@@ -221,33 +223,34 @@ impl Field {
         (sum, gradient)
     }
 
-    /// The gradient in doubles, with no bound of its error.
+    /// The gradient in doubles, without a bound of its error.
     pub(crate) fn gradient(&self, p: [f64; 3]) -> [f64; 3] {
         self.value_and_gradient(p).1
     }
 
-    /// How many coefficients a Taylor expansion has.
+    /// The number of coefficients of a Taylor expansion.
     pub(crate) fn monomials(&self) -> usize {
         self.layout.exponents.len()
     }
 
-    /// About how many operations an expansion takes.
+    /// The approximate number of operations of an expansion.
     pub(crate) fn work(&self) -> usize {
         self.monomials() * self.degrees.iter().sum::<usize>().max(1)
     }
 
-    /// f does not depend on z.
+    /// Whether f does not depend on z.
     pub(crate) fn is_flat(&self) -> bool {
         self.degrees[2] == 0
     }
 
-    /// The sign of f at all points whose coordinates are within `off` of those of p, if doubles tell.
+    /// The sign of f at all points whose coordinates differ from those of p by at most `off`; `None` if doubles do not prove
+    /// that there is one sign.
     ///
-    /// Lemma 5. There f is within off·Σ|∂f/∂xᵢ| of f(p), where the derivatives are those of the polynomial with the sizes of
-    /// the coefficients at the point (|pᵢ| + off), up to a relative error as in Lemma 4.
+    /// Lemma 5. At these points f differs from f(p) by at most off·Σ|∂f/∂xᵢ|, where the derivatives are those of the polynomial
+    /// with the absolute values of the coefficients at the point (|pᵢ| + off), up to a relative error as in Lemma 4.
     ///
-    /// Proof. The mean value theorem; that polynomial bounds the derivatives and grows with its variables. Each of its terms is
-    /// rounded at most D + 3 times and once in each of the sums, T of them.
+    /// Proof. By the mean value theorem, since the derivatives of that polynomial bound those of f and increase with all
+    /// variables. Each of its terms is rounded at most D + 3 times, and once in each of the sums, T times in all.
     ///
     /// Law: `signs_nearby_are_those_of_the_point`.
     pub(crate) fn sign_near(&self, p: [f64; 3], off: f64) -> Option<i8> {
@@ -259,38 +262,39 @@ impl Field {
         (self.sums(p) + Interval::up_to(change.magnitude())).sign()
     }
 
-    /// f with its largest coefficient 1: what the exact values and signs are those of.
+    /// The polynomial f, scaled so that its largest coefficient is 1. Exact values and signs are those of this polynomial.
     pub(crate) fn polynomial(&self) -> &SparsePolynomial<3> {
         &self.exact
     }
 }
 
-/// The points that signs and values are asked at are those that an algorithm got to, and it stops where that is nowhere.
+/// The invariant for points at which signs and values are computed: algorithms end before they reach a point that is not
+/// finite.
 const FINITE: &str = "a point where a polynomial is asked for has finite coordinates";
 
-/// A double as an exact number.
+/// The exact value of a double.
 pub(crate) fn rational(x: f64) -> Rational {
     Rational::try_from(x).invariant(FINITE)
 }
 
-/// The same for a point.
+/// The exact coordinates of a point of doubles.
 pub(crate) fn rationals(p: [f64; 3]) -> [Rational; 3] {
     p.map(rational)
 }
 
-/// The product of the largest powers of each variable as far as they are > 1.
+/// The product of the largest powers of those variables for which they are > 1.
 fn largest_powers(powers: &[Powers; 3]) -> f64 {
     let largest = powers.iter().filter_map(|list| list.last());
     largest.fold(1.0, |product, power| product * power.abs().max(1.0))
 }
 
-/// The coefficients times a positive number that makes them integers.
+/// The coefficients, multiplied by a positive number that makes them integers.
 fn integers(f: &SparsePolynomial<3>) -> Vec<Integer> {
     let primitive = f.primitive();
     let first = f.terms().next();
     let negative = first.is_some_and(|(_, c)| c.signum() < 0);
     let coefficients = primitive.terms().map(|(_, c)| c.numerator());
-    // The first one of a primitive polynomial is positive.
+    // The first coefficient of a primitive polynomial is positive.
     coefficients
         .map(|c| if negative { -c } else { c })
         .collect()
@@ -305,7 +309,7 @@ pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-/// a + t (b − a)
+/// The point a + t (b − a).
 pub(crate) fn between(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
     std::array::from_fn(|i| a[i] + t * (b[i] - a[i]))
 }

@@ -1,23 +1,25 @@
-//! Bounds of the eigenvalues of a symmetric matrix: guessed in doubles, proved by an LDLᵀ decomposition.
+//! Bounds of the eigenvalues of a symmetric matrix. They are guessed in doubles, and an LDLᵀ decomposition proves them.
 
 use nalgebra::Matrix3;
 
 use super::interval::{Interval, cross, square};
 
-/// A guess is moved outwards by this part of the largest entries before it is proved: more than it is usually off, and more
-/// than the intervals of the decomposition are wide. Any value is sound.
+/// Before a guess is proved it is moved outwards by this part of the largest entries. That is more than the usual error of the
+/// guess and more than the width of the intervals in the decomposition. The bounds are right for any margin.
 const MARGIN: f64 = 1024.0 * f64::EPSILON;
 
-/// The cubic formula is left to matrices whose cosine is less in size: its error grows with 1/√(1 − cosine²).
+/// The cubic formula is used only if the absolute value of its cosine is less than this, because its error grows with 1/√(1 −
+/// cosine²).
 const CLOSE: f64 = 1.0 - 1.0 / 1024.0;
 
-/// A symmetric matrix: its diagonal and the entries (1, 2), (0, 2), (0, 1).
+/// A symmetric matrix, by its diagonal and by the entries (1, 2), (0, 2), (0, 1).
 type Symmetric = ([Interval; 3], [Interval; 3]);
 
-/// Two doubles that enclose all eigenvalues of a symmetric matrix; infinite ones if its entries are not finite.
+/// Two doubles that enclose all eigenvalues of a symmetric matrix. They are infinite if its entries are not finite.
 ///
-/// Lemma 7. If m − low·I and high·I − m have LDLᵀ decompositions with a positive D, all eigenvalues are between low and
-/// high. Where a guess has none, the bounds are Gershgorin's: those of the sums of a diagonal entry and the sizes beside it.
+/// Lemma 7. If m − low·I and high·I − m have LDLᵀ decompositions with a positive D, all eigenvalues are between low and high.
+/// If a guess has no such decomposition, Gershgorin's bounds are returned: the sum of a diagonal entry and the absolute values
+/// of the others in its row.
 ///
 /// Proof. A matrix with such a decomposition is positive definite (Sylvester).
 ///
@@ -26,7 +28,7 @@ pub(super) fn spectrum(m: &Matrix3<f64>) -> [f64; 2] {
     let beside = m[(1, 2)].abs() + m[(0, 2)].abs() + m[(0, 1)].abs();
     let [a, b, c] = [0, 1, 2].map(|i| m[(i, i)]);
     if beside <= 0.0 && (a + b + c).is_finite() {
-        // The diagonal itself.
+        // The matrix is diagonal, so its entries are the eigenvalues.
         return [a.min(b).min(c), a.max(b).max(c)];
     }
     let safe = gershgorin(m);
@@ -51,8 +53,8 @@ pub(super) fn spectrum(m: &Matrix3<f64>) -> [f64; 2] {
     ]
 }
 
-/// The extreme eigenvalues by the cubic formula, as doubles happen to give them (Smith, *Eigenvalues of a symmetric 3 × 3
-/// matrix*, CACM 4 (1961)); none where two of them are so close that the arccosine loses digits.
+/// The extreme eigenvalues by the cubic formula in doubles (Smith, *Eigenvalues of a symmetric 3 × 3 matrix*, CACM 4 (1961));
+/// `None` if two of them are so close that the arccosine loses digits.
 fn closed_form(m: &Matrix3<f64>) -> Option<[f64; 2]> {
     let mean = m.trace() / 3.0;
     let rest = m - Matrix3::from_diagonal_element(mean);
@@ -80,15 +82,15 @@ fn gershgorin(m: &Matrix3<f64>) -> [f64; 2] {
     ]
 }
 
-/// sense·(m − shift·I)
+/// The matrix sense·(m − shift·I).
 fn shifted(m: &Matrix3<f64>, sense: f64, shift: f64) -> Symmetric {
     let diagonal = [0, 1, 2].map(|i| (Interval::from(m[(i, i)]) - Interval::from(shift)) * sense);
     let beside = [(1, 2), (0, 2), (0, 1)].map(|at| Interval::from(sense * m[at]));
     (diagonal, beside)
 }
 
-/// Whether the pivots of an LDLᵀ decomposition are proved positive. The largest entry of the diagonal that is left is the next
-/// pivot, so that no entry grows.
+/// Whether the pivots of an LDLᵀ decomposition are proved to be positive. The largest remaining diagonal entry is the next
+/// pivot, so no entry grows.
 fn is_positive_definite((diagonal, beside): Symmetric) -> bool {
     let larger = |i: usize, j: usize| {
         if diagonal[j].low() > diagonal[i].low() {
@@ -103,7 +105,7 @@ fn is_positive_definite((diagonal, beside): Symmetric) -> bool {
     if !pivot.is_positive() {
         return false;
     }
-    // What the pivot leaves; the entries of its row are those opposite to j and to i.
+    // The rest after elimination with the pivot. The entries of the pivot's row are those opposite to j and to i.
     let (to_i, to_j) = (beside[j], beside[i]);
     let one = diagonal[i] - to_i.squared() / pivot;
     let other = diagonal[j] - to_j.squared() / pivot;
@@ -116,12 +118,13 @@ fn is_positive_definite((diagonal, beside): Symmetric) -> bool {
     pivot.is_positive() && (last - between.squared() / pivot).is_positive()
 }
 
-/// A lower bound of uᵀmu/|u|² for all u ≠ 0 across a vector that lies in a box; −∞ if that may be 0.
+/// A lower bound of uᵀmu/|u|² for all u ≠ 0 orthogonal to a vector that lies in a box; −∞ if this vector may be 0.
 ///
-/// Lemma 8. With b = (−y, x, 0)/… and c = n × b, for n = (x, y, z) and likewise with the coordinates permuted, it is
-/// (β + γ)/2 − √(((β − γ)/2)² + δ²) for β = bᵀmb/|b|², γ = cᵀmc/|c|² and δ² = (bᵀmc)²/(|b|²|c|²).
+/// Lemma 8. For n = (x, y, z) let b = (−y, x, 0), or this vector with the coordinates permuted, and c = n × b. The least value
+/// of uᵀmu/|u|² is (β + γ)/2 − √(((β − γ)/2)² + δ²) for β = bᵀmb/|b|², γ = cᵀmc/|c|² and δ² = (bᵀmc)²/(|b|²|c|²).
 ///
-/// Proof. b and c are an orthogonal basis across n, and that is the smaller eigenvalue of ((β, δ), (δ, γ)).
+/// Proof. b and c are an orthogonal basis of the plane orthogonal to n, and the number is the smaller eigenvalue of ((β, δ),
+/// (δ, γ)).
 ///
 /// Law: `across_a_vector_nothing_is_less`.
 pub(super) fn least_across(m: &Matrix3<f64>, n: [Interval; 3]) -> f64 {
@@ -160,7 +163,7 @@ mod tests {
     use crate::intervals::{rational, rationals};
     use proptest::prelude::*;
 
-    /// Whether a matrix of rationals has no negative eigenvalue: no principal minor is negative. Exact.
+    /// Whether a matrix of rational numbers has no negative eigenvalue, that is, no negative principal minor. This is exact.
     fn is_semidefinite(m: &[[Rational; 3]; 3]) -> bool {
         let two = |i: usize, j: usize| &m[i][i] * &m[j][j] - &m[i][j] * &m[i][j];
         let minor = |a: usize, b: usize| &m[1][a] * &m[2][b] - &m[1][b] * &m[2][a];
@@ -171,7 +174,7 @@ mod tests {
                 .all(|d| d.signum() >= 0)
     }
 
-    /// sense·(m − shift·I)
+    /// The matrix sense·(m − shift·I), exactly.
     fn exact_shifted(m: &Matrix3<f64>, sense: i64, shift: &Rational) -> [[Rational; 3]; 3] {
         [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| {
@@ -182,8 +185,8 @@ mod tests {
         })
     }
 
-    /// Symmetric matrices with nearly equal eigenvalues (a multiple of the identity, or of a reflection, and a small rest) or
-    /// rows of very different sizes.
+    /// Symmetric matrices with nearly equal eigenvalues (a multiple of the identity or of a reflection, plus a small rest), or
+    /// with rows of very different sizes.
     fn matrices() -> impl Strategy<Value = Matrix3<f64>> {
         let entries = prop::array::uniform6(-1.0f64..1.0);
         let scales = prop::array::uniform3(-60i32..60);
@@ -210,7 +213,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
 
-        /// Lemma 7, by exact minors.
+        /// Lemma 7 in comparison with exact minors.
         #[test]
         fn spectra_are_enclosed(m in matrices()) {
             let [low, high] = spectrum(&m);
@@ -221,7 +224,8 @@ mod tests {
             prop_assert!(is_semidefinite(&exact_shifted(&m, -1, &rational(high))));
         }
 
-        /// Lemma 7 where the squares of the entries underflow, so that the cubic formula guesses badly: no guess is believed.
+        /// Lemma 7 if the squares of the entries underflow, so that the cubic formula gives bad guesses: no bad guess is
+        /// accepted.
         #[test]
         fn spectra_of_tiny_matrices_are_enclosed(m in matrices(), exponent in -550i32..-500) {
             let m = m * 2f64.powi(exponent);
@@ -230,7 +234,7 @@ mod tests {
             prop_assert!(is_semidefinite(&exact_shifted(&m, -1, &rational(high))));
         }
 
-        /// What is proved positive definite is so, also just beside a singular matrix.
+        /// Only positive definite matrices are proved to be so, also next to a singular matrix.
         #[test]
         fn only_definite_matrices_are_proved(m in matrices(), nudge in -8i64..9) {
             let found = m.symmetric_eigenvalues();
@@ -242,8 +246,8 @@ mod tests {
             }
         }
 
-        /// The bounds are no farther apart than a 2^(−40) part of the entries, and that also where eigenvalues nearly meet: a
-        /// bound moved inwards by more is none.
+        /// The bounds exceed the exact ones by at most 2^(−40) of the entries, also if eigenvalues are nearly equal: a bound
+        /// that is moved inwards by more is wrong.
         #[test]
         fn spectra_are_tight(m in matrices()) {
             let [low, high] = spectrum(&m);
@@ -252,7 +256,7 @@ mod tests {
             prop_assert!(!is_semidefinite(&exact_shifted(&m, -1, &(rational(high) - &moved))) || m.norm() <= 0.0);
         }
 
-        /// Lemma 8, at vectors across an integer one, exactly.
+        /// Lemma 8, for vectors orthogonal to an integer vector, exactly.
         #[test]
         fn across_a_vector_nothing_is_less(m in matrices(), n in prop::array::uniform3(-9i32..10), w in prop::array::uniform3(-9i32..10)) {
             let [n, w] = [n, w].map(|v| v.map(f64::from));

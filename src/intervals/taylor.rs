@@ -1,4 +1,4 @@
-//! Taylor coefficients of a polynomial about a point, in doubles with a bound for the error of each.
+//! Taylor coefficients of a polynomial about a point, in doubles with a bound of each error.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -6,31 +6,32 @@ use super::interval::{Interval, UNIT, relative_error};
 use super::{FLOOR, Field};
 use crate::exact::Rational;
 
-/// The monomials that Taylor expansions of one polynomial have, and how a shift of the variables acts on them.
+/// The monomials of the Taylor expansions of one polynomial, and the positions that a shift of the variables combines.
 #[derive(Debug)]
 pub(super) struct Layout {
-    /// By total degree, ascending: all divisors of the monomials of f.
+    /// The exponents of the monomials, ascending by total degree: all divisors of the monomials of f.
     pub(super) exponents: Vec<[usize; 3]>,
-    /// For every axis the places of the monomials on a line along it, of ascending exponent.
+    /// For every axis, the positions of the monomials on each line along it, by ascending exponent.
     lines: [Vec<Vec<usize>>; 3],
-    /// α!/|α|! for every monomial: the weights of Bombieri's norm.
+    /// The number α!/|α|! for every monomial α: the weights of Bombieri's norm.
     pub(super) weights: Vec<f64>,
-    /// The places of the terms of f, in their order.
+    /// The positions of the terms of f, in their order.
     terms: Vec<usize>,
-    /// The error of a coefficient in doubles, in parts of what the same operations on sizes give.
+    /// The error of a coefficient in doubles, in parts of the result of the same operations on absolute values.
     relative: f64,
-    /// The same for the squares of Bombieri's norms.
+    /// The relative error of the squares of Bombieri's norms.
     pub(super) relative_of_norms: f64,
 }
 
-/// f(m + v) = Σ g_α v^α, with |computed − exact| at most the error of the same place.
+/// The coefficients g_α of f(m + v) = Σ g_α v^α. The error of a coefficient is at most the number at the same position of the
+/// errors.
 pub(crate) struct Taylor {
     pub(super) coefficients: Vec<f64>,
     pub(super) errors: Vec<f64>,
 }
 
 impl Taylor {
-    /// The coefficient at a place.
+    /// The coefficient at a position, as an interval.
     pub(super) fn at(&self, place: usize) -> Interval {
         Interval::around(self.coefficients[place], self.errors[place])
     }
@@ -72,7 +73,7 @@ impl Layout {
     }
 }
 
-/// α!/|α|!
+/// The number α!/|α|!.
 #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
 fn weight(e: &[usize; 3]) -> f64 {
     let mut product = 1.0;
@@ -87,15 +88,16 @@ fn weight(e: &[usize; 3]) -> f64 {
 }
 
 impl Field {
-    /// The Taylor coefficients about a point: x → m + x, variable by variable, each by repeated synthetic division.
+    /// The Taylor coefficients about a point. The shift x → m + x is made variable by variable, each by repeated synthetic
+    /// division.
     ///
-    /// Lemma 6. With degrees of D in all every coefficient is off by at most `relative_error(3D + 5)` times what the same
-    /// operations give for the coefficients |c| + `FLOOR` and the point |m|.
+    /// Lemma 6. Let D be the sum of the degrees. The error of every coefficient is at most `relative_error(3D + 5)` times the
+    /// result of the same operations for the coefficients |c| + `FLOOR` and the point |m|.
     ///
-    /// Proof. A coefficient is rounded once, and once more with `FLOOR` added. There are D passes and D steps down: what a
-    /// coefficient contributes is rounded once a pass where it stands, and twice (product and sum) a step, 3D times (Lemma 2).
-    /// The last product here rounds once more. A loss by underflow at a place goes on as the `FLOOR` of that place does, so it
-    /// and those of the sizes are less than two more (Lemma 3).
+    /// Proof. A coefficient is rounded once, and once more with `FLOOR` added. There are D passes and D steps: a contribution
+    /// is rounded once in each pass in which it stays, and twice in each step (product and sum), together 3D times (Lemma 2).
+    /// The last product here is one more rounding. A loss by underflow at a position is multiplied like the `FLOOR` of that
+    /// position, so these losses and those of the absolute values count as less than two more (Lemma 3).
     ///
     /// Law: `coefficients_are_within_their_errors`.
     pub(crate) fn taylor(&self, middle: [f64; 3]) -> Taylor {
@@ -128,8 +130,8 @@ impl Field {
 }
 
 impl Field {
-    /// The same with exact coefficients: only the last step is rounded, to nearest, so the error is at most `UNIT` times
-    /// the size of what is computed, or half of the least subnormal double.
+    /// The coefficients by exact arithmetic. Only the result is rounded, to nearest, so the error is at most `UNIT` times the
+    /// absolute value of the result, or half of the least subnormal double.
     pub(super) fn exact_taylor(&self, middle: &[Rational; 3]) -> Taylor {
         let layout = &self.layout;
         let mut g = vec![Rational::zero(); layout.exponents.len()];
@@ -167,7 +169,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
 
-        /// Lemma 6, and the same of the expansion with exact coefficients.
+        /// Lemma 6, and the bound for the expansion with exact coefficients.
         #[test]
         fn coefficients_are_within_their_errors(f in nasty_cubics(), m in nasty_points()) {
             let field = Field::new(&f);

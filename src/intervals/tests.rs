@@ -1,24 +1,25 @@
-//! Laws of fields, and inputs for those of the files beside.
+//! The laws of fields, and inputs for the laws of the other files in this folder.
 
 use super::*;
 use crate::poly::Ring;
 use proptest::prelude::*;
 
-/// x² + y² + z² − c
+/// The polynomial x² + y² + z² − c.
 pub(crate) fn sphere(c: i64) -> SparsePolynomial<3> {
     let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
     let squares = x.squared().plus(&y.squared()).plus(&z.squared());
     squares.minus(&SparsePolynomial::constant(c.into()))
 }
 
-/// The cubic with the given coefficients.
+/// The cubic with these coefficients.
 pub(crate) fn cubic(coefficients: &[i64]) -> SparsePolynomial<3> {
     let all = (0..4u32)
         .flat_map(|i| (0..4 - i).flat_map(move |j| (0..4 - i - j).map(move |k| [i, j, k])));
     SparsePolynomial::from_terms(all.zip(coefficients.iter().map(|c| Rational::from(*c))))
 }
 
-/// Cubics some of whose coefficients are all ones, powers of two and their neighbours, or so small that they vanish.
+/// Cubics. Some of their coefficients have mantissas of all ones, are powers of two or their neighbours, or are so small that
+/// they vanish.
 pub(crate) fn nasty_cubics() -> impl Strategy<Value = SparsePolynomial<3>> {
     let coefficient = prop_oneof![
         4 => (-9i64..10).prop_map(Rational::from),
@@ -33,7 +34,7 @@ pub(crate) fn nasty_cubics() -> impl Strategy<Value = SparsePolynomial<3>> {
     let coefficients = prop::collection::vec(coefficient, 20);
     let all = prop_oneof![
         3 => coefficients.clone(),
-        // Few terms, so that no error is hidden behind those of others.
+        // Cubics with few terms, so that no error is hidden by those of other terms.
         2 => (coefficients, any::<u32>(), any::<u32>()).prop_map(|(c, a, b)| {
             let kept = |k: usize| a & b & 1 << k != 0;
             c.into_iter().enumerate().map(|(k, c)| if kept(k) { c } else { Rational::zero() }).collect()
@@ -45,7 +46,7 @@ pub(crate) fn nasty_cubics() -> impl Strategy<Value = SparsePolynomial<3>> {
     })
 }
 
-/// Points with nasty coordinates, or such that products of two or three of them are next to the least doubles.
+/// Points with nasty coordinates, or with coordinates whose products of two or three are near the smallest doubles.
 pub(crate) fn nasty_points() -> impl Strategy<Value = [f64; 3]> {
     let small = (
         1.0f64..2.0,
@@ -59,7 +60,7 @@ pub(crate) fn nasty_points() -> impl Strategy<Value = [f64; 3]> {
     ]
 }
 
-/// α!^(−1) ∂^α f at a point, by differentiation: the exact Taylor coefficient.
+/// The exact Taylor coefficient α!^(−1) ∂^α f at a point, by differentiation.
 pub(crate) fn taylor_coefficient(
     f: &SparsePolynomial<3>,
     e: &[usize; 3],
@@ -88,7 +89,7 @@ proptest! {
         prop_assert_eq!(field.sign(p), field.exact_value(p).signum());
     }
 
-    /// Lemma 5: as far off as the sign is still said to be certain, the farthest corners have it.
+    /// Lemma 5: as long as the sign is proved, the farthest corners have it.
     #[test]
     fn signs_nearby_are_those_of_the_point(f in nasty_cubics(), p in nasty_points()) {
         let field = Field::new(&f);
@@ -113,7 +114,7 @@ proptest! {
     }
 }
 
-/// The bound of an error is not many times what errors are: of some values one is off by an eighth of it.
+/// The bound of an error is not much larger than the errors: some value has an error of an eighth of it.
 #[test]
 fn errors_of_values_are_reached() {
     let [x, y, _] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
@@ -139,7 +140,7 @@ fn errors_of_values_are_reached() {
     assert!(most >= 0.125, "{most}");
 }
 
-/// x² underflows, and y magnifies what is lost.
+/// x² underflows, and y magnifies the loss.
 #[test]
 fn losses_by_underflow_are_multiplied_by_the_other_factors() {
     let [x, y, _] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
@@ -154,7 +155,7 @@ fn losses_by_underflow_are_multiplied_by_the_other_factors() {
 }
 
 proptest! {
-    /// Values and gradients in doubles, of which no bound is promised, are nearly the exact ones.
+    /// Values and gradients in doubles, which have no bound, are nearly the exact ones.
     #[test]
     fn doubles_are_near_the_exact_values(c in prop::collection::vec(-9i64..10, 20), p in prop::array::uniform3(-3.0f64..3.0)) {
         let field = Field::new(&cubic(&c));
@@ -181,13 +182,13 @@ fn vectors_are_multiplied_and_measured() {
 
 #[test]
 fn signs_are_exact_where_doubles_vanish() {
-    // (x − y)² − 2⁻¹⁰⁰ z² beside x = y
+    // (x − y)² − 2⁻¹⁰⁰ z² near x = y.
     let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
     let small = Rational::from(2).pow(-100).unwrap();
     let f = Field::new(&x.minus(&y).squared().minus(&z.squared().scaled(&small)));
     assert_eq!(f.sign([1.0, 1.0, 1.0]), -1);
     assert_eq!(f.sign([1.0, 1.0, 0.0]), 0);
-    // (4·2⁻⁵²)² = 2⁻¹⁰⁰
+    // (4·2⁻⁵²)² = 2⁻¹⁰⁰.
     for (ulps, sign) in [(3.0, -1), (4.0, 0), (5.0, 1)] {
         assert_eq!(f.sign([1.0, 1.0 + ulps * f64::EPSILON, 1.0]), sign);
     }
@@ -206,7 +207,7 @@ proptest! {
         }));
         prop_assume!(!f.is_empty());
         let f = Field::new(&f);
-        // Small mantissas, so that zeros are met.
+        // Small mantissas, so that some of the points are zeros.
         let p = p.map(|(m, e)| f64::from(m) * 2f64.powi(e / 3));
         prop_assert_eq!(f.exact_sign(p), f.exact_value(p).signum());
         prop_assert_eq!(f.sign(p), f.exact_sign(p));

@@ -1,11 +1,11 @@
-//! Factors modulo a prime: distinct degrees, then equal degrees.
+//! Factorization modulo a prime: first by distinct degrees, then within equal degrees.
 
 use super::{PrimeField, SplitMix};
 use crate::error::Result;
 use crate::limits::Limits;
 
-/// Distinct-degree factorization of a monic squarefree f: pairs (d, product of the monic
-/// irreducible factors of degree d), ascending in d.
+/// The distinct-degree factorization of a monic squarefree f: pairs of d and the product of the monic irreducible factors of
+/// degree d, ascending in d.
 ///
 /// von zur Gathen & Gerhard, *Modern Computer Algebra*, Algorithm 14.3: `gcd(x^(p^d) − x, f)`. Cost
 /// O(n³ log p) operations modulo p at worst.
@@ -44,8 +44,8 @@ pub(crate) fn distinct_degrees(
 
 /// The monic irreducible factors of f, all of which have the given degree, for an odd prime.
 ///
-/// Cantor–Zassenhaus (*Modern Computer Algebra*, Algorithm 14.8): half of the field elements are
-/// squares in each residue field. The random choices come from a fixed seed.
+/// Method: Cantor–Zassenhaus (*Modern Computer Algebra*, Algorithm 14.8), by which half of the elements of each residue field
+/// are squares. The random choices come from a fixed seed.
 pub(crate) fn equal_degree(field: &PrimeField, f: Vec<u64>, degree: usize) -> Vec<Vec<u64>> {
     let mut random = SplitMix(0x5eed);
     let mut done = Vec::new();

@@ -1,4 +1,4 @@
-//! Hensel lifting of all factors at once: p-adically, then in y, then in z.
+//! Hensel lifting of all factors at once: first p-adically, then in y, then in z.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -10,12 +10,12 @@ use super::power_series::TruncatedRing;
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 
-/// Lifts `target = ∏ factors` (monic in x) from Z/p to `ring` = (Z/p^k)[y, z]/(y^K, z^L).
+/// Lifts the factorization `target = ∏ factors` (monic in x) from Z/p to `ring` = (Z/p^k)[y, z]/(y^K, z^L).
 ///
-/// `target` is in the packing of `ring`; the factors are monic and pairwise coprime modulo p and
-/// (y, z). Each round doubles the precision: with `Σ s_i ∏_{j≠i} g_j = 1` and `e = target − ∏ g_j`,
-/// `g_i += (s_i e mod g_i)`, then the s_i likewise (*Modern Computer Algebra*, §15.4, for many factors
-/// at once). Rounds: log2 k + log2 K + log2 L, each O(n² ) products in the ring of the round at worst.
+/// `target` must be packed as in `ring`. The factors must be monic, and pairwise coprime modulo p and (y, z). Each round
+/// doubles the precision: with `Σ s_i ∏_{j≠i} g_j = 1` and `e = target − ∏ g_j` it adds `s_i e mod g_i` to g_i, and then
+/// corrects the s_i in the same way (*Modern Computer Algebra*, §15.4, for many factors at once). There are log2 k + log2 K +
+/// log2 L rounds, each with at most O(n²) products in the ring of the round.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -50,12 +50,12 @@ pub(crate) fn lift(
     Ok(lifted.factors)
 }
 
-/// n, ⌈n/2⌉, ⌈n/4⌉, … down to 2.
+/// The numbers n, ⌈n/2⌉, ⌈n/4⌉, … down to 2.
 fn halvings(n: usize) -> impl Iterator<Item = usize> {
     std::iter::successors(Some(n), |k| Some(k.div_ceil(2))).take_while(|k| *k > 1)
 }
 
-/// Factors of a target and the cofactors that make them a partition of unity, in one ring.
+/// The factors of a target, and the cofactors with which they make a partition of unity, in one ring.
 struct Lifted {
     ring: TruncatedRing,
     factors: Vec<IntegerPolynomial>,
@@ -63,7 +63,7 @@ struct Lifted {
 }
 
 impl Lifted {
-    /// Modulo p.
+    /// The factors and cofactors modulo p.
     fn start(factors: &[Vec<u64>], field: &PrimeField) -> Self {
         let integers = |f: &[u64]| {
             IntegerPolynomial::from_coefficients_asc(f.iter().map(|&c| Integer::from(c)).collect())
@@ -87,7 +87,7 @@ impl Lifted {
         }
     }
 
-    /// One round, to the precision of `ring`.
+    /// One round, after which the factors have the precision of `ring`.
     fn improve(&mut self, target: &IntegerPolynomial, ring: TruncatedRing, go_on: bool) {
         for f in self.factors.iter_mut().chain(&mut self.cofactors) {
             *f = ring.convert(&self.ring, f);
@@ -107,7 +107,7 @@ impl Lifted {
     }
 }
 
-/// `error · s mod g`.
+/// The correction `error · s mod g`.
 fn correction(
     ring: &TruncatedRing,
     error: &IntegerPolynomial,
@@ -117,7 +117,7 @@ fn correction(
     ring.remainder(&ring.product(&ring.remainder(error, g), s), g)
 }
 
-/// `∏ g_i` and `Σ s_i ∏_{j≠i} g_j`.
+/// The product `∏ g_i` and the sum `Σ s_i ∏_{j≠i} g_j`.
 fn partition(
     ring: &TruncatedRing,
     factors: &[IntegerPolynomial],

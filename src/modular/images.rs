@@ -1,4 +1,4 @@
-//! Chinese remainders: integers by their residues modulo more and more primes.
+//! Chinese remainders: integers are computed from their residues modulo more and more primes.
 
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
@@ -7,14 +7,14 @@ use malachite::{Integer, Natural};
 
 use super::PrimeField;
 
-/// Residues of one polynomial modulo a growing product of primes.
+/// The residues of one polynomial modulo a growing product of primes.
 pub(crate) struct Images {
     pub(crate) residues: Vec<Natural>,
     pub(crate) modulus: Natural,
 }
 
 impl Images {
-    /// Of `len` coefficients, modulo 1: nothing is known of them.
+    /// The residues of `len` coefficients modulo 1, which determine nothing.
     pub(crate) fn unknown(len: usize) -> Self {
         Self {
             residues: vec![Natural::ZERO; len],
@@ -22,7 +22,7 @@ impl Images {
         }
     }
 
-    /// Modulo one prime.
+    /// The residues modulo one prime.
     pub(crate) fn new(image: &[u64], prime: u64) -> Self {
         Self {
             residues: image.iter().map(|&c| Natural::from(c)).collect(),
@@ -30,7 +30,7 @@ impl Images {
         }
     }
 
-    /// One more prime; whether the balanced values stay the same.
+    /// Adds the residues modulo another prime. Returns whether the balanced values remain unchanged.
     pub(crate) fn add(&mut self, image: &[u64], prime: u64) -> bool {
         let same = self.has_image(image, prime);
         self.push(image, prime);
@@ -39,9 +39,9 @@ impl Images {
 
     /// Whether the balanced values have these residues modulo a prime.
     ///
-    /// Lemma 2. If so, [`Images::push`] of this image changes no balanced value, and else it changes one.
-    /// Proof. The new value is the only number of at most half the new modulus that has all the residues, which the old value is
-    /// if it has the new residue.
+    /// Lemma 2. If they do, [`Images::push`] of this image changes no balanced value; if not, it changes one.
+    /// Proof. The new value is the only number of absolute value at most half the new modulus that has all the residues. The
+    /// old value is such a number exactly if it has the new residue.
     /// Law: `an_image_that_agrees_changes_nothing`.
     fn has_image(&self, image: &[u64], prime: u64) -> bool {
         let field = PrimeField::new(prime);
@@ -53,7 +53,7 @@ impl Images {
         })
     }
 
-    /// One more prime.
+    /// Adds the residues modulo another prime.
     pub(crate) fn push(&mut self, image: &[u64], prime: u64) {
         let field = PrimeField::new(prime);
         let inverse = field.inverse(field.reduce_natural(&self.modulus));
@@ -67,13 +67,13 @@ impl Images {
     /// Whether these images determine integers of absolute value up to `bound`.
     ///
     /// Lemma 1. If |c| ≤ B and the modulus M is greater than 2B, then [`Images::balanced`] is c.
-    /// Proof. It is congruent to c modulo M and at most M/2 in absolute value, so that the two differ by less than M.
+    /// Proof. It is congruent to c modulo M and at most M/2 in absolute value, so the two differ by less than M.
     /// Laws: `the_bound_is_reached_at_half_the_modulus` in resultant.rs and in subresultant.rs.
     pub(crate) fn determine(&self, bound: &Natural) -> bool {
         self.modulus > bound << 1u64
     }
 
-    /// The representatives of least absolute value.
+    /// The polynomial whose coefficients are the representatives of least absolute value.
     pub(crate) fn balanced(&self) -> IntegerPolynomial {
         let half = &self.modulus >> 1u64;
         let coefficients = self.residues.iter().map(|r| {
@@ -109,7 +109,7 @@ mod tests {
                 let same = images.add(&image(&integers, p), p);
                 prop_assert_eq!(same, images.balanced() == before);
             }
-            // 186 bits determine numbers of 128.
+            // 186 bits determine numbers of 128 bits.
             let found = images.balanced();
             prop_assert_eq!(&found, &IntegerPolynomial::from_coefficients_asc(integers.clone()));
             let Some(p) = primes.next() else { unreachable!("there are more primes") };

@@ -1,17 +1,17 @@
-//! Linear algebra modulo a prime, by Gauss: kernels, spans, determinants.
+//! Linear algebra modulo a prime, by Gaussian elimination: kernels, spans and determinants.
 
 use super::PrimeField;
 
 /// The kernel of a matrix modulo a prime.
 pub(crate) struct Kernel {
-    /// For each column that depends on those before it, the vector that is 1 there, 0 at the other such columns,
-    /// and 0 after it.
+    /// For each column that depends on the columns before it, the vector of the kernel that is 1 there, 0 at all other such
+    /// columns, and 0 after it.
     pub(crate) vectors: Vec<Vec<u64>>,
 }
 
-/// The kernel of the matrix with the given rows, all of length `columns`, modulo a prime below 2³¹. Gauss.
+/// The kernel of the matrix with these rows, all of length `columns`, modulo a prime below 2³¹.
 ///
-/// What is still to be eliminated is kept below p² and divided when it is looked at.
+/// Numbers that are still to be eliminated are kept below p² and reduced when they are used.
 pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel {
     let field = PrimeField::new(p);
     let square = field.square();
@@ -61,10 +61,10 @@ pub(crate) fn kernel(mut rows: Vec<Vec<u64>>, columns: usize, p: u64) -> Kernel 
     }
 }
 
-/// A growing space of vectors modulo a prime below 2³¹.
+/// A growing vector space modulo a prime below 2³¹.
 pub(crate) struct Span {
     prime: u64,
-    /// For each column the vector of the basis whose first entry, a 1, is there.
+    /// For each column, the basis vector whose first non-zero entry, a 1, is in this column.
     rows: Vec<Option<Vec<u64>>>,
     dimension: usize,
 }
@@ -82,11 +82,11 @@ impl Span {
         self.dimension
     }
 
-    /// Whether the vector was not in the space; then it is added.
+    /// Adds a vector. Returns whether it was not in the space before.
     pub(crate) fn add(&mut self, mut vector: Vec<u64>) -> bool {
         let field = PrimeField::new(self.prime);
         let (p, square) = (self.prime, field.square());
-        // Kept below p², and divided when it is looked at.
+        // The numbers are kept below p² and reduced when they are used.
         for column in 0..vector.len() {
             vector[column] %= p;
             if vector[column] == 0 {
@@ -117,7 +117,7 @@ impl Span {
     }
 }
 
-/// The determinant of a square matrix modulo a prime below 2³¹, by Gauss.
+/// The determinant of a square matrix modulo a prime below 2³¹.
 pub(crate) fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> u64 {
     let (n, field) = (rows.len(), PrimeField::new(p));
     let mut value = 1;
@@ -165,7 +165,7 @@ mod tests {
                     prop_assert_eq!(row.iter().zip(vector).fold(0, |s, (a, b)| (s + a * b) % P), 0);
                 }
             }
-            // Random vectors are independent, but for an exception of probability 1e-5.
+            // Random vectors are independent except with a probability of 1e-5.
             prop_assert_eq!(kernel.vectors.len(), 7 - basis.len());
         }
     }
@@ -176,7 +176,7 @@ mod tests {
         fn large_kernels_are_those_of_a_span(seed in 0u64..1000, rank in 1usize..190) {
             let mut random = super::super::SplitMix(seed);
             let columns = 200;
-            // In steps, so that other columns than the last ones are free.
+            // The vectors have steps, so that columns other than the last ones are free.
             let basis: Vec<Vec<u64>> = (0..rank).map(|k| {
                 (0..columns).map(|c| if c < k { 0 } else { random.next() % P }).collect()
             }).collect();

@@ -1,8 +1,8 @@
-//! Arithmetic modulo primes below 2³¹ and their powers: fields, polynomials, linear algebra, Chinese remainders, factors
-//! and their lifting.
+//! Arithmetic modulo primes below 2³¹ and their powers: fields, polynomials, linear algebra, Chinese remainders, factorization
+//! and lifting.
 //!
-//! There is one arithmetic: [`PrimeField`] has the operations on residues and, in `polynomial.rs`, on polynomials, which are
-//! ascending lists of residues.
+//! There is one arithmetic: [`PrimeField`] has the operations on residues and, in `polynomial.rs`, the operations on
+//! polynomials, which are ascending lists of residues.
 
 mod factors;
 mod hensel;

@@ -1,4 +1,5 @@
-//! Polynomials over a prime field: ascending lists of residues, trimmed (the last one is not 0) where nothing else is said.
+//! Polynomials over a prime field. They are ascending lists of residues; the last one is not 0 (the list is trimmed) unless a
+//! function says otherwise.
 
 use malachite::integer_polynomial::IntegerPolynomial;
 
@@ -6,18 +7,18 @@ use super::PrimeField;
 use crate::error::Invariant;
 
 impl PrimeField {
-    /// The residues of all coefficients, those of the last ones too if they are 0.
+    /// The residues of all coefficients, including last ones that are 0.
     pub(crate) fn residues(&self, f: &IntegerPolynomial) -> Vec<u64> {
         let coefficients = f.coefficients_asc().iter();
         coefficients.map(|c| self.reduce_integer(c)).collect()
     }
 
-    /// The polynomial modulo the prime.
+    /// The polynomial modulo the prime, trimmed.
     pub(crate) fn reduce(&self, f: &IntegerPolynomial) -> Vec<u64> {
         trimmed(self.residues(f))
     }
 
-    /// The value at t, by Horner.
+    /// The value at t, by Horner's rule.
     pub(crate) fn value(&self, f: &[u64], t: u64) -> u64 {
         f.iter().rev().fold(0, |v, c| (v * t + c) % self.prime())
     }
@@ -54,7 +55,7 @@ impl PrimeField {
         )
     }
 
-    /// f · g, classical.
+    /// The product f · g, by the classical algorithm.
     pub(crate) fn product(&self, f: &[u64], g: &[u64]) -> Vec<u64> {
         if f.is_empty() || g.is_empty() {
             return Vec::new();
@@ -74,7 +75,7 @@ impl PrimeField {
         trimmed(product)
     }
 
-    /// f modulo g ≠ 0 in place, trimmed; the quotient is returned.
+    /// Replaces f by its remainder modulo g ≠ 0, trimmed, and returns the quotient.
     pub(crate) fn divide(&self, f: &mut Vec<u64>, g: &[u64]) -> Vec<u64> {
         let Some((&lead, low)) = g.split_last() else {
             return Vec::new();
@@ -109,12 +110,12 @@ impl PrimeField {
         trimmed(quotient)
     }
 
-    /// The quotient of f by a divisor.
+    /// The quotient of f by a polynomial that divides it.
     pub(crate) fn quotient(&self, mut f: Vec<u64>, g: &[u64]) -> Vec<u64> {
         self.divide(&mut f, g)
     }
 
-    /// The monic gcd, by Euclid; empty if both are 0.
+    /// The monic gcd, by Euclid's algorithm; empty if both polynomials are 0.
     pub(crate) fn gcd(&self, mut f: Vec<u64>, mut g: Vec<u64>) -> Vec<u64> {
         while !g.is_empty() {
             self.divide(&mut f, &g);
@@ -123,12 +124,12 @@ impl PrimeField {
         self.monic(f)
     }
 
-    /// Whether f has no repeated factor (and its derivative is not 0).
+    /// Whether f has no repeated factor and its derivative is not 0.
     pub(crate) fn is_squarefree(&self, f: &[u64]) -> bool {
         f.len() <= 1 || self.gcd(f.to_vec(), self.derivative(f)).len() == 1
     }
 
-    /// The inverse of f modulo `modulus`, if the two are coprime: the extended Euclidean algorithm.
+    /// The inverse of f modulo `modulus`, by the extended Euclidean algorithm; `None` if the two are not coprime.
     pub(crate) fn inverse_modulo(&self, f: &[u64], modulus: &[u64]) -> Option<Vec<u64>> {
         let (mut a, mut b) = (modulus.to_vec(), f.to_vec());
         self.divide(&mut b, modulus);
@@ -145,7 +146,7 @@ impl PrimeField {
         Some(result)
     }
 
-    /// f^exponent modulo `modulus`, for exponent ≥ 1 and f already reduced.
+    /// The power f^exponent modulo `modulus`, for exponent ≥ 1; f must be reduced already.
     pub(crate) fn power_modulo(&self, f: &[u64], exponent: u64, modulus: &[u64]) -> Vec<u64> {
         let mut result = f.to_vec();
         for bit in (0..exponent.max(1).ilog2()).rev() {
@@ -159,7 +160,7 @@ impl PrimeField {
         result
     }
 
-    /// The resultant of two polynomials whose formal degrees are their lengths less one, by Euclid.
+    /// The resultant of two polynomials, by Euclid's algorithm. Their formal degrees are their lengths minus one.
     pub(crate) fn resultant(&self, mut f: Vec<u64>, mut g: Vec<u64>) -> u64 {
         let p = self.prime();
         let odd = |f: &[u64], g: &[u64]| (f.len() - 1) * (g.len() - 1) % 2 == 1;
@@ -190,7 +191,8 @@ impl PrimeField {
         self.mul(value, self.power(g[0], f.len() as u64 - 1))
     }
 
-    /// Coefficients of the polynomial with the given values at 0, 1, 2, …, as many as there are values (Newton).
+    /// The coefficients of the polynomial with the given values at 0, 1, 2, …, as many as there are values (Newton's
+    /// interpolation).
     pub(crate) fn interpolate(&self, mut values: Vec<u64>) -> Vec<u64> {
         let (n, p) = (values.len(), self.prime());
         let inverses = self.inverses(n);
@@ -199,7 +201,7 @@ impl PrimeField {
                 values[i] = (values[i] + p - values[i - 1]) * inverse % p;
             }
         }
-        // Horner over (t − k), from the last difference down.
+        // Horner's rule in (t − k), from the last difference to the first.
         let mut coefficients = vec![0; n];
         for k in (0..n).rev() {
             let minus = p - k as u64 % p;
@@ -212,7 +214,7 @@ impl PrimeField {
     }
 }
 
-/// Without zeros at the end.
+/// The list without zeros at the end.
 pub(crate) fn trimmed(mut f: Vec<u64>) -> Vec<u64> {
     while f.last() == Some(&0) {
         f.pop();
@@ -227,7 +229,7 @@ mod tests {
 
     const P: u64 = 2_147_483_647;
 
-    /// c ∏ (s − r)
+    /// The polynomial c ∏ (s − r).
     fn with_roots(c: u64, roots: &[u64]) -> Vec<u64> {
         let mut f = vec![c];
         for r in roots {
@@ -255,7 +257,7 @@ mod tests {
             drop in 0usize..3,
         ) {
             let field = PrimeField::new(P);
-            // a^n b^m ∏ (r − q)
+            // The resultant is a^n b^m ∏ (r − q).
             let mut expected = field.mul(field.power(a, q.len() as u64), field.power(b, r.len() as u64));
             for r in &r {
                 for q in &q {
@@ -264,13 +266,13 @@ mod tests {
             }
             let (f, g) = (with_roots(a, &r), with_roots(b, &q));
             prop_assert_eq!(field.resultant(f.clone(), g.clone()), expected);
-            // Leading zeros of g: each is a root at infinity, the factor is lc(f) up to sign.
+            // A leading zero of g is a root at infinity, which contributes the factor lc(f) up to sign.
             let mut formal = g.clone();
             formal.extend(vec![0; drop]);
             let found = field.resultant(f.clone(), formal.clone());
             let factor = field.power(a, drop as u64);
             prop_assert_eq!(found, expected * factor % P);
-            // Res(g, f) = (−1)^(mn) Res(f, g)
+            // Res(g, f) = (−1)^(mn) Res(f, g).
             let swapped = field.resultant(formal.clone(), f.clone());
             let odd = (f.len() - 1) * (formal.len() - 1) % 2 == 1;
             prop_assert_eq!(swapped, if odd { (P - found) % P } else { found });

@@ -9,32 +9,31 @@ use malachite::integer_polynomial::IntegerPolynomial;
 use super::PrimeField;
 use crate::error::Invariant;
 
-/// The ring R = (Z/M)[y, z]/(y^K, z^L), with arithmetic of polynomials in x over it.
+/// The ring R = (Z/M)[y, z]/(y^K, z^L), with the arithmetic of polynomials in x over R.
 ///
-/// A polynomial is packed by Kronecker substitution: the coefficient of `x^i z^l y^j` stands at
-/// `(i(2L−1) + l)(2K−1) + j`, so a product is one fast product of univariate polynomials. With
-/// K = L = 1 this is Z/M itself.
+/// A polynomial is packed by Kronecker substitution: the coefficient of `x^i z^l y^j` is at the index `(i(2L−1) + l)(2K−1) +
+/// j`, so a product is one fast product of univariate polynomials. For K = L = 1 the ring is Z/M itself.
 #[derive(Clone, Debug)]
 pub(crate) struct TruncatedRing {
     pub(crate) modulus: Integer,
-    /// K.
+    /// The precision K in y.
     pub(crate) y: usize,
-    /// L.
+    /// The precision L in z.
     pub(crate) z: usize,
 }
 
 impl TruncatedRing {
-    /// The stride of z.
+    /// The distance between the indices of neighbouring powers of z.
     pub(crate) fn row(&self) -> usize {
         2 * self.y - 1
     }
 
-    /// The stride of x.
+    /// The distance between the indices of neighbouring powers of x.
     pub(crate) fn block(&self) -> usize {
         (2 * self.z - 1) * self.row()
     }
 
-    /// The exponents (j, l) of y and z at an offset within a block, if they are not truncated.
+    /// The exponents (j, l) of y and z at an offset within a block; `None` if such terms are truncated.
     pub(crate) fn exponents(&self, offset: usize) -> Option<(usize, usize)> {
         let (j, l) = (offset % self.row(), offset / self.row() % (2 * self.z - 1));
         (j < self.y && l < self.z).then_some((j, l))
@@ -49,7 +48,7 @@ impl TruncatedRing {
         }
     }
 
-    /// Truncates and reduces.
+    /// Truncates powers and reduces coefficients.
     pub(crate) fn normalize(&self, f: IntegerPolynomial) -> IntegerPolynomial {
         let mut coefficients = f.into_coefficients_asc();
         let scalar = self.block() == 1;
@@ -83,7 +82,7 @@ impl TruncatedRing {
         self.normalize(f - g)
     }
 
-    /// The product of all.
+    /// The product of all factors.
     pub(crate) fn product_of(&self, factors: &[IntegerPolynomial]) -> IntegerPolynomial {
         match factors {
             [] => IntegerPolynomial::one(),
@@ -95,12 +94,12 @@ impl TruncatedRing {
         }
     }
 
-    /// The degree in x, 0 for 0.
+    /// The degree in x; 0 for the polynomial 0.
     pub(crate) fn degree(&self, f: &IntegerPolynomial) -> usize {
         f.coefficients_asc().len().saturating_sub(1) / self.block()
     }
 
-    /// f modulo g, which is monic in x.
+    /// The remainder of f modulo g, which must be monic in x.
     pub(crate) fn remainder(
         &self,
         f: &IntegerPolynomial,
@@ -132,7 +131,7 @@ impl TruncatedRing {
         self.normalize(IntegerPolynomial::from_coefficients_asc(rest))
     }
 
-    /// f from another such ring: exponents and coefficients are truncated to what both can hold.
+    /// Converts f from another such ring. Exponents and coefficients are truncated to those of both rings.
     pub(crate) fn convert(&self, from: &Self, f: &IntegerPolynomial) -> IntegerPolynomial {
         if from.y == self.y && from.z == self.z {
             return self.normalize(f.clone());
@@ -150,8 +149,8 @@ impl TruncatedRing {
         IntegerPolynomial::from_coefficients_asc(coefficients)
     }
 
-    /// 1/u for an element u of R whose constant term is invertible modulo the prime that M is a
-    /// power of: Newton's iteration.
+    /// The inverse 1/u of an element u of R, by Newton's iteration. The constant term of u must be invertible modulo the prime
+    /// of which M is a power.
     pub(crate) fn inverse(&self, u: &IntegerPolynomial, field: &PrimeField) -> IntegerPolynomial {
         let constant = u
             .coefficients_asc()
@@ -176,7 +175,7 @@ impl TruncatedRing {
         IntegerPolynomial::from_coefficients_asc(f.coefficients_asc()[at..].to_vec())
     }
 
-    /// f divided by its leading coefficient in x, a unit of R.
+    /// The quotient of f and its leading coefficient in x, which must be a unit of R.
     pub(crate) fn monic(&self, f: &IntegerPolynomial, field: &PrimeField) -> IntegerPolynomial {
         let degree = self.degree(f);
         let inverse = self.inverse(&self.lead(f), field);

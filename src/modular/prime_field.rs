@@ -7,8 +7,8 @@ use crate::error::Invariant;
 
 /// The integers modulo a prime p < 2³¹. Residues are numbers in [0, p).
 ///
-/// Products of residues fit 62 bits, so sums of products are kept below p² by a conditional
-/// subtraction and divided once.
+/// Products of residues have at most 62 bits. So sums of products are kept below p² by conditional subtractions and reduced
+/// once at the end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PrimeField {
     p: u64,
@@ -16,17 +16,17 @@ pub(crate) struct PrimeField {
 }
 
 impl PrimeField {
-    /// For a prime below 2³¹.
+    /// The field for a prime below 2³¹.
     pub(crate) fn new(p: u64) -> Self {
         Self { p, square: p * p }
     }
 
-    /// p.
+    /// The prime p.
     pub(crate) fn prime(&self) -> u64 {
         self.p
     }
 
-    /// p².
+    /// The number p².
     pub(super) fn square(&self) -> u64 {
         self.square
     }
@@ -35,7 +35,7 @@ impl PrimeField {
         (a + b) % self.p
     }
 
-    /// a − b.
+    /// The difference a − b.
     pub(crate) fn minus(&self, a: u64, b: u64) -> u64 {
         if a >= b { a - b } else { a + self.p - b }
     }
@@ -44,7 +44,7 @@ impl PrimeField {
         a * b % self.p
     }
 
-    /// base^exponent.
+    /// The power base^exponent.
     pub(crate) fn power(&self, base: u64, mut exponent: u64) -> u64 {
         let (mut result, mut square) = (1, base % self.p);
         while exponent > 0 {
@@ -57,20 +57,20 @@ impl PrimeField {
         result
     }
 
-    /// 1, a, a², …: so many powers.
+    /// The first `count` of the powers 1, a, a², ….
     pub(crate) fn powers(&self, a: u64, count: usize) -> Vec<u64> {
         let mut powers = vec![1; count];
         if let Some(first) = powers.get_mut(1) {
             *first = a;
         }
         for k in 2..count {
-            // Shorter chains of products that wait for each other than one by one.
+            // The products depend on each other in shorter chains than if each power were computed from the one before.
             powers[k] = self.mul(powers[k / 2], powers[k - k / 2]);
         }
         powers
     }
 
-    /// 1/a for a ≠ 0, by Euclid.
+    /// The inverse 1/a of a ≠ 0, by Euclid's algorithm.
     pub(crate) fn inverse(&self, a: u64) -> u64 {
         let (mut r, mut next) = (self.p, a);
         // The cofactors of a, whose signs alternate.
@@ -89,14 +89,14 @@ impl PrimeField {
         }
     }
 
-    /// The inverses of the numbers below n ≤ p, with 0 for 0.
+    /// The inverses of all numbers below n ≤ p; the entry of 0 is 0.
     pub(crate) fn inverses(&self, n: usize) -> Vec<u64> {
         let mut inverses = vec![0; n];
         if let Some(one) = inverses.get_mut(1) {
             *one = 1;
         }
         for k in 2..n {
-            // p = qk + r, so 1/k = −q/r.
+            // If p = qk + r, 1/k = −q/r.
             let (quotient, rest) = (
                 self.p / k as u64,
                 usize::try_from(self.p % k as u64).invariant("a rest is less than its divisor"),
@@ -106,10 +106,11 @@ impl PrimeField {
         inverses
     }
 
-    /// Σ f_i g_i of residues, as far as both go.
+    /// The sum Σ f_i g_i of products of residues, up to the length of the shorter list.
     pub(crate) fn dot(&self, f: &[u64], g: &[u64]) -> u64 {
         const HALF: u64 = (1 << 32) - 1;
-        // Two sums of halves cannot overflow, and the processor takes several products at once.
+        // Two sums, of the lower and the upper halves of the products, cannot overflow, and the processor computes several
+        // products at once.
         let (mut low, mut high) = (0, 0);
         for (a, b) in f.iter().zip(g) {
             let product = (a & HALF) * (b & HALF);

@@ -1,10 +1,10 @@
-//! The primes that everything large is computed modulo: those below 2³¹, descending.
+//! The primes for computations with large numbers: those below 2³¹, descending.
 
 use std::sync::LazyLock;
 
 use malachite::base::num::factorization::traits::IsPrime;
 
-/// So many primes are found once for all; most computations need no more.
+/// The number of primes that are stored; most computations need no more.
 const KEPT: usize = 64;
 
 static FIRST: LazyLock<Vec<u64>> = LazyLock::new(|| {
@@ -14,19 +14,19 @@ static FIRST: LazyLock<Vec<u64>> = LazyLock::new(|| {
     all.take(KEPT).collect()
 });
 
-/// The primes below 2³¹, descending: products of residues fit 62 bits.
+/// The primes below 2³¹, descending. Products of two residues have at most 62 bits.
 pub(crate) fn large_primes() -> LargePrimes {
     LargePrimes { taken: 0, last: 0 }
 }
 
-/// See [`large_primes`].
+/// The iterator that [`large_primes`] returns.
 pub(crate) struct LargePrimes {
     taken: usize,
     last: u64,
 }
 
 impl LargePrimes {
-    /// The next one. There are far more than can be used up.
+    /// The next prime. There are far more primes than any computation uses.
     pub(crate) fn following(&mut self) -> u64 {
         self.last = match FIRST.get(self.taken) {
             Some(prime) => *prime,
@@ -45,7 +45,7 @@ impl Iterator for LargePrimes {
     }
 }
 
-/// The next prime below an odd number.
+/// The largest prime below an odd number.
 fn previous_prime(from: u64) -> u64 {
     let mut candidate = from - 2;
     while !candidate.is_prime() {

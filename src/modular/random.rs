@@ -1,4 +1,4 @@
-//! Numbers without a pattern, the same every time.
+//! Pseudo-random numbers, which are the same in every run.
 
 /// A small generator of well-mixed numbers (Steele, Lea & Flood's SplitMix64).
 pub(crate) struct SplitMix(pub(crate) u64);

@@ -1,4 +1,4 @@
-//! The way back from residues to rational numbers.
+//! Rational numbers are reconstructed from their residues.
 
 use malachite::base::num::arithmetic::traits::{Abs, Mod};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -6,7 +6,7 @@ use malachite::{Integer, Natural};
 
 use super::Images;
 
-/// A vector of rational numbers, one of them 1, from its images modulo primes.
+/// A vector of rational numbers, one of which is 1, from its images modulo primes.
 pub(crate) struct Reconstruction {
     images: Option<Images>,
     last: Option<Vec<Integer>>,
@@ -20,13 +20,13 @@ impl Reconstruction {
         }
     }
 
-    /// One more image. The vector with coprime integers, if it is found and this image did not change it.
+    /// Adds an image. Returns the vector with coprime integers if it is found and this image did not change it.
     pub(crate) fn add(&mut self, image: &[u64], prime: u64) -> Option<Vec<Integer>> {
         self.push(image, prime);
         self.attempt()
     }
 
-    /// One more image.
+    /// Adds an image.
     pub(crate) fn push(&mut self, image: &[u64], prime: u64) {
         match &mut self.images {
             Some(images) => images.push(image, prime),
@@ -34,7 +34,7 @@ impl Reconstruction {
         }
     }
 
-    /// The vector with coprime integers, if it is found and the same as at the last attempt.
+    /// The vector with coprime integers, if it is found and is the same as in the last attempt.
     pub(crate) fn attempt(&mut self) -> Option<Vec<Integer>> {
         let images = self.images.as_ref()?;
         let found = integers(&images.residues, &images.modulus);
@@ -44,7 +44,7 @@ impl Reconstruction {
     }
 }
 
-/// The integers n_i with n_i/d = residue_i modulo m, for one small d.
+/// The integers n_i with n_i/d = residue_i modulo m for one small d; `None` if there are none.
 fn integers(residues: &[Natural], modulus: &Natural) -> Option<Vec<Integer>> {
     let modulus = Integer::from(modulus);
     let mut denominator = Integer::ONE;
@@ -72,7 +72,7 @@ fn integers(residues: &[Natural], modulus: &Natural) -> Option<Vec<Integer>> {
     Some(all.collect())
 }
 
-/// The d > 0 with d·value small modulo m, by Euclid: both at most √(m/2). `None` if there is none.
+/// The d > 0 for which d·value is small modulo m, both at most √(m/2), by Euclid's algorithm; `None` if there is none.
 fn small_denominator(value: &Integer, modulus: &Integer) -> Option<Integer> {
     let (mut r0, mut r1) = (modulus.clone(), value.mod_op(modulus));
     let (mut t0, mut t1) = (Integer::ZERO, Integer::ONE);

@@ -1,21 +1,26 @@
-//! The sums of long Chinese remainders by transforms: primes in groups, the rest of their product in blocks.
+//! Sums of long Chinese remainders by transforms: the primes are in groups, and the product of the other groups is in blocks.
 //!
 //! Lemma 1 (digits of groups). The sum Σ y P_G/p over the 48 primes of a group has at most [`GROUP_LEN`] digits of 40 bits.
-//! Proof. y < p, so it is below 48 P_G < 2^5.6 · 2^2400 ≤ 2^(40 · 61). [`set_digits`] would stop at more.
+//! Proof. y < p, so the sum is below 48 P_G < 2^5.6 · 2^2400 ≤ 2^(40 · 61). [`set_digits`] stops the program if there are more
+//! digits.
 //!
-//! Lemma 2 (digits of the product). A digit of the product of a group's sum and a block, summed over all groups and the two blocks
-//! that overlap, is a natural number below p1 p2.
-//! Proof. A group's sum has 61 digits and a block 68, so no more than two of them overlap in 128 places; a digit of the product is a sum of at
-//! most 61 products below 2^80, below 2^86. There are less than 2^10 groups ([`MOST_PRIMES`]): below 2^97 < 2^99.98 < p1 p2.
+//! Lemma 2 (digits of the product). Consider a digit of the product of a group's sum and a block, summed over all groups and
+//! over the two blocks that overlap there. It is a natural number below p1 p2.
+//! Proof. A group's sum has 61 digits and a block has 68, so at most two products overlap in 128 positions, and a digit is a
+//! sum of at most 61 products below 2^80, hence below 2^86. There are fewer than 2^10 groups ([`MOST_PRIMES`]), so the sum is
+//! below 2^97 < 2^99.98 < p1 p2.
 //!
-//! Lemma 3 (unreduced sums). The sum of [`UNREDUCED`] products of values of at most 3p and p/2, and of a value of at most p/2 + 1, is below 8p.
-//! Proof. A product is at most (1/2 + 3/8 · 3/2) p = 17/16 p (Lemma 2 of lanes.rs); 6 · 17/16 + 1/2 < 7.
+//! Lemma 3 (unreduced sums). The sum of [`UNREDUCED`] products of values of at most 3p and p/2, and of a value of at most p/2 +
+//! 1, is below 8p.
+//! Proof. A product is at most (1/2 + 3/8 · 3/2) p = 17/16 p (Lemma 2 of lanes.rs), and 6 · 17/16 + 1/2 < 7.
 //!
-//! Lemma 4 (carrying). In [`Blocks::put_together`] no sum leaves 64 bits.
-//! Proof. `first` < 2^50; |low| ≤ 2^47, `high` ≤ 2^52 (Lemma 1 of columns.rs, as p1 p2 < 2^100), moved up by 8 bits 2^60; q is at most the number
-//! of primes, below 2^16, times a digit below 2^56; the carry is then below 2^22.
+//! Lemma 4 (carrying). No sum in [`Blocks::put_together`] exceeds 64 bits.
+//! Proof. `first` < 2^50, |low| ≤ 2^47, and `high` ≤ 2^52 (Lemma 1 of columns.rs, because p1 p2 < 2^100), which is 2^60 after a
+//! shift by 8 bits. q is at most the number of primes, below 2^16, so its product with a digit of 40 bits is below 2^56. The
+//! carry is then below 2^22.
 //!
-//! Law for all: `remainders_are_right_up_to_a_quarter_of_the_product` of chinese.rs, where y and digits are as large as they can be.
+//! The law of all lemmas is `remainders_are_right_up_to_a_quarter_of_the_product` of chinese.rs, with y and digits as large as
+//! possible.
 
 use malachite::Natural;
 use malachite::base::num::arithmetic::traits::DivExact;
@@ -28,45 +33,45 @@ use crate::bigint::{
     Columns, DIGIT_BITS, Machine, Sums, digits_of_bits, f64_from, halves_of_product, u64_from,
 };
 
-/// Quartets in a group.
+/// The number of quartets in a group.
 const GROUP: usize = 12;
 /// The length of transforms.
 const LEN: usize = 128;
-/// Bits of the digits that are transformed.
+/// The number of bits of a digit that is transformed.
 const SHORT_BITS: u32 = 40;
-/// Digits of a group's sum. Lemma 1.
+/// The number of digits of a group's sum. Lemma 1.
 const GROUP_LEN: usize = 61;
-/// Digits of a block: the product of a group's sum and a block has `LEN` digits. Lemma 2.
+/// The number of digits of a block: the product of a group's sum and a block has `LEN` digits. Lemma 2.
 const BLOCK_LEN: usize = LEN + 1 - GROUP_LEN;
-/// So many primes are less than 2^10 groups. Lemma 2.
+/// The largest number of primes, with which there are fewer than 2^10 groups. Lemma 2.
 pub(super) const MOST_PRIMES: usize = 1023 * 4 * GROUP;
-/// Sums that are formed side by side.
+/// The number of sums that are formed together.
 pub(super) const LANES: usize = 4;
 
-/// So many products are summed before they are reduced. Lemma 3.
+/// The number of products that are added before the sum is reduced. Lemma 3.
 const UNREDUCED: usize = 6;
 
-/// `Σ y P/p` over all primes is `Σ (P/P_G) Σ y P_G/p` over groups G of primes: the inner sums are formed as they stand, the
-/// outer products as products of values at roots of unity, of which those of P/P_G are known and only the sum over all
-/// groups is transformed back, once for each block. Four sums at once, modulo two primes.
+/// The sum `Σ y P/p` over all primes is `Σ (P/P_G) Σ y P_G/p` over groups G of primes. The inner sums are computed directly.
+/// The outer products are products of values at roots of unity: the values of P/P_G are known, and only the sum over all groups
+/// is transformed back, once for each block. Four sums are computed at once, modulo two primes.
 ///
-/// Cost: for n primes n words times a group's length, n/24 + n/27 transforms and (n/36)² products of `LEN` values.
+/// Cost, for n primes: products of n words with a group's length, n/24 + n/27 transforms, and (n/36)² products of `LEN` values.
 pub(super) struct Blocks {
     fields: [LaneFields; 2],
     transforms: [Transform; 2],
-    /// 1/p modulo the second prime, p the first one; of at most p/2.
+    /// The inverse of the first prime modulo the second prime, of at most p/2.
     inverse: Lanes,
-    /// For each group P_G/p.
+    /// The numbers P_G/p of each group.
     groups: Vec<Columns>,
-    /// For each prime, each [`UNREDUCED`] groups, and block after block of all P/P_G: their values, scaled for the way back,
-    /// of at most p/2.
+    /// For each of the two primes, for each [`UNREDUCED`] groups and for each block, the values of all P/P_G, scaled for the
+    /// backward transform, of at most p/2.
     tables: [Vec<f64>; 2],
     /// The digits of −P in two's complement.
     minus_p: Vec<u64>,
 }
 
 impl Blocks {
-    /// For the primes of these quartets, with this product, and the negative of it in limbs.
+    /// The blocks for the primes of these quartets; their product is given, and its negative in limbs.
     pub(super) fn new(
         machine: Machine,
         quartets: &[Quartet],
@@ -114,8 +119,8 @@ impl Blocks {
         }
     }
 
-    /// Σ y P/p − qP for at most four lists of y, each followed by q, modulo 2^64 to the number of limbs of −P: limb by
-    /// limb.
+    /// The sums Σ y P/p − qP for at most four lists of y, each followed by q, modulo 2^64 to the number of limbs of −P. The
+    /// target has the limbs of the four sums side by side.
     #[inline(always)]
     pub(super) fn sum(&self, y: &[&[f64]], sums: &mut [Sums], target: &mut [[u64; LANES]]) {
         let blocks = self.minus_p.len().div_ceil(BLOCK_LEN);
@@ -154,9 +159,9 @@ impl Blocks {
         self.put_together(&values, q, target);
     }
 
-    /// Digits of blocks, which overlap, and q times −P, as limbs. Lemmas 2 and 4.
+    /// Adds the digits of blocks, which overlap, and q times −P, and writes the sums as limbs. Lemmas 2 and 4.
     ///
-    /// A digit r1 modulo p1 and r2 modulo p2 is `r1 + p1 ((r2 − r1) / p1 mod p2)`.
+    /// The digit with the remainders r1 modulo p1 and r2 modulo p2 is `r1 + p1 ((r2 − r1) / p1 mod p2)`.
     #[inline(always)]
     fn put_together(&self, values: &[Vec<Lanes>; 2], q: [u64; LANES], target: &mut [[u64; LANES]]) {
         const MASK: u64 = (1 << SHORT_BITS) - 1;
@@ -210,7 +215,7 @@ impl Blocks {
     }
 }
 
-/// The digits of sums, which have no more than there is room for, or the program stops. Lemma 1.
+/// Sets the digits of sums. The program stops if a sum has more digits than fit. Lemma 1.
 #[inline(always)]
 fn set_digits(sums: &[Sums], digits: &mut [Lanes; LEN]) {
     *digits = [[0.0; 4]; LEN];
@@ -223,8 +228,8 @@ fn set_digits(sums: &[Sums], digits: &mut [Lanes; LEN]) {
     }
 }
 
-/// Adds to the values of all blocks those of some groups times those in the tables. From at most p/2 + 1 to at most p/2 + 1, by
-/// Lemma 3.
+/// Adds, for all blocks, the products of the values of some groups and those in the tables. The values are at most p/2 + 1
+/// before and after. Lemma 3.
 #[inline(always)]
 fn add_products(
     field: &LaneFields,
@@ -244,7 +249,7 @@ fn add_products(
     }
 }
 
-/// The transform and the values of the blocks of all P/P_G, given by their digits.
+/// The transform, and the values of the blocks of all P/P_G, which are given by their digits.
 struct Tables<'a> {
     prime: &'a Quartet,
     others: &'a [Vec<f64>],
@@ -279,7 +284,7 @@ impl NullaryFnOnce for Tables<'_> {
     }
 }
 
-/// 1/p modulo the second of two primes, p the first one.
+/// The inverse of the first prime modulo the second one.
 struct Inverse {
     fields: [LaneFields; 2],
 }

@@ -1,10 +1,10 @@
-//! Chinese remainders: an integer from its residues modulo many primes.
+//! Chinese remainders: an integer is computed from its residues modulo many primes.
 //!
 //! Lemma 1. Let P be the product of n primes, n ≤ [`MOST_PRIMES`], x an integer with |x| < P/4, and y ≡ x (P/p)^(−1) in [0, p)
 //! for each prime p. Then x = Σ y P/p − qP, where q is the integer nearest to the sum s of fl(y fl(1/p)) in doubles.
-//! Proof. Σ y P/p is congruent to x modulo each p, hence modulo P: Σ y/p = q + x/P for an integer q. Each term of s is wrong by less
-//! than 2^-52, and each of at most n additions of sums below 2^16 by at most 2^-38: |s − Σ y/p| < 2^16 · (2^-52 + 2^-38) < 2^-21, so
-//! that s is less than 1/4 + 2^-21 away from q.
+//! Proof. Σ y P/p is congruent to x modulo each p, hence modulo P, so Σ y/p = q + x/P for an integer q. Each term of s has an
+//! error below 2^-52, and each of at most n additions of sums below 2^16 an error of at most 2^-38. So |s − Σ y/p| < 2^16 ·
+//! (2^-52 + 2^-38) < 2^-21, and s differs from q by less than 1/4 + 2^-21.
 //! Law: `remainders_are_right_up_to_a_quarter_of_the_product`.
 
 use malachite::Natural;
@@ -20,28 +20,28 @@ use crate::bigint::limbs::{LIMB_BITS, sign_limb, width_for};
 use crate::bigint::{Columns, Machine, Sums, digits, digits_for, f64_from};
 use crate::error::Invariant;
 
-/// The way from residues modulo some primes to integers.
+/// Chinese remainders for some primes.
 ///
-/// x = Σ y P/p − qP, as in Lemma 1.
+/// The integer is x = Σ y P/p − qP, as in Lemma 1.
 pub(super) struct Remainders<'a> {
     quartets: &'a [Quartet],
-    /// (P/p)^(−1) mod p.
+    /// The inverse of P/p modulo p.
     weights: Vec<Lanes>,
-    /// How many limbs −P has in two's complement.
+    /// The number of limbs of −P in two's complement.
     width: usize,
     sum: Sum,
 }
 
-/// How Σ y P/p − qP is formed.
+/// The method that computes Σ y P/p − qP.
 enum Sum {
-    /// As it stands; the last of the numbers is −P.
+    /// The sum is computed directly. The last of the numbers is −P.
     Directly(Columns),
     InBlocks(Box<Blocks>),
 }
 
 impl<'a> Remainders<'a> {
-    /// Sums of more than `direct` primes are formed in blocks. Cost: the number of primes squared, in time, and in space
-    /// where sums are formed directly.
+    /// Chinese remainders for these quartets. Sums of more than `direct` primes are computed in blocks. Cost: the square of the
+    /// number of primes in time and, if sums are computed directly, in space.
     pub(super) fn new(machine: Machine, quartets: &'a [Quartet], direct: usize) -> Self {
         let primes: Vec<u64> = quartets.iter().flat_map(Quartet::primes).collect();
         assert!(
@@ -50,7 +50,7 @@ impl<'a> Remainders<'a> {
         );
         let product: Natural = primes.iter().map(|p| Natural::from(*p)).product();
         let width = width_for(product.significant_bits());
-        // P/p modulo p is the quotient by p of P modulo p².
+        // P/p modulo p is the quotient of P modulo p² by p.
         let residue = |p: &u64| {
             let p = Natural::from(*p);
             let quotient = (&product).mod_op((&p).square()) / p;
@@ -84,7 +84,7 @@ impl<'a> Remainders<'a> {
     }
 }
 
-/// The inverses of residues in [0, p).
+/// Computes the inverses of residues in [0, p).
 struct Inverses<'a> {
     quartets: &'a [Quartet],
     residues: &'a [Lanes],
@@ -103,8 +103,8 @@ impl NullaryFnOnce for Inverses<'_> {
     }
 }
 
-/// Coefficients in a row, of `width` limbs each, from their residues, of at most 2p: for each quartet those of the first one, of
-/// the next one, …
+/// Computes consecutive coefficients of `width` limbs each from their residues, of at most 2p. For each quartet there are the
+/// residues of the first coefficient, of the next one, and so on.
 pub(super) struct Lift<'a> {
     pub(super) remainders: &'a Remainders<'a>,
     pub(super) residues: &'a [&'a [Lanes]],
@@ -117,7 +117,7 @@ impl NullaryFnOnce for Lift<'_> {
 
     #[inline(always)]
     fn call(self) {
-        /// Coefficients whose sums are formed together.
+        /// The number of coefficients whose sums are computed together.
         const BATCH: usize = 8;
         let Remainders {
             quartets,
@@ -140,7 +140,7 @@ impl NullaryFnOnce for Lift<'_> {
                     *y = field.canonical(field.times(residues[k], *weight));
                     fractions = plus(fractions, field.fraction(*y));
                 }
-                // Lemma 1.
+                // The number q of Lemma 1.
                 y[across - 1] = fractions.iter().sum::<f64>().round_ties_even();
             }
             let y: SmallVec<[&[f64]; BATCH]> = all_y.chunks_exact(across).take(count).collect();
@@ -170,7 +170,7 @@ impl NullaryFnOnce for Lift<'_> {
     }
 }
 
-/// All limbs from this one on those of the sign.
+/// Fills all limbs from this one on with the sign.
 fn extend_sign(target: &mut [u64], from: usize) {
     if from < target.len() {
         let (target, above) = target.split_at_mut(from);
@@ -186,7 +186,7 @@ mod tests {
     use malachite::base::num::basic::traits::{One, Zero};
     use proptest::prelude::*;
 
-    /// Each y as given by its numerator in 1024-ths of the prime: 0, 1, … and p − 1 for the largest one.
+    /// A y in [0, p): 0, 1, p/2, p − 1 or a random one, as `kind` says.
     fn extreme_y(p: u64, kind: u64, random: &mut SplitMix) -> u64 {
         match kind % 6 {
             0 => 0,
@@ -200,7 +200,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
-        /// Both ways, with all instructions: up to ±P/4, and sums of the largest y, the smallest and any.
+        /// Both methods, with all instructions, for integers up to ±P/4 and for sums of the largest, the smallest and random y.
         #[test]
         fn remainders_are_right_up_to_a_quarter_of_the_product(
             count in prop_oneof![4 => 1usize..8, 1 => 12usize..40], seed in any::<u64>(),
@@ -217,7 +217,7 @@ mod tests {
                 integers.extend([&quarter - Integer::from(less), Integer::from(less) - &quarter]);
             }
             for kind in 0..18 {
-                // What has these y, if it is small enough.
+                // The integer with these y, if it is small enough.
                 let mut sum = Integer::ZERO;
                 for (k, p) in primes.iter().enumerate() {
                     let kind = if kind < 6 { kind } else { kind + k as u64 % 2 + 1 };

@@ -1,41 +1,47 @@
-//! Residues modulo four primes at once, in doubles: exact, and four to an instruction where the machine has them.
+//! Residues modulo four primes at once, in doubles. They are exact, and one instruction processes four of them if the machine
+//! has vectors.
 //!
 //! In all lemmas p is a prime between 2^49 and 2^50, so that integers up to 8p are doubles, and r = fl(1/p).
 //!
-//! Lemma 1 (reduction). For an integer |a| ≤ 8p, q = ⌊a r⌉, rounded to even: a − qp is an integer of at most p/2 + 1, computed exactly.
-//! Proof. |a/p| ≤ 8, and a r is computed with two errors of 2^-53 in proportion, below 2^-48 together: |a/p − q| ≤ 1/2 + 2^-48. The
-//! fused a − qp is an integer of at most p/2 + 2^-48 p, below 2^53, so it is not rounded.
+//! Lemma 1 (reduction). For an integer |a| ≤ 8p and q = ⌊a r⌉, rounded to even, a − qp is an integer of at most p/2 + 1,
+//! computed exactly.
+//! Proof. |a/p| ≤ 8, and the computed a r has two relative errors of 2^-53, together below 2^-48, so |a/p − q| ≤ 1/2 + 2^-48.
+//! The fused a − qp is an integer of at most p/2 + 2^-48 p, which is below 2^53, so it is not rounded.
 //!
-//! Lemma 2 (products). For integers |a| ≤ Ap, |b| ≤ Bp with AB ≤ 4, h = fl(ab), l = ab − h, q = ⌊h r⌉: (h − qp) + l is congruent to ab,
-//! computed exactly, and at most (1/2 + 3/8 AB) p.
-//! Proof. ab/p ≤ AB p < AB 2^50, and h r has three errors of 2^-53 in proportion: it is less than 3/8 AB away from ab/p, and q less than
-//! 1/2 + 3/8 AB. The fused l is exact (Dekker). h − qp = (ab − qp) − l is a multiple of the last bit of h of at most
-//! (1/2 + 3/8 AB) p + |l| < 2^53 such bits, or an integer below 2^53: exact. So is the sum, an integer of at most 2p.
+//! Lemma 2 (products). For integers |a| ≤ Ap, |b| ≤ Bp with AB ≤ 4, let h = fl(ab), l = ab − h, q = ⌊h r⌉. Then (h − qp) + l is
+//! congruent to ab, computed exactly, and at most (1/2 + 3/8 AB) p.
+//! Proof. ab/p ≤ AB p < AB 2^50, and h r has three relative errors of 2^-53, so h r differs from ab/p by less than 3/8 AB, and
+//! q differs by less than 1/2 + 3/8 AB. The fused l is exact (Dekker). h − qp = (ab − qp) − l is a multiple of the last bit of
+//! h and has at most (1/2 + 3/8 AB) p + |l| < 2^53 such bits, or it is an integer below 2^53; so it is exact. So is the sum, an
+//! integer of at most 2p.
 //!
-//! Lemma 3 (products with a factor). For |a| ≤ Ap, A ≤ 8, |w| ≤ p/2 and q = ⌊a fl(w r)⌉ the same holds with (1/2 + 3/16 A) p.
-//! Proof. Lemma 2 with B = 1/2; a fl(w r) has three errors of 2^-53 in proportion, too.
+//! Lemma 3 (products with a factor). For |a| ≤ Ap, A ≤ 8, |w| ≤ p/2 and q = ⌊a fl(w r)⌉ the statement of Lemma 2 holds with
+//! (1/2 + 3/16 A) p.
+//! Proof. This is Lemma 2 with B = 1/2, because a fl(w r) has three relative errors of 2^-53 as well.
 //!
-//! Lemma 4 (powers). Products of two residues of at most p are at most 7/8 p: so are all powers.
-//! Proof. Lemma 2 with AB = 1.
+//! Lemma 4 (powers). Products of two residues of at most p are at most 7/8 p, and so are all powers.
+//! Proof. This is Lemma 2 with AB = 1.
 //!
-//! Law for all: `products_are_congruent_and_as_small_as_is_said`, at the ends of the ranges and at multiples of p/2.
+//! The law of all lemmas is `products_are_congruent_and_as_small_as_is_said`, at the ends of the ranges and at multiples of
+//! p/2.
 
 use crate::bigint::limbs::is_negative;
 use crate::bigint::{f64_from, u64_from};
 
-/// Four numbers side by side, one for each prime of [`LaneFields`]: integers below 2^53, which doubles hold exactly.
+/// Four numbers, one for each prime of [`LaneFields`]. They are integers below 2^53, which doubles hold exactly.
 pub(crate) type Lanes = [f64; 4];
 
-/// Primes are between 2^(PRIME_BITS − 1) and 2^PRIME_BITS.
+/// The primes are between 2^(PRIME_BITS − 1) and 2^PRIME_BITS.
 pub(super) const PRIME_BITS: u64 = 50;
 
-/// The integers modulo four primes. A residue is any integer of its class; how large it is, is said in multiples of p.
+/// The integers modulo four primes. A residue is represented by any integer of its class; bounds on representatives are stated
+/// as multiples of p.
 ///
-/// Everything here is compiled into its caller, and with the instructions that are allowed there.
+/// All functions are compiled into their callers, with the instructions that are allowed there.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct LaneFields {
     pub(super) p: Lanes,
-    /// 1/p, rounded.
+    /// The rounded inverses 1/p.
     inverse: Lanes,
 }
 
@@ -49,20 +55,20 @@ fn pairwise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
-/// `a b + c` with one rounding.
+/// The number `a b + c`, rounded once.
 #[inline(always)]
 fn fused(a: Lanes, b: Lanes, c: Lanes) -> Lanes {
     let one = |i: usize| a[i].mul_add(b[i], c[i]);
     [one(0), one(1), one(2), one(3)]
 }
 
-/// The sum; exact up to 2^53.
+/// The sum, which is exact up to 2^53.
 #[inline(always)]
 pub(crate) fn plus(a: Lanes, b: Lanes) -> Lanes {
     pairwise(a, b, |a, b| a + b)
 }
 
-/// The difference; exact up to 2^53.
+/// The difference, which is exact up to 2^53.
 #[inline(always)]
 pub(crate) fn minus(a: Lanes, b: Lanes) -> Lanes {
     pairwise(a, b, |a, b| a - b)
@@ -83,7 +89,7 @@ fn rounded(a: Lanes) -> Lanes {
     each(a, f64::round_ties_even)
 }
 
-/// A factor w of many products, |w| ≤ p/2, and w/p rounded.
+/// A factor w of many products, with |w| ≤ p/2, and the rounded quotient w/p.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Factor {
     w: Lanes,
@@ -96,14 +102,14 @@ impl LaneFields {
         Self { p, inverse }
     }
 
-    /// The residue of at most p/2 + 1 of an integer of at most 8p. Lemma 1.
+    /// The residue, of at most p/2 + 1, of an integer of at most 8p. Lemma 1.
     #[inline(always)]
     pub(crate) fn reduced(&self, a: Lanes) -> Lanes {
         let q = rounded(product(a, self.inverse));
         fused(negated(q), self.p, a)
     }
 
-    /// The product of residues of at most Ap and Bp with AB ≤ 4: at most (1/2 + 3/8 AB) p. Lemma 2.
+    /// The product, of at most (1/2 + 3/8 AB) p, of residues of at most Ap and Bp with AB ≤ 4. Lemma 2.
     #[inline(always)]
     pub(crate) fn times(&self, a: Lanes, b: Lanes) -> Lanes {
         let h = product(a, b);
@@ -118,8 +124,8 @@ impl LaneFields {
         Factor { w, quotient }
     }
 
-    /// The product of a residue of at most Ap, A ≤ 8, and a factor: at most (1/2 + 3/16 A) p. Lemma 3: the quotient does not wait
-    /// for the product.
+    /// The product, of at most (1/2 + 3/16 A) p, of a residue of at most Ap, A ≤ 8, and a factor. The quotient does not depend
+    /// on the product, so both are computed at the same time. Lemma 3.
     #[inline(always)]
     pub(super) fn times_factor(&self, a: Lanes, Factor { w, quotient }: Factor) -> Lanes {
         let h = product(a, w);
@@ -128,7 +134,7 @@ impl LaneFields {
         plus(fused(negated(q), self.p, h), l)
     }
 
-    /// a^exponent, for a of at most p: of at most 7/8 p. Lemma 4.
+    /// The power a^exponent, of at most 7/8 p, for an a of at most p. Lemma 4.
     #[inline(always)]
     pub(super) fn power(&self, a: Lanes, exponent: u64) -> Lanes {
         let mut power = [a];
@@ -136,8 +142,8 @@ impl LaneFields {
         power[0]
     }
 
-    /// a^exponent in the place of each a of at most p: of at most 7/8 p, or a itself. Some at a time: one would wait for each
-    /// product.
+    /// Replaces each a, of at most p, by a^exponent, of at most 7/8 p, or by a itself. Several powers are computed together,
+    /// because a single chain of products would wait for each of them.
     #[inline(always)]
     pub(crate) fn raise(&self, values: &mut [Lanes], exponent: u64) {
         const TOGETHER: usize = 16;
@@ -161,8 +167,8 @@ impl LaneFields {
         }
     }
 
-    /// a^(p − 2) = 1/a, for a of at most p: of at most 7/8 p. The exponents are different: where a bit is 0, the product is
-    /// not taken.
+    /// The inverse 1/a = a^(p − 2), of at most 7/8 p, for an a of at most p. The four exponents are different; where a bit is
+    /// 0, the product is not used.
     #[inline(always)]
     pub(super) fn inverse_of(&self, a: Lanes) -> Lanes {
         let exponents = each(self.p, |p| p - 2.0).map(u64_from);
@@ -182,7 +188,7 @@ impl LaneFields {
         result
     }
 
-    /// 1/n, for n that divides p − 1: as n (p − 1)/n = −1.
+    /// The inverse 1/n of a divisor n of p − 1, by n (p − 1)/n = −1.
     #[inline(always)]
     pub(super) fn inverse_of_divisor(&self, n: f64) -> Lanes {
         each(self.p, |p| -(p - 1.0) / n)
@@ -195,13 +201,13 @@ impl LaneFields {
         pairwise(a, self.p, |a, p| if a < 0.0 { a + p } else { a })
     }
 
-    /// The residues of an integer in two's complement, of at most p.
+    /// The residues, of at most p, of an integer in two's complement.
     ///
-    /// Lemma 5. With w = 2^32 and |value| ≤ p the next value is at most p again. Proof. By Lemma 3 the product is at most 11/16 p,
-    /// and 2^32 < 5/16 p. Law: `residues_of_long_integers_are_congruent`.
+    /// Lemma 5. With w = 2^32 and |value| ≤ p, the next value is at most p.
+    /// Proof. By Lemma 3 the product is at most 11/16 p, and 2^32 < 5/16 p. Law: `residues_of_long_integers_are_congruent`.
     #[inline(always)]
     pub(super) fn residue(&self, limbs: &[u64]) -> Lanes {
-        // By Horner's rule in 2^32.
+        // Horner's rule in 2^32.
         let by = self.factor([f64_from(1 << 32); 4]);
         let mut value = [if is_negative(limbs) { -1.0 } else { 0.0 }; 4];
         for limb in limbs.iter().rev() {
@@ -212,7 +218,7 @@ impl LaneFields {
         value
     }
 
-    /// About a/p, for the sum of such fractions.
+    /// An approximation of a/p, for the sum of such fractions.
     #[inline(always)]
     pub(super) fn fraction(&self, a: Lanes) -> Lanes {
         product(a, self.inverse)
@@ -234,7 +240,7 @@ pub(super) mod tests {
         (a - b).mod_op(integer(p)) == 0
     }
 
-    /// Of absolute value up to 8p, rather at the ends and at multiples of p/2 than between them.
+    /// Numbers of absolute value up to 8p, more often at the ends and at multiples of p/2 than between.
     fn residue() -> impl Strategy<Value = (f64, i8)> {
         (
             prop_oneof![Just(0.0), Just(1.0), Just(0.5), -1.0..1.0],
@@ -264,7 +270,7 @@ pub(super) mod tests {
             (a, up) in residue(), (b, down) in residue(), scale in prop_oneof![Just(1.0), Just(2.0), Just(8.0)], exponent in 0u64..9,
         ) {
             let field = Quartet::enough_for(1000).pop().unwrap().field;
-            // At most `of` times p.
+            // A number of at most `of` times p.
             let at = |of: f64, by: f64, more: i8| field.p.map(|p| {
                 let size = (of * p * by).trunc() + f64::from(more);
                 if size.abs() <= of * p { size } else { (of * p * by).trunc() }

@@ -1,9 +1,10 @@
-//! Polynomials with integer coefficients from their residues modulo many primes.
+//! Polynomials with integer coefficients are computed from their residues modulo many primes.
 //!
-//! Lemma 1. A coefficient below 2^bits is lifted right from the quartets of the smallest set that has at least
+//! Lemma 1. A coefficient below 2^bits is computed rightly from the smallest set of quartets that has at least
 //! [`Quartet::number_for`]\(bits) of them.
-//! Proof. Their product P is above 2^(bits + 2) (Lemma 1 of [`Quartet::enough_for`]): the coefficient is below P/4, as Lemma 1 of
-//! [`chinese`](super::chinese) asks. All coefficients that are lifted together are below the same power of two ([`Sizes::new`]).
+//! Proof. The product P of their primes is above 2^(bits + 2) (Lemma 1 of [`Quartet::enough_for`]), so the coefficient is below
+//! P/4, as Lemma 1 of [`chinese`](super::chinese) requires. All coefficients that are computed together are below the same
+//! power of two ([`Sizes::new`]).
 //! Law: `lifted_integers_are_those_whose_residues_they_are`.
 
 use std::ops::Range;
@@ -20,22 +21,22 @@ use crate::bigint::limbs::{to_integer, width_for};
 use crate::bigint::{FlatPolynomial, Machine};
 use crate::error::Invariant;
 
-/// Up to so many primes sums are faster formed directly: with blocks above, 10 000 harmonics, with up to 420 primes, take 0.93 of
-/// the time of direct sums alone, and 30 000 harmonics 0.58.
+/// Up to this number of primes, sums are faster if they are computed directly. With blocks for larger numbers, 10 000
+/// harmonics, which need up to 420 primes, take 0.93 of the time of direct sums alone, and 30 000 harmonics take 0.58.
 const DIRECT: usize = 250;
 
-/// Coefficients that are lifted with the same primes.
+/// The number of coefficients that are computed with the same primes.
 const TOGETHER: usize = 32;
 
-/// How large the coefficients of a polynomial are.
+/// The sizes of the coefficients of a polynomial.
 pub(crate) struct Sizes {
     len: usize,
-    /// All that are lifted with the same primes are below 2 to such a power.
+    /// For each group of coefficients that are computed with the same primes, the exponent of a power of 2 that is above them.
     bits: Vec<u64>,
 }
 
 impl Sizes {
-    /// Of `len` coefficients, of which those of a range are below 2 to the power `bits`.
+    /// The sizes of `len` coefficients; those in a range are below 2 to the power `bits` of this range.
     pub(crate) fn new(len: usize, bits: impl Fn(Range<usize>) -> u64) -> Self {
         let starts = (0..len).step_by(TOGETHER);
         let bits = starts.map(|start| bits(start..len.min(start + TOGETHER)));
@@ -46,22 +47,22 @@ impl Sizes {
     }
 }
 
-/// Residues, of at most 2p, of some coefficients in a row modulo four primes.
+/// The residues, of at most 2p, of consecutive coefficients modulo four primes.
 #[derive(Default)]
 pub(crate) struct Residues {
-    /// The number of the first of these coefficients.
+    /// The index of the first of these coefficients.
     pub(crate) start: usize,
     pub(crate) values: Vec<Lanes>,
 }
 
-/// The way from residues to polynomials with integer coefficients: the smaller a coefficient, the fewer primes.
+/// Computes polynomials with integer coefficients from residues. A smaller coefficient needs fewer primes.
 pub(crate) struct Lifting<'a> {
     machine: Machine,
     quartets: &'a [Quartet],
-    /// By how many quartets the sets of primes grow.
+    /// The number of quartets by which the sets of primes grow.
     step: usize,
     sets: Vec<OnceLock<Remainders<'a>>>,
-    /// Sums of more primes than that are formed in blocks.
+    /// Sums of more primes than this are computed in blocks.
     direct: usize,
 }
 
@@ -71,7 +72,7 @@ impl<'a> Lifting<'a> {
     }
 
     fn with_blocks_above(machine: Machine, quartets: &'a [Quartet], direct: usize) -> Self {
-        /// Sets of primes to choose from.
+        /// The number of sets of primes.
         const SETS: usize = 16;
         let step = quartets.len().div_ceil(SETS);
         let sets = quartets.chunks(step).map(|_| OnceLock::new()).collect();
@@ -84,7 +85,7 @@ impl<'a> Lifting<'a> {
         }
     }
 
-    /// The number of the smallest set for coefficients below 2^`bits`. Lemma 1.
+    /// The index of the smallest set for coefficients below 2^`bits`. Lemma 1.
     fn set(&self, bits: u64) -> usize {
         let number = Quartet::number_for(bits);
         assert!(
@@ -94,7 +95,7 @@ impl<'a> Lifting<'a> {
         number.div_ceil(self.step) - 1
     }
 
-    /// How many quartets are in a set.
+    /// The number of quartets in a set.
     fn len(&self, set: usize) -> usize {
         self.quartets.len().min((set + 1) * self.step)
     }
@@ -105,8 +106,7 @@ impl<'a> Lifting<'a> {
         })
     }
 
-    /// Between the first and the last of the coefficients that are lifted with the k-th quartet: residues of these are asked
-    /// for.
+    /// The range of coefficients that need the k-th quartet, from the first to the last. Their residues must be computed.
     pub(crate) fn asked(&self, sizes: &Sizes, k: usize) -> Range<usize> {
         let is_asked = |bits: &u64| self.len(self.set(*bits)) > k;
         let Some(first) = sizes.bits.iter().position(is_asked) else {
@@ -120,10 +120,10 @@ impl<'a> Lifting<'a> {
         first * TOGETHER..sizes.len.min((last + 1) * TOGETHER)
     }
 
-    /// The polynomial with these residues: those that are asked for, for each quartet.
+    /// The polynomial with these residues, which must be those of [`Self::asked`] for each quartet.
     ///
-    /// Cost: for each coefficient, and for each set, the number of its primes squared, in products of words, 0.11 ns
-    /// each; for many primes some times less in [`Blocks`](super::blocks::Blocks).
+    /// Cost: for each coefficient and each set, the square of the number of its primes in products of words, 0.11 ns each;
+    /// several times less for many primes in [`Blocks`](super::blocks::Blocks).
     pub(crate) fn polynomial(&self, sizes: &Sizes, residues: &[Residues]) -> FlatPolynomial {
         let width = width_for(sizes.bits.iter().copied().max().unwrap_or(0));
         let mut limbs = vec![0; sizes.len * width];
@@ -133,7 +133,7 @@ impl<'a> Lifting<'a> {
         FlatPolynomial::from_limbs(limbs, width)
     }
 
-    /// The same, each coefficient in as much memory as it needs; that of the residues is given back.
+    /// The coefficients of that polynomial, each in as much memory as it needs. The memory of the residues is freed.
     pub(crate) fn integers(&self, sizes: &Sizes, residues: Vec<Residues>) -> Vec<Integer> {
         let mut integers = vec![Integer::ZERO; sizes.len];
         for_each_part(&mut integers, TOGETHER, |(k, target)| {
@@ -148,7 +148,7 @@ impl<'a> Lifting<'a> {
         integers
     }
 
-    /// The k-th coefficients that are lifted together, as limbs.
+    /// Computes the k-th group of coefficients, as limbs.
     fn lift(
         &self,
         sizes: &Sizes,
@@ -170,13 +170,13 @@ impl<'a> Lifting<'a> {
     }
 }
 
-/// The work for each part of the target and its number, on all threads if it is long.
+/// Runs the work for each part of the target, with its index, on all threads if there are many parts.
 fn for_each_part<T: Send>(
     target: &mut [T],
     part: usize,
     work: impl Fn((usize, &mut [T])) + Sync + Send,
 ) {
-    /// Fewer parts are sooner done than given to threads.
+    /// Below this number of parts one thread is faster.
     const FEW: usize = 16;
     if target.len() < FEW * part {
         target.chunks_mut(part).enumerate().for_each(work);
@@ -194,7 +194,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
-        /// Integers up to the bound are lifted from their residues, each from as few primes as it needs.
+        /// Integers up to the bound are computed from their residues, each from as few primes as it needs.
         #[test]
         fn lifted_integers_are_those_whose_residues_they_are(
             bits in prop_oneof![8 => 0u64..800, 8 => 3000u64..9000, 1 => 15_000u64..16_000], len in 1usize..100, seed in any::<u64>(), extreme in any::<bool>(),
@@ -208,14 +208,14 @@ mod tests {
             }).collect();
             let quartets = Quartet::enough_for(bits);
             let flat = FlatPolynomial::from_integers(integers.iter(), bits);
-            // The other representatives are residues as well.
+            // Other representatives of the residues are allowed as well.
             let residues: Vec<Vec<Lanes>> = quartets.iter().map(|quartet| {
                 let residues = flat.coefficients().map(|limbs| quartet.field.residue(limbs));
                 residues.map(|r| if random.next().is_multiple_of(2) { plus(r, quartet.field.p) } else { r }).collect()
             }).collect();
             let largest = |range: Range<usize>| range.map(size).max().unwrap_or(0);
             let sizes = Sizes::new(len, largest);
-            // All sums directly, and all in blocks.
+            // All sums are computed directly, then all in blocks.
             for direct in [usize::MAX, 0] {
                 let lifting = Lifting::with_blocks_above(Machine::this(), &quartets, direct);
                 let asked = |(k, residues): (usize, &Vec<Lanes>)| {

@@ -1,13 +1,14 @@
-//! Long polynomials with integer coefficients by their residues modulo many primes of 50 bits.
+//! Long polynomials with integer coefficients, by their residues modulo many primes of 50 bits.
 //!
-//! Where a result is bounded by B, residues modulo primes with a product above 2B determine it, and modulo a prime all
-//! steps of a long computation are cheap: no number grows. Residues are held in doubles, four primes side by side
-//! ([`lanes`], [`quartet`]); products are products of values at roots of unity ([`transform`]), and so is a change of basis
-//! ([`shift`]); the end ([`lifting`]) is one sum of large integers for each coefficient ([`chinese`]), formed as it stands or,
-//! for many primes, by transforms again ([`blocks`]). What was lifted is compared with what it should be at one more point
-//! modulo one more prime ([`one_more_prime`]).
+//! If a result is bounded by B, its residues modulo primes with a product above 2B determine it. Modulo a prime all steps of a
+//! long computation are cheap, because no number grows. Residues are doubles, for four primes side by side ([`lanes`],
+//! [`quartet`]). Products of polynomials are products of values at roots of unity ([`transform`]), and so is a change of basis
+//! ([`shift`]). The last step ([`lifting`]) is one sum of large integers for each coefficient ([`chinese`]); it is computed
+//! directly or, for many primes, by transforms ([`blocks`]). The result is checked at one more point modulo one more prime
+//! ([`one_more_prime`]).
 //!
-//! Bounds are lemmas, numbered in each file. Sizes of residues are given as multiples of their prime: "at most 2p" is |a| ≤ 2p.
+//! Each file numbers the lemmas that bound its numbers. Bounds of residues are multiples of their prime: "at most 2p" means |a|
+//! ≤ 2p.
 
 mod blocks;
 mod chinese;

@@ -1,8 +1,10 @@
-//! Whether what was lifted from residues has the right value at one more point modulo one more prime, 2^64 − 2^32 + 1.
+//! A check of polynomials that were computed from residues: their value at one more point modulo one more prime, 2^64 − 2^32 +
+//! 1.
 //!
-//! Lemma 1. A polynomial of degree d that is not 0 modulo p has at most d zeros modulo p. So a wrong result is noticed unless all its
-//! errors are multiples of p, or the point, which was fixed before, is one of d among 2^64.
-//! This guards against defects; the result itself rests on the bounds of [`lifting`](super::lifting).
+//! Lemma 1. A polynomial of degree d that is not 0 modulo p has at most d zeros modulo p. So a wrong result is noticed unless
+//! all its errors are multiples of p, or the point, which is fixed, is one of d among 2^64.
+//! The check guards against defects of the program; the correctness of the result rests on the bounds of
+//! [`lifting`](super::lifting).
 //! Laws: `values_are_those_of_the_integers`, `one_wrong_bit_is_noticed`.
 //!
 //! Modulo p, 2^64 is 2^32 − 1, 2^96 is −1 and 2^192 is 1: every third limb has the same weight.
@@ -15,13 +17,13 @@ use rayon::prelude::*;
 use crate::bigint::FlatPolynomial;
 use crate::bigint::limbs::is_negative;
 
-/// The prime.
+/// The prime p.
 const P: u64 = 0xFFFF_FFFF_0000_0001;
 
-/// 2^64 modulo the prime.
+/// The residue of 2^64 modulo the prime.
 const EPSILON: u64 = 0xFFFF_FFFF;
 
-/// Where values are compared, `T`: a residue like any other.
+/// The point T of the check, which is a residue without special properties.
 const POINT: Extra = Extra(0x9e37_79b9_7f4a_7c15);
 
 /// A residue modulo the prime, in [0, p).
@@ -32,19 +34,20 @@ impl Extra {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1);
 
-    /// Of a number below 2^128, x0 + x1 2^64 + x2 2^96 with x1, x2 < 2^32: that is x0 − x2 + x1 (2^32 − 1).
+    /// The residue of a number below 2^128, which is x0 + x1 2^64 + x2 2^96 with x1, x2 < 2^32, so it is x0 − x2 + x1 (2^32 −
+    /// 1).
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "its two halves")]
     fn new(x: u128) -> Self {
         let (low, high) = (x as u64, (x >> 64) as u64);
         let (mut sum, borrow) = low.overflowing_sub(high >> 32);
         if borrow {
-            // 2^64 too large, and at least 2^64 − 2^32.
+            // The sum is 2^64 too large, and at least 2^64 − 2^32.
             sum -= EPSILON;
         }
         let (mut sum, carry) = sum.overflowing_add((high & EPSILON) * EPSILON);
         if carry {
-            // 2^64 too small, and at most 2^64 − 2^33.
+            // The sum is 2^64 too small, and at most 2^64 − 2^33.
             sum += EPSILON;
         }
         Self(if sum >= P { sum - P } else { sum })
@@ -77,12 +80,12 @@ impl Extra {
         power
     }
 
-    /// 1/self, for a residue that is not 0.
+    /// The inverse 1/self of a residue that is not 0.
     fn inverse(self) -> Self {
         self.power(P - 2)
     }
 
-    /// Of a natural number by its limbs.
+    /// The residue of a natural number that is given by its limbs.
     #[inline]
     fn of_natural(limbs: &[u64]) -> Self {
         const LOW: u128 = (1 << 64) - 1;
@@ -96,7 +99,8 @@ impl Extra {
                 *sum += u128::from(*limb);
             }
         }
-        // a + b 2^64 + c 2^128 is a + b (2^32 − 1) − c 2^32, each of the three below 2^97 for less than 2^64 limbs.
+        // The number a + b 2^64 + c 2^128 is a + b (2^32 − 1) − c 2^32 modulo p; each of the three is below 2^97 for fewer than
+        // 2^64 limbs.
         let [a, b, c] = sums;
         let (a, b, c) = (
             (a & LOW) + (c >> 64),
@@ -106,7 +110,7 @@ impl Extra {
         Self::new(a + (b << 32) + (u128::from(P) << 34) - b - (c << 32))
     }
 
-    /// Of an integer by its limbs in two's complement.
+    /// The residue of an integer that is given by its limbs in two's complement.
     fn of_limbs(limbs: &[u64]) -> Self {
         let value = Self::of_natural(limbs);
         if is_negative(limbs) {
@@ -126,10 +130,10 @@ impl Extra {
     }
 }
 
-/// Sums that are formed side by side: one would wait for each product.
+/// The number of sums that are computed together, because a single sum would wait for each product.
 const LANES: usize = 4;
 
-/// Σ c_k T^k.
+/// The value Σ c_k T^k.
 fn value(coefficients: impl Iterator<Item = Extra>) -> Extra {
     let step = POINT.power(LANES as u64);
     let mut sums = [Extra::ZERO; LANES];
@@ -146,11 +150,11 @@ fn value(coefficients: impl Iterator<Item = Extra>) -> Extra {
     sums.fold(Extra::ZERO, |value, sum| value.times(POINT).plus(sum))
 }
 
-/// Σ c_k T^k, on all threads where there are many coefficients.
+/// The value Σ c_k T^k, on all threads if there are many coefficients.
 ///
-/// Cost: 0.3 ns for each limb that is at hand, and some ns for each coefficient.
+/// Cost: 0.3 ns for each limb in the cache, and some ns for each coefficient.
 pub(crate) fn value_of_integers(coefficients: &[Integer]) -> Extra {
-    /// So many are sooner summed than given to threads.
+    /// Below this number of coefficients one thread is faster.
     const FEW: usize = 1 << 11;
     let of_part = |part: &[Integer]| value(part.iter().map(Extra::of_integer));
     if coefficients.len() <= FEW {
@@ -162,17 +166,17 @@ pub(crate) fn value_of_integers(coefficients: &[Integer]) -> Extra {
     parts.fold(Extra::ZERO, |value, part| value.times(step).plus(part))
 }
 
-/// Σ c_k T^k.
+/// The value Σ c_k T^k.
 pub(crate) fn value_of_flat(f: &FlatPolynomial) -> Extra {
     value(f.coefficients().map(Extra::of_limbs))
 }
 
-/// `ρ = 1 + T²`.
+/// The value `ρ = 1 + T²`.
 pub(crate) fn value_of_rho() -> Extra {
     Extra::ONE.plus(POINT.times(POINT))
 }
 
-/// h(T) for `h = Σ g_j (1+T)^j (1−T)^(d−j)`.
+/// The value h(T) for `h = Σ g_j (1+T)^j (1−T)^(d−j)`.
 pub(crate) fn value_after_change(g: &FlatPolynomial) -> Extra {
     let (above, below) = (Extra::ONE.plus(POINT), Extra::ONE.minus(POINT));
     let ratio = above.times(below.inverse());
@@ -181,10 +185,11 @@ pub(crate) fn value_after_change(g: &FlatPolynomial) -> Extra {
     sum.times(below.power(g.len() as u64 - 1))
 }
 
-/// f(1, T) for the form f(1, t), the real part of h(it) and its imaginary one together.
+/// The value f(1, T) for the form f(1, t), which is the sum of the real and the imaginary part of h(it).
 ///
-/// With S = (1 + iT)/(1 − iT) it is (1 − iT)^d Σ g_j S^j. For Z = S^4 = c + is, Z² = 2cZ − 1, and Σ a_j Z^j is
-/// u_0 − c u_1 + i s u_1 with `u_j = a_j + 2c u_(j+1) − u_(j+2)` (Clenshaw): that for every fourth coefficient.
+/// With S = (1 + iT)/(1 − iT), h(iT) is (1 − iT)^d Σ g_j S^j. For Z = S^4 = c + is, Z² = 2cZ − 1, and Σ a_j Z^j is u_0 − c u_1
+/// + i s u_1 with `u_j = a_j + 2c u_(j+1) − u_(j+2)` (Clenshaw). This is done for each of the four sums over every fourth
+/// coefficient.
 pub(crate) fn value_of_form(g: &FlatPolynomial) -> Extra {
     static RATIO: LazyLock<[[Extra; 2]; 2]> = LazyLock::new(|| {
         let inverse = value_of_rho().inverse();
@@ -198,7 +203,7 @@ pub(crate) fn value_of_form(g: &FlatPolynomial) -> Extra {
     let (mut u, mut before) = ([Extra::ZERO; LANES], [Extra::ZERO; LANES]);
     for coefficients in residues.chunks(LANES).rev() {
         for (k, (u, before)) in u.iter_mut().zip(&mut before).enumerate() {
-            // No coefficient is 0.
+            // A missing coefficient is 0.
             let a = coefficients.get(k).copied().unwrap_or(Extra::ZERO);
             (*u, *before) = (twice.times(*u).minus(*before).plus(a), *u);
         }
@@ -242,14 +247,14 @@ mod tests {
         Extra(u64::try_from(&c.mod_op(Integer::from(P))).unwrap())
     }
 
-    /// The value of a polynomial, with integers of any size.
+    /// The value of a polynomial, computed with integers of any size.
     fn exactly(f: &[Integer]) -> Extra {
         let (point, prime) = (Integer::from(POINT.0), Integer::from(P));
         let value = f.iter().rev();
         residue(value.fold(Integer::from(0), |v, c| (v * &point + c) % &prime))
     }
 
-    /// Long runs of equal bits, and any.
+    /// Integers with long runs of equal bits, and random ones.
     fn integers() -> impl Strategy<Value = Vec<Integer>> {
         let limb = prop_oneof![
             Just(0),
@@ -270,7 +275,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
-        /// Around every correction.
+        /// Numbers around every correction.
         #[test]
         fn sums_and_products_are_residues(
             a in prop_oneof![0..P, 0..5_u64, P - 5..P, EPSILON - 5..EPSILON + 5], b in prop_oneof![0..P, 0..5_u64, P - 5..P, EPSILON - 5..EPSILON + 5],
@@ -310,7 +315,7 @@ mod tests {
             let flat = FlatPolynomial::from_integers(g.iter(), 130);
             let mut h = h.into_coefficients_asc();
             prop_assert_eq!(value_after_change(&flat), exactly(&h));
-            // i^k leaves the signs + + − −.
+            // The factors i^k have the signs + + − −.
             for (k, c) in h.iter_mut().enumerate() {
                 if k % 4 >= 2 {
                     *c = -std::mem::take(c);

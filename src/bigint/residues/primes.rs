@@ -1,4 +1,4 @@
-//! The primes that residues are taken of: p ≡ 1 modulo 3 · 2^22, so that there are roots of unity.
+//! The primes for residues. They are 1 modulo 3 · 2^22, so that there are roots of unity.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -8,12 +8,12 @@ use super::lanes::{Lanes, PRIME_BITS};
 use crate::bigint::f64_from;
 use crate::error::Invariant;
 
-/// There are roots of unity of the orders that divide 3 · 2^ORDER_BITS.
+/// There are roots of unity of all orders that divide 3 · 2^ORDER_BITS.
 pub(super) const ORDER_BITS: u32 = 22;
 
 const ORDER: u64 = 3 << ORDER_BITS;
 
-/// ⌈2^49.99⌉.
+/// The number ⌈2^49.99⌉.
 pub(super) const LEAST: u64 = 1_118_122_748_098_670;
 
 /// A prime and a root of unity of order 3 · 2^[`ORDER_BITS`].
@@ -23,14 +23,15 @@ struct Prime {
     root: u64,
 }
 
-/// The largest ones below 2^[`PRIME_BITS`], descending, as far as they have been asked for: to find one takes 10 µs.
+/// The largest primes below 2^[`PRIME_BITS`], descending, as far as they have been needed; to find one takes 10 µs.
 static KNOWN: Mutex<Vec<Prime>> = Mutex::new(Vec::new());
 
-/// So many times four primes, descending, with roots of unity of order 3 · 2^[`ORDER_BITS`], which are at most p/2.
+/// `count` times four primes, descending, with roots of unity of order 3 · 2^[`ORDER_BITS`], which are at most p/2.
 ///
-/// Lemma 1. All of them are above 2^49.99: of so many numbers that are 1 modulo [`ORDER`] one in some twelve is a prime, so that
-/// as many as [`MOST_PRIMES`](super::blocks::MOST_PRIMES) are needed take 0.7 % of the way to 2^49. Each is compared with
-/// [`LEAST`] when it is found. Law: `roots_have_the_order_that_is_said`.
+/// Lemma 1. All primes are above 2^49.99.
+/// Proof. Each is compared with [`LEAST`] when it is found. (Of the numbers that are 1 modulo [`ORDER`] about one in twelve is
+/// a prime, so [`MOST_PRIMES`](super::blocks::MOST_PRIMES) primes reach down from 2^50 by about 0.65 % of it, and 2^49.99 is
+/// 0.69 % below 2^50.) Law: `roots_have_the_order_that_is_said`.
 pub(super) fn fours_of_primes(count: usize) -> Vec<[Lanes; 2]> {
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     while known.len() < 4 * count {
@@ -57,7 +58,8 @@ fn next_prime(above: u64) -> Prime {
         p -= ORDER;
     }
     assert!(p > LEAST, "there are enough primes above 2^49.99");
-    // The order of a power g^((p − 1)/ORDER) divides ORDER; it is no less if the halves and the thirds of it are not 1.
+    // The order of g^((p − 1)/ORDER) divides ORDER. It is ORDER if the powers with a half and with a third of this exponent are
+    // not 1.
     let mut roots = (2..p).map(|g| power(g, (p - 1) / ORDER, p));
     let is_primitive = |root: &u64| {
         [ORDER / 2, ORDER / 3]
@@ -70,7 +72,7 @@ fn next_prime(above: u64) -> Prime {
     Prime { p, root }
 }
 
-/// base^exponent modulo a prime of 50 bits.
+/// The power base^exponent modulo a prime of 50 bits.
 fn power(base: u64, mut exponent: u64, p: u64) -> u64 {
     let mul = |a: u64, b: u64| {
         let product = u128::from(a) * u128::from(b) % u128::from(p);

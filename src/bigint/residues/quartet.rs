@@ -1,4 +1,4 @@
-//! Four primes that are worked with side by side.
+//! Quartets: four primes for which residues are computed side by side.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use super::transform::Transform;
 use crate::bigint::u64_from;
 use crate::error::Invariant;
 
-/// The product of four primes has more bits than that. Lemma 1 of [`Quartet::enough_for`].
+/// The product of the four primes has more bits than this. Lemma 1 of [`Quartet::enough_for`].
 const BITS_OF_QUARTET: u64 = 199;
 
 /// Four primes between 2^49.99 and 2^50.
@@ -19,12 +19,12 @@ pub(crate) struct Quartet {
 }
 
 impl Quartet {
-    /// Primes with a product above 2^(bits + 2): enough for integers of absolute value below 2^`bits` by Lemma 1 of
-    /// [`chinese`](super::chinese).
+    /// Quartets whose primes have a product above 2^(bits + 2). By Lemma 1 of [`chinese`](super::chinese) they are enough for
+    /// integers of absolute value below 2^`bits`.
     ///
-    /// Lemma 1. n = ⌈(bits + 3)/199⌉ quartets are enough. Proof. Primes are above 2^49.99 (Lemma 1 of [`primes`](super::primes)), so
-    /// the product is above 2^(199.96 n) ≥ 2^(bits + 3). Laws: `the_least_quartet_has_the_bits_that_are_said`,
-    /// `products_of_quartets_are_large_enough`.
+    /// Lemma 1. n = ⌈(bits + 3)/199⌉ quartets are enough.
+    /// Proof. Primes are above 2^49.99 (Lemma 1 of [`primes`](super::primes)), so the product is above 2^(199.96 n) ≥ 2^(bits +
+    /// 3). Laws: `the_least_quartet_has_the_bits_that_are_said`, `products_of_quartets_are_large_enough`.
     pub(crate) fn enough_for(bits: u64) -> Vec<Self> {
         let fours = fours_of_primes(Self::number_for(bits));
         let quartets = fours.into_iter().map(|[p, root]| Self {
@@ -34,7 +34,7 @@ impl Quartet {
         quartets.collect()
     }
 
-    /// How many they are.
+    /// The number of quartets that are enough for integers below 2^`bits`.
     pub(crate) fn number_for(bits: u64) -> usize {
         usize::try_from((bits + 3).div_ceil(BITS_OF_QUARTET))
             .invariant("a number of primes fits in memory")
@@ -45,7 +45,7 @@ impl Quartet {
         self.field.p.map(u64_from)
     }
 
-    /// One of the primes, four times.
+    /// A quartet with one of the primes four times.
     pub(super) fn of_one_prime(&self, i: usize) -> Self {
         Self {
             field: LaneFields::new([self.field.p[i]; 4]),
@@ -53,7 +53,7 @@ impl Quartet {
         }
     }
 
-    /// Makes it the transform of `len` numbers.
+    /// Sets up the transform of `len` numbers.
     #[inline(always)]
     pub(super) fn set_transform(&self, transform: &mut Transform, len: usize) {
         transform.set(self.field, self.root, len);
@@ -68,14 +68,14 @@ impl Quartet {
     }
 }
 
-/// The work for each quartet and its number, on all threads where there are several quartets; each thread has its own
-/// `workspace`, in which the work for one leaves what the work for the next overwrites.
+/// Runs the work for each quartet, with its index, on all threads if there are several quartets. Each thread has a `workspace`
+/// of its own, which the work for each quartet overwrites.
 pub(crate) fn for_each_quartet<W, T: Send>(
     quartets: &[Quartet],
     workspace: impl Fn() -> W + Sync + Send,
     work: impl Fn(&mut W, usize, &Quartet) -> T + Sync + Send,
 ) -> Vec<T> {
-    /// So many quartets at least have one workspace.
+    /// A workspace is used for at least this many quartets.
     const TOGETHER: usize = 4;
     if quartets.len() < 2 * TOGETHER {
         let mut workspace = workspace();

@@ -1,4 +1,5 @@
-//! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)` modulo four primes: two Taylor shifts, each a product with Σ x^t/t!.
+//! The change of basis `Σ g_j (1+T)^j (1−T)^(d−j)` modulo four primes, by two Taylor shifts, each of which is a product with Σ
+//! x^t/t!.
 
 use std::ops::Range;
 
@@ -12,23 +13,23 @@ use super::transform::{Transform, transform_len};
 use crate::bigint::{FlatPolynomial, FormSize, Machine};
 use crate::error::broken;
 
-/// What changes of basis of degree at most D have in common.
+/// The common data of all changes of basis of degree at most D.
 #[derive(Debug, Default)]
 pub(crate) struct Bases {
     field: LaneFields,
     transform: Transform,
-    /// k!, 1/k! and (−2)^k / k! for k ≤ D, of at most (1/2 + 2^-20) p.
+    /// The numbers k!, 1/k! and (−2)^k / k! for k ≤ D, of at most (1/2 + 2^-20) p.
     factorials: Vec<Lanes>,
     inverse_factorials: Vec<Lanes>,
     powers: Vec<Lanes>,
-    /// The values of `Σ x^t/t!`, scaled for the way back, of at most p/2.
+    /// The values of `Σ x^t/t!`, scaled for the backward transform, of at most p/2.
     exponential: Vec<Lanes>,
-    /// That of the transform.
+    /// The scale of the transform.
     scale: Lanes,
 }
 
 impl Bases {
-    /// Makes it one for these primes, up to degree D, with transforms of at least `len` > 2D numbers.
+    /// Sets up the data for these primes, up to degree D, with transforms of at least `len` > 2D numbers.
     #[inline(always)]
     pub(crate) fn set(&mut self, quartet: &Quartet, degree: usize, len: usize) {
         let len = transform_len(len);
@@ -48,8 +49,8 @@ impl Bases {
         }
     }
 
-    /// Lemma 1. A product of a residue of at most p and a number k < 2^29 is at most (1/2 + 2^-20) p.
-    /// Proof. Lemma 2 of lanes.rs with A = 1 and B < 2^29/2^49.99 < 2^-20. Transforms of more than 2^29 numbers there are none.
+    /// Lemma 1. The product of a residue of at most p and a number k < 2^29 is at most (1/2 + 2^-20) p.
+    /// Proof. This is Lemma 2 of lanes.rs with A = 1 and B < 2^29/2^49.99 < 2^-20. No transform has more than 2^29 numbers.
     /// Law: `the_change_of_basis_is_two_taylor_shifts` of mobius.rs.
     #[inline(always)]
     fn set_factorials(&mut self, degree: usize) {
@@ -80,8 +81,8 @@ impl Bases {
 
     /// The coefficients of h(T), of at most p, followed by zeros.
     ///
-    /// With c(x) = g(x − 1), `k! c_k = Σ_j j! g_j (−1)^(j−k) / (j−k)!` and `h = Σ_k 2^k c_k (1−T)^(d−k)`, of which the
-    /// same sum is made: with m = d − k, `i! (−1)^i h_i = Σ_m m! 2^k c_k / (m−i)!`.
+    /// With c(x) = g(x − 1), `k! c_k = Σ_j j! g_j (−1)^(j−k) / (j−k)!`, and `h = Σ_k 2^k c_k (1−T)^(d−k)`. The second sum has
+    /// the same shape: with m = d − k, `i! (−1)^i h_i = Σ_m m! 2^k c_k / (m−i)!`.
     #[inline(always)]
     pub(crate) fn change(&self, g: &FlatPolynomial, values: &mut Vec<Lanes>) {
         let Self {
@@ -103,7 +104,7 @@ impl Bases {
             };
         }
         self.times_exponential(values);
-        // (−1)^k k! c_k at d − k.
+        // The number (−1)^k k! c_k is at the index d − k.
         values[..=degree].reverse();
         values[degree + 1..].fill([0.0; 4]);
         let factors = factorials[..=degree].iter().rev().zip(powers);
@@ -123,7 +124,8 @@ impl Bases {
         }
     }
 
-    /// The values of the form f(1, t) = h(it), of at most p/2, at the points of the transform: i^k leaves the signs + + − −.
+    /// The values, of at most p/2, of the form f(1, t) = h(it) at the points of the transform. The factors i^k have the signs +
+    /// + − −.
     #[inline(always)]
     pub(crate) fn values_of_form(&self, g: &FlatPolynomial, values: &mut Vec<Lanes>) {
         self.change(g, values);
@@ -138,7 +140,7 @@ impl Bases {
         }
     }
 
-    /// From values of at most 2p at the points of the transform to some of the coefficients, of at most p.
+    /// Some of the coefficients, of at most p, from values of at most 2p at the points of the transform.
     #[inline(always)]
     pub(crate) fn coefficients(&self, values: &mut [Lanes], range: Range<usize>) -> Residues {
         self.transform.backward(values);
@@ -154,7 +156,7 @@ impl Bases {
         }
     }
 
-    /// The squares of the points: one for each pair of values.
+    /// The squares of the points, one for each pair of values.
     #[inline(always)]
     pub(crate) fn set_squared_points(&self, points: &mut Vec<Lanes>) {
         self.transform.set_squared_points(points);
@@ -165,7 +167,7 @@ impl Bases {
         self.field
     }
 
-    /// The product with `Σ x^t/t!` modulo x^len − 1, in place: from at most 2p to at most 2p.
+    /// Multiplies by `Σ x^t/t!` modulo x^len − 1, in place. The numbers are at most 2p before and after.
     #[inline(always)]
     fn times_exponential(&self, values: &mut [Lanes]) {
         self.transform.forward(values);
@@ -176,10 +178,11 @@ impl Bases {
     }
 }
 
-/// The change of basis of integers, compared with its value at one more point modulo one more prime: h has room for those below 2^[`form_bits`](crate::bigint::form_bits), if Σ |g_j| < 2^`bits`.
+/// The change of basis of integers. It is checked at one more point modulo one more prime. The result has room for integers
+/// below 2^[`form_bits`](crate::bigint::form_bits), if Σ |g_j| < 2^`bits`.
 ///
-/// Cost: five transforms of twice the length for each prime that the largest coefficient needs; then for each coefficient
-/// the square of the number of primes that it needs.
+/// Cost: five transforms of twice the length for each prime that the largest coefficient needs; then, for each coefficient, the
+/// square of the number of primes that it needs.
 pub(crate) fn changed_by_residues(
     machine: Machine,
     g: &FlatPolynomial,

@@ -1,4 +1,4 @@
-//! Values at roots of unity and back: the fast Fourier transform modulo primes.
+//! The fast Fourier transform modulo primes: values at roots of unity, and back.
 //!
 //! Lemma 1 (forward). From numbers of at most Ap, A ≤ 3, two steps of [`Transform::forward_power_of_two`] lead to numbers of at most 3p,
 //! and no sum between is more than 8p.
@@ -25,7 +25,7 @@ use super::lanes::{LaneFields, Lanes, minus, negated, plus};
 use super::primes::ORDER_BITS;
 use crate::bigint::f64_from;
 
-/// The transforms of n = m, 3/2 m or 5/4 m numbers modulo four primes, m = 2^k ≥ 4.
+/// The transforms of n = m, 3/2 m or 5/4 m numbers modulo four primes, where m = 2^k ≥ 4.
 ///
 /// For n = m the values are those at 1, −1, i, −i, √i, −√i, …: the m-th roots of unity in the order of reversed bits. A
 /// block of the transform works modulo x^l − c², and one root c serves the whole block. For n = m + m' they are followed
@@ -33,28 +33,28 @@ use crate::bigint::f64_from;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Transform {
     field: LaneFields,
-    /// m.
+    /// The number m.
     power: usize,
-    /// c for block after block: 1, i, √i, i√i, …, m/2 of them. The first ones do not depend on m.
+    /// The root c of each block: 1, i, √i, i√i, …, m/2 of them. The first ones do not depend on m.
     roots: Vec<Lanes>,
-    /// For n > m.
+    /// The further points, if n > m.
     more: Option<More>,
 }
 
-/// The values at points beyond the m-th roots of unity.
+/// The values at the points that are no m-th roots of unity.
 #[derive(Clone, Debug, Default)]
 struct More {
-    /// ω.
+    /// The root ω.
     third: Lanes,
-    /// θ^j for j < m'.
+    /// The powers θ^j for j < m'.
     twists: Vec<Lanes>,
-    /// m/m' κ θ^(−j) with κ = 1/(ω^(m/m') − 1).
+    /// The numbers m/m' κ θ^(−j) with κ = 1/(ω^(m/m') − 1).
     untwists: Vec<Lanes>,
-    /// κ and κω.
+    /// The numbers κ and κω.
     weights: [Lanes; 2],
 }
 
-/// The least length of a transform that is at least `len`.
+/// The smallest length of a transform that is at least `len`.
 pub(crate) fn transform_len(len: usize) -> usize {
     let power = len.next_power_of_two().max(4);
     let below = power / 2;
@@ -66,8 +66,8 @@ pub(crate) fn transform_len(len: usize) -> usize {
     lens.filter(|n| *n >= len).min().unwrap_or(power)
 }
 
-/// The residues a, ax, ax², …, 2^bits of them if each x is given the one before squared; in the order in which they are
-/// given, the first bit last.
+/// The number at an index is the product of `first` and of the factors for those bits of the index that are 1. The lowest bit
+/// belongs to the first factor.
 #[inline(always)]
 fn set_products(
     products: &mut Vec<Lanes>,
@@ -85,7 +85,7 @@ fn set_products(
     }
 }
 
-/// x, x², x⁴, …, so many of them.
+/// The first `count` of the squares x, x², x⁴, ….
 #[inline(always)]
 fn squares(field: &LaneFields, x: Lanes, count: u32) -> Vec<Lanes> {
     let mut squares = vec![x];
@@ -97,11 +97,11 @@ fn squares(field: &LaneFields, x: Lanes, count: u32) -> Vec<Lanes> {
 }
 
 impl More {
-    /// For θ of order 3m', with m' = 2^bits; m/m' is 2 or 4.
+    /// Sets up the points for θ of order 3m', with m' = 2^bits, where m/m' is 2 or 4.
     #[inline(always)]
     fn set(&mut self, field: &LaneFields, theta: Lanes, bits: u32, parts: f64) {
         self.third = field.reduced(field.power(theta, 1 << bits));
-        // ω² or ω⁴.
+        // The power ω² or ω⁴.
         let mut power = field.reduced(field.times(self.third, self.third));
         if parts > 2.0 {
             power = self.third;
@@ -118,15 +118,15 @@ impl More {
 }
 
 impl Transform {
-    /// Makes it one for a length of [`transform_len`], with a root of unity of order 3 · 2^[`ORDER_BITS`].
+    /// Sets up the transform for a length of [`transform_len`], with a root of unity of order 3 · 2^[`ORDER_BITS`].
     #[inline(always)]
     pub(super) fn set(&mut self, field: LaneFields, root: Lanes, len: usize) {
         let bits = len.ilog2();
         let thirds = squares(&field, root, ORDER_BITS + 1);
-        // Of order 3 · 2^bits.
+        // The root of order 3 · 2^bits.
         let theta = |bits: u32| thirds[(ORDER_BITS - bits) as usize];
         let cube = field.times(field.times(theta(bits), theta(bits)), theta(bits));
-        // Of orders 2^bits down to 4.
+        // The roots of the orders from 2^bits down to 4.
         let factors = squares(&field, field.reduced(cube), bits - 1);
         set_products(&mut self.roots, &field, [1.0; 4], factors.into_iter().rev());
         self.field = field;
@@ -141,19 +141,19 @@ impl Transform {
         }
     }
 
-    /// How many numbers are transformed.
+    /// The number of numbers that are transformed.
     #[inline(always)]
     pub(super) fn len(&self) -> usize {
         self.power + self.more.as_ref().map_or(0, |more| more.twists.len())
     }
 
-    /// 1/m: [`Transform::backward`] multiplies by m.
+    /// The scale 1/m, because [`Transform::backward`] multiplies by m.
     #[inline(always)]
     pub(super) fn scale(&self) -> Lanes {
         self.field.inverse_of_divisor(f64_from(self.power as u64))
     }
 
-    /// From coefficients, of at most 2p, to values, of at most 3p.
+    /// Replaces coefficients, of at most 2p, by values, of at most 3p.
     #[inline(always)]
     pub(crate) fn forward(&self, values: &mut [Lanes]) {
         if let Some(more) = &self.more {
@@ -166,7 +166,7 @@ impl Transform {
         }
     }
 
-    /// From values, of at most 2p, to m times the coefficients, of at most 2p.
+    /// Replaces values, of at most 2p, by m times the coefficients, of at most 2p.
     #[inline(always)]
     pub(crate) fn backward(&self, values: &mut [Lanes]) {
         let (first, beyond) = values.split_at_mut(self.power);
@@ -179,7 +179,7 @@ impl Transform {
         }
     }
 
-    /// The squares of the points: the values come in pairs, at a point and at minus that point.
+    /// The squares of the points. The values are in pairs, at a point and at its negative.
     #[inline(always)]
     pub(crate) fn set_squared_points(&self, points: &mut Vec<Lanes>) {
         let field = &self.field;
@@ -196,7 +196,7 @@ impl Transform {
         }
     }
 
-    /// Two steps at a time, from at most 3p to at most 3p. Lemma 1.
+    /// The forward transform of m numbers, two steps at a time. The numbers are at most 3p before and after. Lemma 1.
     #[inline(always)]
     fn forward_power_of_two(&self, values: &mut [Lanes]) {
         let field = &self.field;
@@ -231,7 +231,7 @@ impl Transform {
         }
     }
 
-    /// Two steps at a time, from at most 2p to at most 2p. Lemma 2.
+    /// The backward transform of m numbers, two steps at a time. The numbers are at most 2p before and after. Lemma 2.
     #[inline(always)]
     fn backward_power_of_two(&self, values: &mut [Lanes]) {
         let field = &self.field;
@@ -271,8 +271,8 @@ impl Transform {
 
     /// The inverse of the root of block b.
     ///
-    /// The exponents of the blocks 2^i … 2^(i+1) − 1 are those of the same blocks, from the last to the first, taken from
-    /// half the order of the group: and that power is −1.
+    /// The exponents of the blocks 2^i … 2^(i+1) − 1, subtracted from half the order of the group, are those of the same blocks
+    /// in reverse order; and the power with half the order is −1.
     #[inline(always)]
     fn inverse_root(&self, b: usize) -> Lanes {
         if b == 0 {
@@ -284,9 +284,9 @@ impl Transform {
 }
 
 impl More {
-    /// From a polynomial f to what is left of it modulo x^m − 1 and, in x/θ, modulo x^m' − ω; from at most 2p to at most 2p.
+    /// Reduces a polynomial f modulo x^m − 1 and, in x/θ, modulo x^m' − ω. The numbers are at most 2p before and after.
     ///
-    /// f has one term in y = x^m' more than x^m has parts. Lemma 3.
+    /// f has one more coefficient in y = x^m' than x^m has. Lemma 3.
     #[inline(always)]
     fn forward(&self, field: &LaneFields, values: &mut [Lanes]) {
         let third = field.factor(self.third);
@@ -300,9 +300,11 @@ impl More {
         }
     }
 
-    /// From m f1 and m' f2 to m f, where f1 and f2 are what is left of f; from at most 2p to at most 2p.
+    /// Computes m f from m f1 and m' f2, where f1 and f2 are the two remainders of f. The numbers are at most 2p before and
+    /// after.
     ///
-    /// f = f1 + (x^m − 1) g: as x^m leaves ω^(m/m'), g = κ (f2 − f1) modulo x^m' − ω, of degree less than m'. Lemma 4.
+    /// f = f1 + (x^m − 1) g. As x^m is ω^(m/m') modulo x^m' − ω, g = κ (f2 − f1) there, and g has a degree less than m'. Lemma
+    /// 4.
     #[inline(always)]
     fn backward(&self, field: &LaneFields, values: &mut [Lanes]) {
         let weights = [field.factor(self.weights[0]), field.factor(self.weights[1])];
@@ -321,9 +323,9 @@ impl More {
     }
 }
 
-/// a and b with a0 + a1 y + … = a + bω for y = ω, ω² + ω + 1 = 0: the j-th coefficients of y^0, y^1, …, two or four of them
-/// `more` apart in `values`, and of the next power the one that is given. With s_i the sum of every third term they are
-/// s0 − s2 and s1 − s2: at most 6p, if all are at most 2p.
+/// The numbers a and b with a0 + a1 y + … = a + bω for y = ω, where ω² + ω + 1 = 0. The a_i are the j-th coefficients of y^0,
+/// y^1, …, which are `more` apart in `values` (two or four of them), and then `last`. With s_i the sum of every third a_j, they
+/// are s0 − s2 and s1 − s2, at most 6p if all a_i are at most 2p.
 #[inline(always)]
 fn folded(values: &[Lanes], j: usize, more: usize, last: Lanes) -> [Lanes; 2] {
     let (first, second) = (values[j], values[j + more]);
@@ -337,7 +339,7 @@ fn folded(values: &[Lanes], j: usize, more: usize, last: Lanes) -> [Lanes; 2] {
     ]
 }
 
-/// Numbers of one place in the four quarters.
+/// The numbers at the same position in the four quarters.
 #[inline(always)]
 fn quarters(block: &mut [Lanes]) -> impl Iterator<Item = [&mut Lanes; 4]> {
     let (first, second) = block.split_at_mut(block.len() / 2);
@@ -377,7 +379,7 @@ mod tests {
             let len = transform.len();
             prop_assert_eq!(len, transform_len(len));
             let mut random = crate::modular::SplitMix(seed);
-            // Up to twice p, of both signs.
+            // Numbers up to twice p, of both signs.
             let coefficients: Vec<Lanes> = (0..len).map(|_| field.p.map(|p| {
                 let size = if largest { 2.0 * p } else { f64_from(random.next() % u64_from(2.0 * p)) };
                 if random.next().is_multiple_of(2) { size } else { -size }
@@ -398,7 +400,7 @@ mod tests {
                     let sum = integer(values[2 * pair][i]) + integer(values[2 * pair + 1][i]);
                     prop_assert!(congruent(&sum, &(even * Integer::from(2)), p));
                 }
-                // All points are different: the product of values at them is that of others at others.
+                // The squares of the points are all different, and so are the points.
                 let mut points: Vec<Integer> = squares.iter().map(|s| integer(field.canonical(*s)[i])).collect();
                 points.sort_unstable();
                 points.dedup();
@@ -418,12 +420,12 @@ mod tests {
             }
         }
 
-        /// All signs of numbers of exactly the largest size, which is what sums and differences are the largest for.
+        /// All signs of numbers of exactly the largest size, for which sums and differences are the largest.
         #[test]
         fn the_largest_numbers_stay_as_small_as_is_said(len in 4usize..100, signs in any::<u64>(), by in 0u32..7) {
             let quartet = Quartet::enough_for(1).pop().unwrap();
             let (field, transform) = (quartet.field, quartet.transform(transform_len(len)));
-            // Signs that depend on some bits of the place alone: all equal, in turn, in pairs, …
+            // The sign depends on some bits of the position: all equal, alternating, alternating in pairs, and so on.
             let sign = |k: usize| if signs >> ((k >> by) % 64) & 1 == 1 { -1.0 } else { 1.0 };
             let all = |size: f64| (0..transform.len()).map(|k| field.p.map(|p| (size * p).trunc() * sign(k))).collect::<Vec<Lanes>>();
             let largest = |values: &[Lanes], size: f64| {
@@ -441,7 +443,7 @@ mod tests {
             prop_assert!(largest(&values, 2.0));
         }
 
-        /// What the change of basis needs of it.
+        /// The properties of the transform that the change of basis needs.
         #[test]
         fn products_are_products_of_values(a in prop::collection::vec(-9i32..10, 1..30), b in prop::collection::vec(-9i32..10, 1..30)) {
             let quartet = Quartet::enough_for(1).pop().unwrap();
