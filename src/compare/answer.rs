@@ -1,4 +1,4 @@
-//! Whether an answer is right: it is read with our own reader and compared exactly, up to a constant factor.
+//! Checks of answers: an answer is read by stellate's own reader and compared exactly, up to a constant factor.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use super::program::field;
 use crate::language::{Numbers, parse_form};
 use crate::shape::{Form, ImplicitCurve};
 
-/// What came of a run of another program.
+/// The outcome of a run of another program.
 pub(super) fn outcome(ended: Ended, expected: &ImplicitCurve, limit: Duration) -> RunOutcome {
     match ended {
         Ended::Done(output) => read(&output, expected, limit).unwrap_or_else(RunOutcome::Failed),
@@ -40,7 +40,7 @@ fn read(output: &Output, expected: &ImplicitCurve, limit: Duration) -> Result<Ru
     })
 }
 
-/// Of one run, from the milliseconds of several and their number.
+/// The seconds of one run, from the milliseconds of several runs and their number.
 fn seconds(text: &str) -> Option<f64> {
     let (milliseconds, runs) = text.split_once(' ')?;
     let (milliseconds, runs): (f64, u32) = (milliseconds.parse().ok()?, runs.trim().parse().ok()?);

@@ -1,4 +1,4 @@
-//! The comparison as tables for a terminal, and as JSON.
+//! The comparison as tables of text and as JSON.
 
 use std::io::{self, Write};
 
@@ -90,12 +90,12 @@ fn name(outcome: &RunOutcome) -> &'static str {
     }
 }
 
-/// 2(N + 1), Eq. (9).
+/// The degree 2(N + 1) of Eq. (9).
 pub(super) fn degree(harmonics: usize) -> usize {
     2 * (harmonics + 1)
 }
 
-/// The widest cell is `2.34e-6`, or `> 10 s`.
+/// The width of a cell, which is enough for `2.34e-6` and for `> 10 s`.
 const WIDTH: usize = 8;
 
 /// Writes two tables: seconds, and multiples of the time of Theorem 2.
@@ -149,7 +149,7 @@ fn write_table(
     Ok(())
 }
 
-/// What the times are.
+/// The explanation of how the times were measured.
 pub(super) fn measured(comparison: &TimeComparison) -> String {
     let answers = if comparison.has_wrong_answer() {
         "not every answer is that of A"
@@ -164,7 +164,7 @@ pub(super) fn measured(comparison: &TimeComparison) -> String {
     )
 }
 
-/// The time of a run, or what else came of it; empty if it was not made.
+/// The text of a cell: the time of a run, or its outcome if it failed; empty if the run was not made.
 pub(super) fn cell(comparison: &TimeComparison, method: &MethodTimes, harmonics: usize) -> String {
     let run = method.runs.iter().find(|run| run.harmonics == harmonics);
     match run.map(|run| &run.outcome) {
@@ -176,7 +176,7 @@ pub(super) fn cell(comparison: &TimeComparison, method: &MethodTimes, harmonics:
     }
 }
 
-/// Three digits that count.
+/// A number with three significant digits.
 pub(super) fn shown(value: f64) -> String {
     match value {
         v if v >= 1e6 || (v < 1e-3 && v > 0.0) => format!("{v:.2e}"),
@@ -189,7 +189,7 @@ pub(super) fn shown(value: f64) -> String {
     }
 }
 
-/// `Singular is absent: there is no command Singular`
+/// The sentence about an absent program, such as `Singular is absent: there is no command Singular`.
 pub(super) fn absence(program: &AbsentProgram) -> String {
     let AbsentProgram { name, command, .. } = program;
     match &program.reason {
@@ -198,7 +198,7 @@ pub(super) fn absence(program: &AbsentProgram) -> String {
     }
 }
 
-/// What went wrong, a line each.
+/// The sentences about failures, one line for each.
 pub(super) fn failures(comparison: &TimeComparison) -> Vec<String> {
     let methods = comparison.methods.iter().enumerate();
     let line = |(index, method): (usize, &MethodTimes)| {
@@ -217,7 +217,7 @@ pub(super) fn failures(comparison: &TimeComparison) -> Vec<String> {
     methods.filter_map(line).collect()
 }
 
-/// How the times grow.
+/// The sentence about the growth of the times.
 pub(super) fn growth(comparison: &TimeComparison) -> String {
     let methods = comparison.methods.iter().enumerate();
     let fitted = methods

@@ -1,17 +1,17 @@
-//! What the times mean: ratios, growth, and the chart.
+//! The evaluation of the times: ratios, growth, and the chart.
 
 use super::{MethodTimes, TimeComparison};
 use crate::picture::{Chart, Series};
 
-/// Growth is fitted to so many of the last rungs: below, fixed costs count.
+/// The growth is fitted to this number of last rungs; on earlier rungs fixed costs are too large.
 pub(super) const FITTED: usize = 4;
 
-/// By letters, as in tables and in the chart.
+/// The letter of a method in tables and in the chart.
 pub(super) fn letter(index: usize) -> char {
     u8::try_from(index).map_or('?', |index| char::from(b'A' + index % 26))
 }
 
-/// How many times as long as Theorem 2 a method takes with N harmonics.
+/// The time of a method with N harmonics, divided by that of Theorem 2.
 pub(super) fn ratio(
     comparison: &TimeComparison,
     method: &MethodTimes,
@@ -22,7 +22,8 @@ pub(super) fn ratio(
     ratio.is_finite().then_some(ratio)
 }
 
-/// The p of the N^p that fits the last four times best, in logarithms by least squares; `None` if there are fewer.
+/// The exponent p of the power N^p that fits the last four times best, by least squares of logarithms; `None` if there are
+/// fewer than four times.
 pub(super) fn exponent(method: &MethodTimes) -> Option<f64> {
     let points = method.runs.iter().filter_map(|run| {
         let seconds = method.seconds(run.harmonics)?;
@@ -41,7 +42,7 @@ fn count(number: usize) -> f64 {
     number as f64
 }
 
-/// Seconds over N, both logarithmic.
+/// The chart of seconds over N, with two logarithmic axes.
 pub(super) fn chart(comparison: &TimeComparison) -> Chart {
     let methods = comparison.methods.iter().enumerate();
     let series = methods.map(|(index, method)| Series {
@@ -92,7 +93,7 @@ mod tests {
         let law = |n: usize| (n, 3e-6 * count(n).powi(5));
         let found = exponent(&method(&[1, 2, 4, 6, 10, 20].map(law))).unwrap();
         assert!((found - 5.0).abs() < 1e-9, "{found}");
-        // What is before the last four does not count, and three are too few.
+        // Times before the last four do not count, and three times are too few.
         let found = exponent(&method(&[(1, 1.0), law(2), law(4), law(8), law(14)])).unwrap();
         assert!((found - 5.0).abs() < 1e-9, "{found}");
         assert_eq!(exponent(&method(&[law(1), law(2), law(4)])), None);

@@ -1,12 +1,12 @@
-//! The time comparison that the paper says was not carried out: Theorem 2 beside elimination.
+//! The time comparison that the paper says was not carried out: Theorem 2 in comparison with elimination.
 //!
-//! One radius for all, with more and more harmonics ([`ladder_radius`], [`RUNGS`]). A method climbs until one of its runs
-//! takes longer than the limit, fails or is wrong. Every answer is compared with that of Theorem 2 exactly, up to a constant
-//! factor, before its time counts.
+//! All methods convert the same radius, with more and more harmonics ([`ladder_radius`], [`RUNGS`]). A method stops after a run
+//! that takes longer than the limit, fails or is wrong. Every answer is compared with that of Theorem 2 before its time counts;
+//! the comparison is exact, up to a constant factor.
 //!
-//! Beside the two methods of this crate stand those of other systems, where they are installed: each is asked through a
-//! script on its standard input, and its answer is read by [`crate::language`]. A time is that of the computation alone, as
-//! the program itself measures it: its start and the reading of the script are left out.
+//! Besides the two methods of this crate, other programs take part if they are installed. Each of them reads a script from its
+//! standard input, and [`crate::language`] reads its answer. The time is that of the computation alone, which the program
+//! measures itself; the start of the program and the reading of the script do not count.
 
 mod answer;
 mod climb;
@@ -20,7 +20,7 @@ mod radius;
 
 pub use climb::compare;
 
-// For the tests and benches of this project; no part of what the library promises.
+// Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]
 pub use radius::{RUNGS, ladder_radius};
 
@@ -30,17 +30,17 @@ use std::time::Duration;
 use crate::error::{Invariant, Result};
 use crate::paper::Appendix;
 
-/// What came of a comparison.
+/// The result of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TimeComparison {
-    /// What one run may take.
+    /// The time limit of one run.
     pub limit: Duration,
-    /// Cores of the machine.
+    /// The number of cores of the machine.
     pub cores: usize,
-    /// The first one is Theorem 2.
+    /// The methods; the first one is Theorem 2.
     pub methods: Vec<MethodTimes>,
-    /// Programs that could not take part.
+    /// The programs that could not take part.
     pub absent: Vec<AbsentProgram>,
 }
 
@@ -48,35 +48,35 @@ pub struct TimeComparison {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MethodTimes {
-    /// What does it, and its version: `PARI/GP 2.15.2`.
+    /// The program with its version, such as `PARI/GP 2.15.2`.
     pub program: String,
-    /// What is done.
+    /// The description of the method.
     pub what: &'static str,
-    /// Rung by rung, as far as it climbed.
+    /// The runs, rung by rung, up to the one after which the method stopped.
     pub runs: Vec<Run>,
 }
 
-/// One run.
+/// A run of a method.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Run {
-    /// N.
+    /// The number of harmonics N.
     pub harmonics: usize,
-    /// What came of it.
+    /// The outcome of the run.
     pub outcome: RunOutcome,
 }
 
-/// What came of a run.
+/// The outcome of a run.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RunOutcome {
-    /// The equation of Theorem 2, in so many seconds.
+    /// The equation is that of Theorem 2, and the run took this number of seconds.
     Right(f64),
-    /// Another polynomial.
+    /// The equation is another polynomial.
     Wrong,
-    /// It took longer than the limit.
+    /// The run took longer than the limit.
     OverLimit,
-    /// No answer, and why.
+    /// There is no equation, for this reason.
     Failed(String),
 }
 
@@ -84,16 +84,16 @@ pub enum RunOutcome {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct AbsentProgram {
-    /// What it is called.
+    /// The name of the program.
     pub name: &'static str,
-    /// The command that was looked for.
+    /// The command that was searched.
     pub command: &'static str,
-    /// Why it is not used if there is such a command.
+    /// The reason why the program is not used, if the command exists.
     pub reason: Option<String>,
 }
 
 impl MethodTimes {
-    /// The seconds with N harmonics, if the answer was right.
+    /// The seconds for N harmonics; `None` unless the answer was right.
     #[must_use]
     pub fn seconds(&self, harmonics: usize) -> Option<f64> {
         let run = self.runs.iter().find(|run| run.harmonics == harmonics)?;
@@ -103,7 +103,7 @@ impl MethodTimes {
         }
     }
 
-    /// The last rung if it was no success.
+    /// The last run, if it failed.
     #[must_use]
     pub fn failure(&self) -> Option<&Run> {
         let last = self.runs.last()?;
@@ -122,7 +122,7 @@ impl TimeComparison {
         RUNGS.into_iter().filter(tried).collect()
     }
 
-    /// Whether a method gave another polynomial than Theorem 2.
+    /// Whether some method gave another polynomial than Theorem 2.
     #[must_use]
     pub fn has_wrong_answer(&self) -> bool {
         let mut runs = self.methods.iter().flat_map(|method| &method.runs);

@@ -1,4 +1,4 @@
-//! The two methods of this crate under the clock.
+//! Time measurements of the two methods of this crate.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -9,14 +9,14 @@ use crate::implicitize::{SquaredForm, implicitize_plane};
 use crate::limits::Limits;
 use crate::shape::{FourierRadius, ImplicitCurve};
 
-/// A computation is repeated until it took so long together, but not more often than this.
+/// A computation is repeated until its runs together take this long, but at most this number of times.
 const REPEATED_FOR: Duration = Duration::from_millis(100);
 const MOST_RUNS: usize = 1001;
 
-/// One that takes less than this is repeated twice at least.
+/// A computation that takes less than this is repeated at least twice.
 const IS_SHORT: Duration = Duration::from_secs(1);
 
-/// Theorem 2, and its time: the median of several runs.
+/// The result of Theorem 2, and its time as the median of several runs.
 ///
 /// # Errors
 /// As [`SquaredForm::new`].
@@ -24,7 +24,8 @@ pub(super) fn theorem_2(radius: &FourierRadius) -> Result<(ImplicitCurve, f64)> 
     median(|| clocked(|| Ok(SquaredForm::new(black_box(radius))?.expand())))
 }
 
-/// The resultant over tan(θ/2) with its proof, on one thread: the curve in that parameter is given.
+/// Runs the resultant over tan(θ/2) with its proof, on one thread. The curve in this parameter is computed before the time is
+/// measured.
 ///
 /// # Errors
 /// Those of `limits`.
@@ -40,7 +41,7 @@ pub(super) fn resultant(
         Ok(pool) => pool,
         Err(error) => return Ok(RunOutcome::Failed(error.to_string())),
     };
-    // Each of the runs has the whole time.
+    // Each run has the whole time.
     let once = || {
         let within = limits.for_at_most(time);
         let found = implicitize_plane(black_box(&curve), &within);
@@ -63,13 +64,13 @@ pub(super) fn resultant(
     }
 }
 
-/// Why there is no result.
+/// The reason why there is no result.
 struct Stopped {
     is_over_time: bool,
     error: Error,
 }
 
-/// What a right answer counts for.
+/// The outcome of a run with the right equation that took this time.
 pub(super) fn timed(seconds: f64, limit: Duration) -> RunOutcome {
     if seconds > limit.as_secs_f64() {
         RunOutcome::OverLimit
@@ -78,7 +79,7 @@ pub(super) fn timed(seconds: f64, limit: Duration) -> RunOutcome {
     }
 }
 
-/// What is computed, and how long that took.
+/// The result of a computation, and the time that it took.
 fn clocked<T, E>(
     compute: impl FnOnce() -> std::result::Result<T, E>,
 ) -> std::result::Result<(T, Duration), E> {
@@ -87,7 +88,7 @@ fn clocked<T, E>(
     Ok((result, start.elapsed()))
 }
 
-/// The last result, and the median of the seconds, of a computation that says how long it took.
+/// The last result and the median of the seconds of a computation that measures its time.
 fn median<T, E>(
     mut compute: impl FnMut() -> std::result::Result<(T, Duration), E>,
 ) -> std::result::Result<(T, f64), E> {

@@ -1,4 +1,4 @@
-//! The comparison as a section of the report.
+//! The time comparison as a section of the report.
 
 use std::io::Write;
 
@@ -9,7 +9,7 @@ use super::{MethodTimes, TimeComparison};
 use crate::error::Result;
 use crate::paper::html::{escaped, write_picture};
 
-/// Writes the section: what was asked, the chart, the table, and what it means.
+/// Writes the section: the question, the chart, the table, and their meaning.
 ///
 /// # Errors
 /// Those of `out`.
@@ -89,7 +89,7 @@ fn write_table(comparison: &TimeComparison, out: &mut dyn Write) -> Result<()> {
     Ok(writeln!(out, "</tbody>\n</table>\n</div>")?)
 }
 
-/// The chart in words.
+/// The description of the chart in words.
 fn alternative(comparison: &TimeComparison) -> String {
     format!(
         "Seconds over N of {} methods. {} {}.",
@@ -99,7 +99,7 @@ fn alternative(comparison: &TimeComparison) -> String {
     )
 }
 
-/// For each other method how far Theorem 2 is ahead, or behind, and how all grow.
+/// For each other method, the ratio of its time to that of Theorem 2, and then the growth of all times.
 fn meaning(comparison: &TimeComparison) -> Vec<String> {
     let others = comparison.methods.iter().enumerate().skip(1);
     let mut sentences: Vec<String> = others

@@ -1,4 +1,4 @@
-//! Running a program with a script, within limits: whatever it does, it is over in the end, and so are its children.
+//! Runs a program with a script, within limits. In the end the program and all its children have ended, whatever they do.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, Write};
@@ -8,38 +8,38 @@ use std::time::{Duration, Instant};
 use crate::error::{Invariant, Result};
 use crate::limits::Limits;
 
-/// Between two looks at the program.
+/// The time between two checks of the program.
 const LOOK_EVERY: Duration = Duration::from_millis(4);
 
-/// The longest output that is read.
+/// The largest number of bytes that are read of an output.
 const MOST_BYTES: u64 = 256 << 20;
 
-/// So much of what a program said is repeated.
+/// The number of characters of a program's output that messages repeat.
 const REPEATED: usize = 120;
 
-/// How a program ended.
+/// The way in which a program ended.
 #[derive(Debug)]
 pub(super) enum Ended {
-    /// By itself, with success.
+    /// The program ended by itself, with success.
     Done(Output),
-    /// It was ended, for it took longer than it may.
+    /// The program took longer than its time and was ended.
     OverTime,
     /// There is no such program.
     Absent,
-    /// In another way, which is said here.
+    /// The program ended in another way, which the text describes.
     Failed(String),
 }
 
-/// What a program wrote.
+/// The output of a program.
 #[derive(Debug)]
 pub(super) struct Output {
-    /// On its standard output.
+    /// The standard output.
     pub(super) text: String,
     errors: String,
 }
 
 impl Output {
-    /// The last line that it wrote, of its errors if there are any.
+    /// The last line of the error output or, if that is empty, of the standard output.
     pub(super) fn said(&self) -> String {
         let lines = [&self.errors, &self.text].into_iter();
         let last = lines.filter_map(|text| text.lines().rfind(|line| !line.trim().is_empty()));
@@ -54,7 +54,7 @@ impl Output {
 /// Runs a program in an empty folder with a script on its standard input, for at most `time`.
 ///
 /// # Errors
-/// Those of `limits`; the program is ended before.
+/// Those of `limits`; the program is ended first.
 pub(super) fn run(
     command: &str,
     arguments: &[&str],
@@ -70,7 +70,7 @@ pub(super) fn run(
     }
 }
 
-/// A program that runs. Its input and output are files without names: no pipe fills up, and nothing is left behind.
+/// A running program. Its input and output are files without names, so that no pipe fills up and no file is left behind.
 struct Running {
     child: Child,
     output: File,
@@ -94,7 +94,7 @@ fn start(command: &str, arguments: &[&str], script: &str) -> io::Result<Running>
     #[cfg(unix)]
     {
         use std::os::unix::process::CommandExt;
-        // A group of its own, so that its children end with it.
+        // The program gets a process group of its own, so that its children end with it.
         process.process_group(0);
     }
     Ok(Running {
@@ -145,12 +145,12 @@ impl Running {
 }
 
 impl Drop for Running {
-    /// Whatever it started ends, too.
+    /// Ends all processes of the group.
     fn drop(&mut self) {
         #[cfg(unix)]
         if let Ok(group) = i32::try_from(self.child.id()) {
             use nix::sys::signal::{Signal, killpg};
-            // An error says that nobody is left.
+            // An error means that no process is left.
             let _ = killpg(nix::unistd::Pid::from_raw(group), Signal::SIGKILL);
         }
         let _ = self.child.kill();
@@ -158,7 +158,7 @@ impl Drop for Running {
     }
 }
 
-/// `it ended with exit code 3`, or the signal.
+/// The end of a program in words, such as `it ended with exit code 3`, or its signal.
 fn ending(status: ExitStatus) -> String {
     match status.code() {
         Some(code) => format!("it ended with exit code {code}"),
@@ -166,7 +166,7 @@ fn ending(status: ExitStatus) -> String {
     }
 }
 
-/// What was written to a file, up to [`MOST_BYTES`].
+/// The contents of a file, up to [`MOST_BYTES`].
 fn text(file: &mut File) -> String {
     let mut bytes = Vec::new();
     file.rewind()
@@ -181,7 +181,7 @@ mod tests {
     use super::*;
     use crate::error::Error;
 
-    /// More milliseconds than anything takes that ends.
+    /// A number of milliseconds that is longer than any of these runs.
     const LONG: u64 = 3_600_000;
 
     fn shell(script: &str, milliseconds: u64) -> Ended {
@@ -206,7 +206,7 @@ mod tests {
         assert!(matches!(absent.unwrap(), Ended::Absent));
     }
 
-    /// The processes that have this word in their command line.
+    /// The number of processes that have this word in their command line.
     #[cfg(target_os = "linux")]
     fn with_word(word: &str) -> usize {
         let processes = std::fs::read_dir("/proc").unwrap();
@@ -219,14 +219,14 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn a_program_that_hangs_is_ended_with_its_children() {
-        // It would sleep for ever: if it is not ended, this test does not end.
+        // The program would sleep for ever; this test does not end unless the program is ended.
         assert!(matches!(
             shell("sleep 9725725 & sleep 9725725", 300),
             Ended::OverTime
         ));
-        // A child that is left behind by a program that ended.
+        // The program ends and leaves a child behind.
         assert!(matches!(shell("sleep 9725725 &", LONG), Ended::Done(_)));
-        // The system takes a moment.
+        // The system may take a moment to end it.
         while with_word("9725725") > 0 {
             std::thread::sleep(LOOK_EVERY);
         }

@@ -1,4 +1,4 @@
-//! The radius that all methods are given, and how the other systems are told it.
+//! The radius that all methods convert, and the systems of equations that other programs get for it.
 
 use malachite::Integer;
 
@@ -7,14 +7,14 @@ use crate::exact::Rational;
 use crate::poly::{RationalFunction, SparsePolynomial, doubled_form_from_harmonics};
 use crate::shape::FourierRadius;
 
-/// The numbers of harmonics that are tried.
+/// The numbers of harmonics of the ladder.
 pub const RUNGS: [usize; 14] = [1, 2, 3, 4, 6, 8, 10, 14, 20, 28, 39, 55, 78, 110];
 
-/// How the coefficients are chosen, for people.
+/// A description of the coefficients, for people.
 pub(super) const RADIUS_TEXT: &str =
     "a0 = 1, a_n = (2 (7n mod 19) - 19)/200, b_n = (2 (11n mod 19) - 19)/200";
 
-/// The first N harmonics of one series with short coefficients, none of them 0:
+/// The first N harmonics of a series with short coefficients, none of which is 0:
 /// `a0 = 1, a_n = (2 (7n mod 19) − 19)/200, b_n = (2 (11n mod 19) − 19)/200`.
 ///
 /// ```
@@ -40,9 +40,9 @@ pub fn ladder_radius(harmonics: usize) -> FourierRadius {
 /// Two polynomials with integer coefficients whose resultant with respect to z is F up to a constant factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum System {
-    /// z is tan(θ/2): `(1 + z²)^(N+1) x = …` and the same for y.
+    /// z is tan(θ/2); the equations are `(1 + z²)^(N+1) x = …` and the same for y.
     HalfAngle,
-    /// z is r: `z² = x² + y²` and `z^(N+1) = Σ K_n z^(N−n)`, Eqs. (2) and (6).
+    /// z is r; the equations are `z² = x² + y²` and `z^(N+1) = Σ K_n z^(N−n)`, Eqs. (2) and (6).
     Radius,
 }
 
@@ -73,7 +73,7 @@ fn exponent(e: usize) -> u32 {
     u32::try_from(e).invariant("degrees are below 2^32")
 }
 
-/// q(z) v − p(z) for the coordinate v = p/q.
+/// The polynomial q(z) v − p(z) for the coordinate v = p/q.
 fn cleared(coordinate: &RationalFunction, variable: usize) -> SparsePolynomial<3> {
     let below = coordinate.denominator().coefficients_asc().iter();
     let above = coordinate.numerator().coefficients_asc().iter();
@@ -88,7 +88,7 @@ fn cleared(coordinate: &RationalFunction, variable: usize) -> SparsePolynomial<3
     SparsePolynomial::from_terms(below.chain(above))
 }
 
-/// `z^(N+1) − Σ K_n z^(N−n)` times an integer.
+/// The polynomial `z^(N+1) − Σ K_n z^(N−n)`, times an integer.
 fn in_powers_of_r(radius: &FourierRadius) -> SparsePolynomial<3> {
     let harmonics = radius.harmonics();
     let (denominator, cos, sin) = radius.over_common_denominator();
@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn both_systems_vanish_on_the_curve() {
         let radius = ladder_radius(5);
-        // θ with tan(θ/2) = 1/2: the direction (3/5, 4/5).
+        // The angle with tan(θ/2) = 1/2 has the direction (3/5, 4/5).
         let t = Rational::from(1) / Rational::from(2);
         let curve = radius.to_plane_curve();
         let [x, y] = curve.point(&t).unwrap();

@@ -1,4 +1,4 @@
-//! What the entries of parametric documents are made of: angles, ranges, coordinates, coefficients.
+//! The parts of the entries of parametric documents: angles, ranges, coordinates and coefficients.
 
 use serde::Serialize;
 
@@ -47,7 +47,7 @@ impl Range {
         }
     }
 
-    /// `[0, pi/2)`, exact where the end has a closed form.
+    /// The range as text, such as `[0, pi/2)`; an end is exact if it has a closed form.
     pub(super) fn text(&self) -> String {
         let [from, to] = self.closed;
         let end = |nice: &Option<String>, decimal: &String| {
@@ -63,12 +63,12 @@ impl Range {
     }
 }
 
-/// Ranges as one phrase: `theta in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
+/// Ranges as one phrase, such as `theta in [0, pi/2) and (3*pi/2, 2*pi]`, or `no angle`.
 pub(super) fn ranges_text(ranges: &[Range]) -> String {
     ranges_text_of("theta", ranges)
 }
 
-/// The same for the angle of the given name.
+/// As [`ranges_text`], for the angle of the given name.
 pub(super) fn ranges_text_of(angle: &str, ranges: &[Range]) -> String {
     if ranges.is_empty() {
         return "no angle".into();

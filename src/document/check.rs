@@ -1,4 +1,4 @@
-//! The report of a check: for people, as JSON, and as a table with a row for every comparison.
+//! Reports of checks: as text, as JSON, and as a table with a row for every comparison.
 
 use std::io::Write;
 
@@ -11,13 +11,13 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::notation::Notation;
 
-/// Significant decimals of exact numbers: three more than a double has.
+/// The number of significant decimals of exact numbers, three more than a double has.
 const SHOWN_DIGITS: u32 = 20;
 
-/// Rows shown in the table of the worst ones.
+/// The number of rows in the table of the worst comparisons.
 const WORST: usize = 10;
 
-/// The longest bar of the histogram.
+/// The length of the longest bar of the histogram.
 const BAR: usize = 40;
 
 #[derive(Serialize)]
@@ -42,7 +42,7 @@ struct CheckDocument<'a> {
     worst_rows: Vec<Entry>,
 }
 
-/// A number of the float program, the exact one, and their distance.
+/// A number of the float program, the exact number, and the distance between them.
 #[derive(Serialize)]
 struct Entry {
     digits: Number,
@@ -65,16 +65,17 @@ struct MistakeEntry<'a> {
     faults_left: usize,
 }
 
-/// Writes what a check found, judged by the mark if there is one: text, JSON of kind `check`, or CSV with a row for every
-/// comparison.
+/// Writes the result of a check, judged by `mark` if it is given: as text, as JSON of kind `check`, or as CSV with a row for
+/// every comparison.
 ///
-/// The fields of the JSON document: `what` (`coefficients`, `points` or `radii`), `compared`, the `worst` row (`digits`, `ulps`,
-/// `where`, `got`, `exact`; of points also `residual` and `first_order`), `median_digits`, `digits_lost` (at worst, of the
-/// 15.95 of a double), `mark`, `below` (how many `failures` there are), `passes` (null without a mark), the terms that are `missing` and `extra`,
-/// the common factor as `scale` and `scale_meaning`, `mistakes` (`name`, `explanation`, and how many numbers miss so many
-/// `digits` beside the reference, `faults`, and beside what the mistake gives, `faults_left`), `histogram` (how many
-/// numbers have 0, 1, …, 17 whole digits), `worst_rows`. Exact numbers are strings: p/q of coefficients, decimals of what
-/// is irrational. What is infinite is "inf", what is absent null.
+/// The fields of the JSON document are: `what` (`coefficients`, `points` or `radii`); `compared`; the `worst` row (`digits`,
+/// `ulps`, `where`, `got`, `exact`; for points also `residual` and `first_order`); `median_digits`; `digits_lost` (of the worst
+/// row, from the 15.95 of a double); `mark`; `below` (the number of failures); `passes` (null without a mark); the terms that
+/// are `missing` and `extra`; the common factor as `scale` and `scale_meaning`; `mistakes`; `histogram` (for 0, 1, …, 17 the
+/// count of numbers with so many whole digits); and `worst_rows`. A mistake has `name` and `explanation`; `faults` is the
+/// number of values that miss `digits` digits, and `faults_left` is the number of values that still miss them after the mistake
+/// is taken into account. Exact numbers are strings: p/q for coefficients, decimals for irrational numbers. An infinite number
+/// is "inf", and an absent value is null.
 ///
 /// ```
 /// use stellate::check::compare_coefficients;
@@ -184,7 +185,7 @@ fn place(row: &Row, in_space: bool) -> String {
     }
 }
 
-/// What the common factor is, in words.
+/// The meaning of the common factor, in words.
 fn meaning(scale: &Scale) -> Option<String> {
     let factor = &scale.factor;
     Some(match scale.meaning.as_ref()? {
@@ -259,7 +260,7 @@ fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> Res
             faults,
             faults_left,
         } = diagnosis;
-        // What no mistake explains is only said by kind.
+        // Failures that no mistake explains are only counted by kind.
         if faults_left == faults {
             writeln!(out, "found: {name}: {explanation}")?;
             continue;
@@ -418,12 +419,12 @@ fn write_table(found: &Comparison, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// Digits, never more than there are.
+/// A number of digits, rounded down to tenths.
 pub(super) fn tenths(digits: f64) -> String {
     format!("{:.1}", (digits * 10.0).floor() / 10.0)
 }
 
-/// About three digits.
+/// A number with about three significant digits.
 fn short(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -436,7 +437,7 @@ fn short(value: f64) -> String {
     format!("{value:.2e}")
 }
 
-/// A number to [`SHOWN_DIGITS`] significant decimals, correctly rounded.
+/// A number with [`SHOWN_DIGITS`] significant decimals, correctly rounded.
 fn shown(value: &Rational) -> String {
     value.to_significant(SHOWN_DIGITS)
 }

@@ -1,4 +1,4 @@
-//! Descriptions as text and JSON.
+//! Descriptions of forms, as text and as JSON.
 
 use std::io::Write;
 
@@ -15,7 +15,7 @@ use crate::notation::polynomial_text;
 use crate::shape::{Form, ImplicitSurface};
 use crate::verb::Fact;
 
-/// Factors with a longer text are not printed in text.
+/// A factor with a longer text is not printed in the text format.
 const LONGEST_FACTOR: usize = 300;
 
 #[derive(Serialize)]
@@ -114,7 +114,7 @@ pub(crate) fn write_description(
     }
 }
 
-/// Writes what is known of a space curve: its equations, and what is annotated.
+/// Writes the description of a space curve: its equations and the facts about it.
 ///
 /// # Errors
 /// As [`write_description`].
@@ -244,7 +244,7 @@ fn fourier_notes(d: &Description, f: &FourierDescription, positive: &[Range]) ->
     notes
 }
 
-/// Whether r < 0 somewhere: −r is positive somewhere.
+/// Whether r < 0 at some angle, which is so if −r is positive there.
 fn has_negative_radius(f: &FourierDescription) -> bool {
     let negated = |v: &[crate::exact::Rational]| v.iter().map(|c| -c).collect();
     let r =

@@ -1,4 +1,4 @@
-//! What is known of an answer, as sentences and as fields of JSON documents.
+//! The facts about an answer, as sentences and as fields of JSON documents.
 
 use serde_json::{Value, json};
 
@@ -11,12 +11,12 @@ use crate::poly::SparsePolynomial;
 use crate::shape::Form;
 use crate::verb::{BeyondCurve, Fact, PolarTheorem, Reach};
 
-/// What a document says besides the answer itself.
+/// The sentences and fields of a document besides the answer itself.
 #[derive(Debug, Default)]
 pub(super) struct Annotations {
-    /// Remarks for the reader: comments, or the field `notes` of a JSON document.
+    /// Sentences for the reader: they are comments, or the field `notes` of a JSON document.
     pub(super) notes: Vec<String>,
-    /// More fields of the JSON document.
+    /// Further fields of the JSON document.
     pub(super) fields: Vec<(&'static str, Value)>,
 }
 
@@ -73,7 +73,8 @@ impl Annotations {
                     "these equations generate all polynomials that vanish on the curve: they cut out the curve alone, of degree {degree}"
                 ));
                 self.field("curve_degree", json!(degree));
-                // These surfaces have nothing else in common; what the paper's two have is added with them.
+                // These surfaces have no other component in common; the components of the paper's two surfaces are added with
+                // these surfaces.
                 self.field("components", json!([]));
             }
             Fact::RealTracing { counts, complex } => self.real_tracing(counts.as_deref(), *complex),
@@ -118,7 +119,7 @@ impl Annotations {
         self.field("tracing_index_proved", json!(false));
     }
 
-    /// It is said in words only if it is another number than that for complex values.
+    /// A sentence is written only if the number of real parameter values differs from that of complex ones.
     fn real_tracing(&mut self, counts: Option<&[usize]>, complex: usize) {
         let index = match counts {
             Some([index]) => {
@@ -300,7 +301,7 @@ impl Annotations {
     }
 }
 
-/// Once, twice, three times …
+/// The word for a number of times: once, twice, three times and so on.
 fn times(count: usize) -> String {
     match count {
         1 => "once".into(),

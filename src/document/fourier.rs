@@ -1,4 +1,4 @@
-//! Fourier radii in every format that can say one.
+//! Fourier radii in every format that has trigonometric functions.
 
 use std::io::Write;
 
@@ -10,7 +10,7 @@ use crate::fit::FitReport;
 use crate::notation::Notation;
 use crate::shape::FourierRadius;
 
-/// The fields of a document, as JSON.
+/// The fields of a document about the fit, as JSON.
 fn fields(report: &FitReport) -> [(&'static str, String); 5] {
     let number = |value: f64| {
         let text = serde_json::to_string(&Number(value));
@@ -25,8 +25,8 @@ fn fields(report: &FitReport) -> [(&'static str, String); 5] {
     ]
 }
 
-/// Writes `r = a0 + Σ (a_n cos nθ + b_n sin nθ)`, with the center if it is not the origin and with
-/// the quality of the fit if it is one.
+/// Writes `r = a0 + Σ (a_n cos nθ + b_n sin nθ)`, with the center if it is not the origin, and with the deviations of the fit
+/// if the radius was fitted.
 ///
 /// ```
 /// use stellate::document::{Format, write_fourier};
@@ -61,7 +61,7 @@ pub fn write_fourier(
         .map(|comment| format!("{} {comment}", format.comment()))
         .collect();
     if format == Format::Sympy {
-        // SymPy joins all lines, so there comments come last.
+        // SymPy joins all lines, so its comments come last.
         write!(out, "{}", expression(radius, format, "theta"))?;
         for (i, comment) in comments.iter().enumerate() {
             let separator = if i == 0 { "  " } else { "\n" };
@@ -89,7 +89,7 @@ pub fn write_fourier(
     }
 }
 
-/// The right side of `r = …` in the given format, with the angle called `angle`.
+/// The right side of `r = …` in the given format, where `angle` is the name of the angle.
 pub(super) fn expression(radius: &FourierRadius, format: Format, angle: &str) -> String {
     let mut text = Vec::new();
     let written = match format {
@@ -106,7 +106,7 @@ pub(super) fn expression(radius: &FourierRadius, format: Format, angle: &str) ->
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// The non-zero terms, each with its function written by `call(name, n)`.
+/// The non-zero terms; `call(name, n)` writes the function of a term.
 fn harmonics<'a>(
     radius: &'a FourierRadius,
     call: impl Fn(&str, usize) -> String + 'a,

@@ -11,10 +11,10 @@ use crate::notation::{Notation, Number, append_word, write_in_order};
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 use crate::verb::Fact;
 
-/// Writes `f(x, y) = 0`, terms in canonical order, and the center if it is not the origin.
+/// Writes `f(x, y) = 0` with its terms in canonical order, and the center if it is not the origin.
 ///
-/// Cost: linear in the size of the output, up to the conversion of the coefficients to decimal, which goes on in
-/// parallel; some megabytes of text are in memory at a time.
+/// Cost: linear in the size of the output, except for the conversion of the coefficients to decimal, which is done in parallel.
+/// Some megabytes of text are in memory at a time.
 ///
 /// ```
 /// use stellate::document::{Format, write_implicit};
@@ -62,9 +62,9 @@ pub fn write_implicit(
     .write(&degrees, format, out)
 }
 
-/// Writes `f(x, y, z) = 0`, terms in canonical order.
+/// Writes `f(x, y, z) = 0` with its terms in canonical order.
 ///
-/// If z does not occur in f, formulas end with the term 0z: it says that this is a surface.
+/// If z does not occur in f, formulas end with the term 0z, which shows that the form is a surface.
 ///
 /// # Errors
 /// Those of `out`.
@@ -89,7 +89,7 @@ pub(crate) fn write_surface(
     .write(&degrees, format, out)
 }
 
-/// What curves and surfaces have in common.
+/// The common parts of curves and surfaces.
 struct Implicit<'a, T> {
     variables: &'a [&'a str],
     terms: T,
@@ -103,7 +103,7 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
     fn write(self, degrees: &[u64], format: Format, out: &mut dyn Write) -> Result<()> {
         match format {
             Format::Json => return self.write_json(degrees, out),
-            // SymPy joins all lines, so there comments come last.
+            // SymPy joins all lines, so its comments come last.
             Format::Sympy => {}
             _ => self.write_comments("\n", format, out)?,
         }
@@ -132,7 +132,7 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
         }
     }
 
-    /// The center and the notes; every line starts as a comment.
+    /// The center and the notes; every line begins as a comment.
     fn write_comments(&self, end: &str, format: Format, out: &mut dyn Write) -> Result<()> {
         let notes = self.annotations.notes.iter().flat_map(|note| note.lines());
         let notes = notes.map(|line| format!("note: {line}"));

@@ -1,4 +1,4 @@
-//! Verdicts of an inspection as CSV, JSON and text, point by point; and as a cloud of coloured points.
+//! Verdicts of an inspection, point by point, as CSV, JSON and text, and as a cloud of coloured points.
 
 use std::fmt::Write as _;
 use std::io::Write;
@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section, Verdict};
 
-/// One line for people; points are numbered by `number`: their row, or which point of those given.
+/// A summary in one line of text. `number` is the name of a point's number, such as its row.
 #[must_use]
 pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
     let count = summary.points();
@@ -81,7 +81,7 @@ struct Tail {
 }
 
 impl InspectionWriter {
-    /// For points with two or three coordinates; `digits` decimals of the angles.
+    /// A writer for points with two or three coordinates; angles have `digits` decimals.
     ///
     /// # Errors
     /// [`crate::error::Error::Usage`] for a format other than csv, json and text.
@@ -98,7 +98,7 @@ impl InspectionWriter {
         }
     }
 
-    /// What comes before the first point.
+    /// Writes the part before the first point.
     ///
     /// # Errors
     /// Those of `out`.
@@ -124,7 +124,7 @@ impl InspectionWriter {
         }
     }
 
-    /// One point; `is_first` of all.
+    /// Writes one point; `is_first` must be true for the first one.
     ///
     /// # Errors
     /// Those of `out`.
@@ -200,7 +200,7 @@ impl InspectionWriter {
         }
     }
 
-    /// What comes after the last point.
+    /// Writes the part after the last point.
     ///
     /// # Errors
     /// Those of `out`.
@@ -219,8 +219,8 @@ impl InspectionWriter {
     }
 }
 
-/// Writes points as a binary PLY cloud, with `distance_low` and `distance_high` and the colour of the verdict: green inside,
-/// red outside, grey undecided.
+/// Writes points as a binary PLY cloud with the properties `distance_low` and `distance_high` and with the colour of the
+/// verdict: green for inside, red for outside, grey for undecided.
 ///
 /// # Errors
 /// Those of `out`.

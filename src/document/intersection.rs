@@ -1,4 +1,4 @@
-//! Space curves as intersections of surfaces.
+//! Space curves that are given as intersections of surfaces.
 
 use std::io::Write;
 
@@ -12,7 +12,7 @@ use crate::notation::polynomial_text;
 use crate::shape::ImplicitSurface;
 use crate::verb::Fact;
 
-/// Writes the surfaces of an intersection: equations one to a line, or a document of kind `intersection`.
+/// Writes the surfaces of an intersection: an equation on each line, or a document of kind `intersection`.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].

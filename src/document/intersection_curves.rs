@@ -13,7 +13,7 @@ use crate::error::Result;
 use crate::notation::polynomial_text;
 use crate::parametrize::IntersectionParametrization;
 
-/// The first curve as in any parametric document, which is what is read back; then all of them.
+/// The first curve has the fields of any parametric document, from which it is read back; then the document lists all curves.
 #[derive(Serialize)]
 struct IntersectionCurvesDocument {
     schema: &'static str,
@@ -41,8 +41,8 @@ struct Other {
     reason: String,
 }
 
-/// Writes the curves, the first one so that it is read back, and what is known of components without a parametrization.
-/// There must be a curve, or arcs of what has no parametrization; formats other than text and JSON have no room for arcs.
+/// Writes the curves, the first one so that it can be read back, and the findings about components without a parametrization.
+/// There must be a curve, or arcs of a component without a parametrization. Only text and JSON can hold arcs.
 ///
 /// # Errors
 /// Those of `out`, and those of [`super::Kind::check`].

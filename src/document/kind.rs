@@ -1,4 +1,4 @@
-//! Which kind of result is written in which format.
+//! The kinds of results, and the formats in which each kind can be written.
 
 use crate::error::{Error, Result};
 use crate::notation::Format::{self, Csv, Json, Latex, Maple, Singular, Sympy, Text};
@@ -17,9 +17,9 @@ pub enum Kind {
     ParametricForm,
     /// A superquadric.
     Superquadric,
-    /// What a form is.
+    /// The description of a form.
     Description,
-    /// Radii of a plane curve of which none is a Fourier series.
+    /// Radii of a plane curve, none of which is a Fourier series.
     ClosedForms,
     /// Radii of a surface.
     SurfaceRadii,
@@ -29,7 +29,7 @@ pub enum Kind {
     Arcs,
     /// Verdicts of an inspection.
     Verdicts,
-    /// How right the numbers of a float program are.
+    /// The comparison of the numbers of a float program with exact ones.
     Check,
     /// Test vectors for float programs.
     Vectors,
@@ -38,7 +38,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 14] = [
         Self::Radius,
         Self::Equation,
@@ -56,7 +56,7 @@ impl Kind {
         Self::Statements,
     ];
 
-    /// The table: what is written, the formats, and what else helps whoever wanted another one.
+    /// The row of a kind in the table: its name for messages, its formats, and a hint for users who want another format.
     const fn row(self) -> (&'static str, &'static [Format], &'static str) {
         const FORMULAS: &[Format] = &[Text, Json, Latex, Sympy, Maple];
         match self {
@@ -93,13 +93,13 @@ impl Kind {
         }
     }
 
-    /// The formats of this kind; the first is the usual one.
+    /// The formats of this kind; the first one is the default.
     #[must_use]
     pub const fn formats(self) -> &'static [Format] {
         self.row().1
     }
 
-    /// Whether results of this kind can be written so, to be asked before any work is done.
+    /// Checks whether results of this kind can be written in a format. Callers should check before they start any work.
     ///
     /// ```
     /// use stellate::document::{Format, Kind};
@@ -109,7 +109,7 @@ impl Kind {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Usage`] with the formats that there are.
+    /// [`Error::Usage`], with the formats of the kind.
     pub fn check(self, format: Format) -> Result<()> {
         match self.formats().contains(&format) {
             true => Ok(()),
@@ -117,7 +117,7 @@ impl Kind {
         }
     }
 
-    /// The one message for a format that this kind does not have.
+    /// The error for a format that this kind does not have.
     pub(crate) fn refused(self, format: Format) -> Error {
         let (what, formats, hint) = self.row();
         let names: Vec<&str> = formats.iter().map(|format| format.name()).collect();

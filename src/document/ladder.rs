@@ -1,4 +1,4 @@
-//! The paper's algorithm in doubles, rung by rung: text, JSON and CSV.
+//! The digits that the paper's algorithm keeps in doubles for growing N, as text, JSON and CSV.
 
 use std::io::Write;
 
@@ -34,7 +34,7 @@ struct Kept {
     median: Number,
 }
 
-/// Writes what doubles keep for growing N: text, JSON of kind `check` with `what` = `self`, or CSV.
+/// Writes the digits that doubles keep for growing N, as text, as JSON of kind `check` with `what` = `self`, or as CSV.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -101,7 +101,7 @@ fn write_text(rungs: &[Rung], out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// `1e-8`
+/// The distance as text, such as `1e-8`.
 fn sign_distance(rung: &Rung) -> String {
     rung.sign_distance
         .map_or_else(|| "nowhere".into(), |d| format!("{d:e}"))

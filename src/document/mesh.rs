@@ -9,16 +9,16 @@ use crate::mesh::Mesh;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MeshFormat {
-    /// Wavefront OBJ: text, doubles in full, normals, a group for every factor.
+    /// Wavefront OBJ: a text format with all digits of the doubles, normals, and a group for every factor.
     Obj,
-    /// Stanford PLY, binary little-endian, doubles and normals.
+    /// Stanford PLY: a binary format, little-endian, with doubles and normals.
     Ply,
-    /// STL, binary: single precision by the definition of the format.
+    /// STL: a binary format, which has single precision by its definition.
     Stl,
 }
 
 impl MeshFormat {
-    /// By the name's ending: obj, ply or stl.
+    /// The format that the extension of a file name means: obj, ply or stl.
     #[must_use]
     pub fn of_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
@@ -30,7 +30,7 @@ impl MeshFormat {
     }
 }
 
-/// Writes a mesh. `comment` is one line; STL has room for 80 bytes of it.
+/// Writes a mesh. `comment` is one line, of which STL holds 80 bytes.
 ///
 /// # Errors
 /// Those of `out`.
@@ -102,7 +102,7 @@ fn write_ply(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
 }
 
 fn write_stl(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
-    // A header that begins with "solid" would mean the text format.
+    // A header that begins with "solid" would announce the text format.
     let mut header = [b' '; 80];
     for (slot, byte) in header.iter_mut().zip(comment.bytes()) {
         *slot = byte;
@@ -123,7 +123,7 @@ fn write_stl(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// The unit normal of a triangle; 0 for one without area.
+/// The unit normal of a triangle; 0 if the triangle has no area.
 fn facet_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let [a, b, c] = [a, b, c].map(nalgebra::Vector3::from);
     let normal = (b - a).cross(&(c - a));
@@ -138,7 +138,7 @@ fn single(value: f64) -> f32 {
     value as f32
 }
 
-/// What a mesh is, in sentences.
+/// The properties of a mesh, in sentences.
 #[must_use]
 pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
     let topology = mesh.topology();

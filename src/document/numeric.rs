@@ -1,4 +1,4 @@
-//! Branches without a closed form (Lemma 6) in parametric documents: equations, which root is which, the fit.
+//! Branches without a closed form (Lemma 6) in parametric documents: their equations, the ranks of their roots, and the fit.
 
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ pub(super) struct DiscriminantEntry {
     pub(super) real_roots: Vec<String>,
 }
 
-/// On a range, which root a branch is: 1 for the largest.
+/// The rank of a branch among the real roots on a range of angles; 1 is the largest root.
 #[derive(Serialize)]
 pub(super) struct RootEntry {
     pub(super) root: usize,
@@ -34,7 +34,7 @@ pub(super) struct RootEntry {
     pub(super) to: String,
 }
 
-/// A Fourier radius near a branch without a closed form.
+/// The Fourier fit of a branch without a closed form.
 #[derive(Serialize)]
 pub(super) struct FitEntry {
     /// The index of the branch, or null for the outermost positive radius.
@@ -52,7 +52,7 @@ pub(super) struct FitEntry {
     pub(super) jumps: Vec<Angle>,
 }
 
-/// One root of each factor that has no closed form.
+/// For each factor that has no closed form, its index and one of its branches.
 pub(super) fn equations(curve: &Parametrization) -> impl Iterator<Item = (usize, &RootBranch)> {
     let mut last = None;
     curve
@@ -97,7 +97,7 @@ pub(super) fn root_entries(root: &RootBranch, digits: u32) -> Vec<RootEntry> {
     .collect()
 }
 
-/// `root 1 of 3 for theta in (0, pi/2), …`
+/// The ranks of a branch as text, such as `root 1 of 3 for theta in (0, pi/2), …`.
 pub(super) fn roots_text(radius: &BranchRadius, digits: u32) -> String {
     let BranchRadius::Root(root) = radius else {
         return String::new();
@@ -158,7 +158,7 @@ impl EquationEntry {
     }
 }
 
-/// What the fit is of and how good it is, as comments.
+/// The branch that is fitted and the errors of the fit, as comments.
 pub(super) fn fit_comments(fit: &BranchFit, digits: u32) -> Vec<String> {
     let of = match fit.branch {
         Some(index) => format!("branch {index}"),

@@ -47,7 +47,7 @@ struct ParametrizationDocument {
 struct BranchEntry {
     factor: usize,
     radius: String,
-    /// Whether the formulas are those of a fit, whose error is said there.
+    /// Whether the formulas are those of a fit; the fit has its error.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     approximate: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -62,17 +62,15 @@ struct BranchEntry {
     roots: Vec<RootEntry>,
     ranges: Vec<Range>,
     positive: Vec<Range>,
-    /// `everywhere` if the formula is real in the ranges alone, `ranges` if it may be real elsewhere, where it is another
-    /// branch's root or none.
+    /// `everywhere` if the formula is real only in the ranges; `ranges` if it may be real elsewhere, where it is the root of
+    /// another branch or no root.
     valid: &'static str,
 }
 
-/// Writes the polar form of a curve: expressions for r, x and y of every branch, where r is real and
-/// where it is positive to `digits` decimals, the lines through the origin, and exact Fourier coefficients
-/// where a radius is a series.
+/// Writes the polar form of a curve: expressions for r, x and y of every branch, the ranges in which r is real and in which it
+/// is positive, to `digits` decimals, the lines through the origin, and the exact Fourier coefficients if a radius is a series.
 ///
-/// Text starts with comments; the first branch is a formula `r = …`, which can be read back if it is a
-/// series.
+/// Text begins with comments. The first branch is a formula `r = …`, which can be read back if it is a series.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -246,7 +244,7 @@ fn write_text(
     write_rational(curve, Format::Text, out)
 }
 
-/// What is known of rational parametrizations, as comments.
+/// The findings about rational parametrizations, as comments.
 fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) -> Result<()> {
     let comments = curve
         .rational
@@ -258,7 +256,7 @@ fn write_rational(curve: &Parametrization, format: Format, out: &mut dyn Write) 
     Ok(())
 }
 
-/// The formula of a radius, if it has one.
+/// The formula of a radius; `None` if it has none.
 fn radius_text(radius: &BranchRadius, format: Format) -> Option<String> {
     match radius {
         BranchRadius::Fourier(radius) => Some(expression(radius, format, "theta")),
@@ -267,7 +265,7 @@ fn radius_text(radius: &BranchRadius, format: Format) -> Option<String> {
     }
 }
 
-/// A branch; if a Fourier series is fitted to it, the formulas are those of the fit.
+/// The entry of a branch. If a Fourier series is fitted to it, the formulas are those of the fit.
 fn entry(
     branch: &Branch,
     fit: Option<&BranchFit>,

@@ -1,4 +1,4 @@
-//! Parametric curves and patches in every format that can say them.
+//! Parametric curves and patches in every format that has their functions.
 
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -31,8 +31,8 @@ impl ParametricFormDocument {
     }
 }
 
-/// Writes the form: `x = …; y = …` as text, statements for SymPy and Maple, or a JSON document of kind
-/// `parametric`; text and JSON are read back.
+/// Writes the form as text `x = …; y = …`, as statements for SymPy or Maple, or as a JSON document of kind `parametric`. Text
+/// and JSON can be read back.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].

@@ -1,4 +1,4 @@
-//! Rational parametrizations, and why there is none, in parametric documents.
+//! Rational parametrizations in parametric documents, or the reasons why there are none.
 
 use serde::Serialize;
 
@@ -9,16 +9,16 @@ use crate::notation::Notation;
 use crate::parametrize::{Cover, FactorRationality, RationalCurve, Rationality};
 use crate::poly::{BinaryForm, IntegerPolynomial, RationalFunction};
 
-/// Longer equations of a cover are not printed in text.
+/// A longer equation of a cover is not printed in the text format.
 const LONGEST_EQUATION: usize = 120;
 
 #[derive(Serialize)]
 pub(super) struct Entry {
     factor: usize,
-    /// Absent where the factor is several curves.
+    /// The genus; absent if the factor consists of several curves.
     #[serde(skip_serializing_if = "Option::is_none")]
     genus: Option<usize>,
-    /// Whether there is a rational parametrization over Q; absent where that is not known.
+    /// Whether there is a rational parametrization over Q; absent if this is not known.
     #[serde(skip_serializing_if = "Option::is_none")]
     rational: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -34,7 +34,7 @@ pub(super) struct Entry {
 }
 
 impl PlaneFormulas {
-    /// In the coordinates of the plane: about the center.
+    /// The entry of a curve, in the coordinates of the plane, whose origin is not the center.
     fn of_curve(curve: &RationalCurve, [a, b]: &[Rational; 2], format: Format) -> Self {
         Self {
             x: function_text(&curve.x.plus_constant(a), format),
@@ -74,7 +74,7 @@ impl Entry {
     }
 }
 
-/// What a comment says of a factor; nothing for a radius that is a series, where r(θ) says it all.
+/// The comment about a factor; `None` for a radius that is a series, because r(θ) shows the parametrization.
 pub(super) fn comment(
     of: &FactorRationality,
     center: &[Rational; 2],
@@ -102,7 +102,7 @@ pub(super) fn comment(
     Some(format!("factor {factor} {claim} ({reason})"))
 }
 
-/// Why there is no parametrization, if there is none.
+/// The reason why there is no parametrization; `None` if there is one.
 fn reason(rationality: &Rationality, longest: usize) -> Option<String> {
     let equation = |form: &BinaryForm| {
         let right = polynomial_text(form.dehomogenized(), Format::Text);
@@ -150,7 +150,7 @@ fn reason(rationality: &Rationality, longest: usize) -> Option<String> {
     })
 }
 
-/// `(t^2 - 1)/(t^2 + 1)`
+/// The text of a function, such as `(t^2 - 1)/(t^2 + 1)`.
 fn function_text(f: &RationalFunction, format: Format) -> String {
     let [above, below] = [f.numerator(), f.denominator()].map(|p| polynomial_text(p, format));
     if f.is_polynomial() {
@@ -160,7 +160,7 @@ fn function_text(f: &RationalFunction, format: Format) -> String {
         return format!("\\frac{{{above}}}{{{below}}}");
     }
     let terms = |p: &IntegerPolynomial| p.coefficients_asc().iter().filter(|c| **c != 0).count();
-    // A number or a power of t; anything longer is no divisor without parentheses.
+    // A number or a power of t needs no parentheses as a divisor; a longer text does.
     let single = below.bytes().all(|c| c.is_ascii_digit())
         || below.starts_with('t') && terms(f.denominator()) == 1;
     let above = if terms(f.numerator()) > 1 {

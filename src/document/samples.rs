@@ -44,9 +44,9 @@ struct SamplesDocument {
     lines: Vec<Line>,
 }
 
-/// Writes points as CSV `branch,theta,u,v,r,x,y,multiplicity` (in space
-/// `branch,theta,phi,u,v,w,r,x,y,z,multiplicity`) or as a JSON document of kind `samples`. Coordinates are relative to
-/// `center`; where that is not the origin the table begins with the comment `# center X Y`, and the document has it, too.
+/// Writes points, as CSV `branch,theta,u,v,r,x,y,multiplicity` (in space `branch,theta,phi,u,v,w,r,x,y,z,multiplicity`) or as a
+/// JSON document of kind `samples`. Coordinates are relative to `center`. If the center is not the origin, the table begins
+/// with the comment `# center X Y`, and the document has the center, too.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].

@@ -1,4 +1,4 @@
-//! Superquadrics as text and JSON, and what is certain about them.
+//! Superquadrics and their exact properties, as text and as JSON.
 
 use std::io::Write;
 
@@ -44,7 +44,7 @@ impl SuperquadricDocument {
         }
     }
 
-    /// As the row of the input language or as JSON.
+    /// Writes the superquadric as a row of the input language or as JSON.
     fn write(&self, format: Format, out: &mut dyn Write) -> Result<()> {
         match format {
             Format::Text => {
@@ -64,7 +64,7 @@ impl SuperquadricDocument {
     }
 }
 
-/// Writes a superquadric as the row of the input language, or as a JSON document; both are read back.
+/// Writes a superquadric as a row of the input language or as a JSON document; both can be read back.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -76,7 +76,7 @@ pub(crate) fn write_superquadric(
     SuperquadricDocument::new(shape).write(format, out)
 }
 
-/// The same for a superquadric in space.
+/// Writes a superquadric in space; see [`write_superquadric`].
 ///
 /// # Errors
 /// As [`write_superquadric`].
@@ -101,7 +101,7 @@ struct Description {
     notes: Vec<String>,
 }
 
-/// Writes what is certain about a superquadric, as `key: value` lines or as a JSON document of kind `description`.
+/// Writes the exact properties of a superquadric, as `key: value` lines or as a JSON document of kind `description`.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -162,7 +162,7 @@ fn write_text(d: &Description, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// The same for a superquadric in space.
+/// Writes the exact properties of a superquadric in space; see [`write_superquadric_description`].
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -235,7 +235,7 @@ fn divided(name: &str, by: &str) -> String {
     }
 }
 
-/// A fraction in parentheses.
+/// A fraction in parentheses; other numbers need none.
 fn grouped(number: &str) -> String {
     if number.contains('/') {
         format!("({number})")
@@ -244,7 +244,7 @@ fn grouped(number: &str) -> String {
     }
 }
 
-/// What the curve looks like on the axes.
+/// The shape of the curve on the axes, in words.
 fn smoothness(shape: &Superquadric) -> &'static str {
     let exponent = shape.exponent();
     match exponent.cmp(&Rational::one()) {

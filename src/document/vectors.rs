@@ -25,7 +25,7 @@ struct VectorsDocument {
     points: Vec<PointEntry>,
 }
 
-/// A double, and the same bit for bit.
+/// A double, as a decimal and with all its bits.
 #[derive(Serialize)]
 struct Double {
     double: Number,
@@ -66,13 +66,13 @@ struct PointEntry {
 
 /// Writes test vectors as a JSON document of kind `vectors`.
 ///
-/// `inputs` are what a float program is given: `a0`, `a1`, `b1`, … of the radius, or the coefficients of the polynomial.
-/// Every double stands there as the shortest decimal that is read back as it (`double`) and as a hexadecimal float
-/// (`hex`). `coefficients` have the exact value `p/q`, the nearest double and the condition with respect to the
-/// inputs; `radii` the double nearest to r(θ), θ being the double given; `points` an exact direction, and the doubles
-/// nearest to r and to the coordinates, with the condition of the root with respect to the coefficients. A condition
-/// of K lets an output be off by K times the relative error of the inputs, to first order: log₁₀ K digits; null where
-/// there are no inputs. What is infinite is `"inf"`.
+/// `inputs` are the numbers for a float program: `a0`, `a1`, `b1`, … of the radius, or the coefficients of the polynomial.
+/// Every double is written as the shortest decimal that is read back as it (`double`) and as a hexadecimal float (`hex`).
+/// `coefficients` have the exact value `p/q`, the nearest double, and the condition number with respect to the inputs. `radii`
+/// have the double nearest to r(θ), where θ is the given double. `points` have an exact direction, the doubles nearest to r and
+/// to the coordinates, and the condition number of the root with respect to the coefficients. A condition number K means that,
+/// to first order, the relative error of an output can be K times that of the inputs, which is a loss of log₁₀ K digits; it is
+/// null if there are no inputs. An infinite number is `"inf"`.
 ///
 /// # Errors
 /// Those of `out`.

@@ -1,4 +1,5 @@
-//! The guide: what the program does, by examples; every command is run by the tests and prints what is written here.
+//! The guide: the use of the program in examples. The tests run every command and compare its output with the text of the
+//! guide.
 
 #[doc = include_str!("tour.md")]
 pub mod tour {}

@@ -12,11 +12,11 @@ use super::heading::{Drawn, FINER, font, tick};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// Units from an edge to its ticks' numbers, and to its name.
+/// The distances, in units, from an edge to the numbers of its ticks and to its name.
 const TO_NUMBER: f64 = 18.0;
 const TO_NAME: f64 = 46.0;
 
-/// Between three and seven numbers on an axis: multiples of 1, 2 or 5 times a power of ten.
+/// The ticks of an axis: three to seven numbers that are multiples of 1, 2 or 5 times a power of ten.
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
     let rough = (high - low) / 5.0;
     let power = 10f64.powf(rough.log10().floor());
@@ -35,7 +35,7 @@ fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
     ticks
 }
 
-/// The three walls behind everything.
+/// Draws the three walls behind everything else.
 pub(super) fn draw_walls<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     camera: &Camera,
@@ -76,7 +76,7 @@ pub(super) fn draw_walls<B: DrawingBackend>(
     Ok(())
 }
 
-/// The numbers and names along an edge of the floor for x and for y, and along the leftmost upright edge for z.
+/// Draws the numbers and names along an edge of the floor for x and for y, and along the leftmost upright edge for z.
 pub(super) fn draw_labels<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     camera: &Camera,
@@ -88,7 +88,7 @@ pub(super) fn draw_labels<B: DrawingBackend>(
     for k in 0..3 {
         let mut sides = camera.front;
         if k == 2 {
-            // One of the two uprights at the sides.
+            // One of the two upright edges at the sides of the picture.
             let candidates = [[camera.front[0], back[1], 0], [back[0], camera.front[1], 0]];
             let [a, b] = candidates.map(|sides| camera.see(camera.corner(sides)).x);
             sides = candidates[usize::from(b < a)];
@@ -101,7 +101,7 @@ pub(super) fn draw_labels<B: DrawingBackend>(
             camera.see(camera.corner(sides))
         };
         let (low, high) = (end(0), end(1));
-        // Outwards: across the edge, away from the middle of the box.
+        // The outward direction: across the edge, away from the middle of the box.
         let (dx, dy) = (high.x - low.x, high.y - low.y);
         let length = dx.hypot(dy).max(1e-9);
         let middle = (f64::midpoint(low.x, high.x), f64::midpoint(low.y, high.y));

@@ -1,20 +1,20 @@
-//! How space is seen: a box around what is drawn, an eye, and perspective.
+//! The perspective view of a box.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-/// Where the eye is, in units of the box's half diagonal: near enough to show depth.
+/// The distance of the eye in units of the box's half diagonal. It is short enough to show depth.
 const DISTANCE: f64 = 3.4;
 
-/// Sides of the box that are shorter than this part of the longest are drawn longer.
+/// Sides of the box that are shorter than this part of the longest side are drawn longer.
 const THINNEST: f64 = 1.0 / 6.0;
 
 /// A view of a box.
 pub(super) struct Camera {
-    /// The box, with some thickness in every direction.
+    /// The box, which has some thickness in every direction.
     pub(super) bounds: [[f64; 2]; 3],
-    /// Whether the three axes have one unit of length.
+    /// Whether the three axes have the same unit of length.
     pub(super) equal: bool,
-    /// For each axis which side of the box is nearer to the eye.
+    /// For each axis, which side of the box is nearer to the eye.
     pub(super) front: [usize; 3],
     scale: [f64; 3],
     view: Isometry3<f64>,
@@ -28,12 +28,12 @@ pub(super) struct Camera {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     pub(super) x: f64,
-    /// Downwards.
+    /// The coordinate that grows downwards.
     pub(super) y: f64,
 }
 
 impl Camera {
-    /// The view from the given direction (degrees) of a box that is shown at most `width` wide and `height` high.
+    /// The view, from the given direction in degrees, of a box. Its picture is at most `width` wide and `height` high.
     pub(super) fn new(
         bounds: [[f64; 2]; 3],
         [azimuth, elevation]: [f64; 2],
@@ -41,7 +41,7 @@ impl Camera {
     ) -> Self {
         let longest = bounds.iter().map(|[a, b]| b - a).fold(0.0, f64::max);
         let longest = if longest > 0.0 { longest } else { 1.0 };
-        // Flat things get a box around them.
+        // A flat box is made thicker.
         let bounds = bounds.map(|[a, b]| {
             let missing = (0.2 * longest - (b - a)).max(0.0) / 2.0;
             if b - a < 1e-9 * longest {
@@ -96,7 +96,7 @@ impl Camera {
         camera
     }
 
-    /// A corner of the box: 0 is the low side, 1 the high one.
+    /// A corner of the box; 0 stands for the low side, 1 for the high side.
     pub(super) fn corner(&self, sides: [usize; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| self.bounds[k][sides[k]])
     }
@@ -107,7 +107,7 @@ impl Camera {
         (0..3).map(|k| side(k).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Where the eye is.
+    /// The position of the eye.
     pub(super) fn eye(&self) -> [f64; 3] {
         let eye = self.view.inverse() * Point3::origin();
         [0, 1, 2].map(|k| {
@@ -116,7 +116,7 @@ impl Camera {
         })
     }
 
-    /// A point, moved towards the eye by this part of the box's size.
+    /// The point, moved towards the eye by this part of the box's size.
     pub(super) fn lifted(&self, point: [f64; 3], part: f64) -> [f64; 3] {
         let eye = self.eye();
         let towards = (self.scaled(eye) - self.scaled(point)).norm();
@@ -124,7 +124,7 @@ impl Camera {
         [0, 1, 2].map(|k| point[k] + share * (eye[k] - point[k]))
     }
 
-    /// Where a point is seen.
+    /// The point of the picture at which a point is seen.
     pub(super) fn see(&self, point: [f64; 3]) -> Seen {
         let p = self.view * self.scaled(point);
         Seen {
@@ -133,15 +133,15 @@ impl Camera {
         }
     }
 
-    /// The cosine of the angle between a facet's normal and the line to the eye: positive if the corners go round
-    /// counterclockwise as seen from there.
+    /// The cosine of the angle between the normal of a facet and the line to the eye. It is positive if the corners are
+    /// counterclockwise as seen from the eye.
     pub(super) fn facing(&self, corners: &[[f64; 3]]) -> f64 {
         let seen: Vec<Point3<f64>> = corners
             .iter()
             .map(|&p| self.view * self.scaled(p))
             .collect();
         let center = seen.iter().map(|p| p.coords).sum::<Vector3<f64>>();
-        // Newell: right for quadrilaterals that are not quite plane.
+        // Newell's rule is right for quadrilaterals that are not quite plane.
         let normal: Vector3<f64> = (0..seen.len())
             .map(|i| seen[i].coords.cross(&seen[(i + 1) % seen.len()].coords))
             .sum();
@@ -153,7 +153,7 @@ impl Camera {
         }
     }
 
-    /// The same for a point with a given normal.
+    /// The cosine for a point with a given normal.
     pub(super) fn facing_normal(&self, at: [f64; 3], normal: [f64; 3]) -> f64 {
         let center = (self.view * self.scaled(at)).coords;
         let scaled = Vector3::from([0, 1, 2].map(|k| normal[k] / self.scale[k]));
@@ -209,7 +209,7 @@ mod tests {
             let middle = camera.see([-1.0 + 2.0 * t, 0.5, 0.0]);
             let cross = (b.x - a.x) * (middle.y - a.y) - (b.y - a.y) * (middle.x - a.x);
             prop_assert!(cross.abs() < 1e-6);
-            // Of two equal rods the one near the eye (large x) is seen longer.
+            // Of two equal rods the one near the eye (with the larger x) looks longer.
             let rod = |x: f64| {
                 let (low, high) = (camera.see([x, 0.0, 0.0]), camera.see([x, 0.0, 0.1]));
                 (high.x - low.x).hypot(high.y - low.y)

@@ -1,4 +1,4 @@
-//! A chart: numbers over numbers, each axis with a scale of its own.
+//! Charts of numbers over numbers, with a scale for each axis.
 
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
@@ -17,54 +17,54 @@ use super::heading::{
 };
 use crate::error::{Error, Result};
 
-/// Units below the plotted part, and its height.
+/// The number of units below the plotted part, and its height.
 const BELOW: u32 = 56;
 const HEIGHT: u32 = 460;
 
-/// Where the mark of a series is, seen from its last point.
+/// The position of the mark of a series, relative to its last point.
 const BESIDE: Pos = Pos {
     h_pos: HPos::Left,
     v_pos: VPos::Center,
 };
 
-/// A logarithmic axis goes on by this factor beyond the points.
+/// A logarithmic axis extends beyond the points by this factor.
 const ROOM: f64 = 1.15;
 
-/// Half the width of a dot; the dots of many points are smaller.
+/// Half the width of a dot; if there are many points, their dots are smaller.
 const DOT: u32 = 3;
 const SMALL_DOT: u32 = 1;
 const MANY: usize = 300;
 
-/// One row of numbers.
+/// A series of points.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Series {
-    /// What the legend says.
+    /// The label in the legend.
     pub(crate) label: String,
-    /// (x, y).
+    /// The points (x, y).
     pub(crate) points: Vec<[f64; 2]>,
     /// Whether a line joins the points, in their order.
     pub(crate) joined: bool,
-    /// What is written beside the last point, possibly nothing.
+    /// The text next to the last point; it may be empty.
     pub(crate) mark: String,
 }
 
 /// Series over two axes.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// The heading, possibly empty.
+    /// The heading; it may be empty.
     pub(crate) title: String,
-    /// What the axes show.
+    /// The labels of the axes.
     pub(crate) labels: [String; 2],
-    /// The ends of the y axis; the x axis fits the points.
+    /// The ends of the y axis. The x axis is fitted to the points.
     pub(crate) y: [f64; 2],
-    /// Whether both axes are logarithmic; then all numbers are positive.
+    /// Whether both axes are logarithmic; then all numbers must be positive.
     pub(crate) logarithmic: bool,
-    /// From the lowest to the topmost.
+    /// The series, from the lowest to the topmost layer.
     pub(crate) series: Vec<Series>,
 }
 
 impl Chart {
-    /// The chart as an SVG text; what is beyond the ends of the y axis is drawn on its end.
+    /// The chart as an SVG text. Points beyond the ends of the y axis are drawn at the end.
     ///
     /// # Errors
     /// [`Error::Data`] if there is no point, or a number that is not finite.
@@ -82,7 +82,7 @@ impl Chart {
         Ok(shown_in_units(&svg, height))
     }
 
-    /// Around all points.
+    /// The range of x, which holds all points.
     fn x_range(&self) -> Result<[f64; 2]> {
         let all = self.series.iter().flat_map(|s| &s.points);
         let mut range: Option<[f64; 2]> = None;
@@ -131,7 +131,7 @@ impl Chart {
         plot.present()
     }
 
-    /// The axes and the series.
+    /// Draws the axes and the series.
     fn draw_on<B: DrawingBackend, X, Y>(
         &self,
         mut chart: ChartContext<'_, B, Cartesian2d<X, Y>>,
@@ -193,9 +193,9 @@ impl Chart {
     }
 }
 
-/// Ticks of a logarithmic axis: powers of ten, and 2 and 5 times those if they are few.
+/// The ticks of a logarithmic axis: powers of ten and, if they are few, 2 and 5 times these.
 fn decades([low, high]: [f64; 2]) -> Vec<f64> {
-    /// So many decades leave room for more.
+    /// With at most this many decades there is room for further ticks.
     const FEW: f64 = 4.0;
     let steps: &[f64] = if high < low * 10f64.powf(FEW) {
         &[1.0, 2.0, 5.0]
@@ -255,10 +255,10 @@ mod tests {
         for logarithmic in [false, true] {
             assert!(chart(vec![], logarithmic).to_svg().is_err());
             assert!(chart(vec![[0.0, f64::NAN]], logarithmic).to_svg().is_err());
-            // One point, and one beyond the axis, are no fault.
+            // A single point, and a point beyond the axis, are no errors.
             assert!(chart(vec![[3.0, 2.0]], logarithmic).to_svg().is_ok());
         }
-        // There is no logarithm of 0.
+        // 0 has no logarithm.
         assert!(chart(vec![[0.0, 1.0]], false).to_svg().is_ok());
         assert!(chart(vec![[0.0, 1.0]], true).to_svg().is_err());
     }

@@ -1,4 +1,4 @@
-//! What of a line or an area is inside the window: plotters would draw the rest along its edge.
+//! The parts of lines and areas that are inside the window. A plotter would draw the other parts along its edge.
 
 use line_clipping::cohen_sutherland::clip_line;
 use line_clipping::sutherland_hodgman::clip_polygon;

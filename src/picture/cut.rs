@@ -1,6 +1,6 @@
-//! What of a facet or a line in space is inside a box.
+//! The parts of facets and lines in space that are inside a box.
 
-/// The part of a polygon inside the box (Sutherland and Hodgman), empty if there is none.
+/// The part of a polygon inside the box (Sutherland and Hodgman); it is empty if the polygon is outside.
 pub(super) fn polygon(corners: &[[f64; 3]], bounds: &[[f64; 2]; 3]) -> Vec<[f64; 3]> {
     let mut kept = corners.to_vec();
     for k in 0..3 {
@@ -23,7 +23,7 @@ pub(super) fn polygon(corners: &[[f64; 3]], bounds: &[[f64; 2]; 3]) -> Vec<[f64;
     if kept.len() < 3 { Vec::new() } else { kept }
 }
 
-/// The part of a segment inside the box.
+/// The part of a segment inside the box; `None` if the segment is outside.
 pub(super) fn segment([p, q]: [[f64; 3]; 2], bounds: &[[f64; 2]; 3]) -> Option<[[f64; 3]; 2]> {
     let mut ends = [p, q];
     for k in 0..3 {
@@ -50,7 +50,7 @@ fn inwards(p: &[f64; 3], k: usize, side: usize, bounds: &[[f64; 2]; 3]) -> f64 {
     }
 }
 
-/// The point at t from p to q, which lies on a plane.
+/// The point with the parameter t on the segment from p to q, which lies on a plane.
 fn between(p: &[f64; 3], q: &[f64; 3], t: f64, k: usize, plane: f64) -> [f64; 3] {
     let mut point = [0, 1, 2].map(|i| p[i] + t * (q[i] - p[i]));
     point[k] = plane;
@@ -77,7 +77,7 @@ mod tests {
             if corners.iter().all(inside) {
                 prop_assert_eq!(polygon(&corners, &BOX), corners.clone());
             }
-            // The middle of a segment that was cut off entirely is outside.
+            // The middle of a segment is outside if the whole segment was cut off.
             let middle = [0, 1, 2].map(|k| f64::midpoint(corners[0][k], corners[1][k]));
             prop_assert!(rest.is_some() || !inside(&middle));
         }

@@ -1,4 +1,4 @@
-//! How large a curve is, for choosing a window.
+//! The extent of a curve, by which a window is chosen.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -8,14 +8,14 @@ use crate::limits::Limits;
 use crate::sample::{Direction, Ray, RaySolver};
 use crate::shape::ImplicitCurve;
 
-/// Directions probed.
+/// The number of directions that are sampled.
 const DIRECTIONS: usize = 120;
 
-/// A branch that runs off to infinity is shown to this many times the median distance.
+/// A branch that goes to infinity is shown up to this many times the median distance.
 const LARGEST_OVER_MEDIAN: f64 = 4.0;
 
-/// Certified points of the curve in many directions, in the contour's own coordinates, without those
-/// that are much farther out than most.
+/// Certified points of the curve in many directions, in the contour's own coordinates, without the points that are much farther
+/// away than most.
 ///
 /// # Errors
 /// [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.

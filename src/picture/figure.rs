@@ -1,4 +1,4 @@
-//! A figure: layers of lines and points over equal axes, with a legend above them.
+//! Figures: layers of lines and points over equal axes, with a legend above them.
 
 use plotters::chart::ChartBuilder;
 use plotters::coord::Shift;
@@ -14,33 +14,34 @@ use super::heading::{
 use super::{Window, clip};
 use crate::error::{Error, Result};
 
-/// Units below the plotted part.
+/// The number of units below the plotted part.
 const BELOW: u32 = 56;
 
-/// The height of the plotted part over its width is kept between these by showing more.
+/// The smallest and the largest ratio of the height of the plotted part to its width. More of the plane is shown to keep the
+/// ratio between them.
 const ASPECT: [f64; 2] = [0.3, 1.4];
 
-/// One thing drawn.
+/// A layer of a figure.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Layer {
-    /// What the legend says.
+    /// The label in the legend.
     pub label: String,
     /// Polylines; closed ones end where they begin.
     pub lines: Vec<Vec<[f64; 2]>>,
-    /// Isolated points, and what the legend says of them.
+    /// Isolated points, which the legend names.
     pub points: Vec<[f64; 2]>,
-    /// Drawn as a pale area.
+    /// Whether the layer is drawn as a pale area.
     pub filled: bool,
 }
 
 /// Layers over equal axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Figure {
-    /// The heading, possibly empty.
+    /// The heading; it may be empty.
     pub title: String,
-    /// The part of the plane that must be seen; more is shown where the shape of the picture asks.
+    /// The part of the plane that must be seen. More is shown if the shape of the picture requires it.
     pub window: Window,
-    /// From the lowest to the topmost.
+    /// The layers, from the lowest to the topmost.
     pub layers: Vec<Layer>,
 }
 
@@ -62,7 +63,7 @@ impl Figure {
         Ok(shown_in_units(&svg, frame.height))
     }
 
-    /// All that the picture will show: the window, widened to the shape of the picture.
+    /// The part of the plane that the picture will show: the window, enlarged to the shape of the picture.
     ///
     /// # Errors
     /// As [`Figure::to_svg`].
@@ -147,7 +148,7 @@ impl Figure {
         layers.map(row).collect()
     }
 
-    /// Later layers are thinner, so that what they cover stays visible on either side.
+    /// The style of a layer. Later layers are thinner, so that lines below them remain visible on both sides.
     fn style(&self, index: usize) -> ShapeStyle {
         if self.layers[index].filled {
             return color(index).mix(0.25).filled();
@@ -164,7 +165,7 @@ impl Figure {
     }
 }
 
-/// Sizes that make the axes equal.
+/// The sizes that make the axes equal.
 struct Frame {
     window: Window,
     heading: u32,
@@ -187,7 +188,7 @@ impl Frame {
         let width = WIDTH - LEFT - MARGIN;
         let aspect = (h / w).clamp(ASPECT[0], ASPECT[1]);
         let plotted = (f64::from(width) * aspect).round();
-        // One scale for both axes; the direction with room to spare shows more.
+        // Both axes have one scale; in the direction with more room more of the plane is shown.
         let unit = (w / f64::from(width)).max(h / plotted);
         let widened = |v: [f64; 2], pixels: f64| {
             let more = (unit * pixels - size(v)) / 2.0;

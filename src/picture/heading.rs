@@ -1,4 +1,4 @@
-//! The title of a picture and a row of legend for every layer: above the drawing, so that they hide nothing.
+//! The title of a picture and a row of the legend for every layer. They are above the drawing, so that they hide nothing.
 
 use std::sync::Once;
 
@@ -10,7 +10,7 @@ use plotters::style::{FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, regi
 
 use crate::error::Invariant;
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito), dark enough on white.
+/// Colours that colour-blind people can distinguish (Okabe and Ito), and that are dark enough on white.
 const PALETTE: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -22,17 +22,17 @@ const PALETTE: [RGBColor; 8] = [
     RGBColor(150, 20, 20),
 ];
 
-/// Width of the picture in units of the SVG.
+/// The width of the picture in units of the SVG.
 pub(super) const WIDTH: u32 = 900;
-/// The drawing library rounds to whole units: it draws on a grid this much finer.
+/// The drawing library rounds to whole units, so it draws on a grid that is finer by this factor.
 pub(super) const FINER: u32 = 8;
-/// Units left of the legend, and around the picture.
+/// The number of units to the left of the legend, and around the picture.
 pub(super) const LEFT: u32 = 76;
 pub(super) const MARGIN: u32 = 16;
 const LEGEND_ROW: u32 = 22;
 const TITLE_ROW: u32 = 34;
 
-/// What drawing gives.
+/// The result of drawing.
 pub(super) type Drawn<B> =
     std::result::Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
 
@@ -40,11 +40,11 @@ pub(super) type Drawn<B> =
 pub(super) struct Row {
     pub(super) label: String,
     pub(super) mark: Mark,
-    /// A dot in this colour is drawn too.
+    /// The colour of a dot that is drawn in addition, if there is one.
     pub(super) dot: Option<RGBColor>,
 }
 
-/// What stands before the label.
+/// The mark before the label.
 pub(super) enum Mark {
     Line(ShapeStyle),
     Area(ShapeStyle),
@@ -58,7 +58,7 @@ pub(super) fn height(title: &str, rows: usize) -> u32 {
     MARGIN + title + rows * LEGEND_ROW + MARGIN / 2
 }
 
-/// Draws title and rows.
+/// Draws the title and the rows.
 pub(super) fn draw<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     title: &str,
@@ -109,7 +109,7 @@ pub(super) fn int(value: u32) -> i32 {
     i32::try_from(value).invariant("places on a picture are less than 2^31")
 }
 
-/// The shortest text of a tick: ticks are decimals up to rounding.
+/// The shortest text of a tick; ticks are short decimals except for rounding.
 pub(super) fn tick(value: f64) -> String {
     let text = format!("{value:.10}");
     let short = text.trim_end_matches('0').trim_end_matches('.');
@@ -120,15 +120,15 @@ pub(super) fn tick(value: f64) -> String {
     }
 }
 
-/// The SVG drawn on the fine grid, shown in units.
+/// The SVG on the fine grid, scaled so that it shows units.
 pub(super) fn shown_in_units(svg: &str, height: u32) -> String {
     let fine = format!("width=\"{}\" height=\"{}\"", WIDTH * FINER, height * FINER);
     let shown = format!("width=\"{WIDTH}\" height=\"{height}\"");
     svg.replacen(&fine, &shown, 1)
 }
 
-/// The same picture in fewer characters: full opacity and the usual width of a line are said once at most, a line around
-/// a polygon becomes its stroke, and nothing but a comma stands between numbers.
+/// The same picture in fewer characters: full opacity and the usual line width are written at most once, a line around a
+/// polygon becomes the stroke of the polygon, and numbers are separated by single commas.
 pub(super) fn compacted(svg: &str) -> String {
     let usual = format!(" stroke-width=\"{}\"", FINER / 2);
     let svg = svg.replace(" opacity=\"1\"", "");
@@ -143,11 +143,11 @@ pub(super) fn compacted(svg: &str) -> String {
         short.push_str(&with_short_points(line).replace(&usual, ""));
         short.push('\n');
     }
-    // What has no stroke is not changed by its width.
+    // The width does not change elements without a stroke.
     short.replacen("<svg ", &format!("<svg{usual} "), 1)
 }
 
-/// A polygon and the closed line around it as one polygon.
+/// A polygon and the closed line around it, as one polygon.
 fn with_outline(polygon: &str, line: &str) -> Option<String> {
     let (style, points) = polygon
         .strip_prefix("<polygon ")?
@@ -159,12 +159,12 @@ fn with_outline(polygon: &str, line: &str) -> Option<String> {
         .split_once("\" points=\"")?;
     let first = points.split(' ').next()?;
     let closes = outline.strip_prefix(points)?.trim_start() == first;
-    // Each would have an opacity of its own.
+    // If one of the two is transparent, each needs its own opacity.
     let is_opaque = !style.contains("opacity") && !stroke.contains("opacity");
     (closes && is_opaque).then(|| format!("<polygon {style}\" {stroke}\" points=\"{points}\"/>"))
 }
 
-/// `points="1,2 3,4 "` as `points="1,2,3,4"`; a line of two points has nothing to be filled.
+/// `points="1,2 3,4 "` as `points="1,2,3,4"`. A line of two points has no area to fill, so its `fill` is dropped.
 fn with_short_points(line: &str) -> String {
     let Some((before, rest)) = line.split_once("points=\"") else {
         return line.to_owned();
@@ -183,7 +183,7 @@ fn with_short_points(line: &str) -> String {
 pub(super) fn load_font() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
-        // A font that ships with a crate parses; if it did not, labels would be missing.
+        // The font of the crate can be parsed; if it could not, labels would be missing.
         let _ = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
     });
 }

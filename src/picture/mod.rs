@@ -1,4 +1,4 @@
-//! Pictures: zero sets traced from their exact form, figures of the plane and scenes in space as SVG and PNG.
+//! Pictures as SVG and PNG: figures of the plane with exactly traced zero sets, scenes in space, and charts.
 
 mod axes;
 mod camera;

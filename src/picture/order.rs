@@ -1,31 +1,32 @@
-//! From the farthest to the nearest: what hides what, by a binary space partition.
+//! The order of pieces from the farthest to the nearest, by a binary space partition, so that near pieces hide far ones.
 
 use crate::error::Invariant;
 
-/// Up to so many pieces are ordered by the planes of the facets themselves; more are first divided by planes across an axis.
+/// Up to this number of pieces the planes of the facets divide the pieces; more pieces are first divided by planes across an
+/// axis.
 const LEAF: usize = 100;
-/// Points nearer to a plane than this part of the scene's size are on it.
+/// Points that are nearer to a plane than this part of the scene's size are on the plane.
 const ON_PLANE: f64 = 1e-9;
 
-/// A facet (three corners or more, nearly in a plane), a segment (two) or a point, with what it is.
+/// A facet (three or more corners, nearly in a plane), a segment (two corners) or a point, with the index of its item.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub(super) corners: Vec<[f64; 3]>,
-    /// For every corner whether the edge to the next one is an edge of the whole facet, not a cut.
+    /// For every corner, whether the edge to the next corner is an edge of the whole facet and not a cut.
     pub(super) edges: Vec<bool>,
     pub(super) item: usize,
 }
 
-/// n·x = offset, with a unit vector n.
+/// The plane n·x = offset, with a unit vector n.
 struct Plane {
     normal: [f64; 3],
     offset: f64,
 }
 
-/// The pieces from the farthest to the nearest as seen from `eye`: none hides a later one. Facets and segments that pass
-/// through a plane of the partition are cut there, so surfaces that cut each other come out right.
+/// The pieces from the farthest to the nearest, as seen from `eye`: no piece hides a later one. Facets and segments that cross
+/// a plane of the partition are cut there, so surfaces that intersect each other are drawn rightly.
 ///
-/// Cost: for n pieces of usual scenes n log n, with some tenths more pieces at the end.
+/// Cost: about n log n for n pieces of usual scenes, with some tenths more pieces at the end.
 pub(super) fn from_behind(pieces: Vec<Piece>, eye: [f64; 3]) -> Vec<Piece> {
     let mut largest = 0.0_f64;
     for value in pieces.iter().flat_map(|p| &p.corners).flatten().chain(&eye) {
@@ -50,7 +51,7 @@ fn order(pieces: Vec<Piece>, eye: [f64; 3], near: f64, ordered: &mut Vec<Piece>)
     }
     let facets = pieces.iter().filter(|p| p.corners.len() > 2);
     let count = facets.clone().count();
-    // One from the middle: neighbours in a list are neighbours on a surface.
+    // A facet from the middle of the list is the first candidate, because neighbours in the list are neighbours on a surface.
     let planes = facets.skip(count / 2).chain(pieces.iter());
     let Some(plane) = planes
         .filter(|p| p.corners.len() > 2)
@@ -62,7 +63,7 @@ fn order(pieces: Vec<Piece>, eye: [f64; 3], near: f64, ordered: &mut Vec<Piece>)
         return by_distance(pieces, eye, ordered);
     };
     if on.is_empty() && (behind.len() == pieces.len() || before.len() == pieces.len()) {
-        // A plane that is not even that of its own facet.
+        // The plane does not contain its own facet, so the pieces are ordered by distance.
         return by_distance(pieces, eye, ordered);
     }
     let (far, close) = sides(&plane, eye, behind, before);
@@ -71,13 +72,13 @@ fn order(pieces: Vec<Piece>, eye: [f64; 3], near: f64, ordered: &mut Vec<Piece>)
     order(close, eye, near, ordered);
 }
 
-/// In one plane facets hide nothing but lines and points.
+/// The pieces in one plane, with facets before lines and points, because facets in a plane can only hide these.
 fn lines_over_facets(mut on: Vec<Piece>) -> Vec<Piece> {
     on.sort_by_key(|piece| std::cmp::Reverse(piece.corners.len().min(3)));
     on
 }
 
-/// The side without the eye, then the other one.
+/// The side of the plane without the eye, then the other side.
 fn sides(
     plane: &Plane,
     eye: [f64; 3],
@@ -100,7 +101,7 @@ fn by_distance(mut pieces: Vec<Piece>, eye: [f64; 3], ordered: &mut Vec<Piece>) 
     ordered.extend(pieces);
 }
 
-/// A plane across the axis in which the pieces spread most, through the median of their middles.
+/// A plane across the axis along which the pieces extend most, through the median of their middles.
 fn across(pieces: &[Piece]) -> Option<Plane> {
     let middles: Vec<[f64; 3]> = pieces.iter().map(Piece::middle).collect();
     let spread = |k: usize| {
@@ -119,7 +120,7 @@ fn across(pieces: &[Piece]) -> Option<Plane> {
     })
 }
 
-/// Pieces behind, on and before a plane, cut where they pass through; an error for what is not finite.
+/// The pieces behind, on and in front of a plane. Pieces that cross it are cut. An error if a coordinate is not finite.
 fn divided(pieces: &[Piece], plane: &Plane, near: f64) -> Result<[Vec<Piece>; 3], ()> {
     let mut parts: [Vec<Piece>; 3] = Default::default();
     for piece in pieces {
@@ -157,7 +158,7 @@ impl Piece {
         [0, 1, 2].map(|k| self.corners.iter().map(|p| p[k]).sum::<f64>() / count)
     }
 
-    /// The plane of a facet by Newell's rule; `None` without an area.
+    /// The plane of a facet by Newell's rule; `None` if the facet has no area.
     fn plane(&self) -> Option<Plane> {
         let n = self.corners.len();
         let normal = [0, 1, 2].map(|i: usize| {
@@ -175,7 +176,7 @@ impl Piece {
         (length > 0.0 && normal.iter().all(|v| v.is_finite())).then_some(Plane { normal, offset })
     }
 
-    /// A piece that was not cut.
+    /// A piece that has not been cut.
     pub(super) fn whole(corners: Vec<[f64; 3]>, item: usize) -> Self {
         Self {
             edges: vec![true; corners.len()],
@@ -184,7 +185,7 @@ impl Piece {
         }
     }
 
-    /// The part on the side of a plane with the given sign.
+    /// The part of the piece on the side of a plane with the given sign.
     fn cut(&self, heights: &[f64], sign: f64) -> Option<Self> {
         let n = self.corners.len();
         let (mut corners, mut edges) = (Vec::with_capacity(n + 1), Vec::with_capacity(n + 1));
@@ -200,7 +201,7 @@ impl Piece {
             if a < steps && g * h < 0.0 {
                 let t = g / (g - h);
                 corners.push([0, 1, 2].map(|k| p[k] + t * (q[k] - p[k])));
-                // What follows is the cut, or the rest of the edge.
+                // The next edge is the cut, or the rest of an edge.
                 edges.push(self.edges[a] && h > 0.0);
             }
         }
@@ -255,10 +256,10 @@ mod tests {
         );
         let ordered = from_behind(vec![a, b], [0.0, 5.0, 5.0]);
         assert_eq!(ordered.len(), 3);
-        // The cut is no edge.
+        // A cut is not an edge.
         let edges = |p: &Piece| p.edges.iter().filter(|e| **e).count();
         assert_eq!(ordered.iter().map(edges).collect::<Vec<_>>(), [3, 4, 3]);
-        // A half of one, all of the other, the other half.
+        // The order is: half of one facet, the other facet, the other half.
         assert_eq!(ordered[0].item, ordered[2].item);
         assert_ne!(ordered[0].item, ordered[1].item);
     }
@@ -285,7 +286,7 @@ mod tests {
     }
 
     proptest! {
-        /// Nothing is lost by cutting; and along any line of sight what is nearer comes later.
+        /// Cutting loses nothing, and along every line of sight the nearer piece comes later.
         #[test]
         fn nearer_is_later(corners in prop::collection::vec(prop::array::uniform9(-1.0f64..1.0), 1..60), at in prop::array::uniform2(-0.8f64..0.8)) {
             let pieces: Vec<Piece> = corners.iter().enumerate().map(|(item, c)| {
@@ -296,7 +297,7 @@ mod tests {
             let ordered = from_behind(pieces, eye);
             let after: f64 = ordered.iter().map(area).sum();
             prop_assert!((before - after).abs() < 1e-6 * (1.0 + before));
-            // Where the line from the eye through (x, y, 0) meets each piece.
+            // The points at which the line from the eye through (x, y, 0) meets each piece.
             let mut last = f64::INFINITY;
             for piece in &ordered {
                 let Some(plane) = piece.plane() else { continue };
@@ -314,7 +315,7 @@ mod tests {
                     let to = nalgebra::Vector3::from(hit) - nalgebra::Vector3::from(p);
                     edge.cross(&to).dot(&nalgebra::Vector3::from(plane.normal)) * 1.0 > 1e-6
                 });
-                // Newell's normal goes with the sense of the corners here or against it; both are tried.
+                // Newell's normal may have either sign here, so both are tried.
                 let outside = (0..n).all(|a| {
                     let (p, q) = (piece.corners[a], piece.corners[(a + 1) % n]);
                     let edge = nalgebra::Vector3::from(q) - nalgebra::Vector3::from(p);

@@ -1,4 +1,4 @@
-//! SVG to PNG, with the same font that the figure was laid out with.
+//! Converts SVG to PNG, with the font by which the figure was laid out.
 
 use std::sync::Arc;
 

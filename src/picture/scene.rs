@@ -1,4 +1,4 @@
-//! Curves and surfaces in space, in perspective, with axes.
+//! Scenes: curves and surfaces in space, in perspective and with axes.
 
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
@@ -14,32 +14,32 @@ use super::order::{Piece, from_behind};
 use super::{axes, cut};
 use crate::error::{Error, Invariant, Result};
 
-/// Units left for ticks and names around the box.
+/// The number of units around the box for ticks and names.
 const AROUND: f64 = 74.0;
-/// Units left below it.
+/// The number of units below the box.
 const BELOW: f64 = 40.0;
-/// The highest picture of the box.
+/// The largest height of the picture of the box.
 const HEIGHT: f64 = 640.0;
-/// Lines are cut into pieces of at most this part of the box's diagonal, and lie this much nearer to the eye than
-/// they are: so a curve on a surface is seen where the surface is.
+/// Lines are cut into pieces of at most this part of the box's diagonal, and are drawn nearer to the eye by this part. So a
+/// curve on a surface is visible where the surface is.
 const PIECE: f64 = 0.012;
 
-/// What the colour of a surface is mixed with on its inside.
+/// The colour that is mixed with the colour of a surface on its inside.
 const INSIDE: RGBColor = RGBColor(205, 200, 190);
 
-/// One thing drawn in space.
+/// A layer of a scene.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SpaceLayer {
-    /// What the legend says.
+    /// The label in the legend.
     pub label: String,
     /// Polylines; closed ones end where they begin.
     pub lines: Vec<Vec<[f64; 3]>>,
     /// Small polygons, seen from both sides.
     pub facets: Vec<Vec<[f64; 3]>>,
-    /// A normal for every facet, by which it is shaded, and then drawn without its edges; or none at all.
+    /// A normal for every facet, or no normals. A facet with a normal is shaded by it and drawn without its edges.
     pub normals: Vec<[f64; 3]>,
-    /// Whether the facets, which go round counterclockwise seen from outside, bound a body: then those that are seen from
-    /// inside are hidden by others and not drawn, if the whole body is shown.
+    /// Whether the facets are the boundary of a body and counterclockwise as seen from outside. Then facets that are seen from
+    /// inside are hidden by others; they are not drawn if the whole body is shown.
     pub closed: bool,
     /// Single points.
     pub points: Vec<[f64; 3]>,
@@ -69,29 +69,30 @@ impl SpaceLayer {
 /// Layers in a box with axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Scene {
-    /// The heading, possibly empty.
+    /// The heading; it may be empty.
     pub title: String,
-    /// The box that is shown; what lies outside is cut off. `None`: around everything.
+    /// The box that is shown; parts outside are cut off. `None` stands for a box around everything.
     pub bounds: Option<[[f64; 2]; 3]>,
     /// The direction of the eye, in degrees from +x towards +y.
     pub azimuth: f64,
-    /// How high the eye is, in degrees above the plane of x and y.
+    /// The height of the eye, in degrees above the plane of x and y.
     pub elevation: f64,
-    /// What is drawn.
+    /// The layers.
     pub layers: Vec<SpaceLayer>,
 }
 
-/// How a piece is drawn.
+/// The way in which a piece is drawn.
 enum Paint {
-    /// The colours of the inside and of the edges that it had before it was cut: none if it is shaded smoothly.
+    /// A facet with the colour of its inside, and with that of the edges that it had before it was cut. There is no colour of
+    /// edges if the facet is shaded smoothly.
     Facet(RGBColor, Option<RGBColor>),
     Line(RGBColor),
     Dot(RGBColor),
 }
 
 impl Scene {
-    /// The scene as an SVG text: equal units on the three axes unless the box is very thin, hidden parts hidden
-    /// (the farthest is drawn first), surfaces shaded by their slope.
+    /// The scene as an SVG text. The three axes have equal units unless the box is very thin. The farthest pieces are drawn
+    /// first, so that near ones hide them. Surfaces are shaded by their slope.
     ///
     /// # Errors
     /// [`Error::Data`] if there is nothing finite to draw.
@@ -116,7 +117,7 @@ impl Scene {
         Ok(compacted(&shown_in_units(&svg, height)))
     }
 
-    /// The given box, or the one around everything that is finite.
+    /// The given box, or the box around all finite points.
     fn bounds(&self) -> Result<[[f64; 2]; 3]> {
         let mut around = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         let finite = |p: &&[f64; 3]| p.iter().all(|v| v.is_finite());
@@ -198,7 +199,7 @@ impl Scene {
                 Paint::Facet(color, edge) => {
                     let outline: Vec<_> = shown.iter().chain(shown.first()).copied().collect();
                     area.draw(&Polygon::new(shown, color.filled()))?;
-                    // A line of the same colour covers the seam between neighbours.
+                    // A line of the same colour covers the seam between neighbouring facets.
                     let line = |color: RGBColor| ShapeStyle::from(color).stroke_width(FINER / 2);
                     let whole = piece.edges.iter().all(|edge| *edge);
                     match edge {
@@ -230,7 +231,7 @@ impl Scene {
         area.present()
     }
 
-    /// Curves cast a shadow on the floor where nothing else shows how high they are.
+    /// Draws shadows of curves on the floor, if nothing else shows how high the curves are.
     fn draw_shadows<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
@@ -250,8 +251,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Everything that is inside the box, and how it is painted. Lines and points are moved a little towards the eye: a curve
-    /// on a surface is seen where the surface is.
+    /// All pieces inside the box, and the way in which each is drawn. Lines and points are moved slightly towards the eye, so
+    /// that a curve on a surface is visible where the surface is.
     fn pieces(&self, camera: &Camera) -> (Vec<Piece>, Vec<Paint>) {
         let (mut all, mut paints) = (Vec::new(), Vec::new());
         let mut add = |corners: Vec<[f64; 3]>, paint: Paint| {
@@ -297,7 +298,7 @@ impl Scene {
     }
 }
 
-/// The shade of a facet, by its own slope or by a given normal.
+/// The way in which a facet is drawn: it is shaded by its own slope or by a given normal.
 fn facet_paint(
     base: RGBColor,
     corners: &[[f64; 3]],
@@ -308,7 +309,7 @@ fn facet_paint(
         let shade = shaded(base, camera.facing(corners));
         return Paint::Facet(shade, Some(mixed(shade, RGBColor(0, 0, 0), 0.15)));
     };
-    // A surface with normals has an inside.
+    // A surface with normals has an inside and an outside.
     let side = if camera.facing(corners) < 0.0 {
         mixed(base, INSIDE, 0.55)
     } else {
@@ -317,7 +318,7 @@ fn facet_paint(
     Paint::Facet(shaded(side, camera.facing_normal(corners[0], normal)), None)
 }
 
-/// A segment in short pieces.
+/// The short pieces of a segment.
 fn pieces([p, q]: [[f64; 3]; 2], camera: &Camera) -> Vec<[[f64; 3]; 2]> {
     let (a, b) = (camera.see(p), camera.see(q));
     let longest = camera.size[0].hypot(camera.size[1]) * PIECE;
@@ -334,14 +335,14 @@ fn pieces([p, q]: [[f64; 3]; 2], camera: &Camera) -> Vec<[[f64; 3]; 2]> {
     pieces
 }
 
-/// The light comes from the eye. Both sides of a facet look alike: a patch may cover its surface twice, once from
-/// each side.
+/// The shade of a facet; the light comes from the eye. Both sides of a facet look alike, because a patch may cover its surface
+/// twice, once from each side.
 fn shaded(base: RGBColor, facing: f64) -> RGBColor {
     let lit = mixed(base, WHITE, 0.4);
     mixed(RGBColor(30, 30, 40), lit, 0.42 + 0.58 * facing.abs())
 }
 
-/// From a (t = 0) to b (t = 1).
+/// The colour between a (t = 0) and b (t = 1).
 fn mixed(a: RGBColor, b: RGBColor, t: f64) -> RGBColor {
     let channel = |a: u8, b: u8| {
         let value = f64::from(a) + t * (f64::from(b) - f64::from(a));
@@ -400,7 +401,7 @@ mod tests {
         // The eye is on the side of large x.
         for (first, second) in [(0.0, 1.0), (1.0, 0.0)] {
             let svg = scene(vec![layer(first), layer(second)]).to_svg().unwrap();
-            // The last facet has the colour of the layer that is nearer.
+            // The last facet has the colour of the nearer layer.
             let hue = |index: usize| {
                 let RGBColor(r, g, b) = color(index);
                 [r > b, g > b]

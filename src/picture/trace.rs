@@ -1,9 +1,8 @@
-//! The zero set of a plane polynomial in a window, from exact crossings with a grid.
+//! Traces the zero set of a plane polynomial in a window by its exact crossings with a grid.
 //!
-//! At degree 80 the expanded monomials cancel to nothing in doubles, so no float ever evaluates f
-//! here: on every line of a grid the polynomial is restricted exactly, its real roots are isolated
-//! and rounded, and only the joining of neighbouring crossings inside a cell is a matter of
-//! drawing. Cells with more than two crossings are divided.
+//! At degree 80, f cannot be evaluated in doubles, because the monomials cancel. So f is restricted exactly to every line of a
+//! grid, and its real roots there are isolated exactly and then rounded. Only the decision how neighbouring crossings inside a
+//! cell are joined is for drawing. Cells with more than two crossings are divided.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -19,18 +18,18 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, PlanePolynomial, numerator_at};
 use crate::roots::real_roots;
 
-/// An ambiguous cell is halved this often before its crossings are simply joined in its middle.
+/// An ambiguous cell is halved at most this often; then its crossings are joined in its middle.
 const HALVINGS: u32 = 3;
 
-/// Crossings are computed to this fraction of a cell (as a power of two).
+/// The precision of crossings, as a power of two of a cell.
 const CROSSING_BITS: i64 = 12;
 
 /// A rectangle of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// Smallest and largest x.
+    /// The smallest and the largest x.
     pub x: [f64; 2],
-    /// Smallest and largest y.
+    /// The smallest and the largest y.
     pub y: [f64; 2],
 }
 
@@ -52,13 +51,13 @@ impl Window {
             })
     }
 
-    /// The larger side.
+    /// The length of the larger side.
     #[must_use]
     pub fn size(&self) -> f64 {
         (self.x[1] - self.x[0]).max(self.y[1] - self.y[0])
     }
 
-    /// The window with `margin` (a share of the larger side) added all around.
+    /// The window with a margin on all sides, which is `margin` times the larger side.
     #[must_use]
     pub fn padded(&self, margin: f64) -> Self {
         let add = self.size().max(f64::MIN_POSITIVE) * margin;
@@ -71,14 +70,14 @@ impl Window {
 
 type Point = [f64; 2];
 
-/// Polylines along `f = 0` within the window, from a grid of about `cells` cells along the larger
-/// side. Every vertex is a crossing of the curve with a grid line, correct to 1/4096 of a cell;
-/// an oval that lies within one cell is not seen.
+/// Polylines along `f = 0` within the window, from a grid of about `cells` cells along the larger side. Every vertex is a
+/// crossing of the curve with a grid line, with an error of at most 1/4096 of a cell. An oval inside a single cell is not
+/// found.
 ///
 /// Cost: the real roots of 2·`cells` univariate polynomials of the degree of f.
 ///
 /// # Errors
-/// [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
+/// [`crate::error::Error::Limit`] or `Interrupted` when the limits are reached.
 pub(crate) fn trace_zero_set(
     f: &PlanePolynomial,
     window: &Window,
@@ -132,7 +131,7 @@ pub(crate) fn trace_zero_set(
     Ok(chain(&segments))
 }
 
-/// Whether the origin is an isolated real point of `f = 0`: the lowest part has no real zero.
+/// Whether the origin is an isolated real point of `f = 0`, because the lowest homogeneous part has no real zero.
 #[must_use]
 pub(crate) fn isolated_origin(f: &PlanePolynomial) -> bool {
     let Some(lowest) = f.parts().last() else {
@@ -144,13 +143,13 @@ pub(crate) fn isolated_origin(f: &PlanePolynomial) -> bool {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Line {
-    /// y = row
+    /// The line y = row.
     Horizontal(u32),
-    /// x = column
+    /// The line x = column.
     Vertical(u32),
 }
 
-/// Equal square cells with corners at doubles of few bits; the index unit is the finest division.
+/// A grid of equal square cells whose corners are doubles of few bits. The unit of indices is the finest division.
 struct Grid {
     corner: [f64; 2],
     unit: f64,
@@ -165,14 +164,14 @@ impl Grid {
         reason = "cell counts are small and positive"
     )]
     fn new(window: &Window, cells: u32) -> Self {
-        // A power-of-two multiple of an odd number near the wished size: short exact coordinates
-        // that are unlikely to meet special points of the curve.
+        // The unit is an odd number near the wished size times a power of two. So coordinates are short, and grid lines rarely
+        // meet special points of the curve.
         let wished = window.size() / f64::from(cells.max(1));
         let scale = wished.log2().floor().exp2() / 64.0;
         let cell = (wished / scale / 2.0).floor() * 2.0 * scale + scale;
         let unit = cell / f64::from(1u32 << HALVINGS);
         let below = |v: f64, shift: f64| ((v / cell).floor() - 0.5) * cell + unit * shift;
-        // Not the same shift twice: a diagonal through the origin shall meet no corner.
+        // The two shifts are different, so that a diagonal through the origin meets no corner.
         let corner = [below(window.x[0], 0.40625), below(window.y[0], 0.71875)];
         let count = |low: f64, high: f64| ((high - low) / cell).ceil().clamp(1.0, 1e6) as u32;
         Self {
@@ -218,7 +217,7 @@ impl Cell {
         })
     }
 
-    /// The crossings of the curve with the cell's four edges.
+    /// The crossings of the curve with the four edges of the cell.
     fn crossings(&self, grid: &Grid, lines: &BTreeMap<Line, Vec<f64>>) -> Vec<Point> {
         let mut points = Vec::new();
         for line in self.lines() {
@@ -238,7 +237,8 @@ impl Cell {
     }
 }
 
-/// f as a list of polynomials in y (by powers of x) and of polynomials in x (by powers of y).
+/// The polynomial f as a list of polynomials in y (for the powers of x), and as a list of polynomials in x (for the powers of
+/// y).
 struct Restriction {
     by_x: Vec<IntegerPolynomial>,
     by_y: Vec<IntegerPolynomial>,
@@ -247,7 +247,7 @@ struct Restriction {
 
 impl Restriction {
     fn new(f: &PlanePolynomial) -> Self {
-        // The polynomial 0 is a table of one 0.
+        // The table of the polynomial 0 has one entry, which is 0.
         let degree = f.degree().unwrap_or(0);
         let mut table = vec![vec![Integer::ZERO; degree + 1]; degree + 1];
         for part in f.parts() {
@@ -279,7 +279,7 @@ impl Restriction {
         let Some(point) = Dyadic::from_f64(at) else {
             return Vec::new();
         };
-        // Each value comes as an integer over 2^(e · degree of the row): bring all to one power.
+        // Each value is an integer over 2^(e · degree of the row). All values are brought to one power of two.
         let e = point.exponent().min(0).unsigned_abs();
         let coefficients = rows
             .iter()
@@ -298,8 +298,8 @@ impl Restriction {
             root.refine_to_width(width);
             let (low, high) = root.enclosure();
             let value = low.midpoint(high).to_f64();
-            // Beside a corner of the grid the exact order decides which cell the crossing belongs
-            // to: the lines through that corner must agree.
+            // Near a corner of the grid, exact comparisons decide to which cell the crossing belongs, so that the lines through
+            // the corner agree.
             let corner = corners + ((value - corners) / grid.unit).round() * grid.unit;
             match Dyadic::from_f64(corner).map(|c| root.cmp_dyadic(&c)) {
                 Some(Ordering::Less) => value.min(corner.next_down()),
@@ -317,7 +317,7 @@ fn mean(points: &[Point]) -> Point {
     [sum(0), sum(1)]
 }
 
-/// Joins segments that share end points into polylines; closed ones end where they begin.
+/// Joins segments with common ends into polylines; closed ones end where they begin.
 fn chain(segments: &[[Point; 2]]) -> Vec<Vec<Point>> {
     let mut ends: HashMap<Key, Vec<usize>> = HashMap::new();
     for (index, segment) in segments.iter().enumerate() {
@@ -327,7 +327,7 @@ fn chain(segments: &[[Point; 2]]) -> Vec<Vec<Point>> {
     }
     let mut used = vec![false; segments.len()];
     let mut lines = Vec::new();
-    // Open polylines first, from their ends; what is left then is closed.
+    // Open polylines are followed first, from their ends; the segments that are left form closed ones.
     for from_ends in [true, false] {
         for index in 0..segments.len() {
             for start in segments[index] {
@@ -346,7 +346,7 @@ fn key(point: Point) -> Key {
     point.map(f64::to_bits)
 }
 
-/// The polyline that starts at one end of a segment and goes on until it ends, forks or closes.
+/// The polyline that starts at one end of a segment and continues until it ends, forks or closes.
 fn follow(
     segments: &[[Point; 2]],
     ends: &HashMap<Key, Vec<usize>>,
