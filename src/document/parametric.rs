@@ -152,8 +152,8 @@ fn document(
     })
 }
 
-/// The form that the document is of, unless it is read back without it: from the one Fourier series that is all of the
-/// curve, or from the fit of the one factor that has no closed form (Lemma 6).
+/// The form of which the document is the polar form. It is `None` if the document can be read back without it: from a Fourier
+/// series that is the whole curve, or from the fit of the only factor without a closed form (Lemma 6).
 fn source<'a>(curve: &'a Parametrization, fit: Option<&BranchFit>) -> Option<&'a Form> {
     let one_factor = curve.method != PolarMethod::Factors && curve.lines.is_empty();
     let is_said = one_factor && (series(curve).is_some() || fit.is_some());

@@ -1,4 +1,4 @@
-//! The form that a list of radii is of: it is kept beside them, because roots are not read back as a form.
+//! The form whose radii a document lists. The document contains the form, because a radius with roots cannot be read back.
 
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -28,8 +28,8 @@ pub(super) fn source_field(of: Option<&Form>) -> Result<SourceField> {
     Ok(SourceField::from([(name, parsed(&text))]))
 }
 
-/// Writes the form as the comment from which [`crate::reading::read_text`] reads it back. LaTeX is not read, so
-/// nothing is written there.
+/// Writes the form as the comment from which [`crate::reading::read_text`] reads it back. LaTeX cannot be read back, so it has
+/// no such comment.
 pub(super) fn write_source(of: Option<&Form>, format: Format, out: &mut dyn Write) -> Result<()> {
     let Some(form) = of.filter(|_| format != Format::Latex) else {
         return Ok(());
@@ -37,7 +37,7 @@ pub(super) fn write_source(of: Option<&Form>, format: Format, out: &mut dyn Writ
     let mut text = Vec::new();
     write_form(form, &[], Format::Text, &mut text)?;
     let text = String::from_utf8(text).invariant("formulas are written as UTF-8");
-    // The center stands in a comment of its own.
+    // Another comment states the center.
     for line in text.lines() {
         match line.strip_prefix("# ") {
             Some(_) if format == Format::Text => {}
@@ -48,7 +48,8 @@ pub(super) fn write_source(of: Option<&Form>, format: Format, out: &mut dyn Writ
     Ok(())
 }
 
-/// Writes radii: equations `name = …` one below the other, or in SymPy the list of several or the expression of one.
+/// Writes radii as equations `name = …`, one on each line. In SymPy a single radius is an expression, and several radii are a
+/// list.
 pub(super) fn write_radii(
     name: &str,
     radii: &[String],

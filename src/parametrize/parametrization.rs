@@ -39,7 +39,7 @@ pub struct Parametrization {
     pub center: [Rational; 2],
     /// The findings about rational parametrizations, factor by factor. Factors without findings are left out.
     pub rational: Vec<FactorRationality>,
-    /// The form that this is the polar form of: an implicit curve or a superquadric.
+    /// The form of which this is the polar form: an implicit curve or a superquadric.
     pub of: Form,
 }
 

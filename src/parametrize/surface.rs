@@ -26,7 +26,7 @@ pub struct SurfaceParametrization {
     pub branches: Vec<SurfaceBranch>,
     /// Further notes for the reader.
     pub notes: Vec<String>,
-    /// The form that this is the spherical form of: an implicit surface or a superquadric in space.
+    /// The form of which this is the spherical form: an implicit surface or a superquadric in space.
     pub of: Form,
 }
 

@@ -16,13 +16,13 @@ use crate::shape::Form;
 /// The value of the field `schema` of every JSON document.
 pub const SCHEMA: &str = "stellate/1";
 
-/// What stands before a form in the comment that says what a list of radii is the parametrization of.
+/// The text before the form in the comment of a list of radii that names the form they parametrize.
 pub(crate) const PARAMETRIZES: &str = "parametrizes:";
 
 /// Reads a form from text that is a JSON document (if it starts with `{`) or a formula.
 ///
-/// If a comment says `# parametrizes: FORM`, the text is what `parametrize` wrote of this form, and the form is read from
-/// the comment: the radii beside it may have roots, which are no formulas of the input language.
+/// If a comment says `# parametrizes: FORM`, `parametrize` wrote the text for this form, and the form is read from the comment.
+/// The radii themselves may have roots, which the input language does not have.
 ///
 /// ```
 /// use stellate::reading::read_text;
@@ -55,7 +55,7 @@ fn is_document(text: &str) -> bool {
     inner.is_some_and(|inner| inner.is_empty() || inner.starts_with(['"', '}']))
 }
 
-/// The form that the text says it parametrizes, with its center, each at its place in the text: all else is left blank.
+/// The form that the text says it parametrizes, with its center, both at their places in the text; everything else is blank.
 fn parametrized_form(text: &str) -> Option<String> {
     let comment = |line: &'_ str| {
         let after = line.trim_start().strip_prefix('#')?;

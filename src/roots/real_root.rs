@@ -368,8 +368,8 @@ impl RealRoot {
 
     /// The double nearest to `from + scale · root^(1/k)`, where for k > 1 the root must be positive.
     ///
-    /// A float guess says where to look; exact comparisons with the midpoints between
-    /// neighbouring doubles decide; beyond the largest double the nearest is ±∞.
+    /// A guess in doubles is corrected by exact comparisons with the midpoints between neighbouring doubles. A number that is
+    /// too large for a double becomes ±∞.
     pub(crate) fn nearest_f64(&mut self, k: u32, scale: &Rational, from: &Rational) -> f64 {
         if scale.is_zero() {
             return from.to_f64();
@@ -403,7 +403,7 @@ impl RealRoot {
     }
 
     fn walk_to_nearest(&self, guess: f64, k: u32, scale: &Rational, from: &Rational) -> f64 {
-        // root ? ((bound − from)/scale)^k, seen from the double's side
+        // Compares the root with ((bound − from)/scale)^k; a negative scale reverses the order.
         let side = |bound: &Rational| {
             let q = (bound - from) / scale;
             // For k > 1 both sides must be positive to be compared by powers.

@@ -324,7 +324,7 @@ fn a_linear_part_that_nearly_vanishes_has_two_points() {
     assert!((radii[0] - 0.637_392_816_839_1).abs() < 1e-12, "{radii:?}");
 }
 
-/// A center as far away as the points, farther, or much nearer, with a denominator that doubles do not have.
+/// A center that is as far away as the points, farther, or much nearer, with a denominator that doubles do not have.
 fn center(draw: &mut Draw) -> [Rational; 2] {
     [(), ()].map(|()| {
         let k = Rational::from(draw.below(2001) as i64 - 1000);
@@ -333,8 +333,8 @@ fn center(draw: &mut Draw) -> [Rational; 2] {
     })
 }
 
-/// Whether a root of f along the line is c + u λ within half an ulp of the double: f changes its sign between the
-/// midpoints beside it.
+/// Whether a root of f along the line gives a c + u λ within half an ulp of the double: f changes its sign between the two
+/// midpoints next to the double.
 fn is_nearest(
     f: &PlanePolynomial,
     unit: &[Rational; 2],
@@ -359,7 +359,7 @@ fn is_nearest(
     signs[0] * signs[1] <= 0
 }
 
-/// Coordinates from another origin are rounded once, by bounded arithmetic as by exact arithmetic; all else stays.
+/// Coordinates from another origin are rounded once, by bounded and by exact arithmetic. Everything else remains the same.
 #[test]
 fn points_about_a_center_are_the_nearest_doubles() {
     let mut draw = Draw(20261128);

@@ -1,12 +1,12 @@
 //! The points on a line through the origin.
 
-/// A point c + r·(u, v) of a curve, or c + r·(u, v, w) of a surface, where c is the origin unless the solver was told of a
-/// center. r and the coordinates are each the double nearest to the exact value (ties aside).
+/// A point c + r·(u, v) of a curve, or c + r·(u, v, w) of a surface. c is the origin unless the solver has a center. Each of r
+/// and the coordinates is the double nearest to its exact value; ties go to either double.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample<const V: usize = 2> {
     /// The number of the point among those of its direction, from 0 for the largest r.
     pub branch: usize,
-    /// The signed distance from the origin along the direction.
+    /// The signed distance from c along the direction.
     pub r: f64,
     /// The coordinates x, y (and z).
     pub position: [f64; V],
@@ -23,16 +23,16 @@ pub enum Ray<const V: usize = 2> {
     Line,
 }
 
-/// A point before it has its place among the points of its line.
+/// A point before it is numbered among the points of its line.
 pub(super) struct Found<const V: usize> {
-    /// The point relative to the center.
+    /// The point with coordinates relative to the center.
     pub(super) relative: Sample<V>,
-    /// Its coordinates, if the center is not the origin.
+    /// The coordinates of the point, if the center is not the origin.
     pub(super) position: Option<[f64; V]>,
 }
 
-/// The points of a line, largest r first and numbered; where the doubles of r are the same those of the coordinates relative
-/// to the center decide.
+/// The points of a line, the largest r first, numbered. Points with the same double r are ordered by their coordinates relative
+/// to the center.
 pub(super) fn in_order<const V: usize>(mut points: Vec<Found<V>>) -> Vec<Sample<V>> {
     let beyond = |a: &Sample<V>, b: &Sample<V>| {
         let sizes = a.position.iter().zip(&b.position);

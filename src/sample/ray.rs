@@ -42,7 +42,7 @@ const GUESS_BITS: i64 = 40;
 #[derive(Debug)]
 pub struct RaySolver<'a, P, const V: usize> {
     polynomial: &'a P,
-    /// The point that rays begin at, if coordinates are not relative to it.
+    /// The center c, from which rays begin; `None` if it is the origin of the points' coordinates.
     center: Option<[Rational; V]>,
     expansion: OnceLock<ExpandedParts<'a, V>>,
     ladder: Ladder<V>,
@@ -77,7 +77,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         }
     }
 
-    /// The polynomial is about this center: the coordinates of points are c + r·(u, v), each rounded once.
+    /// Sets the center c of the polynomial's coordinates. The coordinates of points are c + r·(u, v), each rounded once.
     ///
     /// ```
     /// use stellate::poly::PlanePolynomial;
@@ -99,7 +99,7 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         }
     }
 
-    /// The points in one direction.
+    /// Finds the points in one direction.
     ///
     /// Bounded arithmetic of 128 to 768 bits is tried first, beginning with the precision that decided the last direction. It
     /// proves its answer or gives none. It gives none for a multiple root, for a root in the middle between two doubles, and for

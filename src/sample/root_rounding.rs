@@ -73,7 +73,7 @@ impl RootRounding {
         None
     }
 
-    /// The double nearest to from ± |root|^(1/gap) · |other / unit|, minus if `is_negative`.
+    /// The double nearest to from ± |root|^(1/gap) · |other / unit|; the sign is − if `is_negative`.
     pub(super) fn nearest_from(
         &self,
         from: &Rational,
@@ -89,7 +89,7 @@ impl RootRounding {
         }
         let sign = if is_negative { -1 } else { 1 };
         let found: Result<f64, ()> = nearest_double(guess, |bound| {
-            // The step, of this sign, against what the bound is away.
+            // The signed step is compared with the distance of the bound from `from`.
             let away = bound - from;
             if away.signum() != sign {
                 return Ok(sign.cmp(&away.signum()));
@@ -98,11 +98,11 @@ impl RootRounding {
             let order = self.compare(size, inverse, Ordering::Less).ok_or(())?;
             Ok(if is_negative { order.reverse() } else { order })
         });
-        // Zero has no sign.
+        // The number 0 has no sign.
         found.ok().map(|double| double + 0.0)
     }
 
-    /// How |root|^(1/gap) / inverse compares with a bound; what is likely is tried first.
+    /// The order of |root|^(1/gap) / inverse and a bound. The order that is likely is tested first.
     fn compare(
         &self,
         bound: LeadingBits,

@@ -101,7 +101,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
     /// Finds all points on the line through the vector, which has the length w.
     ///
     /// # Errors
-    /// If W limbs do not prove that they are all, simple, and what the nearest doubles are.
+    /// An error if W limbs do not prove that these are all roots, that they are simple, and which doubles are nearest.
     pub(super) fn solve(&self, through: &RationalLine<'_, V>) -> Result<Vec<Sample<V>>, Unproved> {
         let RationalLine { vector, w, center } = *through;
         let degree = |part: Option<&Part<W, V>>| part.map_or(0, |part| part.degree);

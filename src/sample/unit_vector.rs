@@ -10,15 +10,16 @@ use crate::exact::Rational;
 /// A line with a rational direction of length 1: the points c + r·v/w, where |v| = w.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RationalLine<'a, const V: usize> {
-    /// v.
+    /// The vector v.
     pub(super) vector: &'a [Integer; V],
-    /// w.
+    /// The length w of v.
     pub(super) w: &'a Integer,
-    /// c, if it is not the origin.
+    /// The center c, if it is not the origin.
     pub(super) center: Option<&'a [Rational; V]>,
 }
 
-/// An exact unit vector: V rational numbers whose squares add up to 1. Implemented by the directions of this module alone.
+/// An exact unit vector: V rational numbers whose squares add up to 1. The trait is sealed; only the directions of this module
+/// implement it.
 pub trait UnitVector<const V: usize>: IntegerVector<V> {
     /// The components.
     fn components(&self) -> [Rational; V] {

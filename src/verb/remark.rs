@@ -25,7 +25,8 @@ pub enum Remark {
     PerfectSquare,
     /// Coordinates are relative to this point.
     RelativeTo([Rational; 2]),
-    /// The polynomial of a form about this center is expanded in the coordinates of the contour, where doubles fail.
+    /// The polynomial of a form with this center is expanded in the coordinates of the contour, where it cannot be evaluated in
+    /// doubles.
     Expanded([Rational; 2]),
     /// A whole line through the origin belongs to the form; it has no rows.
     WholeLine {

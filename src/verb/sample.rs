@@ -19,7 +19,7 @@ use crate::shape::{Form, ImplicitSurface};
 const DEFAULT_DIRECTIONS: usize = 360;
 /// The default number of steps along a meridian, from pole to pole.
 const DEFAULT_POLAR_STEPS: usize = 180;
-/// More directions than this are refused.
+/// The largest number of directions.
 pub const MAX_DIRECTIONS: usize = 10_000_000;
 
 options! {
@@ -34,9 +34,9 @@ options! {
         thetas: Vec<Direction> = Vec::new(),
         /// For a surface: the angles φ from the z axis. Every θ is combined with every φ.
         phis: Vec<Direction> = Vec::new(),
-        /// Where the coordinates of points begin, for a form with a center.
+        /// The origin of the coordinates of points, for a form with a center.
         coordinates: CoordinatesFrom = CoordinatesFrom::Center,
-        /// Only points with r > 0.
+        /// Whether only points with r > 0 are returned.
         positive: bool = false,
         /// For an intersection: how its arcs are followed.
         arcs: ArcSearch = ArcSearch::default(),
@@ -57,11 +57,11 @@ pub struct Samples {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum SampledPoints {
-    /// Of a plane curve, ray by ray.
+    /// The points of a plane curve, ray by ray.
     Plane {
         /// The rays.
         rays: Vec<SampledRay>,
-        /// The point that the coordinates are relative to.
+        /// The origin of the coordinates.
         center: [Rational; 2],
     },
     /// The points of a surface, ray by ray.
@@ -242,7 +242,7 @@ fn space_directions(options: &SampleOptions) -> Result<Vec<SpaceDirection>> {
     Ok(pairs.collect())
 }
 
-/// φ = 0°, …, 180° in `steps` steps.
+/// The directions φ = 0°, …, 180°, in `steps` steps.
 fn meridian(steps: usize) -> Vec<Direction> {
     let mut around = Direction::around(2 * steps);
     around.truncate(steps + 1);

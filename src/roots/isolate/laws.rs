@@ -1,4 +1,4 @@
-//! Laws of the isolation of real roots: bounds of errors, inputs built backwards, and Sturm's theorem.
+//! The laws of the isolation of real roots: bounds of errors, polynomials with known roots, and Sturm's theorem.
 
 use super::*;
 use crate::exact::Rational;
@@ -25,7 +25,7 @@ fn roots_at_dyadic_points_and_beside_them() {
     check(&real_roots(&wilkinson), &five);
 }
 
-/// Where signs are not known, a number of changes is certain if it is the same whatever they are.
+/// If some signs are unknown, a number of changes is certain if it is the same for all choices of these signs.
 #[test]
 fn changes_are_counted_for_all_unknown_signs() {
     let changes = |signs: &[i8]| {
@@ -56,7 +56,7 @@ fn changes_are_counted_for_all_unknown_signs() {
             match Changes::count(known.iter().copied()) {
                 Changes::None => assert!(all(0), "{known:?}"),
                 Changes::One => assert!(all(1), "{known:?}"),
-                // Nothing is left open between equal or opposite known signs without a reason.
+                // `More` is not returned without a reason: some sign is unknown, or there is more than one change.
                 Changes::More => assert!(unknown > 0 || counts[0] > 1, "{known:?}"),
             }
         }
@@ -65,7 +65,7 @@ fn changes_are_counted_for_all_unknown_signs() {
 
 #[test]
 fn mignotte_pairs_are_told_apart() {
-    // x^d − 2 (a x − 1)²: two roots about a^(−(d+2)/2) apart near 1/a.
+    // x^d − 2 (a x − 1)² has two roots near 1/a, at a distance of about a^(−(d+2)/2).
     for (d, a) in [(12, 50), (30, 9), (80, 3)] {
         let mut c = vec![Integer::ZERO; d + 1];
         c[d] = Integer::ONE;
@@ -80,7 +80,7 @@ fn mignotte_pairs_are_told_apart() {
 
 #[test]
 fn tiny_and_huge_roots() {
-    // (x − 10^−30)(x − 10^30)(x + 7)
+    // The polynomial (x − 10^−30)(x − 10^30)(x + 7).
     let ten = Integer::from(10).pow(30);
     let f = IntegerPolynomial::from_coefficients_asc(vec![-Integer::ONE, ten.clone()])
         * IntegerPolynomial::from_coefficients_asc(vec![-ten, Integer::ONE])
@@ -88,7 +88,8 @@ fn tiny_and_huge_roots() {
     check(&real_roots(&f), &[-7.0, 1e-30, 1e30]);
 }
 
-/// The halves of twice the distance of exact and rounded coefficients, times 2^degree: de Casteljau without rounding.
+/// The halves, by de Casteljau's means without rounding, of the distances of exact and rounded coefficients, times 2^degree.
+/// The distances are given doubled.
 fn halved_exactly(coefficients: &[Integer]) -> [Vec<Integer>; 2] {
     // The coefficients of level k are multiplied by 2^k.
     let degree = coefficients.len() - 1;
@@ -104,8 +105,8 @@ fn halved_exactly(coefficients: &[Integer]) -> [Vec<Integer>; 2] {
     [left, right]
 }
 
-/// Coefficients for which every mean of de Casteljau's scheme ends in 1/2, if `is_worst`: level by level from the last
-/// mean, of which the numbers given are those that are free.
+/// Coefficients for which every mean of de Casteljau's scheme ends in 1/2, if `is_worst`. They are computed level by level,
+/// beginning with the last mean, from the given free numbers.
 fn coefficients_to_halve(free: &[i64], is_worst: bool) -> Vec<Integer> {
     if !is_worst {
         return free.iter().map(|c| Integer::from(*c)).collect();
@@ -123,14 +124,14 @@ fn coefficients_to_halve(free: &[i64], is_worst: bool) -> Vec<Integer> {
 }
 
 proptest! {
-    /// The largest loss is half of the degree, and the bound is the degree.
+    /// The largest loss is half of the degree; the bound of the lemma is the degree.
     #[test]
     fn halving_loses_less_than_the_error_says(
         free in prop::collection::vec(any::<i64>(), 2..70), is_worst in any::<bool>(), error in 1u64..100,
     ) {
         let coefficients = coefficients_to_halve(&free, is_worst);
         let degree = coefficients.len() - 1;
-        // The exact ones are as far above as is allowed, but for one 2^-20.
+        // The exact coefficients are as far above the rounded ones as allowed, except for 2^-20.
         let most = (Integer::from(error) << 20u64) - Integer::ONE;
         let exact: Vec<Integer> = coefficients.iter().map(|c| (c << 20u64) + &most).collect();
         let node = Node { index: Integer::from(3), depth: 7, coefficients, error: Integer::from(error) };
@@ -146,7 +147,7 @@ proptest! {
                 largest = largest.max(below);
             }
         }
-        // And not much less than that, at least for the part that is lost here.
+        // The loss is not much smaller than the bound, at least the part that is lost in this step.
         let lost = largest - (most << degree as u64);
         if is_worst {
             prop_assert_eq!(lost << 1u64, Integer::from(degree) << scale);
@@ -155,7 +156,7 @@ proptest! {
         }
     }
 
-    /// Second differences of exact coefficients at both ends of what the rounded ones allow.
+    /// Second differences of exact coefficients, which are at both ends of the ranges that the rounded ones allow.
     #[test]
     fn a_certain_second_derivative_is_right(
         slopes in prop::collection::vec(-4i64..5, 2..12), curve in -9i64..10, error in 1u64..4,
@@ -178,8 +179,7 @@ proptest! {
         }
     }
 
-    /// Inputs built backwards: known rational roots with multiplicities, times a factor
-    /// without real roots.
+    /// Polynomials with known rational roots and multiplicities, times a factor without real roots.
     #[test]
     fn known_roots_are_found_with_their_multiplicities(
         roots in prop::collection::btree_map((-60i64..60, 1i64..12), 1usize..4, 0..6),
@@ -196,7 +196,7 @@ proptest! {
             *distinct.entry(r).or_insert(0) += m;
         }
         for (a, b) in positive {
-            // (x − b)² + a
+            // The factor (x − b)² + a.
             f *= poly(&[b * b + a, -2 * b, 1]);
         }
         let found: Vec<(f64, usize)> = real_roots(&f).iter().map(|r| (r.to_f64(), r.multiplicity())).collect();
@@ -204,8 +204,8 @@ proptest! {
         prop_assert_eq!(found, expected);
     }
 
-    /// Inputs built backwards: rational roots 0, 1, 2, … ulps apart, at midpoints between doubles, and at 2^-60 and 2^-200
-    /// ulps of them. Their order, their doubles and their multiplicities are known.
+    /// Polynomials with rational roots 0, 1, 2, … ulps apart, at midpoints between doubles, and at distances of 2^-60 and
+    /// 2^-200 ulps from them. The order of the roots, their doubles and their multiplicities are known.
     #[test]
     fn roots_that_are_ulps_apart_are_told_apart_and_rounded(
         bits in prop_oneof![0x3FE0_u64 << 48..0x4010_u64 << 48, 0x0010_u64 << 48..0x7FD0_u64 << 48, 1_u64..1 << 54],
@@ -238,7 +238,7 @@ proptest! {
         prop_assert_eq!(found, expected);
     }
 
-    /// The same without real roots, or with pairs next to each other: (x − r)² ± 2^-k times the rest.
+    /// Polynomials (x − r)² ± 2^-k times another one, which have no real root near r or a close pair of roots.
     #[test]
     fn close_pairs_are_roots_on_one_side_only(
         mantissa in 1_i64..1 << 53, exponent in -60_i64..10, k in prop_oneof![1_u64..80, 80_u64..700], other in 1_i64..9,
@@ -254,7 +254,7 @@ proptest! {
         }
     }
 
-    /// Oracle: Sturm's theorem, done naively with num-rational.
+    /// The number of roots is that of Sturm's theorem, computed naively with num-rational.
     #[test]
     fn the_count_is_sturms(c in prop::collection::vec(-30i64..30, 2..14)) {
         let f = poly(&c);
@@ -262,7 +262,7 @@ proptest! {
         prop_assert_eq!(real_roots(&f).len(), sturm(&f));
     }
 
-    /// With long coefficients, next to powers of two, so that a bounded number of bits holds none of them.
+    /// Long coefficients near powers of two, which do not fit in a bounded number of bits.
     #[test]
     fn the_count_of_long_polynomials_is_sturms(
         c in prop::collection::vec((-8_i64..9, 0_u64..400, -1_i64..2), 2..9),
