@@ -79,6 +79,7 @@ fn powers(levels: &mut Vec<Powers>, exponent: usize, width: usize) -> usize {
     })
 }
 
+/// The change of basis of the `len` coefficients of g from `start` on, by halves until shifts are faster.
 fn changed(
     g: &FlatPolynomial,
     start: usize,
@@ -104,11 +105,15 @@ fn changed(
     FlatPolynomial::unpacked(value, len, width)
 }
 
-/// The change of basis in place, by (1+T)/(1−T) = −1 + 2/(1−T): two Taylor shifts with n² additions. Intermediate results may
-/// exceed the width; the final ones fit again.
+/// The change of basis in place, by two Taylor shifts with n² additions. Intermediate results may exceed the width; the final
+/// ones fit again.
 ///
-/// With c(x) = g(x − 1), `h = Σ c_k 2^k (1−T)^(d−k)`. The coefficients of h in reverse order are those of `Σ (−1)^(d−j) g_j …`,
-/// so only the signs (−1)^k remain.
+/// Lemma. With e(x) = g(x + 1), `T^d h(1/T) = Σ_k 2^k e_k (T−1)^(d−k)`.
+/// Proof. The left side is (T−1)^d g((T+1)/(T−1)), and (T+1)/(T−1) = 1 + 2/(T−1).
+/// Law: `the_change_of_basis_is_two_taylor_shifts`.
+///
+/// So the first shift gives e, and the second one, by −1, is that of a polynomial whose coefficient of T^(d−k) is 2^k e_k. A shift
+/// by −1 is a shift by 1 with the signs (−1)^k before and after it.
 struct ByShifts;
 
 impl OnNumbers for ByShifts {

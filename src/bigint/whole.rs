@@ -1,15 +1,15 @@
-//! Whole numbers that are held as doubles.
+//! Conversions between integers below 2^52 and the doubles that are equal to them, by two instructions each.
 
-/// 2^52: the last bits of 2^52 + a are a, for integers a below 2^52.
+/// The number 2^52. For an integer a below 2^52, the last 52 bits of the double 2^52 + a are those of a.
 const ABOVE: f64 = f64::from_bits((52 + 1023) << 52);
 
-/// An integer in [0, 2^52) that is held as a double.
+/// The integer that is equal to a double, which must be an integer in [0, 2^52).
 #[inline(always)]
 pub(crate) fn u64_from(a: f64) -> u64 {
     (a + ABOVE).to_bits() - ABOVE.to_bits()
 }
 
-/// An integer below 2^52 as a double.
+/// The double that is equal to an integer below 2^52.
 #[inline(always)]
 pub(crate) fn f64_from(a: u64) -> f64 {
     f64::from_bits(a | ABOVE.to_bits()) - ABOVE

@@ -165,11 +165,14 @@ fn short_fraction(root: &RealRoot) -> Option<Rational> {
     (candidate.bits() <= SHORT_BITS && root.cmp_rational(&candidate).is_eq()).then_some(candidate)
 }
 
-/// A pair of conjugate parameters, and an enclosure of its point.
+/// A pair of conjugate parameters with its point.
 struct Found {
     pair: Pair,
+    /// The precision of the enclosures.
     precision: Precision,
+    /// Enclosures of the sum and the product of the two parameters.
     enclosed: [Enclosure; 2],
+    /// Enclosures of the coordinates of the point.
     point: [Enclosure; 2],
     /// The exact point, if it was found to be rational.
     exact: Option<[Rational; 2]>,
@@ -180,11 +183,14 @@ struct IsolatedSearch<'a> {
     limits: &'a Limits,
     /// The first subresultant, computed when it is first needed.
     linear: Option<[IntegerPolynomial; 2]>,
+    /// The pairs that were found so far.
     pairs: Vec<Found>,
+    /// Whether every pair was found and every decision about the pairs was made.
     complete: bool,
 }
 
 impl IsolatedSearch<'_> {
+    /// The first subresultant.
     fn linear(&mut self) -> Result<&[IntegerPolynomial; 2]> {
         let linear = match self.linear.take() {
             Some(linear) => linear,
@@ -420,6 +426,7 @@ impl IsolatedSearch<'_> {
         Ok(None)
     }
 
+    /// Enclosures of the coordinates of the point of a pair; `None` if the precision is too low.
     fn point_of(&self, pair: &Pair, precision: Precision) -> Option<[Enclosure; 2]> {
         let enclosed = pair.enclosed(&self.points, precision)?;
         let value = |f: &RationalFunction| match coordinate(f, &enclosed, precision) {

@@ -60,6 +60,7 @@ pub(super) fn triangles(
     (crossings, triangles.collect())
 }
 
+/// The corner of the cell with this index that the bits name.
 fn corner([i, j, k]: GridPoint, bits: u8) -> GridPoint {
     let bit = |n: u8| u32::from(bits >> n & 1);
     [i + bit(0), j + bit(1), k + bit(2)]
@@ -69,6 +70,8 @@ fn corners(index: GridPoint) -> impl Iterator<Item = GridPoint> {
     (0..8).map(move |bits| corner(index, bits))
 }
 
+/// The triangles in a cell, each by the three edges on which its corners are. A tetrahedron with one or three negative corners has
+/// one triangle, which cuts that corner off; one with two negative corners has a quadrilateral of two triangles.
 fn in_cell(index: GridPoint, is_negative: &HashMap<GridPoint, bool>) -> Vec<[Edge; 3]> {
     let mut found = Vec::new();
     for tetrahedron in TETRAHEDRA {
@@ -93,7 +96,8 @@ fn in_cell(index: GridPoint, is_negative: &HashMap<GridPoint, bool>) -> Vec<[Edg
     found.iter().map(oriented).collect()
 }
 
-/// The triangle with its corners ordered so that the ends with f < 0 are behind it.
+/// The triangle with its corners ordered so that the ends with f < 0 are behind it: its normal has a positive scalar product with
+/// the sum of the steps from the negative ends to the others.
 fn oriented(triangle: &[Edge; 3]) -> [Edge; 3] {
     // Doubling the middles of the edges makes all numbers integers.
     let middle = |[a, b]: &Edge| [0, 1, 2].map(|i| i64::from(a[i]) + i64::from(b[i]));

@@ -1,4 +1,8 @@
-//! Sums of long Chinese remainders by transforms: the primes are in groups, and the product of the other groups is in blocks.
+//! Sums of long Chinese remainders by transforms.
+//!
+//! The sum is Σ y P/p − qP, with the y and q of Lemma 1 of chinese.rs; P is the product of all primes p. The primes are divided
+//! into *groups* of 48, and P_G is the product of the primes of the group G. The digits of each P/P_G are divided into *blocks*. A
+//! block is multiplied by the sum of a group, Σ y P_G/p, by transforms modulo two primes p1 and p2.
 //!
 //! Lemma 1 (digits of groups). The sum Σ y P_G/p over the 48 primes of a group has at most [`GROUP_LEN`] digits of 40 bits.
 //! Proof. y < p, so the sum is below 48 P_G < 2^5.6 · 2^2400 ≤ 2^(40 · 61). [`set_digits`] stops the program if there are more
@@ -6,9 +10,9 @@
 //!
 //! Lemma 2 (digits of the product). Consider a digit of the product of a group's sum and a block, summed over all groups and
 //! over the two blocks that overlap there. It is a natural number below p1 p2.
-//! Proof. A group's sum has 61 digits and a block has 68, so at most two products overlap in 128 positions, and a digit is a
-//! sum of at most 61 products below 2^80, hence below 2^86. There are fewer than 2^10 groups ([`MOST_PRIMES`]), so the sum is
-//! below 2^97 < 2^99.98 < p1 p2.
+//! Proof. A group's sum has 61 digits and a block has 68, so their product has 128, and the products of two neighbouring blocks
+//! overlap. A digit of both products together is a sum of at most 61 products of digits, each below 2^80, so it is below 2^86.
+//! There are fewer than 2^10 groups ([`MOST_PRIMES`]), so the sum is below 2^97 < 2^99.98 < p1 p2.
 //!
 //! Lemma 3 (unreduced sums). The sum of [`UNREDUCED`] products of values of at most 3p and p/2, and of a value of at most p/2 +
 //! 1, is below 8p.
