@@ -11,13 +11,17 @@ use crate::limits::Limits;
 use crate::modular::{PrimeField, trimmed};
 use crate::poly::{IntegerPolynomial, IntegerTerms};
 
-/// With at most this many factors two points are compared, with more factors [`POINTS`].
+/// Two points are enough where the better one leaves at most this many factors; otherwise [`POINTS`] points are compared.
 const FEW_FACTORS: usize = 3;
+/// The number of points that are compared where every one leaves more than [`FEW_FACTORS`] factors.
 const POINTS: usize = 4;
 
 /// The result of the univariate factorizations at a few points.
 pub(super) enum Specialized {
+    /// The polynomial is irreducible: one image is irreducible, or the degrees of the factors at several points exclude
+    /// every proper factor.
     Irreducible(Irreducibility),
+    /// The polynomial may be reducible, and the factors at the best point are to be lifted.
     Factors(Best),
 }
 
