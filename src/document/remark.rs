@@ -18,14 +18,19 @@ pub(super) const PERFECT_SQUARE: &str = "F of Theorem 2 is a perfect square (a0 
 pub fn remark_text(remark: &Remark) -> String {
     match remark {
         Remark::Center {
+            outline,
             point: [x, y],
             origin,
-        } => format!("the center is ({x}, {y}): {}", origin.describe()),
+        } => format!(
+            "the center of the outline of {outline} is ({x}, {y}): {}",
+            origin.describe()
+        ),
         Remark::Hidden {
+            outline,
             point: [x, y],
             share,
         } => format!(
-            "the outline is not star-shaped about ({x}, {y}): its outermost boundary is taken; {:.3} % of the outline's length is hidden behind it",
+            "the outline of {outline} is not star-shaped about ({x}, {y}): its outermost boundary is taken; {:.3} % of its length is hidden behind it",
             share * 100.0
         ),
         Remark::PerfectSquare => PERFECT_SQUARE.into(),

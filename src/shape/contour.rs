@@ -29,6 +29,7 @@ const SMALLEST: f64 = 1e-120;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
     points: Vec<[f64; 2]>,
+    place: String,
 }
 
 impl Contour {
@@ -112,7 +113,16 @@ impl Contour {
         if is_clockwise(&points) {
             points[1..].reverse();
         }
-        Ok(Self { points })
+        Ok(Self {
+            points,
+            place: place.into(),
+        })
+    }
+
+    /// Where the points came from, as it was given.
+    #[must_use]
+    pub fn place(&self) -> &str {
+        &self.place
     }
 
     /// The vertices, counter-clockwise.

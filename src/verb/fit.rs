@@ -25,13 +25,22 @@ pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<Fit> 
     }
     let fit = work.stage("fit", || fit_within(contour, options, work.bounds()))?;
     let point = fit.center.point;
+    let outline = || contour.place().to_owned();
     match fit.center.origin {
         CenterOrigin::Centroid | CenterOrigin::Given => {}
-        origin => work.remark(Remark::Center { point, origin }),
+        origin => work.remark(Remark::Center {
+            outline: outline(),
+            point,
+            origin,
+        }),
     }
     if !fit.star_shaped {
         let share = fit.hidden_share;
-        work.remark(Remark::Hidden { point, share });
+        work.remark(Remark::Hidden {
+            outline: outline(),
+            point,
+            share,
+        });
     }
     Ok(fit)
 }

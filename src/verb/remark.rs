@@ -9,6 +9,8 @@ use crate::fit::CenterOrigin;
 pub enum Remark {
     /// A contour is measured from a point that was chosen for it.
     Center {
+        /// Where the contour came from.
+        outline: String,
         /// The center.
         point: [f64; 2],
         /// The reason for this center.
@@ -16,6 +18,8 @@ pub enum Remark {
     },
     /// A contour is not star-shaped about the center.
     Hidden {
+        /// Where the contour came from.
+        outline: String,
         /// The center.
         point: [f64; 2],
         /// The share of the outline's length that the fit cannot see.
