@@ -146,6 +146,7 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
     #[command(after_help = "Examples:
   stellate paper
   stellate paper --only E9
+  stellate paper --only \"Theorem 2\"
   stellate paper --out report
   stellate paper --out report --compare
   stellate paper --format json -o paper.json
@@ -157,7 +158,9 @@ Exit code: 1 if the outcome of a statement is not the recorded one, or if two me
   stellate completions bash > ~/.local/share/bash-completion/completions/stellate")]
     Completions(Completions),
     /// The JSON Schema of a kind of document, or of all kinds
-    #[command(after_help = "Examples:\n  stellate schema implicit -o implicit.schema.json\n  stellate schema")]
+    #[command(
+        after_help = "Examples:\n  stellate schema implicit -o implicit.schema.json\n  stellate schema"
+    )]
     Schema(Schema),
     /// Write the manual page, in roff
     #[command(after_help = "Example:
@@ -180,8 +183,9 @@ pub(crate) struct Completions {
 
 #[derive(Debug, Args)]
 pub(crate) struct Paper {
-    /// One statement in full, with its formulas and the evidence: T2, L4, E9, Eq63, F12, AppB, ...
-    #[arg(long, value_name = "ID")]
+    /// Statements in full, with their formulas and the evidence: one by its id (T2, L4, E9, Eq63, F12, AppB, ...), or all
+    /// with these words in their titles
+    #[arg(long, value_name = "ID|TITLE")]
     pub(crate) only: Option<String>,
     /// Write the report DIR/index.html, too: one page with all formulas, figures and errata
     #[arg(long, value_name = "DIR", conflicts_with = "only")]
@@ -400,6 +404,9 @@ pub(crate) struct Plot {
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,
+    /// Width of the picture in units of the SVG, from 300 to 4000: a narrow one has large letters [default: 900]
+    #[arg(long, value_name = "UNITS")]
+    pub(crate) width: Option<u32>,
     /// Cells along the larger side: for tracing implicit curves [default: 240], for surfaces [default: 36], along
     /// each parameter of a patch [default: 54]
     #[arg(long, value_parser = clap::value_parser!(u32).range(8..=4000))]

@@ -1,7 +1,7 @@
 //! `stellate plot`: forms over each other.
 
 use stellate::error::{Error, Result};
-use stellate::verb::{self, FigureFormat, PlotOptions};
+use stellate::verb::{self, FigureFormat, Given, PlotOptions};
 
 use super::arguments::Plot;
 use super::input;
@@ -20,13 +20,17 @@ pub(crate) fn run(flags: &Plot, session: &Session) -> Result<()> {
     })?;
     let format = FigureFormat::of("-o", path)?;
     check_destination(session)?;
-    let svg = svg(flags, session)?;
+    let svg = svg(flags, session, |form| input::read(form, session))?;
     let bytes = session.work.stage("draw", || format.bytes(svg))?;
     write_result(session, |out| Ok(out.write_all(&bytes)?))
 }
 
-/// The figure as SVG.
-pub(super) fn svg(flags: &Plot, session: &Session) -> Result<String> {
+/// The figure as SVG, with forms as they are read here.
+pub(super) fn svg(
+    flags: &Plot,
+    session: &Session,
+    read: impl Fn(&str) -> Result<Given>,
+) -> Result<String> {
     let options = PlotOptions::default()
         .fit(input::fit_options(&flags.fit)?)
         .window(flags.window.as_deref().map(frame).transpose()?)
@@ -39,6 +43,7 @@ pub(super) fn svg(flags: &Plot, session: &Session) -> Result<String> {
         )
         .view(flags.view.as_deref().map(view).transpose()?)
         .title(flags.title.clone())
+        .width(flags.width)
         .cells(flags.cells)
         .points(
             flags
@@ -47,7 +52,6 @@ pub(super) fn svg(flags: &Plot, session: &Session) -> Result<String> {
                 .map(|text| point(text))
                 .collect::<Result<_>>()?,
         );
-    let forms = flags.forms.iter();
-    let forms = forms.map(|form| input::read(form, session));
+    let forms = flags.forms.iter().map(|form| read(form));
     verb::plot(forms.collect::<Result<_>>()?, &options, &session.work)
 }

@@ -51,8 +51,8 @@ pub use outcome::{
 pub(crate) use parametric::write_parametrization;
 pub(crate) use parametric_form::write_coordinates;
 pub use remark::{missing_text, remark_text};
-pub use schema::{json_schema, schema_kinds};
 pub(crate) use samples::write_samples;
+pub use schema::{json_schema, schema_kinds};
 pub(crate) use spherical::write_surface_parametrization;
 pub(crate) use superquadric::{
     write_space_superquadric, write_space_superquadric_description, write_superquadric,

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use serde_json::{Map, Value, json};
 
-use super::json::parsed;
 use super::SCHEMA;
+use super::json::parsed;
 use crate::error::{Error, Invariant, Result};
 
 /// The kinds of documents, and the text with the definitions that each adds.
@@ -51,16 +51,28 @@ pub fn json_schema(kind: Option<&str>) -> Result<String> {
         Some(kind) if schema_kinds().any(|known| known == kind) => reference(kind),
         Some(other) => {
             let known: Vec<&str> = schema_kinds().collect();
-            let message = format!("schema {other}: the kinds of documents are {}", known.join(", "));
+            let message = format!(
+                "schema {other}: the kinds of documents are {}",
+                known.join(", ")
+            );
             return Err(Error::Usage(message));
         }
     };
     let mut needed = BTreeSet::new();
     collect(&root, &all, &mut needed);
-    let used: Map<String, Value> = all.into_iter().filter(|(name, _)| needed.contains(name)).collect();
+    let used: Map<String, Value> = all
+        .into_iter()
+        .filter(|(name, _)| needed.contains(name))
+        .collect();
     let mut schema = Map::new();
-    schema.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
-    schema.insert("title".into(), json!(format!("{SCHEMA} {}", kind.unwrap_or("document"))));
+    schema.insert(
+        "$schema".into(),
+        json!("https://json-schema.org/draft/2020-12/schema"),
+    );
+    schema.insert(
+        "title".into(),
+        json!(format!("{SCHEMA} {}", kind.unwrap_or("document"))),
+    );
     schema.extend(root.as_object().cloned().invariant("the root is an object"));
     schema.insert("$defs".into(), Value::Object(used));
     let text = serde_json::to_string_pretty(&schema);
@@ -74,9 +86,15 @@ fn definitions() -> Map<String, Value> {
     let mut all = Map::new();
     for text in texts {
         let added = parsed(text.as_bytes());
-        for (name, definition) in added.as_object().invariant("a file of definitions is an object") {
+        for (name, definition) in added
+            .as_object()
+            .invariant("a file of definitions is an object")
+        {
             let before = all.insert(name.clone(), definition.clone());
-            before.is_none().then_some(()).invariant("a definition has one place");
+            before
+                .is_none()
+                .then_some(())
+                .invariant("a definition has one place");
         }
     }
     all
@@ -90,10 +108,16 @@ fn collect(value: &Value, all: &Map<String, Value>, needed: &mut BTreeSet<String
                 let name = reference.strip_prefix("#/$defs/");
                 let name = name.invariant("references are to definitions");
                 if needed.insert(name.to_owned()) {
-                    collect(all.get(name).invariant("a reference has a definition"), all, needed);
+                    collect(
+                        all.get(name).invariant("a reference has a definition"),
+                        all,
+                        needed,
+                    );
                 }
             }
-            fields.values().for_each(|field| collect(field, all, needed));
+            fields
+                .values()
+                .for_each(|field| collect(field, all, needed));
         }
         Value::Array(items) => items.iter().for_each(|item| collect(item, all, needed)),
         _ => {}

@@ -71,7 +71,7 @@ impl Chart {
     pub fn to_svg(&self) -> Result<String> {
         load_font();
         let x = self.x_range()?;
-        let height = heading::height(&self.title, self.series.len()) + HEIGHT + BELOW;
+        let height = heading::height(&self.title, &self.rows(), WIDTH) + HEIGHT + BELOW;
         let mut svg = String::new();
         {
             let size = (WIDTH * FINER, height * FINER);
@@ -79,7 +79,7 @@ impl Chart {
             self.draw(&area, x)
                 .map_err(|e| Error::data("chart", e.to_string()))?;
         }
-        Ok(shown_in_units(&svg, height))
+        Ok(shown_in_units(&svg, WIDTH, height))
     }
 
     /// The range of x, which holds all points.
@@ -107,9 +107,9 @@ impl Chart {
 
     fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, x: [f64; 2]) -> Drawn<B> {
         area.fill(&WHITE)?;
-        let above = heading::height(&self.title, self.series.len());
+        let above = heading::height(&self.title, &self.rows(), WIDTH);
         let (above, plot) = area.split_vertically(above * FINER);
-        heading::draw(&above, &self.title, self.rows())?;
+        heading::draw(&above, &self.title, self.rows(), WIDTH)?;
         let y = self.y;
         let mut builder = ChartBuilder::on(&plot);
         builder

@@ -8,8 +8,7 @@ use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
 
 use super::heading::{
-    self, Drawn, FINER, LEFT, MARGIN, Mark, Row, WIDTH, color, dot, font, load_font,
-    shown_in_units, tick,
+    self, Drawn, FINER, LEFT, MARGIN, Mark, Row, color, dot, font, load_font, shown_in_units, tick,
 };
 use super::{Window, clip};
 use crate::error::{Error, Result};
@@ -39,6 +38,8 @@ pub(crate) struct Layer {
 pub(crate) struct Figure {
     /// The heading; it may be empty.
     pub title: String,
+    /// The width of the picture, in units of the SVG.
+    pub width: u32,
     /// The part of the plane that must be seen. More is shown if the shape of the picture requires it.
     pub window: Window,
     /// The layers, from the lowest to the topmost.
@@ -55,12 +56,12 @@ impl Figure {
         let frame = Frame::new(self)?;
         let mut svg = String::new();
         {
-            let size = (WIDTH * FINER, frame.height * FINER);
+            let size = (self.width * FINER, frame.height * FINER);
             let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
             self.draw(&area, &frame)
                 .map_err(|e| Error::data("figure", e.to_string()))?;
         }
-        Ok(shown_in_units(&svg, frame.height))
+        Ok(shown_in_units(&svg, self.width, frame.height))
     }
 
     /// The part of the plane that the picture will show: the window, enlarged to the shape of the picture.
@@ -74,7 +75,7 @@ impl Figure {
     fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, frame: &Frame) -> Drawn<B> {
         area.fill(&WHITE)?;
         let (above, plot) = area.split_vertically(frame.heading * FINER);
-        heading::draw(&above, &self.title, self.rows())?;
+        heading::draw(&above, &self.title, self.rows(), self.width)?;
         let mut chart = ChartBuilder::on(&plot)
             .margin(0)
             .margin_right(MARGIN * FINER)
@@ -93,6 +94,7 @@ impl Figure {
             .bold_line_style(ShapeStyle::from(RGBColor(225, 225, 225)).stroke_width(FINER))
             .axis_style(ShapeStyle::from(BLACK).stroke_width(FINER))
             .set_all_tick_mark_size(5 * FINER)
+            .x_labels(x_labels(self.width))
             .axis_desc_style(font(16))
             .label_style(font(14))
             .x_label_formatter(&label)
@@ -165,6 +167,12 @@ impl Figure {
     }
 }
 
+/// The number of labels along the x axis: as many as fit beside each other, and at most ten.
+fn x_labels(width: u32) -> usize {
+    const UNITS: u32 = 70;
+    usize::try_from((width / UNITS).min(10)).unwrap_or(10)
+}
+
 /// The sizes that make the axes equal.
 struct Frame {
     window: Window,
@@ -185,7 +193,7 @@ impl Frame {
         if !(w.is_finite() && h.is_finite() && w > 0.0 && h > 0.0) {
             return Err(Error::data("figure", "there is nothing finite to draw"));
         }
-        let width = WIDTH - LEFT - MARGIN;
+        let width = figure.width - LEFT - MARGIN;
         let aspect = (h / w).clamp(ASPECT[0], ASPECT[1]);
         let plotted = (f64::from(width) * aspect).round();
         // Both axes have one scale; in the direction with more room more of the plane is shown.
@@ -194,7 +202,7 @@ impl Frame {
             let more = (unit * pixels - size(v)) / 2.0;
             [v[0] - more, v[1] + more]
         };
-        let heading = heading::height(&figure.title, figure.layers.len());
+        let heading = heading::height(&figure.title, &figure.rows(), figure.width);
         Ok(Self {
             window: Window {
                 x: widened(x, f64::from(width)),
@@ -208,6 +216,7 @@ impl Frame {
 
 #[cfg(test)]
 mod tests {
+    use super::heading::WIDTH;
     use super::*;
 
     #[test]
@@ -215,6 +224,7 @@ mod tests {
         for (w, h) in [(1.0, 1.0), (100.0, 1.0), (1.0, 100.0), (3.0, 2.0)] {
             let figure = Figure {
                 title: String::new(),
+                width: WIDTH,
                 window: Window {
                     x: [0.0, w],
                     y: [0.0, h],

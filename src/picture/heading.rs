@@ -22,8 +22,8 @@ const PALETTE: [RGBColor; 8] = [
     RGBColor(150, 20, 20),
 ];
 
-/// The width of the picture in units of the SVG.
-pub(super) const WIDTH: u32 = 900;
+/// The default width of a picture in units of the SVG.
+pub(crate) const WIDTH: u32 = 900;
 /// The drawing library rounds to whole units, so it draws on a grid that is finer by this factor.
 pub(super) const FINER: u32 = 8;
 /// The number of units to the left of the legend, and around the picture.
@@ -31,6 +31,11 @@ pub(super) const LEFT: u32 = 76;
 pub(super) const MARGIN: u32 = 16;
 const LEGEND_ROW: u32 = 22;
 const TITLE_ROW: u32 = 34;
+/// The number of units that the mark before a label takes.
+const MARK: u32 = 40;
+/// The sizes of letters.
+const LEGEND_SIZE: u32 = 14;
+const TITLE_SIZE: u32 = 20;
 
 /// The result of drawing.
 pub(super) type Drawn<B> =
@@ -52,10 +57,35 @@ pub(super) enum Mark {
 }
 
 /// The height of the heading.
-pub(super) fn height(title: &str, rows: usize) -> u32 {
-    let title = if title.is_empty() { 0 } else { TITLE_ROW };
-    let rows = u32::try_from(rows.min(1000)).invariant("1000 is small");
-    MARGIN + title + rows * LEGEND_ROW + MARGIN / 2
+pub(super) fn height(title: &str, rows: &[Row], width: u32) -> u32 {
+    let titles = count(&lines(title, TITLE_SIZE, 0, width));
+    let rows = rows
+        .iter()
+        .map(|row| lines(&row.label, LEGEND_SIZE, MARK, width));
+    let rows: u32 = rows.map(|lines| count(&lines)).sum();
+    MARGIN + titles * TITLE_ROW + rows * LEGEND_ROW + MARGIN / 2
+}
+
+fn count(lines: &[String]) -> u32 {
+    u32::try_from(lines.len().min(1000)).invariant("1000 is small")
+}
+
+/// The text in lines that fit into the picture, broken at blanks. An empty text has no line.
+fn lines(text: &str, size: u32, before: u32, width: u32) -> Vec<String> {
+    let room = width.saturating_sub(LEFT + before + MARGIN) * FINER;
+    let fits = |line: &str| {
+        let measured = ("sans-serif", size * FINER).into_font().box_size(line);
+        measured.is_ok_and(|(length, _)| length <= room)
+    };
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        let longer = lines.last().map(|line| format!("{line} {word}"));
+        match (longer.filter(|line| fits(line)), lines.last_mut()) {
+            (Some(longer), Some(line)) => *line = longer,
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 /// Draws the title and the rows.
@@ -63,11 +93,12 @@ pub(super) fn draw<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     title: &str,
     rows: Vec<Row>,
+    width: u32,
 ) -> Drawn<B> {
     let at = |x: u32, y: u32| (int(x * FINER), int(y * FINER));
     let mut y = MARGIN;
-    if !title.is_empty() {
-        area.draw(&Text::new(title.to_owned(), at(LEFT, y), font(20)))?;
+    for line in lines(title, TITLE_SIZE, 0, width) {
+        area.draw(&Text::new(line, at(LEFT, y), font(TITLE_SIZE)))?;
         y += TITLE_ROW;
     }
     for row in rows {
@@ -86,8 +117,10 @@ pub(super) fn draw<B: DrawingBackend>(
         if let Some(color) = row.dot {
             area.draw(&dot(at(LEFT + 15, middle), color))?;
         }
-        area.draw(&Text::new(row.label, at(LEFT + 40, y + 6), font(14)))?;
-        y += LEGEND_ROW;
+        for line in lines(&row.label, LEGEND_SIZE, MARK, width) {
+            area.draw(&Text::new(line, at(LEFT + MARK, y + 6), font(LEGEND_SIZE)))?;
+            y += LEGEND_ROW;
+        }
     }
     Ok(())
 }
@@ -121,9 +154,9 @@ pub(super) fn tick(value: f64) -> String {
 }
 
 /// The SVG on the fine grid, scaled so that it shows units.
-pub(super) fn shown_in_units(svg: &str, height: u32) -> String {
-    let fine = format!("width=\"{}\" height=\"{}\"", WIDTH * FINER, height * FINER);
-    let shown = format!("width=\"{WIDTH}\" height=\"{height}\"");
+pub(super) fn shown_in_units(svg: &str, width: u32, height: u32) -> String {
+    let fine = format!("width=\"{}\" height=\"{}\"", width * FINER, height * FINER);
+    let shown = format!("width=\"{width}\" height=\"{height}\"");
     svg.replacen(&fine, &shown, 1)
 }
 
@@ -212,6 +245,17 @@ mod tests {
             "<text>1 2</text>\n</svg>\n"
         );
         assert_eq!(compacted(svg), expected);
+    }
+
+    #[test]
+    fn a_long_label_has_several_lines() {
+        load_font();
+        let label = "parametric curve, x = 1 + cos(t); y = 1 + sin(t), t from 0 to 1";
+        let broken = lines(label, LEGEND_SIZE, MARK, 480);
+        assert!(broken.len() > 1, "{broken:?}");
+        assert_eq!(broken.join(" "), label);
+        assert_eq!(lines(label, LEGEND_SIZE, MARK, WIDTH), [label]);
+        assert!(lines("", TITLE_SIZE, 0, WIDTH).is_empty());
     }
 
     #[test]

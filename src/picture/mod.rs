@@ -17,6 +17,7 @@ pub use chart::Chart;
 pub(crate) use chart::Series;
 pub(crate) use extent::extent;
 pub(crate) use figure::{Figure, Layer};
+pub(crate) use heading::WIDTH;
 pub(crate) use raster::png_from_svg;
 pub(crate) use scene::{Scene, SpaceLayer};
 pub use trace::Window;

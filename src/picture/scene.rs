@@ -8,7 +8,7 @@ use plotters::style::{Color, RGBColor, ShapeStyle, WHITE};
 
 use super::camera::{Camera, Seen};
 use super::heading::{
-    self, Drawn, FINER, MARGIN, Mark, Row, WIDTH, color, compacted, dot, load_font, shown_in_units,
+    self, Drawn, FINER, MARGIN, Mark, Row, color, compacted, dot, load_font, shown_in_units,
 };
 use super::order::{Piece, from_behind};
 use super::{axes, cut};
@@ -71,6 +71,8 @@ impl SpaceLayer {
 pub(crate) struct Scene {
     /// The heading; it may be empty.
     pub title: String,
+    /// The width of the picture, in units of the SVG.
+    pub width: u32,
     /// The box that is shown; parts outside are cut off. `None` stands for a box around everything.
     pub bounds: Option<[[f64; 2]; 3]>,
     /// The direction of the eye, in degrees from +x towards +y.
@@ -98,23 +100,23 @@ impl Scene {
     /// [`Error::Data`] if there is nothing finite to draw.
     pub(crate) fn to_svg(&self) -> Result<String> {
         load_font();
-        let width = f64::from(WIDTH) - 2.0 * AROUND;
+        let width = f64::from(self.width) - 2.0 * AROUND;
         let camera = Camera::new(
             self.bounds()?,
             [self.azimuth, self.elevation],
             [width, HEIGHT],
         );
         let rows = self.rows(&camera);
-        let heading = heading::height(&self.title, rows.len());
+        let heading = heading::height(&self.title, &rows, self.width);
         let height = heading + pixels(camera.size[1] + BELOW) + MARGIN;
         let mut svg = String::new();
         {
-            let size = (WIDTH * FINER, height * FINER);
+            let size = (self.width * FINER, height * FINER);
             let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
             let drawn = self.draw(&area, &camera, heading, rows);
             drawn.map_err(|e| Error::data("figure", e.to_string()))?;
         }
-        Ok(compacted(&shown_in_units(&svg, height)))
+        Ok(compacted(&shown_in_units(&svg, self.width, height)))
     }
 
     /// The given box, or the box around all finite points.
@@ -175,8 +177,8 @@ impl Scene {
         rows: Vec<Row>,
     ) -> Drawn<B> {
         area.fill(&WHITE)?;
-        heading::draw(area, &self.title, rows)?;
-        let left = (f64::from(WIDTH) - camera.size[0]) / 2.0;
+        heading::draw(area, &self.title, rows, self.width)?;
+        let left = (f64::from(self.width) - camera.size[0]) / 2.0;
         let place = |seen: Seen| {
             let fine = f64::from(FINER);
             (
@@ -376,6 +378,7 @@ mod tests {
     fn scene(layers: Vec<SpaceLayer>) -> Scene {
         Scene {
             title: String::new(),
+            width: heading::WIDTH,
             bounds: None,
             azimuth: 30.0,
             elevation: 25.0,

@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::inspect::{Verdict, sphere_about};
 use crate::mesh::mesh_bounds;
-use crate::picture::{Figure, Layer, Scene, SpaceLayer, Window};
+use crate::picture::{Figure, Layer, Scene, SpaceLayer, WIDTH, Window};
 use crate::shape::{ImplicitCurve, ImplicitSurface};
 
 /// The sphere sections are drawn for at most this many points.
@@ -215,6 +215,7 @@ fn scene(
     }
     let scene = Scene {
         title: String::new(),
+        width: WIDTH,
         bounds: shown,
         azimuth: VIEW[0],
         elevation: VIEW[1],
@@ -309,6 +310,7 @@ fn in_plane(
     };
     let mut figure = Figure {
         title: String::new(),
+        width: WIDTH,
         window,
         layers,
     };

@@ -2,7 +2,7 @@
 
 use super::equation::{Taken, check_curve};
 use super::fit::{fit, refuse_fit_options};
-use super::plot_options::{PlotOptions, plane_window, range_of, range_text};
+use super::plot_options::{PlotOptions, plane_window, range_of, range_text, width};
 use super::plot_space::{is_in_space, scene};
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
@@ -80,6 +80,7 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
     } = drawing;
     let mut figure = Figure {
         title: options.title.clone(),
+        width: width(options.width)?,
         window: match window {
             Some(window) => window,
             None => fitting_window(seen, &curves, work)?,

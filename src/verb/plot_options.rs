@@ -7,7 +7,7 @@ use super::Bounds;
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::options::options;
-use crate::picture::{Window, png_from_svg};
+use crate::picture::{WIDTH, Window, png_from_svg};
 use crate::shape::Parameter;
 
 /// The default direction of the eye, in degrees.
@@ -51,11 +51,24 @@ options! {
         view: Option<[f64; 2]> = None,
         /// The heading of the figure.
         title: String = String::new(),
+        /// The width of the picture in units of the SVG (900), from 300 to 4000. Letters keep their size, so they are large in
+        /// a narrow picture.
+        width: Option<u32> = None,
         /// The number of cells along the larger side of the window for implicit curves (240), along the longest side of the box
         /// for surfaces (36), and along each parameter of a patch (54).
         cells: Option<u32> = None,
         /// For pictures in space: points that are marked.
         points: Vec<[f64; 3]> = Vec::new(),
+    }
+}
+
+/// The width of a figure.
+pub(super) fn width(given: Option<u32>) -> Result<u32> {
+    match given.unwrap_or(WIDTH) {
+        width @ 300..=4000 => Ok(width),
+        width => Err(Error::Usage(format!(
+            "--width {width}: a picture is from 300 to 4000 units wide"
+        ))),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::arcs::{ArcSearch, arcs_of_others};
 use super::equation::cylinder;
 use super::mesh::{of_superquadric, of_surface};
-use super::plot_options::{PlotOptions, VIEW, range_of, range_text, space_window};
+use super::plot_options::{PlotOptions, VIEW, range_of, range_text, space_window, width};
 use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
 use crate::arcs::CurveArc;
 use crate::error::{Error, Result};
@@ -91,6 +91,7 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
     let view = options.view.unwrap_or(VIEW);
     let scene = Scene {
         title: options.title.clone(),
+        width: width(options.width)?,
         bounds: shown,
         azimuth: view[0],
         elevation: view[1],

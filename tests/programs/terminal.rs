@@ -92,6 +92,10 @@ fn errors_have_one_voice_or_are_json() {
             &["plot", CIRCLE, "--view", "1,2", "-o", "a.svg"],
             "--view turns a picture of space",
         ),
+        (
+            &["plot", CIRCLE, "--width", "100", "-o", "a.svg"],
+            "--width 100: a picture is from 300 to 4000 units wide",
+        ),
     ] {
         let err = refused(arguments);
         assert!(
