@@ -1,14 +1,12 @@
 //! `stellate paper`: every statement of the paper, checked.
 
 use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use stellate::compare::{TimeComparison, compare};
 use stellate::document::{Format, Kind};
 use stellate::error::{Error, Result};
-use stellate::paper::{Appendix, Entry, entries, write_entries, write_entry, write_report};
+use stellate::paper::{Appendix, Entry, entries, write_entries, write_in_full, write_report};
 
 use super::arguments::Paper;
 use super::output::{check_destination, check_place, write_beside, write_result};
@@ -29,15 +27,15 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     let all = entries()?;
     let chosen = match &verb.only {
         None => all,
-        Some(id) => vec![find(all, id)?],
+        Some(wanted) => find(all, wanted)?,
     };
     let evaluated = session.work.stage("evaluate", || {
-        let (done, total) = (AtomicU64::new(0), chosen.len() as u64);
-        let outcomes = chosen.par_iter().map(|entry| {
+        // One after another, so that the time of each is its own.
+        let total = chosen.len() as u64;
+        let outcomes = (1..).zip(chosen).map(|(done, entry)| {
             let outcome = entry.evaluate(&session.limits)?;
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             session.progress("checking the paper", done, total);
-            Ok((entry.clone(), outcome))
+            Ok((entry, outcome))
         });
         outcomes.collect::<Result<Vec<_>>>()
     })?;
@@ -56,21 +54,19 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     if let Some(folder) = &verb.out {
         let figures = paper_figures::draw(session)?;
         let mut page = Vec::new();
-        write_report(&evaluated, &figures, appendix, &mut page)?;
+        let today = jiff::Timestamp::now().strftime("%Y-%m-%d").to_string();
+        write_report(&evaluated, &figures, appendix, &today, &mut page)?;
         std::fs::create_dir_all(folder).map_err(|source| Error::Io {
             path: folder.clone(),
             source,
         })?;
         write_beside(&folder.join(PAGE), &page, session)?;
     }
-    match (&verb.only, &evaluated[..]) {
-        (Some(_), [(entry, outcome)]) => write_result(session, |out| {
-            write_entry(entry, outcome, appendix, format, out)
-        }),
-        _ => write_result(session, |out| {
-            write_entries(&evaluated, appendix, format, out)
-        }),
-    }
+    let write = match verb.only {
+        Some(_) => write_in_full,
+        None => write_entries,
+    };
+    write_result(session, |out| write(&evaluated, appendix, format, out))
 }
 
 /// What `--compare-limit` says.
@@ -109,14 +105,31 @@ fn check_folder(folder: &Path) -> Result<()> {
     }
 }
 
-/// The entry with this id, in capitals or not.
-fn find(entries: Vec<Entry<'static>>, id: &str) -> Result<Entry<'static>> {
-    let ids: Vec<&str> = entries.iter().map(|e| e.id).collect();
-    let ids = ids.join(", ");
-    let found = entries.into_iter().find(|e| e.id.eq_ignore_ascii_case(id));
-    found.ok_or_else(|| {
+/// The statement with this id, in capitals or not; else all with these words in their titles; else all with this in their
+/// titles, within words, too.
+fn find(entries: Vec<Entry<'static>>, wanted: &str) -> Result<Vec<Entry<'static>>> {
+    let found = |fits: &dyn Fn(&Entry<'_>) -> bool| {
+        let found: Vec<_> = entries.iter().filter(|entry| fits(entry)).collect();
+        (!found.is_empty()).then(|| found.into_iter().cloned().collect())
+    };
+    let whole = words(wanted);
+    let part = wanted.trim().to_lowercase();
+    let chosen = found(&|entry| entry.id.eq_ignore_ascii_case(wanted.trim()))
+        .or_else(|| found(&|entry| whole.len() > 1 && words(entry.title).contains(&whole)))
+        .or_else(|| found(&|entry| !part.is_empty() && entry.title.to_lowercase().contains(&part)));
+    chosen.ok_or_else(|| {
+        let ids: Vec<&str> = entries.iter().map(|e| e.id).collect();
         Error::Usage(format!(
-            "--only {id}: there is no such statement; there are {ids}"
+            "--only {wanted}: no statement has this id, or this in its title, as Theorem 2 or cubic; the ids are {}",
+            ids.join(", ")
         ))
     })
+}
+
+/// The words of a text, without what stands between them, each between two blanks.
+fn words(text: &str) -> String {
+    let text = text.to_lowercase();
+    let words = text.split(|c: char| !c.is_alphanumeric());
+    let words = words.filter(|word| !word.is_empty());
+    words.fold(" ".into(), |all, word| all + word + " ")
 }

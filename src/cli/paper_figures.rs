@@ -1,15 +1,14 @@
 //! The figures of the paper, drawn again by `stellate plot`.
 
-use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Parser;
-use stellate::document::{Format, write_fourier};
 use stellate::error::{Error, Result};
-use stellate::language::{Numbers, parse_form};
+use stellate::language::Numbers;
 use stellate::paper::{EXAMPLE_DATA, ReportFigure};
 use stellate::parametrize::{BranchFitOptions, fit_branch, parametrize};
 use stellate::shape::Form;
+use stellate::verb::{Content, Given};
 
 use super::arguments::{Arguments, Verb};
 use super::plot;
@@ -22,9 +21,15 @@ type Drawn = (&'static str, &'static str, &'static [&'static str]);
 const FAR: &str = "t=-1.5707963267948966,3.141592653589793";
 const NEAR: &str = "t=3.141592653589793,4.71238898038469";
 
-/// The curve of Example 9, and the series that is fitted to it.
+/// The curve of Example 9.
 const CURVE: &str = "paper-examples/e09-sixth-degree/curve.txt";
-const FIT: &str = "fit.txt";
+
+/// Standard input; the only form that is read from there is the series that is fitted to that curve.
+const INPUT: &str = "-";
+const INPUT_NAME: &str = "standard input";
+
+/// Units of the width of a figure: letters can be read on a phone.
+const WIDTH: &str = "--width=420";
 
 const CIRCLE: &str = "x = 1 + cos(t); y = 1 + sin(t)";
 
@@ -55,7 +60,7 @@ const FIGURES: [Drawn; 15] = [
     ),
     (
         "F5",
-        "The same curve where the cylinder over the unit circle and the parabolic cylinder z = 1 - x^2 meet.",
+        "The same curve where the cylinder over the unit circle and the parabolic cylinder $z = 1 − x²$ meet.",
         &[
             "x = cos(theta); y = sin(theta); z = v",
             "x = u; y = v; z = 1 - u^2",
@@ -76,7 +81,7 @@ const FIGURES: [Drawn; 15] = [
     ),
     (
         "F7",
-        "The circle of Example 7, of radius 1 about (1, 1), as a zero set.",
+        "The circle of Example 7, of radius 1 about $(1, 1)$, as a zero set.",
         &["x^2 + y^2 - 2x - 2y + 1"],
     ),
     (
@@ -102,7 +107,7 @@ const FIGURES: [Drawn; 15] = [
     (
         "F12",
         "The curve of Example 9, and over it the Fourier series that is fitted to its outermost radius.",
-        &[CURVE, FIT],
+        &[CURVE, INPUT],
     ),
     (
         "E9",
@@ -111,7 +116,7 @@ const FIGURES: [Drawn; 15] = [
     ),
     (
         "F13",
-        "The curve (cos t, sin t, sin^5 t) where the cylinder over the unit circle and the surface z = y^5 meet.",
+        "The curve $(cos t, sin t, sin⁵ t)$ where the cylinder over the unit circle and the surface $z = y⁵$ meet.",
         &[
             "x^2 + y^2 + 0z = 1",
             "z = y^5",
@@ -123,7 +128,7 @@ const FIGURES: [Drawn; 15] = [
     ),
     (
         "F14",
-        "The water pipe, a cylinder of radius 1, and the point (0.8, 0.6, 0) on it.",
+        "The water pipe, a cylinder of radius 1, and the point $(0.8, 0.6, 0)$ on it.",
         &[
             "x = cos(theta); y = sin(theta); z = v",
             "--range=v=-1,1",
@@ -134,22 +139,18 @@ const FIGURES: [Drawn; 15] = [
     ),
 ];
 
-/// Draws them; the data of paper-examples and the fit of Example 9 are put into a temporary folder for that.
+/// Draws them; forms are read from what the program has with it, under the names that they have in the repository.
 pub(super) fn draw(session: &Session) -> Result<Vec<ReportFigure>> {
-    let folder = tempfile::tempdir().map_err(failed)?;
-    for (path, text) in EXAMPLE_DATA {
-        write(folder.path(), path, text)?;
-    }
-    write(folder.path(), FIT, &fit_of_example_9(session)?)?;
     let mut figures = Vec::new();
     for (done, (id, caption, words)) in (0..).zip(FIGURES) {
         session.progress("drawing the figures", done, FIGURES.len() as u64);
         session.limits.check()?;
+        let command = Command::new(id, words);
         figures.push(ReportFigure {
             id,
             caption,
-            command: command(words),
-            svg: svg(words, folder.path(), session)?,
+            svg: svg(&command, session)?,
+            command: command.typed(),
         });
     }
     let total = FIGURES.len() as u64;
@@ -157,70 +158,71 @@ pub(super) fn draw(session: &Session) -> Result<Vec<ReportFigure>> {
     Ok(figures)
 }
 
-fn failed(source: std::io::Error) -> Error {
-    Error::Io {
-        path: std::env::temp_dir(),
-        source,
+/// A command that draws a figure, word by word.
+struct Command(Vec<String>);
+
+impl Command {
+    fn new(id: &str, words: &[&str]) -> Self {
+        let file = format!("{}.svg", id.to_lowercase());
+        let before = ["stellate", "plot"].iter();
+        let after = [WIDTH, "-o", &file];
+        let words = before.chain(words).chain(&after);
+        Self(words.map(|&word| word.to_owned()).collect())
+    }
+
+    /// As it is typed in the top folder of the repository.
+    fn typed(&self) -> String {
+        let typed = self.0.iter().map(|word| {
+            if word.contains([' ', '*', '^', '(']) {
+                format!("\"{word}\"")
+            } else {
+                word.clone()
+            }
+        });
+        let typed = typed.collect::<Vec<_>>().join(" ");
+        if self.0.iter().any(|word| word == INPUT) {
+            format!("stellate parametrize {CURVE} | {typed}")
+        } else {
+            typed
+        }
     }
 }
 
-/// Whether a word names a file of the temporary folder.
-fn is_data(word: &str) -> bool {
-    word == FIT || EXAMPLE_DATA.iter().any(|(path, _)| *path == word)
+fn svg(command: &Command, session: &Session) -> Result<String> {
+    let arguments = Arguments::try_parse_from(&command.0);
+    match arguments.map(|arguments| arguments.verb) {
+        Ok(Verb::Plot(verb)) => plot::svg(&verb, session, |form| read(form, session)),
+        Ok(_) => Err(Error::Usage("a figure is plotted".into())),
+        Err(error) => Err(Error::Usage(error.to_string())),
+    }
 }
 
-/// Where such a file is.
-fn place(folder: &Path, word: &str) -> PathBuf {
-    folder.join(Path::new(word).file_name().unwrap_or_default())
-}
-
-fn write(folder: &Path, word: &str, text: &str) -> Result<()> {
-    std::fs::write(place(folder, word), text).map_err(failed)
+/// A form of a figure.
+fn read(form: &str, session: &Session) -> Result<Given> {
+    if form == INPUT {
+        let form = fit_of_example_9(session)?;
+        return Ok(Given::new(INPUT_NAME, Content::Exact(form)));
+    }
+    match EXAMPLE_DATA.iter().find(|(path, _)| *path == form) {
+        Some((path, text)) => {
+            let name = Path::new(path).file_name().unwrap_or_default();
+            let given = Given::from_reader(text.as_bytes(), path, Numbers::Exact)?;
+            Ok(Given::new(name.to_string_lossy(), given.into_content()))
+        }
+        None => Given::read(form, Numbers::Exact),
+    }
 }
 
 /// The Fourier series of the outermost radius, as `stellate parametrize` fits it.
-fn fit_of_example_9(session: &Session) -> Result<String> {
-    let text = EXAMPLE_DATA.iter().find(|(path, _)| *path == CURVE);
-    let (name, text) = text.copied().unwrap_or((CURVE, ""));
-    let Form::Curve(curve) = parse_form(text, name, Numbers::Exact)? else {
-        return Err(Error::Usage(format!("{name} has no plane curve")));
+fn fit_of_example_9(session: &Session) -> Result<Form> {
+    let Content::Exact(Form::Curve(curve)) = read(CURVE, session)?.into_content() else {
+        return Err(Error::Usage(format!("{CURVE} has no plane curve")));
     };
     let found = parametrize(&curve, &session.limits)?;
-    let Some(fit) = fit_branch(&found, &BranchFitOptions::default(), &session.limits)? else {
-        return Err(Error::Usage(format!(
-            "{name} has no radius in every direction"
-        )));
-    };
-    let mut text = Vec::new();
-    write_fourier(&fit.radius, None, Format::Text, &mut text)?;
-    Ok(String::from_utf8_lossy(&text).into_owned())
-}
-
-/// As it would be typed.
-fn command(words: &[&str]) -> String {
-    let typed = words.iter().map(|word| {
-        if word.contains([' ', '*', '^', '(']) {
-            format!("\"{word}\"")
-        } else {
-            (*word).to_owned()
-        }
-    });
-    format!("stellate plot {}", typed.collect::<Vec<_>>().join(" "))
-}
-
-fn svg(words: &[&str], folder: &Path, session: &Session) -> Result<String> {
-    let words = words.iter().map(|word| {
-        if is_data(word) {
-            place(folder, word).into_os_string()
-        } else {
-            word.into()
-        }
-    });
-    let program = ["stellate", "plot"].map(OsString::from);
-    let arguments = Arguments::try_parse_from(program.into_iter().chain(words));
-    match arguments.map(|arguments| arguments.verb) {
-        Ok(Verb::Plot(verb)) => plot::svg(&verb, session),
-        Ok(_) => Err(Error::Usage("a figure is plotted".into())),
-        Err(error) => Err(Error::Usage(error.to_string())),
+    match fit_branch(&found, &BranchFitOptions::default(), &session.limits)? {
+        Some(fit) => Ok(Form::Fourier(fit.radius)),
+        None => Err(Error::Usage(format!(
+            "{CURVE} has no radius in every direction"
+        ))),
     }
 }

@@ -16,13 +16,6 @@ pub const EXAMPLE_DATA: [(&str, &str); 3] = [
     ),
 ];
 
-/// The rows of an outline by its name, such as `jet`.
-pub(super) fn outline(name: &str) -> Option<&'static str> {
-    let file = format!("/{name}.csv");
-    let found = EXAMPLE_DATA.iter().find(|(path, _)| path.ends_with(&file));
-    found.map(|(_, text)| *text)
-}
-
 /// The text of a file by its place.
 pub(super) fn example(path: &str) -> Option<&'static str> {
     let found = EXAMPLE_DATA.iter().find(|(known, _)| *known == path);

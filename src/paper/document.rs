@@ -5,7 +5,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::appendix::Appendix;
-use super::entry::{Entry, EntryVerdict, Finding, Outcome, TestPart};
+use super::entry::{Entry, EntryVerdict, Outcome};
 use crate::document::{Format, Kind, SCHEMA};
 use crate::error::{Invariant, Result};
 
@@ -21,8 +21,10 @@ struct EntryDocument<'a> {
     id: &'a str,
     title: &'a str,
     section: &'a str,
-    printed: &'a str,
-    correct: &'a str,
+    printed: String,
+    correct: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    note: String,
     verdict: &'static str,
     evidence: String,
     expected: bool,
@@ -62,26 +64,37 @@ pub fn write_entries(
     }
 }
 
-/// Writes one entry in full, or the JSON document of kind `paper` with this entry alone.
+/// Writes entries in full, one below the other, or the JSON document of kind `paper` with them alone.
 ///
 /// # Errors
 /// As [`write_entries`].
-pub fn write_entry(
-    entry: &Entry<'_>,
-    outcome: &Outcome,
+pub fn write_in_full(
+    entries: &[(Entry<'_>, Outcome)],
     appendix: Option<&dyn Appendix>,
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
     if format != Format::Text {
-        let one = [(entry.clone(), outcome.clone())];
-        return write_entries(&one, appendix, format, out);
+        return write_entries(entries, appendix, format, out);
     }
+    for (index, (entry, outcome)) in entries.iter().enumerate() {
+        if index > 0 {
+            writeln!(out)?;
+        }
+        write_entry(entry, outcome, out)?;
+    }
+    write_appendix(appendix, out)
+}
+
+fn write_entry(entry: &Entry<'_>, outcome: &Outcome, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "{}: {}", entry.id, entry.title)?;
     writeln!(out, "section: {}", entry.section)?;
     writeln!(out, "printed: {}", entry.printed)?;
     if entry.correct != entry.printed {
         writeln!(out, "correct: {}", entry.correct)?;
+    }
+    if !entry.note.is_empty() {
+        writeln!(out, "note: {}", entry.note)?;
     }
     for (what, text) in [("where", entry.definitions), ("with", entry.squares)] {
         if !text.is_empty() {
@@ -89,7 +102,7 @@ pub fn write_entry(
         }
     }
     for finding in &outcome.findings {
-        writeln!(out, "{}", line(finding))?;
+        writeln!(out, "{}", finding.sentences())?;
     }
     writeln!(
         out,
@@ -97,7 +110,7 @@ pub fn write_entry(
         outcome.verdict,
         unexpected(entry, outcome)
     )?;
-    write_appendix(appendix, out)
+    Ok(writeln!(out, "meaning: {}", outcome.verdict.meaning())?)
 }
 
 /// What stands below the statements.
@@ -112,29 +125,19 @@ fn write_appendix(appendix: Option<&dyn Appendix>, out: &mut dyn Write) -> Resul
 }
 
 fn document<'a>(entry: &Entry<'a>, outcome: &Outcome) -> EntryDocument<'a> {
-    let lines: Vec<String> = outcome.findings.iter().map(line).collect();
+    let lines = outcome.findings.iter().map(|f| f.sentences().to_string());
     EntryDocument {
         id: entry.id,
         title: entry.title,
         section: entry.section,
-        printed: entry.printed,
-        correct: entry.correct,
+        printed: entry.printed.to_string(),
+        correct: entry.correct.to_string(),
+        note: entry.note.to_string(),
         verdict: outcome.verdict.name(),
-        evidence: lines.join("\n"),
+        evidence: lines.collect::<Vec<_>>().join("\n"),
         expected: outcome.expected,
         seconds: outcome.time.as_secs_f64(),
     }
-}
-
-/// `printed, fails: …`
-pub(super) fn line(finding: &Finding) -> String {
-    let part = match finding.part {
-        TestPart::Printed => "printed, ",
-        TestPart::Corrected => "corrected, ",
-        TestPart::Always => "",
-    };
-    let holds = if finding.holds { "holds" } else { "fails" };
-    format!("{part}{holds}: {}", finding.evidence)
 }
 
 /// What follows a verdict that is not the recorded one.

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use super::formula::Formula;
 use super::identity::{Comparison, Meanings};
+use super::mathml;
 use super::question::Question;
+use super::text::Text;
 use crate::error::Result;
 use crate::limits::Limits;
 
@@ -20,9 +22,11 @@ pub struct Entry<'a> {
     /// The section of the paper.
     pub section: &'a str,
     /// What is printed.
-    pub printed: &'a str,
+    pub printed: Text,
     /// What is true.
-    pub correct: &'a str,
+    pub correct: Text,
+    /// What else there is to say of it, possibly nothing.
+    pub note: Text,
     /// What symbols of its formulas stand for.
     pub(super) definitions: &'a str,
     /// Known squares of symbols.
@@ -95,6 +99,24 @@ impl EntryVerdict {
             Self::Fails => "fails",
         }
     }
+
+    /// What it means, in a sentence.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Holds => "What the paper prints passes every test.",
+            Self::HoldsOnceCorrected => {
+                "What the paper prints fails its tests, and what stands beside it as correct passes them: a misprint or a slip."
+            }
+            Self::ClaimTooStrong => {
+                "What the paper prints holds in some of the tested cases and fails in others: it needs a condition that the \
+                 paper does not name, or it promises too much. What stands beside it as correct holds in all of them."
+            }
+            Self::Fails => {
+                "A test that must hold fails, or what is printed fails in another way than is recorded: a fault of stellate."
+            }
+        }
+    }
 }
 
 impl fmt::Display for EntryVerdict {
@@ -113,8 +135,8 @@ pub struct Finding {
     pub holds: bool,
     /// Whether it fails in another way than stated.
     pub surprising: bool,
-    /// What was asked, what was claimed and what was found.
-    pub evidence: String,
+    /// What was asked and what was found, as a sentence; what was claimed, too, if it is something else.
+    pub evidence: Text,
 }
 
 /// What came of an entry.
@@ -127,7 +149,7 @@ pub struct Outcome {
     pub verdict: EntryVerdict,
     /// Whether that is what is recorded.
     pub expected: bool,
-    /// How long it took.
+    /// How long it took by the clock.
     pub time: Duration,
 }
 
@@ -165,48 +187,85 @@ impl Entry<'_> {
         match &test.kind {
             TestKind::Identity {
                 text,
-                sides: [left, right],
+                sides,
                 difference,
-            } => {
-                let mut meanings = Meanings::new(self.definitions, self.squares)?;
-                let found = meanings.compare(left, right)?;
-                let mut surprising = false;
-                let evidence = match (&found, difference) {
-                    (Comparison::Equal, _) => match meanings.symbols() {
-                        none if none.is_empty() => format!("{text}: exactly"),
-                        symbols => format!("{text}: identically in {symbols}"),
-                    },
-                    (Comparison::Different(place), None) => format!("{text}: false, {place}"),
-                    (Comparison::Different(place), Some((stated, formula))) => {
-                        let sum =
-                            Formula::Sum(vec![(false, right.clone()), (false, formula.clone())]);
-                        surprising = meanings.compare(left, &sum)? != Comparison::Equal;
-                        let not = if surprising { "not " } else { "" };
-                        format!("{text}: false, {place}; the sides differ {not}by {stated}")
-                    }
-                };
-                Ok(Finding {
-                    part: test.part,
-                    holds: found == Comparison::Equal,
-                    surprising,
-                    evidence,
-                })
-            }
+            } => self.compared(test.part, text, sides, difference.as_ref()),
             TestKind::Question(question, claimed) => {
                 let answer = question.ask(claimed, limits)?;
-                let evidence = if answer.agrees {
-                    format!("{question}: {}", answer.found)
-                } else {
-                    format!("{question}: {}, not {claimed}", answer.found)
-                };
                 Ok(Finding {
                     part: test.part,
                     holds: answer.agrees,
                     surprising: false,
-                    evidence,
+                    evidence: question.sentence(&answer, claimed),
                 })
             }
         }
+    }
+
+    /// What comes of an identity; where it is known to fail, its left side is to be the right one plus a difference.
+    fn compared(
+        &self,
+        part: TestPart,
+        text: &str,
+        sides: &[Formula; 2],
+        difference: Option<&(&str, Formula)>,
+    ) -> Result<Finding> {
+        let mut meanings = Meanings::new(self.definitions, self.squares)?;
+        let [left, right] = sides;
+        let found = meanings.compare(left, right)?;
+        let quoted = |text: &str| format!("`{text}`");
+        let mut evidence = Text::default()
+            .words("the equation ")
+            .formula(quoted(text), mathml::equation(left, right));
+        let mut surprising = false;
+        match (&found, difference) {
+            (Comparison::Equal, _) => {
+                evidence = evidence.words(" holds");
+                for (index, name) in meanings.symbols().iter().enumerate() {
+                    let before = if index == 0 { " identically in " } else { ", " };
+                    evidence = evidence
+                        .words(before)
+                        .formula(name.clone(), mathml::named(name));
+                }
+                evidence = evidence.words(".");
+            }
+            (Comparison::Different(place), None) => {
+                evidence = evidence.words(&format!(" is false, since {place}."));
+            }
+            (Comparison::Different(place), Some((stated, formula))) => {
+                let sum = Formula::Sum(vec![(false, right.clone()), (false, formula.clone())]);
+                surprising = meanings.compare(left, &sum)? != Comparison::Equal;
+                let not = if surprising { "not " } else { "" };
+                evidence = evidence
+                    .words(&format!(
+                        " is false, since {place}. Its left side is {not}its right side plus "
+                    ))
+                    .formula(quoted(stated), mathml::formula(formula))
+                    .words(".");
+            }
+        }
+        Ok(Finding {
+            part,
+            holds: found == Comparison::Equal,
+            surprising,
+            evidence,
+        })
+    }
+}
+
+impl Finding {
+    /// In whole sentences: what it is about, whether it holds, and the evidence.
+    pub(super) fn sentences(&self) -> Text {
+        let evidence = self.evidence.clone();
+        let beginning = match (self.part, self.holds) {
+            (TestPart::Always, true) => return evidence.capitalized(),
+            (TestPart::Printed, true) => "What is printed holds here: ",
+            (TestPart::Printed, false) => "What is printed fails here: ",
+            (TestPart::Corrected, true) => "What is correct holds here: ",
+            (TestPart::Corrected, false) => "What was to be correct fails here: ",
+            (TestPart::Always, false) => "What must hold fails here: ",
+        };
+        Text::default().words(beginning).followed_by(evidence)
     }
 }
 

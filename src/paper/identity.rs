@@ -98,7 +98,8 @@ pub(super) struct Meanings {
 pub(super) enum Comparison {
     /// The sides are equal identically.
     Equal,
-    /// They are not: a place where they differ, with the values of both sides where no squares are known.
+    /// They are not, and how one sees that: a place where they differ, with the values of both sides where no squares are
+    /// known. Without a full stop.
     Different(String),
 }
 
@@ -245,7 +246,9 @@ impl Meanings {
         let right = self.value(right)?;
         let difference = left.plus(&right, -1);
         if self.divides_by_zero {
-            return Ok(Comparison::Different("it divides by zero".into()));
+            return Ok(Comparison::Different(
+                "one of its sides divides by zero".into(),
+            ));
         }
         let numerator = self.reduced(&difference.above);
         if numerator.is_empty() {
@@ -256,9 +259,9 @@ impl Meanings {
         ))
     }
 
-    /// The free symbols, for messages.
-    pub(super) fn symbols(&self) -> String {
-        self.symbols.join(", ")
+    /// The free symbols.
+    pub(super) fn symbols(&self) -> &[String] {
+        &self.symbols
     }
 
     fn witness(&self, numerator: &Polynomial, sides: [&Quotient; 2]) -> String {
@@ -284,12 +287,15 @@ impl Meanings {
                 .zip(&at)
                 .map(|(name, value)| format!("{name} = {value}"))
                 .collect();
-            return format!("at {}: {left} against {right}", place.join(", "));
+            return format!(
+                "at {} its left side is {left} and its right side is {right}",
+                place.join(", ")
+            );
         }
         format!(
-            "the difference has a numerator with {} terms in {}",
+            "the numerator of the difference of its sides has {} terms in {}",
             numerator.len(),
-            self.symbols()
+            self.symbols.join(", ")
         )
     }
 }
@@ -338,7 +344,10 @@ mod tests {
     fn what_divides_by_zero_equals_nothing() {
         let zero = "1/(s^2 + c^2 - 1) = 1/(s^2 + c^2 - 1)";
         let found = compare("", "s^2 = 1 - c^2", zero);
-        assert_eq!(found, Comparison::Different("it divides by zero".into()));
+        assert_eq!(
+            found,
+            Comparison::Different("one of its sides divides by zero".into())
+        );
     }
 
     proptest! {

@@ -1,6 +1,7 @@
 //! Formulas as MathML.
 
 use super::formula::Formula;
+use super::typeset::{infix, wrapped};
 
 /// How tightly a formula binds: what is looser than its place stands in parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -10,31 +11,47 @@ enum Binding {
     Atom,
 }
 
-/// `<math>` of an equation `left = right`.
-pub(super) fn equation(left: &Formula, right: &Formula) -> String {
-    format!(
-        "<math><mrow>{}<mo>=</mo>{}</mrow></math>",
-        markup(left),
-        markup(right)
-    )
+/// An equation `left = right` as `<math>` elements, between which a line may break: before the relation and where a sum goes on.
+pub(super) fn equation(left: &Formula, right: &Formula) -> Vec<String> {
+    let mut right = rows(right);
+    if let Some(first) = right.first_mut() {
+        first.insert_str(0, &infix('='));
+    }
+    wrapped([rows(left), right].concat())
+}
+
+/// A formula in the same way.
+pub(super) fn formula(formula: &Formula) -> Vec<String> {
+    wrapped(rows(formula))
+}
+
+/// A symbol alone.
+pub(super) fn named(name: &str) -> Vec<String> {
+    wrapped(vec![symbol(name)])
+}
+
+/// A row for every part of a sum.
+fn rows(formula: &Formula) -> Vec<String> {
+    let Formula::Sum(parts) = formula else {
+        return vec![markup(formula)];
+    };
+    let row = |(index, (subtracted, part)): (usize, &(bool, Formula))| {
+        let sign = match (subtracted, index) {
+            (true, 0) => "<mo form=\"prefix\">−</mo>".into(),
+            (true, _) => infix('−'),
+            (false, 0) => String::new(),
+            (false, _) => infix('+'),
+        };
+        sign + &within(part, Binding::Product)
+    };
+    parts.iter().enumerate().map(row).collect()
 }
 
 fn markup(formula: &Formula) -> String {
     match formula {
         Formula::Number(value) => number(&value.to_string()),
         Formula::Symbol(name) => symbol(name),
-        Formula::Sum(parts) => {
-            let mut text = String::new();
-            for (index, (subtracted, part)) in parts.iter().enumerate() {
-                match (subtracted, index) {
-                    (true, _) => text.push_str("<mo>−</mo>"),
-                    (false, 0) => {}
-                    (false, _) => text.push_str("<mo>+</mo>"),
-                }
-                text.push_str(&within(part, Binding::Product));
-            }
-            text
-        }
+        Formula::Sum(_) => rows(formula).concat(),
         Formula::Product(a, b) => format!(
             "{}<mo>{}</mo>{}",
             within(a, Binding::Product),
@@ -112,15 +129,15 @@ mod tests {
         let shown = |text| markup(&Formula::parse(text).unwrap());
         assert_eq!(
             shown("(a + b)^2"),
-            "<msup><mrow><mrow><mo>(</mo><mi>a</mi><mo>+</mo><mi>b</mi><mo>)</mo></mrow></mrow><mn>2</mn></msup>"
+            "<msup><mrow><mrow><mo>(</mo><mi>a</mi><mo form=\"infix\">+</mo><mi>b</mi><mo>)</mo></mrow></mrow><mn>2</mn></msup>"
         );
         assert_eq!(
             shown("a - (b - c)"),
-            "<mi>a</mi><mo>−</mo><mrow><mo>(</mo><mi>b</mi><mo>−</mo><mi>c</mi><mo>)</mo></mrow>"
+            "<mi>a</mi><mo form=\"infix\">−</mo><mrow><mo>(</mo><mi>b</mi><mo form=\"infix\">−</mo><mi>c</mi><mo>)</mo></mrow>"
         );
         assert_eq!(
             shown("-p/(3*s1)"),
-            "<mo>−</mo><mfrac><mrow><mi>p</mi></mrow><mrow><mn>3</mn><mo>&#x2062;</mo><msub><mi>s</mi><mn>1</mn></msub></mrow></mfrac>"
+            "<mo form=\"prefix\">−</mo><mfrac><mrow><mi>p</mi></mrow><mrow><mn>3</mn><mo>&#x2062;</mo><msub><mi>s</mi><mn>1</mn></msub></mrow></mfrac>"
         );
         assert_eq!(
             shown("0.1*rho"),

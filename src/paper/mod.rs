@@ -23,11 +23,14 @@ mod mathml;
 mod question;
 mod report;
 mod statements;
+mod text;
+mod typeset;
 
 pub use appendix::Appendix;
 pub use data::EXAMPLE_DATA;
-pub use document::{write_entries, write_entry};
+pub use document::{write_entries, write_in_full};
 pub use entry::{Entry, EntryVerdict, Finding, Outcome, Test, TestPart};
 pub use formula::Formula;
 pub use report::{ReportFigure, write_report};
 pub use statements::{entries, read_entries};
+pub use text::Text;

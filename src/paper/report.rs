@@ -4,10 +4,11 @@
 use std::io::Write;
 
 use super::appendix::Appendix;
-use super::document::{line, unexpected};
-use super::entry::{Entry, EntryVerdict, Outcome, Test, TestKind, TestPart};
+use super::document::unexpected;
+use super::entry::{Entry, EntryVerdict, Outcome};
 use super::html::{escaped, write_picture};
 use super::mathml;
+use super::text::{Text, unbroken};
 use crate::error::Result;
 
 /// A figure of the report.
@@ -15,9 +16,9 @@ use crate::error::Result;
 pub struct ReportFigure {
     /// The entry that it stands beside.
     pub id: &'static str,
-    /// What it shows, in words: for those who do not see it, and below it.
+    /// What it shows, in words: for those who do not see it, and below it. Formulas stand between dollars.
     pub caption: &'static str,
-    /// The command line that draws it.
+    /// The command that draws it, typed in the top folder of the repository.
     pub command: String,
     /// The drawing.
     pub svg: String,
@@ -25,7 +26,10 @@ pub struct ReportFigure {
 
 const STYLE: &str = include_str!("report.css");
 
-/// Writes the report, with the appendix if there is one.
+/// The digital object identifier of the paper.
+const DOI: &str = "10.1006/cviu.2000.0881";
+
+/// Writes the report, with the appendix if there is one. `date` is the day on which it is made, such as `2001-12-31`.
 ///
 /// # Errors
 /// Those of `out`.
@@ -33,11 +37,9 @@ pub fn write_report(
     entries: &[(Entry<'_>, Outcome)],
     figures: &[ReportFigure],
     appendix: Option<&dyn Appendix>,
+    date: &str,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
-    let counts = EntryVerdict::EXPECTED.map(|v| format!("{} {v}", count(v)));
-    let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
     write!(
         out,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
@@ -47,12 +49,12 @@ pub fn write_report(
          <a class=\"skip\" href=\"#content\">To the statements</a>\n<header>\n\
          <h1>The paper, statement by statement</h1>\n\
          <p>Ünsalan &amp; Erçil, <cite>Conversions between Parametric and Implicit Forms Using Polar/Spherical \
-         Coordinate Representations</cite>, Computer Vision and Image Understanding 81, 1–25 (2001): what is printed, \
-         what is true, and the evidence, computed by stellate in exact arithmetic.</p>\n\
-         <p><strong>{} statements</strong>: {}; {unexpected} not as expected.</p>\n</header>\n",
-        entries.len(),
-        counts.join(", ")
+         Coordinate Representations</cite>, Computer Vision and Image Understanding 81, 1–25 (2001), \
+         <a href=\"https://doi.org/{DOI}\">doi:{DOI}</a>: what is printed, what is true, and the evidence, computed in \
+         exact arithmetic by stellate {} on <time datetime=\"{date}\">{date}</time>.</p>\n</header>\n",
+        env!("CARGO_PKG_VERSION")
     )?;
+    write_legend(entries, out)?;
     write_contents(entries, appendix.is_some(), out)?;
     writeln!(out, "<main id=\"content\">")?;
     write_errata(entries, out)?;
@@ -80,6 +82,40 @@ pub fn write_report(
     }
     write_times(entries, out)?;
     Ok(writeln!(out, "</main>\n</body>\n</html>")?)
+}
+
+/// How often each verdict was reached, in its colour, and what it means; and how to read the rest.
+fn write_legend(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
+    let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
+    let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
+    let recorded = match unexpected {
+        0 => "All of them come out as recorded.".to_owned(),
+        1 => "One of them does not come out as recorded.".to_owned(),
+        several => format!("{several} of them do not come out as recorded."),
+    };
+    writeln!(
+        out,
+        "<section aria-labelledby=\"legend\">\n<h2 id=\"legend\">How to read this</h2>\n\
+         <p>There are {} statements. {recorded} The verdict on each has a colour:</p>\n<dl>",
+        entries.len()
+    )?;
+    let fails = EntryVerdict::Fails;
+    let all = EntryVerdict::EXPECTED.into_iter().chain([fails]);
+    for verdict in all.filter(|&v| v != fails || count(v) > 0) {
+        writeln!(
+            out,
+            "<dt><span class=\"{}\">{verdict}</span>, {} times</dt>\n<dd>{}</dd>",
+            class(verdict),
+            count(verdict),
+            escaped(verdict.meaning())
+        )?;
+    }
+    Ok(writeln!(
+        out,
+        "</dl>\n<p>In the evidence, <span class=\"holds\">✓</span> stands before what holds and \
+         <span class=\"corrected\">✗</span> before what fails. The command below a figure draws it as an SVG file; it is \
+         typed in the top folder of the repository of stellate.</p>\n</section>"
+    )?)
 }
 
 /// The sections, each with links to its statements.
@@ -129,21 +165,23 @@ fn write_errata(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result
     writeln!(
         out,
         "<section aria-labelledby=\"errata\">\n<h2 id=\"errata\">Errata</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" \
-         aria-label=\"Table of errata\">\n<table>\n<thead><tr><th scope=\"col\">Where</th><th scope=\"col\">Printed</th>\
+         aria-label=\"Table of errata\">\n<table class=\"errata\">\n<thead><tr><th scope=\"col\">Where</th><th scope=\"col\">Printed</th>\
          <th scope=\"col\">Correct</th></tr></thead>\n<tbody>"
     )?;
-    for (entry, _) in entries
+    for (entry, outcome) in entries
         .iter()
         .filter(|(_, o)| o.verdict != EntryVerdict::Holds)
     {
         writeln!(
             out,
-            "<tr><th scope=\"row\"><a href=\"#{}\">{}</a> {}</th><td>{}</td><td>{}</td></tr>",
+            "<tr><th scope=\"row\"><a class=\"{}\" href=\"#{}\">{}</a> {}</th>\
+             <td data-heading=\"Printed\">{}</td><td data-heading=\"Correct\">{}</td></tr>",
+            class(outcome.verdict),
             entry.id,
             entry.id,
             escaped(entry.title),
-            escaped(entry.printed),
-            escaped(entry.correct)
+            entry.printed.markup(),
+            entry.correct.markup()
         )?;
     }
     Ok(writeln!(out, "</tbody>\n</table>\n</div>\n</section>")?)
@@ -164,57 +202,44 @@ fn write_article(
         escaped(&unexpected(entry, outcome)),
         id = entry.id
     )?;
-    let differs = entry.correct != entry.printed;
+    let mut sides = vec![("Printed", &entry.printed)];
+    if entry.correct != entry.printed {
+        sides.push(("Correct", &entry.correct));
+    }
     writeln!(out, "<div class=\"sides\">")?;
-    let mut sides = vec![("Printed", entry.printed, TestPart::Printed)];
-    if differs {
-        sides.push(("Correct", entry.correct, TestPart::Corrected));
-    }
-    for (heading, text, part) in sides {
-        writeln!(out, "<div>\n<h4>{heading}</h4>\n<p>{}</p>", escaped(text))?;
-        write_formulas(&entry.tests, part, out)?;
-        writeln!(out, "</div>")?;
-    }
-    writeln!(out, "</div>")?;
-    write_formulas(&entry.tests, TestPart::Always, out)?;
-    write_meanings(entry, out)?;
-    for figure in figures.iter().filter(|f| f.id == entry.id) {
-        write_picture(figure.caption, &figure.svg, out)?;
+    for (heading, text) in sides {
         writeln!(
             out,
-            "<figcaption>{} <code>{}</code></figcaption>\n</figure>",
-            escaped(figure.caption),
-            escaped(&figure.command)
+            "<div>\n<h4>{heading}</h4>\n<p class=\"formula\">{}</p>\n</div>",
+            text.markup()
         )?;
     }
-    writeln!(
-        out,
-        "<details open=\"\">\n<summary>Evidence</summary>\n<ul>"
-    )?;
+    writeln!(out, "</div>")?;
+    if !entry.note.is_empty() {
+        writeln!(out, "<p>{}</p>", entry.note.markup())?;
+    }
+    for figure in figures.iter().filter(|f| f.id == entry.id) {
+        let caption = Text::marked(figure.caption);
+        write_picture(&caption.to_string(), &figure.svg, out)?;
+        writeln!(
+            out,
+            "<figcaption>{}<br/><code>{}</code></figcaption>\n</figure>",
+            caption.markup(),
+            unbroken(&figure.command)
+        )?;
+    }
+    writeln!(out, "<details open=\"\">\n<summary>Evidence</summary>")?;
+    write_meanings(entry, out)?;
+    writeln!(out, "<ul>")?;
     for finding in &outcome.findings {
         let class = if finding.holds { "yes" } else { "no" };
         writeln!(
             out,
-            "<li class=\"{class}\">{}</li>",
-            escaped(&line(finding))
+            "<li class=\"{class}\"><div class=\"formula\">{}</div></li>",
+            finding.sentences().markup()
         )?;
     }
     Ok(writeln!(out, "</ul>\n</details>\n</article>")?)
-}
-
-/// The identities of one part of an entry, typeset.
-fn write_formulas(tests: &[Test<'_>], part: TestPart, out: &mut dyn Write) -> Result<()> {
-    for test in tests.iter().filter(|t| t.part == part) {
-        if let TestKind::Identity {
-            sides: [left, right],
-            ..
-        } = &test.kind
-        {
-            let math = mathml::equation(left, right);
-            writeln!(out, "<p class=\"formula\" tabindex=\"0\">{math}</p>")?;
-        }
-    }
-    Ok(())
 }
 
 /// What the symbols of an entry stand for.
@@ -223,14 +248,21 @@ fn write_meanings(entry: &Entry<'_>, out: &mut dyn Write) -> Result<()> {
     if equations.is_empty() {
         return Ok(());
     }
-    let shown: Vec<String> = equations
-        .iter()
-        .map(|[left, right]| mathml::equation(left, right))
-        .collect();
+    let mut text = Text::default().words("In the formulas below ");
+    for (index, [left, right]) in equations.iter().enumerate() {
+        let before = match index {
+            0 => "",
+            _ if index + 1 == equations.len() => " and ",
+            _ => ", ",
+        };
+        text = text
+            .words(before)
+            .formula(String::new(), mathml::equation(left, right));
+    }
     Ok(writeln!(
         out,
-        "<p class=\"formula\" tabindex=\"0\">where {}</p>",
-        shown.join("; ")
+        "<p class=\"formula\">{}</p>",
+        text.words(".").markup()
     )?)
 }
 
@@ -243,8 +275,10 @@ fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<
     let total: std::time::Duration = entries.iter().map(|(_, o)| o.time).sum();
     writeln!(
         out,
-        "<section aria-labelledby=\"times\">\n<h2 id=\"times\">Times</h2>\n<p>All statements together took {:.3} s of one core. \
-         The slowest:</p>\n<table>\n<thead><tr><th scope=\"col\">Statement</th><th scope=\"col\">Seconds</th></tr></thead>\n<tbody>",
+        "<section aria-labelledby=\"times\">\n<h2 id=\"times\">Times</h2>\n<p>Seconds by the clock: the statements were \
+         tested one after another, each with up to {} threads. All of them together took {:.3} s, without the figures. The \
+         slowest:</p>\n<table>\n<thead><tr><th scope=\"col\">Statement</th><th scope=\"col\">Seconds</th></tr></thead>\n<tbody>",
+        rayon::current_num_threads(),
         total.as_secs_f64()
     )?;
     for (entry, outcome) in by_time.into_iter().take(LISTED) {

@@ -3,6 +3,7 @@
 use super::entry::{Entry, EntryVerdict, Test, TestKind, TestPart};
 use super::formula::Formula;
 use super::question::Question;
+use super::text::Text;
 use crate::error::{Error, Result};
 
 /// The files, in the order of the paper.
@@ -42,8 +43,8 @@ pub fn entries() -> Result<Vec<Entry<'static>>> {
 
 /// Reads statements.
 ///
-/// `# …` is a comment, `== …` begins a section, `[ID] title` an entry. Its lines are `printed:`, `correct:` (what is the same
-/// is left out), `where:` (definitions `p = …; q = …` for its formulas), `squares:` (`w^2 = -3`), `expected:` a
+/// `# …` is a comment, `== …` begins a section, `[ID] title` an entry. Its lines are `printed:`, `correct:` (left out if it
+/// is the same) and `note:`, texts with formulas between dollars, `where:` (definitions `p = …; q = …` for its formulas), `squares:` (`w^2 = -3`), `expected:` a
 /// verdict, and tests `test:`, `test printed:` and `test corrected:`. A test is `identity: left = right`, with
 /// ` => difference` where it is known to fail by just that, or a question `kind: subject => answer`.
 ///
@@ -67,8 +68,9 @@ pub fn read_entries<'a>(text: &'a str, name: &str) -> Result<Vec<Entry<'a>>> {
                 id,
                 title,
                 section,
-                printed: "",
-                correct: "",
+                printed: Text::default(),
+                correct: Text::default(),
+                note: Text::default(),
                 definitions: "",
                 squares: "",
                 tests: Vec::new(),
@@ -82,11 +84,15 @@ pub fn read_entries<'a>(text: &'a str, name: &str) -> Result<Vec<Entry<'a>>> {
         let value = value.trim();
         let part = match key {
             "printed" => {
-                entry.printed = value;
+                entry.printed = Text::marked(value);
                 continue;
             }
             "correct" => {
-                entry.correct = value;
+                entry.correct = Text::marked(value);
+                continue;
+            }
+            "note" => {
+                entry.note = Text::marked(value);
                 continue;
             }
             "where" => {
@@ -114,7 +120,7 @@ pub fn read_entries<'a>(text: &'a str, name: &str) -> Result<Vec<Entry<'a>>> {
     }
     for entry in &mut entries {
         if entry.correct.is_empty() {
-            entry.correct = entry.printed;
+            entry.correct = entry.printed.clone();
         }
     }
     Ok(entries)

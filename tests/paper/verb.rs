@@ -36,6 +36,10 @@ fn every_statement_comes_out_as_recorded() {
         let printed = printed.filter(|f| f.part == TestPart::Printed && !f.holds);
         assert_eq!(printed.count() > 0, outcome.verdict != EntryVerdict::Holds);
         assert!(!entry.section.is_empty() && !entry.printed.is_empty());
+        // What holds as printed has no correction.
+        let is_corrected = entry.correct != entry.printed;
+        let holds = outcome.verdict == EntryVerdict::Holds;
+        assert_eq!(is_corrected, !holds, "{}", entry.id);
     });
 }
 
@@ -269,18 +273,120 @@ fn the_table_and_the_document_say_the_same() {
 fn one_statement_in_full() {
     let fold = done(&["paper", "--only", "e9"]);
     assert!(
-        fold.contains("printed, fails: positive roots of "),
+        fold.contains("What is printed fails here: at 219.34, "),
         "{fold}"
     );
-    assert!(fold.contains(": 1, 3, 3, 3, 1\n"), "{fold}");
-    assert!(fold.ends_with("verdict: claim too strong\n"), "{fold}");
+    let found = " degrees, the number of positive radii of `paper-examples/e09-sixth-degree/curve.txt` is 1, 3, 3, 3, 1";
+    assert!(
+        fold.contains(&format!("{found}, and not 1, 1, 1, 1, 1.\n")),
+        "{fold}"
+    );
+    assert!(fold.contains(&format!("{found}.\n")), "{fold}");
+    let meaning = EntryVerdict::ClaimTooStrong.meaning();
+    let end = format!("verdict: claim too strong\nmeaning: {meaning}\n");
+    assert!(fold.ends_with(&end), "{fold}");
     let cubic = done(&["paper", "--only", "L4"]);
     assert!(
-        cubic.contains("printed, fails: A + B = r1: false, "),
+        cubic.contains("What is printed fails here: the equation `A + B = r1` is false, since "),
         "{cubic}"
     );
-    assert!(cubic.contains("; the sides differ by p/(3*s)\n"), "{cubic}");
-    assert!(cubic.contains("corrected, holds: A + B - p/(3*s) = r1: identically in "));
+    assert!(
+        cubic.contains(" Its left side is its right side plus `p/(3*s)`.\n"),
+        "{cubic}"
+    );
+    let corrected =
+        "What is correct holds here: the equation `A + B - p/(3*s) = r1` holds identically in ";
+    assert!(cubic.contains(corrected), "{cubic}");
+}
+
+#[test]
+fn statements_are_found_by_their_titles() {
+    for (wanted, expected) in [
+        ("t2", &["T2"][..]),
+        ("Theorem 2", &["T2", "T2b", "T2f", "T2s"]),
+        ("Lemma 1", &["L1"]),
+        ("resolvent cubic", &["Eq63"]),
+        ("eq 63", &["Eq63"]),
+        ("EXAMPLE 8", &["E8", "E8d", "E8t"]),
+        ("no such thing", &[]),
+        // No word of a title, but a part of one.
+        ("butterfl", &["E2", "F3"]),
+    ] {
+        let arguments = ["paper", "--format", "json", "--only", wanted];
+        let run = run_in(Path::new("."), &arguments, "");
+        if expected.is_empty() {
+            assert_eq!((run.code, run.out.as_str()), (2, ""), "{wanted}");
+            continue;
+        }
+        let document = json(&run.out);
+        let found = document["entries"].as_array().unwrap().iter();
+        let found: Vec<&str> = found.map(|e| e["id"].as_str().unwrap()).collect();
+        assert_eq!(found, expected, "{wanted}");
+    }
+    // As text, one below the other.
+    let both = done(&["paper", "--only", "butterfl"]);
+    assert!(both.starts_with("E2: Example 2"), "{both}");
+    assert!(both.contains("\n\nF3: Fig. 3: the butterfly\n"), "{both}");
+    assert_eq!(both.matches("\nverdict: holds\n").count(), 2);
+}
+
+#[test]
+fn the_evidence_is_in_whole_sentences() {
+    let document = json(&done(&["paper", "--format", "json"]));
+    for entry in document["entries"].as_array().unwrap() {
+        for line in entry["evidence"].as_str().unwrap().lines() {
+            assert!(line.ends_with('.') && !line.ends_with(".."), "{line}");
+            assert!(line.starts_with(char::is_uppercase), "{line}");
+            assert!(
+                !line.contains("  ") && !line.contains(['{', '}', '|']),
+                "{line}"
+            );
+            assert_eq!(line.matches('`').count() % 2, 0, "{line}");
+        }
+        if let Some(note) = entry["note"].as_str() {
+            assert!(
+                note.ends_with('.') && note.starts_with(char::is_uppercase),
+                "{note}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_verdicts_of_these_statements_follow_from_what_they_say() {
+    let document = json(&done(&["paper", "--format", "json"]));
+    let entry = |id: &str| {
+        let entries = document["entries"].as_array().unwrap();
+        entries.iter().find(|e| e["id"] == id).unwrap().clone()
+    };
+    let said = |id: &str, field: &str, part: &str| {
+        let entry = entry(id);
+        assert!(entry[field].as_str().unwrap().contains(part), "{entry}");
+    };
+    said(
+        "T2",
+        "evidence",
+        "What is printed holds here: the polynomial of `r = 3/2` ",
+    );
+    said(
+        "T2",
+        "evidence",
+        " vanishes at the origin to the order 2, and not 0.",
+    );
+    said(
+        "T2",
+        "correct",
+        "the origin is a spurious point of the zero set",
+    );
+    said("E2", "printed", "implicit polynomials of degree 80");
+    said("E2", "note", "`paper-examples/e02-jet/jet.csv`");
+    said(
+        "E2",
+        "evidence",
+        "the outline `paper-examples/e02-jet/jet.csv` have the degrees 80, 79, 78.",
+    );
+    said("F10", "note", "both coordinate axes belong to it");
+    said("F10", "evidence", " have the angles `pi/2, 0`.");
 }
 
 #[test]
@@ -296,7 +402,7 @@ fn wrong_use_is_one_clear_error() {
     for (arguments, reason) in [
         (
             &["paper", "--only", "T9"][..],
-            "--only T9: there is no such statement; there are T1, ",
+            "--only T9: no statement has this id, or this in its title, as Theorem 2 or cubic; the ids are T1, ",
         ),
         (
             &["paper", "--format", "csv"],
@@ -306,6 +412,7 @@ fn wrong_use_is_one_clear_error() {
             &["paper", "-o", "no/such/folder/paper.txt"],
             "there is no folder",
         ),
+        (&["paper", "--only", " "], "no statement has this id"),
         (&["paper", "T1"], "unexpected argument"),
     ] {
         let run = run_in(folder, arguments, "");

@@ -29,7 +29,7 @@ pub(super) fn positive_roots(subject: &str, claimed: &str, _: &Limits) -> Result
         let direction = Direction::from_degrees(&exact_literal(degrees.trim())?);
         Ok(match solver.solve(&direction) {
             Ray::Points(points) => points.iter().filter(|p| p.r > 0.0).count().to_string(),
-            Ray::Line => "a line".into(),
+            Ray::Line => "infinite".into(),
         })
     };
     let counts = degrees.split(',').map(count).collect::<Result<Vec<_>>>()?;
@@ -77,12 +77,14 @@ pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Res
     }
     let agrees = refuted == 0 && roots > 0 && worst < CLOSE;
     let count = format!("{roots} roots");
+    let compared = if refuted == 0 {
+        format!("its closed forms in doubles differ by ≈ {worst:.1e} of the largest root at most")
+    } else {
+        format!("in {refuted} directions its closed forms do not have as many real values")
+    };
     Ok(Answer {
         agrees: agrees && count == claimed,
-        found: format!(
-            "{count} in {directions} directions, {refuted} directions with another number of real values, \
-             largest relative deviation of the doubles ≈ {worst:.1e}"
-        ),
+        found: format!("{count}, and {compared}"),
     })
 }
 
@@ -163,9 +165,9 @@ pub(super) fn inspect(subject: &str, claimed: &str, limits: &Limits) -> Result<A
     let found = Inspector::surface(&surface, &options, limits)?.inspect(&point);
     let verdict = found.verdict;
     let curve = match found.curve {
-        Some(true) => "the sphere meets it",
-        Some(false) => "the sphere misses it",
-        None => "whether the sphere meets it is undecided",
+        Some(true) => "and the sphere about it meets the surface",
+        Some(false) => "and the sphere about it misses the surface",
+        None => "and whether the sphere about it meets the surface is undecided",
     };
     Ok(Answer::text(format!("{verdict}, {curve}"), claimed))
 }

@@ -10,7 +10,7 @@ use crate::implicitize::{
     parity_sums, polar_patch, polar_plane, polar_space_curve, square_away,
 };
 use crate::limits::Limits;
-use crate::paper::data::outline;
+use crate::paper::data::example;
 use crate::paper::formula::Formula;
 use crate::paper::identity::{Comparison, Meanings};
 use crate::poly::{PlanePolynomial, Ring, SparsePolynomial};
@@ -120,8 +120,11 @@ pub(super) fn degrees(subject: &str, claimed: &str, _: &Limits) -> Result<Answer
 
 pub(super) fn fitted_degrees(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let [name, harmonics] = parts(subject)?;
-    let (Some(rows), Ok(harmonics)) = (outline(name), harmonics.parse()) else {
-        return Err(not_asked(subject, "butterfly or jet, and a number"));
+    let (Some(rows), Ok(harmonics)) = (example(name), harmonics.parse()) else {
+        return Err(not_asked(
+            subject,
+            "an outline of paper-examples, and a number",
+        ));
     };
     let contour = contour_from_reader(rows.as_bytes(), ContourKind::Rows, name)?;
     let options = FitOptions::new(FitSize::Harmonics(harmonics));
@@ -165,7 +168,7 @@ pub(super) fn same(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
         }
         (a, b) => a == b,
     };
-    let found = if agrees { "the same" } else { "not the same" };
+    let found = if agrees { "the same" } else { "different" };
     Ok(Answer {
         found: found.into(),
         agrees,
@@ -177,9 +180,9 @@ pub(super) fn perfect_square(subject: &str, claimed: &str, _: &Limits) -> Result
     let reduced = Equation::from(form.expand().polynomial());
     let full = Equation::from(form.expand_unreduced().polynomial());
     let found = if reduced.squared().primitive() == full.primitive() {
-        "yes"
+        "a perfect square"
     } else {
-        "no"
+        "no perfect square"
     };
     Ok(Answer::text(found.into(), claimed))
 }
@@ -211,11 +214,11 @@ pub(super) fn squared_away(subject: &str, claimed: &str, _: &Limits) -> Result<A
     let comparison = meanings.compare_with(found, &Formula::parse(claimed)?)?;
     Ok(match comparison {
         Comparison::Equal => Answer {
-            found: format!("the same, with {terms} terms"),
+            found: format!("the same {terms} terms"),
             agrees: true,
         },
         Comparison::Different(place) => Answer {
-            found: format!("another polynomial: {place}"),
+            found: format!("different: {place}"),
             agrees: false,
         },
     })

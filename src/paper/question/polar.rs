@@ -167,5 +167,8 @@ pub(super) fn folds(subject: &str, claimed: &str, limits: &Limits) -> Result<Ans
     let degree = discriminant.len().saturating_sub(1);
     let zeros = RealRoot::all_of(&discriminant);
     let zeros = joined(zeros.iter().map(|t| t.to_decimal(TANGENT_DECIMALS)));
-    Ok(Answer::text(format!("degree {degree}; {zeros}"), claimed))
+    Ok(Answer::text(
+        format!("the degree {degree} and the real zeros {zeros}"),
+        claimed,
+    ))
 }
