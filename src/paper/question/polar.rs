@@ -23,14 +23,16 @@ const TANGENT_DECIMALS: u32 = 12;
 /// The polar or spherical form of a subject.
 pub(super) enum Polar {
     Plane(Box<Parametrization>),
-    Space(SurfaceParametrization),
+    Space(Box<SurfaceParametrization>),
 }
 
 pub(super) fn polar(subject: &str, limits: &Limits) -> Result<Polar> {
     Ok(match form(subject)? {
-        Form::Surface(surface) => Polar::Space(parametrize_surface(&surface, limits)?),
+        Form::Surface(surface) => Polar::Space(Box::new(parametrize_surface(&surface, limits)?)),
         Form::Superquadric(shape) => Polar::Plane(Box::new(parametrize_superquadric(&shape))),
-        Form::SpaceSuperquadric(shape) => Polar::Space(parametrize_space_superquadric(&shape)),
+        Form::SpaceSuperquadric(shape) => {
+            Polar::Space(Box::new(parametrize_space_superquadric(&shape)))
+        }
         _ => Polar::Plane(Box::new(parametrize(&curve(subject)?, limits)?)),
     })
 }
