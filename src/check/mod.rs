@@ -12,6 +12,7 @@ mod deviation;
 mod enclosed_ray;
 mod float_theorem2;
 mod ladder;
+mod misplaced;
 mod mistakes;
 mod nearest;
 mod points;

@@ -5,9 +5,9 @@ use malachite::base::num::arithmetic::traits::{Lcm, Pow};
 use malachite::base::num::basic::traits::One;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use super::comparison::{Comparison, Diagnosis, GivenNumber, Residual, Row};
+use super::comparison::{Comparison, GivenNumber, Residual, Row};
 use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
-use super::mistakes::{Mistaken, diagnose};
+use super::mistakes::diagnose;
 use super::nearest::nearest_to_one;
 use super::reference::Reference;
 use super::unexplained::unexplained;
@@ -67,53 +67,14 @@ impl Reference {
             compare(&some, polynomial, limits).ok()
         });
         if found.diagnoses.is_empty() {
-            found.diagnoses = self.moved_by_the_center(&begun, &some, limits);
+            found.diagnoses = diagnose(&begun, self.misplaced(&begun, &some), |points| {
+                compare(points, self.polynomial(), limits).ok()
+            });
         }
         if found.diagnoses.is_empty() {
             found.diagnoses = unexplained(&found, |_| Rational::one());
         }
         Ok(found)
-    }
-}
-
-impl Reference {
-    /// Whether the points are in the coordinates of the contour, or moved by the center the other way.
-    fn moved_by_the_center(
-        &self,
-        found: &Comparison,
-        points: &[GivenPoint],
-        limits: &Limits,
-    ) -> Vec<Diagnosis> {
-        let [a, b] = self.center().each_ref().map(Rational::to_f64);
-        let moved = |[a, b]: [f64; 2]| -> Vec<GivenPoint> {
-            let points = points.iter().map(|point| {
-                let [x, y, z] = point.position;
-                let position = [x - a, y - b, z];
-                GivenPoint { position, ..*point }
-            });
-            points.collect()
-        };
-        let ways = [
-            (
-                [a, b],
-                "the points are in the coordinates of the contour; they are compared relative to its center",
-            ),
-            (
-                [-a, -b],
-                "the center was taken away from points that are relative to it",
-            ),
-        ];
-        let ways = ways
-            .into_iter()
-            .filter(|([a, b], _)| *a != 0.0 || *b != 0.0);
-        let mistakes = ways.map(|(center, explanation)| Mistaken {
-            name: "center forgotten".into(),
-            explanation: explanation.into(),
-            form: moved(center),
-        });
-        diagnose(found, mistakes, |points| {
-            compare(points, self.polynomial(), limits).ok()
-        })
     }
 }
 
@@ -145,10 +106,9 @@ impl Surface {
     }
 
     fn row(&self, point: &GivenPoint) -> Row {
-        // A finite double has an exact value.
         let p = point
             .position
-            .map(|v| Rational::try_from(v).unwrap_or_default());
+            .map(|v| Rational::try_from(v).invariant("coordinates are finite"));
         let w = p.iter().fold(Integer::ONE, |w, v| {
             let other = v.denominator();
             Integer::from(w.unsigned_abs_ref().lcm(other.unsigned_abs_ref()))

@@ -40,7 +40,7 @@ pub(crate) struct Check {
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 pub(crate) struct CheckedData {
-    /// The coefficients of a float program: an implicit document, or rows i,j[,k],value
+    /// The coefficients of a float program: an implicit document, rows i,j[,k],value, or a matrix c[i][j] of rows i and columns j
     #[arg(long, value_name = "FILE")]
     pub(crate) coefficients: Option<String>,
     /// Points of a float program: rows x,y[,z]

@@ -2,7 +2,7 @@
 //!
 //! | text | form |
 //! | --- | --- |
-//! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta |
+//! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta, or another parameter |
 //! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: with another radius that is rational in cosines and sines of rational multiples of the angle it is the parametric curve (r cos t, r sin t) |
 //! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy; k up to 500, harmonics up to 60 |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
@@ -25,20 +25,23 @@
 //!   lines have an `=`;
 //! - `+`, `-`;
 //! - `*`, `/` and two factors side by side (`2x`, `3x^2y`, `x y`, `2cos(3t)`), all three alike and
-//!   from left to right: `1/2x` is (1/2)·x. A divisor is a constant, and a number never stands
-//!   right after a factor;
+//!   from left to right: `1/2x` is (1/2)·x. A number never stands right after a factor;
 //! - signs: `-x^2` is −(x²);
 //! - `^` or `**`, from right to left: `2^3^2` is 2⁹, `x^2y` is x²·y. The exponent is a
-//!   constant integer, and not negative unless the base is a constant too. `x²³` is x^23;
+//!   constant integer. `x²³` is x^23;
 //! - numbers (`12`, `0.1`, `1e-5`, `0x1.8p+1`), names, `cos(…)`, `sin(…)`, `Rational(1, 3)` and
 //!   parentheses. Letters without a space fall into the longest names there are: `xy` is x·y.
 //!
-//! Other spellings are understood, too: `(t^2, t^3)` and `[t^2, t^3]` for `x = t^2; y = t^3`, a comma between such equations,
-//! `x(t) = …`, `r(theta) = …`, `rho` for r, `f(x, y) = …` for a polynomial, `Eq(a, b)`, `==` and `:=` for `=`, `cos 3t`,
-//! `cos^2(t)` and `Cos[t]`, braces and brackets for parentheses, `.^`, `.*` and `./` of arrays.
+//! Spellings of other programs are understood, too: `(t^2, t^3)`, `[t^2, t^3]`, `<t^2, t^3>` and `c(t) = (t^2, t^3)` for
+//! `x = t^2; y = t^3`; a list of polynomials in x, y, z or of equations for the equations; a comma between equations; `x(t) = …`,
+//! `y(x) = …`, `r(theta) = …`; `rho` for r; `f(x, y) = …`, `@(x, y) …`, `lambda x, y: …` and `(x, y) -> …` for a polynomial, and
+//! `f(x) = …` for y = …; `Eq(a, b)`, `==` and `:=` for `=`, and sides that are exchanged, as in `1 + cos(t) = r`; `cos 3t`,
+//! `cos^2(t)`, `Cos[t]`, `COS(t)`, `np.cos(t)`; `Fraction(1, 3)`, `pow(x, 2)`, `sqrt(4)`; braces and brackets for parentheses, `.^`,
+//! `.*` and `./` of arrays, `//` of fractions. An equation between quotients of polynomials is that of their numerators in lowest
+//! terms: `y = 1/x` is `x*y = 1`.
 //!
-//! Typographic signs (− · × θ ² …) stand for what they look like. `#` starts a comment, and so does
-//! `//` at the start of a line; the comment `# center: p/q, p/q` is the point that a plane form is
+//! Typographic signs (− · × θ ² ½ …), fullwidth and mathematical letters stand for what they look like, and quotes about the
+//! whole text are left out. `#` starts a comment, and so do `//` and `%` at the start of a line or between blanks; the comment `# center: p/q, p/q` is the point that a plane form is
 //! relative to. The statements `ring R = 0, (x, y), dp; poly F = …;` of Singular are read as well.
 //!
 //! What is read is expanded exactly, in a radius as a trigonometric polynomial:

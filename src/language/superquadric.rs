@@ -55,7 +55,7 @@ const IN_SPACE: Kind = Kind {
 pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Option<Form>> {
     let mut words = Words { source, at: 0 }.peekable();
     match words.next() {
-        Some(first) if source.slice(first) == KEYWORD => {}
+        Some(first) if source.slice(first).eq_ignore_ascii_case(KEYWORD) => {}
         _ => return Ok(None),
     }
     let end = u32::try_from(source.text.len()).invariant("a text is shorter than 4 GiB");

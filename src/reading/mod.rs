@@ -1,11 +1,13 @@
 //! Forms are read from the contents of files: JSON documents, tables of coefficients, and formulas.
 
 mod document;
+mod matrix;
 mod node;
 mod superquadric;
 mod table;
 
 pub use document::read_document;
+pub use matrix::read_coefficients;
 pub(crate) use table::Table;
 pub use table::{read_coefficients_csv, read_fourier_csv};
 

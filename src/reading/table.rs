@@ -177,6 +177,10 @@ impl Table {
         header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
     }
 
+    pub(crate) fn has_header(&self) -> bool {
+        self.header.is_some()
+    }
+
     /// Checks the names of the columns, if the table has a header.
     pub(crate) fn check_header(&self, expected: &[&[&str]]) -> Result<()> {
         let Some((place, names)) = &self.header else {

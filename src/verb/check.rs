@@ -15,7 +15,7 @@ use crate::fit::FitOptions;
 use crate::language::Numbers;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
-use crate::reading::{read_coefficients_csv, read_document};
+use crate::reading::{read_coefficients, read_document};
 use crate::shape::Form;
 
 /// More directions of test vectors than this are refused.
@@ -37,7 +37,7 @@ pub enum FloatNumbers {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FloatKind {
-    /// An implicit document, or rows `i,j[,k],value`.
+    /// An implicit document, rows `i,j[,k],value`, or a matrix c[i][j].
     Coefficients,
     /// Rows `x,y[,z]`.
     Points,
@@ -144,7 +144,7 @@ impl CheckTask {
     /// messages.
     ///
     /// # Errors
-    /// Those of [`read_points_csv`], [`read_radii_csv`], [`read_document`] and [`read_coefficients_csv`].
+    /// Those of [`read_points_csv`], [`read_radii_csv`], [`read_document`] and [`read_coefficients`].
     pub fn read(&self, kind: FloatKind, text: &str, source_name: &str) -> Result<FloatNumbers> {
         Ok(match kind {
             FloatKind::Coefficients => {
@@ -152,7 +152,7 @@ impl CheckTask {
                 FloatNumbers::Coefficients(Box::new(if start.starts_with('{') {
                     read_document(text, source_name, Numbers::F64)?
                 } else {
-                    read_coefficients_csv(text, source_name, Numbers::F64)?
+                    read_coefficients(text, source_name, Numbers::F64)?
                 }))
             }
             FloatKind::Points => {

@@ -338,3 +338,72 @@ fn angles_in_degrees_and_a_forgotten_center_are_named() {
         .unwrap();
     assert_eq!(names(&found), ["no correct digit"]);
 }
+
+/// Points in other units, and points of a radius that was taken at an angle in degrees.
+#[test]
+fn points_of_another_scale_and_points_of_degrees_are_named() {
+    let right = lopsided();
+    let reference = Reference::of_radius(&right).unwrap();
+    let limits = Limits::none();
+    let points = |radius: &dyn Fn(f64) -> f64| -> Vec<GivenPoint> {
+        let angles = (0..60).map(|k| f64::from(k) * 0.1 - 3.0);
+        let point = |(line, t): (usize, f64)| {
+            let position = [radius(t) * t.cos(), radius(t) * t.sin(), 0.0];
+            GivenPoint { line, position }
+        };
+        (1..).zip(angles).map(point).collect()
+    };
+    for factor in [10.0, 0.001, 25.4, 7.0 / 3.0, 1.5, 0.9] {
+        let scaled = points(&|t| factor * right.approximate(t));
+        let found = reference.check_points(&scaled, &limits).unwrap();
+        // Twice the size is the mistake of all coefficients.
+        assert_eq!(names(&found)[0], "scale", "{factor}");
+        let said = &found.diagnoses[0].explanation;
+        let number: f64 = said.split_whitespace().nth(3).unwrap().parse().unwrap();
+        assert!((number / factor - 1.0).abs() < 1e-10, "{factor}: {said}");
+    }
+    let of_degrees = points(&|t| right.approximate(t.to_degrees()));
+    let found = reference.check_points(&of_degrees, &limits).unwrap();
+    assert_eq!(names(&found), ["degrees for radians"]);
+}
+
+/// A matrix c[i][j] has the coefficients of rows i,j,value.
+#[test]
+fn coefficients_may_be_a_matrix() {
+    use stellate::language::Numbers;
+    use stellate::reading::read_coefficients;
+    let right = lopsided();
+    let terms = rounded(&right);
+    let degree = terms.iter().map(|(e, _)| e[0] + e[1]).max().unwrap();
+    let entry = |i: u32, j: u32| {
+        let found = terms.iter().find(|(e, _)| *e == [i, j, 0]);
+        found.map_or(0.0, |(_, c)| *c)
+    };
+    let row =
+        |i: u32| -> Vec<String> { (0..=degree).map(|j| format!("{:?}", entry(i, j))).collect() };
+    let rows: Vec<String> = (0..=degree).map(|i| row(i).join(",")).collect();
+    let list: Vec<String> = rows.iter().map(|row| format!("[{row}]")).collect();
+    let listed: Vec<String> = terms
+        .iter()
+        .map(|([i, j, _], c)| format!("{i},{j},{c:?}"))
+        .collect();
+    let read = |text: &str| read_coefficients(text, "c.csv", Numbers::F64).unwrap();
+    let expected = read(&listed.join("\n"));
+    assert_eq!(read(&rows.join("\n")), expected);
+    assert_eq!(read(&format!("[{}]", list.join(",\n"))), expected);
+    // Three columns that could be rows of terms, but for a term that comes twice.
+    assert_eq!(read("0,0,1\n0,0,1\n1,0,0"), read("0,2,1\n1,2,1\n2,0,1"));
+    for (text, part) in [
+        ("1,0\n0,x", "c.csv, line 2"),
+        ("[[1, 0], [0, true]]", "c.csv: [1]"),
+        ("[1, 2]", "a list of lists of numbers, c[i][j]"),
+        ("1,0\n0,0", "no point satisfies it"),
+        ("1,2\n3", "expected 2 columns, found 1"),
+        ("1,2", "i,j,coefficient"),
+    ] {
+        let error = read_coefficients(text, "c.csv", Numbers::F64)
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(part), "{text}: {error}");
+    }
+}

@@ -1,0 +1,82 @@
+//! Usual mistakes with all points of a float program at once: a center that was forgotten, another scale, degrees.
+
+use super::GivenPoint;
+use super::comparison::Comparison;
+use super::mistakes::Mistaken;
+use super::reference::Reference;
+use crate::exact::Rational;
+use crate::shape::FourierRadius;
+
+/// The number of points whose distances propose a common factor.
+const PROPOSALS: usize = 5;
+
+impl Reference {
+    /// The points as they would be without each mistake. `found` are their comparisons, in the same order.
+    pub(super) fn misplaced(
+        &self,
+        found: &Comparison,
+        points: &[GivenPoint],
+    ) -> Vec<Mistaken<Vec<GivenPoint>>> {
+        let [a, b] = self.center().each_ref().map(Rational::to_f64);
+        let moved = |[a, b]: [f64; 2]| mapped(points, |[x, y, z]| [x - a, y - b, z]);
+        let mut all = Vec::new();
+        if a != 0.0 || b != 0.0 {
+            all.push(Mistaken {
+                name: "center forgotten".into(),
+                explanation: "the points are in the coordinates of the contour; they are compared relative to its center".into(),
+                form: moved([a, b]),
+            });
+            all.push(Mistaken {
+                name: "center forgotten".into(),
+                explanation: "the center was taken away from points that are relative to it".into(),
+                form: moved([-a, -b]),
+            });
+        }
+        all.extend(factors(found).map(|factor| Mistaken {
+            name: "scale".into(),
+            explanation: format!(
+                "all points are {factor} times as far from the center as they should be: a unit of length, or a factor of the radius"
+            )
+            .into(),
+            form: mapped(points, |point| point.map(|v| v / factor)),
+        }));
+        all.extend(self.radius().map(|radius| Mistaken {
+            name: "degrees for radians".into(),
+            explanation:
+                "the radius was taken at the angle in degrees, where radians are meant".into(),
+            form: mapped(points, |point| out_of_degrees(radius, point)),
+        }));
+        all
+    }
+}
+
+fn mapped(points: &[GivenPoint], f: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<GivenPoint> {
+    let points = points.iter().map(|point| GivenPoint {
+        position: f(point.position),
+        ..*point
+    });
+    points.collect()
+}
+
+/// What the first points are too far from the center by, and the units of length that are mixed up most.
+fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
+    let ratio = |got: f64, exact: f64| got / exact;
+    let proposed = found.rows.iter().filter_map(move |row| {
+        let exact = row.exact.as_ref()?.to_f64();
+        let factor = ratio(row.got, exact);
+        // Twelve digits: units are short numbers.
+        let short: f64 = format!("{factor:.11e}").parse().ok()?;
+        (short.is_finite() && short > 0.0 && short != 1.0).then_some(short)
+    });
+    let units = [10.0, 100.0, 1000.0, 25.4, 2.54];
+    let both = units.into_iter().flat_map(|unit| [unit, 1.0 / unit]);
+    proposed.take(PROPOSALS).chain(both)
+}
+
+/// The point at r(α) in the direction of a point at r(180 α/π).
+fn out_of_degrees(radius: &FourierRadius, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    let angle = y.atan2(x);
+    let turned = radius.approximate(angle.to_degrees());
+    let factor = radius.approximate(angle) / turned;
+    [x * factor, y * factor, z]
+}
