@@ -66,7 +66,8 @@ fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
         let factor = ratio(row.got, exact);
         // Twelve digits: units are short numbers.
         let short: f64 = format!("{factor:.11e}").parse().ok()?;
-        (short.is_finite() && short > 0.0 && short != 1.0).then_some(short)
+        let is_another = (short - 1.0).abs() > f64::EPSILON;
+        (short.is_finite() && short > 0.0 && is_another).then_some(short)
     });
     let units = [10.0, 100.0, 1000.0, 25.4, 2.54];
     let both = units.into_iter().flat_map(|unit| [unit, 1.0 / unit]);

@@ -37,7 +37,7 @@ pub(crate) fn run(flags: &Check, session: &mut Session) -> Result<()> {
         ));
     }
     let options = CheckOptions::default().fit(input::fit_options(&flags.fit)?);
-    let given = input::read(&flags.reference, session)?;
+    let given = input::read_with(&flags.reference, &flags.fit, session)?;
     let name = given.short_name();
     let Some((kind, file)) = data else {
         let rungs = verb::check_doubles(given, &options, &session.work)?;

@@ -14,7 +14,7 @@ pub(crate) fn run(flags: &Describe, session: &Session) -> Result<()> {
     let format = session.format_or(Format::Text);
     Kind::Description.check(format)?;
     let options = DescribeOptions::default().fit(input::fit_options(&flags.fit)?);
-    let given = input::read(&flags.form, session)?;
+    let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::describe(given, &options, &session.work)?;
     write_result(session, |out| {
         write_described(&found, session.decimals(), format, out)

@@ -15,7 +15,9 @@ pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     Kind::Radius.check(format)?;
     let options = input::fit_options(&flags.fit)?;
     let argument = flags.contour.display().to_string();
-    let Content::Contour(contour) = input::read(&argument, session)?.into_content() else {
+    let Content::Contour(contour) =
+        input::read_with(&argument, &flags.fit, session)?.into_content()
+    else {
         return Err(Error::Usage(format!(
             "{argument}: fit needs a contour: a .csv with rows x,y, or a .png, .jpg or .bmp silhouette"
         )));

@@ -43,6 +43,15 @@ pub(crate) struct FitFlags {
     /// Round the center and the coefficients to D decimals
     #[arg(long, value_name = "D")]
     pub(crate) decimals: Option<u32>,
+    /// Of a picture with several blobs: which one, counted from 1 by the number of pixels
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole)]
+    pub(crate) blob: usize,
+    /// Of a picture: the largest value of its darker colour, 0 to 254 [default: Otsu's threshold]
+    #[arg(long, value_name = "V", value_parser = clap::value_parser!(u8).range(0..=254))]
+    pub(crate) threshold: Option<u8>,
+    /// Of a picture: take what is otherwise the background
+    #[arg(long)]
+    pub(crate) invert: bool,
 }
 
 impl Default for FitFlags {
@@ -53,6 +62,9 @@ impl Default for FitFlags {
             center: "centroid".into(),
             samples: None,
             decimals: None,
+            blob: 1,
+            threshold: None,
+            invert: false,
         }
     }
 }

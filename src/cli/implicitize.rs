@@ -23,7 +23,7 @@ pub(crate) fn run(flags: &Implicitize, session: &Session) -> Result<()> {
             ScaleFlag::Monic => verb::CoefficientScale::Monic,
         })
         .coordinates(flags.coordinates.into());
-    let given = input::read(&flags.form, session)?;
+    let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::implicitize(given, &options, &session.work)?;
     write_result(session, |out| write_implicitization(&found, format, out))
 }

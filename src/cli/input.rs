@@ -2,21 +2,30 @@
 
 use stellate::error::{Error, Result};
 use stellate::exact::{Rational, exact_literal};
-use stellate::fit::{CenterChoice, FitOptions, FitSize};
-use stellate::verb::{Given, read_limited};
+use stellate::fit::{CenterChoice, FitOptions, FitSize, PictureOptions};
+use stellate::verb::{Given, ReadOptions, read_limited};
 
 use super::flags::FitFlags;
 use super::session::Session;
 
 /// Reads a FORM argument.
 pub(crate) fn read(argument: &str, session: &Session) -> Result<Given> {
+    read_with(argument, &FitFlags::default(), session)
+}
+
+/// Reads a FORM argument that may be a picture, in which the silhouette is found as the flags say.
+pub(crate) fn read_with(argument: &str, flags: &FitFlags, session: &Session) -> Result<Given> {
     session.work.stage("read", || {
         let numbers = session.numbers();
         if argument == "-" {
-            Given::from_reader(std::io::stdin().lock(), "standard input", numbers)
-        } else {
-            Given::read(argument, numbers)
+            return Given::from_reader(std::io::stdin().lock(), "standard input", numbers);
         }
+        let picture = PictureOptions::default()
+            .blob(flags.blob)
+            .threshold(flags.threshold)
+            .invert(flags.invert);
+        let options = ReadOptions::default().numbers(numbers).picture(picture);
+        Given::read_with(argument, &options, &session.work)
     })
 }
 

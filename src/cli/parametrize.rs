@@ -21,7 +21,7 @@ pub(crate) fn run(flags: &Parametrize, session: &Session) -> Result<()> {
         .phis(angles("--phi", &flags.phi)?)
         .arcs(arc_search(&flags.arcs)?)
         .with_arcs(matches!(format, Format::Text | Format::Json | Format::Csv));
-    let given = input::read(&flags.form, session)?;
+    let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::parametrize(given, &options, &session.work)?;
     write_result(session, |out| {
         write_parametrized(&found, session.decimals(), format, out)

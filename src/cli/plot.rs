@@ -20,7 +20,9 @@ pub(crate) fn run(flags: &Plot, session: &Session) -> Result<()> {
     })?;
     let format = FigureFormat::of("-o", path)?;
     check_destination(session)?;
-    let svg = svg(flags, session, |form| input::read(form, session))?;
+    let svg = svg(flags, session, |form| {
+        input::read_with(form, &flags.fit, session)
+    })?;
     let bytes = session.work.stage("draw", || format.bytes(svg))?;
     write_result(session, |out| Ok(out.write_all(&bytes)?))
 }

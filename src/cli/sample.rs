@@ -23,7 +23,7 @@ pub(crate) fn run(flags: &Sample, session: &Session) -> Result<()> {
         .coordinates(flags.coordinates.into())
         .positive(flags.positive)
         .arcs(arc_search(&flags.arcs)?);
-    let given = input::read(&flags.form, session)?;
+    let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::sample(given, &options, &session.work)?;
     if let Some(counts) = found.counts {
         record_counts(counts, session);

@@ -16,7 +16,7 @@ pub(crate) fn run(flags: &Vectors, session: &Session) -> Result<()> {
     let options = VectorOptions::default()
         .fit(input::fit_options(&flags.fit)?)
         .directions(flags.directions);
-    let given = input::read(&flags.reference, session)?;
+    let given = input::read_with(&flags.reference, &flags.fit, session)?;
     let vectors = verb::vectors(given, &options, &session.work)?;
     write_result(session, |out| write_vectors(&vectors, out))
 }

@@ -1,5 +1,6 @@
 //! Remarks about the work, and missing parts of an answer, as sentences.
 
+use crate::fit::LeftOut;
 use crate::inspect::MAX_EXACT_MONOMIALS;
 use crate::verb::{Missing, Part, Remark};
 
@@ -33,6 +34,7 @@ pub fn remark_text(remark: &Remark) -> String {
             "the outline of {outline} is not star-shaped about ({x}, {y}): its outermost boundary is taken; {:.3} % of its length is hidden behind it",
             share * 100.0
         ),
+        Remark::LeftOut { outline, left_out } => left_out_text(outline, left_out),
         Remark::PerfectSquare => PERFECT_SQUARE.into(),
         Remark::RelativeTo([a, b]) => format!("coordinates are relative to the center ({a}, {b})"),
         Remark::Expanded([a, b]) => format!(
@@ -62,6 +64,30 @@ pub fn remark_text(remark: &Remark) -> String {
             "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
         ),
     }
+}
+
+/// What of a picture is not in the outline, in a sentence.
+fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
+    let counted = |count: usize, one: &str, several: &str| match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {several}"),
+    };
+    let mut all = Vec::new();
+    if left_out.parts > 0 {
+        let parts = counted(left_out.parts, "other part", "other parts");
+        all.push(format!(
+            "{parts} of the silhouette, the largest with {:.1} % of the pixels of the one that is taken (--blob chooses another one)",
+            left_out.largest * 100.0
+        ));
+    }
+    if left_out.holes > 0 {
+        all.push(counted(left_out.holes, "hole", "holes"));
+    }
+    if left_out.frame > 0 {
+        let pixels = counted(left_out.frame, "pixel", "pixels");
+        all.push(format!("a frame of {pixels} around the picture"));
+    }
+    format!("the outline of {outline} leaves out {}", all.join(", "))
 }
 
 /// The name of a part of an answer.

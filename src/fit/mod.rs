@@ -10,6 +10,9 @@
 mod center;
 mod definition1;
 mod kernel;
+mod left_out;
+#[cfg(feature = "images")]
+mod picture;
 mod radius;
 mod read;
 mod residual;
@@ -25,8 +28,9 @@ mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
+pub use left_out::{LeftOut, PictureOptions};
 pub use radius::ContourRadius;
-pub use read::{ContourKind, contour_from_reader, read_contour};
+pub use read::{ContourKind, contour_from_reader, read_contour, silhouette_from_reader};
 
 // Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]

@@ -7,6 +7,7 @@ use std::path::Path;
 use super::rows::read_rows;
 #[cfg(feature = "images")]
 use super::silhouette::trace_silhouette;
+use super::{LeftOut, PictureOptions};
 use crate::error::{Error, Result};
 use crate::shape::Contour;
 
@@ -62,10 +63,12 @@ pub fn read_contour(path: &Path) -> Result<Contour> {
 /// nearest doubles. The first row may be a header; blank rows and rows that begin with `#` are skipped.
 /// At most 10 000 000 rows.
 ///
-/// A picture shows a silhouette on a plain background. Transparent pixels are put on white. Otsu's threshold separates dark
-/// from bright, and the background is the class of most border pixels. The longest outline is traced by marching squares with
-/// linear interpolation. Coordinates are pixels from the lower left corner, y upwards: the center of pixel (i, j) is (i + 1/2,
-/// height − j − 1/2). A picture has at most 20 000 pixels a side and 64 million in all.
+/// A picture shows a silhouette on a plain background. If most border pixels are transparent, the opaque pixels are the
+/// silhouette; otherwise transparent pixels are put on white, Otsu's threshold separates dark from bright, and the background is
+/// the class of most border pixels, a frame of at most 2 % of the picture's side left out. The silhouette's part with the most
+/// pixels is taken, and its outer boundary is traced by marching squares with linear interpolation; holes are no
+/// outlines. Coordinates are pixels from the lower left corner, y upwards: the center of pixel (i, j) is (i + 1/2, height − j −
+/// 1/2). A picture has at most 20 000 pixels a side and 64 million in all.
 ///
 /// ```
 /// use stellate::fit::{ContourKind, contour_from_reader};
@@ -78,39 +81,60 @@ pub fn read_contour(path: &Path) -> Result<Contour> {
 /// [`Error::Data`] with the row, or with the fault of the picture or of the outline (see [`Contour::new`]); [`Error::Limit`]
 /// beyond the limits above or 1 GiB; [`Error::Io`] if reading fails.
 pub fn contour_from_reader(reader: impl Read, kind: ContourKind, place: &str) -> Result<Contour> {
-    let failed = |source| Error::Io {
-        path: place.into(),
-        source,
-    };
-    let mut limited = reader.take(MAX_BYTES + 1);
-    let contour = match kind {
+    match kind {
         ContourKind::Rows => {
+            let mut limited = reader.take(MAX_BYTES + 1);
             let (points, rows) = read_rows(&mut BufReader::new(&mut limited), place)?;
             if limited.limit() == 0 {
                 return Err(too_long(place));
             }
-            Contour::from_rows(points, &rows, place)?
+            Contour::from_rows(points, &rows, place)
         }
-        ContourKind::Image => {
-            let mut bytes = Vec::new();
-            limited.read_to_end(&mut bytes).map_err(failed)?;
-            if limited.limit() == 0 {
-                return Err(too_long(place));
-            }
-            outline_of(&bytes, place)?
-        }
-    };
-    Ok(contour)
+        ContourKind::Image => silhouette_from_reader(reader, &PictureOptions::default(), place)
+            .map(|(outline, _)| outline),
+    }
+}
+
+/// Reads the outline of a silhouette in a picture, and what else the picture shows. The rules are those of
+/// [`contour_from_reader`].
+///
+/// ```
+/// use stellate::fit::{PictureOptions, silhouette_from_reader};
+/// let file = std::fs::File::open("paper-examples/e02-butterfly/butterfly.png").unwrap();
+/// let (outline, left_out) = silhouette_from_reader(file, &PictureOptions::default(), "butterfly.png")?;
+/// assert!(outline.len() > 100);
+/// assert_eq!(left_out.frame, 0);
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`contour_from_reader`]; [`Error::Data`] if the silhouette has fewer parts than [`PictureOptions::blob`] says.
+pub fn silhouette_from_reader(
+    reader: impl Read,
+    options: &PictureOptions,
+    place: &str,
+) -> Result<(Contour, LeftOut)> {
+    let mut bytes = Vec::new();
+    let mut limited = reader.take(MAX_BYTES + 1);
+    let read = limited.read_to_end(&mut bytes);
+    read.map_err(|source| Error::Io {
+        path: place.into(),
+        source,
+    })?;
+    if limited.limit() == 0 {
+        return Err(too_long(place));
+    }
+    outline_of(&bytes, options, place)
 }
 
 #[cfg(feature = "images")]
-fn outline_of(picture: &[u8], place: &str) -> Result<Contour> {
-    trace_silhouette(picture, place)
+fn outline_of(picture: &[u8], options: &PictureOptions, place: &str) -> Result<(Contour, LeftOut)> {
+    trace_silhouette(picture, options, place)
 }
 
 /// The error for a picture, if the feature `images` is off.
 #[cfg(not(feature = "images"))]
-fn outline_of(_: &[u8], place: &str) -> Result<Contour> {
+fn outline_of(_: &[u8], _: &PictureOptions, place: &str) -> Result<(Contour, LeftOut)> {
     Err(Error::Usage(format!(
         "{place}: pictures are read by stellate with the feature `images` only"
     )))

@@ -114,7 +114,7 @@ impl Algebra for Angles {
                 let has_pi = [&a, &b].iter().any(|angle| !angle.half_turns.is_zero());
                 let message = match has_pi {
                     true => {
-                        "pi times the parameter: leave pi out, as in cos(2*t) for cos(2*pi*t), which is the same curve"
+                        "pi times the parameter is no rational multiple of it; where every angle has the factor pi leave it out: cos(2*t) for cos(2*pi*t) is the same curve"
                     }
                     false => ARGUMENT,
                 };

@@ -174,6 +174,18 @@ fn missing(cx: &Context<'_>, equations: &[Equation], name: &str) -> crate::error
     cx.source.error(end, message)
 }
 
+/// Why an equation such as `y = sin(x)` is refused, if there is one.
+fn beside_a_coordinate(cx: &Context<'_>, equations: &[Equation]) -> Option<crate::error::Error> {
+    equations.iter().find_map(|equation| {
+        let own = coordinate(equation).map(|(index, _)| COORDINATES[index]);
+        let mut others = COORDINATES.into_iter().filter(|name| Some(*name) != own);
+        let at = others.find_map(|name| equation.names.first(name))?;
+        let message = "a coordinate beside cos, sin or a parameter: a curve with them is given by a parameter, as in \
+                       `x = cos(t); y = sin(2*t)`; without them an equation is a polynomial in x, y, z";
+        Some(cx.source.error(at, message))
+    })
+}
+
 /// The formulas of x, y and z.
 fn formulas<'e>(cx: &Context<'_>, equations: &'e [Equation]) -> Result<[Option<&'e Expr>; 3]> {
     let mut formulas = [None; 3];
@@ -187,18 +199,11 @@ fn formulas<'e>(cx: &Context<'_>, equations: &'e [Equation]) -> Result<[Option<&
             return Err(cx.source.error(equation.left.span, message));
         }
     }
-    for equation in equations {
-        let own = coordinate(equation).map(|(index, _)| COORDINATES[index]);
-        let others = COORDINATES.into_iter().filter(|name| Some(*name) != own);
-        if let Some(at) = others.filter_map(|name| equation.names.first(name)).next() {
-            let message = "a coordinate beside cos, sin or a parameter: a curve with them is given by a parameter, as in \
-                           `x = cos(t); y = sin(2*t)`; without them an equation is a polynomial in x, y, z";
-            return Err(cx.source.error(at, message));
-        }
-    }
     for (name, formula) in ["x", "y"].iter().zip(&formulas) {
         if formula.is_none() {
-            return Err(missing(cx, equations, name));
+            return Err(
+                beside_a_coordinate(cx, equations).unwrap_or_else(|| missing(cx, equations, name))
+            );
         }
     }
     Ok(formulas)

@@ -158,7 +158,7 @@ fn not_json(error: &serde_json::Error, text: &str, source_name: &str, skipped: u
     let reason = message.split(" at line ").next().unwrap_or(&message);
     Error::Syntax {
         message: match error.is_eof() {
-            true => "the document ends here, in the middle: it was cut off".into(),
+            true => "not a JSON document: it ends here, in the middle, so it was cut off".into(),
             false => format!("not a JSON document: {reason}"),
         },
         source_name: source_name.into(),

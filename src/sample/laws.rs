@@ -393,9 +393,12 @@ fn points_about_a_center_are_the_nearest_doubles() {
                 (point.branch, point.r, point.multiplicity),
                 (relative.branch, relative.r, relative.multiplicity)
             );
-            for axis in [0, 1] {
+            for axis in 0..2 {
                 if unit[axis].is_zero() {
-                    assert_eq!(point.position[axis], center[axis].to_f64());
+                    assert_eq!(
+                        point.position[axis].to_bits(),
+                        center[axis].to_f64().to_bits()
+                    );
                 } else if point.multiplicity == 1 {
                     decided += 1;
                     assert!(

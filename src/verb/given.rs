@@ -4,10 +4,15 @@ use std::io::Read;
 use std::path::Path;
 
 use crate::error::{Error, Result};
-use crate::fit::{ContourKind, contour_from_reader, read_contour};
+use crate::fit::{
+    ContourKind, LeftOut, PictureOptions, contour_from_reader, silhouette_from_reader,
+};
 use crate::language::{MAX_TEXT_BYTES, Numbers};
+use crate::options::options;
 use crate::reading::{read_coefficients_csv, read_fourier_csv, read_text};
 use crate::shape::{Contour, Form};
+
+use super::{Remark, Work};
 
 /// A form or a contour, with the name that messages and legends use for it.
 ///
@@ -22,6 +27,18 @@ use crate::shape::{Contour, Form};
 pub struct Given {
     name: String,
     content: Content,
+    /// What of a picture is not in the outline.
+    left_out: LeftOut,
+}
+
+options! {
+    /// How what is handed in is read.
+    ReadOptions {
+        /// How numbers are taken.
+        numbers: Numbers = Numbers::Exact,
+        /// How a silhouette is found in a picture.
+        picture: PictureOptions = PictureOptions::default(),
+    }
 }
 
 /// The content of an input.
@@ -57,6 +74,7 @@ impl Given {
         Self {
             name: name.into(),
             content,
+            left_out: LeftOut::default(),
         }
     }
 
@@ -66,11 +84,21 @@ impl Given {
     /// # Errors
     /// Those of [`Given::from_path`] and of [`crate::language::parse_form`].
     pub fn read(argument: &str, numbers: Numbers) -> Result<Self> {
+        let options = ReadOptions::default().numbers(numbers);
+        Self::read_with(argument, &options, &Work::default())
+    }
+
+    /// Reads as [`Given::read`] does, with options, and remarks what of a picture is not in the outline.
+    ///
+    /// # Errors
+    /// Those of [`Given::read`]; [`Error::Usage`] for options of pictures if it is none.
+    pub fn read_with(argument: &str, options: &ReadOptions, work: &Work) -> Result<Self> {
         let path = Path::new(argument);
         if names_a_file(path) {
-            return Self::from_path(path, numbers);
+            return Self::from_path_with(path, options, work);
         }
-        let form = read_text(argument, "<form>", numbers);
+        refuse_picture_options(&options.picture)?;
+        let form = read_text(argument, "<form>", options.numbers);
         let form = form.map_err(|error| folder_instead(path, error))?;
         Ok(Self::new(argument.trim(), Content::Exact(form)))
     }
@@ -81,18 +109,42 @@ impl Given {
     /// # Errors
     /// [`Error::Io`] if the file cannot be read; those of the readers in [`crate::reading`] and [`crate::fit`].
     pub fn from_path(path: &Path, numbers: Numbers) -> Result<Self> {
-        let name = path.file_name().unwrap_or(path.as_os_str());
+        let options = ReadOptions::default().numbers(numbers);
+        Self::from_path_with(path, &options, &Work::default())
+    }
+
+    /// Reads as [`Given::from_path`] does, with options, and remarks what of a picture is not in the outline.
+    ///
+    /// # Errors
+    /// Those of [`Given::from_path`]; [`Error::Usage`] for options of pictures if it is none.
+    pub fn from_path_with(path: &Path, options: &ReadOptions, work: &Work) -> Result<Self> {
+        let name = path
+            .file_name()
+            .unwrap_or(path.as_os_str())
+            .to_string_lossy();
         let place = path.display().to_string();
-        let content = match ContourKind::of(path) {
-            Some(ContourKind::Rows) => table(&read_limited(open(path)?, &place)?, &place, numbers)?,
-            Some(ContourKind::Image) => Content::Contour(read_contour(path)?),
-            None => {
-                refuse_other_formats(path)?;
-                let text = read_limited(open(path)?, &place)?;
-                Content::Exact(read_text(&text, &place, numbers)?)
+        let kind = ContourKind::of(path);
+        if kind == Some(ContourKind::Image) {
+            let (outline, left_out) =
+                silhouette_from_reader(open(path)?, &options.picture, &place)?;
+            if !left_out.is_nothing() {
+                let outline = place;
+                work.remark(Remark::LeftOut { outline, left_out });
             }
+            return Ok(Self {
+                left_out,
+                ..Self::new(name, Content::Contour(outline))
+            });
+        }
+        refuse_picture_options(&options.picture)?;
+        let content = if kind == Some(ContourKind::Rows) {
+            table(&read_limited(open(path)?, &place)?, &place, options.numbers)?
+        } else {
+            refuse_other_formats(path)?;
+            let text = read_limited(open(path)?, &place)?;
+            Content::Exact(read_text(&text, &place, options.numbers)?)
         };
-        Ok(Self::new(name.to_string_lossy(), content))
+        Ok(Self::new(name, content))
     }
 
     /// Reads everything that a reader gives: rows of a contour, a table of coefficients, a JSON document, or text of the input
@@ -128,6 +180,12 @@ impl Given {
         self.content
     }
 
+    /// What of a picture is not in the outline.
+    #[must_use]
+    pub fn left_out(&self) -> LeftOut {
+        self.left_out
+    }
+
     /// The name on one line, cut if it is long.
     #[must_use]
     pub fn short_name(&self) -> String {
@@ -154,6 +212,22 @@ fn is_a_folder(path: &Path) -> Error {
         "{}: that is a folder; a form is text, a file, or - for standard input",
         path.display()
     ))
+}
+
+/// Refuses the options of pictures for anything else.
+fn refuse_picture_options(options: &PictureOptions) -> Result<()> {
+    let usual = PictureOptions::default();
+    let given = [
+        ("--blob", options.blob != usual.blob),
+        ("--threshold", options.threshold != usual.threshold),
+        ("--invert", options.invert != usual.invert),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        Some((name, _)) => Err(Error::Usage(format!(
+            "{name} is for pictures; this is none"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Files of other programs, which are no text of a form.

@@ -66,7 +66,7 @@ pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::fit;
-pub use given::{Content, Given, read_limited};
+pub use given::{Content, Given, ReadOptions, read_limited};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,
     implicitize,

@@ -1,7 +1,7 @@
 //! Remarks about the work, as data. [`crate::document::remark_text`] writes each of them as a sentence.
 
 use crate::exact::Rational;
-use crate::fit::CenterOrigin;
+use crate::fit::{CenterOrigin, LeftOut};
 
 /// A remark about the work for the person who waits for it. A remark is not a part of the answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,13 @@ pub enum Remark {
         point: [f64; 2],
         /// The reason for this center.
         origin: CenterOrigin,
+    },
+    /// A picture shows more than the outline that was taken.
+    LeftOut {
+        /// The name of the picture.
+        outline: String,
+        /// The rest.
+        left_out: LeftOut,
     },
     /// A contour is not star-shaped about the center.
     Hidden {

@@ -104,7 +104,7 @@ fn bmp(side: u8, dark: impl Fn(u8, u8) -> bool) -> Vec<u8> {
 
 #[test]
 fn a_wrong_formula_is_shown_with_a_caret_under_the_place() {
-    assert_wrong_form("r = 1 + foo(t)", "<form>:1:9: unknown name `foo`");
+    assert_wrong_form("r = 1 + foo(t)", "<form>:1:9: unknown function `foo`");
     assert_wrong_form("r = 1 + foo(t)", "\n  | r = 1 + foo(t)\n  |         ^\n");
     assert_wrong_form("r = 1/0", "<form>:1:7: division by zero");
     assert_wrong_form("r = 1/(1-1)", "division by zero");
@@ -220,10 +220,10 @@ fn a_document_that_is_none_is_refused() {
     let long = format!(r#"{{"a":{}"#, r#"{"a":"#.repeat(100_000));
     for (content, expected) in [
         (&b"{\"schema\":\"stellate/1\",\"kind\":\"implicit\",\"terms\":["[..], "not a JSON document"),
-        (b"{\"schema\":\"stellate/1\",\"kind\":\"banana\"}", "\"banana\" is not a form"),
-        (b"{\"schema\":\"stellate/1\",\"kind\":\"description\",\"degree\":4}", "is not a form"),
+        (b"{\"schema\":\"stellate/1\",\"kind\":\"banana\"}", "\"banana\" is no form"),
+        (b"{\"schema\":\"stellate/1\",\"kind\":\"description\",\"degree\":4}", "is no form"),
         (b"{\"schema\":\"stellate/9\",\"kind\":\"fourier\",\"cos\":[\"1\"],\"sin\":[\"0\"]}", "schema"),
-        (b"{\"kind\":\"fourier\",\"cos\":[\"1\"],\"sin\":[\"0\"]}", "\"schema\" is missing"),
+        (b"{\"kind\":\"fourier\",\"cos\":[\"1\"],\"sin\":[\"0\"]}", "no document of stellate"),
         (b"{\"schema\":\"stellate/1\",\"kind\":\"fourier\",\"cos\":[\"1/0\"],\"sin\":[\"0\"]}", "cos[0]"),
         (b"{\"schema\":\"stellate/1\",\"kind\":\"fourier\",\"cos\":[\"1\"],\"sin\":[\"2\"]}", "sin"),
         (b"{\"schema\":\"stellate/1\",\"kind\":\"fourier\",\"cos\":[\"1\",\"2\"],\"sin\":[\"0\"]}", "sin"),

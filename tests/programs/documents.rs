@@ -200,7 +200,10 @@ fn what_is_wrong_with_a_document_is_said_with_its_place() {
     let terms = |terms: &str| implicit(&format!(r#""variables":["x","y"],"terms":[{terms}]"#));
     let fourier = |rest: &str| format!(r#"{{"schema":"stellate/1","kind":"fourier",{rest}}}"#);
     for (text, expected) in [
-        ("{}".into(), "f.json: the field \"schema\" is missing"),
+        (
+            "{}".into(),
+            "f.json: this is JSON, but no document of stellate",
+        ),
         (
             r#"{"schema":"other/1"}"#.into(),
             "f.json: schema: expected \"stellate/1\"",
@@ -211,7 +214,7 @@ fn what_is_wrong_with_a_document_is_said_with_its_place() {
         ),
         (
             r#"{"schema":"stellate/1","kind":"description"}"#.into(),
-            "f.json: kind: a document of kind \"description\" is not a form",
+            "f.json: kind: a document of kind \"description\" is no form",
         ),
         (
             r#"{"schema":"stellate/1","kind":"parametric","branches":[]}"#.into(),

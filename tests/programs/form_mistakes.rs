@@ -113,7 +113,11 @@ const MISTAKES: &[(&str, &str, &str)] = &[
         "theta",
         "belongs to a Fourier radius `r = …`",
     ),
-    ("(cos(2*pi*t), sin(2*pi*t))", "t)", "leave pi out"),
+    (
+        "(cos(2*pi*t), sin(2*pi*t))",
+        "t)",
+        "where every angle has the factor pi leave it out",
+    ),
     // Roots, and what is no polynomial.
     ("y = sqrt(1 - x^2)", "sqrt", "square both sides"),
     ("r = sqrt(cos(2t))", "sqrt", "as in y^2 = 1 - x^2"),
@@ -204,7 +208,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     (
         "x = cos(t); y = sin(t); t in [0, 1]",
         "in",
-        "unknown name `in`",
+        "unknown function `in`",
     ),
     (
         "r=1+0.3cos(3θ){0<θ<2π}",
@@ -322,9 +326,9 @@ fn a_document_that_is_none_is_said_to_be_none() {
         ("{}", "this is JSON, but no document of stellate"),
         (
             "{\"schema\": \"stellate/1\", \"kind\": \"four",
-            "it was cut off",
+            "so it was cut off",
         ),
-        ("{", "it was cut off"),
+        ("{", "so it was cut off"),
         (
             "{\"schema\": \"stellate/1\", \"kind\": \"description\"}",
             "the kinds of forms are \"fourier\"",

@@ -400,7 +400,7 @@ fn parametric_forms_that_are_not_algebraic_are_refused_with_the_reason() {
         ("x = cos(sqrt(2)*t); y = sin(t)", "not rational", "sqrt"),
         (
             "x = cos(pi*t); y = sin(t)",
-            "integer multiple of the angle",
+            "pi times the parameter is no rational multiple of it",
             "t",
         ),
         (

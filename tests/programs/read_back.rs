@@ -120,7 +120,7 @@ fn several_radii_are_a_list_in_sympy_and_one_is_an_expression() {
     );
     assert_eq!(
         written("(x^2 + y^2 - x)*(x^2 + y^2 - 4)"),
-        "[2, -2, cos(theta)]\n# parametrizes: x^4 + 2x^2y^2 + y^4 - x^3 - xy^2 - 4x^2 - 4y^2 + 4x = 0\n"
+        "[cos(theta), 2, -2]\n# parametrizes: x^4 + 2x^2y^2 + y^4 - x^3 - xy^2 - 4x^2 - 4y^2 + 4x = 0\n"
     );
     assert_eq!(
         written("x^3 = y^2").lines().next().unwrap(),

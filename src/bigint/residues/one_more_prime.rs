@@ -187,8 +187,8 @@ pub(crate) fn value_after_change(g: &FlatPolynomial) -> Extra {
 
 /// The value f(1, T) for the form f(1, t), which is the sum of the real and the imaginary part of h(it).
 ///
-/// With S = (1 + iT)/(1 − iT), h(iT) is (1 − iT)^d Σ g_j S^j. For Z = S^4 = c + is, Z² = 2cZ − 1, and Σ a_j Z^j is u_0 − c u_1
-/// + i s u_1 with `u_j = a_j + 2c u_(j+1) − u_(j+2)` (Clenshaw). This is done for each of the four sums over every fourth
+/// With S = (1 + iT)/(1 − iT), h(iT) is (1 − iT)^d Σ g_j S^j. For Z = S^4 = c + is, Z² = 2cZ − 1, and Σ a_j Z^j is
+/// u_0 − c u_1 + i s u_1 with `u_j = a_j + 2c u_(j+1) − u_(j+2)` (Clenshaw). This is done for each of the four sums over every fourth
 /// coefficient.
 pub(crate) fn value_of_form(g: &FlatPolynomial) -> Extra {
     static RATIO: LazyLock<[[Extra; 2]; 2]> = LazyLock::new(|| {
