@@ -29,6 +29,14 @@ pub enum Error {
     /// An argument has a value that cannot be right.
     #[error("{0}")]
     Usage(String),
+    /// A result of its kind is not written in this format.
+    #[error("--format {format}: {written_as}")]
+    Format {
+        /// The name of the format.
+        format: &'static str,
+        /// What is written, and the formats that there are.
+        written_as: String,
+    },
     /// The input is well formed but a theorem's hypothesis fails for it.
     #[error("{statement} does not apply: {witness}")]
     Hypothesis {
@@ -127,7 +135,7 @@ impl Error {
 /// command line catches the panic and reports it as [`Error::Internal`] (exit code 4).
 ///
 /// Only code that guarantees the invariant may use it. A failure that depends on the input alone must be another error.
-pub(crate) trait Invariant {
+pub trait Invariant {
     /// The type of the value that exists if the invariant holds.
     type Value;
 

@@ -1,8 +1,9 @@
 //! What the command line says of itself: its help, completions and manual page.
 
-use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use clap::builder::PossibleValue;
+use clap::{Arg, ColorChoice, Command, CommandFactory};
 use stellate::document::json_schema;
-use stellate::error::Result;
+use stellate::error::{Invariant, Result};
 
 use super::arguments::{Arguments, Completions, FORMS, Schema};
 use super::output::{check_destination, write_result};
@@ -15,15 +16,9 @@ const WIDTH: usize = 100;
 /// Where their explanations begin.
 const INDENT: usize = 30;
 
-/// The arguments of the process.
-pub(crate) fn parsed() -> std::result::Result<Arguments, clap::Error> {
-    let matches = command().try_get_matches()?;
-    Arguments::from_arg_matches(&matches)
-}
-
 /// The command line; the options of every verb are shown once, in the help of the program.
-fn command() -> Command {
-    let mut command = Arguments::command();
+pub(crate) fn command() -> Command {
+    let mut command = whole_command();
     let shared = command.get_arguments().filter(|a| a.is_global_set());
     let shared: Vec<Arg> = shared.cloned().collect();
     let listed: String = shared.iter().map(described).collect();
@@ -40,63 +35,75 @@ fn command() -> Command {
         .after_help(format!("Options of every verb:\n{listed}\n{FORMS}"))
 }
 
+/// The syntax with what holds for all options: names among their values are read in capitals, too, and a value that begins with
+/// a minus is the value, so that its reader says what is wrong with it.
+fn whole_command() -> Command {
+    let lenient = |argument: Arg| {
+        let takes_values = argument.get_action().takes_values();
+        let has_names = takes_values && !argument.get_possible_values().is_empty();
+        argument
+            .allow_negative_numbers(takes_values)
+            .ignore_case(has_names)
+    };
+    let color = Arg::new("color")
+        .long("color")
+        .global(true)
+        .value_name("WHEN")
+        .value_parser(clap::value_parser!(ColorChoice))
+        .default_value("auto")
+        .help("Colours of the help; by itself only on a terminal, and not where NO_COLOR is set");
+    Arguments::command()
+        .arg(color)
+        .mut_args(lenient)
+        .mut_subcommands(|verb| verb.mut_args(lenient))
+}
+
 /// An option and its explanation, in lines.
 fn described(argument: &Arg) -> String {
+    let takes_values = argument.get_action().takes_values();
     let short = match argument.get_short() {
         Some(short) => format!("-{short}, "),
         None => "    ".into(),
     };
     let value = match argument.get_value_names() {
-        Some([name, ..]) if argument.get_action().takes_values() => format!(" <{name}>"),
+        Some([name, ..]) if takes_values => format!(" <{name}>"),
         _ => String::new(),
     };
-    let names = format!(
-        "  {short}--{}{value}",
-        argument.get_long().unwrap_or_default()
-    );
-    let mut text = argument
-        .get_help()
-        .map_or_else(String::new, ToString::to_string);
+    let long = argument
+        .get_long()
+        .invariant("options of every verb have long names");
+    let names = format!("  {short}--{long}{value}");
+    let help = argument.get_help().invariant("every option is explained");
+    let mut text = help.to_string();
     let values = argument.get_possible_values();
-    if argument.get_action().takes_values() && !values.is_empty() {
-        let values: Vec<&str> = values
-            .iter()
-            .map(clap::builder::PossibleValue::get_name)
-            .collect();
+    if takes_values && !values.is_empty() {
+        let values: Vec<&str> = values.iter().map(PossibleValue::get_name).collect();
         text.push_str(&format!(" [one of {}]", values.join(", ")));
     }
     let defaults = argument.get_default_values().iter();
     let defaults: Vec<_> = defaults.map(|value| value.to_string_lossy()).collect();
-    if argument.get_action().takes_values() && !defaults.is_empty() {
+    if takes_values && !defaults.is_empty() {
         text.push_str(&format!(" [default: {}]", defaults.join(",")));
     }
+    // Names that are too long for the first column have a line of their own.
     let is_long = names.chars().count() + 2 > INDENT;
-    let mut lines = vec![names];
-    lines.extend(is_long.then(String::new));
-    for word in text.split_whitespace() {
-        let full = lines.last().is_none_or(|line| {
-            let length = line.chars().count();
-            length > INDENT && length + 1 + word.chars().count() > WIDTH
-        });
-        if full {
-            lines.push(String::new());
-        }
-        if let Some(line) = lines.last_mut() {
-            // Explanations stand below each other, words one blank apart.
-            let length = line.chars().count();
-            let gap = INDENT.saturating_sub(length).max(1);
-            line.push_str(&" ".repeat(gap));
-            line.push_str(word);
-        }
-    }
-    lines.join("\n") + "\n"
+    let (above, beside) = match is_long {
+        true => (names + "\n", String::new()),
+        false => (String::new(), names),
+    };
+    let indent = " ".repeat(INDENT);
+    let beside = format!("{beside:INDENT$}");
+    let lines = textwrap::Options::new(WIDTH)
+        .initial_indent(&beside)
+        .subsequent_indent(&indent);
+    above + &textwrap::fill(&text, lines) + "\n"
 }
 
 /// `stellate completions SHELL`
 pub(crate) fn completions(verb: &Completions, session: &Session) -> Result<()> {
     check_destination(session)?;
     let mut text = Vec::new();
-    clap_complete::generate(verb.shell, &mut Arguments::command(), NAME, &mut text);
+    clap_complete::generate(verb.shell, &mut whole_command(), NAME, &mut text);
     write_result(session, |out| Ok(out.write_all(&text)?))
 }
 
@@ -104,7 +111,7 @@ pub(crate) fn completions(verb: &Completions, session: &Session) -> Result<()> {
 pub(crate) fn manual(session: &Session) -> Result<()> {
     check_destination(session)?;
     let mut text = Vec::new();
-    clap_mangen::Man::new(Arguments::command()).render(&mut text)?;
+    clap_mangen::Man::new(whole_command()).render(&mut text)?;
     write_result(session, |out| Ok(out.write_all(&text)?))
 }
 

@@ -1,14 +1,21 @@
 //! The syntax of the command line; what the values mean is decided by the verbs.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
-use stellate::verb::CoordinatesFrom;
+use stellate::exact::Rational;
+use stellate::fit::CenterChoice;
+use stellate::verb::{Bounds, CoordinatesFrom, Frame};
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
-use super::flags::{ArcFlags, FitFlags, whole};
+use super::flags::{ArcFlags, FitFlags};
+use super::values::{
+    Angle, angle, center, degrees, frame, marked_point, point, positive, range, space_window, time,
+    view, whole,
+};
 
 /// Exact conversion between parametric and implicit forms of star-shaped curves and surfaces.
 #[derive(Debug, Parser)]
@@ -42,34 +49,35 @@ Exit codes:
   4  the program contradicted itself; please report the input
 
 Example: an outline of 290 points becomes a polynomial of degree 80, a picture and certified points:
-  stellate implicitize paper-examples/e02-butterfly/butterfly.csv --harmonics 39 --format json -o f.json
+  stellate implicitize paper-examples/e02-butterfly/butterfly.csv --harmonics 39 -o f.json
   stellate plot paper-examples/e02-butterfly/butterfly.csv f.json -o butterfly.svg
   stellate sample f.json --directions 720";
 
 /// Options of every verb.
 #[derive(Debug, Args)]
 pub(crate) struct Common {
-    /// Write to FILE (beside it first, then renamed) instead of standard output, which is -, too
+    /// Write to FILE (beside it first, then renamed) instead of standard output, which is -, too; without --format its name
+    /// chooses the format: .txt text, .json, .csv, .tex LaTeX
     #[arg(short, long, global = true, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// How the result is written [default: text; sample: csv]
+    /// How the result is written [default: what the name of -o says, else text; sample and inspect: csv; vectors: json]
     #[arg(long, global = true, value_parser = formats())]
     pub(crate) format: Option<Format>,
     /// Decimals shown for algebraic numbers [default: 16]; inspect: significant digits of the distances [default: 6];
     /// check: the digits that everything must have
-    #[arg(long, global = true, value_name = "D", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    #[arg(long, global = true, value_name = "D", value_parser = whole::<u32>(0..=10_000, 16))]
     pub(crate) digits: Option<u32>,
     /// Read decimals as written, or as the nearest double
     #[arg(long, global = true, value_enum, default_value_t = NumberReading::Exact)]
     pub(crate) numbers: NumberReading,
     /// Refuse polynomials above this degree
-    #[arg(long, global = true, value_name = "D", default_value_t = 20_002)]
+    #[arg(long, global = true, value_name = "D", default_value_t = 20_002, value_parser = whole::<usize>(0..=u64::MAX, 100))]
     pub(crate) max_degree: usize,
     /// Stop long work after this many seconds, or with a unit: 500ms, 5min, 2h (exit code 3)
-    #[arg(long, global = true, value_name = "SECONDS")]
-    pub(crate) time_limit: Option<String>,
+    #[arg(long, global = true, value_name = "SECONDS", value_parser = time(60))]
+    pub(crate) time_limit: Option<Duration>,
     /// Threads to use [default: one per core]; the output does not depend on it
-    #[arg(long, global = true, value_name = "N")]
+    #[arg(long, global = true, value_name = "N", value_parser = whole::<usize>(0..=u64::MAX, 4))]
     pub(crate) threads: Option<usize>,
     /// Print one line of JSON with times, peak memory and how many rays needed how many bits on standard error when done
     #[arg(long, global = true)]
@@ -97,7 +105,7 @@ pub(crate) enum Verb {
   stellate implicitize 'r = 1 + 1/5*cos(t) + 0.1*sin(t)'
   stellate implicitize 'x = sin(t); y = sin(t)*cos(t)' --method polar
   stellate implicitize 'x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)'
-  stellate implicitize outline.csv --harmonics 39 --format json -o f.json
+  stellate implicitize outline.csv --harmonics 39 -o f.json
   stellate implicitize f.json --format singular")]
     Implicitize(Implicitize),
     /// Turn an implicit polynomial into its radius r(theta), or R(theta, phi) in space: closed forms (Lemmas 2 to 5, 7 to 10), else certified roots and a Fourier fit (Lemma 6), with exact ranges
@@ -109,7 +117,7 @@ pub(crate) enum Verb {
     /// Fit a Fourier radius to a contour (Definition 1)
     #[command(after_help = "Examples:
   stellate fit outline.csv --harmonics 39 --decimals 6
-  stellate fit silhouette.png --tolerance 1.5 --format json -o radius.json")]
+  stellate fit silhouette.png --tolerance 1.5 -o radius.json")]
     Fit(Fit),
     /// Certified points: exact directions, all real roots, each the nearest double
     #[command(after_help = "Examples:
@@ -149,7 +157,7 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
   stellate paper --only \"Theorem 2\"
   stellate paper --out report
   stellate paper --out report --compare
-  stellate paper --format json -o paper.json
+  stellate paper -o paper.json
 
 Exit code: 1 if the outcome of a statement is not the recorded one, or if two methods of --compare disagree.")]
     Paper(Paper),
@@ -198,12 +206,13 @@ pub(crate) struct Paper {
     #[arg(
         long,
         value_name = "SECONDS",
-        default_value_t = 10.0,
-        requires = "compare"
+        default_value = "10",
+        requires = "compare",
+        value_parser = time(10)
     )]
-    pub(crate) compare_limit: f64,
+    pub(crate) compare_limit: Duration,
     /// The largest N that --compare measures
-    #[arg(long, value_name = "N", default_value_t = 110, requires = "compare", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 110, requires = "compare", value_parser = whole::<usize>(1..=u64::MAX, 110))]
     pub(crate) compare_up_to: usize,
 }
 
@@ -272,17 +281,17 @@ pub(crate) struct Parametrize {
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     /// For a surface: the exact ranges of phi on the meridian with this angle; may be repeated
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    pub(crate) theta: Vec<String>,
+    #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = angle)]
+    pub(crate) theta: Vec<Angle>,
     /// For a surface: what is certain in every direction (theta, phi) with these angles; may be repeated
-    #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "theta")]
-    pub(crate) phi: Vec<String>,
+    #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "theta", value_parser = angle)]
+    pub(crate) phi: Vec<Angle>,
     #[command(flatten)]
     pub(crate) arcs: ArcFlags,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
     /// The branch to fit a Fourier series to where there is no closed form [default: the outermost]
-    #[arg(long, value_name = "I")]
+    #[arg(long, value_name = "I", value_parser = whole::<usize>(0..=u64::MAX, 1))]
     pub(crate) branch: Option<usize>,
 }
 
@@ -306,14 +315,14 @@ pub(crate) struct Sample {
     pub(crate) fit: FitFlags,
     /// This many directions around the circle, or spread over the sphere [default: 360 if no angle is given]; with
     /// one of the two angles of a surface, this many steps of the other
-    #[arg(long, value_name = "K", value_parser = whole)]
+    #[arg(long, value_name = "K", value_parser = whole::<usize>(0..=u64::MAX, 360))]
     pub(crate) directions: Option<usize>,
     /// An angle: 0.5 (radians), pi/6, 30deg or 30°; may be repeated
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    pub(crate) theta: Vec<String>,
+    #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = angle)]
+    pub(crate) theta: Vec<Angle>,
     /// For a surface: the angle from the z axis, likewise; every theta is taken with every phi
-    #[arg(long, value_name = "B", allow_hyphen_values = true)]
-    pub(crate) phi: Vec<String>,
+    #[arg(long, value_name = "B", allow_hyphen_values = true, value_parser = angle)]
+    pub(crate) phi: Vec<Angle>,
     /// Coordinates of points relative to the center of the form, or the contour's own
     #[arg(long, value_enum, default_value_t = CoordinatesFlag::Center)]
     pub(crate) coordinates: CoordinatesFlag,
@@ -329,22 +338,22 @@ pub(crate) struct Inspect {
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     /// The largest distance that is inside, exactly as written: 0.1 is one tenth
-    #[arg(long, value_name = "D", allow_hyphen_values = true)]
-    pub(crate) tolerance: String,
+    #[arg(long, value_name = "D", value_parser = positive)]
+    pub(crate) tolerance: Rational,
     /// A point; may be repeated
-    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true, value_parser = point)]
     pub(crate) point: Vec<String>,
     /// Rows x,y[,z] of any number, from a file or standard input; the header is optional
     #[arg(long, value_name = "FILE.csv|-", conflicts_with = "point")]
     pub(crate) points: Option<String>,
     /// Distances are looked for up to here [default: the tolerance]
-    #[arg(long, value_name = "R")]
-    pub(crate) reach: Option<String>,
+    #[arg(long, value_name = "R", value_parser = positive)]
+    pub(crate) reach: Option<Rational>,
     /// Count rows that are no points instead of stopping at the first
     #[arg(long)]
     pub(crate) skip_bad: bool,
     /// Cubes that may be divided for one point before it is undecided
-    #[arg(long, value_name = "N", default_value_t = 50_000)]
+    #[arg(long, value_name = "N", default_value_t = 50_000, value_parser = whole::<usize>(0..=u64::MAX, 50_000))]
     pub(crate) budget: usize,
     /// Draw the surface and the points, coloured by verdict, as .svg or .png
     #[arg(long, value_name = "FIGURE")]
@@ -353,19 +362,20 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "CLOUD.ply")]
     pub(crate) cloud: Option<PathBuf>,
     /// The part of space or of the plane that is drawn
-    #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true)]
-    pub(crate) window: Option<String>,
+    #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true, value_parser = frame)]
+    pub(crate) window: Option<Frame>,
     /// For a contour: number of harmonics N
-    #[arg(short = 'n', long, value_name = "N", value_parser = whole)]
+    #[arg(short = 'n', long, value_name = "N", value_parser = whole::<usize>(0..=u64::MAX, 39))]
     pub(crate) harmonics: Option<usize>,
     /// For a contour: where radii are measured from
     #[arg(
         long,
         value_name = "centroid|X,Y",
         default_value = "centroid",
-        allow_hyphen_values = true
+        allow_hyphen_values = true,
+        value_parser = center
     )]
-    pub(crate) center: String,
+    pub(crate) center: CenterChoice,
 }
 
 #[derive(Debug, Args)]
@@ -374,13 +384,13 @@ pub(crate) struct Mesh {
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
     /// The box that is covered [default: around the surface]
-    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true)]
-    pub(crate) window: Option<String>,
+    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
+    pub(crate) window: Option<Bounds>,
     /// Cells along the longest side of the box
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=1024))]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = whole::<u32>(2..=1024, 64))]
     pub(crate) resolution: u32,
-    /// Edges are split where the surface bends by more than this, in degrees
-    #[arg(long, value_name = "DEGREES", default_value_t = 20.0)]
+    /// Edges are split where the surface bends by more than this: degrees, or with a unit as pi/9
+    #[arg(long, value_name = "DEGREES", default_value = "20", value_parser = degrees)]
     pub(crate) angle: f64,
 }
 
@@ -392,15 +402,15 @@ pub(crate) struct Plot {
     #[command(flatten)]
     pub(crate) fit: FitFlags,
     /// The part of the plane that is shown: x0,x1,y0,y1; in space x0,x1,y0,y1,z0,z1
-    #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true)]
-    pub(crate) window: Option<String>,
-    /// The part of a parameter that is drawn, as t=-2,2; may be repeated [default: once around for an angle, all
+    #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true, value_parser = frame)]
+    pub(crate) window: Option<Frame>,
+    /// The part of a parameter that is drawn, as t=-2,2 or t=0,2pi; may be repeated [default: once around for an angle, all
     /// numbers for a bounded curve, else -1.5,1.5]
-    #[arg(long, value_name = "NAME=A,B")]
-    pub(crate) range: Vec<String>,
+    #[arg(long, value_name = "NAME=A,B", value_parser = range)]
+    pub(crate) range: Vec<(String, [f64; 2])>,
     /// In space: where the eye is, in degrees from +x towards +y, and above the plane of x and y [default: 30,25]
-    #[arg(long, value_name = "AZIMUTH,ELEVATION", allow_hyphen_values = true)]
-    pub(crate) view: Option<String>,
+    #[arg(long, value_name = "AZIMUTH,ELEVATION", allow_hyphen_values = true, value_parser = view)]
+    pub(crate) view: Option<[f64; 2]>,
     /// Heading of the figure
     #[arg(long, default_value = "")]
     pub(crate) title: String,
@@ -409,15 +419,21 @@ pub(crate) struct Plot {
     pub(crate) width: Option<u32>,
     /// Cells along the larger side: for tracing implicit curves [default: 240], for surfaces [default: 36], along
     /// each parameter of a patch [default: 54]
-    #[arg(long, value_parser = clap::value_parser!(u32).range(8..=4000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(8..=4000, 240))]
     pub(crate) cells: Option<u32>,
     /// In space: a point to be marked; may be repeated
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
-    pub(crate) point: Vec<String>,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = marked_point)]
+    pub(crate) point: Vec<[f64; 3]>,
 }
 
 /// The names of the formats, each with what it is.
 fn formats() -> impl TypedValueParser<Value = Format> {
-    let names = Format::ALL.map(|format| PossibleValue::new(format.name()).help(format.about()));
+    let names = Format::ALL.map(|format| {
+        let name = PossibleValue::new(format.name()).help(format.about());
+        match format {
+            Format::Latex => name.alias("tex"),
+            _ => name,
+        }
+    });
     PossibleValuesParser::new(names).try_map(|name| name.parse())
 }

@@ -36,7 +36,7 @@ pub(crate) fn run(flags: &Check, session: &mut Session) -> Result<()> {
             "--digits is the mark for the numbers of a file; --self says what doubles keep".into(),
         ));
     }
-    let options = CheckOptions::default().fit(input::fit_options(&flags.fit)?);
+    let options = CheckOptions::default().fit(input::fit_options(&flags.fit));
     let given = input::read_with(&flags.reference, &flags.fit, session)?;
     let name = given.short_name();
     let Some((kind, file)) = data else {

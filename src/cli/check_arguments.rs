@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::flags::FitFlags;
+use super::values::whole;
 
 pub(crate) const CHECK_EXAMPLES: &str = "\
 Examples:
@@ -60,7 +61,7 @@ pub(crate) struct Vectors {
     #[arg(allow_hyphen_values = true)]
     pub(crate) reference: String,
     /// Certified radii and points in this many directions around the circle
-    #[arg(long, value_name = "K", default_value_t = 16)]
+    #[arg(long, value_name = "K", default_value_t = 16, value_parser = whole::<usize>(0..=u64::MAX, 16))]
     pub(crate) directions: usize,
     #[command(flatten)]
     pub(crate) fit: FitFlags,

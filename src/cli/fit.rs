@@ -13,7 +13,7 @@ pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
     Kind::Radius.check(format)?;
-    let options = input::fit_options(&flags.fit)?;
+    let options = input::fit_options(&flags.fit);
     let argument = flags.contour.display().to_string();
     let Content::Contour(contour) =
         input::read_with(&argument, &flags.fit, session)?.into_content()

@@ -1,22 +1,20 @@
 //! Flags that several verbs have.
 
 use clap::Args;
+use stellate::exact::Rational;
+use stellate::fit::CenterChoice;
+use stellate::verb::Bounds;
 
-/// A natural number.
-pub(crate) fn whole(text: &str) -> Result<usize, String> {
-    text.trim()
-        .parse()
-        .map_err(|_| "expected a whole number, such as 39".into())
-}
+use super::values::{center, positive, space_window, whole};
 
 /// How the curve in which two surfaces meet is followed.
 #[derive(Debug, Args)]
 pub(crate) struct ArcFlags {
     /// For an intersection: the box in which it is looked for [default: around the smaller surface]
-    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true)]
-    pub(crate) window: Option<String>,
+    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
+    pub(crate) window: Option<Bounds>,
     /// For an intersection: steps along the longest side of the box, at least [default: 64]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=4096))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(2..=4096, 64))]
     pub(crate) resolution: Option<u32>,
 }
 
@@ -24,24 +22,25 @@ pub(crate) struct ArcFlags {
 #[derive(Debug, Args)]
 pub(crate) struct FitFlags {
     /// Number of harmonics N
-    #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance", value_parser = whole)]
+    #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance", value_parser = whole::<usize>(0..=u64::MAX, 39))]
     pub(crate) harmonics: Option<usize>,
     /// The fewest harmonics with which the largest radial error is at most E
-    #[arg(long, value_name = "E")]
-    pub(crate) tolerance: Option<f64>,
+    #[arg(long, value_name = "E", value_parser = positive)]
+    pub(crate) tolerance: Option<Rational>,
     /// Where radii are measured from: centroid, or a point X,Y
     #[arg(
         long,
         value_name = "centroid|X,Y",
         default_value = "centroid",
-        allow_hyphen_values = true
+        allow_hyphen_values = true,
+        value_parser = center
     )]
-    pub(crate) center: String,
+    pub(crate) center: CenterChoice,
     /// Number of samples of the radius [default: at least 8N]
-    #[arg(long, value_name = "NS", value_parser = whole)]
+    #[arg(long, value_name = "NS", value_parser = whole::<usize>(0..=u64::MAX, 1024))]
     pub(crate) samples: Option<usize>,
     /// Round the center and the coefficients to D decimals
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D", value_parser = whole::<u32>(0..=u64::MAX, 6))]
     pub(crate) decimals: Option<u32>,
     /// Of a picture with several blobs: which one, counted from 1 by the number of pixels
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole)]
@@ -59,7 +58,7 @@ impl Default for FitFlags {
         Self {
             harmonics: None,
             tolerance: None,
-            center: "centroid".into(),
+            center: CenterChoice::Centroid,
             samples: None,
             decimals: None,
             blob: 1,

@@ -13,7 +13,7 @@ pub(crate) fn run(flags: &Implicitize, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
     let options = ImplicitizeOptions::default()
-        .fit(input::fit_options(&flags.fit)?)
+        .fit(input::fit_options(&flags.fit))
         .method(flags.method.map(|method| match method {
             ImplicitizeMethod::Polar => verb::ImplicitizeMethod::Polar,
             ImplicitizeMethod::Resultant => verb::ImplicitizeMethod::Resultant,

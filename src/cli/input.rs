@@ -1,11 +1,11 @@
 //! What is handed in: FORM arguments, data files, and the flags of fits as options.
 
 use stellate::error::{Error, Result};
-use stellate::exact::{Rational, exact_literal};
-use stellate::fit::{CenterChoice, FitOptions, FitSize, PictureOptions};
-use stellate::verb::{Given, ReadOptions, read_limited};
+use stellate::exact::Rational;
+use stellate::fit::{FitOptions, FitSize, PictureOptions};
+use stellate::verb::{ArcSearch, Given, ReadOptions, read_limited};
 
-use super::flags::FitFlags;
+use super::flags::{ArcFlags, FitFlags};
 use super::session::Session;
 
 /// Reads a FORM argument.
@@ -44,29 +44,19 @@ pub(crate) fn read_data(argument: &str) -> Result<(String, String)> {
 }
 
 /// How a contour is fitted, as the flags say.
-pub(crate) fn fit_options(flags: &FitFlags) -> Result<FitOptions> {
+pub(crate) fn fit_options(flags: &FitFlags) -> FitOptions {
     let harmonics = flags.harmonics.map(FitSize::Harmonics);
-    let size = harmonics.or(flags.tolerance.map(FitSize::Tolerance));
-    Ok(FitOptions::default()
-        .size(size)
-        .center(center(&flags.center)?)
+    let tolerance = flags.tolerance.as_ref().map(Rational::to_f64);
+    FitOptions::default()
+        .size(harmonics.or(tolerance.map(FitSize::Tolerance)))
+        .center(flags.center.clone())
         .samples(flags.samples)
-        .decimals(flags.decimals))
+        .decimals(flags.decimals)
 }
 
-fn center(text: &str) -> Result<CenterChoice> {
-    if text == "centroid" {
-        return Ok(CenterChoice::Centroid);
-    }
-    let point = text.split_once(',').and_then(|(x, y)| {
-        let number = |t: &str| exact_literal(t).ok();
-        Some([number(x)?, number(y)?])
-    });
-    let wrong = || {
-        Error::Usage(format!(
-            "--center {text}: expected centroid or X,Y, such as 12.5,-3"
-        ))
-    };
-    let point: [Rational; 2] = point.ok_or_else(wrong)?;
-    Ok(CenterChoice::Point(point))
+/// How arcs of an intersection are followed.
+pub(crate) fn arc_search(flags: &ArcFlags) -> ArcSearch {
+    ArcSearch::default()
+        .window(flags.window)
+        .resolution(flags.resolution)
 }

@@ -6,8 +6,7 @@ use std::path::Path;
 
 use stellate::document::{Format, InspectionWriter, summary_text, write_inspection_cloud};
 use stellate::error::{Error, Result};
-use stellate::exact::{Rational, exact_literal};
-
+use stellate::exact::Rational;
 use stellate::inspect::InspectionSummary;
 use stellate::verb::{
     self, FigureFormat, InspectionOptions, InspectionTask, KeptPoint, PointRows, PointSource,
@@ -17,7 +16,6 @@ use stellate::verb::{
 use super::arguments::Inspect;
 use super::flags::FitFlags;
 use super::input;
-use super::numbers::frame;
 use super::output::{check_destination, check_place, write_beside, write_result};
 use super::session::Session;
 
@@ -35,9 +33,8 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     let figure = plot
         .map(|path| FigureFormat::of("--plot", path))
         .transpose()?;
-    let window = flags.window.as_deref().map(frame).transpose()?;
     check_cloud(flags)?;
-    let options = options(flags, session)?;
+    let options = options(flags, session);
     let points = points(flags)?;
     let dimension = points.dimension()?;
     let given = input::read(&flags.form, session)?;
@@ -48,7 +45,8 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
         .numbers(session.numbers())
         .skip_bad(flags.skip_bad)
         .keep(figure.is_some() || flags.cloud.is_some())
-        .with_ranges(format != Format::Csv);
+        .with_ranges(format != Format::Csv)
+        .streamed(session.common.output.is_none());
     let (summary, kept) = write_all(&task, points, &reading, &writer, session)?;
     let number = match flags.points {
         Some(_) => "row",
@@ -62,30 +60,25 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
         write_beside(path, &bytes, session)?;
     }
     if let (Some(path), Some(figure)) = (plot, figure) {
-        let svg = task.picture(&kept, window, &session.work)?;
+        let svg = task.picture(&kept, flags.window, &session.work)?;
         let bytes = session.work.stage("draw", || figure.bytes(svg))?;
         write_beside(path, &bytes, session)?;
     }
     finish(&summary, flags, session)
 }
 
-fn options(flags: &Inspect, session: &Session) -> Result<InspectionOptions> {
-    let tolerance = exact_number("--tolerance", &flags.tolerance)?;
-    let reach = match &flags.reach {
-        Some(text) => exact_number("--reach", text)?.to_f64(),
-        None => 0.0,
-    };
+fn options(flags: &Inspect, session: &Session) -> InspectionOptions {
     let fit = FitFlags {
         harmonics: flags.harmonics,
         center: flags.center.clone(),
         ..FitFlags::default()
     };
-    Ok(InspectionOptions::default()
-        .tolerance(tolerance)
-        .reach(reach)
+    InspectionOptions::default()
+        .tolerance(flags.tolerance.clone())
+        .reach(flags.reach.as_ref().map_or(0.0, Rational::to_f64))
         .digits(session.common.digits.unwrap_or(DIGITS))
         .budget(flags.budget)
-        .fit(input::fit_options(&fit)?))
+        .fit(input::fit_options(&fit))
 }
 
 /// The points of the arguments; rows are looked at up to the first.
@@ -147,22 +140,10 @@ fn write_all(
 ) -> Result<(InspectionSummary, Vec<KeptPoint>)> {
     let mut found = (InspectionSummary::default(), Vec::new());
     write_result(session, |out| {
-        writer.begin(task.tolerance(), out)?;
-        let append: verb::AppendPoint =
-            &|point, is_first, text| writer.point(point, is_first, text);
-        found = task.all(points, reading, append, out, &session.work)?;
-        writer.end(&found.0, out)
+        found = task.all(points, reading, writer, out, &session.work)?;
+        Ok(())
     })?;
     Ok(found)
-}
-
-fn exact_number(option: &str, text: &str) -> Result<Rational> {
-    let value = exact_literal(text).ok().filter(|value| value.signum() > 0);
-    value.ok_or_else(|| {
-        Error::Usage(format!(
-            "{option} {text}: expected a positive number, such as 0.1 or 1/10"
-        ))
-    })
 }
 
 fn check_cloud(flags: &Inspect) -> Result<()> {

@@ -8,20 +8,21 @@ use stellate::verb::{self, MeshingOptions};
 
 use super::arguments::Mesh;
 use super::input;
-use super::numbers::space_window;
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
+/// What is said of a format.
+pub(crate) const NO_FORMAT: &str =
+    "mesh has no --format: the name after -o says .obj, .ply or .stl";
+
 pub(crate) fn run(flags: &Mesh, session: &Session) -> Result<()> {
     if session.common.format.is_some() {
-        return Err(Error::Usage(
-            "mesh has no --format: the name after -o says .obj, .ply or .stl".into(),
-        ));
+        return Err(Error::Usage(NO_FORMAT.into()));
     }
     check_destination(session)?;
     let format = format(session)?;
     let options = MeshingOptions::default()
-        .window(flags.window.as_deref().map(space_window).transpose()?)
+        .window(flags.window)
         .resolution(flags.resolution)
         .angle(flags.angle);
     let given = input::read(&flags.form, session)?;

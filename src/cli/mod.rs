@@ -11,7 +11,6 @@ mod implicitize;
 mod input;
 mod inspect;
 mod mesh;
-mod numbers;
 mod output;
 mod paper;
 mod paper_figures;
@@ -19,6 +18,8 @@ mod parametrize;
 mod plot;
 mod sample;
 mod session;
+mod usage;
+mod values;
 mod vectors;
 mod watch;
 
@@ -31,6 +32,7 @@ use stellate::error::{Error, Result};
 
 use arguments::Verb;
 use session::Session;
+use usage::Refusal;
 
 /// Exit codes of the contract.
 const ANSWER_IS_NO: u8 = 1;
@@ -40,24 +42,18 @@ const CONTRADICTION: u8 = 4;
 
 /// Parses the arguments, runs the verb, reports the one error there may be.
 pub(crate) fn main() -> ExitCode {
-    let arguments = match about::parsed() {
+    let arguments = match usage::parsed() {
         Ok(arguments) => arguments,
-        Err(error) => {
-            if error.use_stderr() {
-                let text = error.render().to_string();
-                let text = text.strip_prefix("error: ").unwrap_or(&text);
-                watch::report(&format!("stellate: {}", text.trim_end()));
-                return ExitCode::from(WRONG_INPUT);
-            }
-            // `--help` and `--version` are no errors.
-            let _ = error.print();
+        Err(Refusal::Wrong(message, in_json)) => return reported(&message, WRONG_INPUT, in_json),
+        Err(Refusal::Shown(text)) => {
+            let _ = text.print();
             return ExitCode::SUCCESS;
         }
     };
     let in_json = arguments.common.format == Some(Format::Json);
     let outcome = guarded(|| {
         let mut session = Session::new(arguments.common)?;
-        match arguments.verb {
+        let done = match arguments.verb {
             Verb::Describe(verb) => describe::run(&verb, &session),
             Verb::Implicitize(verb) => implicitize::run(&verb, &session),
             Verb::Parametrize(verb) => parametrize::run(&verb, &session),
@@ -72,7 +68,8 @@ pub(crate) fn main() -> ExitCode {
             Verb::Completions(verb) => about::completions(&verb, &session),
             Verb::Schema(verb) => about::schema(&verb, &session),
             Verb::Man => about::manual(&session),
-        }?;
+        };
+        done.map_err(|error| session.explained(error))?;
         session.finish();
         session.report_missing()?;
         Ok(session.answer_is_no)
@@ -87,16 +84,19 @@ pub(crate) fn main() -> ExitCode {
                 Error::Internal { .. } => CONTRADICTION,
                 _ => WRONG_INPUT,
             };
-            watch::report(&if in_json {
-                let message = error.to_string();
-                serde_json::json!({ "error": { "exit_code": code, "message": message } })
-                    .to_string()
-            } else {
-                format!("stellate: {error}")
-            });
-            ExitCode::from(code)
+            reported(&error.to_string(), code, in_json)
         }
     }
+}
+
+/// Reports the one error.
+fn reported(message: &str, code: u8, in_json: bool) -> ExitCode {
+    watch::report(&if in_json {
+        serde_json::json!({ "error": { "exit_code": code, "message": message } }).to_string()
+    } else {
+        format!("stellate: {message}")
+    });
+    ExitCode::from(code)
 }
 
 /// Runs the work of a verb; a broken invariant anywhere in it, on any thread, becomes the one error that is reported.

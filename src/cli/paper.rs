@@ -23,7 +23,6 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     if let Some(folder) = &verb.out {
         check_folder(folder)?;
     }
-    let limit = compare_limit(verb)?;
     let all = entries()?;
     let chosen = match &verb.only {
         None => all,
@@ -43,7 +42,7 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
         session.answer_no();
     }
     let comparison = match verb.compare {
-        true => Some(measure(limit, verb.compare_up_to, session)?),
+        true => Some(measure(verb.compare_limit, verb.compare_up_to, session)?),
         false => None,
     };
     let comparison = comparison.as_ref();
@@ -67,16 +66,6 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
         None => write_entries,
     };
     write_result(session, |out| write(&evaluated, appendix, format, out))
-}
-
-/// What `--compare-limit` says.
-fn compare_limit(verb: &Paper) -> Result<Duration> {
-    let seconds = verb.compare_limit;
-    Duration::try_from_secs_f64(seconds).map_err(|_| {
-        Error::Usage(format!(
-            "--compare-limit {seconds}: expected a number of seconds, such as 10"
-        ))
-    })
 }
 
 /// The comparison of times; other programs that run for it end with it, whatever ends it.

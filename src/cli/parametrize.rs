@@ -6,20 +6,20 @@ use stellate::verb::{self, ParametrizeOptions};
 
 use super::arguments::Parametrize;
 use super::input;
-use super::numbers::{angles, arc_search};
 use super::output::{check_destination, write_result};
 use super::session::Session;
+use super::values::directions;
 
 pub(crate) fn run(flags: &Parametrize, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
     Kind::Radius.check(format)?;
     let options = ParametrizeOptions::default()
-        .fit(input::fit_options(&flags.fit)?)
+        .fit(input::fit_options(&flags.fit))
         .branch(flags.branch)
-        .thetas(angles("--theta", &flags.theta)?)
-        .phis(angles("--phi", &flags.phi)?)
-        .arcs(arc_search(&flags.arcs)?)
+        .thetas(directions(&flags.theta, session))
+        .phis(directions(&flags.phi, session))
+        .arcs(input::arc_search(&flags.arcs))
         .with_arcs(matches!(format, Format::Text | Format::Json | Format::Csv));
     let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::parametrize(given, &options, &session.work)?;

@@ -5,15 +5,15 @@ use stellate::verb::{self, FigureFormat, Given, PlotOptions};
 
 use super::arguments::Plot;
 use super::input;
-use super::numbers::{frame, point, range, view};
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
+/// What is said of a format.
+pub(crate) const NO_FORMAT: &str = "plot has no --format: the name after -o says .svg or .png";
+
 pub(crate) fn run(flags: &Plot, session: &Session) -> Result<()> {
     if session.common.format.is_some() {
-        return Err(Error::Usage(
-            "plot has no --format: the name after -o says .svg or .png".into(),
-        ));
+        return Err(Error::Usage(NO_FORMAT.into()));
     }
     let path = session.common.output.as_ref().ok_or_else(|| {
         Error::Usage("plot writes a file: give -o FIGURE.svg or -o FIGURE.png".into())
@@ -34,26 +34,14 @@ pub(super) fn svg(
     read: impl Fn(&str) -> Result<Given>,
 ) -> Result<String> {
     let options = PlotOptions::default()
-        .fit(input::fit_options(&flags.fit)?)
-        .window(flags.window.as_deref().map(frame).transpose()?)
-        .ranges(
-            flags
-                .range
-                .iter()
-                .map(|text| range(text))
-                .collect::<Result<_>>()?,
-        )
-        .view(flags.view.as_deref().map(view).transpose()?)
+        .fit(input::fit_options(&flags.fit))
+        .window(flags.window)
+        .ranges(flags.range.clone())
+        .view(flags.view)
         .title(flags.title.clone())
         .width(flags.width)
         .cells(flags.cells)
-        .points(
-            flags
-                .point
-                .iter()
-                .map(|text| point(text))
-                .collect::<Result<_>>()?,
-        );
+        .points(flags.point.clone());
     let forms = flags.forms.iter().map(|form| read(form));
     verb::plot(forms.collect::<Result<_>>()?, &options, &session.work)
 }

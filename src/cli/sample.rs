@@ -7,22 +7,22 @@ use stellate::verb::{self, SampleOptions};
 
 use super::arguments::Sample;
 use super::input;
-use super::numbers::{angles, arc_search};
 use super::output::{check_destination, write_result};
 use super::session::Session;
+use super::values::directions;
 
 pub(crate) fn run(flags: &Sample, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Csv);
     Kind::Points.check(format)?;
     let options = SampleOptions::default()
-        .fit(input::fit_options(&flags.fit)?)
+        .fit(input::fit_options(&flags.fit))
         .directions(flags.directions)
-        .thetas(angles("--theta", &flags.theta)?)
-        .phis(angles("--phi", &flags.phi)?)
+        .thetas(directions(&flags.theta, session))
+        .phis(directions(&flags.phi, session))
         .coordinates(flags.coordinates.into())
         .positive(flags.positive)
-        .arcs(arc_search(&flags.arcs)?);
+        .arcs(input::arc_search(&flags.arcs));
     let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::sample(given, &options, &session.work)?;
     if let Some(counts) = found.counts {

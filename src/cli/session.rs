@@ -42,8 +42,7 @@ impl Session {
         // The same as no -o.
         common.output = common.output.filter(|path| path.as_os_str() != "-");
         let mut limits = Limits::none();
-        let time_limit = common.time_limit.as_deref().map(seconds).transpose()?;
-        if let Some(time) = time_limit {
+        if let Some(time) = common.time_limit {
             limits = limits.with_time_limit(time);
         }
         if let Some(threads) = common.threads {
@@ -51,7 +50,7 @@ impl Session {
         }
         let watch = Arc::new(Watch::new(common.quiet));
         watch_interruption(&limits, &watch);
-        if let Some(time) = time_limit {
+        if let Some(time) = common.time_limit {
             watch_deadline(time, &watch);
         }
         Ok(Self {
@@ -85,9 +84,23 @@ impl Session {
         }
     }
 
-    /// The chosen format, or the verb's own default.
-    pub(crate) fn format_or(&self, default: Format) -> Format {
-        self.common.format.unwrap_or(default)
+    /// The chosen format, else that of the name of `-o`, else the verb's usual one.
+    pub(crate) fn format_or(&self, usual: Format) -> Format {
+        let chosen = self.common.format.or_else(|| {
+            let extension = self.common.output.as_ref()?.extension()?;
+            Format::of_extension(extension.to_str()?)
+        });
+        chosen.unwrap_or(usual)
+    }
+
+    /// Says where a format came from that a result does not have.
+    pub(crate) fn explained(&self, error: Error) -> Error {
+        match (&error, &self.common.output) {
+            (Error::Format { .. }, Some(path)) if self.common.format.is_none() => {
+                Error::Usage(format!("-o {} means {error}", path.display()))
+            }
+            _ => error,
+        }
     }
 
     /// A remark for the person at the terminal.
@@ -147,29 +160,6 @@ impl Session {
             report(&serde_json::json!({ "stats": stats }).to_string());
         }
     }
-}
-
-/// `--time-limit`: seconds, or minutes or hours with their units.
-fn seconds(text: &str) -> Result<Duration> {
-    let units = [
-        ("ms", 0.001),
-        ("s", 1.0),
-        ("min", 60.0),
-        ("m", 60.0),
-        ("h", 3600.0),
-    ];
-    let with_unit = units.iter().find_map(|(unit, factor)| {
-        let number = text.trim().strip_suffix(unit)?;
-        Some((number.trim_end(), *factor))
-    });
-    let (number, factor) = with_unit.unwrap_or((text.trim(), 1.0));
-    let time = number.parse().ok();
-    let time = time.and_then(|time: f64| Duration::try_from_secs_f64(time * factor).ok());
-    time.ok_or_else(|| {
-        Error::Usage(format!(
-            "--time-limit {text}: expected a number of seconds, such as 60, or with a unit, such as 5min"
-        ))
-    })
 }
 
 fn limit_error(missing: &Missing) -> Error {

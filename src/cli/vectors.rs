@@ -14,7 +14,7 @@ pub(crate) fn run(flags: &Vectors, session: &Session) -> Result<()> {
     let format = session.format_or(Format::Json);
     Kind::Vectors.check(format)?;
     let options = VectorOptions::default()
-        .fit(input::fit_options(&flags.fit)?)
+        .fit(input::fit_options(&flags.fit))
         .directions(flags.directions);
     let given = input::read_with(&flags.reference, &flags.fit, session)?;
     let vectors = verb::vectors(given, &options, &session.work)?;

@@ -7,10 +7,11 @@ use serde::Serialize;
 
 use super::angles::{Range, ranges, ranges_text};
 use super::json::{Number, text_of, write_value};
-use super::{Format, SCHEMA};
+use super::{Format, Kind, SCHEMA};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section, Verdict};
+use crate::verb::PointWriter;
 
 /// A summary in one line of text. `number` is the name of a point's number, such as its row.
 #[must_use]
@@ -84,25 +85,19 @@ impl InspectionWriter {
     /// A writer for points with two or three coordinates; angles have `digits` decimals.
     ///
     /// # Errors
-    /// [`crate::error::Error::Usage`] for a format other than csv, json and text.
+    /// Those of [`Kind::check`].
     pub fn new(format: Format, dimension: usize, digits: u32) -> Result<Self> {
-        match format {
-            Format::Csv | Format::Json | Format::Text => Ok(Self {
-                format,
-                dimension,
-                digits,
-            }),
-            _ => Err(crate::error::Error::Usage(format!(
-                "--format {format}: verdicts are written as csv, json or text"
-            ))),
-        }
+        Kind::Verdicts.check(format)?;
+        Ok(Self {
+            format,
+            dimension,
+            digits,
+        })
     }
+}
 
-    /// Writes the part before the first point.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> Result<()> {
+impl PointWriter for InspectionWriter {
+    fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> Result<()> {
         match self.format {
             Format::Json => {
                 let head = Head {
@@ -124,11 +119,14 @@ impl InspectionWriter {
         }
     }
 
-    /// Writes one point; `is_first` must be true for the first one.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn point(&self, point: &InspectedPoint, is_first: bool, out: &mut dyn Write) -> Result<()> {
+    fn between(&self) -> &[u8] {
+        match self.format {
+            Format::Json => b",",
+            _ => b"",
+        }
+    }
+
+    fn point(&self, point: &InspectedPoint<'_>, out: &mut dyn Write) -> Result<()> {
         let found = &point.inspection;
         let verdict = found.verdict.name();
         let curve = match found.curve {
@@ -152,7 +150,7 @@ impl InspectionWriter {
                         Section::NotAsked | Section::TooLong => None,
                     },
                 };
-                out.write_all(if is_first { b"\n" } else { b",\n" })?;
+                out.write_all(b"\n")?;
                 write_value(&entry, out)?;
                 Ok(())
             }
@@ -200,11 +198,7 @@ impl InspectionWriter {
         }
     }
 
-    /// Writes the part after the last point.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> Result<()> {
+    fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> Result<()> {
         if self.format == Format::Json {
             let tail = Tail {
                 inside: summary.inside,

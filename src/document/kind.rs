@@ -109,7 +109,7 @@ impl Kind {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Usage`], with the formats of the kind.
+    /// [`Error::Format`], with the formats of the kind.
     pub fn check(self, format: Format) -> Result<()> {
         match self.formats().contains(&format) {
             true => Ok(()),
@@ -126,6 +126,9 @@ impl Kind {
             Some((last, others)) => format!("{} or {last}", others.join(", ")),
             None => String::new(),
         };
-        Error::Usage(format!("--format {format}: {what} written as {list}{hint}"))
+        Error::Format {
+            format: format.name(),
+            written_as: format!("{what} written as {list}{hint}"),
+        }
     }
 }

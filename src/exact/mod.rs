@@ -9,10 +9,12 @@ mod dyadic;
 mod literal;
 mod rational;
 mod rounding;
+mod written_angle;
 
 pub use literal::exact_literal;
 pub use rational::{NotANumber, NotAnInteger, Rational};
 pub(crate) use rounding::nearest_double;
+pub use written_angle::WrittenAngle;
 
 // Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]

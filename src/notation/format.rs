@@ -46,6 +46,24 @@ impl Format {
         }
     }
 
+    /// The format of the files with this extension, in capitals or not.
+    ///
+    /// ```
+    /// use stellate::document::Format;
+    /// assert_eq!(Format::of_extension("tex"), Some(Format::Latex));
+    /// assert_eq!(Format::of_extension("svg"), None);
+    /// ```
+    #[must_use]
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        match extension.to_ascii_lowercase().as_str() {
+            "txt" => Some(Text),
+            "json" => Some(Json),
+            "csv" => Some(Csv),
+            "tex" => Some(Latex),
+            _ => None,
+        }
+    }
+
     /// The text that starts a comment; it is empty for JSON, which has no comments.
     pub(crate) fn comment(self) -> &'static str {
         match self {
@@ -80,16 +98,24 @@ impl fmt::Display for Format {
 impl FromStr for Format {
     type Err = Error;
 
-    /// The format with this name on the command line.
+    /// The format with this name on the command line, in capitals or not; `tex` is LaTeX, too.
     ///
     /// ```
     /// use stellate::document::Format;
-    /// assert_eq!("latex".parse::<Format>()?, Format::Latex);
-    /// assert!("tex".parse::<Format>().is_err());
+    /// assert_eq!("LaTeX".parse::<Format>()?, Format::Latex);
+    /// assert_eq!("tex".parse::<Format>()?, Format::Latex);
+    /// assert!("pdf".parse::<Format>().is_err());
     /// # Ok::<(), stellate::error::Error>(())
     /// ```
     fn from_str(name: &str) -> Result<Self> {
-        let found = Self::ALL.into_iter().find(|format| format.name() == name);
+        let is_meant = |format: &Self| {
+            let names = [Some(format.name()), (*format == Latex).then_some("tex")];
+            names
+                .into_iter()
+                .flatten()
+                .any(|n| n.eq_ignore_ascii_case(name))
+        };
+        let found = Self::ALL.into_iter().find(is_meant);
         found.ok_or_else(|| Error::Usage(format!("there is no format {name}")))
     }
 }

@@ -11,7 +11,7 @@ use malachite::base::rounding_modes::RoundingMode;
 
 use super::unit_vector::IntegerVector;
 use crate::error::{Error, Invariant, Result};
-use crate::exact::{Rational, exact_literal};
+use crate::exact::{Rational, WrittenAngle};
 
 /// tan(δ/2) is rounded to this many bits after the point, so a direction is within 2⁻⁵³ of its
 /// nominal angle.
@@ -143,8 +143,8 @@ impl Direction {
 impl FromStr for Direction {
     type Err = Error;
 
-    /// Reads an angle: radians up to 10⁹ (`0.5`), a multiple of π (`pi/4`, `3*pi/2`, `2π`), or degrees (`45deg`, `45°`).
-    /// Multiples of π and degrees are exact.
+    /// Reads an angle: radians up to 10⁹ (`0.5`), a multiple of π (`pi/4`, `3*pi/2`, `2π`), or degrees (`45deg`, `45°`), in all
+    /// the spellings of [`WrittenAngle`]. Multiples of π and degrees are exact.
     ///
     /// ```
     /// use stellate::sample::Direction;
@@ -158,37 +158,17 @@ impl FromStr for Direction {
     /// # Errors
     /// [`Error::Usage`] for anything else.
     fn from_str(text: &str) -> Result<Self> {
-        let wrong = || {
-            let message =
-                "expected radians up to 1e9 such as 0.5 or pi/6, or degrees such as 30deg";
-            Error::Usage(message.into())
+        let radians = match text.parse() {
+            Ok(WrittenAngle::Degrees(degrees)) => return Ok(Self::from_degrees(&degrees)),
+            Ok(WrittenAngle::Plain(radians) | WrittenAngle::Radians(radians)) => radians.to_f64(),
+            Err(_) => f64::NAN,
         };
-        let number = |text: &str| exact_literal(text.trim()).map_err(|_| wrong());
-        let trimmed = text.trim();
-        let degrees = ["degrees", "deg", "°"].iter();
-        if let Some(degrees) = degrees.clone().find_map(|unit| trimmed.strip_suffix(unit)) {
-            return Ok(Self::from_degrees(&number(degrees)?));
-        }
-        if let Some((before, after)) = trimmed.split_once("pi").or(trimmed.split_once('π')) {
-            let factor = match before.trim().trim_end_matches('*').trim_end() {
-                "" | "+" => Rational::one(),
-                "-" | "−" => Rational::from(-1),
-                factor => number(factor)?,
-            };
-            let divisor = match after.trim().strip_prefix('/') {
-                Some(divisor) if !divisor.contains('/') => number(divisor)?,
-                Some(_) => return Err(wrong()),
-                None if after.trim().is_empty() => Rational::one(),
-                None => return Err(wrong()),
-            };
-            let half_turns = factor * divisor.recip().ok_or_else(wrong)?;
-            return Ok(Self::from_degrees(&(half_turns * Rational::from(180))));
-        }
-        let radians = number(trimmed)?.to_f64();
-        if radians.is_finite() && radians.abs() <= LARGEST_RADIANS {
+        if radians.abs() <= LARGEST_RADIANS {
             Ok(Self::from_radians(radians))
         } else {
-            Err(wrong())
+            let message =
+                "expected radians up to 1e9 such as 0.5 or pi/6, or degrees such as 30deg";
+            Err(Error::Usage(message.into()))
         }
     }
 }

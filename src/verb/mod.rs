@@ -79,7 +79,7 @@ pub use plot::plot;
 #[cfg(feature = "pictures")]
 pub use plot_options::{FigureFormat, Frame, PlotOptions};
 pub use remark::{Part, Remark};
-pub use rows::{AppendPoint, KeptPoint, PointRows, PointSource, ReadingOptions};
+pub use rows::{KeptPoint, PointRows, PointSource, PointWriter, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};
 use work::Progress;
 pub use work::{DEFAULT_MAX_DEGREE, Missing, Watcher, Work};

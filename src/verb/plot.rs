@@ -2,7 +2,7 @@
 
 use super::equation::{Taken, check_curve};
 use super::fit::{fit, refuse_fit_options};
-use super::plot_options::{PlotOptions, plane_window, range_of, range_text, width};
+use super::plot_options::{PlotOptions, check_ranges, plane_window, range_of, range_text, width};
 use super::plot_space::{is_in_space, scene};
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
@@ -44,6 +44,7 @@ const PLOT: Taken = Taken {
 /// # Errors
 /// [`Error::Usage`] if forms of the plane and of space are mixed, or if an option does not belong to the forms.
 pub fn plot(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String> {
+    check_ranges(&forms, &options.ranges)?;
     if forms.iter().any(is_in_space) {
         refuse_fit_options(&options.fit)?;
         scene(forms, options, work)

@@ -3,12 +3,12 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use super::Bounds;
+use super::{Bounds, Content, Given};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::options::options;
 use crate::picture::{WIDTH, Window, png_from_svg};
-use crate::shape::Parameter;
+use crate::shape::{Form, Parameter};
 
 /// The default direction of the eye, in degrees.
 pub(super) const VIEW: [f64; 2] = [30.0, 25.0];
@@ -123,6 +123,35 @@ pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<Bounds>> {
             "--window: these forms are in space; expected X0,X1,Y0,Y1,Z0,Z1, such as -1,1,-1,1,0,2"
                 .into(),
         )),
+    }
+}
+
+/// Refuses the range of a parameter that no form has.
+pub(super) fn check_ranges(forms: &[Given], ranges: &[(String, [f64; 2])]) -> Result<()> {
+    let parameters = forms.iter().flat_map(parameters_of);
+    let mut known: Vec<&str> = parameters.map(Parameter::name).collect();
+    known.sort_unstable();
+    known.dedup();
+    let is_known = |name: &String| known.contains(&name.as_str());
+    let Some((name, [a, b])) = ranges.iter().find(|(name, _)| !is_known(name)) else {
+        return Ok(());
+    };
+    let there_are = match known[..] {
+        [] => "has a parameter; equations and radii are drawn whole".into(),
+        _ => format!("has the parameter {name}; there is {}", known.join(" and ")),
+    };
+    Err(Error::Usage(format!(
+        "--range {name}={a},{b}: no form here {there_are}"
+    )))
+}
+
+/// The parameters of a form that is drawn by them.
+fn parameters_of(given: &Given) -> &[Parameter] {
+    match given.content() {
+        Content::Exact(Form::PlaneCurve(curve)) => std::slice::from_ref(curve.parameter()),
+        Content::Exact(Form::SpaceCurve(curve)) => std::slice::from_ref(curve.parameter()),
+        Content::Exact(Form::Patch(patch)) => patch.parameters(),
+        _ => &[],
     }
 }
 

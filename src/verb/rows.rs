@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, Write};
 
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSlice;
 
 use super::inspect::InspectionTask;
@@ -54,7 +54,33 @@ options! {
         keep: bool = false,
         /// Whether the angle ranges of the sections are computed, if there are only a few points that are given one by one.
         with_ranges: bool = false,
+        /// Whether the output before a row that is not a point remains; the message then says how many points that are.
+        streamed: bool = false,
     }
+}
+
+/// A format in which inspected points are written, one after the other.
+pub trait PointWriter: Sync {
+    /// Writes the part before the first point.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> Result<()>;
+
+    /// The text between two points.
+    fn between(&self) -> &[u8];
+
+    /// Writes one point.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    fn point(&self, point: &InspectedPoint<'_>, out: &mut dyn Write) -> Result<()>;
+
+    /// Writes the part after the last point.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> Result<()>;
 }
 
 impl std::fmt::Debug for PointSource {
@@ -102,7 +128,7 @@ impl PointSource {
     /// The number of coordinates: 2 or 3.
     ///
     /// # Errors
-    /// [`Error::Usage`] for texts with another number of coordinates, or with different numbers.
+    /// [`Error::Usage`] for texts with another number of coordinates, with different numbers, or with what is not a number.
     pub fn dimension(&self) -> Result<usize> {
         match self {
             Self::Texts(points) => {
@@ -114,7 +140,10 @@ impl PointSource {
                     Some(text) => Err(Error::Usage(format!(
                         "--point {text}: expected X,Y,Z, such as 0.8,0.6,0, or X,Y for a plane curve, the same for all points"
                     ))),
-                    None => Ok(count),
+                    None => points
+                        .iter()
+                        .try_for_each(|text| check_numbers(text))
+                        .map(|()| count),
                 }
             }
             Self::Rows(rows) => Ok(rows.dimension),
@@ -156,12 +185,7 @@ impl<'a> Row<'a> {
         };
         let mut near = [0.0; 3];
         for (value, field) in near.iter_mut().zip(found).take(dimension) {
-            *value = double(field).map_err(|m| format!("{m}; each row must be {expected}"))?;
-            if may_be_out_of_reach(field, *value) && exact_literal(field).is_err() {
-                return Err(format!(
-                    "{field} has an exponent that is too large to be read exactly"
-                ));
-            }
+            *value = coordinate(field).map_err(|m| format!("{m}; each row must be {expected}"))?;
         }
         Ok(Self {
             fields: found,
@@ -196,6 +220,25 @@ impl<'a> Row<'a> {
     }
 }
 
+/// The double nearest to a coordinate, or the reason why its text is refused.
+fn coordinate(field: &str) -> std::result::Result<f64, String> {
+    let value = double(field)?;
+    if may_be_out_of_reach(field, value) && exact_literal(field).is_err() {
+        return Err(format!(
+            "{field} has an exponent that is too large to be read exactly"
+        ));
+    }
+    Ok(value)
+}
+
+/// Refuses the text of a point with a coordinate that is no number.
+fn check_numbers(text: &str) -> Result<()> {
+    match fields(text).find_map(|field| coordinate(field).err()) {
+        Some(message) => Err(Error::Usage(format!("--point {text}: {message}"))),
+        None => Ok(()),
+    }
+}
+
 /// Whether the text of this double may have an exponent that is too large to be read exactly. A short text is within the limits
 /// if its double is normal.
 fn may_be_out_of_reach(field: &str, value: f64) -> bool {
@@ -207,41 +250,35 @@ fn columns(dimension: usize) -> &'static str {
     if dimension == 2 { "x,y" } else { "x,y,z" }
 }
 
-/// A function that writes an inspected point; it is told whether the point is the first one.
-pub type AppendPoint<'a> =
-    &'a (dyn Fn(&InspectedPoint<'_>, bool, &mut Vec<u8>) -> Result<()> + Sync);
-
 impl InspectionTask {
-    /// Inspects all points and writes them with `append`, in their order, some thousands at a time. Returns the summary, and
-    /// the points if they are kept.
+    /// Inspects all points and writes them with `writer`, in their order, some thousands at a time; nothing is written before
+    /// the first point has been read. Returns the summary, and the points if they are kept.
     ///
     /// ```
+    /// use stellate::document::{Format, InspectionWriter};
     /// use stellate::language::Numbers;
     /// use stellate::verb::{self, Given, InspectionOptions, PointRows, PointSource, ReadingOptions, Work};
     /// let work = Work::default();
     /// let given = Given::read("x^2 + y^2 = 1", Numbers::Exact)?;
     /// let task = verb::inspect(given, 2, &InspectionOptions::default(), &work)?;
-    /// let rows = PointRows::new(Box::new(&b"x,y\n1,1\n5,0\n"[..]), "points", 0)?;
+    /// let rows = PointRows::new(Box::new(&b"x,y\n1,0\n5,0\n"[..]), "points", 0)?;
     /// let mut out = Vec::new();
-    /// let append: verb::AppendPoint = &|point, _, text| {
-    ///     text.extend(format!("{:?}\n", point.inspection.verdict).bytes());
-    ///     Ok(())
-    /// };
+    /// let writer = InspectionWriter::new(Format::Csv, 2, 6)?;
     /// let reading = ReadingOptions::default();
-    /// let (summary, _) = task.all(PointSource::Rows(rows), &reading, append, &mut out, &work)?;
+    /// let (summary, _) = task.all(PointSource::Rows(rows), &reading, &writer, &mut out, &work)?;
     /// assert_eq!((summary.inside, summary.outside), (1, 1));
-    /// assert_eq!(out, b"Inside\nOutside\n");
+    /// assert!(out.starts_with(b"x,y,verdict,curve,distance_low,distance_high\n1,0,inside,true,"));
     /// # Ok::<(), stellate::error::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Data`] with the number of a row that is not a point, unless such rows are skipped; [`Error::Limit`] if too many
-    /// points would be kept; those of `append` and `out`.
+    /// points would be kept; those of `writer` and `out`.
     pub fn all(
         &self,
         points: PointSource,
         reading: &ReadingOptions,
-        append: AppendPoint<'_>,
+        writer: &dyn PointWriter,
         out: &mut dyn Write,
         work: &Work,
     ) -> Result<(InspectionSummary, Vec<KeptPoint>)> {
@@ -251,7 +288,7 @@ impl InspectionTask {
             dimension: points.dimension()?,
             with_ranges: reading.with_ranges && points.are_few(),
             reading,
-            append,
+            writer,
             work,
             summary: InspectionSummary::default(),
             kept: Vec::new(),
@@ -259,11 +296,14 @@ impl InspectionTask {
         match points {
             PointSource::Texts(points) => {
                 let rows: Vec<(usize, String)> = (1..).zip(points).collect();
-                let wrong = |_, message| Error::Usage(format!("--point: {message}"));
-                batch.chunk(&rows, &wrong, out)?;
+                batch.chunk(&rows, "--point", out)?;
             }
             PointSource::Rows(rows) => batch.rows(rows, &progress, out)?,
         }
+        if batch.summary.points() == 0 {
+            writer.begin(self.tolerance(), out)?;
+        }
+        writer.end(&batch.summary, out)?;
         Ok((batch.summary, batch.kept))
     }
 }
@@ -273,7 +313,7 @@ struct Batch<'a> {
     dimension: usize,
     with_ranges: bool,
     reading: &'a ReadingOptions,
-    append: AppendPoint<'a>,
+    writer: &'a dyn PointWriter,
     work: &'a Work,
     summary: InspectionSummary,
     kept: Vec<KeptPoint>,
@@ -285,10 +325,9 @@ struct Share {
     text: Vec<u8>,
     summary: InspectionSummary,
     kept: Vec<KeptPoint>,
+    /// The first row that is not a point, with its number and the reason; the rows after it are not inspected.
+    wrong: Option<(usize, String)>,
 }
-
-/// A function that makes the error for a row that is not a point, from its number and the reason.
-type WrongRow<'a> = &'a (dyn Fn(usize, String) -> Error + Sync);
 
 impl Batch<'_> {
     fn rows(
@@ -302,35 +341,41 @@ impl Batch<'_> {
         loop {
             let mut chunk = Vec::with_capacity(CHUNK);
             let mut bytes = 0;
-            while chunk.len() < CHUNK
-                && let Some((number, row)) = rows.next_row()?
-            {
-                bytes += row.len() as u64 + 1;
-                chunk.push((number, row.to_owned()));
+            let mut failed = None;
+            while chunk.len() < CHUNK && failed.is_none() {
+                match rows.next_row() {
+                    Ok(Some((number, row))) => {
+                        bytes += row.len() as u64 + 1;
+                        chunk.push((number, row.to_owned()));
+                    }
+                    Ok(None) => break,
+                    Err(error) => failed = Some(error),
+                }
             }
-            if chunk.is_empty() {
-                return Ok(());
+            self.chunk(&chunk, place, out)?;
+            match failed {
+                Some(Error::Data { place, message }) => {
+                    return Err(Error::data(place, message + &self.what_stands()));
+                }
+                Some(error) => return Err(error),
+                None if chunk.is_empty() => return Ok(()),
+                None => {}
             }
-            self.chunk(&chunk, &|row, message| row_error(place, row, message), out)?;
             progress.add(bytes);
         }
     }
 
-    fn chunk(
-        &mut self,
-        rows: &[(usize, String)],
-        wrong: WrongRow<'_>,
-        out: &mut dyn Write,
-    ) -> Result<()> {
-        let before = self.summary.points();
-        let shares = rows.par_chunks(SHARE).enumerate();
-        let shares = shares.map(|(n, rows)| self.share(rows, before + n == 0, wrong));
+    fn chunk(&mut self, rows: &[(usize, String)], place: &str, out: &mut dyn Write) -> Result<()> {
+        let shares = rows.par_chunks(SHARE).map(|rows| self.share(rows));
         // The error is that of the first wrong row, whichever thread finds one first.
         let shares: Vec<Result<Share>> = shares.collect();
         for share in shares {
             let share = share?;
-            out.write_all(&share.text)?;
+            self.write(&share, out)?;
             self.summary.join(&share.summary);
+            if let Some((row, message)) = share.wrong {
+                return Err(row_error(place, row, message + &self.what_stands()));
+            }
             if self.reading.keep {
                 if self.kept.len() + share.kept.len() > MAX_KEPT {
                     return Err(Error::limit(format!(
@@ -343,12 +388,29 @@ impl Batch<'_> {
         Ok(())
     }
 
-    fn share(
-        &self,
-        rows: &[(usize, String)],
-        is_first: bool,
-        wrong: WrongRow<'_>,
-    ) -> Result<Share> {
+    /// Writes the points of a share behind those of the shares before it.
+    fn write(&self, share: &Share, out: &mut dyn Write) -> Result<()> {
+        if share.summary.points() == 0 {
+            return Ok(());
+        }
+        match self.summary.points() {
+            0 => self.writer.begin(self.task.tolerance(), out)?,
+            _ => out.write_all(self.writer.between())?,
+        }
+        Ok(out.write_all(&share.text)?)
+    }
+
+    /// The part of the message about a wrong row that says what happened to the points before it.
+    fn what_stands(&self) -> String {
+        match self.summary.points() {
+            _ if !self.reading.streamed => String::new(),
+            0 => "; nothing is written".into(),
+            1 => "; the point before it is written".into(),
+            count => format!("; the {count} points before it are written"),
+        }
+    }
+
+    fn share(&self, rows: &[(usize, String)]) -> Result<Share> {
         let mut share = Share::default();
         for (number, text) in rows {
             self.work.bounds().check()?;
@@ -358,13 +420,18 @@ impl Batch<'_> {
                     share.summary.bad += 1;
                     continue;
                 }
-                Err(message) => return Err(wrong(*number, message)),
+                Err(message) => {
+                    share.wrong = Some((*number, message));
+                    break;
+                }
             };
             let point = row.inspected(self.task, self.with_ranges)?;
             // An inspection that a limit has ended has no verdict.
             self.work.bounds().check()?;
-            let is_first = is_first && share.summary.points() == 0;
-            (self.append)(&point, is_first, &mut share.text)?;
+            if share.summary.points() > 0 {
+                share.text.extend(self.writer.between());
+            }
+            self.writer.point(&point, &mut share.text)?;
             share.summary.add(*number, &point.inspection);
             if self.reading.keep {
                 share.kept.push((row.near, point.inspection));

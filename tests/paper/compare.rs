@@ -360,8 +360,14 @@ fn wrong_use_is_one_clear_error() {
             "--compare-limit -1: expected a number of seconds, such as 10",
         ),
         (&["--compare-limit", "nan"], "expected a number of seconds"),
-        (&["--compare-limit", "soon"], "invalid value 'soon'"),
-        (&["--compare-up-to", "0"], "invalid value '0'"),
+        (
+            &["--compare-limit", "soon"],
+            "--compare-limit soon: expected a number of seconds",
+        ),
+        (
+            &["--compare-up-to", "0"],
+            "--compare-up-to 0: expected a whole number from 1 on",
+        ),
     ] {
         let run = programs.run(arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");

@@ -413,7 +413,7 @@ fn wrong_use_is_one_clear_error() {
             "there is no folder",
         ),
         (&["paper", "--only", " "], "no statement has this id"),
-        (&["paper", "T1"], "unexpected argument"),
+        (&["paper", "T1"], "paper takes options only"),
     ] {
         let run = run_in(folder, arguments, "");
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");

@@ -13,6 +13,8 @@ mod language;
 mod language_parameters;
 mod limits;
 mod main_job;
+mod option_mistakes;
+mod option_spellings;
 mod read_back;
 mod spellings;
 mod terminal;

@@ -64,10 +64,7 @@ fn errors_have_one_voice_or_are_json() {
             &["describe", "no-such.txt"],
             "stellate: no-such.txt: No such file or directory\n",
         ),
-        (
-            &["frobnicate"],
-            "stellate: unrecognized subcommand 'frobnicate'",
-        ),
+        (&["frobnicate"], "stellate: there is no verb frobnicate"),
         (
             &["fit", "a.csv", "-n", "3.5"],
             "expected a whole number, such as 39",

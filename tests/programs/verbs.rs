@@ -69,7 +69,10 @@ impl Words {
     }
 
     fn format(&self, default: Format) -> Format {
-        self.number("format").unwrap_or(default)
+        let extension = self.one("o").and_then(|name| name.rsplit('.').next());
+        let chosen = self.number("format");
+        let chosen = chosen.or_else(|| Format::of_extension(extension?));
+        chosen.unwrap_or(default)
     }
 
     fn fit(&self) -> FitOptions {
@@ -247,11 +250,8 @@ fn inspected(words: &Words, given: Given, folder: &Path, out: &mut Vec<u8>) {
     let task = verb::inspect(given, dimension, &options, &work).unwrap();
     let format = words.format(Format::Csv);
     let writer = InspectionWriter::new(format, dimension, 16).unwrap();
-    writer.begin(task.tolerance(), out).unwrap();
-    let append: verb::AppendPoint = &|point, is_first, text| writer.point(point, is_first, text);
     let reading = ReadingOptions::default().with_ranges(format != Format::Csv);
-    let (summary, _) = task.all(points, &reading, append, out, &work).unwrap();
-    writer.end(&summary, out).unwrap();
+    task.all(points, &reading, &writer, out, &work).unwrap();
 }
 
 #[test]

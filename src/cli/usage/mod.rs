@@ -1,0 +1,103 @@
+//! The arguments of the process, understood, or the one message of what is wrong with them.
+
+mod dashes;
+mod option;
+mod stray;
+mod typed;
+
+use std::error::Error as _;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{ArgMatches, FromArgMatches};
+
+use super::about;
+use super::arguments::Arguments;
+use super::{mesh, plot};
+use typed::Typed;
+
+/// Arguments that do not begin the work of a verb.
+pub(crate) enum Refusal {
+    /// The help or the version was asked for.
+    Shown(clap::Error),
+    /// What is wrong, and whether messages are in JSON.
+    Wrong(String, bool),
+}
+
+/// The arguments of the process.
+pub(crate) fn parsed() -> Result<Arguments, Refusal> {
+    let mut command = about::command();
+    let words: Vec<_> = std::env::args_os().collect();
+    let typed = Typed::new(&words);
+    command = command.color(typed.color());
+    command.build();
+    let wrong = |message| Refusal::Wrong(message, typed.wants_json());
+    let mistake = dashes::mistake(&typed, &command).or_else(|| stray::operator(&typed, &command));
+    if let Some(message) = mistake {
+        return Err(wrong(message));
+    }
+    let matches = command.try_get_matches_from_mut(&words);
+    let arguments = matches.and_then(|matches: ArgMatches| Arguments::from_arg_matches(&matches));
+    arguments.map_err(|error| match error.use_stderr() {
+        true => wrong(message(&error, &typed, &command)),
+        false => Refusal::Shown(error),
+    })
+}
+
+/// What is said of an error.
+fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> String {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        _ => None,
+    };
+    let argument = context(ContextKind::InvalidArg);
+    let name = argument.and_then(|argument| argument.split_whitespace().next());
+    let value = context(ContextKind::InvalidValue).filter(|value| !value.is_empty());
+    let verb = typed.verb(command);
+    match (error.kind(), argument, name) {
+        (ErrorKind::InvalidValue, Some(argument), _) if value.is_none() => {
+            format!("{argument}: the value is missing")
+        }
+        (ErrorKind::InvalidValue, _, Some("--format")) if verb.get_name() == "mesh" => {
+            mesh::NO_FORMAT.into()
+        }
+        (ErrorKind::InvalidValue, _, Some("--format")) if verb.get_name() == "plot" => {
+            plot::NO_FORMAT.into()
+        }
+        (ErrorKind::InvalidValue, _, Some(name)) => {
+            let values = match error.get(ContextKind::ValidValue) {
+                Some(ContextValue::Strings(values)) => values.join(", "),
+                _ => String::new(),
+            };
+            format!(
+                "{name} {}: expected one of {values}",
+                value.unwrap_or_default()
+            )
+        }
+        (ErrorKind::ValueValidation, _, Some(name)) => {
+            let why = error.source().map(ToString::to_string);
+            format!(
+                "{name} {}: {}",
+                value.unwrap_or("\"\""),
+                why.unwrap_or_default()
+            )
+        }
+        (ErrorKind::UnknownArgument, Some(argument), Some(name)) => {
+            match name.starts_with('-') && name != "-" {
+                true => {
+                    let similar = context(ContextKind::SuggestedArg);
+                    option::unknown(name, similar, verb, command)
+                }
+                false => stray::argument(argument, typed, verb),
+            }
+        }
+        (ErrorKind::InvalidSubcommand, ..) => {
+            let word = context(ContextKind::InvalidSubcommand).unwrap_or_default();
+            stray::verb(word, error.get(ContextKind::SuggestedSubcommand), command)
+        }
+        _ => {
+            let text = error.render().to_string();
+            let text = text.strip_prefix("error: ").unwrap_or(&text);
+            text.trim_end().into()
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Arguments that stand where none is expected: parts of a form without quotes, a second form, a form in place of a verb.
+
+use std::path::Path;
+
+use clap::error::ContextValue;
+use clap::{Arg, Command};
+use stellate::language::{Numbers, parse_form};
+
+use super::typed::{Typed, find};
+
+/// What is said of an argument that is one too many.
+pub(super) fn argument(argument: &str, typed: &Typed, verb: &Command) -> String {
+    let name = verb.get_name();
+    if let Some(form) = without_quotes(argument, typed, verb) {
+        return quoted(verb, &form);
+    }
+    if let Some((option, value)) = split_list(argument, typed, verb) {
+        return format!("{option} takes its numbers in one argument: {option} {value},{argument}");
+    }
+    if let Some((option, value)) = argument.split_once('=')
+        && let Some(option) = named(option, verb)
+    {
+        return format!("{argument}: an option has dashes before it: {option} {value}");
+    }
+    let Some(takes) = verb.get_positionals().find_map(first_name) else {
+        return format!("{argument}: {name} takes options only");
+    };
+    let several = match &*takes {
+        "form" => "; plot takes several",
+        _ => "",
+    };
+    format!("{argument}: {name} takes one {takes}, and this is another argument{several}")
+}
+
+/// What is said of an operator that stands alone: it is part of a form without quotes, even where a verb takes several forms.
+pub(super) fn operator(typed: &Typed, command: &Command) -> Option<String> {
+    let verb = typed.verb(command);
+    let mut pairs = typed.words.windows(2);
+    let pair = pairs.find(|pair| is_operator(&pair[1]) && find(verb, &pair[0]).is_none())?;
+    without_quotes(&pair[1], typed, verb).map(|form| quoted(verb, &form))
+}
+
+/// Whether a word is nothing but operators; a minus alone is standard input.
+fn is_operator(word: &str) -> bool {
+    word != "-" && !word.is_empty() && word.chars().all(|c| "+-*/^=;,".contains(c))
+}
+
+fn quoted(verb: &Command, form: &str) -> String {
+    let name = verb.get_name();
+    format!("a form that has blanks stands in quotes: stellate {name} \"{form}\"")
+}
+
+/// The form of which the argument is a part.
+fn without_quotes(argument: &str, typed: &Typed, verb: &Command) -> Option<String> {
+    let words = &typed.words;
+    let at = words.iter().position(|word| word == argument)?;
+    let is_option = |word: &String| word.starts_with("--") || find(verb, word).is_some();
+    let is_part = |word: &String| !is_option(word) && word != verb.get_name();
+    let before = words[..at]
+        .iter()
+        .rev()
+        .take_while(|word| is_part(word))
+        .count();
+    let after = words[at..].iter().take_while(|word| is_part(word)).count();
+    let run = &words[at - before..at + after];
+    // Values of options may stand before the form.
+    let mut forms = (0..before).map(|k| run[k..].join(" "));
+    let found = forms.find(|form| parse_form(form, "<form>", Numbers::Exact).is_ok());
+    found.or_else(|| is_operator(argument).then(|| run.join(" ")))
+}
+
+/// The option, and its value, to which the argument is a second number.
+fn split_list<'t>(argument: &str, typed: &'t Typed, verb: &Command) -> Option<(&'t str, &'t str)> {
+    argument.parse::<f64>().ok()?;
+    let takes_a_list = |option: &str| {
+        let names = find(verb, option).and_then(Arg::get_value_names);
+        names.is_some_and(|names| names.iter().any(|name| name.contains(',')))
+    };
+    let mut triples = typed.words.windows(3);
+    let triple = triples.find(|words| words[2] == argument && takes_a_list(&words[0]))?;
+    Some((&triple[0], &triple[1]))
+}
+
+/// The option with this name, which lacks its dashes.
+fn named(name: &str, verb: &Command) -> Option<String> {
+    let name = name.to_lowercase();
+    let names = [format!("-{name}"), format!("--{name}")];
+    names.into_iter().find(|name| find(verb, name).is_some())
+}
+
+/// What a positional argument is called.
+fn first_name(argument: &Arg) -> Option<String> {
+    let name = argument.get_value_names()?.first()?;
+    Some(name.to_lowercase())
+}
+
+/// What is said of a word that is no verb.
+pub(super) fn verb(word: &str, similar: Option<&ContextValue>, command: &Command) -> String {
+    let verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    let is_form = parse_form(word, "<form>", Numbers::Exact).is_ok() || word.contains('=');
+    if is_form || Path::new(word).extension().is_some() || Path::new(word).exists() {
+        let takers = command.get_subcommands().filter(|verb| {
+            let name = verb.get_positionals().find_map(first_name);
+            name.is_some_and(|name| ["form", "forms", "reference", "contour"].contains(&&*name))
+        });
+        let takers: Vec<&str> = takers.map(Command::get_name).collect();
+        let takers = takers.join(", ");
+        return format!(
+            "a verb stands before the form, as in stellate describe \"{word}\"; those that take one are {takers}"
+        );
+    }
+    let similar = match similar {
+        Some(ContextValue::Strings(names)) => names.first(),
+        _ => None,
+    };
+    // Names that begin otherwise are similar by chance.
+    let similar = similar.filter(|name| name.chars().next() == word.to_lowercase().chars().next());
+    match similar {
+        Some(name) => format!("there is no verb {word}; did you mean {name}?"),
+        None => format!(
+            "there is no verb {word}; the verbs are {}",
+            verbs.join(", ")
+        ),
+    }
+}

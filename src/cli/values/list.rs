@@ -1,0 +1,98 @@
+//! Points and boxes in options: numbers with commas between them, or semicolons, or blanks; in brackets or not.
+
+use stellate::exact::Rational;
+use stellate::fit::CenterChoice;
+use stellate::picture::Window;
+use stellate::verb::{Bounds, Frame};
+
+use super::Read;
+use super::number::{advice, number};
+
+/// The fields of a list.
+pub(super) fn fields(text: &str) -> Vec<&str> {
+    let text = text.trim();
+    let pairs = [('(', ')'), ('[', ']'), ('{', '}')];
+    let inner = pairs
+        .iter()
+        .find_map(|(open, close)| text.strip_prefix(*open)?.strip_suffix(*close))
+        .unwrap_or(text);
+    match [';', ','].into_iter().find(|mark| inner.contains(*mark)) {
+        Some(mark) => inner.split(mark).map(str::trim).collect(),
+        None => inner.split_whitespace().collect(),
+    }
+}
+
+/// A field, or what is wrong with it.
+fn coordinate(field: &str, expected: &str) -> Read<Rational> {
+    number(field).ok_or_else(|| match advice(field) {
+        Some(advice) => format!("{field}: {advice}"),
+        None => format!("{field:?} is not a number; {expected}"),
+    })
+}
+
+/// N numbers.
+fn exactly<const N: usize>(text: &str, expected: &str) -> Read<[Rational; N]> {
+    let numbers = fields(text).into_iter();
+    let numbers = numbers.map(|field| coordinate(field, expected));
+    let numbers = numbers.collect::<Read<Vec<_>>>()?;
+    numbers.try_into().map_err(|_| expected.into())
+}
+
+/// N numbers as doubles.
+fn doubles<const N: usize>(text: &str, expected: &str) -> Read<[f64; N]> {
+    let numbers = exactly::<N>(text, expected)?.map(|number| number.to_f64());
+    let all_finite = numbers.iter().all(|number| number.is_finite());
+    all_finite.then_some(numbers).ok_or_else(|| expected.into())
+}
+
+/// The center of a fit.
+pub(crate) fn center(text: &str) -> Read<CenterChoice> {
+    if text.trim().eq_ignore_ascii_case("centroid") {
+        return Ok(CenterChoice::Centroid);
+    }
+    exactly(text, "expected centroid or X,Y, such as 12.5,-3").map(CenterChoice::Point)
+}
+
+/// A point that is inspected, as it is written: its coordinates are read exactly.
+pub(crate) fn point(text: &str) -> Read<String> {
+    let expected = "expected X,Y,Z, such as 0.8,0.6,0, or X,Y for a plane curve";
+    let fields = fields(text);
+    for field in &fields {
+        coordinate(field, expected)?;
+    }
+    match fields.len() {
+        2 | 3 => Ok(fields.join(",")),
+        _ => Err(expected.into()),
+    }
+}
+
+/// A point that is marked in a picture.
+pub(crate) fn marked_point(text: &str) -> Read<[f64; 3]> {
+    doubles(text, "expected X,Y,Z, such as 0.8,0.6,0")
+}
+
+/// The part of the plane or of space that a picture shows.
+pub(crate) fn frame(text: &str) -> Read<Frame> {
+    if fields(text).len() > 4 {
+        return space_window(text).map(Frame::Space);
+    }
+    let expected = "expected X0,X1,Y0,Y1 with X0 < X1 and Y0 < Y1, such as -1,1,-1,1";
+    let [x0, x1, y0, y1] = doubles(text, expected)?;
+    if x0 < x1 && y0 < y1 {
+        let (x, y) = ([x0, x1], [y0, y1]);
+        Ok(Frame::Plane(Window { x, y }))
+    } else {
+        Err(expected.into())
+    }
+}
+
+/// A box.
+pub(crate) fn space_window(text: &str) -> Read<Bounds> {
+    let expected = "expected X0,X1,Y0,Y1,Z0,Z1 with X0 < X1 and so on, such as -1,1,-1,1,0,2";
+    let [x0, x1, y0, y1, z0, z1] = doubles(text, expected)?;
+    if x0 < x1 && y0 < y1 && z0 < z1 {
+        Ok([[x0, x1], [y0, y1], [z0, z1]])
+    } else {
+        Err(expected.into())
+    }
+}
