@@ -48,6 +48,10 @@ fn no_whole_number(text: &str, range: &RangeInclusive<u64>, example: u64) -> Str
 /// What to write instead of a usual spelling that is no number here.
 pub(super) fn advice(text: &str) -> Option<String> {
     let text = text.trim();
+    let has_digits = text.contains(|c: char| c.is_ascii_digit());
+    if has_digits && text.parse::<f64>().is_ok() {
+        return Some("the exponent is too large to be read exactly".into());
+    }
     let with_point = text.replacen(',', ".", 1);
     if with_point != text && number(&with_point).is_some() {
         return Some(format!("decimals are written with a point: {with_point}"));
