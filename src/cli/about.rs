@@ -35,8 +35,8 @@ pub(crate) fn command() -> Command {
         .after_help(format!("Options of every verb:\n{listed}\n{FORMS}"))
 }
 
-/// The syntax with what holds for all options: names among their values are read in capitals, too, and a value that begins with
-/// a minus is the value, so that its reader says what is wrong with it.
+/// The syntax of the command line. Named values may be written in capitals. A negative number after an option is its value, so
+/// that the reader of the value can say what is wrong with it.
 fn whole_command() -> Command {
     let lenient = |argument: Arg| {
         let takes_values = argument.get_action().takes_values();

@@ -11,7 +11,7 @@ use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
-/// What is said of a format.
+/// The message for `--format`.
 pub(crate) const NO_FORMAT: &str =
     "mesh has no --format: the name after -o says .obj, .ply or .stl";
 

@@ -8,7 +8,7 @@ use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
-/// What is said of a format.
+/// The message for `--format`.
 pub(crate) const NO_FORMAT: &str = "plot has no --format: the name after -o says .svg or .png";
 
 pub(crate) fn run(flags: &Plot, session: &Session) -> Result<()> {

@@ -84,7 +84,7 @@ impl Session {
         }
     }
 
-    /// The chosen format, else that of the name of `-o`, else the verb's usual one.
+    /// The format of the result: that of `--format`, else that of the extension of `-o`, else the usual one of the verb.
     pub(crate) fn format_or(&self, usual: Format) -> Format {
         let chosen = self.common.format.or_else(|| {
             let extension = self.common.output.as_ref()?.extension()?;
@@ -93,7 +93,7 @@ impl Session {
         chosen.unwrap_or(usual)
     }
 
-    /// Says where a format came from that a result does not have.
+    /// Adds to the error for a wrong format that the name of the output chose the format.
     pub(crate) fn explained(&self, error: Error) -> Error {
         match (&error, &self.common.output) {
             (Error::Format { .. }, Some(path)) if self.common.format.is_none() => {

@@ -56,7 +56,7 @@ fn a_long_name_needs_two_plain_dashes() {
         ("describe x -help", "--help"),
         (
             "fit c.csv --harmonics = 3",
-            "--harmonics =: without blanks round it, as in --harmonics=VALUE",
+            "--harmonics =: without blanks around it, as in --harmonics=VALUE",
         ),
     ]);
 }
@@ -432,7 +432,7 @@ fn forms_and_verbs_in_the_wrong_place_are_recognised() {
             "parametrise x",
             "there is no verb parametrise; did you mean parametrize?",
         ),
-        ("schema", "there is no verb schema; the verbs are "),
+        ("verify f.json", "there is no verb verify; the verbs are "),
         (
             "help sampel",
             "there is no verb sampel; the verbs are describe, ",

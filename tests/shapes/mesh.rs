@@ -300,7 +300,7 @@ fn what_cannot_be_meshed() {
         ),
         (
             &["x^2+y^2+z^2=1", "--resolution", "1", "-o", "m.obj"],
-            "1 is not in",
+            "--resolution 1: expected a whole number from 2 to 1024",
             2,
         ),
         (

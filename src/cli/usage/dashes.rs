@@ -1,13 +1,14 @@
-//! Dashes: one in place of two makes letters of a name, of which the first may well be `-h`, and long ones come from documents.
+//! Wrong dashes before a long name. After a single dash the parser reads every letter as a short option, and `-h` prints the help;
+//! long dashes are made by word processors.
 
 use clap::Command;
 
 use super::typed::{Typed, find, long_names};
 
-/// So many letters of a name are no row of short options any more.
+/// A word with fewer letters is read as short options.
 const PART_OF_A_NAME: usize = 3;
 
-/// What is wrong with the dashes of an argument, and with blanks round `=`.
+/// The message for an argument with wrong dashes, or for blanks around `=`.
 pub(super) fn mistake(typed: &Typed, command: &Command) -> Option<String> {
     let verb = typed.verb(command);
     let words = &typed.words;
@@ -23,12 +24,12 @@ pub(super) fn mistake(typed: &Typed, command: &Command) -> Option<String> {
         let pair = pairs.find(|pair| pair[1] == "=" && find(verb, &pair[0]).is_some())?;
         let name = &pair[0];
         Some(format!(
-            "{name} =: without blanks round it, as in {name}=VALUE, or without ="
+            "{name} =: without blanks around it, as in {name}=VALUE, or without ="
         ))
     })
 }
 
-/// An argument up to its value, and its name behind one dash or behind long ones.
+/// The part of an argument before its value, and its name, if there is one dash before it or a long one.
 fn word_with_a_wrong_dash(word: &str) -> Option<(&str, &str)> {
     let given = word.split('=').next()?;
     let name = given.trim_start_matches(['—', '–']);
@@ -42,7 +43,7 @@ fn word_with_a_wrong_dash(word: &str) -> Option<(&str, &str)> {
     Some((given, name))
 }
 
-/// The long name that is meant: the whole of it or its beginning.
+/// The long name that is meant; a part of it from its beginning is enough.
 fn meant_name<'v>(name: &str, verb: &'v Command) -> Option<&'v str> {
     let name = name.to_lowercase();
     if name.chars().count() < PART_OF_A_NAME {

@@ -1,4 +1,4 @@
-//! The arguments of the process, understood, or the one message of what is wrong with them.
+//! Parses the arguments of the process. Wrong arguments are answered by one message, which says what would be right.
 
 mod dashes;
 mod option;
@@ -15,11 +15,11 @@ use super::arguments::Arguments;
 use super::{mesh, plot};
 use typed::Typed;
 
-/// Arguments that do not begin the work of a verb.
+/// The reason why no verb is run.
 pub(crate) enum Refusal {
-    /// The help or the version was asked for.
+    /// The user asked for the help or the version, which is this text.
     Shown(clap::Error),
-    /// What is wrong, and whether messages are in JSON.
+    /// The arguments are wrong: the message, and whether it is written in JSON.
     Wrong(String, bool),
 }
 
@@ -43,7 +43,7 @@ pub(crate) fn parsed() -> Result<Arguments, Refusal> {
     })
 }
 
-/// What is said of an error.
+/// The message for an error of the parser.
 fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> String {
     let context = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => Some(text.as_str()),

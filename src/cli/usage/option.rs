@@ -5,10 +5,10 @@ use stellate::document::Format;
 
 use super::typed::long_names;
 
-/// Other words for the options of a fit.
+/// Other names that people try for `--harmonics`.
 const HARMONICS: [&str; 5] = ["n", "order", "degree", "modes", "terms"];
 
-/// What is said of an option that the verb does not have.
+/// The message for an option that the verb does not have. `similar` is the option with the most similar name.
 pub(super) fn unknown(
     option: &str,
     similar: Option<&str>,
@@ -66,7 +66,7 @@ fn enumerated(names: &[&str]) -> String {
     }
 }
 
-/// The options of a verb, those of every verb behind its own.
+/// The names of the options of a verb, first its own, then those of every verb.
 fn listed(verb: &Command) -> String {
     let (shared, own): (Vec<&Arg>, Vec<&Arg>) = verb
         .get_arguments()

@@ -1,4 +1,4 @@
-//! Arguments that stand where none is expected: parts of a form without quotes, a second form, a form in place of a verb.
+//! Arguments in places where none is expected: parts of a form without quotes, a second form, a form in place of a verb.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use stellate::language::{Numbers, parse_form};
 
 use super::typed::{Typed, find};
 
-/// What is said of an argument that is one too many.
+/// The message for an argument that is one too many.
 pub(super) fn argument(argument: &str, typed: &Typed, verb: &Command) -> String {
     let name = verb.get_name();
     if let Some(form) = without_quotes(argument, typed, verb) {
@@ -32,7 +32,8 @@ pub(super) fn argument(argument: &str, typed: &Typed, verb: &Command) -> String 
     format!("{argument}: {name} takes one {takes}, and this is another argument{several}")
 }
 
-/// What is said of an operator that stands alone: it is part of a form without quotes, even where a verb takes several forms.
+/// The message for an operator that is an argument of its own. It belongs to a form without quotes; the parser does not notice
+/// this if the verb takes several forms.
 pub(super) fn operator(typed: &Typed, command: &Command) -> Option<String> {
     let verb = typed.verb(command);
     let mut pairs = typed.words.windows(2);
@@ -40,17 +41,18 @@ pub(super) fn operator(typed: &Typed, command: &Command) -> Option<String> {
     without_quotes(&pair[1], typed, verb).map(|form| quoted(verb, &form))
 }
 
-/// Whether a word is nothing but operators; a minus alone is standard input.
+/// Whether a word consists of operators. A single minus does not: it means standard input.
 fn is_operator(word: &str) -> bool {
     word != "-" && !word.is_empty() && word.chars().all(|c| "+-*/^=;,".contains(c))
 }
 
+/// The message for a form without quotes.
 fn quoted(verb: &Command, form: &str) -> String {
     let name = verb.get_name();
     format!("a form that has blanks stands in quotes: stellate {name} \"{form}\"")
 }
 
-/// The form of which the argument is a part.
+/// The form without quotes of which the argument is a part.
 fn without_quotes(argument: &str, typed: &Typed, verb: &Command) -> Option<String> {
     let words = &typed.words;
     let at = words.iter().position(|word| word == argument)?;
@@ -63,13 +65,13 @@ fn without_quotes(argument: &str, typed: &Typed, verb: &Command) -> Option<Strin
         .count();
     let after = words[at..].iter().take_while(|word| is_part(word)).count();
     let run = &words[at - before..at + after];
-    // Values of options may stand before the form.
+    // The values of options may come before the form.
     let mut forms = (0..before).map(|k| run[k..].join(" "));
     let found = forms.find(|form| parse_form(form, "<form>", Numbers::Exact).is_ok());
     found.or_else(|| is_operator(argument).then(|| run.join(" ")))
 }
 
-/// The option, and its value, to which the argument is a second number.
+/// The option that takes a list of numbers, and its value, if the argument comes after them and is the next number.
 fn split_list<'t>(argument: &str, typed: &'t Typed, verb: &Command) -> Option<(&'t str, &'t str)> {
     argument.parse::<f64>().ok()?;
     let takes_a_list = |option: &str| {
@@ -81,20 +83,20 @@ fn split_list<'t>(argument: &str, typed: &'t Typed, verb: &Command) -> Option<(&
     Some((&triple[0], &triple[1]))
 }
 
-/// The option with this name, which lacks its dashes.
+/// The option with this name, with its dashes.
 fn named(name: &str, verb: &Command) -> Option<String> {
     let name = name.to_lowercase();
     let names = [format!("-{name}"), format!("--{name}")];
     names.into_iter().find(|name| find(verb, name).is_some())
 }
 
-/// What a positional argument is called.
+/// The name of a positional argument in the help, in small letters.
 fn first_name(argument: &Arg) -> Option<String> {
     let name = argument.get_value_names()?.first()?;
     Some(name.to_lowercase())
 }
 
-/// What is said of a word that is no verb.
+/// The message for a word in the place of the verb. `similar` has the verbs with similar names.
 pub(super) fn verb(word: &str, similar: Option<&ContextValue>, command: &Command) -> String {
     let verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
     let is_form = parse_form(word, "<form>", Numbers::Exact).is_ok() || word.contains('=');
@@ -113,7 +115,7 @@ pub(super) fn verb(word: &str, similar: Option<&ContextValue>, command: &Command
         Some(ContextValue::Strings(names)) => names.first(),
         _ => None,
     };
-    // Names that begin otherwise are similar by chance.
+    // Names with another first letter are similar by chance.
     let similar = similar.filter(|name| name.chars().next() == word.to_lowercase().chars().next());
     match similar {
         Some(name) => format!("there is no verb {word}; did you mean {name}?"),

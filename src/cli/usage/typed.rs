@@ -1,10 +1,10 @@
-//! The arguments as they were typed, before they are understood.
+//! The arguments as they were typed, before they are parsed.
 
 use std::ffi::OsString;
 
 use clap::{Arg, ColorChoice, Command, ValueEnum};
 
-/// The words of the command line, without the name of the program and without what stands behind `--`.
+/// The words of the command line, without the name of the program and without `--` and the words after it.
 pub(super) struct Typed {
     pub(super) words: Vec<String>,
 }
@@ -18,27 +18,27 @@ impl Typed {
         }
     }
 
-    /// The verb, or the whole program where there is none.
+    /// The verb, or the whole program if there is none.
     pub(super) fn verb<'c>(&self, command: &'c Command) -> &'c Command {
         let verbs = self.words.iter();
         let mut verbs = verbs.filter_map(|word| command.find_subcommand(word));
         verbs.next().unwrap_or(command)
     }
 
-    /// Whether the help is coloured. This is asked before the arguments are understood, because errors and the help come first.
+    /// Whether the help is coloured. The parser must know this before it parses, because it writes the help.
     pub(super) fn color(&self) -> ColorChoice {
         let choice = self.value_of("--color");
         let choice = choice.and_then(|when| ColorChoice::from_str(when, true).ok());
         choice.unwrap_or_default()
     }
 
-    /// Whether the result, and so what is wrong, is to be in JSON.
+    /// Whether the result is to be written in JSON; then errors are, too.
     pub(super) fn wants_json(&self) -> bool {
         let format = self.value_of("--format");
         format.is_some_and(|format| format.eq_ignore_ascii_case("json"))
     }
 
-    /// The value of an option, beside it or behind `=`.
+    /// The value of an option: the next word, or the text after `=`.
     fn value_of(&self, option: &str) -> Option<&str> {
         let at = self.words.iter().rposition(|word| {
             let rest = word.strip_prefix(option);
@@ -63,7 +63,7 @@ pub(super) fn find<'v>(verb: &'v Command, name: &str) -> Option<&'v Arg> {
     })
 }
 
-/// The options of a verb that have a long name and are not hidden for good, with these names.
+/// The long names of the options of a verb.
 pub(super) fn long_names(verb: &Command) -> impl Iterator<Item = &str> {
     verb.get_arguments().filter_map(Arg::get_long)
 }

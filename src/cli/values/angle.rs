@@ -1,4 +1,4 @@
-//! Angles in options, and what is made of them: directions, ranges of parameters, views.
+//! Readers of angles, and of ranges of parameters and views, which have angles in them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,11 +13,11 @@ use super::list::fields;
 #[derive(Clone, Debug)]
 pub(crate) struct Angle {
     direction: Direction,
-    /// What was written, if its unit may have been forgotten.
+    /// The text of a number that is so large that degrees may be meant.
     doubtful: Option<String>,
 }
 
-/// Radians, or an angle with its unit.
+/// Reads an angle; a number without a unit is in radians.
 pub(crate) fn angle(text: &str) -> Read<Angle> {
     let direction: Direction = text.parse().map_err(|wrong| match fields(text).len() {
         0 | 1 => format!("{wrong}"),
@@ -32,7 +32,7 @@ pub(crate) fn angle(text: &str) -> Read<Angle> {
     })
 }
 
-/// The directions of these angles; a number beyond a full turn is remarked on.
+/// The directions of these angles. There is a note if one of them may be meant in degrees.
 pub(crate) fn directions(angles: &[Angle], session: &Session) -> Vec<Direction> {
     if let Some(text) = angles.iter().find_map(|angle| angle.doubtful.as_ref()) {
         session.note(&format!(
@@ -42,7 +42,7 @@ pub(crate) fn directions(angles: &[Angle], session: &Session) -> Vec<Direction> 
     angles.iter().map(|angle| angle.direction.clone()).collect()
 }
 
-/// Degrees, or an angle with its unit.
+/// Reads an angle in degrees; a number without a unit is in degrees.
 pub(crate) fn degrees(text: &str) -> Read<f64> {
     in_degrees(text).ok_or_else(|| "expected degrees such as 20, or an angle such as pi/9".into())
 }
@@ -63,7 +63,7 @@ fn in_radians(text: &str) -> Option<f64> {
     Some(radians).filter(|radians| radians.is_finite())
 }
 
-/// The part of a parameter that is drawn.
+/// Reads the range of a parameter; its ends may be angles.
 pub(crate) fn range(text: &str) -> Read<(String, [f64; 2])> {
     let read = || {
         let (name, ends) = text.split_once('=')?;
@@ -83,7 +83,7 @@ pub(crate) fn range(text: &str) -> Read<(String, [f64; 2])> {
     read().ok_or_else(|| "expected NAME=A,B with A < B, such as t=-2,2 or t=0,2pi".into())
 }
 
-/// Where the eye is.
+/// Reads the direction of the eye.
 pub(crate) fn view(text: &str) -> Read<[f64; 2]> {
     let found = match fields(text)[..] {
         [azimuth, elevation] => in_degrees(azimuth).zip(in_degrees(elevation)),

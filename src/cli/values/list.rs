@@ -1,4 +1,4 @@
-//! Points and boxes in options: numbers with commas between them, or semicolons, or blanks; in brackets or not.
+//! Readers of points and boxes: numbers that are separated by commas, semicolons or blanks, with or without brackets around them.
 
 use stellate::exact::Rational;
 use stellate::fit::CenterChoice;
@@ -22,7 +22,7 @@ pub(super) fn fields(text: &str) -> Vec<&str> {
     }
 }
 
-/// A field, or what is wrong with it.
+/// Reads one number of a list.
 fn coordinate(field: &str, expected: &str) -> Read<Rational> {
     number(field).ok_or_else(|| match advice(field) {
         Some(advice) => format!("{field}: {advice}"),
@@ -30,7 +30,7 @@ fn coordinate(field: &str, expected: &str) -> Read<Rational> {
     })
 }
 
-/// N numbers.
+/// Reads N numbers.
 fn exactly<const N: usize>(text: &str, expected: &str) -> Read<[Rational; N]> {
     let numbers = fields(text).into_iter();
     let numbers = numbers.map(|field| coordinate(field, expected));
@@ -38,14 +38,14 @@ fn exactly<const N: usize>(text: &str, expected: &str) -> Read<[Rational; N]> {
     numbers.try_into().map_err(|_| expected.into())
 }
 
-/// N numbers as doubles.
+/// Reads N numbers as doubles.
 fn doubles<const N: usize>(text: &str, expected: &str) -> Read<[f64; N]> {
     let numbers = exactly::<N>(text, expected)?.map(|number| number.to_f64());
     let all_finite = numbers.iter().all(|number| number.is_finite());
     all_finite.then_some(numbers).ok_or_else(|| expected.into())
 }
 
-/// The center of a fit.
+/// Reads the center of a fit.
 pub(crate) fn center(text: &str) -> Read<CenterChoice> {
     if text.trim().eq_ignore_ascii_case("centroid") {
         return Ok(CenterChoice::Centroid);
@@ -53,7 +53,7 @@ pub(crate) fn center(text: &str) -> Read<CenterChoice> {
     exactly(text, "expected centroid or X,Y, such as 12.5,-3").map(CenterChoice::Point)
 }
 
-/// A point that is inspected, as it is written: its coordinates are read exactly.
+/// Reads a point that is inspected. Its coordinates remain texts, which are read exactly later.
 pub(crate) fn point(text: &str) -> Read<String> {
     let expected = "expected X,Y,Z, such as 0.8,0.6,0, or X,Y for a plane curve";
     let fields = fields(text);
@@ -66,12 +66,12 @@ pub(crate) fn point(text: &str) -> Read<String> {
     }
 }
 
-/// A point that is marked in a picture.
+/// Reads a point that is marked in a picture.
 pub(crate) fn marked_point(text: &str) -> Read<[f64; 3]> {
     doubles(text, "expected X,Y,Z, such as 0.8,0.6,0")
 }
 
-/// The part of the plane or of space that a picture shows.
+/// Reads the part of the plane or of space that a picture shows.
 pub(crate) fn frame(text: &str) -> Read<Frame> {
     if fields(text).len() > 4 {
         return space_window(text).map(Frame::Space);
@@ -86,7 +86,7 @@ pub(crate) fn frame(text: &str) -> Read<Frame> {
     }
 }
 
-/// A box.
+/// Reads a box in space.
 pub(crate) fn space_window(text: &str) -> Read<Bounds> {
     let expected = "expected X0,X1,Y0,Y1,Z0,Z1 with X0 < X1 and so on, such as -1,1,-1,1,0,2";
     let [x0, x1, y0, y1, z0, z1] = doubles(text, expected)?;

@@ -1,5 +1,5 @@
-//! The values of options: every kind is read in one place, and what is wrong with one is said in plain words, with what would
-//! be right. [`super::usage`] puts the option and the value before it.
+//! Readers of the values of options, one for every kind of value. If a value is wrong, a reader says in plain words what would be
+//! right; [`super::usage`] writes the option and the value before that.
 
 mod angle;
 mod list;
@@ -11,5 +11,5 @@ pub(crate) use list::{center, frame, marked_point, point, space_window};
 pub(crate) use number::{positive, whole};
 pub(crate) use time::time;
 
-/// A value, or what is wrong with its text.
+/// A value, or the message for a text that is not one.
 pub(crate) type Read<T> = std::result::Result<T, String>;

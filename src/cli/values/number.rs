@@ -1,4 +1,4 @@
-//! Numbers and whole numbers in options.
+//! Readers of numbers and whole numbers.
 
 use std::ops::RangeInclusive;
 
@@ -6,12 +6,12 @@ use stellate::exact::{Rational, exact_literal};
 
 use super::Read;
 
-/// A number, exactly as it is written: 0.01, 1e-3, 1/100.
+/// The exact value of a number such as 0.01, 1e-3 or 1/100.
 pub(super) fn number(text: &str) -> Option<Rational> {
     exact_literal(text).ok()
 }
 
-/// A number greater than 0.
+/// Reads a number greater than 0.
 pub(crate) fn positive(text: &str) -> Read<Rational> {
     let found = number(text).filter(|value| value.signum() > 0);
     found.ok_or_else(|| {
@@ -20,7 +20,7 @@ pub(crate) fn positive(text: &str) -> Read<Rational> {
     })
 }
 
-/// A reader of whole numbers in a range; one that ends with the largest of all has no end.
+/// A reader of whole numbers in a range. The range `n..=u64::MAX` has no upper bound.
 pub(crate) fn whole<T: TryFrom<u64>>(
     range: RangeInclusive<u64>,
     example: u64,
@@ -32,6 +32,7 @@ pub(crate) fn whole<T: TryFrom<u64>>(
     }
 }
 
+/// The message for a text that is not a whole number in the range.
 fn no_whole_number(text: &str, range: &RangeInclusive<u64>, example: u64) -> String {
     let sign = number(text)
         .filter(Rational::is_integer)
@@ -45,7 +46,7 @@ fn no_whole_number(text: &str, range: &RangeInclusive<u64>, example: u64) -> Str
     format!("expected a whole number{bounds}, such as {example}")
 }
 
-/// What to write instead of a usual spelling that is no number here.
+/// What to write instead, for texts that people write as numbers elsewhere.
 pub(super) fn advice(text: &str) -> Option<String> {
     let text = text.trim();
     let has_digits = text.contains(|c: char| c.is_ascii_digit());

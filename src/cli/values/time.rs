@@ -1,11 +1,11 @@
-//! Times in options.
+//! A reader of times.
 
 use std::time::Duration;
 
 use super::Read;
 use super::number::number;
 
-/// Units with their seconds.
+/// The names of units, and how many seconds they have.
 const UNITS: [(&[&str], f64); 4] = [
     (&["ms", "milliseconds", "millisecond"], 0.001),
     (&["", "s", "sec", "secs", "second", "seconds"], 1.0),
@@ -13,7 +13,7 @@ const UNITS: [(&[&str], f64); 4] = [
     (&["h", "hr", "hrs", "hour", "hours"], 3600.0),
 ];
 
-/// A reader of seconds, or of another unit that is named.
+/// A reader of times; a number without a unit is in seconds.
 pub(crate) fn time(example: u64) -> impl Fn(&str) -> Read<Duration> + Clone + Send + Sync {
     move |text| {
         let text = text.trim();
