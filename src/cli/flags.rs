@@ -43,10 +43,10 @@ pub(crate) struct FitFlags {
     #[arg(long, value_name = "D", value_parser = whole::<u32>(0..=u64::MAX, 6))]
     pub(crate) decimals: Option<u32>,
     /// Of a picture with several blobs: which one, counted from 1 by the number of pixels
-    #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole)]
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole::<usize>(1..=u64::MAX, 2))]
     pub(crate) blob: usize,
     /// Of a picture: the largest value of its darker colour, 0 to 254 [default: Otsu's threshold]
-    #[arg(long, value_name = "V", value_parser = clap::value_parser!(u8).range(0..=254))]
+    #[arg(long, value_name = "V", value_parser = whole::<u8>(0..=254, 128))]
     pub(crate) threshold: Option<u8>,
     /// Of a picture: take what is otherwise the background
     #[arg(long)]
