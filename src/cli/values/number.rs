@@ -49,6 +49,9 @@ fn no_whole_number(text: &str, range: &RangeInclusive<u64>, example: u64) -> Str
 /// What to write instead, for texts that people write as numbers elsewhere.
 pub(super) fn advice(text: &str) -> Option<String> {
     let text = text.trim();
+    if number(text).is_some() {
+        return None;
+    }
     let has_digits = text.contains(|c: char| c.is_ascii_digit());
     if has_digits && text.parse::<f64>().is_ok() {
         return Some("the exponent is too large to be read exactly".into());
