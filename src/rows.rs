@@ -20,6 +20,7 @@ pub(crate) struct RowReader<'a, R> {
     expected: &'a str,
     row: usize,
     may_be_header: bool,
+    header: Option<String>,
     line: Vec<u8>,
 }
 
@@ -32,6 +33,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
             expected,
             row: 0,
             may_be_header: true,
+            header: None,
             line: Vec::new(),
         }
     }
@@ -56,15 +58,22 @@ impl<'a, R: BufRead> RowReader<'a, R> {
             }
             let row = self.text()?;
             let is_content = !(row.is_empty() || row.starts_with('#'));
-            let is_header = is_content && self.may_be_header && fields(row).all(is_word);
+            let is_header = is_content && self.may_be_header && words(row).all(is_word);
+            let header = is_header.then(|| row.to_owned());
             if is_content {
                 self.may_be_header = false;
                 if !is_header {
                     break;
                 }
+                self.header = header;
             }
         }
         Ok(Some((self.row, self.text()?)))
+    }
+
+    /// The first row, if it was a header; known with the first row of numbers.
+    pub(crate) fn header(&self) -> Option<&str> {
+        self.header.as_deref()
     }
 
     fn text(&self) -> Result<&str> {
@@ -133,6 +142,14 @@ pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
             .and_then(|rest| rest.strip_suffix('"'))
             .map_or(field, str::trim)
     })
+}
+
+/// The fields of a row, whatever separates them: a header is recognised before the separator is.
+fn words(row: &str) -> impl Iterator<Item = &str> {
+    let parts = row.split([',', ';', '\t', ' ']);
+    parts
+        .map(|part| part.trim_matches('"'))
+        .filter(|part| !part.is_empty())
 }
 
 /// Whether a field of the first row belongs to a header. Infinity, NaN and numbers that are too large are wrong numbers, not

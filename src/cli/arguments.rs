@@ -37,7 +37,8 @@ A FORM is text, a file, or - for standard input:
   'x^2 + y^2 = 1; z = y^5'                a space curve as an intersection of surfaces
   'superquadric 2d a=1,2 e=1/2'           |x/a1|^(2/e) + |y/a2|^(2/e) = 1, or = c with level=c
   'superquadric 3d a=1,1,2 e=1/2,1'       in space, with two exponents: Eq. (77) of the paper
-  outline.csv  outline.png|.jpg|.bmp      a contour: rows x,y in order, or a silhouette
+  outline.csv|.tsv|.txt|.dat|.xy          a contour: rows x,y in order
+  outline.png|.jpg|.bmp                   a contour: a silhouette
   document.json                           what another verb wrote
 Numbers are exact as written: 0.1 is 1/10.
 

@@ -3,10 +3,12 @@
 use stellate::error::{Error, Result};
 use stellate::exact::Rational;
 use stellate::fit::{FitOptions, FitSize, PictureOptions};
+use stellate::sample::Direction;
 use stellate::verb::{ArcSearch, Given, ReadOptions, read_limited};
 
 use super::flags::{ArcFlags, FitFlags};
 use super::session::Session;
+use super::values::Angle;
 
 /// Reads a FORM argument.
 pub(crate) fn read(argument: &str, session: &Session) -> Result<Given> {
@@ -59,4 +61,14 @@ pub(crate) fn arc_search(flags: &ArcFlags) -> ArcSearch {
     ArcSearch::default()
         .window(flags.window)
         .resolution(flags.resolution)
+}
+
+/// The directions of these angles. There is a note if one of them may be meant in degrees.
+pub(crate) fn directions(angles: &[Angle], session: &Session) -> Vec<Direction> {
+    if let Some(text) = angles.iter().find_map(|angle| angle.doubtful.as_ref()) {
+        session.note(&format!(
+            "the angle {text} is in radians; degrees are written {text}deg"
+        ));
+    }
+    angles.iter().map(|angle| angle.direction.clone()).collect()
 }

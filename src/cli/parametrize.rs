@@ -8,7 +8,6 @@ use super::arguments::Parametrize;
 use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
-use super::values::directions;
 
 pub(crate) fn run(flags: &Parametrize, session: &Session) -> Result<()> {
     check_destination(session)?;
@@ -17,8 +16,8 @@ pub(crate) fn run(flags: &Parametrize, session: &Session) -> Result<()> {
     let options = ParametrizeOptions::default()
         .fit(input::fit_options(&flags.fit))
         .branch(flags.branch)
-        .thetas(directions(&flags.theta, session))
-        .phis(directions(&flags.phi, session))
+        .thetas(input::directions(&flags.theta, session))
+        .phis(input::directions(&flags.phi, session))
         .arcs(input::arc_search(&flags.arcs))
         .with_arcs(matches!(format, Format::Text | Format::Json | Format::Csv));
     let given = input::read_with(&flags.form, &flags.fit, session)?;

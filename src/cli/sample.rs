@@ -9,7 +9,6 @@ use super::arguments::Sample;
 use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
-use super::values::directions;
 
 pub(crate) fn run(flags: &Sample, session: &Session) -> Result<()> {
     check_destination(session)?;
@@ -18,8 +17,8 @@ pub(crate) fn run(flags: &Sample, session: &Session) -> Result<()> {
     let options = SampleOptions::default()
         .fit(input::fit_options(&flags.fit))
         .directions(flags.directions)
-        .thetas(directions(&flags.theta, session))
-        .phis(directions(&flags.phi, session))
+        .thetas(input::directions(&flags.theta, session))
+        .phis(input::directions(&flags.phi, session))
         .coordinates(flags.coordinates.into())
         .positive(flags.positive)
         .arcs(input::arc_search(&flags.arcs));

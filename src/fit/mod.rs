@@ -10,6 +10,7 @@
 mod center;
 mod definition1;
 mod kernel;
+mod layout;
 mod left_out;
 #[cfg(feature = "images")]
 mod picture;

@@ -25,13 +25,13 @@ pub enum ContourKind {
 }
 
 impl ContourKind {
-    /// The kind that the extension of a file means, in upper or lower case: `csv` for rows; `png`, `jpg`, `jpeg`, `bmp` for a
-    /// picture.
+    /// The kind that the extension of a file means, in upper or lower case: `csv`, `tsv`, `dat`, `xy` for rows; `png`, `jpg`,
+    /// `jpeg`, `bmp` for a picture.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         match extension.as_str() {
-            "csv" => Some(Self::Rows),
+            "csv" | "tsv" | "dat" | "xy" => Some(Self::Rows),
             "png" | "jpg" | "jpeg" | "bmp" => Some(Self::Image),
             _ => None,
         }
@@ -59,8 +59,10 @@ pub fn read_contour(path: &Path) -> Result<Contour> {
 
 /// Reads an outline; `place` names the source in messages.
 ///
-/// Rows are `x,y` in order along the outline: decimal numbers or hexadecimal floats, read as the
-/// nearest doubles. The first row may be a header; blank rows and rows that begin with `#` are skipped.
+/// Rows are `x,y` in order along the outline: decimal numbers or hexadecimal floats, read as the nearest doubles. Fields are
+/// separated by commas, semicolons, tabs or blanks; where the separator is no comma, decimal commas are read. The first row may
+/// be a header, which says which of several columns are x and y (also lon and lat, easting and northing); blank rows and rows
+/// that begin with `#` are skipped.
 /// At most 10 000 000 rows.
 ///
 /// A picture shows a silhouette on a plain background. If most border pixels are transparent, the opaque pixels are the

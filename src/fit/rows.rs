@@ -2,13 +2,12 @@
 
 use std::io::BufRead;
 
+use super::layout::{COLUMNS, Layout};
 use crate::error::{Error, Result};
-use crate::rows::{RowReader, double, fields_of};
+use crate::rows::RowReader;
 
 /// The largest number of rows with points in one file.
 pub(super) const MAX_ROWS: usize = 10_000_000;
-/// The columns of a row, for messages.
-const COLUMNS: &str = "x,y";
 
 /// The points and, for each point, its row in the file (counted from 1; every line counts).
 pub(super) fn read_rows(
@@ -18,8 +17,15 @@ pub(super) fn read_rows(
     let mut points = Vec::new();
     let mut numbers = Vec::new();
     let mut rows = RowReader::new(reader, place, COLUMNS);
-    while let Some((number, row)) = rows.next_row()? {
-        let point = fields_of(row, COLUMNS).and_then(|[x, y]| Ok([value(x)?, value(y)?]));
+    let Some((number, first)) = rows.next_row()?.map(|(n, row)| (n, row.to_owned())) else {
+        return Ok((points, numbers));
+    };
+    // The header is known with the first row.
+    let layout =
+        Layout::of(rows.header(), &first).map_err(|message| rows.error(number, message))?;
+    let mut point = layout.point(&first);
+    let mut number = number;
+    loop {
         points.push(point.map_err(|message| rows.error(number, message))?);
         numbers.push(number);
         if points.len() > MAX_ROWS {
@@ -27,15 +33,11 @@ pub(super) fn read_rows(
                 "{place} has more than {MAX_ROWS} rows"
             )));
         }
+        match rows.next_row()? {
+            None => return Ok((points, numbers)),
+            Some((next, row)) => (number, point) = (next, layout.point(row)),
+        }
     }
-    Ok((points, numbers))
-}
-
-fn value(field: &str) -> std::result::Result<f64, String> {
-    double(field).map_err(|message| match message.ends_with("not a number") {
-        true => format!("{message}; each row must be {COLUMNS}"),
-        false => message,
-    })
 }
 
 #[cfg(test)]
@@ -63,6 +65,9 @@ mod tests {
         assert_eq!(read("0,1\n2,3").unwrap().0.len(), 2);
         assert_eq!(read("easting,northing\n2,3").unwrap().0.len(), 1);
         assert_eq!(read("").unwrap().0.len(), 0);
+        assert_eq!(read("y;x\n2,5;3\n").unwrap().0, [[3.0, 2.5]]);
+        // A row of numbers is no header, whatever separates them.
+        assert_eq!(read("1;2\n3;4").unwrap().0.len(), 2);
         // Only the first row can be a header, and only if none of its fields is a number.
         assert!(message("x,y\nx,y\n").contains("row 2: \"x\" is not a number"));
         assert!(message("1,y\n").contains("row 1: \"y\" is not a number"));
@@ -78,6 +83,7 @@ mod tests {
         );
         assert!(message("1,2\n3\n").contains("row 2: found 1 column; each row must be x,y"));
         assert!(message("1,2\n3,4,5\n").contains("row 2: found 3 columns"));
+        assert!(message("theta,r\n0,1\n").contains("row 2: the columns are angles and radii"));
         assert!(message("1,2\n3,\n").contains("\"\" is not a number"));
         assert!(message("1,2\n3,inf\n").contains("\"inf\" is not a number"));
         assert!(message("1,2\n3,NaN\n").contains("\"NaN\" is not a number"));

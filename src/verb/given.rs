@@ -10,6 +10,7 @@ use crate::fit::{
 use crate::language::{MAX_TEXT_BYTES, Numbers};
 use crate::options::options;
 use crate::reading::{read_coefficients_csv, read_fourier_csv, read_text};
+use crate::rows::double;
 use crate::shape::{Contour, Form};
 
 use super::{Remark, Work};
@@ -142,7 +143,11 @@ impl Given {
         } else {
             refuse_other_formats(path)?;
             let text = read_limited(open(path)?, &place)?;
-            Content::Exact(read_text(&text, &place, options.numbers)?)
+            if looks_like_rows(&text) {
+                table(&text, &place, options.numbers)?
+            } else {
+                Content::Exact(read_text(&text, &place, options.numbers)?)
+            }
         };
         Ok(Self::new(name, content))
     }
@@ -154,13 +159,7 @@ impl Given {
     /// Those of the readers in [`crate::reading`] and [`crate::fit`].
     pub fn from_reader(reader: impl Read, place: &str, numbers: Numbers) -> Result<Self> {
         let text = read_limited(reader, place)?;
-        let first = text
-            .lines()
-            .map(|l| l.split('#').next().unwrap_or("").trim())
-            .find(|l| !l.is_empty() && !l.starts_with("//"));
-        let looks_like_rows =
-            first.is_some_and(|l| l.contains(',') && !l.contains(['=', '{', '(', '[']));
-        let content = if looks_like_rows {
+        let content = if looks_like_rows(&text) {
             table(&text, place, numbers)?
         } else {
             Content::Exact(read_text(&text, place, numbers)?)
@@ -214,6 +213,40 @@ fn is_a_folder(path: &Path) -> Error {
     ))
 }
 
+/// Whether a text is a table: its first row, or the row after one of words, has several numbers and nothing else.
+fn looks_like_rows(text: &str) -> bool {
+    let mut rows = text
+        .lines()
+        .map(|line| {
+            line.trim_start_matches('\u{feff}')
+                .split('#')
+                .next()
+                .unwrap_or("")
+                .trim()
+        })
+        .filter(|line| !line.is_empty() && !line.starts_with("//"));
+    let fields = |row: &'_ str| -> Option<(usize, usize)> {
+        let parts = row
+            .split([',', ';', '\t', ' '])
+            .map(|part| part.trim_matches('"'));
+        let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+        let is_number = |part: &&&str| part.split('/').all(|n| double(n).is_ok());
+        let numbers = parts.iter().filter(is_number);
+        let words = parts
+            .iter()
+            .all(|part| part.starts_with(char::is_alphabetic));
+        (numbers.count() == parts.len() || words).then_some((parts.len(), usize::from(words)))
+    };
+    match rows.next().and_then(fields) {
+        Some((count, 0)) => count > 1,
+        Some(_) => rows
+            .next()
+            .and_then(fields)
+            .is_some_and(|(count, words)| count > 1 && words == 0),
+        None => false,
+    }
+}
+
 /// Refuses the options of pictures for anything else.
 fn refuse_picture_options(options: &PictureOptions) -> Result<()> {
     let usual = PictureOptions::default();
@@ -255,7 +288,9 @@ fn names_a_file(path: &Path) -> bool {
     if path.has_root() || path.starts_with(".") || path.starts_with("..") || path.starts_with("~") {
         return true;
     }
-    let known = ["csv", "png", "jpg", "jpeg", "bmp", "json", "txt"];
+    let known = [
+        "bmp", "csv", "dat", "jpeg", "jpg", "json", "png", "tsv", "txt", "xy",
+    ];
     let extension = path
         .extension()
         .and_then(|e| e.to_str())
@@ -310,6 +345,9 @@ pub fn read_limited(source: impl Read, place: &str) -> Result<String> {
         return Err(Error::limit(format!(
             "{place}: a text has at most {limit} bytes"
         )));
+    }
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(Error::data(place, "this is UTF-16 text; save it as UTF-8"));
     }
     String::from_utf8(bytes).map_err(|e| {
         let byte = e.utf8_error().valid_up_to() + 1;

@@ -15,6 +15,7 @@ mod limits;
 mod main_job;
 mod option_mistakes;
 mod option_spellings;
+mod outlines;
 mod read_back;
 mod spellings;
 mod terminal;

@@ -5,16 +5,15 @@ use std::f64::consts::{PI, TAU};
 use stellate::exact::WrittenAngle;
 use stellate::sample::Direction;
 
-use super::super::session::Session;
 use super::Read;
 use super::list::fields;
 
 /// An angle of an option that may be repeated.
 #[derive(Clone, Debug)]
 pub(crate) struct Angle {
-    direction: Direction,
+    pub(crate) direction: Direction,
     /// The text of a number that is so large that degrees may be meant.
-    doubtful: Option<String>,
+    pub(crate) doubtful: Option<String>,
 }
 
 /// Reads an angle; a number without a unit is in radians.
@@ -30,16 +29,6 @@ pub(crate) fn angle(text: &str) -> Read<Angle> {
         direction,
         doubtful,
     })
-}
-
-/// The directions of these angles. There is a note if one of them may be meant in degrees.
-pub(crate) fn directions(angles: &[Angle], session: &Session) -> Vec<Direction> {
-    if let Some(text) = angles.iter().find_map(|angle| angle.doubtful.as_ref()) {
-        session.note(&format!(
-            "the angle {text} is in radians; degrees are written {text}deg"
-        ));
-    }
-    angles.iter().map(|angle| angle.direction.clone()).collect()
 }
 
 /// Reads an angle in degrees; a number without a unit is in degrees.

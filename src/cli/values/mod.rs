@@ -6,7 +6,7 @@ mod list;
 mod number;
 mod time;
 
-pub(crate) use angle::{Angle, angle, degrees, directions, range, view};
+pub(crate) use angle::{Angle, angle, degrees, range, view};
 pub(crate) use list::{center, frame, marked_point, point, space_window};
 pub(crate) use number::{positive, whole};
 pub(crate) use time::time;
