@@ -437,9 +437,6 @@ fn forms_and_verbs_in_the_wrong_place_are_recognised() {
             "help sampel",
             "there is no verb sampel; the verbs are describe, ",
         ),
-        (
-            "paper --only T99",
-            "--only T99: there is no such statement; there are those such as T2, L4, E9",
-        ),
+        ("paper --only T99", "--only T99: no statement has this id"),
     ]);
 }

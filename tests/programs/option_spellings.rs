@@ -110,7 +110,6 @@ fn numbers_times_and_names_have_many_spellings() {
         ),
         ("completions PowerShell", "completions powershell"),
         ("completions Bash", "completions bash"),
-        ("paper --only 'Theorem 2'", "paper --only T2"),
         ("paper --only 'eq. (19)'", "paper --only Eq19"),
         ("fit c.csv -n=3", "fit c.csv --harmonics 3"),
     ]);

@@ -20,9 +20,10 @@ use stellate::picture::Window;
 use stellate::sample::Direction;
 use stellate::shape::{Form, ImplicitCurve};
 use stellate::verb::{
-    self, CoefficientScale, Content, DescribeOptions, FigureFormat, FloatKind, Frame, Given,
-    ImplicitizeMethod, ImplicitizeOptions, InspectionOptions, MeshingOptions, ParametrizeOptions,
-    PlotOptions, PointRows, PointSource, ReadingOptions, SampleOptions, VectorOptions, Work,
+    self, CoefficientScale, Content, CoordinatesFrom, DescribeOptions, FigureFormat, FloatKind,
+    Frame, Given, ImplicitizeMethod, ImplicitizeOptions, InspectionOptions, MeshingOptions,
+    ParametrizeOptions, PlotOptions, PointRows, PointSource, ReadingOptions, SampleOptions,
+    VectorOptions, Work,
 };
 use tempfile::TempDir;
 
@@ -181,7 +182,11 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
                 .directions(words.number("directions"))
                 .thetas(words.angles("theta"))
                 .phis(words.angles("phi"))
-                .positive(words.one("positive").is_some());
+                .positive(words.one("positive").is_some())
+                .coordinates(match words.one("coordinates") {
+                    Some("original") => CoordinatesFrom::Original,
+                    _ => CoordinatesFrom::Center,
+                });
             let found = verb::sample(first(), &options, &work).unwrap();
             write_sampled(&found, words.format(Format::Csv), &mut out).unwrap();
         }
