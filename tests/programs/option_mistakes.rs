@@ -1,5 +1,7 @@
 //! Mistakes in options and arguments: each is answered by one message that says what would be right.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 
 use tempfile::TempDir;

@@ -1,5 +1,7 @@
 //! Spellings of the values of options that mean the same, and what the name of an output says.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 
 use tempfile::TempDir;

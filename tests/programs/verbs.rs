@@ -9,7 +9,7 @@ use std::path::Path;
 use crate::common::documentation::DOCUMENTATION;
 use crate::common::program::run_in;
 use stellate::document::{
-    Format, InspectionWriter, MeshFormat, write_check, write_described, write_fourier,
+    Format, InspectionWriter, MeshFormat, json_schema, write_check, write_described, write_fourier,
     write_implicitization, write_ladder, write_mesh, write_parametrized, write_sampled,
     write_vectors,
 };
@@ -235,6 +235,7 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             let vectors = verb::vectors(first(), &options, &work).unwrap();
             write_vectors(&vectors, &mut out).unwrap();
         }
+        "schema" => out.extend(json_schema(Some(&words.forms[0])).unwrap().bytes()),
         other => panic!("no verb of the library: {other}"),
     }
     out
