@@ -118,10 +118,9 @@ fn pictures_beyond_the_limit_are_refused_before_they_are_decoded() {
 #[test]
 fn masks_of_labels_and_pictures_of_16_bits_are_read() {
     let disc = |i: u32, j: u32| (f64::from(i) - 30.0).hypot(f64::from(j) - 25.0) < 15.0;
-    for (low, high) in [(0, 1), (0, 65535), (65535, 0), (30000, 30001), (1, 0)] {
-        let mask = image::ImageBuffer::from_fn(64, 64, |i, j| {
-            Luma([if disc(i, j) { high } else { low } as u16])
-        });
+    for (low, high) in [(0_u16, 1), (0, 65535), (65535, 0), (30000, 30001), (1, 0)] {
+        let mask =
+            image::ImageBuffer::from_fn(64, 64, |i, j| Luma([if disc(i, j) { high } else { low }]));
         let outline = traced(&encoded(mask, ImageFormat::Png), "mask.png").unwrap();
         let area = outline.area() / (std::f64::consts::PI * 225.0);
         assert!((area - 1.0).abs() < 0.02, "{low} {high}: {area}");

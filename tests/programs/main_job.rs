@@ -190,11 +190,7 @@ fn an_outline_that_is_not_star_shaped_is_said_to_be_so() {
         "",
     );
     assert!(run.err.contains("not star-shaped"), "{}", run.err);
-    assert!(
-        run.err.contains("% of the outline's length is hidden"),
-        "{}",
-        run.err
-    );
+    assert!(run.err.contains("% of its length is hidden"), "{}", run.err);
     let fit = json(&run.out);
     assert_eq!(fit["star_shaped"], json("false"));
     assert!(fit["hidden_share"].as_f64().unwrap() > 0.1);
