@@ -181,7 +181,12 @@ fn rows_that_make_no_outline_are_refused() {
     );
     assert_wrong_file("c.csv", b"0,0\n1e400,0\n1,1\n", "row 2: 1e400 is too large");
     assert_wrong_file("c.csv", b"0,0\n1e300,0\n1,1\n", "row 2");
-    assert_wrong_file("c.csv", b"\xff\xfe\x00\x01", "not UTF-8");
+    assert_wrong_file(
+        "c.csv",
+        b"\xff\xfe\x00\x01",
+        "UTF-16 text; save it as UTF-8",
+    );
+    assert_wrong_file("c.csv", b"\xff\x00\x01", "not UTF-8");
 }
 
 #[test]
