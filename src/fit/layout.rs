@@ -121,13 +121,13 @@ impl Separator {
     fn of(row: &str) -> Self {
         let mut words = row.split_whitespace();
         let has_several = words.clone().count() > 1;
+        let mut has_decimal_commas =
+            || words.all(|word| double(&word.replacen(',', ".", 1)).is_ok());
         if row.contains(';') {
             Self::Semicolon
         } else if row.contains('\t') {
             Self::Tab
-        } else if has_several && words.all(|word| double(&word.replacen(',', ".", 1)).is_ok()) {
-            Self::Blanks
-        } else if has_several && !row.contains(',') {
+        } else if has_several && (!row.contains(',') || has_decimal_commas()) {
             Self::Blanks
         } else {
             Self::Comma
