@@ -37,7 +37,7 @@ pub enum FloatNumbers {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FloatKind {
-    /// An implicit document, rows `i,j[,k],value`, or a matrix c[i][j].
+    /// An implicit document, rows `i,j[,k],value`, or a matrix `c[i][j]`.
     Coefficients,
     /// Rows `x,y[,z]`.
     Points,
