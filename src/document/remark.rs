@@ -38,7 +38,7 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::PerfectSquare => PERFECT_SQUARE.into(),
         Remark::RelativeTo([a, b]) => format!("coordinates are relative to the center ({a}, {b})"),
         Remark::Expanded([a, b]) => format!(
-            "in original coordinates the terms of the polynomial cancel: doubles will mostly fail to evaluate it, even far from the curve;              with --coordinates center the polynomial is evaluated at points minus the center ({a}, {b})"
+            "in original coordinates the terms of the polynomial cancel: doubles will mostly fail to evaluate it, even far from the curve; with --coordinates center the polynomial is evaluated at points minus the center ({a}, {b})"
         ),
         Remark::WholeLine { theta, phi: None } => format!(
             "the whole line at theta = {theta} belongs to the curve: it has no rows"
