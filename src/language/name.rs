@@ -171,17 +171,46 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("V", Name::V),
 ];
 
+/// The longest word for which a similar name is searched.
+const LONGEST_SLIP: usize = 30;
+
 /// The name of at least three letters that a word is most likely a slip of.
 pub(super) fn similar_name(word: &str) -> Option<&'static str> {
     let letters = word.chars().count();
+    if !(3..=LONGEST_SLIP).contains(&letters) {
+        return None;
+    }
     let most = if letters < 6 { 1 } else { 2 };
     let names = SPELLINGS.iter().map(|(spelling, _)| *spelling);
-    let near = names.filter(|name| name.len() > 2 && letters > 2);
-    let distances = near.map(|name| (strsim::damerau_levenshtein(word, name), name));
+    let distances = names
+        .filter(|name| name.len() > 2)
+        .map(|name| (distance(word, name), name));
     let found = distances
         .filter(|(distance, _)| *distance <= most)
         .min_by_key(|(distance, _)| *distance);
     found.map(|(_, name)| name)
+}
+
+/// The least number of letters to change, insert, leave out or exchange with a neighbour that turns one word into the other
+/// (optimal string alignment).
+fn distance(a: &str, b: &str) -> usize {
+    let [a, b] = [a, b].map(|word| word.chars().collect::<Vec<char>>());
+    // Row i, column j: between the first i letters and the first j letters.
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            let one_more = (rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            let mut least = one_more.min(rows[i - 1][j - 1] + change);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
 }
 
 /// The names that `word`, which starts at byte `start`, consists of: the longest first, so `xy` is
@@ -213,6 +242,24 @@ mod tests {
                 b.0
             );
         }
+    }
+
+    #[test]
+    fn slips_are_counted() {
+        for (a, b, expected) in [
+            ("cos", "cos", 0),
+            ("con", "cos", 1),
+            ("sni", "sin", 1),
+            ("thta", "theta", 1),
+            ("abc", "", 3),
+            ("superquadic", "superquadric", 1),
+            ("tehat", "theta", 2),
+        ] {
+            assert_eq!(distance(a, b), expected, "{a} {b}");
+            assert_eq!(distance(b, a), expected, "{b} {a}");
+        }
+        assert_eq!(similar_name("thta"), Some("theta"));
+        assert_eq!(similar_name("xy"), None);
     }
 
     #[test]
