@@ -58,7 +58,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
             }
             let row = self.text()?;
             let is_content = !(row.is_empty() || row.starts_with('#'));
-            let is_header = is_content && self.may_be_header && words(row).all(is_word);
+            let is_header = is_content && self.may_be_header && is_header(row);
             let header = is_header.then(|| row.to_owned());
             if is_content {
                 self.may_be_header = false;
@@ -126,16 +126,26 @@ pub(crate) fn fields_of<'r, const N: usize>(
     if count == N {
         return Ok(found);
     }
-    let columns = match count {
-        1 => "1 column".into(),
-        n => format!("{n} columns"),
-    };
+    let columns = columns_text(count);
     Err(format!("found {columns}; each row must be {expected}"))
 }
 
-/// The fields of a row, without white space around them and without one pair of double quotes around each.
+/// `1 column`, `2 columns`
+pub(crate) fn columns_text(count: usize) -> String {
+    match count {
+        1 => "1 column".into(),
+        n => format!("{n} columns"),
+    }
+}
+
+/// The fields of a row that commas separate: see [`fields_between`].
 pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
-    row.split(',').map(|field| {
+    fields_between(row, ',')
+}
+
+/// The fields of a row between separators, without white space around them and without one pair of double quotes around each.
+pub(crate) fn fields_between(row: &str, separator: char) -> impl Iterator<Item = &str> {
+    row.split(separator).map(|field| {
         let field = field.trim();
         field
             .strip_prefix('"')
@@ -144,12 +154,21 @@ pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The fields of a row, whatever separates them: a header is recognised before the separator is.
-fn words(row: &str) -> impl Iterator<Item = &str> {
+/// The words of a row, whatever separates them.
+pub(crate) fn words(row: &str) -> impl Iterator<Item = &str> {
     let parts = row.split([',', ';', '\t', ' ']);
     parts
         .map(|part| part.trim_matches('"'))
         .filter(|part| !part.is_empty())
+}
+
+/// Whether none of the fields of the first row begins with a number, so that it has names, or a title such as `NACA 0012`.
+fn is_header(row: &str) -> bool {
+    let fields = row
+        .split([',', ';', '\t'])
+        .filter_map(|field| words(field).next());
+    let mut fields = fields.peekable();
+    fields.peek().is_some() && fields.all(is_word)
 }
 
 /// Whether a field of the first row belongs to a header. Infinity, NaN and numbers that are too large are wrong numbers, not

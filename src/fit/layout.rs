@@ -1,6 +1,8 @@
 //! Which fields of the rows of a file are x and y: the separator, the names of the columns, and the decimal point.
 
-use crate::rows::{double, fields};
+use smallvec::SmallVec;
+
+use crate::rows::{columns_text, double, fields_between};
 
 /// The columns of a row, for messages.
 pub(super) const COLUMNS: &str = "x,y";
@@ -29,8 +31,8 @@ pub(super) struct Layout {
     separator: Separator,
     /// The places of x and y, from 0.
     columns: [usize; 2],
-    /// The number of fields of every row, if there is a header; empty ones at the end of a row do not count.
-    width: Option<usize>,
+    /// The number of fields of every row: two, or as many as the header has. Empty ones at the end of a row do not count.
+    width: usize,
 }
 
 impl Layout {
@@ -40,34 +42,37 @@ impl Layout {
     /// The message for a header without x and y.
     pub(super) fn of(header: Option<&str>, first: &str) -> Result<Self, String> {
         let separator = Separator::of(first);
-        let Some(header) = header else {
-            return Ok(Self {
-                separator,
-                columns: [0, 1],
-                width: None,
-            });
-        };
-        let header_separator = Separator::of(header);
-        let names: Vec<String> = header_separator.split(header).map(plain_name).collect();
+        let names = header.map(|header| separator.split(header).map(plain_name));
+        let names: Vec<String> = names.into_iter().flatten().collect();
+        let count = filled(&separator.split(first).collect::<Vec<_>>());
         let place = |known: &[&str]| names.iter().position(|name| known.contains(&name.as_str()));
         let columns = match (place(NAMES[0]), place(NAMES[1])) {
             (Some(x), Some(y)) => [x, y],
             _ if place(&ANGLES).is_some() && place(&RADII).is_some() => {
                 return Err(format!(
-                    "the columns are angles and radii ({header}); an outline is rows {COLUMNS} of points"
+                    "the columns are angles and radii ({}); an outline is rows {COLUMNS} of points",
+                    names.join(",")
                 ));
             }
-            _ if names.len() == 2 => [0, 1],
+            // There is no header, or a title in its place.
+            _ if names.len() <= 2 || names.len() != count => {
+                return Ok(Self {
+                    separator,
+                    columns: [0, 1],
+                    width: 2,
+                });
+            }
             _ => {
                 return Err(format!(
-                    "none of the columns {header} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y"
+                    "none of the columns {} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y",
+                    names.join(",")
                 ));
             }
         };
         Ok(Self {
             separator,
             columns,
-            width: Some(names.len()),
+            width: names.len(),
         })
     }
 
@@ -76,28 +81,15 @@ impl Layout {
     /// # Errors
     /// The message for another number of fields, or for a field that is not a number.
     pub(super) fn point(&self, row: &str) -> Result<[f64; 2], String> {
-        let mut found = [None; 2];
-        let mut count = 0;
-        for (place, field) in self.separator.split(row).enumerate() {
-            for (slot, column) in found.iter_mut().zip(self.columns) {
-                if place == column {
-                    *slot = Some(field);
-                }
-            }
-            if !field.is_empty() || place < 2 {
-                count = place + 1;
-            }
-        }
-        match (found, self.width.unwrap_or(2)) {
-            ([Some(x), Some(y)], width) if count == width => Ok([self.value(x)?, self.value(y)?]),
-            (_, width) => {
-                let columns = match count {
-                    1 => "1 column".into(),
-                    n => format!("{n} columns"),
-                };
-                Err(match width {
+        let fields: SmallVec<[&str; 4]> = self.separator.split(row).collect();
+        let count = filled(&fields);
+        match self.columns.map(|column| fields.get(column)) {
+            [Some(x), Some(y)] if count == self.width => Ok([self.value(x)?, self.value(y)?]),
+            _ => {
+                let columns = columns_text(count);
+                Err(match self.width {
                     2 => format!("found {columns}; each row must be {COLUMNS}"),
-                    _ => format!("found {columns}; the first row names {width}"),
+                    width => format!("found {columns}; the first row names {width}"),
                 })
             }
         }
@@ -135,22 +127,19 @@ impl Separator {
     }
 
     fn split(self, row: &str) -> Box<dyn Iterator<Item = &str> + '_> {
-        let separated = |by: char| {
-            row.split(by).map(|field| {
-                let field = field.trim();
-                let quoted = field
-                    .strip_prefix('"')
-                    .and_then(|rest| rest.strip_suffix('"'));
-                quoted.map_or(field, str::trim)
-            })
-        };
         match self {
-            Self::Comma => Box::new(fields(row)),
-            Self::Semicolon => Box::new(separated(';')),
-            Self::Tab => Box::new(separated('\t')),
+            Self::Comma => Box::new(fields_between(row, ',')),
+            Self::Semicolon => Box::new(fields_between(row, ';')),
+            Self::Tab => Box::new(fields_between(row, '\t')),
             Self::Blanks => Box::new(row.split_whitespace()),
         }
     }
+}
+
+/// The number of fields, without empty ones behind the second.
+fn filled(fields: &[&str]) -> usize {
+    let last = fields.iter().rposition(|field| !field.is_empty());
+    last.map_or(0, |last| last + 1).max(fields.len().min(2))
 }
 
 /// The name of a column in small letters, without its unit: `X (mm)` and `x_mm` are x.
@@ -209,6 +198,14 @@ mod tests {
             ("a,b", "1,2"),
         ] {
             assert_eq!(point(Some(header), row), Ok([1.0, 2.0]), "{header}");
+        }
+        for (title, row) in [
+            ("butterfly", "1,2"),
+            ("an outline of 3 points", "1,2"),
+            ("NACA 0012", "1 2"),
+            ("NACA 0012 AIRFOIL", "1 2"),
+        ] {
+            assert_eq!(point(Some(title), row), Ok([1.0, 2.0]), "{title}");
         }
         assert!(
             point(Some("theta,r"), "0,1")

@@ -66,6 +66,8 @@ mod tests {
         assert_eq!(read("easting,northing\n2,3").unwrap().0.len(), 1);
         assert_eq!(read("").unwrap().0.len(), 0);
         assert_eq!(read("y;x\n2,5;3\n").unwrap().0, [[3.0, 2.5]]);
+        assert_eq!(read("NACA 0012\n1 0\n0 1\n").unwrap().0.len(), 2);
+        assert!(message("1 b\n2 3\n").contains("row 1: \"b\" is not a number"));
         // A row of numbers is no header, whatever separates them.
         assert_eq!(read("1;2\n3;4").unwrap().0.len(), 2);
         // Only the first row can be a header, and only if none of its fields is a number.

@@ -10,7 +10,7 @@ use crate::fit::{
 use crate::language::{MAX_TEXT_BYTES, Numbers};
 use crate::options::options;
 use crate::reading::{read_coefficients_csv, read_fourier_csv, read_text};
-use crate::rows::double;
+use crate::rows::{double, words};
 use crate::shape::{Contour, Form};
 
 use super::{Remark, Work};
@@ -225,26 +225,22 @@ fn looks_like_rows(text: &str) -> bool {
                 .trim()
         })
         .filter(|line| !line.is_empty() && !line.starts_with("//"));
-    let fields = |row: &'_ str| -> Option<(usize, usize)> {
-        let parts = row
-            .split([',', ';', '\t', ' '])
-            .map(|part| part.trim_matches('"'));
-        let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    // The number of fields, and whether they are words; nothing for anything else.
+    let fields = |row: &str| -> Option<(usize, bool)> {
+        let parts: Vec<&str> = words(row).collect();
         let is_number = |part: &&&str| part.split('/').all(|n| double(n).is_ok());
         let numbers = parts.iter().filter(is_number);
-        let words = parts
+        let has_words = parts
             .iter()
             .all(|part| part.starts_with(char::is_alphabetic));
-        (numbers.count() == parts.len() || words).then_some((parts.len(), usize::from(words)))
+        let is_row = has_words || numbers.count() == parts.len();
+        is_row.then_some((parts.len(), has_words))
     };
-    match rows.next().and_then(fields) {
-        Some((count, 0)) => count > 1,
-        Some(_) => rows
-            .next()
-            .and_then(fields)
-            .is_some_and(|(count, words)| count > 1 && words == 0),
-        None => false,
+    let mut found = rows.next().and_then(fields);
+    if let Some((_, true)) = found {
+        found = rows.next().and_then(fields);
     }
+    matches!(found, Some((2.., false)))
 }
 
 /// Refuses the options of pictures for anything else.
