@@ -242,7 +242,7 @@ pub(super) fn mistaken_polynomials(
     in_space: bool,
 ) -> Vec<Mistaken<SparsePolynomial<3>>> {
     let mut all = match radius {
-        Some(radius) => of_series(radius),
+        Some(radius) => of_series(radius, polynomial),
         None => of_coordinates(polynomial, in_space),
     };
     let axes = if in_space { 3 } else { 2 };
@@ -269,7 +269,10 @@ pub(super) fn mistaken_polynomials(
 /// Term by term squares of longer polynomials take too long to be tried.
 const LONGEST_SQUARED: usize = 400;
 
-fn of_series(radius: &FourierRadius) -> Vec<Mistaken<SparsePolynomial<3>>> {
+fn of_series(
+    radius: &FourierRadius,
+    polynomial: &SparsePolynomial<3>,
+) -> Vec<Mistaken<SparsePolynomial<3>>> {
     let expanded = |radius: &FourierRadius| {
         let form = SquaredForm::new(radius).ok()?;
         Some(SparsePolynomial::from(form.expand().polynomial()))
@@ -287,11 +290,11 @@ fn of_series(radius: &FourierRadius) -> Vec<Mistaken<SparsePolynomial<3>>> {
     let Ok(form) = SquaredForm::new(radius) else {
         return all;
     };
-    let whole = SparsePolynomial::from(form.expand().polynomial());
-    let parts = whole.degree().unwrap_or(0);
+    let top = polynomial.degree();
+    let top = top.invariant("the polynomial of a curve is not 0");
     let scaled = |below: u64, factor: Rational| {
-        let terms = whole.terms().map(|(e, c)| {
-            let is_part = total_degree(e) + below == parts;
+        let terms = polynomial.terms().map(|(e, c)| {
+            let is_part = total_degree(e) + below == top;
             (*e, if is_part { c * &factor } else { c.clone() })
         });
         SparsePolynomial::from_terms(terms)

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::Parser;
-use stellate::error::{Error, Result};
+use stellate::error::{Error, Invariant, Result};
 use stellate::language::Numbers;
 use stellate::paper::{EXAMPLE_DATA, ReportFigure};
 use stellate::parametrize::{BranchFitOptions, fit_branch, parametrize};
@@ -205,7 +205,9 @@ fn read(form: &str, session: &Session) -> Result<Given> {
     }
     match EXAMPLE_DATA.iter().find(|(path, _)| *path == form) {
         Some((path, text)) => {
-            let name = Path::new(path).file_name().unwrap_or_default();
+            let name = Path::new(path)
+                .file_name()
+                .invariant("the path of an example ends in a file");
             let given = Given::from_reader(text.as_bytes(), path, Numbers::Exact)?;
             Ok(Given::new(name.to_string_lossy(), given.into_content()))
         }

@@ -1,16 +1,15 @@
-//! Equations between rational functions of x, y and z: `y = 1/x` is x y − 1 = 0.
+//! Quotients of a ring, and equations between those of polynomials in x, y and z: `y = 1/x` is x y − 1 = 0.
 
 use super::evaluate::{Algebra, Context, evaluate};
-use super::expand;
 use super::name::Name;
 use super::polynomial::Implicit;
 use super::source::Span;
 use super::syntax::{Equation, Expr, ExprKind};
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::factor::greatest_common_divisor;
+use crate::factor::{coprime_parts, greatest_common_divisor};
 use crate::limits::Limits;
-use crate::poly::{SparsePolynomial, total_degree};
+use crate::poly::SparsePolynomial;
 
 /// The highest degree of numerator and denominator, and the most terms of both.
 const MAX_DEGREE: u64 = 100;
@@ -18,39 +17,32 @@ const MAX_FRACTION_TERMS: usize = 10_000;
 
 /// Whether something with a coordinate in it divides.
 pub(super) fn divides(expr: &Expr) -> bool {
-    let parts = |parts: &[(bool, Expr)]| parts.iter().any(|(_, part)| divides(part));
-    match &expr.kind {
-        ExprKind::Number | ExprKind::Integer(_) | ExprKind::Name(_) => false,
-        ExprKind::Negative(inner) => divides(inner),
-        ExprKind::Sum(terms) => parts(terms),
+    let is_divisor = match &expr.kind {
         ExprKind::Product(factors) => {
-            factors
-                .iter()
-                .any(|(divides, part)| *divides && !part.is_number())
-                || parts(factors)
+            let mut factors = factors.iter();
+            factors.any(|(divides, part)| *divides && !part.is_number())
         }
         ExprKind::Power(base, exponent) => {
-            let is_negative = matches!(exponent.kind, ExprKind::Negative(_));
-            is_negative && !base.is_number() || divides(base)
+            matches!(exponent.kind, ExprKind::Negative(_)) && !base.is_number()
         }
-        ExprKind::Call(_, arguments) => arguments.iter().any(divides),
-    }
+        _ => false,
+    };
+    is_divisor || expr.children().into_iter().any(divides)
 }
 
 /// The numerator of left − right in lowest terms, and without the factors that it shares with a divisor: they are 0 where
 /// the equation says nothing. It is 0 exactly where the equation holds, and at points where numerator and denominator vanish.
 pub(super) fn numerator(cx: &mut Context<'_>, equation: &Equation) -> Result<SparsePolynomial<3>> {
-    let mut difference = evaluate(cx, &Fractions, &equation.left)?;
+    let mut difference = evaluate(cx, &Fractions(Implicit), &equation.left)?;
     if let Some(right) = &equation.right {
-        let value = evaluate(cx, &Fractions, right)?;
-        Fractions.add(cx, &mut difference, true, value, right.span)?;
+        let value = evaluate(cx, &Fractions(Implicit), right)?;
+        Fractions(Implicit).add(cx, &mut difference, true, value, right.span)?;
     }
-    let Fraction { mut above, below } = difference;
-    let degree =
-        |f: &SparsePolynomial<3>| f.terms().map(|(e, _)| total_degree(e)).max().unwrap_or(0);
-    if degree(&above).max(degree(&below)) > MAX_DEGREE
-        || above.len() + below.len() > MAX_FRACTION_TERMS
-    {
+    let mut above = difference.above.into_polynomial();
+    let below = difference.below.into_polynomial();
+    let is_beyond = |f: &SparsePolynomial<3>| f.degree() > Some(MAX_DEGREE);
+    let terms = above.len() + below.len();
+    if is_beyond(&above) || is_beyond(&below) || terms > MAX_FRACTION_TERMS {
         let limit = format!(
             "an equation between quotients of a degree beyond {MAX_DEGREE} or with more than {MAX_FRACTION_TERMS} terms"
         );
@@ -62,48 +54,74 @@ pub(super) fn numerator(cx: &mut Context<'_>, equation: &Equation) -> Result<Spa
         if common.as_constant().is_some() {
             break;
         }
-        above = crate::factor::coprime_parts([&above, &common], &limits)?[0].clone();
+        [above, _] = coprime_parts([&above, &common], &limits)?;
     }
     Ok(above)
 }
 
-/// Quotients of polynomials, not in lowest terms.
-struct Fractions;
-
-struct Fraction {
-    above: SparsePolynomial<3>,
-    below: SparsePolynomial<3>,
+/// A ring over which there are quotients, with what functions of an angle are in them.
+pub(super) trait RatioAlgebra: Algebra<Value: Clone + PartialEq> {
+    /// The numerator and the denominator of a function of an angle.
+    fn ratio(
+        &self,
+        cx: &mut Context<'_>,
+        name: Name,
+        argument: &Expr,
+        at: Span,
+    ) -> Result<[Self::Value; 2]>;
 }
 
-impl Fraction {
-    fn polynomial(above: SparsePolynomial<3>) -> Self {
-        Self {
+impl RatioAlgebra for Implicit {
+    /// The reason why there is none: a polynomial has no angle.
+    fn ratio(
+        &self,
+        cx: &mut Context<'_>,
+        name: Name,
+        argument: &Expr,
+        at: Span,
+    ) -> Result<[Self::Value; 2]> {
+        let value = self.call(cx, name, argument, at)?;
+        Ok([value, Self::constant(Rational::one())])
+    }
+}
+
+/// The quotients of a ring, not in lowest terms.
+pub(super) struct Fractions<A>(pub(super) A);
+
+#[derive(Clone)]
+pub(super) struct Fraction<V> {
+    pub(super) above: V,
+    pub(super) below: V,
+}
+
+impl<A: RatioAlgebra> Fractions<A> {
+    fn whole(above: A::Value) -> Fraction<A::Value> {
+        Fraction {
             above,
-            below: SparsePolynomial::constant(Rational::one()),
+            below: A::constant(Rational::one()),
         }
     }
 }
 
-impl Algebra for Fractions {
-    type Value = Fraction;
+impl<A: RatioAlgebra> Algebra for Fractions<A> {
+    type Value = Fraction<A::Value>;
 
     const DIVISOR: &'static str = "division by zero";
 
-    fn constant(value: Rational) -> Fraction {
-        Fraction::polynomial(SparsePolynomial::constant(value))
+    fn constant(value: Rational) -> Self::Value {
+        Self::whole(A::constant(value))
     }
 
-    fn to_constant(value: &Fraction) -> Option<Rational> {
-        let above = value.above.as_constant()?;
+    fn to_constant(value: &Self::Value) -> Option<Rational> {
+        let above = A::to_constant(&value.above)?;
         if above.is_zero() {
             return Some(above);
         }
-        Some(above * value.below.as_constant()?.recip()?)
+        Some(above * A::to_constant(&value.below)?.recip()?)
     }
 
-    fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<Fraction> {
-        let value = Implicit.name(cx, name, at)?;
-        Ok(Fraction::polynomial(value.into_polynomial()))
+    fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<Self::Value> {
+        self.0.name(cx, name, at).map(Self::whole)
     }
 
     fn call(
@@ -112,12 +130,12 @@ impl Algebra for Fractions {
         name: Name,
         argument: &Expr,
         at: Span,
-    ) -> Result<Fraction> {
-        let value = Implicit.call(cx, name, argument, at)?;
-        Ok(Fraction::polynomial(value.into_polynomial()))
+    ) -> Result<Self::Value> {
+        let [above, below] = self.0.ratio(cx, name, argument, at)?;
+        Ok(Fraction { above, below })
     }
 
-    fn reciprocal(&self, value: Fraction) -> Option<Fraction> {
+    fn reciprocal(&self, value: Self::Value) -> Option<Self::Value> {
         Some(Fraction {
             above: value.below,
             below: value.above,
@@ -127,44 +145,43 @@ impl Algebra for Fractions {
     fn add(
         &self,
         cx: &mut Context<'_>,
-        sum: &mut Fraction,
+        sum: &mut Self::Value,
         negative: bool,
-        mut term: Fraction,
+        mut term: Self::Value,
         at: Span,
     ) -> Result<()> {
         if sum.below != term.below {
-            sum.above = expand::product(cx, &sum.above, &term.below, at)?;
-            term.above = expand::product(cx, &term.above, &sum.below, at)?;
-            sum.below = expand::product(cx, &sum.below, &term.below, at)?;
+            let (left, right) = (sum.below.clone(), term.below);
+            term.above = self.0.multiply(cx, term.above, left.clone(), at)?;
+            sum.above = self.0.multiply(cx, sum.above.clone(), right.clone(), at)?;
+            sum.below = self.0.multiply(cx, left, right, at)?;
         }
-        let sign = if negative { -1 } else { 1 };
-        sum.above.add_multiple(&term.above, &Rational::from(sign));
-        Ok(())
+        self.0.add(cx, &mut sum.above, negative, term.above, at)
     }
 
     fn multiply(
         &self,
         cx: &mut Context<'_>,
-        a: Fraction,
-        b: Fraction,
+        a: Self::Value,
+        b: Self::Value,
         at: Span,
-    ) -> Result<Fraction> {
+    ) -> Result<Self::Value> {
         Ok(Fraction {
-            above: expand::product(cx, &a.above, &b.above, at)?,
-            below: expand::product(cx, &a.below, &b.below, at)?,
+            above: self.0.multiply(cx, a.above, b.above, at)?,
+            below: self.0.multiply(cx, a.below, b.below, at)?,
         })
     }
 
     fn power(
         &self,
         cx: &mut Context<'_>,
-        base: Fraction,
+        base: Self::Value,
         exponent: u32,
         at: Span,
-    ) -> Result<Fraction> {
+    ) -> Result<Self::Value> {
         Ok(Fraction {
-            above: expand::power(cx, &base.above, exponent, at)?,
-            below: expand::power(cx, &base.below, exponent, at)?,
+            above: self.0.power(cx, base.above, exponent, at)?,
+            below: self.0.power(cx, base.below, exponent, at)?,
         })
     }
 }

@@ -378,7 +378,8 @@ impl Parser<'_> {
 
 /// What is meant by a character that has no meaning here, and what to write instead.
 fn meant(text: &str) -> String {
-    let first = text.chars().next().unwrap_or_default();
+    let first = text.chars().next();
+    let first = first.invariant("a token has characters");
     match first {
         '&' => "equations are separated by `;` or a new line".into(),
         '\\' | '$' => {

@@ -12,7 +12,8 @@ use malachite::base::polynomial::Polynomial as _;
 use super::angle::Angle;
 use super::coordinates;
 use super::evaluate::{Algebra, Context, constant, evaluate};
-use super::name::{Name, PARAMETERS};
+use super::fraction::{Fraction, Fractions, RatioAlgebra};
+use super::name::Name;
 use super::quotient::half_angle;
 use super::radius::TrigAlgebra;
 use super::source::Span;
@@ -88,14 +89,7 @@ fn any<'e>(cx: &mut Context<'_>, parts: impl Iterator<Item = &'e Expr>) -> Resul
 
 /// Whether a parameter occurs.
 fn varies(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Number | ExprKind::Integer(_) => false,
-        ExprKind::Name(name) => PARAMETERS.contains(name),
-        ExprKind::Negative(inner) => varies(inner),
-        ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().any(|(_, p)| varies(p)),
-        ExprKind::Power(base, exponent) => varies(base) || varies(exponent),
-        ExprKind::Call(_, arguments) => arguments.iter().any(varies),
-    }
+    expr.mentions(Name::is_parameter)
 }
 
 /// `r = formula` as the parametric curve (r cos θ, r sin θ).
@@ -125,8 +119,8 @@ pub(super) fn equation(
     formula: &Expr,
     k: u32,
 ) -> Result<SparsePolynomial<3>> {
-    let fraction = evaluate(cx, &Fractions, formula)?;
-    let (above, below) = (fraction.above, fraction.below);
+    let fraction = evaluate(cx, &Fractions(TrigAlgebra), formula)?;
+    let Fraction { above, below } = fraction;
     let refuse = |message: &str| Err(cx.source.error(formula.span, message));
     if above.len() == 0 {
         return refuse("this is 0: the curve is only the origin");
@@ -240,115 +234,28 @@ fn divided_by_rho(f: &PlanePolynomial) -> Option<PlanePolynomial> {
     f.parts().map(|part| part.divided_by_rho()).collect()
 }
 
-/// Quotients of trigonometric polynomials, not in lowest terms.
-struct Fractions;
-
-#[derive(Clone)]
-struct Fraction {
-    above: TrigPolynomial,
-    below: TrigPolynomial,
-}
-
-impl Algebra for Fractions {
-    type Value = Fraction;
-
-    const DIVISOR: &'static str = "division by zero";
-
-    fn constant(value: Rational) -> Fraction {
-        Fraction {
-            above: TrigPolynomial::constant(value),
-            below: TrigPolynomial::constant(Rational::one()),
-        }
-    }
-
-    fn to_constant(value: &Fraction) -> Option<Rational> {
-        let above = value.above.as_constant()?;
-        if above.is_zero() {
-            return Some(above);
-        }
-        Some(above * value.below.as_constant()?.recip()?)
-    }
-
-    fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<Fraction> {
-        let above = TrigAlgebra.name(cx, name, at)?;
-        Ok(Fraction {
-            above,
-            ..Self::constant(Rational::one())
-        })
-    }
-
-    fn call(
+impl RatioAlgebra for TrigAlgebra {
+    fn ratio(
         &self,
         cx: &mut Context<'_>,
         name: Name,
         argument: &Expr,
         at: Span,
-    ) -> Result<Fraction> {
+    ) -> Result<[TrigPolynomial; 2]> {
         let one = TrigPolynomial::constant(Rational::one());
-        let cos = TrigAlgebra.call(cx, Name::Cos, argument, at)?;
-        let sin = TrigAlgebra.call(cx, Name::Sin, argument, at)?;
-        let (above, below) = match name {
-            Name::Cos => (cos, one),
-            Name::Sin => (sin, one),
-            Name::Tan => (sin, cos),
-            Name::Cot => (cos, sin),
-            Name::Sec => (one, cos),
-            _ => (one, sin),
+        let cos = self.call(cx, Name::Cos, argument, at)?;
+        let sin = self.call(cx, Name::Sin, argument, at)?;
+        let [above, below] = match name {
+            Name::Cos => [cos, one],
+            Name::Sin => [sin, one],
+            Name::Tan => [sin, cos],
+            Name::Cot => [cos, sin],
+            Name::Sec => [one, cos],
+            _ => [one, sin],
         };
         if below.len() == 0 {
             return Err(cx.source.error(at, "division by zero: it has a pole here"));
         }
-        Ok(Fraction { above, below })
-    }
-
-    fn reciprocal(&self, value: Fraction) -> Option<Fraction> {
-        Some(Fraction {
-            above: value.below,
-            below: value.above,
-        })
-    }
-
-    fn add(
-        &self,
-        cx: &mut Context<'_>,
-        sum: &mut Fraction,
-        negative: bool,
-        mut term: Fraction,
-        at: Span,
-    ) -> Result<()> {
-        if sum.below != term.below {
-            let (left, right) = (sum.below.clone(), term.below.clone());
-            term.above = TrigAlgebra.multiply(cx, term.above, left.clone(), at)?;
-            let above = std::mem::take(&mut sum.above);
-            sum.above = TrigAlgebra.multiply(cx, above, right.clone(), at)?;
-            sum.below = TrigAlgebra.multiply(cx, left, right, at)?;
-        }
-        TrigAlgebra.add(cx, &mut sum.above, negative, term.above, at)
-    }
-
-    fn multiply(
-        &self,
-        cx: &mut Context<'_>,
-        a: Fraction,
-        b: Fraction,
-        at: Span,
-    ) -> Result<Fraction> {
-        Ok(Fraction {
-            above: TrigAlgebra.multiply(cx, a.above, b.above, at)?,
-            below: TrigAlgebra.multiply(cx, a.below, b.below, at)?,
-        })
-    }
-
-    fn power(
-        &self,
-        cx: &mut Context<'_>,
-        base: Fraction,
-        exponent: u32,
-        at: Span,
-    ) -> Result<Fraction> {
-        Ok(Fraction {
-            above: TrigAlgebra.power(cx, base.above, exponent, at)?,
-            below: TrigAlgebra.power(cx, base.below, exponent, at)?,
-        })
+        Ok([above, below])
     }
 }

@@ -15,10 +15,22 @@ use crate::poly::{SparsePolynomial, total_degree};
 pub(super) struct Implicit;
 
 /// A polynomial; one term is kept apart, because most of a long text is single terms.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Value {
     Term([u32; 3], Rational),
     Sum(SparsePolynomial<3>),
+}
+
+impl PartialEq for Value {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Value::Term(e, p), Value::Term(f, q)) => (e, p) == (f, q),
+            (Value::Sum(f), Value::Sum(g)) => f == g,
+            (Value::Term(e, c), Value::Sum(sum)) | (Value::Sum(sum), Value::Term(e, c)) => {
+                *sum == SparsePolynomial::from_terms([(*e, c.clone())])
+            }
+        }
+    }
 }
 
 impl Value {

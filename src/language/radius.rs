@@ -3,7 +3,7 @@
 use super::angle::{ARGUMENT, Angle};
 use super::budget::MAX_HARMONIC;
 use super::evaluate::{Algebra, Context, times};
-use super::name::{Name, PARAMETERS};
+use super::name::Name;
 use super::source::Span;
 use super::syntax::Expr;
 use crate::error::{Invariant, Result};
@@ -47,7 +47,7 @@ impl Algebra for TrigAlgebra {
     fn name(&self, cx: &mut Context<'_>, name: Name, at: Span) -> Result<TrigPolynomial> {
         let shown = cx.source.quoted(at);
         let message = match name {
-            _ if PARAMETERS.contains(&name) => format!(
+            _ if name.is_parameter() => format!(
                 "the angle {shown} outside cos( ) and sin( ) is not a finite Fourier series"
             ),
             Name::Pi => not_rational(shown),

@@ -74,18 +74,28 @@ impl Equation {
 }
 
 impl Expr {
+    /// The expressions that it is made of.
+    pub(super) fn children(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ExprKind::Number | ExprKind::Integer(_) | ExprKind::Name(_) => Vec::new(),
+            ExprKind::Negative(inner) => vec![inner],
+            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+                parts.iter().map(|(_, part)| part).collect()
+            }
+            ExprKind::Power(base, exponent) => vec![base, exponent],
+            ExprKind::Call(_, arguments) => arguments.iter().collect(),
+        }
+    }
+
+    /// Whether a name occurs in it that is one of these.
+    pub(super) fn mentions(&self, is_one: impl Fn(Name) -> bool + Copy) -> bool {
+        let is_named = matches!(self.kind, ExprKind::Name(name) if is_one(name));
+        is_named || self.children().iter().any(|part| part.mentions(is_one))
+    }
+
     /// Whether no name occurs in it.
     pub(super) fn is_number(&self) -> bool {
-        match &self.kind {
-            ExprKind::Number | ExprKind::Integer(_) => true,
-            ExprKind::Name(_) => false,
-            ExprKind::Negative(inner) => inner.is_number(),
-            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
-                parts.iter().all(|(_, part)| part.is_number())
-            }
-            ExprKind::Power(base, exponent) => base.is_number() && exponent.is_number(),
-            ExprKind::Call(_, arguments) => arguments.iter().all(Self::is_number),
-        }
+        !self.mentions(|_| true)
     }
 
     /// Whether this is the bare name.

@@ -5,6 +5,7 @@
 //! either side: `2 pq/(3s)` is 2 times pq over 3s.
 
 use super::html::escaped;
+use crate::error::Invariant;
 
 /// Names that are no products of letters.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "cot", "arccos"];
@@ -281,10 +282,9 @@ impl<'t> Reader<'t> {
             Some(open @ ('(' | '[')) => {
                 self.next();
                 let inner = self.row();
-                let close = self.next().map(|c| format!("<mo>{c}</mo>"));
-                let close = close.unwrap_or_default();
+                let close = self.next().invariant("parentheses are closed");
                 Factor {
-                    markup: format!("<mrow><mo>{open}</mo>{inner}{close}</mrow>"),
+                    markup: format!("<mrow><mo>{open}</mo>{inner}<mo>{close}</mo></mrow>"),
                     inner: (open == '(').then_some(inner),
                 }
             }
@@ -322,8 +322,8 @@ impl<'t> Reader<'t> {
                 return name.into();
             }
         }
-        let next = self.next().map(|c| escaped(&c.to_string()));
-        next.unwrap_or_default()
+        let next = self.next().invariant("an operator has something behind it");
+        escaped(&next.to_string())
     }
 
     fn raised_row(&mut self) -> String {

@@ -11,7 +11,7 @@ use super::heading::{
     self, Drawn, FINER, LEFT, MARGIN, Mark, Row, color, dot, font, load_font, shown_in_units, tick,
 };
 use super::{Window, clip};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 
 /// The number of units below the plotted part.
 const BELOW: u32 = 56;
@@ -170,7 +170,7 @@ impl Figure {
 /// The number of labels along the x axis: as many as fit beside each other, and at most ten.
 fn x_labels(width: u32) -> usize {
     const UNITS: u32 = 70;
-    usize::try_from((width / UNITS).min(10)).unwrap_or(10)
+    usize::try_from((width / UNITS).min(10)).invariant("ten is a small number")
 }
 
 /// The sizes that make the axes equal.

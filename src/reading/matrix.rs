@@ -2,7 +2,7 @@
 
 use super::document::check_exponents;
 use super::table::{Table, read_coefficients_csv};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::language::{Numbers, constant_message, implicit, number_at};
 use crate::poly::SparsePolynomial;
@@ -46,7 +46,7 @@ pub fn read_coefficients(text: &str, source_name: &str, numbers: Numbers) -> Res
         return of_rows(&rows.collect::<Vec<_>>(), source_name, numbers);
     }
     let table = Table::read(text, source_name, numbers)?;
-    let width = table.width().unwrap_or(0);
+    let width = table.width().invariant("a table has rows");
     let is_natural = |field: &String| field.bytes().all(|b| b.is_ascii_digit());
     let are_terms = matches!(width, 3 | 4)
         && table

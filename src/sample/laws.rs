@@ -350,7 +350,7 @@ fn is_nearest(
             .terms()
             .map(|((i, j), a)| {
                 let power =
-                    |u: &Rational, e: usize| (u * &lambda).pow(e as i64).unwrap_or(Rational::one());
+                    |u: &Rational, e: usize| (u * &lambda).pow(e as i64).invariant("e is natural");
                 a * power(&unit[0], i) * power(&unit[1], j)
             })
             .fold(Rational::zero(), |sum, term| sum + term);
@@ -372,7 +372,7 @@ fn points_about_a_center_are_the_nearest_doubles() {
             let k = draw.below(2001) as i64 - 1000;
             (e, Integer::from(k))
         }));
-        if f.degree().unwrap_or(0) == 0 {
+        if f.degree().is_none_or(|degree| degree == 0) {
             continue;
         }
         let (direction, center) = (draw.direction(), center(&mut draw));

@@ -1,5 +1,6 @@
 //! Forms of every kind from text.
 
+use stellate::error::{Error, Result};
 use stellate::language::{Numbers, parse_form};
 use stellate::poly::{PlanePolynomial, SparsePolynomial};
 use stellate::shape::{Form, Patch, PlaneCurve, SpaceCurve};
@@ -41,5 +42,16 @@ pub(crate) fn space(text: &str) -> SparsePolynomial<3> {
     match read(&format!("{text} + 0z")) {
         Form::Surface(surface) => surface.polynomial().primitive(),
         other => panic!("{text}: {other:?}"),
+    }
+}
+
+/// The message of a refused text, and how the text goes on where the message points.
+#[track_caller]
+pub(crate) fn refusal(typed: &str, read: Result<Form>) -> (String, String) {
+    match read {
+        Err(Error::Syntax {
+            message, text, at, ..
+        }) => (message, text[at..].to_owned()),
+        other => panic!("{typed}: {other:?}"),
     }
 }

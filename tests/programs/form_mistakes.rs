@@ -1,8 +1,9 @@
 //! Mistakes in formulas: each is answered with one message that points at the place and says what would be right.
 
-use stellate::error::Error;
 use stellate::language::Numbers;
 use stellate::reading::read_text;
+
+use crate::common::forms::refusal;
 
 /// The text, how it goes on where the message points, and a part of the message.
 const MISTAKES: &[(&str, &str, &str)] = &[
@@ -294,24 +295,11 @@ const MISTAKES: &[(&str, &str, &str)] = &[
 fn one_message_points_at_the_place_and_names_the_fix() {
     assert!(MISTAKES.len() >= 100);
     for (typed, at, part) in MISTAKES {
-        match read_text(typed, "<form>", Numbers::Exact) {
-            Err(Error::Syntax {
-                message,
-                text,
-                at: found,
-                ..
-            }) => {
-                assert!(message.contains(part), "{typed}: {message}");
-                let rest = &text[found..];
-                assert!(
-                    rest.trim_start_matches('(')
-                        .starts_with(at.trim_start_matches('(')),
-                    "{typed}: points at {rest}"
-                );
-                assert!(!message.contains('\n'), "{typed}: {message}");
-            }
-            other => panic!("{typed}: {other:?}"),
-        }
+        let (message, rest) = refusal(typed, read_text(typed, "<form>", Numbers::Exact));
+        assert!(message.contains(part), "{typed}: {message}");
+        let [rest, at] = [&*rest, at].map(|text| text.trim_start_matches('('));
+        assert!(rest.starts_with(at), "{typed}: points at {rest}");
+        assert!(!message.contains('\n'), "{typed}: {message}");
     }
 }
 

@@ -7,6 +7,8 @@ use stellate::language::{MAX_DEGREE, MAX_NESTING, Numbers, parse_form};
 use stellate::poly::SparsePolynomial;
 use stellate::shape::{Form, FourierRadius};
 
+use crate::common::forms::refusal;
+
 fn read(text: &str) -> Form {
     parse_form(text, "<form>", Numbers::Exact).unwrap_or_else(|e| panic!("{e}"))
 }
@@ -36,20 +38,10 @@ fn terms(text: &str) -> String {
 
 #[track_caller]
 fn assert_refused(input: &str, expected: &str, caret: &str) {
-    match parse_form(input, "<form>", Numbers::Exact) {
-        Err(Error::Syntax {
-            message, text, at, ..
-        }) => {
-            assert!(message.contains(expected), "{input}: {message}");
-            assert!(
-                text[at..].starts_with(caret),
-                "{input}: {message}, at {}",
-                &text[at..]
-            );
-            assert!(!message.contains("implemented"), "{message}");
-        }
-        other => panic!("{input}: {other:?}"),
-    }
+    let (message, rest) = refusal(input, parse_form(input, "<form>", Numbers::Exact));
+    assert!(message.contains(expected), "{input}: {message}");
+    assert!(rest.starts_with(caret), "{input}: {message}, at {rest}");
+    assert!(!message.contains("implemented"), "{message}");
 }
 
 #[track_caller]

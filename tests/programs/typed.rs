@@ -11,6 +11,7 @@ use stellate::limits::Limits;
 use stellate::poly::PlanePolynomial;
 use stellate::shape::{Form, FourierRadius};
 
+use crate::common::forms::refusal;
 use crate::common::{radii, value_at};
 
 fn read(text: &str) -> Result<Form, Error> {
@@ -155,22 +156,10 @@ fn what_is_refused_names_what_would_be_right() {
             "a center belongs to",
         ),
     ] {
-        match read(typed) {
-            Err(Error::Syntax {
-                message,
-                text,
-                at: found,
-                ..
-            }) => {
-                assert!(message.contains(part), "{typed}: {message}");
-                let rest = text[found..].trim_start_matches('(');
-                assert!(
-                    rest.starts_with(at.trim_start_matches('(')),
-                    "{typed}: at {rest}"
-                );
-            }
-            other => panic!("{typed}: {other:?}"),
-        }
+        let (message, rest) = refusal(typed, read(typed));
+        assert!(message.contains(part), "{typed}: {message}");
+        let [rest, at] = [&*rest, at].map(|text| text.trim_start_matches('('));
+        assert!(rest.starts_with(at), "{typed}: at {rest}");
     }
 }
 

@@ -13,6 +13,7 @@ use stellate::reading::read_text;
 use stellate::sample::{Direction, Ray, RaySolver, Sample, solve_radial};
 use stellate::shape::{Form, Radial, Superquadric};
 
+use crate::common::forms::refusal;
 use crate::common::program::{Run, done, json, piped, run_in};
 
 fn rational(p: i64, q: i64) -> Rational {
@@ -136,14 +137,10 @@ fn what_is_wrong_is_pointed_at() {
             "# center",
         ),
     ] {
-        let error = parse_form(text, "<form>", Numbers::Exact).unwrap_err();
-        let shown = error.to_string();
+        let (shown, rest) = refusal(text, parse_form(text, "<form>", Numbers::Exact));
         assert!(shown.contains(message), "{text}: {shown}");
-        let stellate::error::Error::Syntax { at: found, .. } = error else {
-            panic!("{text}: a syntax error: {shown}")
-        };
-        assert!(text[found..].starts_with(at), "{text}: at {found}");
-        assert!(!at.is_empty() || found == text.len(), "{text}: at {found}");
+        assert!(rest.starts_with(at), "{text}: at {rest}");
+        assert!(!at.is_empty() || rest.is_empty(), "{text}: at {rest}");
     }
     let run = run(&["sample", "superquadric 2d a=1,2 e=1/1001"]);
     assert_eq!(run.code, 3, "{}", run.err);

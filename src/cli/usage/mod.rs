@@ -10,6 +10,8 @@ use std::error::Error as _;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgMatches, FromArgMatches};
 
+use stellate::error::Invariant;
+
 use super::about;
 use super::arguments::Arguments;
 use super::{mesh, plot};
@@ -65,21 +67,16 @@ fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> Strin
         }
         (ErrorKind::InvalidValue, _, Some(name)) => {
             let values = match error.get(ContextKind::ValidValue) {
-                Some(ContextValue::Strings(values)) => values.join(", "),
-                _ => String::new(),
+                Some(ContextValue::Strings(values)) => Some(values.join(", ")),
+                _ => None,
             };
-            format!(
-                "{name} {}: expected one of {values}",
-                value.unwrap_or_default()
-            )
+            let values = values.invariant("a wrong name comes with the right ones");
+            let value = value.invariant("a missing value was answered above");
+            format!("{name} {value}: expected one of {values}")
         }
         (ErrorKind::ValueValidation, _, Some(name)) => {
-            let why = error.source().map(ToString::to_string);
-            format!(
-                "{name} {}: {}",
-                value.unwrap_or("\"\""),
-                why.unwrap_or_default()
-            )
+            let why = error.source().invariant("a reader says what is wrong");
+            format!("{name} {}: {why}", value.unwrap_or("\"\""))
         }
         (ErrorKind::UnknownArgument, Some(argument), Some(name)) => {
             match name.starts_with('-') && name != "-" {
@@ -91,7 +88,8 @@ fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> Strin
             }
         }
         (ErrorKind::InvalidSubcommand, ..) => {
-            let word = context(ContextKind::InvalidSubcommand).unwrap_or_default();
+            let word = context(ContextKind::InvalidSubcommand);
+            let word = word.invariant("a verb that there is not has a name");
             stray::verb(word, error.get(ContextKind::SuggestedSubcommand), command)
         }
         _ => {
