@@ -1,22 +1,22 @@
-//! What may be reported with the statements, and writes itself.
+//! A supplement to the report on the statements, which writes itself.
 
 use std::io::Write;
 
 use crate::error::Result;
 
-/// Something that stands at the end of a report on the paper: the field `comparison` of its document, a text, a section of its
-/// page.
+/// A supplement at the end of a report on the paper. It is the field `comparison` of a JSON document, a text below a table, or
+/// a section of a page.
 pub trait Appendix {
     /// The value of the field, as JSON.
     fn json(&self) -> String;
 
-    /// The text below the statements.
+    /// Writes the text below the statements.
     ///
     /// # Errors
     /// Those of `out`.
     fn write_text(&self, out: &mut dyn Write) -> Result<()>;
 
-    /// The section of the page, with the id `comparison`.
+    /// Writes the section of the page; its heading has the id `comparison`.
     ///
     /// # Errors
     /// Those of `out`.

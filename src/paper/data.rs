@@ -1,6 +1,6 @@
-//! The data of the paper's examples, as in paper-examples: the program has them wherever it runs.
+//! The data of the paper's examples. They are built into the program, so that it does not need the folder paper-examples.
 
-/// Where a file stands in the repository, and its text.
+/// The path of each file in the repository, and its text.
 pub const EXAMPLE_DATA: [(&str, &str); 3] = [
     (
         "paper-examples/e02-butterfly/butterfly.csv",
@@ -16,7 +16,7 @@ pub const EXAMPLE_DATA: [(&str, &str); 3] = [
     ),
 ];
 
-/// The text of a file by its place.
+/// The text of the file with this path.
 pub(super) fn example(path: &str) -> Option<&'static str> {
     let found = EXAMPLE_DATA.iter().find(|(known, _)| *known == path);
     found.map(|(_, text)| *text)

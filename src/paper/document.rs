@@ -1,4 +1,4 @@
-//! What came of the statements, as a table, in full, and as JSON.
+//! Writes the outcomes of the statements as a table, in full, or as JSON.
 
 use std::io::Write;
 
@@ -31,7 +31,7 @@ struct EntryDocument<'a> {
     seconds: f64,
 }
 
-/// Writes a table by sections, or the JSON document of kind `paper`; then the appendix, if there is one.
+/// Writes the outcomes as a table by sections or as the JSON document of kind `paper`, with the appendix if there is one.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
@@ -64,7 +64,8 @@ pub fn write_entries(
     }
 }
 
-/// Writes entries in full, one below the other, or the JSON document of kind `paper` with them alone.
+/// Writes these entries in full, one below the other, or as the JSON document of kind `paper`, with the appendix if there is
+/// one.
 ///
 /// # Errors
 /// As [`write_entries`].
@@ -113,7 +114,7 @@ fn write_entry(entry: &Entry<'_>, outcome: &Outcome, out: &mut dyn Write) -> Res
     Ok(writeln!(out, "meaning: {}", outcome.verdict.meaning())?)
 }
 
-/// What stands below the statements.
+/// Writes a blank line and the appendix, if there is one.
 fn write_appendix(appendix: Option<&dyn Appendix>, out: &mut dyn Write) -> Result<()> {
     match appendix {
         None => Ok(()),
@@ -140,7 +141,7 @@ fn document<'a>(entry: &Entry<'a>, outcome: &Outcome) -> EntryDocument<'a> {
     }
 }
 
-/// What follows a verdict that is not the recorded one.
+/// The remark behind a verdict that is not the recorded one; empty for the recorded verdict.
 pub(super) fn unexpected(entry: &Entry<'_>, outcome: &Outcome) -> String {
     if outcome.expected {
         String::new()

@@ -15,37 +15,37 @@ use crate::limits::Limits;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Entry<'a> {
-    /// `T2`, `L4`, `E9`, `Eq63`, `F12`, `AppB`, …
+    /// The identifier: `T2`, `L4`, `E9`, `Eq63`, `F12`, `AppB`, …
     pub id: &'a str,
-    /// What it is.
+    /// The title.
     pub title: &'a str,
     /// The section of the paper.
     pub section: &'a str,
-    /// What is printed.
+    /// The statement as the paper prints it.
     pub printed: Text,
-    /// What is true.
+    /// The statement as it is true. It is the same text if the paper is right.
     pub correct: Text,
-    /// What else there is to say of it, possibly nothing.
+    /// A remark, which may be empty.
     pub note: Text,
-    /// What symbols of its formulas stand for.
+    /// Definitions of symbols in the formulas: `p = …; q = …`.
     pub(super) definitions: &'a str,
-    /// Known squares of symbols.
+    /// Known squares of symbols: `w^2 = -3; …`.
     pub(super) squares: &'a str,
     /// The tests.
     pub tests: Vec<Test<'a>>,
-    /// The verdict that is recorded.
+    /// The recorded verdict, with which the outcome is compared.
     pub expected: EntryVerdict,
 }
 
-/// What a test is about.
+/// The part of a statement that a test is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TestPart {
-    /// What is printed.
+    /// The statement as printed.
     Printed,
-    /// What is true instead.
+    /// The corrected statement.
     Corrected,
-    /// What holds in any case.
+    /// A fact that must hold whether the paper is right or wrong.
     Always,
 }
 
@@ -53,43 +53,44 @@ pub enum TestPart {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Test<'a> {
-    /// What it is about.
+    /// The part of the statement that the test is about.
     pub part: TestPart,
     pub(super) kind: TestKind<'a>,
 }
 
 #[derive(Clone, Debug)]
 pub(super) enum TestKind<'a> {
-    /// An equation; where it is known to fail, by what its sides differ.
+    /// An equation. If it is known to fail, `difference` is its left side minus its right side.
     Identity {
         text: &'a str,
         sides: [Formula; 2],
         difference: Option<(&'a str, Formula)>,
     },
-    /// A question to the engine and the claimed answer.
+    /// A question that the library answers, and the claimed answer.
     Question(Question<'a>, &'a str),
 }
 
-/// What follows from the tests of an entry.
+/// The verdict that follows from the tests of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum EntryVerdict {
     /// All tests hold, those of the printed part among them.
     Holds,
-    /// Nothing that is printed passes its test, and what is corrected does.
+    /// No test of the printed statement holds, and all tests of the corrected one do.
     HoldsOnceCorrected,
-    /// What is printed holds in some cases and fails in others.
+    /// Some tests of the printed statement hold and others fail.
     ClaimTooStrong,
-    /// A test that must hold does not, or a printed formula fails in another way than stated.
+    /// A test that must hold fails, a printed formula fails in another way than recorded, or there are too few tests for
+    /// another verdict.
     Fails,
 }
 
 impl EntryVerdict {
-    /// Those that an entry may expect.
+    /// The verdicts that an entry may record.
     pub(super) const EXPECTED: [Self; 3] =
         [Self::Holds, Self::HoldsOnceCorrected, Self::ClaimTooStrong];
 
-    /// As in documents.
+    /// The name in documents.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -100,7 +101,7 @@ impl EntryVerdict {
         }
     }
 
-    /// What it means, in a sentence.
+    /// The meaning, in whole sentences.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -125,31 +126,31 @@ impl fmt::Display for EntryVerdict {
     }
 }
 
-/// What came of one test.
+/// The result of one test.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Finding {
-    /// What it is about.
+    /// The part of the statement that the test is about.
     pub part: TestPart,
     /// Whether it holds.
     pub holds: bool,
-    /// Whether it fails in another way than stated.
+    /// Whether it fails in another way than recorded.
     pub surprising: bool,
-    /// What was asked and what was found, as a sentence; what was claimed, too, if it is something else.
+    /// The question and the answer that was found, as a sentence; if another answer was claimed, it contains that one, too.
     pub evidence: Text,
 }
 
-/// What came of an entry.
+/// The results of the tests of an entry.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Outcome {
-    /// Test by test.
+    /// The findings, in the order of the tests.
     pub findings: Vec<Finding>,
-    /// What follows.
+    /// The verdict that follows from the findings.
     pub verdict: EntryVerdict,
-    /// Whether that is what is recorded.
+    /// Whether this is the recorded verdict.
     pub expected: bool,
-    /// How long it took by the clock.
+    /// The time that the tests took by the clock.
     pub time: Duration,
 }
 
@@ -157,7 +158,7 @@ impl Entry<'_> {
     /// Evaluates all tests.
     ///
     /// # Errors
-    /// Those of the engine and of `limits`.
+    /// Those of the tests and of `limits`.
     pub fn evaluate(&self, limits: &Limits) -> Result<Outcome> {
         let start = Instant::now();
         let mut findings = Vec::new();
@@ -202,7 +203,7 @@ impl Entry<'_> {
         }
     }
 
-    /// What comes of an identity; where it is known to fail, its left side is to be the right one plus a difference.
+    /// Tests an identity. If it is known to fail, its left side must be its right side plus `difference`.
     fn compared(
         &self,
         part: TestPart,
@@ -254,7 +255,7 @@ impl Entry<'_> {
 }
 
 impl Finding {
-    /// In whole sentences: what it is about, whether it holds, and the evidence.
+    /// The finding in whole sentences: what it is about, whether it holds, and the evidence.
     pub(super) fn sentences(&self) -> Text {
         let evidence = self.evidence.clone();
         let beginning = match (self.part, self.holds) {

@@ -1,7 +1,7 @@
-//! Formulas in any symbols: what the paper's numbered equations are held as.
+//! Formulas in any symbols. The paper's numbered equations are stored as such formulas.
 //!
-//! Sums, products, quotients, integer powers, exact numbers and parentheses; a symbol is a letter and what letters and
-//! digits follow it. Products are written with `*`.
+//! A formula consists of sums, products, quotients, natural powers, exact numbers and parentheses. A symbol is a letter and the
+//! letters and digits that follow it. Products are written with `*`.
 
 use crate::error::{Error, Result};
 use crate::exact::{Rational, exact_literal};
@@ -14,13 +14,13 @@ pub enum Formula {
     Number(Rational),
     /// A symbol.
     Symbol(String),
-    /// The sum of the parts, each of which may be subtracted.
+    /// A sum of parts; `true` marks a part that is subtracted.
     Sum(Vec<(bool, Formula)>),
     /// The product of two factors.
     Product(Box<Formula>, Box<Formula>),
     /// A quotient.
     Quotient(Box<Formula>, Box<Formula>),
-    /// An integer power.
+    /// A power with a natural exponent.
     Power(Box<Formula>, u32),
 }
 
@@ -35,7 +35,7 @@ impl Formula {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Syntax`] with the place of the first character that does not fit.
+    /// [`Error::Syntax`] at the first character that does not fit.
     pub fn parse(text: &str) -> Result<Self> {
         let mut reader = Reader { text, at: 0 };
         let formula = reader.sum()?;
@@ -48,7 +48,7 @@ impl Formula {
     /// The two sides of `left = right`.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; [`Error::Usage`] without exactly one `=`.
+    /// As [`Formula::parse`]; [`Error::Usage`] if there is not exactly one `=`.
     pub fn parse_equation(text: &str) -> Result<[Self; 2]> {
         match text.split('=').collect::<Vec<_>>()[..] {
             [left, right] => Ok([Self::parse(left)?, Self::parse(right)?]),
@@ -88,7 +88,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The longest run of characters that `belongs` takes.
+    /// Reads the longest run of characters that `belongs` accepts.
     fn run(&mut self, belongs: impl Fn(char) -> bool) -> &str {
         let rest = &self.text[self.at..];
         let length = rest.find(|c| !belongs(c)).unwrap_or(rest.len());

@@ -1,9 +1,9 @@
-//! Texts and pictures within the page.
+//! Texts and pictures in a page of HTML.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-/// Begins a figure with its picture, which the page contains, and the words for those who do not see it.
+/// Begins a figure. The page contains its picture, and `words` describe it for those who do not see it.
 pub(crate) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
@@ -13,7 +13,7 @@ pub(crate) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::
     )
 }
 
-/// Text within HTML.
+/// The text with entities for the characters that have a meaning in HTML.
 pub(crate) fn escaped(text: &str) -> String {
     let mut result = String::with_capacity(text.len());
     for c in text.chars() {
@@ -28,7 +28,8 @@ pub(crate) fn escaped(text: &str) -> String {
     result
 }
 
-/// An SVG text within a data address in double quotes; its own quotes become single ones, which may stay as they are.
+/// An SVG text for a data address in double quotes. If it has no single quotes, its double quotes become single ones, which
+/// need not be escaped.
 fn in_an_address(svg: &str) -> String {
     let mut result = String::with_capacity(svg.len() * 5 / 4);
     let may_change = !svg.contains('\'');

@@ -1,4 +1,4 @@
-//! Whether two formulas are the same rational function: proved by expansion, or refuted at a point.
+//! Decides whether two formulas are the same rational function. Expansion proves it, or values at a point refute it.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 
-/// The most symbols that one entry may have.
+/// The largest number of symbols in one entry.
 const SYMBOLS: usize = 16;
 
 /// A polynomial in the symbols of one entry.
@@ -60,7 +60,8 @@ impl Quotient {
         })
     }
 
-    /// Divided by the largest monomial that divides both, so that powers of one symbol do not pile up.
+    /// The quotient after division of numerator and denominator by their largest common monomial, so that powers of one symbol
+    /// do not accumulate.
     fn without_common_monomial(self) -> Self {
         let common: [u32; SYMBOLS] = std::array::from_fn(|i| {
             let terms = self.above.terms().chain(self.below.terms());
@@ -83,31 +84,32 @@ impl Quotient {
     }
 }
 
-/// What symbols stand for, and the squares that are known: `s^2 = 1 - c^2`.
+/// The definitions of symbols, and known squares such as `s^2 = 1 - c^2`.
 #[derive(Debug, Default)]
 pub(super) struct Meanings {
     symbols: Vec<String>,
     values: BTreeMap<String, Quotient>,
     squares: Vec<(usize, Polynomial)>,
-    /// Whether a formula read so far divides by zero.
+    /// Whether a formula that was evaluated so far divides by zero.
     divides_by_zero: bool,
 }
 
-/// What came of an identity.
+/// The result of a comparison of two formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Comparison {
     /// The sides are equal identically.
     Equal,
-    /// They are not, and how one sees that: a place where they differ, with the values of both sides where no squares are
-    /// known. Without a full stop.
+    /// The sides are not equal. The text says why, without a full stop: it gives a point with the different values of both
+    /// sides or, if no point was found or squares are known, the size of the numerator of their difference.
     Different(String),
 }
 
 impl Meanings {
-    /// From definitions `p = -s*(a + b); …`, each in terms of what is before it, and known squares `w^2 = -3; …`.
+    /// Reads definitions `p = -s*(a + b); …`, each in terms of the symbols before it, and known squares `w^2 = -3; …`.
     ///
     /// # Errors
-    /// Those of [`Formula::parse_equation`]; [`Error::Usage`] if a left side is no symbol, or no square of one.
+    /// Those of [`Formula::parse_equation`]; [`Error::Usage`] if the left side of a definition is not a symbol or has a meaning
+    /// already, or if a square is not that of a symbol or not a polynomial.
     pub(super) fn new(definitions: &str, squares: &str) -> Result<Self> {
         let mut meanings = Self::default();
         let equations = |text: &str| {
@@ -147,7 +149,7 @@ impl Meanings {
     /// The symbol as a polynomial.
     ///
     /// # Errors
-    /// [`Error::Limit`] beyond [`SYMBOLS`] of them.
+    /// [`Error::Limit`] if there are more than [`SYMBOLS`] symbols.
     pub(super) fn symbol(&mut self, name: &str) -> Result<Polynomial> {
         self.index(name).map(Polynomial::variable)
     }
@@ -204,10 +206,10 @@ impl Meanings {
         })
     }
 
-    /// f with the known squares put in, so that each of their symbols occurs to the power 0 or 1 only.
+    /// f with the known squares substituted, so that each of their symbols occurs to the power 0 or 1 only.
     fn reduced(&self, f: &Polynomial) -> Polynomial {
         let mut f = f.clone();
-        // One square may bring in another symbol's: as many rounds as there are symbols.
+        // The square of one symbol may contain another one, so there are as many rounds as known squares.
         let rounds = self.squares.iter().cycle();
         for (index, square) in rounds.take(self.squares.len().pow(2)) {
             let mut sum = Polynomial::zero();
@@ -224,8 +226,9 @@ impl Meanings {
 
     /// Whether `left = right` identically.
     ///
-    /// The difference is brought over one denominator, the known squares are put in, and its numerator is expanded.
-    /// If that is not 0, a small point shows so where no squares are known. A side that divides by zero equals nothing.
+    /// The difference is brought over one denominator, its numerator is expanded, and the known squares are substituted. If the
+    /// result is not 0 and no squares are known, a point with small coordinates shows it. A side that divides by zero equals
+    /// nothing.
     ///
     /// # Errors
     /// [`Error::Limit`] for too many symbols.
@@ -234,7 +237,7 @@ impl Meanings {
         self.difference(left, right)
     }
 
-    /// Whether a polynomial in the symbols is the formula.
+    /// Whether a polynomial in the symbols equals the formula.
     ///
     /// # Errors
     /// As [`Meanings::compare`].
@@ -259,14 +262,14 @@ impl Meanings {
         ))
     }
 
-    /// The free symbols.
+    /// The symbols without a definition.
     pub(super) fn symbols(&self) -> &[String] {
         &self.symbols
     }
 
     fn witness(&self, numerator: &Polynomial, sides: [&Quotient; 2]) -> String {
         for seed in 1..200_i64 {
-            // Small numbers without pattern; the known squares leave no free choice for their symbols.
+            // Small numbers without a pattern. Known squares leave no free choice for their symbols, so then no point is tried.
             let at: [Rational; SYMBOLS] = std::array::from_fn(|i| {
                 let step = i64::try_from(i).invariant("there are few symbols");
                 Rational::from((seed * (step + 2) * (step + 3) / 2 + step) % 7 + 1)
@@ -312,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn identities_and_none() {
+    fn identities_are_proved_and_other_equations_refuted() {
         assert_eq!(
             compare("", "", "(a + b)^2 = a^2 + 2*a*b + b^2"),
             Comparison::Equal
@@ -351,9 +354,9 @@ mod tests {
     }
 
     proptest! {
-        /// A difference that is planted is found, and its place says so.
+        /// Equal sides are recognised, and a planted difference is found.
         #[test]
-        fn planted_differences(a in -9i64..10, b in -9i64..10, n in 1u32..5, off in 1i64..5) {
+        fn planted_differences_are_found(a in -9i64..10, b in -9i64..10, n in 1u32..5, off in 1i64..5) {
             let (a, b) = (a.unsigned_abs(), b.unsigned_abs());
             let left = format!("({a}*x + {b}*y)^{n}");
             let equal = format!("{left} = {left}*(x + y)/(y + x)");

@@ -1,9 +1,9 @@
-//! Formulas as MathML.
+//! Writes a [`Formula`] as MathML.
 
 use super::formula::Formula;
 use super::typeset::{infix, wrapped};
 
-/// How tightly a formula binds: what is looser than its place stands in parentheses.
+/// How tightly a formula binds. A formula that binds less tightly than its place requires stands in parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Sum,
@@ -11,7 +11,8 @@ enum Binding {
     Atom,
 }
 
-/// An equation `left = right` as `<math>` elements, between which a line may break: before the relation and where a sum goes on.
+/// An equation `left = right` as `<math>` elements, between which a line may break: before the `=`, and before every part of a
+/// sum but the first.
 pub(super) fn equation(left: &Formula, right: &Formula) -> Vec<String> {
     let mut right = rows(right);
     if let Some(first) = right.first_mut() {
@@ -20,17 +21,17 @@ pub(super) fn equation(left: &Formula, right: &Formula) -> Vec<String> {
     wrapped([rows(left), right].concat())
 }
 
-/// A formula in the same way.
+/// A formula as `<math>` elements, in the same way.
 pub(super) fn formula(formula: &Formula) -> Vec<String> {
     wrapped(rows(formula))
 }
 
-/// A symbol alone.
+/// A single symbol as a `<math>` element.
 pub(super) fn named(name: &str) -> Vec<String> {
     wrapped(vec![symbol(name)])
 }
 
-/// A row for every part of a sum.
+/// One row for each part of a sum; any other formula is one row.
 fn rows(formula: &Formula) -> Vec<String> {
     let Formula::Sum(parts) = formula else {
         return vec![markup(formula)];
@@ -55,7 +56,7 @@ fn markup(formula: &Formula) -> String {
         Formula::Product(a, b) => format!(
             "{}<mo>{}</mo>{}",
             within(a, Binding::Product),
-            // Two numbers side by side would be one.
+            // Two numbers side by side would look like one.
             if matches!(**b, Formula::Number(_)) {
                 "·"
             } else {
@@ -94,7 +95,7 @@ fn within(formula: &Formula, place: Binding) -> String {
     }
 }
 
-/// An integer, or a fraction p/q.
+/// The markup of an integer or of a fraction p/q.
 fn number(text: &str) -> String {
     match text.split_once('/') {
         Some((p, q)) => format!("<mfrac><mn>{p}</mn><mn>{q}</mn></mfrac>"),
@@ -102,7 +103,7 @@ fn number(text: &str) -> String {
     }
 }
 
-/// Greek letters by their names; digits at the end are an index.
+/// The markup of a symbol. The names of some Greek letters become these letters, and digits at the end are an index.
 fn symbol(name: &str) -> String {
     let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let index = &name[letters.len()..];

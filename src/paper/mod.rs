@@ -1,16 +1,17 @@
 //! The paper, statement by statement: what is printed, what is true, and the evidence, computed each time.
 //!
-//! The statements are data: text files beside this one, read by [`entries`]. A statement has tests of three parts:
+//! The statements are data: text files beside this one, read by [`entries`]. Each test of a statement is about one of three
+//! parts:
 //!
-//! - `test printed:` what the paper prints; it may fail, and then it must fail as stated;
-//! - `test corrected:` the same once corrected; it must hold;
-//! - `test:` what must hold in any case.
+//! - `test printed:` is about what the paper prints; it may fail, and then it must fail as recorded;
+//! - `test corrected:` is about the corrected statement; it must hold;
+//! - `test:` must hold in any case.
 //!
-//! A test is an identity between two formulas in any symbols (proved by expansion over Q), or a question to the engine with
-//! the answer that is claimed. One code path evaluates the printed and the corrected part, and the verdict follows from what
-//! comes out: [`EntryVerdict`].
+//! A test is an identity between two formulas in any symbols, which expansion over Q proves, or a question to the library with
+//! a claimed answer. The same code evaluates the printed and the corrected part, and the verdict follows from the results:
+//! [`EntryVerdict`].
 //!
-//! What the paper says of speed is measured elsewhere, and reported with it as an [`Appendix`].
+//! What the paper says about speed is measured by another module, and its results are reported as an [`Appendix`].
 
 mod appendix;
 mod data;

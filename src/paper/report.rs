@@ -1,5 +1,5 @@
-//! The whole paper as one page of HTML: no network, no script, readable on a phone, on paper, light and dark. It is
-//! well-formed XML, too.
+//! Writes the whole paper as one page of HTML. The page needs no network and no script, and can be read on a phone, on paper,
+//! on light and on dark screens. It is also well-formed XML.
 
 use std::io::Write;
 
@@ -14,13 +14,14 @@ use crate::error::Result;
 /// A figure of the report.
 #[derive(Clone, Debug)]
 pub struct ReportFigure {
-    /// The entry that it stands beside.
+    /// The id of the entry that the figure belongs to.
     pub id: &'static str,
-    /// What it shows, in words: for those who do not see it, and below it. Formulas stand between dollars.
+    /// What the figure shows. The text stands below the figure and describes it to those who do not see it. Formulas stand
+    /// between dollars.
     pub caption: &'static str,
-    /// The command that draws it, typed in the top folder of the repository.
+    /// The command that draws the figure, as it is typed in the top folder of the repository.
     pub command: String,
-    /// The drawing.
+    /// The figure as SVG.
     pub svg: String,
 }
 
@@ -29,7 +30,7 @@ const STYLE: &str = include_str!("report.css");
 /// The digital object identifier of the paper.
 const DOI: &str = "10.1006/cviu.2000.0881";
 
-/// Writes the report, with the appendix if there is one. `date` is the day on which it is made, such as `2001-12-31`.
+/// Writes the report, with the appendix if there is one. `date` is the day of the report, such as `2001-12-31`.
 ///
 /// # Errors
 /// Those of `out`.
@@ -84,7 +85,7 @@ pub fn write_report(
     Ok(writeln!(out, "</main>\n</body>\n</html>")?)
 }
 
-/// How often each verdict was reached, in its colour, and what it means; and how to read the rest.
+/// Writes the number, the colour and the meaning of each verdict, and how to read the evidence.
 fn write_legend(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
     let count = |verdict| entries.iter().filter(|(_, o)| o.verdict == verdict).count();
     let unexpected = entries.iter().filter(|(_, o)| !o.expected).count();
@@ -118,7 +119,7 @@ fn write_legend(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result
     )?)
 }
 
-/// The sections, each with links to its statements.
+/// Writes a list of the sections, with links to their statements.
 fn write_contents(
     entries: &[(Entry<'_>, Outcome)],
     has_comparison: bool,
@@ -160,7 +161,7 @@ fn write_contents(
     )?)
 }
 
-/// Everything that is not true as printed.
+/// Writes a table of all statements that are not true as printed.
 fn write_errata(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
@@ -242,7 +243,7 @@ fn write_article(
     Ok(writeln!(out, "</ul>\n</details>\n</article>")?)
 }
 
-/// What the symbols of an entry stand for.
+/// Writes what the symbols of an entry stand for.
 fn write_meanings(entry: &Entry<'_>, out: &mut dyn Write) -> Result<()> {
     let equations = entry.meanings();
     if equations.is_empty() {
@@ -266,9 +267,9 @@ fn write_meanings(entry: &Entry<'_>, out: &mut dyn Write) -> Result<()> {
     )?)
 }
 
-/// The slowest statements.
+/// Writes the slowest statements and the time of all.
 fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<()> {
-    /// So many are listed.
+    /// The number of statements that are listed.
     const LISTED: usize = 10;
     let mut by_time: Vec<_> = entries.iter().collect();
     by_time.sort_by_key(|(_, outcome)| std::cmp::Reverse(outcome.time));
@@ -302,7 +303,7 @@ fn class(verdict: EntryVerdict) -> &'static str {
     }
 }
 
-/// A name for links from a heading.
+/// The id of a heading, for links: its ASCII letters and digits in lower case, and `-` for every other character.
 fn anchor(heading: &str) -> String {
     let letters = heading.chars().map(|c| {
         if c.is_ascii_alphanumeric() {
@@ -319,7 +320,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_anchor_is_made_of_letters() {
+    fn an_anchor_has_only_letters_digits_and_hyphens() {
         assert_eq!(anchor("Inspection (§4)"), "inspection---4-");
     }
 }

@@ -1,4 +1,4 @@
-//! Reading the statements: blocks of `key: value` lines, a block to an entry.
+//! Reads the statements. Their files consist of `key: value` lines, one block of lines for each entry.
 
 use super::entry::{Entry, EntryVerdict, Test, TestKind, TestPart};
 use super::formula::Formula;
@@ -43,13 +43,19 @@ pub fn entries() -> Result<Vec<Entry<'static>>> {
 
 /// Reads statements.
 ///
-/// `# …` is a comment, `== …` begins a section, `[ID] title` an entry. Its lines are `printed:`, `correct:` (left out if it
-/// is the same) and `note:`, texts with formulas between dollars, `where:` (definitions `p = …; q = …` for its formulas), `squares:` (`w^2 = -3`), `expected:` a
-/// verdict, and tests `test:`, `test printed:` and `test corrected:`. A test is `identity: left = right`, with
-/// ` => difference` where it is known to fail by just that, or a question `kind: subject => answer`.
+/// `# …` is a comment, `== …` begins a section, and `[ID] title` begins an entry. The lines of an entry are:
+///
+/// - `printed:`, `correct:` and `note:`, which are texts with formulas between dollars; `correct:` is omitted if it is the same
+///   as `printed:`;
+/// - `where:`, definitions `p = …; q = …` of symbols, and `squares:`, known squares such as `w^2 = -3`;
+/// - `expected:`, the recorded verdict;
+/// - `test:`, `test printed:` and `test corrected:`, the tests.
+///
+/// A test is `identity: left = right`, followed by ` => difference` if the left side is known to be the right side plus this
+/// difference, or a question `kind: subject => answer`.
 ///
 /// # Errors
-/// [`Error::Data`] with the line for what is none of these; those of the formulas.
+/// [`Error::Data`] with the number of a line that is none of these or that has a malformed test.
 pub fn read_entries<'a>(text: &'a str, name: &str) -> Result<Vec<Entry<'a>>> {
     let mut entries: Vec<Entry<'a>> = Vec::new();
     let mut section = "";

@@ -1,4 +1,5 @@
-//! Sentences with formulas and code in them: plain for the terminal and documents, marked up for the page.
+//! Sentences that contain formulas and code. They are written plainly for the terminal and for documents, and marked up for the
+//! page.
 
 use std::fmt;
 
@@ -12,17 +13,18 @@ pub struct Text(Vec<Part>);
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Part {
     Words(String),
-    /// What can be typed as it stands.
+    /// Text that can be typed as it stands.
     Code(String),
-    /// As it is written plainly, and as `<math>` elements between which a line may break.
+    /// A formula in plain text, and as `<math>` elements between which a line may break.
     Formula(String, Vec<String>),
 }
 
-/// What must not begin a line.
+/// Characters that must not begin a line.
 const CLOSING: [char; 5] = ['.', ',', ';', ':', ')'];
 
 impl Text {
-    /// A text of the statements: `the circle $x² + y² = 1$` has a formula between the dollars, `` `x^2` `` is code.
+    /// Reads a text of the statements. Formulas stand between dollars, as in `the circle $x² + y² = 1$`, and code between
+    /// backquotes.
     pub(super) fn marked(source: &str) -> Self {
         let mut text = Self::default();
         for (index, part) in source.split('$').enumerate() {
@@ -63,7 +65,7 @@ impl Text {
         self
     }
 
-    /// With a capital at the beginning, if it begins with words.
+    /// The text with a capital letter at its beginning, if it begins with words.
     pub(super) fn capitalized(mut self) -> Self {
         if let Some(Part::Words(words)) = self.0.first_mut() {
             let mut rest = words.chars();
@@ -74,17 +76,17 @@ impl Text {
         self
     }
 
-    /// Whether there is nothing in it.
+    /// Whether the text is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// As a part of a page.
+    /// The markup of the text for a page.
     pub(super) fn markup(&self) -> String {
         let mut markup = String::new();
         let mut rest = self.0.iter().peekable();
-        // What the words after a formula or code begin with, already written.
+        // The number of bytes at the start of the next words that were already written behind a formula or code.
         let mut written = 0;
         while let Some(part) = rest.next() {
             let closing = match rest.peek() {
@@ -118,7 +120,7 @@ impl Text {
     }
 }
 
-/// Code whose words stay whole: a line breaks at its blanks only.
+/// The markup of code in which a line breaks only at blanks.
 pub(super) fn unbroken(code: &str) -> String {
     let words = code.split(' ');
     let words = words.map(|word| format!("<span>{}</span>", escaped(word)));

@@ -1,4 +1,4 @@
-//! Formulas as the statements write them, as MathML.
+//! Translates formulas from the notation of the statements into MathML.
 //!
 //! Every letter is a symbol, digits after it are its index, and names such as cos are functions. `_` lowers and `^` raises the
 //! symbol or the parenthesis that follows; characters such as ² are raised, too. `/` makes a fraction of what touches it on
@@ -7,10 +7,10 @@
 use super::html::escaped;
 use crate::error::Invariant;
 
-/// Names that are no products of letters.
+/// Names of functions; all other runs of letters are products of symbols.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "cot", "arccos"];
 
-/// Raised characters, and what they raise.
+/// Superscripts, and the character that each of them raises.
 const RAISED: [(char, &str); 13] = [
     ('⁰', "0"),
     ('¹', "1"),
@@ -30,10 +30,11 @@ const RAISED: [(char, &str); 13] = [
 /// The space between factors that do not touch.
 const THIN: &str = "<mspace width=\"0.17em\"/>";
 
-/// So many characters stand on one line of a phone in any case.
+/// A row of at most this many characters fits on one line of a phone.
 const WHOLE: usize = 22;
 
-/// The formula as `<math>` elements, between which a line may break: before a sum or a relation goes on, and after a comma.
+/// The formula as `<math>` elements, between which a line may break: before a relation, before an operator except `·`, and
+/// after a separator.
 pub(super) fn pieces(text: &str) -> Vec<String> {
     let mut pieces = vec![String::new()];
     let items = Reader::new(text).items();
@@ -53,9 +54,9 @@ pub(super) fn pieces(text: &str) -> Vec<String> {
     wrapped(pieces)
 }
 
-/// Rows that follow each other, as `<math>` elements: short ones are joined.
+/// Turns consecutive rows into `<math>` elements; short rows are joined.
 pub(super) fn wrapped(rows: Vec<String>) -> Vec<String> {
-    // What stands between the tags; an entity is as long as the sign that it means is wide, about none.
+    // Only the text between the tags counts. Entities do not: most of them are invisible operators.
     let size = |row: &str| {
         let texts = row.split('<').filter_map(|part| part.split_once('>'));
         let texts = texts.filter(|(_, text)| !text.starts_with('&'));
@@ -71,19 +72,20 @@ pub(super) fn wrapped(rows: Vec<String>) -> Vec<String> {
     pieces.iter().map(|piece| math(piece)).collect()
 }
 
-/// `<math>` around a row; fractions have the size of the text.
+/// Puts a row into a `<math>` element whose fractions have the size of the text.
 fn math(row: &str) -> String {
     format!("<math displaystyle=\"true\"><mrow>{row}</mrow></math>")
 }
 
-/// An operator between two terms, also where it begins a `<math>`.
+/// An operator between two terms. Its form is stated, because at the beginning of a `<math>` element it would be taken for a
+/// prefix.
 pub(super) fn infix(sign: char) -> String {
     format!("<mo form=\"infix\">{}</mo>", escaped(&sign.to_string()))
 }
 
-/// What a row consists of.
+/// A part of a row.
 enum Item {
-    /// Factors that touch.
+    /// A product of factors without blanks between them, or a fraction of such products.
     Term(String),
     /// An operator after a term.
     Infix(char),
@@ -109,7 +111,7 @@ impl Item {
     }
 }
 
-/// A factor, and what is in it if it is a parenthesis.
+/// A factor, and its content if it is a parenthesis.
 struct Factor {
     markup: String,
     inner: Option<String>,
@@ -123,7 +125,7 @@ impl Factor {
         }
     }
 
-    /// Without its parentheses, where the place makes them superfluous.
+    /// The factor without its parentheses, for places that make them superfluous.
     fn bare(self) -> String {
         format!("<mrow>{}</mrow>", self.inner.unwrap_or(self.markup))
     }
@@ -131,7 +133,8 @@ impl Factor {
 
 struct Reader<'t> {
     rest: &'t str,
-    /// Whether it reads an exponent: fractions are written with a slash there, or they would be too small.
+    /// Whether an exponent is being read. Fractions in exponents are written with a slash, because they would be too small
+    /// otherwise.
     in_exponent: bool,
 }
 
@@ -161,7 +164,7 @@ impl<'t> Reader<'t> {
         is_there
     }
 
-    /// The longest run of characters that `belongs` takes.
+    /// Reads the longest run of characters that `belongs` accepts.
     fn run(&mut self, belongs: impl Fn(char) -> bool) -> &'t str {
         let (run, rest) = match self.rest.find(|c| !belongs(c)) {
             Some(end) => self.rest.split_at(end),
@@ -187,7 +190,7 @@ impl<'t> Reader<'t> {
         false
     }
 
-    /// What stands before the end or a closing parenthesis.
+    /// Reads the items up to the end or a closing parenthesis.
     fn items(&mut self) -> Vec<Item> {
         let mut items = Vec::new();
         loop {
@@ -220,7 +223,7 @@ impl<'t> Reader<'t> {
         row
     }
 
-    /// Factors that touch, and fractions of such.
+    /// Reads a product of factors without blanks between them, or a fraction of such products.
     fn term(&mut self) -> String {
         let mut above = self.factors();
         while self.take('/') {
@@ -244,7 +247,7 @@ impl<'t> Reader<'t> {
         product
     }
 
-    /// A symbol, a number, a parenthesis or a root, with what is raised or lowered beside it.
+    /// Reads a symbol, a number, a parenthesis or a root, with its index and its exponent.
     fn factor(&mut self) -> Factor {
         let Factor { markup, inner } = self.base();
         let is_letter = markup.starts_with("<mi>");
@@ -299,7 +302,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// What stands under a root, possibly with a sign.
+    /// Reads the factor under a root, possibly with a sign.
     fn radicand(&mut self) -> String {
         self.next();
         let sign = if self.take('−') {
@@ -314,7 +317,7 @@ impl<'t> Reader<'t> {
         format!("<mn>{}</mn>", self.run(|c| c.is_ascii_digit() || c == '.'))
     }
 
-    /// The name of a function, or one character.
+    /// Reads the name of a function, or one character.
     fn symbol(&mut self) -> String {
         for name in FUNCTIONS {
             if let Some(rest) = self.rest.strip_prefix(name) {
@@ -397,7 +400,7 @@ mod tests {
         assert_eq!(found.len(), 3, "{found:?}");
         assert!(found[1].contains("<mrow><mo form=\"infix\">+</mo><mi>m</mi>"));
         assert!(found[1].contains("<mo form=\"prefix\">−</mo><mi>y</mi><mo separator"));
-        // Not within parentheses, and not where it is short.
+        // A line does not break within parentheses, and not in a short formula.
         assert_eq!(pieces("(abcdefghijkl + mnopqrstuvwx)").len(), 1);
         assert_eq!(pieces("a + b = −c, d").len(), 1);
     }

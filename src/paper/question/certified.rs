@@ -1,7 +1,7 @@
-//! Questions that certified roots and inspection answer: §3 in single directions, and §4.
+//! Questions that certified roots and inspection answer: those on §3 in single directions, and those on §4.
 
 use super::polar::{Polar, polar};
-use super::{Answer, form, joined, not_asked, parts, polynomial};
+use super::{Answer, form, joined, parts, polynomial, wrong_subject};
 use malachite::Integer;
 
 use crate::error::Result;
@@ -13,11 +13,11 @@ use crate::poly::SpacePolynomial;
 use crate::sample::{Direction, Ray, RaySolver, Sample, SpaceDirection, UnitVector};
 use crate::shape::{Form, ImplicitSurface};
 
-/// How far a closed form in doubles may be from the certified root, relative to the largest root of the direction: its terms
-/// may cancel, and double roots lose half of the digits.
+/// The largest distance of a closed form in doubles from the certified root, relative to the largest root of the direction. It
+/// is far above the rounding of a double, because terms of a closed form may cancel, and double roots lose half of the digits.
 const CLOSE: f64 = 1e-6;
 
-/// Bits of π, and decimals of what is a multiple of it.
+/// The bits of π, and the decimals of multiples of π in answers.
 const PI_BITS: u32 = 128;
 const DECIMALS: u32 = 7;
 
@@ -39,7 +39,7 @@ pub(super) fn positive_roots(subject: &str, claimed: &str, _: &Limits) -> Result
 pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let [equation, directions] = parts(subject)?;
     let Ok(directions) = directions.parse::<usize>() else {
-        return Err(not_asked(subject, "a number of directions"));
+        return Err(wrong_subject(subject, "a number of directions"));
     };
     let mut roots = 0;
     let mut worst = 0f64;
@@ -60,7 +60,7 @@ pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Res
     match polar(equation, limits)? {
         Polar::Plane(curve) => {
             let f = super::equations::curve(equation)?;
-            for direction in beside_ends(directions) {
+            for direction in directions_off_branch_ends(directions) {
                 if let Some(found) = radii(RaySolver::new(f.polynomial()).solve(&direction)) {
                     note(plane_values(&curve, &direction), &found);
                 }
@@ -88,8 +88,9 @@ pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Res
     })
 }
 
-/// Directions around, the first at 1°: no multiples of 15°, where branches like to end and doubles cannot tell on which side they are.
-fn beside_ends(count: usize) -> impl Iterator<Item = Direction> {
+/// `count` equally spaced directions, the first at 1°. Branches often end at multiples of 15°, where doubles cannot tell on
+/// which side they are; none of the 72 directions that the statements use is such a multiple.
+fn directions_off_branch_ends(count: usize) -> impl Iterator<Item = Direction> {
     let integer = |n: usize| Rational::whole(Integer::from(n));
     let step = integer(360) / integer(count.max(1));
     (0..count).map(move |k| Direction::from_degrees(&(&step * &integer(k) + Rational::one())))
@@ -103,7 +104,7 @@ fn radii<const V: usize>(ray: Ray<V>) -> Option<Vec<f64>> {
     }
 }
 
-/// The real values of the closed forms; `None` if there is a branch without one.
+/// The real values of the closed forms, by the exact ranges of the branches; `None` if a branch has no closed form.
 fn plane_values(curve: &Parametrization, direction: &Direction) -> Option<Vec<f64>> {
     let theta = direction.theta().rem_euclid(std::f64::consts::TAU);
     let inside = |range: &AngleRange| {
@@ -118,7 +119,7 @@ fn plane_values(curve: &Parametrization, direction: &Direction) -> Option<Vec<f6
     .collect()
 }
 
-/// Real by the exact signs.
+/// The real values of the closed forms; the exact signs of the branches say which values are real.
 fn space_values(surface: &SurfaceParametrization, direction: &SpaceDirection) -> Vec<f64> {
     let at = direction.components().map(|u| u.to_f64());
     let signs = surface.in_direction(direction).branches;
@@ -134,7 +135,7 @@ fn inspected(subject: &str) -> Result<(ImplicitSurface, [Rational; 3], Rational)
     let coordinates = point.split(',').map(|c| exact_literal(c.trim()));
     let coordinates = coordinates.collect::<Result<Vec<_>>>()?;
     let Ok(point) = coordinates.try_into() else {
-        return Err(not_asked(subject, "a point x, y, z"));
+        return Err(wrong_subject(subject, "a point x, y, z"));
     };
     let surface = match form(equation)? {
         Form::Surface(surface) => surface,
@@ -147,7 +148,7 @@ pub(super) fn section(subject: &str, claimed: &str, limits: &Limits) -> Result<A
     let (surface, point, distance) = inspected(subject)?;
     let section = SphereSection::new(surface.polynomial(), &point, &distance);
     let (half_turn, _) = pi(PI_BITS);
-    // The angle is right to 30 decimals, and π to more.
+    // The angle has 30 correct decimals, and π has more.
     let turns = |angle: &crate::parametrize::ExactAngle| -> Result<String> {
         let angle = exact_literal(&angle.to_decimal(30))?;
         Ok((angle / &half_turn).to_decimal(DECIMALS))

@@ -1,6 +1,6 @@
-//! Questions about equations: §2 of the paper, and homogeneous parts.
+//! Questions about equations (§2 of the paper) and about homogeneous parts.
 
-use super::{Answer, form, joined, not_asked, parts, polynomial, text_of};
+use super::{Answer, form, joined, parts, polynomial, text_of, wrong_subject};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
@@ -23,14 +23,14 @@ pub(super) fn curve(subject: &str) -> Result<ImplicitCurve> {
     match form(subject)? {
         Form::Curve(curve) => Ok(curve),
         Form::Fourier(radius) => Ok(SquaredForm::new(&radius)?.expand()),
-        _ => Err(not_asked(subject, "a plane curve or a Fourier radius")),
+        _ => Err(wrong_subject(subject, "a plane curve or a Fourier radius")),
     }
 }
 
 pub(super) fn fourier(subject: &str) -> Result<FourierRadius> {
     match form(subject)? {
         Form::Fourier(radius) => Ok(radius),
-        _ => Err(not_asked(subject, "a Fourier radius")),
+        _ => Err(wrong_subject(subject, "a Fourier radius")),
     }
 }
 
@@ -76,13 +76,13 @@ pub(super) fn polar_equation(subject: &str, claimed: &str, limits: &Limits) -> R
             let surfaces = [found.first, found.second].into_iter().flatten();
             surfaces.map(|surface| surface.equation).collect()
         }
-        _ => return Err(not_asked(subject, "a parametric form")),
+        _ => return Err(wrong_subject(subject, "a parametric form")),
     };
     Answer::polynomials(&found, claimed)
 }
 
 pub(super) fn spurious(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
-    // x² + y² has no real point but the origin.
+    // The factor x² + y² does not count, because its only real point is the origin.
     let beside = |factors: Vec<PolarFactor>| -> Vec<Equation> {
         let known = [Role::Form, Role::SquaredRadius];
         let others = factors.into_iter().filter(|f| !known.contains(&f.role));
@@ -95,7 +95,7 @@ pub(super) fn spurious(subject: &str, claimed: &str, limits: &Limits) -> Result<
             let components = polar_space_curve(&curve, limits)?.components;
             components.into_iter().map(|[_, second]| second).collect()
         }
-        _ => return Err(not_asked(subject, "a parametric form")),
+        _ => return Err(wrong_subject(subject, "a parametric form")),
     };
     match (&found[..], claimed) {
         ([], _) => Ok(Answer::text("none".into(), claimed)),
@@ -121,7 +121,7 @@ pub(super) fn degrees(subject: &str, claimed: &str, _: &Limits) -> Result<Answer
 pub(super) fn fitted_degrees(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let [name, harmonics] = parts(subject)?;
     let (Some(rows), Ok(harmonics)) = (example(name), harmonics.parse()) else {
-        return Err(not_asked(
+        return Err(wrong_subject(
             subject,
             "an outline of paper-examples, and a number",
         ));
@@ -156,7 +156,7 @@ pub(super) fn factors(subject: &str, claimed: &str, limits: &Limits) -> Result<A
     Answer::polynomials(&found, claimed)
 }
 
-/// Degrees of polynomials are far below 2³².
+/// An exponent as a `u32`; degrees of polynomials are far below 2³².
 fn narrow(k: usize) -> u32 {
     u32::try_from(k).invariant("degrees are below 2^32")
 }
@@ -194,7 +194,7 @@ pub(super) fn squared_away(subject: &str, claimed: &str, _: &Limits) -> Result<A
     let most = SYMBOLS.len() - 2;
     let harmonics: usize = match subject.parse() {
         Ok(n) if n <= most => n,
-        _ => return Err(not_asked(subject, &format!("N, at most {most}"))),
+        _ => return Err(wrong_subject(subject, &format!("N, at most {most}"))),
     };
     let mut meanings = Meanings::default();
     let rho = SYMBOLS.len() - 1;

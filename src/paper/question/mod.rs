@@ -1,4 +1,5 @@
-//! Questions to the engine: a kind, what it is asked about, and the answer that is claimed.
+//! Questions that the library answers. A question has a kind and a subject, and a claimed answer is compared with the answer
+//! that the library finds.
 
 mod certified;
 mod equations;
@@ -13,37 +14,38 @@ use crate::paper::text::Text;
 use crate::poly::SparsePolynomial;
 use crate::shape::{Form, ImplicitCurve, ImplicitSurface};
 
-/// What the engine answered, and whether that is what was claimed.
+/// The answer that the library found, and whether it is the claimed one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Answer {
     pub(super) found: String,
     pub(super) agrees: bool,
 }
 
-/// How one kind of question is answered: from the subject and the claimed answer.
+/// The function that answers questions of one kind, from the subject and the claimed answer.
 type Asked = fn(&str, &str, &Limits) -> Result<Answer>;
 
-/// A kind of question: its name, how it is answered, and the sentence about the answer, without a full stop.
+/// A kind of question: its name, the function that answers it, and a sentence about the answer, without a full stop.
 ///
-/// In the sentence `{0}`, `{1}`, … are the parts of the subject between `|`, the first one as code, {claim} is the claimed
-/// answer, `{found}` what was found in words, and `{code}` what was found as code.
+/// In the sentence, `{0}`, `{1}`, … are the parts of the subject between `|`, the first one as code. `{claim}` is the claimed
+/// answer, `{found}` the answer that was found, in words, and `{code}` the same as code.
 type Kind = (&'static str, Asked, &'static str);
 
 /// Every kind of question.
 const KINDS: [Kind; 21] = [
-    // Several equations for a curve in space.
+    // The answer is a list of equations if the subject is a curve in space.
     (
         "equation",
         equations::equation,
         "the implicit form of {0} is the zero set of {code}",
     ),
-    // Eqs. (1), (10), (11) and (15).
+    // The equation is that of Eqs. (1), (10), (11) or (15).
     (
         "polar equation",
         equations::polar_equation,
         "cleared of denominators, what the paper constructs from {0} is the zero set of {code}",
     ),
-    // What Eqs. (1) and (15) have beside the form, and the surfaces of Theorem 3 beside the curve.
+    // For a plane curve and a patch these are the factors of Eqs. (1) and (15) that are not its own equation; for a curve in
+    // space, the second surfaces of the components in which the surfaces of Theorem 3 meet beside the curve.
     (
         "spurious",
         equations::spurious,
@@ -59,7 +61,7 @@ const KINDS: [Kind; 21] = [
         equations::degrees,
         "the homogeneous parts of the polynomial of {0} have the degrees {found}",
     ),
-    // Of an outline of paper-examples and its N harmonics.
+    // The subject is an outline of paper-examples and a number N of harmonics.
     (
         "fitted degrees",
         equations::fitted_degrees,
@@ -80,7 +82,7 @@ const KINDS: [Kind; 21] = [
         equations::perfect_square,
         "the polynomial F of Theorem 2 for {0} is {found}",
     ),
-    // Eqs. (7) and (8) with symbols K0, K1, … and rho = r².
+    // Eq. (7) or (8) with symbols K0, K1, … and rho = r².
     (
         "squared away",
         equations::squared_away,
@@ -116,7 +118,7 @@ const KINDS: [Kind; 21] = [
         polar::folds,
         "the discriminant of {0}, as a polynomial in t = tan θ, has {found}",
     ),
-    // Theorem 7.
+    // This asks for the curves of Theorem 7.
     ("curves", polar::curves, "the surfaces {0} meet in {code}"),
     (
         "positive roots",
@@ -148,10 +150,10 @@ pub(super) struct Question<'a> {
 }
 
 impl<'a> Question<'a> {
-    /// From `kind: subject`.
+    /// Reads `kind: subject`.
     ///
     /// # Errors
-    /// [`Error::Usage`] for an unknown kind, with those that there are.
+    /// [`Error::Usage`] for an unknown kind, with a list of the known ones.
     pub(super) fn new(text: &'a str) -> Result<Self> {
         let (name, subject) = text.split_once(':').unwrap_or((text, ""));
         match KINDS.iter().find(|(kind, ..)| *kind == name.trim()) {
@@ -169,15 +171,15 @@ impl<'a> Question<'a> {
         }
     }
 
-    /// Asks the engine.
+    /// Finds the answer and compares it with the claimed one.
     ///
     /// # Errors
-    /// Those of the engine.
+    /// Those of the function that answers.
     pub(super) fn ask(&self, claimed: &str, limits: &Limits) -> Result<Answer> {
         (self.kind.1)(self.subject, claimed, limits)
     }
 
-    /// What was found, as a sentence; and what was claimed, if it is something else.
+    /// The answer as a sentence. If another answer was claimed, the sentence contains that one, too.
     pub(super) fn sentence(&self, answer: &Answer, claimed: &str) -> Text {
         let subjects: Vec<&str> = self.subject.split('|').map(str::trim).collect();
         let sentence = self.kind.2;
@@ -207,13 +209,14 @@ impl<'a> Question<'a> {
 }
 
 impl Answer {
-    /// An answer in words or numbers, which must be the claimed one.
+    /// An answer in words or numbers. It agrees if it is the claimed text.
     fn text(found: String, claimed: &str) -> Self {
         let agrees = found == claimed;
         Self { found, agrees }
     }
 
-    /// Polynomials up to constant factors, in any order; claimed as `f; g; …`.
+    /// An answer that consists of polynomials. It agrees if `claimed`, as `f; g; …`, has the same polynomials up to constant
+    /// factors, in any order.
     fn polynomials(found: &[SparsePolynomial<3>], claimed: &str) -> Result<Self> {
         let sorted = |list: Vec<SparsePolynomial<3>>| -> Result<Vec<String>> {
             let mut texts = list.iter().map(text_of).collect::<Result<Vec<_>>>()?;
@@ -230,7 +233,7 @@ impl Answer {
     }
 }
 
-/// An answer as code, unless there is none.
+/// Appends an answer as code; the answer `none` is a word.
 fn code(text: Text, answer: &str) -> Text {
     if answer == "none" {
         text.words(answer)
@@ -239,7 +242,7 @@ fn code(text: Text, answer: &str) -> Text {
     }
 }
 
-/// A form as text, or a file of paper-examples.
+/// Reads a form from its text, or from the file of paper-examples that the text names.
 fn form(text: &str) -> Result<Form> {
     let text = example(text).unwrap_or(text);
     parse_form(text, "<statement>", Numbers::Exact)
@@ -250,11 +253,11 @@ fn polynomial(text: &str) -> Result<SparsePolynomial<3>> {
     match form(text)? {
         Form::Curve(curve) => Ok(curve.polynomial().into()),
         Form::Surface(surface) => Ok(surface.polynomial().clone()),
-        _ => Err(not_asked(text, "a polynomial in x, y, z")),
+        _ => Err(wrong_subject(text, "a polynomial in x, y, z")),
     }
 }
 
-/// The primitive part as text.
+/// The primitive part of f as text.
 fn text_of(f: &SparsePolynomial<3>) -> Result<String> {
     let f = f.primitive();
     let form = match f.to_plane() {
@@ -267,7 +270,8 @@ fn text_of(f: &SparsePolynomial<3>) -> Result<String> {
     Ok(text.trim_end().trim_end_matches(" = 0").to_owned())
 }
 
-fn not_asked(subject: &str, expected: &str) -> Error {
+/// The error for a subject that is not of the kind that a question expects.
+fn wrong_subject(subject: &str, expected: &str) -> Error {
     Error::Usage(format!("`{subject}`: expected {expected}"))
 }
 
@@ -276,11 +280,11 @@ fn joined(values: impl IntoIterator<Item = impl ToString>) -> String {
     values.join(", ")
 }
 
-/// The parts of `a | b | c`.
+/// The N parts of a subject `a | b | c`.
 fn parts<const N: usize>(subject: &str) -> Result<[&str; N]> {
     let parts: Vec<&str> = subject.split('|').map(str::trim).collect();
     let count = parts.len();
     parts
         .try_into()
-        .map_err(|_| not_asked(subject, &format!("{N} parts between `|`, not {count}")))
+        .map_err(|_| wrong_subject(subject, &format!("{N} parts between `|`, not {count}")))
 }

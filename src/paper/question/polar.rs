@@ -1,7 +1,7 @@
 //! Questions about polar and spherical forms: §3 of the paper.
 
 use super::equations::{curve, fourier};
-use super::{Answer, form, joined, not_asked};
+use super::{Answer, form, joined, wrong_subject};
 use crate::document::{Coordinates, Format, write_parametrization, write_surface_parametrization};
 use crate::error::Result;
 use crate::implicitize::SquaredForm;
@@ -20,7 +20,7 @@ const DECIMALS: u32 = 6;
 /// Decimals of the tangents at which branches fold.
 const TANGENT_DECIMALS: u32 = 12;
 
-/// The polar or spherical form of a subject.
+/// The polar form of a plane curve, or the spherical form of a surface.
 pub(super) enum Polar {
     Plane(Box<Parametrization>),
     Space(Box<SurfaceParametrization>),
@@ -40,7 +40,7 @@ pub(super) fn polar(subject: &str, limits: &Limits) -> Result<Polar> {
 fn in_the_plane(subject: &str, limits: &Limits) -> Result<Box<Parametrization>> {
     match polar(subject, limits)? {
         Polar::Plane(found) => Ok(found),
-        Polar::Space(_) => Err(not_asked(subject, "a plane curve")),
+        Polar::Space(_) => Err(wrong_subject(subject, "a plane curve")),
     }
 }
 
@@ -102,7 +102,7 @@ pub(super) fn radius(subject: &str, claimed: &str, limits: &Limits) -> Result<An
     Ok(Answer::text(radii.collect::<Vec<_>>().join("; "), claimed))
 }
 
-/// `[0, pi/4] and (3*pi/4, pi]`
+/// The ranges as text, such as `[0, pi/4] and (3*pi/4, pi]`.
 pub(super) fn ranges_text(ranges: &[AngleRange]) -> String {
     let text = |range: &AngleRange| {
         let end = |angle: &crate::parametrize::ExactAngle| {
@@ -143,7 +143,7 @@ pub(super) fn lines(subject: &str, claimed: &str, limits: &Limits) -> Result<Ans
 
 pub(super) fn curves(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let Form::Intersection(surfaces) = form(subject)? else {
-        return Err(not_asked(subject, "two surfaces"));
+        return Err(wrong_subject(subject, "two surfaces"));
     };
     let found = parametrize_intersection(&surfaces, limits)?;
     let curves = found.curves.iter().map(|curve| {
@@ -163,7 +163,7 @@ pub(super) fn folds(subject: &str, claimed: &str, limits: &Limits) -> Result<Ans
         _ => None,
     });
     let Some(root) = roots.next() else {
-        return Err(not_asked(subject, "a curve without a closed form"));
+        return Err(wrong_subject(subject, "a curve without a closed form"));
     };
     let discriminant = root.discriminant();
     let degree = discriminant.len().saturating_sub(1);
