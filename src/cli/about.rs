@@ -1,4 +1,4 @@
-//! What the command line says of itself: its help, completions and manual page.
+//! The texts of the command line about itself: its help, its completions, its manual page, and the schemas of its documents.
 
 use clap::builder::PossibleValue;
 use clap::{Arg, ColorChoice, Command, CommandFactory};
@@ -11,12 +11,12 @@ use super::session::Session;
 
 const NAME: &str = "stellate";
 
-/// The widest line of the options of every verb.
+/// The width of the list of the options of every verb.
 const WIDTH: usize = 100;
-/// Where their explanations begin.
+/// The column where the explanations in this list begin.
 const INDENT: usize = 30;
 
-/// The command line; the options of every verb are shown once, in the help of the program.
+/// The syntax of the command line with its help. The options of every verb are shown once, in the help of the program.
 pub(crate) fn command() -> Command {
     let mut command = whole_command();
     let shared = command.get_arguments().filter(|a| a.is_global_set());

@@ -1,4 +1,4 @@
-//! The syntax of the command line; what the values mean is decided by the verbs.
+//! The syntax of the command line. The verbs decide what the values mean.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -427,7 +427,7 @@ pub(crate) struct Plot {
     pub(crate) point: Vec<[f64; 3]>,
 }
 
-/// The names of the formats, each with what it is.
+/// A parser of the names of formats; the help explains each of them.
 fn formats() -> impl TypedValueParser<Value = Format> {
     let names = Format::ALL.map(|format| {
         let name = PossibleValue::new(format.name()).help(format.about());

@@ -1,4 +1,4 @@
-//! `stellate check`: a float program's numbers against the exact ones.
+//! `stellate check`: compares the numbers of a float program with the exact ones.
 
 use std::path::Path;
 
@@ -60,7 +60,7 @@ pub(crate) fn run(flags: &Check, session: &mut Session) -> Result<()> {
     Ok(())
 }
 
-/// What is checked, and the file that it is in; nothing if doubles themselves are.
+/// The kind of numbers that are checked, and their file; `None` for `--self`.
 fn numbers(data: &CheckedData) -> Option<(FloatKind, &str)> {
     let files = [
         (FloatKind::Coefficients, &data.coefficients),
@@ -72,14 +72,14 @@ fn numbers(data: &CheckedData) -> Option<(FloatKind, &str)> {
         .find_map(|(kind, file)| Some((kind, file.as_deref()?)))
 }
 
-/// A figure to be written, its place checked before any work is done.
+/// A figure that will be written. Its path is checked before any work is done.
 struct Picture<'a> {
     path: &'a Path,
     format: FigureFormat,
 }
 
 impl<'a> Picture<'a> {
-    /// What `--plot` names.
+    /// The figure that `--plot` names.
     fn named(path: &'a Path) -> Result<Self> {
         check_place("--plot", path)?;
         Ok(Self {

@@ -1,4 +1,4 @@
-//! `stellate describe`: what a form is.
+//! `stellate describe`: says what a form is.
 
 use stellate::document::{Format, Kind, write_described};
 use stellate::error::Result;

@@ -1,4 +1,4 @@
-//! `stellate fit`: a contour to a Fourier radius.
+//! `stellate fit`: fits a Fourier radius to a contour.
 
 use stellate::document::{Format, Kind, write_fourier};
 use stellate::error::{Error, Result};

@@ -1,4 +1,4 @@
-//! `stellate implicitize`: Theorems 1 to 4, and canonical forms of what is implicit already.
+//! `stellate implicitize`: applies Theorems 1 to 4, and writes implicit forms in canonical form.
 
 use stellate::document::{Format, write_implicitization};
 use stellate::error::Result;

@@ -1,4 +1,4 @@
-//! What is handed in: FORM arguments, data files, and the flags of fits as options.
+//! Reads FORM arguments and data files, and turns flags into the options of the library.
 
 use stellate::error::{Error, Result};
 use stellate::exact::Rational;
@@ -15,7 +15,7 @@ pub(crate) fn read(argument: &str, session: &Session) -> Result<Given> {
     read_with(argument, &FitFlags::default(), session)
 }
 
-/// Reads a FORM argument that may be a picture, in which the silhouette is found as the flags say.
+/// Reads a FORM argument that may be a picture; the flags say how its silhouette is found.
 pub(crate) fn read_with(argument: &str, flags: &FitFlags, session: &Session) -> Result<Given> {
     session.work.stage("read", || {
         let numbers = session.numbers();
@@ -31,7 +31,7 @@ pub(crate) fn read_with(argument: &str, flags: &FitFlags, session: &Session) -> 
     })
 }
 
-/// A data file of a verb, or standard input, as text with the name it has in messages.
+/// Reads a data file of a verb, or standard input. Returns the text and the name of its source in messages.
 pub(crate) fn read_data(argument: &str) -> Result<(String, String)> {
     if argument == "-" {
         let name = "standard input";
@@ -45,7 +45,7 @@ pub(crate) fn read_data(argument: &str) -> Result<(String, String)> {
     Ok((read_limited(file, argument)?, argument.into()))
 }
 
-/// How a contour is fitted, as the flags say.
+/// The options of a fit, from the flags.
 pub(crate) fn fit_options(flags: &FitFlags) -> FitOptions {
     let harmonics = flags.harmonics.map(FitSize::Harmonics);
     let tolerance = flags.tolerance.as_ref().map(Rational::to_f64);
@@ -56,14 +56,14 @@ pub(crate) fn fit_options(flags: &FitFlags) -> FitOptions {
         .decimals(flags.decimals)
 }
 
-/// How arcs of an intersection are followed.
+/// The options for the search of the arcs of an intersection, from the flags.
 pub(crate) fn arc_search(flags: &ArcFlags) -> ArcSearch {
     ArcSearch::default()
         .window(flags.window)
         .resolution(flags.resolution)
 }
 
-/// The directions of these angles. There is a note if one of them may be meant in degrees.
+/// The directions of these angles. A note is written if one of the angles may be meant in degrees.
 pub(crate) fn directions(angles: &[Angle], session: &Session) -> Vec<Direction> {
     if let Some(text) = angles.iter().find_map(|angle| angle.doubtful.as_ref()) {
         session.note(&format!(

@@ -1,4 +1,4 @@
-//! `stellate inspect`: points against a tolerance (Theorem 8).
+//! `stellate inspect`: decides whether points are within a tolerance of a form (Theorem 8).
 
 use std::fs::File;
 use std::io::BufReader;
@@ -19,7 +19,7 @@ use super::input;
 use super::output::{check_destination, check_place, write_beside, write_result};
 use super::session::Session;
 
-/// Significant digits of distances without `--digits`.
+/// The number of significant digits of distances without `--digits`.
 const DIGITS: u32 = 6;
 
 pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
@@ -81,7 +81,7 @@ fn options(flags: &Inspect, session: &Session) -> InspectionOptions {
         .fit(input::fit_options(&fit))
 }
 
-/// The points of the arguments; rows are looked at up to the first.
+/// The points of the arguments. A table is read up to its first row.
 fn points(flags: &Inspect) -> Result<PointSource> {
     let Some(name) = &flags.points else {
         if flags.point.is_empty() {
@@ -112,7 +112,7 @@ fn points(flags: &Inspect) -> Result<PointSource> {
     Ok(PointSource::Rows(PointRows::new(reader, name, size)?))
 }
 
-/// Exit codes: 3 for what is undecided, 1 for what is outside.
+/// Sets the exit code: 3 if a point is undecided, otherwise 1 if a point is outside.
 fn finish(summary: &InspectionSummary, flags: &Inspect, session: &mut Session) -> Result<()> {
     if summary.undecided > 0 {
         return Err(Error::Limit {
@@ -130,7 +130,7 @@ fn finish(summary: &InspectionSummary, flags: &Inspect, session: &mut Session) -
     Ok(())
 }
 
-/// The verdicts, written as they come; the points themselves only where they are kept.
+/// Writes the verdicts as they are found. Points are returned only if `reading` says that they are kept.
 fn write_all(
     task: &InspectionTask,
     points: PointSource,

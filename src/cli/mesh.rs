@@ -1,4 +1,4 @@
-//! `stellate mesh`: triangles of a surface, for other programs.
+//! `stellate mesh`: writes the triangles of a surface for other programs.
 
 use std::ffi::OsStr;
 

@@ -1,4 +1,4 @@
-//! The command line: a file per verb; what all verbs share is here.
+//! The command line. Every verb has its own file, and this file has what all verbs share.
 
 mod about;
 mod arguments;
@@ -34,13 +34,13 @@ use arguments::Verb;
 use session::Session;
 use usage::Refusal;
 
-/// Exit codes of the contract.
+/// The exit codes besides 0, as the help explains them.
 const ANSWER_IS_NO: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 const LIMIT_REACHED: u8 = 3;
 const CONTRADICTION: u8 = 4;
 
-/// Parses the arguments, runs the verb, reports the one error there may be.
+/// Parses the arguments, runs the verb, and reports its error if there is one.
 pub(crate) fn main() -> ExitCode {
     let arguments = match usage::parsed() {
         Ok(arguments) => arguments,
@@ -89,7 +89,7 @@ pub(crate) fn main() -> ExitCode {
     }
 }
 
-/// Reports the one error.
+/// Reports an error, and returns its exit code.
 fn reported(message: &str, code: u8, in_json: bool) -> ExitCode {
     watch::report(&if in_json {
         serde_json::json!({ "error": { "exit_code": code, "message": message } }).to_string()
@@ -103,7 +103,7 @@ fn reported(message: &str, code: u8, in_json: bool) -> ExitCode {
 fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     static FIRST_PLACE: Mutex<Option<String>> = Mutex::new(None);
     let first_place = || FIRST_PLACE.lock().unwrap_or_else(PoisonError::into_inner);
-    // Instead of the message of the standard library, which is not one line.
+    // This hook replaces the message of the standard library, which has more than one line.
     let usual = std::panic::take_hook();
     let is_traced = std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0");
     std::panic::set_hook(Box::new(move |info| {
@@ -115,12 +115,12 @@ fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
                 .map_or_else(String::new, ToString::to_string)
         });
     }));
-    // Nothing that the work was changing is looked at after a panic.
+    // This is safe, because nothing that the work was changing is used after a panic.
     let outcome = catch_unwind(AssertUnwindSafe(work));
     outcome.unwrap_or_else(|payload| Err(Error::from_panic(payload.as_ref(), first_place().take())))
 }
 
-/// Whoever read our output has read enough (`stellate … | head`).
+/// Whether the reader of the output has stopped reading (`stellate … | head`), which is no failure.
 fn is_broken_pipe(error: &Error) -> bool {
     matches!(error, Error::Io { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
 }

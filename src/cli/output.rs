@@ -26,7 +26,7 @@ pub(crate) fn write_result(
         })
 }
 
-/// Writes to what is no file; the process may be ended from outside until the first byte goes there.
+/// Writes to a stream that is not a regular file. Until the first byte is written, the process may be ended from outside.
 fn write_stream(
     stream: impl Write,
     name: &Path,
@@ -54,7 +54,7 @@ impl<W: Write> Write for Watched<'_, W> {
     }
 }
 
-/// Writes all of it; an error of the writer itself gets its name.
+/// Writes and flushes everything. An error of `out` itself gets the name of the file or stream.
 fn whole(
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
     out: &mut dyn Write,
@@ -67,16 +67,16 @@ fn whole(
     })
 }
 
-/// Writes another file than the result, in the same way.
+/// Writes a file other than the result, in the same way as the result.
 pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &Session) -> Result<()> {
     session.work.stage("write", || {
         write_file(path, session, |out| Ok(out.write_all(bytes)?))
     })
 }
 
-/// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`, `/dev/stdout`) is written
-/// to instead: renaming would put a file in its place. Until it is renamed the process may be ended from outside, which removes
-/// the file.
+/// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`, `/dev/stdout`) is written to directly,
+/// because renaming would put a file in its place. Before the renaming the process may be ended from outside; then the
+/// unfinished file is removed.
 fn write_file(
     path: &Path,
     session: &Session,
@@ -86,34 +86,34 @@ fn write_file(
     if ["/dev/stdout", "/dev/fd/1"].map(Path::new).contains(&path) {
         return write_stream(std::io::stdout().lock(), path, session, write);
     }
-    // What stands behind /dev may be a file that somebody else has opened, too.
+    // A path in /dev may lead to a regular file that another process has opened, too, so it is never replaced.
     if path.starts_with("/dev") || std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
         let device = std::fs::OpenOptions::new().append(true).open(path);
         return write_stream(device.map_err(failed)?, path, session, write);
     }
-    // What a symbolic link points to is replaced, not the link.
+    // The file that a symbolic link points to is replaced, not the link.
     let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let folder = folder_of(path);
     let mut beside = new_file_in(&folder).map_err(failed)?;
-    session.removed_at_the_end(Some(beside.path()));
+    session.remove_if_ended(Some(beside.path()));
     {
         let mut out = BufWriter::new(beside.as_file_mut());
         whole(write, &mut out, path)?;
     }
     session.work.check()?;
     session.begin_writing();
-    session.removed_at_the_end(None);
+    session.remove_if_ended(None);
     beside.persist(path).map_err(|e| failed(e.error))?;
     Ok(())
 }
 
-/// A file with the permissions that new files have here (tempfile's own are private).
+/// A temporary file with the usual permissions of new files; those of tempfile are private.
 fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // The system takes the bits of the umask away.
+        // The system removes the bits of the umask.
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)
@@ -127,7 +127,7 @@ pub(crate) fn check_destination(session: &Session) -> Result<()> {
     }
 }
 
-/// The same for the file that another option names.
+/// Refuses a missing folder or a folder in place of a file, for the file that `option` names.
 pub(crate) fn check_place(option: &str, path: &Path) -> Result<()> {
     let folder = folder_of(path);
     if !folder.is_dir() {

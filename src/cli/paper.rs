@@ -13,7 +13,7 @@ use super::output::{check_destination, check_place, write_beside, write_result};
 use super::paper_figures;
 use super::session::Session;
 
-/// The report in its folder.
+/// The name of the report in its folder.
 const PAGE: &str = "index.html";
 
 pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
@@ -29,7 +29,7 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
         Some(wanted) => find(all, wanted)?,
     };
     let evaluated = session.work.stage("evaluate", || {
-        // One after another, so that the time of each is its own.
+        // The statements are tested one after another, so that each time is that of one statement.
         let total = chosen.len() as u64;
         let outcomes = (1..).zip(chosen).map(|(done, entry)| {
             let outcome = entry.evaluate(&session.limits)?;
@@ -68,7 +68,8 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     write_result(session, |out| write(&evaluated, appendix, format, out))
 }
 
-/// The comparison of times; other programs that run for it end with it, whatever ends it.
+/// Measures times. Only this work ends the other programs that it runs, at its checkpoints, so the process must not be ended
+/// from outside.
 fn measure(limit: Duration, largest: usize, session: &Session) -> Result<TimeComparison> {
     session.work.stage("compare", || {
         session.ended_at_checkpoints(|| {
@@ -94,8 +95,8 @@ fn check_folder(folder: &Path) -> Result<()> {
     }
 }
 
-/// The statement with this id, in capitals or not; else all with these words in their titles; else all with this in their
-/// titles, within words, too.
+/// The statement with this id, in any case of letters; if there is none, all statements with these words in their titles; if
+/// there are none, all statements with this text in their titles, also within words.
 fn find(entries: Vec<Entry<'static>>, wanted: &str) -> Result<Vec<Entry<'static>>> {
     let found = |fits: &dyn Fn(&Entry<'_>) -> bool| {
         let found: Vec<_> = entries.iter().filter(|entry| fits(entry)).collect();
@@ -115,7 +116,7 @@ fn find(entries: Vec<Entry<'static>>, wanted: &str) -> Result<Vec<Entry<'static>
     })
 }
 
-/// The words of a text, without what stands between them, each between two blanks.
+/// The words of a text in lower case, without the characters between them, and with one blank before and after each word.
 fn words(text: &str) -> String {
     let text = text.to_lowercase();
     let words = text.split(|c: char| !c.is_alphanumeric());

@@ -14,21 +14,21 @@ use super::arguments::{Arguments, Verb};
 use super::plot;
 use super::session::Session;
 
-/// A figure: the statement that it stands beside, what it shows, and what is plotted.
+/// A figure: the id of its statement, its caption, and the arguments of `stellate plot` that draw it.
 type Drawn = (&'static str, &'static str, &'static [&'static str]);
 
-/// The circle of Example 7 runs from one tangent point to the other in these parts of its angle.
+/// The ranges of the angle on the two arcs of the circle of Example 7. The arcs end where the axes touch the circle.
 const FAR: &str = "t=-1.5707963267948966,3.141592653589793";
 const NEAR: &str = "t=3.141592653589793,4.71238898038469";
 
 /// The curve of Example 9.
 const CURVE: &str = "paper-examples/e09-sixth-degree/curve.txt";
 
-/// Standard input; the only form that is read from there is the series that is fitted to that curve.
+/// The argument for standard input. The only form that a figure reads there is the series that is fitted to this curve.
 const INPUT: &str = "-";
 const INPUT_NAME: &str = "standard input";
 
-/// Units of the width of a figure: letters can be read on a phone.
+/// The width of a figure in units of the SVG. It is narrow, so that the letters can be read on a phone.
 const WIDTH: &str = "--width=420";
 
 const CIRCLE: &str = "x = 1 + cos(t); y = 1 + sin(t)";
@@ -139,7 +139,7 @@ const FIGURES: [Drawn; 15] = [
     ),
 ];
 
-/// Draws them; forms are read from what the program has with it, under the names that they have in the repository.
+/// Draws the figures. Files of the repository are read from the copies that are built into the program, under the same paths.
 pub(super) fn draw(session: &Session) -> Result<Vec<ReportFigure>> {
     let mut figures = Vec::new();
     for (done, (id, caption, words)) in (0..).zip(FIGURES) {
@@ -158,7 +158,7 @@ pub(super) fn draw(session: &Session) -> Result<Vec<ReportFigure>> {
     Ok(figures)
 }
 
-/// A command that draws a figure, word by word.
+/// The words of a command that draws a figure.
 struct Command(Vec<String>);
 
 impl Command {
@@ -170,7 +170,7 @@ impl Command {
         Self(words.map(|&word| word.to_owned()).collect())
     }
 
-    /// As it is typed in the top folder of the repository.
+    /// The command as it is typed in the top folder of the repository.
     fn typed(&self) -> String {
         let typed = self.0.iter().map(|word| {
             if word.contains([' ', '*', '^', '(']) {
@@ -197,7 +197,7 @@ fn svg(command: &Command, session: &Session) -> Result<String> {
     }
 }
 
-/// A form of a figure.
+/// Reads a form of a figure: the fitted series, a file that is built in, or a formula.
 fn read(form: &str, session: &Session) -> Result<Given> {
     if form == INPUT {
         let form = fit_of_example_9(session)?;
@@ -215,7 +215,7 @@ fn read(form: &str, session: &Session) -> Result<Given> {
     }
 }
 
-/// The Fourier series of the outermost radius, as `stellate parametrize` fits it.
+/// The Fourier series of the outermost radius of Example 9, as `stellate parametrize` fits it.
 fn fit_of_example_9(session: &Session) -> Result<Form> {
     let Content::Exact(Form::Curve(curve)) = read(CURVE, session)?.into_content() else {
         return Err(Error::Usage(format!("{CURVE} has no plane curve")));

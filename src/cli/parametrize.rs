@@ -1,4 +1,4 @@
-//! `stellate parametrize`: back to r(θ).
+//! `stellate parametrize`: turns an implicit form into its radii r(θ).
 
 use stellate::document::{Format, Kind, write_parametrized};
 use stellate::error::Result;

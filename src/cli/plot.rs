@@ -1,4 +1,4 @@
-//! `stellate plot`: forms over each other.
+//! `stellate plot`: draws forms over each other.
 
 use stellate::error::{Error, Result};
 use stellate::verb::{self, FigureFormat, Given, PlotOptions};
@@ -27,7 +27,7 @@ pub(crate) fn run(flags: &Plot, session: &Session) -> Result<()> {
     write_result(session, |out| Ok(out.write_all(&bytes)?))
 }
 
-/// The figure as SVG, with forms as they are read here.
+/// The figure as SVG. The function `read` reads each form.
 pub(super) fn svg(
     flags: &Plot,
     session: &Session,

@@ -1,4 +1,4 @@
-//! `stellate sample`: certified points.
+//! `stellate sample`: computes certified points.
 
 use stellate::document::{Format, Kind, sampled_text, write_sampled};
 use stellate::error::Result;
@@ -33,7 +33,7 @@ pub(crate) fn run(flags: &Sample, session: &Session) -> Result<()> {
     write_result(session, |out| write_sampled(&found, format, out))
 }
 
-/// How many directions were decided in how many bits.
+/// Records, for each number of bits, how many directions were decided with it.
 fn record_counts(counts: StageCounts, session: &Session) {
     let bounded = StageCounts::BITS.iter().zip(counts.bounded);
     let mut rays: serde_json::Map<String, serde_json::Value> = bounded

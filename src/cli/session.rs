@@ -1,4 +1,4 @@
-//! One run of the program: limits, notes, stage times.
+//! One run of the program: its limits, its notes and the times of its stages.
 
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -14,13 +14,13 @@ use stellate::verb::{Missing, Work};
 use super::arguments::{Common, NumberReading};
 use super::watch::{Watch, report};
 
-/// A checkpoint gets this long after the deadline to end the work in good order.
+/// The time after the deadline in which a checkpoint can still end the work in good order.
 const GRACE: Duration = Duration::from_millis(200);
 
-/// Decimals shown for algebraic numbers without `--digits`.
+/// The number of decimals of algebraic numbers without `--digits`.
 const DEFAULT_DECIMALS: u32 = 16;
 
-/// Far more threads than cores only take memory, and tens of thousands take minutes to start.
+/// The largest number of threads. More threads than cores only take memory, and tens of thousands take minutes to start.
 const MAX_THREADS: usize = 1024;
 
 /// What all verbs share while they run.
@@ -32,14 +32,14 @@ pub(crate) struct Session {
     /// Whether the work is done and its answer is "no".
     pub(crate) answer_is_no: bool,
     watch: Arc<Watch>,
-    /// What else `--stats` says.
+    /// Further facts for `--stats`.
     facts: Mutex<Vec<(&'static str, serde_json::Value)>>,
 }
 
 impl Session {
     /// Sets up threads, the time limit and Ctrl-C.
     pub(crate) fn new(mut common: Common) -> Result<Self> {
-        // The same as no -o.
+        // `-o -` means the same as no `-o`.
         common.output = common.output.filter(|path| path.as_os_str() != "-");
         let mut limits = Limits::none();
         if let Some(time) = common.time_limit {
@@ -66,12 +66,12 @@ impl Session {
         })
     }
 
-    /// Done, and the answer is "no".
+    /// Records that the answer of the work is "no".
     pub(crate) fn answer_no(&mut self) {
         self.answer_is_no = true;
     }
 
-    /// Decimals shown for algebraic numbers.
+    /// The number of decimals of algebraic numbers.
     pub(crate) fn decimals(&self) -> u32 {
         self.common.digits.unwrap_or(DEFAULT_DECIMALS)
     }
@@ -103,38 +103,39 @@ impl Session {
         }
     }
 
-    /// A remark for the person at the terminal.
+    /// Writes a note for the person at the terminal.
     pub(crate) fn note(&self, text: &str) {
         self.watch.note(text);
     }
 
-    /// A fact for `--stats`.
+    /// Records a fact for `--stats`.
     pub(crate) fn record(&self, name: &'static str, value: serde_json::Value) {
         self.facts().push((name, value));
     }
 
-    /// A file that is removed if the process is ended from outside.
-    pub(crate) fn removed_at_the_end(&self, path: Option<&Path>) {
-        self.watch.removed_at_the_end(path);
+    /// Sets the file that is removed if the process is ended from outside.
+    pub(crate) fn remove_if_ended(&self, path: Option<&Path>) {
+        self.watch.remove_if_ended(path);
     }
 
-    /// From here on the process is not ended from outside: the output begins.
+    /// Records that the output begins: from here on the process is not ended from outside.
     pub(crate) fn begin_writing(&self) {
-        self.watch.keep_going();
+        self.watch.begin_writing();
     }
 
     /// Runs work that must not be ended from outside between its checkpoints, because other processes work for it.
     pub(crate) fn ended_at_checkpoints<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
-        self.watch.while_kept(work)
+        self.watch.ended_at_checkpoints(work)
     }
 
-    /// Tells how far a long work is.
+    /// Reports the progress of a long work.
     pub(crate) fn progress(&self, what: &'static str, done: u64, total: u64) {
         use stellate::verb::Watcher;
         self.watch.progress(what, done, total);
     }
 
-    /// What a limit has cost, after the rest is written.
+    /// Returns the error for the parts of the answer that are missing because of a limit. It is reported after the rest is
+    /// written.
     pub(crate) fn report_missing(&self) -> Result<()> {
         match self.work.missing() {
             None => Ok(()),
@@ -146,7 +147,7 @@ impl Session {
         self.facts.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Prints the statistics, if asked.
+    /// Prints the statistics if `--stats` is given.
     pub(crate) fn finish(&self) {
         if self.common.stats {
             let mut stats = serde_json::Map::new();
@@ -187,12 +188,12 @@ fn start_threads(threads: usize) -> Result<()> {
         .map_err(|e| Error::Usage(format!("--threads {threads}: {e}")))
 }
 
-/// Ctrl-C: before anything is written the process ends at once, however deep in one computation it is;
-/// afterwards at the next checkpoint.
+/// Handles Ctrl-C. Before anything is written, the process ends at once, even in the middle of a computation; afterwards it
+/// ends at the next checkpoint.
 fn watch_interruption(limits: &Limits, watch: &Arc<Watch>) {
     let (flag, watch) = (limits.cancellation(), Arc::clone(watch));
-    // Without a handler Ctrl-C ends the process at once, which leaves no half file either, as long
-    // as nothing is being written.
+    // If the handler cannot be set, Ctrl-C ends the process at once. That also leaves no unfinished file as long as nothing is
+    // being written.
     let _ = ctrlc::set_handler(move || {
         flag.store(true, Ordering::SeqCst);
         if watch.may_end() {
@@ -201,7 +202,7 @@ fn watch_interruption(limits: &Limits, watch: &Arc<Watch>) {
     });
 }
 
-/// The time limit, for computations that reach no checkpoint in time.
+/// Ends the process after the time limit if a computation reaches no checkpoint in time.
 fn watch_deadline(time: Duration, watch: &Arc<Watch>) {
     let watch = Arc::clone(watch);
     std::thread::spawn(move || {
@@ -217,7 +218,7 @@ fn watch_deadline(time: Duration, watch: &Arc<Watch>) {
     });
 }
 
-/// The peak resident memory of this process in bytes where the system tells (Linux), else null.
+/// The peak resident memory of this process in bytes; `None` on systems that do not report it as Linux does.
 fn peak_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;

@@ -1,4 +1,4 @@
-//! `stellate vectors`: test vectors for float programs.
+//! `stellate vectors`: writes test vectors for float programs.
 
 use stellate::document::{Format, Kind, write_vectors};
 use stellate::error::Result;

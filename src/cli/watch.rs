@@ -1,4 +1,5 @@
-//! What the person at the terminal sees of the work: notes, progress bars, and the times of stages.
+//! What the person at the terminal sees of the work: notes and progress bars. It also measures stages, and decides whether the
+//! process may be ended.
 
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ use stellate::document::remark_text;
 use stellate::error::Error;
 use stellate::verb::{Remark, Watcher};
 
-/// A progress bar waits this long before it shows itself.
+/// The time after which a progress bar appears.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 
 /// Watches the work of one run.
@@ -19,11 +20,12 @@ pub(crate) struct Watch {
     quiet: bool,
     stages: Mutex<Vec<(&'static str, Duration)>>,
     bar: Mutex<Option<ProgressBar>>,
-    /// Set once output may have begun, and while work ends at checkpoints only: then nothing ends the process from outside.
-    kept: AtomicBool,
-    /// Set once output may have begun.
+    /// Whether the work ends only at its checkpoints. While it does, nothing else ends the process.
+    ends_at_checkpoints: AtomicBool,
+    /// Whether output may have begun. Once it may have, nothing ends the process from outside, because that would leave half of
+    /// the output.
     writing: AtomicBool,
-    /// A file that is only half written.
+    /// The file that is unfinished, and is removed if the process is ended.
     partial: Mutex<Option<PathBuf>>,
 }
 
@@ -33,28 +35,28 @@ impl Watch {
             quiet,
             stages: Mutex::default(),
             bar: Mutex::default(),
-            kept: AtomicBool::new(false),
+            ends_at_checkpoints: AtomicBool::new(false),
             writing: AtomicBool::new(false),
             partial: Mutex::default(),
         }
     }
 
-    /// Whether the process may be ended at any moment.
+    /// Whether the process may be ended now, from outside of the work.
     pub(crate) fn may_end(&self) -> bool {
-        !self.kept.load(Ordering::SeqCst) && !self.writing.load(Ordering::SeqCst)
+        !self.ends_at_checkpoints.load(Ordering::SeqCst) && !self.writing.load(Ordering::SeqCst)
     }
 
-    /// From here on it may not.
-    pub(crate) fn keep_going(&self) {
+    /// Records that output may have begun: from here on the process may not be ended from outside.
+    pub(crate) fn begin_writing(&self) {
         self.writing.store(true, Ordering::SeqCst);
     }
 
-    /// A file that is removed if the process is ended.
-    pub(crate) fn removed_at_the_end(&self, path: Option<&Path>) {
+    /// Sets the file that is removed if the process is ended.
+    pub(crate) fn remove_if_ended(&self, path: Option<&Path>) {
         *locked(&self.partial) = path.map(Path::to_path_buf);
     }
 
-    /// Ends the process with this error and code.
+    /// Removes the unfinished file, reports the error, and ends the process with this code.
     pub(crate) fn end(&self, error: &Error, code: u8) -> ! {
         if let Some(path) = locked(&self.partial).take() {
             let _ = std::fs::remove_file(path);
@@ -63,8 +65,8 @@ impl Watch {
         std::process::exit(i32::from(code))
     }
 
-    /// It may not during this work.
-    pub(crate) fn while_kept<T>(&self, work: impl FnOnce() -> T) -> T {
+    /// Runs work during which the process may not be ended from outside, because the work ends at its own checkpoints.
+    pub(crate) fn ended_at_checkpoints<T>(&self, work: impl FnOnce() -> T) -> T {
         self.ends_by_itself(true);
         let result = work();
         self.ends_by_itself(false);
@@ -76,14 +78,14 @@ impl Watch {
         locked(&self.stages).clone()
     }
 
-    /// A remark for the person at the terminal.
+    /// Writes a note for the person at the terminal, unless `--quiet` is given.
     pub(crate) fn note(&self, text: &str) {
         if !self.quiet {
             report(&format!("note: {text}"));
         }
     }
 
-    /// A bar that shows itself only if the work takes longer than a second.
+    /// A progress bar that appears only if the work takes longer than [`PROGRESS_AFTER`].
     fn new_bar(what: &'static str, total: u64) -> ProgressBar {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}") {
@@ -131,15 +133,15 @@ impl Watcher for Watch {
     }
 
     fn ends_by_itself(&self, is_so: bool) {
-        self.kept.store(is_so, Ordering::SeqCst);
+        self.ends_at_checkpoints.store(is_so, Ordering::SeqCst);
     }
 
     fn limit_reached(&self) {
-        self.keep_going();
+        self.begin_writing();
     }
 }
 
-/// One line on standard error; if that is closed there is nobody to tell.
+/// Writes one line to standard error. If that is closed, nobody can be told, so the failure is ignored.
 pub(crate) fn report(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }

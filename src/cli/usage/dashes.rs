@@ -1,5 +1,5 @@
-//! Wrong dashes before a long name. After a single dash the parser reads every letter as a short option, and `-h` prints the help;
-//! long dashes are made by word processors.
+//! Wrong dashes before a long name. After a single dash the parser reads every letter as a short option, and `-h` prints the
+//! help; long dashes are made by word processors.
 
 use clap::Command;
 

@@ -58,7 +58,7 @@ pub(super) fn unknown(
     }
 }
 
-/// `a`, `a and b`, `a, b and c`
+/// The names as a list: `a`, `a and b`, `a, b and c`.
 fn enumerated(names: &[&str]) -> String {
     match names {
         [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),

@@ -1,4 +1,5 @@
-//! Readers of points and boxes: numbers that are separated by commas, semicolons or blanks, with or without brackets around them.
+//! Readers of points and boxes: numbers that are separated by commas, semicolons or blanks, with or without brackets around
+//! them.
 
 use stellate::exact::Rational;
 use stellate::fit::CenterChoice;

@@ -1,5 +1,5 @@
-//! Readers of the values of options, one for every kind of value. If a value is wrong, a reader says in plain words what would be
-//! right; [`super::usage`] writes the option and the value before that.
+//! Readers of the values of options, one for every kind of value. If a value is wrong, a reader says in plain words what would
+//! be right; [`super::usage`] writes the option and the value before that.
 
 mod angle;
 mod list;

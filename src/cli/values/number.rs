@@ -46,7 +46,7 @@ fn no_whole_number(text: &str, range: &RangeInclusive<u64>, example: u64) -> Str
     format!("expected a whole number{bounds}, such as {example}")
 }
 
-/// What to write instead, for texts that people write as numbers elsewhere.
+/// The advice for a text that is written for a number elsewhere: what to write instead.
 pub(super) fn advice(text: &str) -> Option<String> {
     let text = text.trim();
     if number(text).is_some() {
