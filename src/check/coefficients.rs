@@ -1,4 +1,4 @@
-//! Coefficients of a float program beside the exact ones, term by term, up to one common factor.
+//! Compares the coefficients of a float program with the exact ones, term by term, up to one common factor.
 
 use std::collections::BTreeMap;
 
@@ -8,9 +8,10 @@ use super::scale::common_factor;
 use crate::exact::Rational;
 use crate::poly::{SparsePolynomial, total_degree};
 
-/// Compares the coefficients of two polynomials up to one common factor, the best one.
+/// Compares the coefficients of two polynomials up to one common factor, which [`Comparison::scale`] tells.
 ///
-/// `got` holds doubles; a term that is 0 there counts as missing. Cost: some n log n products of coefficients.
+/// The coefficients of `got` are doubles; a term that is 0 there counts as missing. Cost: about n log n products of
+/// coefficients.
 ///
 /// ```
 /// use stellate::check::compare_coefficients;
@@ -62,11 +63,11 @@ pub fn compare_coefficients(got: &SparsePolynomial<3>, exact: &SparsePolynomial<
     });
     let missing = missing.collect();
     let sizes = Sizes::of(exact);
-    // In the order of all terms.
+    // The polynomial brings the extra terms into canonical order.
     let only = SparsePolynomial::from_terms(rest.into_iter().map(|(e, c)| (e, c.clone())));
     let extra = only.terms().map(|(exponents, value)| {
         let size = sizes.around(exponents) * factor.abs();
-        // As far from 0 as a coefficient of that size would be from its neighbour.
+        // The deviation of size + value from size is |value|, relative to this size.
         let off = Deviation::between(&(&size + value), &size);
         row(*exponents, value.to_f64(), off, None)
     });
@@ -92,7 +93,7 @@ fn row(exponents: [u32; 3], got: f64, deviation: Deviation, exact: Option<Ration
     }
 }
 
-/// The largest coefficients, by degree and of all.
+/// The sizes of the largest coefficient of each degree and of all degrees.
 struct Sizes {
     by_degree: BTreeMap<u64, Rational>,
     largest: Rational,

@@ -1,4 +1,4 @@
-//! What a check finds: rows, and what they amount to.
+//! The results of a check: the compared numbers, and the conclusions from them.
 
 use std::borrow::Cow;
 
@@ -6,10 +6,10 @@ use super::deviation::{DOUBLE_DIGITS, Deviation, MOST_DIGITS};
 use super::scale::Scale;
 use crate::exact::Rational;
 
-/// An extra term below this many digits of the coefficients of its degree is no rounding error.
+/// An extra term is no rounding error if it is larger than 10^−NOISE_DIGITS times the largest coefficient of its degree.
 pub(super) const NOISE_DIGITS: u32 = 6;
 
-/// Where a number of a float program belongs.
+/// The meaning of a number of a float program.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GivenNumber {
@@ -17,44 +17,44 @@ pub enum GivenNumber {
     Term([u32; 3]),
     /// A point in a row of a file.
     Point {
-        /// The line in the file, from 1.
+        /// The line in the file, counted from 1.
         line: usize,
-        /// x, y and z, the last one 0 in the plane.
+        /// The coordinates x, y and z; z is 0 in the plane.
         position: [f64; 3],
     },
     /// A radius in a row of a file.
     Radius {
-        /// The line in the file, from 1.
+        /// The line in the file, counted from 1.
         line: usize,
         /// The angle, exactly this double.
         theta: f64,
     },
 }
 
-/// f at a point, computed exactly and then rounded.
+/// The value of f at a point, computed exactly and then rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Residual {
-    /// f(x, y), of the polynomial as the reference has it.
+    /// The value of the reference's polynomial at the point.
     pub value: f64,
-    /// |f|/|∇f|: the distance from the zero set to first order; infinite where only the gradient is 0.
+    /// |f|/|∇f|: the distance from the zero set to first order; infinite if only the gradient is 0.
     pub first_order: f64,
 }
 
-/// A number of a float program beside the exact one.
+/// A number of a float program and its exact counterpart.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Row {
-    /// Which number.
+    /// The meaning of the number.
     pub place: GivenNumber,
-    /// What the float program has; for a point its distance from the origin, rounded.
+    /// The number of the float program; for a point, its distance from the origin, rounded.
     pub got: f64,
-    /// What is exact: the scaled coefficient; or the radius on the ray, within 2⁻⁶⁰ of itself. `None` where there is nothing
-    /// to compare with.
+    /// The exact counterpart: the coefficient times the common factor, or the radius on the ray up to 2⁻⁶⁰ of itself. `None` if
+    /// there is nothing to compare with.
     pub exact: Option<Rational>,
-    /// The distance of the two.
+    /// The distance of the two numbers.
     pub deviation: Deviation,
-    /// Of points.
+    /// The residual; only points have one.
     pub residual: Option<Residual>,
 }
 
@@ -66,44 +66,44 @@ pub struct Diagnosis {
     pub name: Cow<'static, str>,
     /// What a program with this mistake does, and what would be right; or what the wrong numbers have in common.
     pub explanation: Cow<'static, str>,
-    /// The mark, in digits, at which faults were counted.
+    /// The number of correct digits below which a number counts as a fault.
     pub mark: u32,
-    /// How many numbers miss the mark beside the reference, missing and extra ones included …
+    /// The number of faults in the comparison with the reference, with missing and extra terms.
     pub faults: usize,
-    /// … and how many beside what the mistake leads to.
+    /// The number of faults in the comparison with the form that the mistake leads to.
     pub faults_left: usize,
 }
 
-/// A float program's numbers beside the exact ones.
+/// The comparison of a float program's numbers with the exact ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Comparison {
-    /// Whether places have a z.
+    /// Whether terms and points have a z.
     pub in_space: bool,
-    /// What both have, in the order of the terms or of the file.
+    /// The numbers that both sides have, in the order of the terms or of the file.
     pub rows: Vec<Row>,
     /// Terms that the float program lacks.
     pub missing: Vec<Row>,
-    /// Terms that only the float program has. Their deviation is relative to the largest exact coefficient of the
-    /// same degree, or of all where that degree does not occur.
+    /// Terms that only the float program has. Their deviation is their size relative to the largest exact coefficient of the
+    /// same degree, or of all degrees if that degree does not occur.
     pub extra: Vec<Row>,
     /// The common factor of coefficients.
     pub scale: Option<Scale>,
-    /// Usual mistakes that explain what is wrong; where none does, what is wrong by kind.
+    /// The usual mistakes that explain the faults; if there is none, the faults by kind.
     pub diagnoses: Vec<Diagnosis>,
 }
 
 impl Comparison {
-    /// Everything that was judged: what both have, and what one lacks.
+    /// All rows: those that both sides have, the missing ones and the extra ones.
     pub fn all(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().chain(&self.missing).chain(&self.extra)
     }
 
-    /// The rows with the fewest digits first.
+    /// The `count` worst rows, those with the fewest digits first.
     #[must_use]
     pub fn worst(&self, count: usize) -> Vec<&Row> {
         let mut rows: Vec<&Row> = self.rows.iter().collect();
-        // No relative distance is an infinite one.
+        // A row without a relative distance is infinitely far off.
         rows.sort_by(
             |a, b| match (a.deviation.relative(), b.deviation.relative()) {
                 (Some(a), Some(b)) => b.cmp(a),
@@ -114,7 +114,7 @@ impl Comparison {
         rows
     }
 
-    /// The digits that half of the rows have at least; `None` without rows.
+    /// The digits that at least half of the rows have; `None` without rows.
     #[must_use]
     pub fn median_digits(&self) -> Option<f64> {
         let mut digits: Vec<f64> = self.rows.iter().map(|r| r.deviation.digits()).collect();
@@ -122,7 +122,7 @@ impl Comparison {
         Some(*digits.select_nth_unstable_by(place, f64::total_cmp).1)
     }
 
-    /// What has fewer than so many digits; a missing term has none.
+    /// All rows with fewer correct digits than this; a missing term has none.
     #[must_use]
     pub fn below(&self, digits: u32) -> Vec<&Row> {
         self.all()
@@ -130,7 +130,7 @@ impl Comparison {
             .collect()
     }
 
-    /// The digits of a double that the worst row has lost; `None` without rows.
+    /// How many digits of a double the worst row has lost; `None` without rows.
     #[must_use]
     pub fn digits_lost(&self) -> Option<f64> {
         let worst = self.worst(1).first()?.deviation.digits();
@@ -152,8 +152,8 @@ impl Comparison {
         counts
     }
 
-    /// What fails: with a mark, everything that has fewer digits; without one, the terms that are missing, and those
-    /// that are there and are no rounding errors (of less than 6 digits).
+    /// The rows that fail. With a mark, these are all rows with fewer digits. Without one, they are the missing terms, and the
+    /// extra terms that are no rounding errors (with fewer than 6 digits).
     #[must_use]
     pub fn failures(&self, mark: Option<u32>) -> Vec<&Row> {
         match mark {

@@ -1,4 +1,4 @@
-//! Condition numbers: what a relative error of 1 in every input may do to an output, to first order.
+//! Condition numbers: the factors by which relative errors of the inputs grow in an output, to first order.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -15,15 +15,15 @@ use crate::shape::FourierRadius;
 /// `Σ_j |a_j ∂F_k/∂a_j| / |F_k|` over all a_n and b_n, exactly. If every input is off by at most ε, relatively, F_k is
 /// off by at most this times ε, to first order.
 ///
-/// The top part has none (0); the middle part is linear in the inputs and the low part quadratic. The terms of the answer are
-/// those of the expanded F with the condition in place of the coefficient; a condition of 0 has no term. Cost: two
-/// products of forms of degree N for each of the 2N + 1 inputs.
+/// The top part does not depend on the inputs, so its conditions are 0; the middle part is linear in the inputs, and the low
+/// part is quadratic. The answer is a polynomial with the terms of the expanded F and the conditions as coefficients, so that a
+/// condition of 0 has no term. Cost: two products of forms of degree N for each of the 2N + 1 inputs.
 #[must_use]
 pub(super) fn coefficient_conditions(radius: &FourierRadius) -> SparsePolynomial<3> {
     let n = radius.harmonics();
     let (_, cos, sin) = radius.over_common_denominator();
     let zero = Integer::ZERO;
-    // What each input adds to the sum over odd harmonics, and to that over even ones.
+    // The contribution of each input to the sum over the harmonics of one parity.
     let added = |parity: usize| -> Vec<BinaryForm> {
         let degree = if n % 2 == parity {
             n
@@ -75,11 +75,11 @@ pub(super) fn coefficient_conditions(radius: &FourierRadius) -> SparsePolynomial
     SparsePolynomial::from_terms(parts.into_iter().flat_map(|part| part.0))
 }
 
-/// Quotients of coefficients, term by term.
+/// Terms with quotients of coefficients.
 struct Ratios(Vec<([u32; 3], Rational)>);
 
 impl Ratios {
-    /// (Σ |t_k|)/|f_k| where f_k ≠ 0.
+    /// The quotients (Σ_t |t_k|)/|f_k| for all k with f_k ≠ 0, where t runs through `derivatives`.
     fn new(f: &BinaryForm, derivatives: impl Iterator<Item = BinaryForm>) -> Self {
         let mut sums = vec![Integer::ZERO; f.degree() + 1];
         for form in derivatives {
@@ -97,16 +97,16 @@ impl Ratios {
     }
 }
 
-/// The conditions of the roots r of f(ru, rv, rw) with respect to the coefficients of f, each its own.
+/// The conditions of the roots r of f(ru, rv, rw) with respect to independent relative errors of the coefficients of f.
 #[derive(Debug)]
 pub(super) struct RootConditions {
     f: SpacePolynomial,
-    /// f with all coefficients positive.
+    /// f with the sizes of its coefficients in place of the coefficients.
     sizes: SpacePolynomial,
 }
 
 impl RootConditions {
-    /// For the roots of this polynomial.
+    /// Prepares the conditions of the roots of this polynomial.
     #[must_use]
     pub(super) fn new(f: &SparsePolynomial<3>) -> Self {
         let sizes = f.terms().map(|(e, c)| (*e, c.abs()));
@@ -116,11 +116,11 @@ impl RootConditions {
         }
     }
 
-    /// The sum of the sizes of all terms over |r ∂f/∂r|, in the direction vector/w and at r given as a double near the root,
-    /// rounded; infinite where the derivative is 0. Cost: the values of all homogeneous parts.
+    /// The sum of the sizes of all terms, divided by |r ∂f/∂r|, in the direction vector/w and at a double r near the root;
+    /// rounded, and infinite if the derivative is 0. Cost: the values of all homogeneous parts.
     #[must_use]
     pub(super) fn at(&self, vector: &[Integer; 3], w: &Integer, r: f64) -> f64 {
-        // A root beyond the doubles: nothing is known of it.
+        // Nothing is known about a root beyond the largest double.
         let Ok(r) = Rational::try_from(r) else {
             return f64::INFINITY;
         };
@@ -133,7 +133,7 @@ impl RootConditions {
             });
             terms.sum::<Rational>()
         };
-        // Both sums have the same factor: a power of w, and the common denominator.
+        // Both sums are multiplied by the same power of w and the same common denominator, which cancel in the quotient.
         let slope = sum(along(&self.f, vector, w), &r, &|d| d);
         let sizes = along(&self.sizes, &vector.each_ref().map(magnitude), w);
         let sizes = sum(sizes, &r.abs(), &|_| 1);
@@ -175,7 +175,7 @@ mod tests {
     }
 
     proptest! {
-        /// The oracle: central differences, which are exact for a quadratic polynomial of every input.
+        /// The oracle uses central differences, which are exact for a polynomial that is quadratic in every input.
         #[test]
         fn conditions_are_sums_of_derivatives(
             c in prop::collection::vec((-9i32..10, -9i32..10), 1..7)
@@ -189,7 +189,7 @@ mod tests {
             let half = Rational::from_dyadic(1.into(), -1);
             for n in 0..=radius.harmonics() {
                 for is_sine in [false, true] {
-                    // The input times 3/2 less the input times 1/2 is the input times the derivative.
+                    // F for 3/2 of the input minus F for 1/2 of it is the input times the derivative.
                     let moved = |sign: i32| {
                         let factor = Rational::one() + &half * &Rational::from(sign);
                         let pick = |v: &[Rational], chosen: bool| -> Vec<Rational> {

@@ -1,4 +1,4 @@
-//! How far a double is from an exact value.
+//! The distance of a double from an exact value.
 
 use std::convert::Infallible;
 
@@ -7,26 +7,28 @@ use malachite::base::num::logic::traits::SignificantBits;
 
 use crate::exact::{Rational, nearest_double};
 
-/// Where counting decimal digits ends: a double has no more of them.
+/// The largest number of correct digits that is reported: 17 digits tell any double from all others.
 pub(crate) const MOST_DIGITS: f64 = 17.0;
 
-/// log₁₀ 2⁵³: the digits of a correctly rounded double, at least.
+/// The number of correct digits that a correctly rounded double has at least: its relative error is at most 2^−53, and log₁₀
+/// 2⁵³ > 15.95.
 pub(crate) const DOUBLE_DIGITS: f64 = 15.95;
 
 /// The distance of a double from an exact value, relative to that value and in units of its last place.
 ///
-/// The relative distance is exact where the value is rational; where it is only enclosed it is an upper bound, within a
-/// millionth of itself.
+/// If the exact value is known as a rational number, the relative distance is exact. If the value is only enclosed, the
+/// relative distance is an upper bound, within a millionth of itself.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Deviation {
     relative: Option<Rational>,
-    /// In units in the last place of the double nearest to the exact value; rounded, infinite where nothing is near.
+    /// The distance in units in the last place of the double nearest to the exact value, rounded; infinite if there is nothing
+    /// to compare with.
     pub ulps: f64,
 }
 
 impl Deviation {
-    /// |got − exact|, exactly.
+    /// The deviation of `got` from `exact`.
     ///
     /// ```
     /// use stellate::check::Deviation;
@@ -48,12 +50,12 @@ impl Deviation {
         Self { relative, ulps }
     }
 
-    /// No distance at all.
+    /// The deviation of a number that is exact.
     pub(super) fn exact() -> Self {
         Self::bounded(Rational::zero(), 0.0)
     }
 
-    /// From an upper bound of the relative distance.
+    /// A deviation with an upper bound of the relative distance.
     pub(super) fn bounded(relative: Rational, ulps: f64) -> Self {
         Self {
             relative: Some(relative),
@@ -61,7 +63,7 @@ impl Deviation {
         }
     }
 
-    /// Nothing to compare with: no digit is right.
+    /// The deviation of a number that has no exact counterpart: no digit of it is right.
     pub(super) fn infinite() -> Self {
         Self {
             relative: None,
@@ -75,11 +77,11 @@ impl Deviation {
         self.relative.as_ref()
     }
 
-    /// −log₁₀ of the relative distance, from 0 up to 17; rounded, for people.
+    /// The number of correct digits: −log₁₀ of the relative distance, at least 0 and at most 17, rounded to a double.
     #[must_use]
     pub fn digits(&self) -> f64 {
         let relative = self.relative.as_ref().map_or(f64::INFINITY, |r| r.to_f64());
-        // No −0 for a distance of 1.
+        // The difference from 0 is 0 for a distance of 1, while the negative of 0 would be −0.
         (0.0 - relative.log10()).clamp(0.0, MOST_DIGITS)
     }
 
@@ -97,7 +99,7 @@ pub(super) fn unit_in_the_last_place(double: f64) -> Rational {
     let at = |v: f64| Rational::try_from(v).ok();
     match (at(next), at(double.abs())) {
         (Some(next), Some(here)) => next - here,
-        // Beyond the doubles: as for the largest ones.
+        // Beyond the largest double, its unit is taken.
         _ => Rational::from_dyadic(1.into(), 971),
     }
 }
@@ -119,10 +121,11 @@ pub(super) fn nearest_root(q: &Rational) -> f64 {
     root
 }
 
-/// A rational number within 2^−120 of √q, relatively, for q > 0.
+/// A rational number whose relative distance from √q is at most 2^−120, for q > 0.
 pub(super) fn close_root(q: &Rational) -> Rational {
     const BITS: i64 = 124;
-    // √(p/d) = √(p d 4^k) / (d 2^k), with a k that leaves enough bits to the integer root.
+    // √(p/d) = √(p d 4^k) / (d 2^k). Here k is so large that p d 4^k has at least 248 bits, so the integer root has at least
+    // 124.
     let (p, d) = (q.numerator(), q.denominator());
     let product = p * &d;
     let bits = product.significant_bits().cast_signed();

@@ -1,4 +1,5 @@
-//! A curve on the ray of an angle that is a double: its direction (cos θ, sin θ) is transcendental, the answer certified.
+//! The certified points of a curve on the ray of an angle θ that is a double. The direction (cos θ, sin θ) is transcendental,
+//! so it is enclosed.
 
 use std::cmp::Ordering;
 
@@ -15,28 +16,29 @@ use crate::poly::{
 };
 use crate::roots::constant_sign;
 
-/// The precision that a direction is first enclosed with, in bits …
+/// The number of bits in the first enclosure of a direction.
 const FIRST_BITS: u32 = 192;
-/// … and the one at which the work is given up: the roots there cannot be told apart.
+/// The number of bits at which the search for the root is given up.
 const MOST_BITS: u32 = 1 << 14;
 
-/// The distance of a root λ from 1 is enclosed to 2^−this of itself and of λ …
+/// The distance of a root λ from 1 is enclosed with a width of about 2^−ROOT_BITS, relative to the distance and to λ.
 const ROOT_BITS: i64 = 76;
-/// … and no root is nearer by more than 2^−this of it.
+/// It is proved that no root is nearer to 1 by more than 2^−REACH_BITS of this distance.
 const REACH_BITS: i64 = 24;
 
-/// How often an interval is halved to prove that it holds no root.
+/// The largest number of halvings of an interval in a proof that it has no root.
 const MOST_HALVINGS: u32 = 100;
 
-/// f by its homogeneous parts without their powers of x² + y², which are 1 on every ray.
+/// A polynomial f, as its homogeneous parts divided by all factors x² + y², which are 1 on the unit circle.
 #[derive(Debug)]
 pub(super) struct EnclosedRays {
-    /// (d, what is left of the part of degree d), ascending in d.
+    /// The pairs of a degree d and the rest of the part of degree d after the division, ascending in d.
     parts: Vec<(usize, BinaryForm)>,
     whole: PlanePolynomial,
 }
 
-/// Σ c_d λ^d with integers c_d of which each is known up to an error e_d.
+/// A polynomial Σ c_d λ^d whose coefficients are known up to errors: c_d is at most `errors[d]` away from the integer
+/// `middle[d]`.
 struct Enclosed {
     middle: Vec<Integer>,
     errors: Vec<Integer>,
@@ -54,17 +56,18 @@ impl EnclosedRays {
         }
     }
 
-    /// The root of f(r cos θ, r sin θ) nearest to r = `got` ≠ 0, as r = got·(1 + δ); `None` if there is none but 0.
+    /// The real root of f(r cos θ, r sin θ) that is nearest to r = `got` ≠ 0, as r = got·(1 + δ); `None` if there is no real
+    /// root but 0.
     ///
-    /// The direction is enclosed in a square of 2^−bits; so every coefficient of the polynomial in λ = r/got is known
-    /// up to an error. The root of the polynomial in the middle is a root of the true one up to proof: the true one
-    /// has opposite signs on both sides of it, and no zero nearer to 1 (Descartes' rule for the middle polynomial less and
-    /// plus the error). Where that fails the precision doubles; it does not fail for ever, because (cos θ, sin θ) is
-    /// transcendental (Lindemann), so that no coefficient, no root and no discriminant is an accident of θ; and what
-    /// vanishes for every θ is found exactly.
+    /// The cosine and the sine are enclosed to about 2^−bits, so every coefficient of the polynomial in λ = r/got is known up
+    /// to an error. The nearest root of the polynomial with the middle coefficients is a guess. Then it is proved that the true
+    /// polynomial has opposite signs on both sides of the guess, and no zero nearer to 1 (Descartes' rule for the middle
+    /// polynomial minus and plus the error). If a proof fails, the number of bits is doubled. The proofs do not fail for ever
+    /// if f has no multiple factor: cos θ and sin θ are transcendental (Lindemann), so a coefficient, a difference of roots or
+    /// a discriminant is 0 only if it is 0 for all θ, and the circle, for which 1 itself is a root for all θ, is found exactly.
     ///
     /// # Errors
-    /// [`Error::Limit`] where roots cannot be told apart: f has a multiple factor.
+    /// [`Error::Limit`] if the roots cannot be separated, because f has a multiple factor.
     pub(super) fn nearest(&self, theta: &Rational, got: &Rational) -> Result<Option<Offset>> {
         let mut bits = FIRST_BITS;
         loop {
@@ -75,7 +78,7 @@ impl EnclosedRays {
             if let Some(proved) = g.nearest_proved() {
                 return Ok(proved);
             }
-            // A root that no precision tells from 1: the circle of radius |got| belongs to the curve.
+            // If the circle of radius |got| belongs to the curve, 1 is a root, and no number of bits can prove it.
             if bits == FIRST_BITS && self.holds_circle(got) {
                 let zero = Rational::zero;
                 return Ok(Some(Offset {
@@ -93,18 +96,19 @@ impl EnclosedRays {
         }
     }
 
-    /// f(λ got cos θ, λ got sin θ) without powers of λ, up to a positive factor.
+    /// The polynomial f(λ got cos θ, λ got sin θ), up to a positive factor and divided by its lowest power of λ.
     ///
-    /// Lemma 1. Let C and S be less than 2 away from 2^b cos θ and 2^b sin θ, and h a form of degree m ≥ 1 with 8m < 2^b. Then
-    /// ⌊h(C, S)/2^(b(m − 1))⌋ is at most 4m‖h‖ + 1 away from 2^b h(cos θ, sin θ), ‖h‖ the sum of the sizes of the coefficients.
-    /// Proof. With ε = 2·2^−b, C/2^b and S/2^b are at most 1 + ε in size. Replacing the m factors of a monomial one after another
-    /// changes it by at most mε(1 + ε)^(m − 1) ≤ mε e^(mε) ≤ 2mε, since mε < 1/4. That is 4m in units of 2^−b. The
-    /// floor takes less than 1 more.
+    /// Lemma 1. Let C and S be less than 2 away from 2^b cos θ and 2^b sin θ, let h be a form of degree m ≥ 1 with 8m < 2^b,
+    /// and let ‖h‖ be the sum of the sizes of its coefficients. Then ⌊h(C, S)/2^(b(m − 1))⌋ is at most 4m‖h‖ + 1 away from 2^b
+    /// h(cos θ, sin θ).
+    /// Proof. With ε = 2·2^−b, C/2^b and S/2^b are at most 1 + ε in size. Replacing the m factors of a monomial one after
+    /// another changes it by at most mε(1 + ε)^(m − 1) ≤ mε e^(mε) ≤ 2mε, since mε < 1/4. That is 4m in units of 2^−b. Rounding
+    /// down adds less than 1.
     ///
     /// Law: `coefficients_are_within_their_errors_and_reach_them`.
     fn enclosed(&self, theta: &Rational, got: &Rational, bits: u32) -> Enclosed {
         let unit = Integer::ONE << bits;
-        // Less than a quarter of a unit away, and less than one more by the floor.
+        // The bounds are at most a quarter of a unit away, and rounding down adds less than one, so Lemma 1 applies.
         let fixed = |v: Rational| (v * Rational::whole(&unit)).floor_integer();
         let [c, s] = cosine_and_sine(theta, bits + 2).map(fixed);
         let exact = theta.is_zero();
@@ -114,7 +118,7 @@ impl EnclosedRays {
         let mut errors = middle.clone();
         let (p, q) = (got.numerator(), got.denominator());
         for (d, form) in &self.parts {
-            // By Lemma 1; a constant is exact.
+            // The error is that of Lemma 1, and 0 for a constant.
             let m = form.degree();
             let value = form.evaluate(&c, &s);
             let value = if m == 0 {
@@ -138,8 +142,8 @@ impl EnclosedRays {
         Enclosed { middle, errors }
     }
 
-    /// Whether f vanishes on the circle of this radius: Σ radius^d f_d over the d of either parity, made one form by
-    /// powers of x² + y², is 0.
+    /// Whether f vanishes on the circle of this radius. This is so if, for the even and for the odd degrees d, Σ radius^d f_d
+    /// is 0 after powers of x² + y² have raised all parts to the same degree.
     fn holds_circle(&self, radius: &Rational) -> bool {
         [0, 1].into_iter().all(|parity| {
             let parts = self
@@ -176,20 +180,21 @@ impl Enclosed {
         IntegerPolynomial::from_coefficients_asc(coefficients.to_vec())
     }
 
-    /// For coefficients without error.
+    /// The nearest root if the coefficients have no errors.
     fn nearest_exact(&self) -> Option<Offset> {
         let mut coefficients = self.middle.clone();
-        // No root 0.
+        // The root 0 is divided out.
         let zeros = coefficients.iter().take_while(|c| **c == 0).count();
         coefficients.drain(..zeros);
         nearest_to_zero(&shift_by_one(Self::polynomial(&coefficients)))
     }
 
-    /// The nearest root of the true polynomial, if that is proved; `Some(None)` if it is proved that there is none.
+    /// The nearest root of the true polynomial, or `Some(None)` if it has no real root; `None` if neither is proved.
     ///
-    /// Lemma 2. For |λ − 1| ≤ ρ the true polynomial differs from the middle one by at most E = Σ e_d (1 + ρ)^d. So it has the
-    /// sign of middle − E and middle + E where these have one sign: no zero on an interval on which they have, and one between two
-    /// points at which these signs are opposite. Proof. |λ| ≤ 1 + ρ, and every coefficient is off by at most e_d.
+    /// Lemma 2. For |λ − 1| ≤ ρ, the true polynomial differs from the middle one by at most E = Σ e_d (1 + ρ)^d. So wherever
+    /// middle − E and middle + E have the same sign, the true polynomial has it, too: it has no zero in an interval in which
+    /// they have the same constant sign, and a zero between two points at which they have opposite signs.
+    /// Proof. |λ| ≤ 1 + ρ, and every coefficient is off by at most e_d.
     fn nearest_proved(&self) -> Option<Option<Offset>> {
         let shifted = shift_by_one(Self::polynomial(&self.middle));
         let Some(offset) = nearest_to_zero(&shifted) else {
@@ -200,7 +205,7 @@ impl Enclosed {
         } else {
             (&offset.high, &offset.low)
         };
-        // A little room around the root, so that signs differ.
+        // The interval is made a little larger than the enclosure of the root, so that the signs at its ends are certain.
         let part = |size: &Rational, bits: i64| size * &Rational::from_dyadic(Integer::ONE, -bits);
         let reach = (inner - &part(inner, REACH_BITS)).abs();
         let room = part(&offset.size(), ROOT_BITS) * Rational::from(i32::from(inner.signum()));
@@ -224,7 +229,7 @@ impl Enclosed {
         })
     }
 
-    /// Whether the true polynomial is proved to have no real root at all.
+    /// Whether it is proved that the true polynomial has no real root.
     fn is_proved_empty(&self, shifted: &IntegerPolynomial) -> bool {
         let (Some(top), Some(top_error)) = (self.middle.last(), self.errors.last()) else {
             return true;
@@ -233,7 +238,7 @@ impl Enclosed {
         if lead <= 0 {
             return false;
         }
-        // Cauchy: all roots have |λ| < 1 + max |c_d|/|c_top|.
+        // By Cauchy's bound all roots satisfy |λ| < 1 + max |c_d|/|c_top|, so |λ − 1| is less than this plus 1.
         let sizes = self.middle.iter().zip(&self.errors);
         let largest = sizes
             .map(|(c, e)| Integer::from(c.unsigned_abs_ref().clone()) + e)
@@ -258,13 +263,14 @@ impl Enclosed {
     }
 }
 
-/// f − error and f + error.
+/// The polynomials f − error and f + error.
 fn bounds(f: &IntegerPolynomial, error: &Integer) -> [IntegerPolynomial; 2] {
     let constant = |c: Integer| IntegerPolynomial::from_coefficients_asc(vec![c]);
     [f + constant(-error), f + constant(error.clone())]
 }
 
-/// Whether everything between two polynomials has one sign on an interval, by halving it.
+/// Whether it is proved, by halving the interval, that both polynomials have the same constant sign on it; then so has every
+/// polynomial between them.
 fn has_no_zero(
     both: [&IntegerPolynomial; 2],
     low: &Rational,
@@ -290,7 +296,7 @@ fn has_no_zero(
 mod tests {
     use super::*;
 
-    /// The coefficients with few bits against those with many, for forms of which each has one part beside a constant.
+    /// The coefficients with few bits are compared with those with many bits, for forms that have one part beside a constant.
     #[test]
     fn coefficients_are_within_their_errors_and_reach_them() {
         const BITS: u32 = 24;

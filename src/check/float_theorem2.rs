@@ -1,4 +1,4 @@
-//! Theorem 2 in doubles, by the formulas that the exact engine uses.
+//! Theorem 2 in doubles, computed by the same generic functions as the exact polynomial.
 
 use crate::exact::Rational;
 use crate::implicitize::{parity_sums, square_away};
@@ -41,7 +41,8 @@ impl FloatForm {
     }
 }
 
-/// F of a Fourier radius as the paper computes it, in doubles from end to end: its three parts.
+/// The polynomial F of Theorem 2 for a Fourier radius, computed as in the paper, with doubles from end to end. It has at most
+/// three homogeneous parts.
 ///
 /// ```
 /// use stellate::check::FloatTheorem2;
@@ -52,13 +53,13 @@ impl FloatForm {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct FloatTheorem2 {
-    /// (degree, coefficients of x^d, x^(d−1) y, …), descending in the degree.
+    /// The parts (d, coefficients of x^d, x^(d−1) y, …), descending in the degree d.
     parts: Vec<(usize, Vec<f64>)>,
 }
 
 impl FloatTheorem2 {
-    /// The paper's algorithm: K_n by Appendix A, the two sums by Horner's rule in x² + y², Eq. (7) or (8). The coefficients
-    /// of the radius are rounded to doubles first.
+    /// Rounds the coefficients of the radius to doubles and runs the paper's algorithm: K_n by Appendix A, the two sums by
+    /// Horner's rule in x² + y², then Eq. (7) or (8).
     #[must_use]
     pub fn new(radius: &FourierRadius) -> Self {
         let n = radius.harmonics();
@@ -67,7 +68,7 @@ impl FloatTheorem2 {
         for m in 0..=n {
             let [a, b] = [radius.cos(m), radius.sin(m)].map(Rational::to_f64);
             k.push(re.scaled(a).plus(&im.scaled(b)));
-            // (x + iy)^(m+1): one more power of x, one more of y.
+            // (x + iy)^(m+1) = (re + i·im)(x + iy)
             let [x, y] = [FloatForm(vec![1.0, 0.0]), FloatForm(vec![0.0, 1.0])];
             let next = re.times(&x).minus(&im.times(&y));
             im = re.times(&y).plus(&im.times(&x));
@@ -87,7 +88,7 @@ impl FloatTheorem2 {
         }
     }
 
-    /// The coefficients, exactly as the doubles are; `None` if one of them is not finite.
+    /// The polynomial whose coefficients are exactly these doubles; `None` if one of them is not finite.
     #[must_use]
     pub fn polynomial(&self) -> Option<SparsePolynomial<3>> {
         let mut terms = Vec::new();
@@ -101,14 +102,16 @@ impl FloatTheorem2 {
         Some(SparsePolynomial::from(&plane))
     }
 
-    /// F(x, y) from the expanded monomials, term by term, in doubles.
+    /// The value F(x, y), computed in doubles as the sum of all monomials.
     #[must_use]
     pub fn evaluate(&self, x: f64, y: f64) -> f64 {
         self.parts.iter().map(|(_, form)| value(form, x, y)).sum()
     }
 
-    /// The two roots r of F(rx, ry) = 0 in doubles, for a direction (x, y) = (cos θ, sin θ): the parts at (x, y) by their
-    /// monomials, then the formula of the quadratic, without cancellation. NaN where its discriminant is negative.
+    /// The two roots r of the quadratic equation s r² + p r + q = 0 that F(rx, ry) = 0 becomes after division by a power of r,
+    /// for a direction (x, y) = (cos θ, sin θ). The values s, p and q of the parts at (x, y) are sums of monomials. The
+    /// quadratic formula is used in the form in which −p and the root of the discriminant have equal signs, so that digits
+    /// cancel only in the discriminant. If the discriminant is negative, both roots are NaN.
     #[must_use]
     pub fn radii(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let top = self.parts.first().map_or(0, |(d, _)| *d);
@@ -122,9 +125,9 @@ impl FloatTheorem2 {
     }
 }
 
-/// The form at (x, y), monomial by monomial.
+/// The value of a form at (x, y), computed monomial by monomial.
 fn value(form: &[f64], x: f64, y: f64) -> f64 {
-    // By multiplication, which is the same on every machine.
+    // Powers are repeated products, which are the same on every machine; those of the standard library need not be.
     let powers = |base: f64| -> Vec<f64> {
         let next = |p: &f64| Some(p * base);
         std::iter::successors(Some(1.0), next)
@@ -142,7 +145,7 @@ mod tests {
 
     #[test]
     fn small_integers_are_exact() {
-        // r = 1 + cos t: (ρ − x)² − ρ
+        // For r = 1 + cos t, F = (ρ − x)² − ρ with ρ = x² + y².
         let radius = FourierRadius::new(vec![1.into(), 1.into()], vec![]);
         let f = FloatTheorem2::new(&radius);
         let exact = crate::implicitize::SquaredForm::new(&radius)

@@ -1,4 +1,4 @@
-//! The paper's own algorithm in doubles beside the exact one, for growing N: where doubles stop being usable.
+//! Compares the paper's own algorithm in doubles with the exact one for growing N, to show where doubles stop being usable.
 
 use std::f64::consts::TAU;
 
@@ -19,52 +19,52 @@ use crate::limits::Limits;
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::shape::FourierRadius;
 
-/// Where the ladder has rungs, besides the number of harmonics that there are.
+/// The numbers of harmonics for which there are rungs, besides that of the radius itself.
 const RUNGS: [usize; 16] = [
     1, 2, 3, 5, 7, 10, 14, 20, 30, 39, 50, 70, 100, 140, 200, 300,
 ];
 
-/// Rays on which residuals and radii are compared.
+/// The number of rays on which values of F and radii are compared.
 const RAYS: u32 = 96;
 
-/// How far outside the curve F is evaluated, relative to the radius; the first is "near the curve".
+/// The distances outside the curve at which F is evaluated, relative to the radius. The first one counts as "near the curve".
 const OUTSIDE: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
 
-/// Bits of the exact radii that are compared with.
+/// The number of bits of the exact radii.
 const RADIUS_BITS: u32 = 200;
 
-/// The fewest and the median digits of a kind of numbers.
+/// The smallest and the median number of correct digits of numbers of one kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct DigitsKept {
-    /// Of the worst one.
+    /// The digits of the worst number.
     pub worst: f64,
-    /// Of half of them, at least.
+    /// The digits that at least half of the numbers have.
     pub median: f64,
 }
 
-/// What doubles keep with N harmonics.
+/// The digits that doubles keep with N harmonics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Rung {
-    /// N.
+    /// The number of harmonics N.
     pub harmonics: usize,
-    /// Of the coefficients of F.
+    /// The digits of the coefficients of F.
     pub coefficients: DigitsKept,
-    /// Of the value of F, from its expanded monomials, at points 1 % outside the curve.
+    /// The digits of the value of F, summed from its monomials, at points 1 % outside the curve.
     pub near: DigitsKept,
-    /// The smallest of the distances 10⁻², 10⁻⁴, … 10⁻¹⁴ from the curve, relative to the radius, from which on the sign of F
-    /// is right at all points; `None` if it is wrong somewhere 1 % outside.
+    /// The smallest of the distances 10⁻², 10⁻⁴, … 10⁻¹⁴ from the curve, relative to the radius, such that at this distance and
+    /// all larger ones the sign of F is right at all points; `None` if it is wrong somewhere 1 % outside.
     pub sign_distance: Option<f64>,
-    /// Of the radii that the quadratic on a ray gives.
+    /// The digits of the radii that the quadratic equation on a ray gives.
     pub radii: DigitsKept,
 }
 
-/// The paper's algorithm in doubles, beside the exact one, for the first N harmonics of a radius and growing N.
+/// Compares the paper's algorithm in doubles with the exact one, for the first N harmonics of a radius and growing N.
 ///
 /// The radius is first multiplied by the power of two that brings a0 (or the largest coefficient, if a0 = 0) near 1, so that
-/// doubles have no trouble with the size, and its coefficients are rounded to doubles: what is lost then is lost by the
-/// algorithm. Cost: dominated by exact values of F at some 700 points.
+/// its size causes no overflow. Its coefficients are then rounded to doubles, so that all further losses are those of the
+/// algorithm. Cost: mainly exact values of F at about 700 points for each N.
 ///
 /// ```
 /// use stellate::check::ladder;
@@ -79,19 +79,19 @@ pub struct Rung {
 /// ```
 ///
 /// # Errors
-/// As [`SquaredForm::new`]; what `limits` returns.
+/// Those of [`SquaredForm::new`] and of `limits`.
 pub fn ladder(radius: &FourierRadius, limits: &Limits) -> Result<Vec<Rung>> {
     let radius = of_unit_size(radius);
     let top = radius.harmonics();
     let mut counts: Vec<usize> = RUNGS.into_iter().filter(|&n| n < top).collect();
     counts.push(top);
     let radii = counts.into_iter().map(|n| (n, truncated(&radius, n)));
-    // A harmonic that is 0 is no new rung.
+    // If the N-th harmonic is 0, there is no rung for N.
     let radii = radii.filter(|(n, radius)| radius.harmonics() == *n && !radius.is_zero());
     radii.map(|(_, radius)| rung(&radius, limits)).collect()
 }
 
-/// The radius times a power of two, every coefficient rounded to a double.
+/// The radius times a power of two, with every coefficient rounded to a double.
 fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
     let all = || radius.cosines().iter().chain(radius.sines());
     let mean = radius.cos(0).abs();
@@ -101,7 +101,7 @@ fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
         mean
     };
     let factor = Rational::from_dyadic(Integer::from(1), -nearest_power(&size));
-    // What is beyond the doubles stays so.
+    // A coefficient beyond the largest double is not rounded.
     let rounded = |c: &Rational| {
         let scaled = c * &factor;
         Rational::try_from(scaled.to_f64()).unwrap_or(scaled)
@@ -110,9 +110,9 @@ fn of_unit_size(radius: &FourierRadius) -> FourierRadius {
     FourierRadius::new(scaled(radius.cosines()), scaled(radius.sines()))
 }
 
-/// What one ray says.
+/// The comparison on one ray.
 struct OnRay {
-    /// How many of the first distances have the right sign.
+    /// The number of distances, from the first one on, at which the sign of F is right.
     right_signs: usize,
     near: f64,
     radius: f64,
@@ -127,7 +127,7 @@ fn rung(radius: &FourierRadius, limits: &Limits) -> Result<Rung> {
         .monic();
     let coefficients = match float.polynomial() {
         Some(got) => {
-            kept_coefficients(&compare_coefficients(&got, &SparsePolynomial::from(&exact)))
+            coefficient_digits(&compare_coefficients(&got, &SparsePolynomial::from(&exact)))
         }
         None => DigitsKept::default(),
     };
@@ -136,7 +136,7 @@ fn rung(radius: &FourierRadius, limits: &Limits) -> Result<Rung> {
         .into_par_iter()
         .map(|k| {
             limits.check()?;
-            // Off the axes, which are too kind.
+            // No ray lies on an axis, where most monomials are 0 and nothing cancels.
             let theta = TAU * (f64::from(k) + 0.5) / f64::from(RAYS);
             Ok(on_ray(theta, &float, &exact, &values))
         })
@@ -147,9 +147,9 @@ fn rung(radius: &FourierRadius, limits: &Limits) -> Result<Rung> {
     Ok(Rung {
         harmonics: radius.harmonics(),
         coefficients,
-        near: kept(rays.iter().map(|ray| ray.near).collect()),
+        near: digits_kept(rays.iter().map(|ray| ray.near).collect()),
         sign_distance: right.checked_sub(1).map(|last| OUTSIDE[last]),
-        radii: kept(rays.iter().map(|ray| ray.radius).collect()),
+        radii: digits_kept(rays.iter().map(|ray| ray.radius).collect()),
     })
 }
 
@@ -161,11 +161,11 @@ fn on_ray(
 ) -> OnRay {
     let at = |v: f64| Rational::try_from(v).ok();
     let angle = at(theta).invariant("an angle is finite");
-    // Correctly rounded, and so the same on every machine.
+    // These are the same on every machine; the cosine and sine of the standard library need not be.
     let [c, s] = cosine_and_sine(&angle, RADIUS_BITS).map(|v| v.to_f64());
     let [r, _] = values.bounds(&angle, RADIUS_BITS);
     let rounded = r.to_f64();
-    // F in doubles and exactly, at the same point; beyond the doubles there is no such point.
+    // The value of F in doubles and the exact value at the same point. A point beyond the largest double has no exact value.
     let both = |outside: f64| {
         let radius = rounded * (1.0 + outside);
         let (x, y) = (radius * c, radius * s);
@@ -190,12 +190,12 @@ fn on_ray(
     }
 }
 
-/// A missing or an extra coefficient has no digits.
-fn kept_coefficients(found: &Comparison) -> DigitsKept {
-    kept(found.all().map(|row| row.deviation.digits()).collect())
+/// The digits of all coefficients. A missing one has no digits; those of an extra one count how small it is.
+fn coefficient_digits(found: &Comparison) -> DigitsKept {
+    digits_kept(found.all().map(|row| row.deviation.digits()).collect())
 }
 
-fn kept(mut digits: Vec<f64>) -> DigitsKept {
+fn digits_kept(mut digits: Vec<f64>) -> DigitsKept {
     digits.sort_by(f64::total_cmp);
     let middle = digits.len().saturating_sub(1) / 2;
     DigitsKept {

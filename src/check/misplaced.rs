@@ -1,4 +1,4 @@
-//! Usual mistakes with all points of a float program at once: a center that was forgotten, another scale, degrees.
+//! Usual mistakes that displace all points of a float program: a forgotten center, another scale, degrees for radians.
 
 use super::GivenPoint;
 use super::comparison::Comparison;
@@ -11,7 +11,8 @@ use crate::shape::FourierRadius;
 const PROPOSALS: usize = 5;
 
 impl Reference {
-    /// The points as they would be without each mistake. `found` are their comparisons, in the same order.
+    /// For each mistake, the points as they would be without it. `found` are the comparisons of these points, in the same
+    /// order.
     pub(super) fn misplaced(
         &self,
         found: &Comparison,
@@ -58,13 +59,14 @@ fn mapped(points: &[GivenPoint], f: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<GivenP
     points.collect()
 }
 
-/// What the first points are too far from the center by, and the units of length that are mixed up most.
+/// The factors that are tried: the ratios of given and exact distances of the first points, and the ratios of units of length
+/// that are confused most often.
 fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
     let ratio = |got: f64, exact: f64| got / exact;
     let proposed = found.rows.iter().filter_map(move |row| {
         let exact = row.exact.as_ref()?.to_f64();
         let factor = ratio(row.got, exact);
-        // Twelve digits: units are short numbers.
+        // The ratio is rounded to twelve digits, because a ratio of units has few digits.
         let short: f64 = format!("{factor:.11e}").parse().ok()?;
         let is_another = (short - 1.0).abs() > f64::EPSILON;
         (short.is_finite() && short > 0.0 && is_another).then_some(short)
@@ -74,7 +76,7 @@ fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
     proposed.take(PROPOSALS).chain(both)
 }
 
-/// The point at r(α) in the direction of a point at r(180 α/π).
+/// Undoes the mistake for a point whose radius was computed as r(180 α/π) instead of r(α), where α is its angle.
 fn out_of_degrees(radius: &FourierRadius, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let angle = y.atan2(x);
     let turned = radius.approximate(angle.to_degrees());

@@ -1,4 +1,5 @@
-//! The usual mistakes of programs that convert a radius into a polynomial, each as the exact curve that it leads to.
+//! The usual mistakes of programs that convert a radius into a polynomial. Each is represented by the exact curve that it leads
+//! to.
 
 use std::borrow::Cow;
 
@@ -9,13 +10,14 @@ use crate::implicitize::SquaredForm;
 use crate::poly::{Ring, SparsePolynomial, total_degree};
 use crate::shape::FourierRadius;
 
-/// Marks, in digits, at which a mistaken reference has to do far better than the right one.
+/// The numbers of correct digits at which a mistaken reference is compared with the right one. A number with fewer correct
+/// digits is a fault.
 const MARKS: [u32; 4] = [12, 9, 6, 3];
 
-/// Far better: at most this part of the faults is left.
+/// A mistake explains the faults only if the faults that are left, times this number, are at most the faults before.
 const LEFT: usize = 10;
 
-/// What a mistake leads to, instead of the reference.
+/// A mistake, and the form that it leads to instead of the reference.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mistaken<T> {
     /// A short name: `a0 halved`.
@@ -26,9 +28,8 @@ pub(super) struct Mistaken<T> {
     pub(super) form: T,
 }
 
-/// The mistakes that explain a comparison far better than the reference does: at the highest of some marks at which
-/// at most a tenth of the faults is left, those that leave the fewest. `compare` is the check with another reference, by
-/// the same code.
+/// The mistakes that explain the faults of a comparison. At the highest mark at which some mistake leaves at most a tenth of
+/// the faults, these are the mistakes that leave the fewest. `compare` compares the same numbers with the form of a mistake.
 pub(super) fn diagnose<T>(
     found: &Comparison,
     mistakes: impl IntoIterator<Item = Mistaken<T>>,
@@ -63,7 +64,7 @@ pub(super) fn diagnose<T>(
     Vec::new()
 }
 
-/// Radii that come of mistakes with the series, without those that change nothing here.
+/// The radii that mistakes with the series lead to, without those that leave this radius unchanged or give 0.
 pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadius>> {
     let half = || Rational::from_dyadic(1.into(), -1);
     let (one, two) = (Rational::one, || Rational::from(2));
@@ -147,7 +148,7 @@ pub(super) fn mistaken_radii(radius: &FourierRadius) -> Vec<Mistaken<FourierRadi
     all.into_iter().chain(single).filter(differs).collect()
 }
 
-/// Mistakes with one coefficient, or with the numbers of the harmonics.
+/// Mistakes with a single coefficient, or with the indices of the harmonics.
 fn single_coefficients(radius: &FourierRadius) -> Vec<Mistaken<FourierRadius>> {
     let last = radius.harmonics();
     let keep = |a: &Rational, b: &Rational| [a.clone(), b.clone()];
@@ -206,10 +207,10 @@ fn single_coefficients(radius: &FourierRadius) -> Vec<Mistaken<FourierRadius>> {
     all
 }
 
-/// Up to so many harmonics the sign of every coefficient is tried.
+/// The largest number of harmonics for which the sign of every coefficient is tried.
 const MOST_FLIPPED: usize = 40;
 
-/// The radius with other coefficients.
+/// The radius with the coefficients f(n, a_n, b_n).
 fn mapped(
     radius: &FourierRadius,
     f: impl Fn(usize, &Rational, &Rational) -> [Rational; 2],
@@ -224,7 +225,7 @@ fn mapped(
     FourierRadius::new(cos, sin).with_center(radius.center().clone())
 }
 
-/// The first harmonics of a radius.
+/// The radius without its harmonics above the given one.
 pub(super) fn truncated(radius: &FourierRadius, harmonics: usize) -> FourierRadius {
     mapped(radius, |n, a, b| {
         if n <= harmonics {
@@ -235,7 +236,8 @@ pub(super) fn truncated(radius: &FourierRadius, harmonics: usize) -> FourierRadi
     })
 }
 
-/// Polynomials that come of mistakes: with the series, if the curve has one, else with coordinates; and with the degree.
+/// The polynomials that mistakes lead to: mistakes with the series if the curve has one, otherwise with the coordinates, and
+/// mistakes with the degree.
 pub(super) fn mistaken_polynomials(
     polynomial: &SparsePolynomial<3>,
     radius: Option<&FourierRadius>,
@@ -266,7 +268,7 @@ pub(super) fn mistaken_polynomials(
     all
 }
 
-/// Term by term squares of longer polynomials take too long to be tried.
+/// The largest number of terms of a polynomial that is squared; longer ones take too long.
 const LONGEST_SQUARED: usize = 400;
 
 fn of_series(
@@ -345,7 +347,7 @@ fn of_coordinates(
         });
         SparsePolynomial::from_terms(terms)
     };
-    // f(factor · x) for some of the coordinates
+    // f with some of its coordinates multiplied by the factor.
     let scaled = |axes: &[usize], factor: Rational| {
         let terms = polynomial.terms().map(|(e, c)| {
             let power: i64 = axes.iter().map(|&axis| i64::from(e[axis])).sum();

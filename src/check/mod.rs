@@ -1,9 +1,9 @@
-//! Float implementations against exact: how many digits of coefficients, points and radii are right, and which of the
-//! usual mistakes explains what is not.
+//! Comparisons of float programs with exact results: how many digits of coefficients, points and radii are right, and which
+//! usual mistakes explain the others.
 //!
-//! The numbers of a float program are doubles, taken bit for bit, and the reference is exact: what is compared is
-//! rational, or enclosed as closely as the answer needs it. Relative distances, pass marks and the choice of the
-//! common factor are decided in exact arithmetic; digits and ulps are then rounded for people.
+//! The numbers of a float program are doubles, taken bit for bit, and the reference is exact: the values that they are compared
+//! with are rational numbers, or are enclosed as closely as the answer requires. Relative distances, pass marks and the choice
+//! of the common factor are decided in exact arithmetic. Digits and ulps are then rounded for people.
 
 mod coefficients;
 mod comparison;
@@ -39,7 +39,7 @@ pub use vectors::{
     CoefficientVector, InputsOf, PointVector, RadiusVector, TestVectors, VectorInput, test_vectors,
 };
 
-// For the tests and benches of this project; no part of what the library promises.
+// These are for the tests and benches of this project, and not a part of what the library promises.
 #[doc(hidden)]
 pub use float_theorem2::FloatTheorem2;
 #[doc(hidden)]

@@ -1,4 +1,5 @@
-//! The real root of a polynomial nearest to 1: where a ray through a point of a float program meets the curve.
+//! The real root of a polynomial that is nearest to 1. For the polynomial f(λp) in λ, where p is a point of a float program,
+//! this root gives the point of the curve on the line through the origin and p that is nearest to p.
 
 use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
@@ -7,10 +8,10 @@ use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, shift_by_one};
 use crate::roots::{RealRoot, real_roots};
 
-/// Bits to which the distance from 1 is enclosed, relatively.
+/// The distance of the root from 1 is enclosed with a relative width of 2^−DISTANCE_BITS.
 const DISTANCE_BITS: i64 = 80;
 
-/// Bounds of δ for a root 1 + δ; both have one sign, and they are equal if the root is known exactly.
+/// Bounds of δ for a root 1 + δ. They have the same sign, and they are equal if the root is known exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Offset {
     pub(super) low: Rational,
@@ -23,7 +24,7 @@ impl Offset {
         self.low.abs().min(self.high.abs())
     }
 
-    /// A lower bound of |δ| and |1 + δ|, the smaller one of them.
+    /// A lower bound of the smaller one of |δ| and |1 + δ|.
     pub(super) fn size(&self) -> Rational {
         let one = Rational::one();
         let [a, b] = [&one + &self.low, one + &self.high];
@@ -34,21 +35,22 @@ impl Offset {
         }
     }
 
-    /// An upper bound of |δ|/|1 + δ|, the distance relative to the root.
+    /// An upper bound of the distance of 1 from the root relative to the root, |δ|/|1 + δ|; `None` if a bound of the root is 0.
     pub(super) fn relative(&self) -> Option<Rational> {
         let at = |delta: &Rational| {
             let root = Rational::one() + delta;
             root.recip().map(|inverse| (delta * &inverse).abs())
         };
-        // Monotonic between the bounds, which lie on one side of −1.
+        // The quotient δ/(1 + δ) grows with δ on either side of −1, and both bounds lie on the same side.
         Some(at(&self.low)?.max(at(&self.high)?))
     }
 }
 
-/// The real root λ ≠ 0 of Σ c_d λ^d that is nearest to 1, as δ = λ − 1, exactly 0 or enclosed to 2⁻⁸⁰ of itself and of λ; `None` if there
-/// is no real root but 0. Of two that are equally near (to 2⁻⁸⁰) it is either. The terms (d, c_d) descend in d.
+/// The real root λ ≠ 0 of Σ c_d λ^d that is nearest to 1, as δ = λ − 1. The bounds of δ are exactly 0, or apart by at most 2⁻⁸⁰
+/// of δ and of λ. `None` if there is no real root but 0. If two roots are equally near up to 2⁻⁸⁰, it is either of them. The
+/// terms (d, c_d) must descend in d.
 ///
-/// Cost: a Taylor shift, then the isolation of the real roots.
+/// Cost: a Taylor shift and the isolation of the real roots.
 pub(super) fn nearest_to_one(terms: &[(usize, Integer)]) -> Option<Offset> {
     let lowest = terms.last()?.0;
     let highest = terms.first()?.0;
@@ -61,7 +63,7 @@ pub(super) fn nearest_to_one(terms: &[(usize, Integer)]) -> Option<Offset> {
     )))
 }
 
-/// The real root δ nearest to 0, where −1 is no root.
+/// The real root δ of f that is nearest to 0, for an f of which −1 is not a root.
 pub(super) fn nearest_to_zero(f: &IntegerPolynomial) -> Option<Offset> {
     let roots = real_roots(f);
     let below = roots.iter().rev().find(|root| root.signum() < 0);
@@ -77,7 +79,7 @@ pub(super) fn nearest_to_zero(f: &IntegerPolynomial) -> Option<Offset> {
     sides.min_by(|a, b| a.inner().cmp(&b.inner()))
 }
 
-/// Bounds of δ, close enough for δ and for the root 1 + δ, neither of which is 0.
+/// Bounds of the root δ that are close relative to δ and to 1 + δ, neither of which is 0.
 fn enclosed(root: &RealRoot) -> Offset {
     let mut root = root.clone();
     let mut bits = DISTANCE_BITS;

@@ -1,4 +1,4 @@
-//! Points of a float program beside the exact curve or surface.
+//! Compares points of a float program with the exact curve or surface.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Lcm, Pow};
@@ -17,31 +17,31 @@ use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
 use crate::sample::along;
 
-/// Usual mistakes are looked for with so many rows, evenly chosen.
+/// The largest number of rows, evenly chosen, in which usual mistakes are looked for.
 pub(super) const ROWS_FOR_DIAGNOSIS: usize = 24;
 
 /// A point of a float program, and the line of the file that it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GivenPoint {
-    /// From 1.
+    /// The line, counted from 1.
     pub line: usize,
-    /// x, y and z; z is 0 in the plane.
+    /// The coordinates x, y and z; z is 0 in the plane.
     pub position: [f64; 3],
 }
 
-/// f and its gradient, ready for exact values.
+/// A polynomial f and its gradient, ready for exact values.
 struct Surface {
     f: SpacePolynomial,
     gradient: [SpacePolynomial; 3],
 }
 
 impl Reference {
-    /// Points of a float program, relative to [`Reference::center`], beside the zero set.
+    /// Compares points of a float program, relative to [`Reference::center`], with the zero set.
     ///
-    /// A point p lies on a rational line through the origin, and on it f(λp) is a polynomial in λ: its real root nearest
-    /// to 1 is the nearest branch, and |λ − 1|/|λ| the distance along the ray relative to the exact radius. The residual
-    /// f(p) and the first-order distance |f|/|∇f| are computed exactly and then rounded. Cost: per point the values of
-    /// all homogeneous parts and of those of the gradient, and the real roots of one polynomial.
+    /// A point p lies on a rational line through the origin, on which f(λp) is a polynomial in λ. Its real root λ nearest to 1
+    /// gives the nearest point of the zero set on this line, and |λ − 1|/|λ| is the distance of p from it relative to the exact
+    /// radius. The residual f(p) and the first-order distance |f|/|∇f| are computed exactly and then rounded. Cost: for each
+    /// point, the values of all homogeneous parts of f and of its gradient, and the real roots of one polynomial.
     ///
     /// ```
     /// use stellate::check::{GivenPoint, Reference};
@@ -56,18 +56,18 @@ impl Reference {
     /// ```
     ///
     /// # Errors
-    /// What `limits` returns.
+    /// Those of `limits`.
     pub fn check_points(&self, points: &[GivenPoint], limits: &Limits) -> Result<Comparison> {
         let mut found = compare(points, self.polynomial(), limits)?;
         found.in_space = self.in_space();
         let step = points.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
         let some: Vec<GivenPoint> = points.iter().step_by(step).copied().collect();
-        let begun = compare(&some, self.polynomial(), limits)?;
-        found.diagnoses = diagnose(&begun, self.mistaken(), |polynomial| {
+        let compared = compare(&some, self.polynomial(), limits)?;
+        found.diagnoses = diagnose(&compared, self.mistaken(), |polynomial| {
             compare(&some, polynomial, limits).ok()
         });
         if found.diagnoses.is_empty() {
-            found.diagnoses = diagnose(&begun, self.misplaced(&begun, &some), |points| {
+            found.diagnoses = diagnose(&compared, self.misplaced(&compared, &some), |points| {
                 compare(points, self.polynomial(), limits).ok()
             });
         }
@@ -141,7 +141,8 @@ impl Surface {
     }
 }
 
-/// The radius of the nearest branch on the ray of a point at this distance from the origin, and how far it is.
+/// For a point at this distance from the origin: the radius of the nearest point of the zero set on its line, and the deviation
+/// of the point from that.
 fn distance(terms: &[(usize, Integer)], radius: &Rational) -> (Option<Rational>, Deviation) {
     let nearest = nearest_to_one(terms);
     let Some((offset, relative)) = nearest.and_then(|o| o.relative().map(|r| (o, r))) else {
@@ -153,7 +154,8 @@ fn distance(terms: &[(usize, Integer)], radius: &Rational) -> (Option<Rational>,
     (Some(exact), Deviation::bounded(relative, ulps))
 }
 
-/// Σ c_d / (W^top · D): the value at the vector over W.
+/// The value of f at the vector divided by w, from the terms (d, c_d) on its line: Σ c_d / (w^top · D), where top is the degree
+/// of f and D is its denominator.
 fn value(terms: &[(usize, Integer)], f: &SpacePolynomial, w: &Integer) -> Rational {
     let sum: Integer = terms.iter().map(|(_, c)| c.clone()).sum();
     let top = f.degree().unwrap_or(0) as u64;

@@ -1,4 +1,4 @@
-//! Radii of a float program beside the certified ones, at angles that are doubles.
+//! Compares radii of a float program, at angles that are doubles, with the certified ones.
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -16,19 +16,19 @@ use crate::factor::factor_plane;
 use crate::limits::Limits;
 use crate::poly::PlanePolynomial;
 
-/// The precision that a radius is first enclosed with, in bits.
+/// The number of bits in the first enclosure of a radius.
 const FIRST_BITS: u32 = 128;
 
-/// The difference of two numbers is enclosed to 2^−this of itself.
+/// The difference between a given radius and the exact one is enclosed with a relative width of 2^−DIFFERENCE_BITS.
 const DIFFERENCE_BITS: i64 = 20;
 
-/// The radius is enclosed to 2^−this of itself.
+/// The exact radius is enclosed with a relative width of 2^−RADIUS_BITS.
 const RADIUS_BITS: i64 = 64;
 
 /// A radius of a float program, and the line of the file that it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GivenRadius {
-    /// From 1.
+    /// The line, counted from 1.
     pub line: usize,
     /// The angle in radians, exactly this double.
     pub theta: f64,
@@ -37,12 +37,12 @@ pub struct GivenRadius {
 }
 
 impl Reference {
-    /// Radii of a float program beside the certified ones. The angle is the double itself: (cos θ, sin θ) is enclosed,
-    /// as closely as the answer needs it.
+    /// Compares radii of a float program with the certified ones. The angle is the double itself; its cosine and sine are
+    /// enclosed as closely as the answer requires.
     ///
-    /// Beside a Fourier radius r(θ) is enclosed; beside a polynomial the nearest branch on the ray, r of either sign. Cost: per
-    /// radius that of [`SeriesValues::bounds`], or the forms at (cos θ, sin θ) in some 200 bits and the real roots of one
-    /// polynomial.
+    /// If the reference was given by its Fourier radius, r(θ) is enclosed. Otherwise the nearest root of the polynomial on the
+    /// ray is enclosed, which may have either sign. Cost: for each radius, that of [`SeriesValues::bounds`], or the values of
+    /// the homogeneous parts at (cos θ, sin θ) in some 200 bits and the real roots of one polynomial.
     ///
     /// ```
     /// use stellate::check::{GivenRadius, Reference};
@@ -56,26 +56,27 @@ impl Reference {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Hypothesis`] for a surface; [`Error::Limit`] if the roots of a polynomial cannot be told apart; what
-    /// `limits` returns.
+    /// [`Error::Hypothesis`] for a surface; [`Error::Limit`] if the roots of a polynomial cannot be separated; those of
+    /// `limits`.
     pub fn check_radii(&self, radii: &[GivenRadius], limits: &Limits) -> Result<Comparison> {
         let Some(radius) = self.given_radius() else {
-            return self.beside_polynomial(radii, limits);
+            return self.compare_with_polynomial(radii, limits);
         };
-        let mut found = beside_series(radii, &SeriesValues::new(radius), limits)?;
+        let mut found = compare_with_series(radii, &SeriesValues::new(radius), limits)?;
         let step = radii.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);
         let some: Vec<GivenRadius> = radii.iter().step_by(step).copied().collect();
-        let begun = beside_series(&some, &SeriesValues::new(radius), limits)?;
-        found.diagnoses = diagnose(&begun, mistaken_radii(radius), |mistaken| {
-            beside_series(&some, &SeriesValues::new(mistaken), limits).ok()
+        let compared = compare_with_series(&some, &SeriesValues::new(radius), limits)?;
+        found.diagnoses = diagnose(&compared, mistaken_radii(radius), |mistaken| {
+            compare_with_series(&some, &SeriesValues::new(mistaken), limits).ok()
         });
         if found.diagnoses.is_empty() {
-            found.diagnoses = diagnose(&begun, [in_degrees(&some)], |some| {
-                beside_series(some, &SeriesValues::new(radius), limits).ok()
+            found.diagnoses = diagnose(&compared, [in_degrees(&some)], |some| {
+                compare_with_series(some, &SeriesValues::new(radius), limits).ok()
             });
         }
         if found.diagnoses.is_empty() {
-            // A radius is as uncertain as the sum of its terms.
+            // The terms of r(θ) are at most the sizes of the coefficients, so the sum of these over |r(θ)| bounds its
+            // condition.
             let sizes = radius.cosines().iter().chain(radius.sines());
             let size = sizes.fold(Rational::zero(), |sum, c| sum + c.abs());
             found.diagnoses = unexplained(&found, |row| {
@@ -86,7 +87,11 @@ impl Reference {
         Ok(found)
     }
 
-    fn beside_polynomial(&self, radii: &[GivenRadius], limits: &Limits) -> Result<Comparison> {
+    fn compare_with_polynomial(
+        &self,
+        radii: &[GivenRadius],
+        limits: &Limits,
+    ) -> Result<Comparison> {
         let plane = (!self.in_space())
             .then(|| self.polynomial().to_plane())
             .flatten();
@@ -138,7 +143,7 @@ impl Reference {
     }
 }
 
-/// The same radii with angles that were meant in degrees.
+/// The same radii if their angles were in degrees.
 fn in_degrees(radii: &[GivenRadius]) -> Mistaken<Vec<GivenRadius>> {
     let turned = radii.iter().map(|given| GivenRadius {
         theta: given.theta.to_radians(),
@@ -152,7 +157,8 @@ fn in_degrees(radii: &[GivenRadius]) -> Mistaken<Vec<GivenRadius>> {
 }
 
 impl Reference {
-    /// The polynomial with every factor once: its roots on a ray are simple. What comes of a radius is irreducible.
+    /// The polynomial with every irreducible factor once. Without multiple factors, its roots on a ray with transcendental
+    /// direction are simple. The polynomial of a Fourier radius is irreducible.
     fn without_multiple_factors(
         &self,
         f: PlanePolynomial,
@@ -170,7 +176,7 @@ impl Reference {
     }
 }
 
-fn beside_series(
+fn compare_with_series(
     radii: &[GivenRadius],
     values: &SeriesValues,
     limits: &Limits,
@@ -190,13 +196,13 @@ fn beside_series(
     })
 }
 
-/// The angle and the radius; a finite double has an exact value.
+/// The exact values of the angle and the radius, which are finite doubles.
 fn exact(given: &GivenRadius) -> [Rational; 2] {
     [given.theta, given.r].map(|v| Rational::try_from(v).unwrap_or_default())
 }
 
-/// The distance of `got` from a number that is enclosed as closely as asked; the number is rational only if the
-/// enclosure is a point.
+/// A number that `bounds` encloses in any number of bits, and the deviation of `got` from it. The number is rational only if
+/// its enclosure is a point.
 fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational, Deviation) {
     let mut bits = FIRST_BITS;
     loop {

@@ -16,20 +16,21 @@ use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     polynomial: SparsePolynomial<3>,
-    /// F of Theorem 2 where the polynomial is its square root.
+    /// The polynomial F of Theorem 2 if `polynomial` is its square root.
     square: Option<SparsePolynomial<3>>,
     in_space: bool,
-    /// The series that the curve comes from, found again if a polynomial was given.
+    /// The Fourier radius of the curve; if only a polynomial was given, it is found from the polynomial.
     radius: Option<FourierRadius>,
     radius_is_given: bool,
-    /// The fit with one harmonic more, of a contour.
+    /// For a contour, the fit with one harmonic more.
     next: Option<FourierRadius>,
     center: [Rational; 2],
 }
 
 impl Reference {
-    /// A Fourier radius, with the polynomial of Theorem 2 with first coefficient 1. Where that is a perfect square (only odd
-    /// harmonics) it is reduced; coefficients may be those of either.
+    /// The reference for a Fourier radius. Its polynomial is that of Theorem 2 with first coefficient 1. If that is a perfect
+    /// square (only odd harmonics), the polynomial is its root, and given coefficients are compared with the one of their
+    /// degree.
     ///
     /// # Errors
     /// As [`SquaredForm::new`].
@@ -50,7 +51,7 @@ impl Reference {
         })
     }
 
-    /// A plane curve, with its polynomial as it is.
+    /// The reference for a plane curve, with its polynomial as it is given.
     #[must_use]
     pub fn of_curve(curve: &ImplicitCurve) -> Self {
         let radius = born_of_radius(curve).and_then(|found| found.radii.into_iter().next());
@@ -65,7 +66,7 @@ impl Reference {
         }
     }
 
-    /// A surface.
+    /// The reference for a surface.
     #[must_use]
     pub fn of_surface(surface: &ImplicitSurface) -> Self {
         Self {
@@ -79,44 +80,44 @@ impl Reference {
         }
     }
 
-    /// Of a contour also the fit with one harmonic more is known, so that a degree off by two is recognised.
+    /// Adds the fit with one harmonic more, for a contour, so that a degree that is too high by two is recognised.
     #[must_use]
     pub fn with_next(mut self, next: FourierRadius) -> Self {
         self.next = Some(next);
         self
     }
 
-    /// The exact polynomial; of a plane curve in x and y only.
+    /// The exact polynomial; for a plane curve it has only x and y.
     #[must_use]
     pub fn polynomial(&self) -> &SparsePolynomial<3> {
         &self.polynomial
     }
 
-    /// Whether it is a surface.
+    /// Whether the reference is a surface.
     #[must_use]
     pub fn in_space(&self) -> bool {
         self.in_space
     }
 
-    /// The Fourier radius of the curve, also where it was found from the polynomial.
+    /// The Fourier radius of the curve, given or found from the polynomial.
     #[must_use]
     pub fn radius(&self) -> Option<&FourierRadius> {
         self.radius.as_ref()
     }
 
-    /// The Fourier radius if the reference was given by it.
+    /// The Fourier radius, if the reference was given by its radius.
     #[must_use]
     pub fn given_radius(&self) -> Option<&FourierRadius> {
         self.radius.as_ref().filter(|_| self.radius_is_given)
     }
 
-    /// Where x = y = 0 lies in the contour's coordinates.
+    /// The point of the contour's coordinates that is the origin here.
     #[must_use]
     pub fn center(&self) -> &[Rational; 2] {
         &self.center
     }
 
-    /// The coefficients of a float program beside the exact ones, with the usual mistakes looked for.
+    /// Compares the coefficients of a float program with the exact ones, and looks for usual mistakes.
     #[must_use]
     pub fn check_coefficients(&self, got: &SparsePolynomial<3>) -> Comparison {
         let square = self.square.as_ref().filter(|f| f.degree() == got.degree());
@@ -139,7 +140,7 @@ impl Reference {
         found
     }
 
-    /// The polynomials of usual mistakes.
+    /// The polynomials that usual mistakes lead to.
     pub(super) fn mistaken(&self) -> Vec<Mistaken<SparsePolynomial<3>>> {
         let mut all = mistaken_polynomials(&self.polynomial, self.radius.as_ref(), self.in_space);
         let next = self.next.as_ref().and_then(|r| SquaredForm::new(r).ok());

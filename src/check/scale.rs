@@ -7,10 +7,10 @@ use malachite::base::num::logic::traits::SignificantBits;
 
 use crate::exact::Rational;
 
-/// More ratios than this tell nothing new: every k-th is taken.
+/// The largest number of coefficients whose ratios are used. Of more coefficients, every k-th is taken.
 const MOST_RATIOS: usize = 2048;
 
-/// A simple number is looked for within 2^−k of the ratio where most ratios are, for each of these k.
+/// For each of these k, the simplest number within 2^−k of the typical ratio is a candidate.
 const WINDOWS: [i64; 5] = [51, 44, 36, 26, 16];
 
 /// The factor between the coefficients of a float program and the exact ones.
@@ -19,7 +19,7 @@ const WINDOWS: [i64; 5] = [51, 44, 36, 26, 16];
 pub struct Scale {
     /// got ≈ factor · exact.
     pub factor: Rational,
-    /// What the factor is, where it is something simple.
+    /// The meaning of the factor, if it is a simple one.
     pub meaning: Option<Meaning>,
 }
 
@@ -27,18 +27,18 @@ pub struct Scale {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Meaning {
-    /// ± a power of two, 1 among them.
+    /// The factor is ±2^k for this k, which may be 0.
     PowerOfTwo(i64),
-    /// A short fraction.
+    /// The factor is a short fraction.
     Fraction,
-    /// The first coefficient becomes this short fraction.
+    /// The factor makes the first coefficient this short fraction.
     FirstCoefficient(Rational),
-    /// The largest coefficient becomes ±1.
+    /// The factor makes the largest coefficient ±1.
     LargestIsOne,
 }
 
-/// The longest fraction that is called simple: within 2⁻⁵¹ of any number there is one of about twice as many bits by
-/// accident.
+/// The largest number of bits of a simple fraction. It is far below 50: within 2⁻⁵¹ of any number near 1 there are fractions
+/// with about 50 bits by accident.
 const SIMPLE_BITS: u64 = 32;
 
 struct Candidate {
@@ -46,14 +46,14 @@ struct Candidate {
     bits: u64,
 }
 
-/// The factor s with got ≈ s·exact, from pairs (got, exact) of which none is 0; `None` without pairs.
+/// The factor s with got ≈ s·exact, from pairs (got, exact) in which no number is 0; `None` if there are no pairs.
 ///
-/// The ratios got/exact crowd together where a float program is right. The middle of the crowd is found by halving:
-/// again and again the shorter half (relatively) of the sorted ratios is kept (the half-sample mode of Robertson and
-/// Cryer, 1974), which up to half of the coefficients cannot mislead, however wrong they are. Then the simplest number
-/// near it is taken with which a quarter of the coefficients is at most twice as far off as with the best one: a factor
-/// 1, 2^k or p/q, or the one that makes the first coefficient a simple number, or the largest one 1. All in exact
-/// arithmetic. Cost: some n log n differences of ratios.
+/// The ratios got/exact are close together where a float program is right. First, the half-sample mode (Robertson and Cryer,
+/// 1974) finds a typical ratio: of the sorted ratios, the half with the smallest relative width is kept again and again. Wrong
+/// coefficients cannot mislead it if they are fewer than half. Then the simplest of some candidates is chosen: factors near the
+/// typical ratio that are 2^k or p/q, or that make the first coefficient such a number, or the largest one. For a candidate to
+/// be allowed, the error that a quarter of the coefficients does not exceed must be at most twice that of the best candidate,
+/// or at most 2^−52. All decisions are exact. Cost: about n log n differences of ratios.
 pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
     let step = pairs.len().div_ceil(MOST_RATIOS).max(1);
     let some: Vec<&[Rational; 2]> = pairs.iter().step_by(step).collect();
@@ -82,7 +82,8 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
             factor: power / &unit,
         });
     }
-    // The first of equally simple ones is taken: 1 before what makes the first coefficient simple.
+    // Of equally simple candidates the first is taken, so that a simple factor comes before one that makes the first
+    // coefficient simple.
     let mut judged: Vec<(Rational, Candidate)> = candidates
         .into_iter()
         .map(|candidate| (quartile(&some, &candidate.factor), candidate))
@@ -99,7 +100,7 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
     })
 }
 
-/// Where the ratios crowd together: shorter halves until two or three are left.
+/// The half-sample mode: the narrowest half is kept until at most two ratios are left, of which the smaller one is taken.
 fn mode(ratios: &mut [Rational]) -> Option<Rational> {
     ratios.sort();
     let mut rest = &*ratios;
@@ -112,7 +113,7 @@ fn mode(ratios: &mut [Rational]) -> Option<Rational> {
     rest.first().cloned()
 }
 
-/// The distance of two numbers relative to the larger one.
+/// The distance of two numbers, relative to the larger of their sizes.
 fn spread(low: &Rational, high: &Rational) -> Rational {
     let size = low.abs().max(high.abs());
     (high - low) / size
@@ -142,7 +143,7 @@ pub(super) fn nearest_power(q: &Rational) -> i64 {
     }
 }
 
-/// The bits of a fraction, above and below.
+/// The number of bits of the numerator and the denominator together.
 fn length(q: &Rational) -> u64 {
     q.numerator().significant_bits() + q.denominator().significant_bits()
 }
@@ -181,7 +182,8 @@ mod tests {
     }
 
     proptest! {
-        /// Rounded coefficients times a simple factor, a third of them spoiled: the factor comes back exactly.
+        /// If coefficients are multiplied by a simple factor and rounded, and a third of them is spoiled, the factor is found
+        /// exactly.
         #[test]
         fn simple_factors_come_back(
             c in prop::collection::vec((-1e6f64..1e6).prop_filter("not 0", |v| v.abs() > 1e-3), 12..40),
@@ -193,7 +195,7 @@ mod tests {
                     .iter()
                     .enumerate()
                     .map(|(i, v)| {
-                        // An exact value that is no double.
+                        // This exact value is not a double.
                         let exact = rational(*v) / Rational::from(3);
                         let mut got = (&exact * &factor).to_f64();
                         if i % 3 == 1 {
@@ -206,7 +208,8 @@ mod tests {
             }
         }
 
-        /// A factor that is nothing simple, as after dividing by a norm; nearly half of the coefficients are spoiled.
+        /// A factor that is not simple, as after division by a norm, is found although nearly half of the coefficients are
+        /// spoiled.
         #[test]
         fn any_factor_is_found_as_well_as_doubles_allow(
             c in prop::collection::vec(1e-3f64..1e6, 20..60), factor in 0.1f64..10.0, spoil in prop::collection::vec(0.2f64..5.0, 60)
@@ -218,7 +221,7 @@ mod tests {
                 .enumerate()
                 .map(|(i, (v, s))| {
                     let got = v / 7.0 * factor;
-                    // However many they are, at most four of nine.
+                    // At most four of nine coefficients are spoiled.
                     let got = if i % 9 > 4 { got * s } else { got };
                     [rational(got), rational(*v) / Rational::from(7)]
                 })

@@ -1,12 +1,12 @@
-//! Tables of a float program: points and radii, every number a double, bit for bit.
+//! Reads tables of a float program: points and radii, in which every number is a double, bit for bit.
 
 use super::{GivenPoint, GivenRadius};
 use crate::error::{Error, Result};
 use crate::language::{Numbers, number_at};
 use crate::reading::Table;
 
-/// Reads points `x,y` or `x,y,z` in rows; the header is optional. Decimals are the nearest doubles, `0x1.8p+1` is taken bit
-/// for bit.
+/// Reads points `x,y` or `x,y,z` in rows; the header is optional. A decimal stands for the nearest double, and `0x1.8p+1` is
+/// taken bit for bit.
 ///
 /// ```
 /// use stellate::check::read_points_csv;
@@ -27,13 +27,13 @@ pub fn read_points_csv(text: &str, source_name: &str, in_space: bool) -> Result<
     let rows = read_doubles(text, source_name, columns)?;
     let point = |(line, row): (usize, Vec<f64>)| GivenPoint {
         line,
-        // In the plane z = 0.
+        // In the plane, z is 0.
         position: std::array::from_fn(|i| row.get(i).copied().unwrap_or_default()),
     };
     Ok(rows.into_iter().map(point).collect())
 }
 
-/// Reads radii `theta,r` in rows, θ in radians; the header is optional. Numbers as in [`read_points_csv`].
+/// Reads radii `theta,r` in rows, with θ in radians; the header is optional. Numbers are read as in [`read_points_csv`].
 ///
 /// ```
 /// use stellate::check::read_radii_csv;
@@ -54,7 +54,7 @@ pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>>
     Ok(rows.into_iter().map(radius).collect())
 }
 
-/// The rows with their lines.
+/// The rows, each with its line in the file.
 fn read_doubles(text: &str, source_name: &str, columns: &[&str]) -> Result<Vec<(usize, Vec<f64>)>> {
     let table = Table::read(text, source_name, Numbers::F64)?;
     if table.width() != Some(columns.len()) {

@@ -1,4 +1,4 @@
-//! What is wrong where no usual mistake explains it: said by kind.
+//! Describes the faults that no usual mistake explains, by their kinds.
 
 use std::borrow::Cow;
 
@@ -6,24 +6,25 @@ use super::comparison::{Comparison, Diagnosis, GivenNumber, Row};
 use crate::exact::Rational;
 use crate::poly::total_degree;
 
-/// A number with fewer correct digits than this is wrong.
+/// A number with fewer correct digits than this counts as wrong.
 const WRONG: u32 = 1;
 
-/// What doubles lose by their condition is at most this much of it: some thousand roundings.
+/// An error of at most 2^ROUNDINGS times the condition is explained by rounding: it is that of 2^13 roundings by 2^−53 each.
 const ROUNDINGS: i64 = -40;
 
-/// Numbers of single precision have no more digits than this …
+/// The largest number of correct digits of a number in single precision.
 const MOST_OF_SINGLE: f64 = 9.7;
-/// … half of them at least so many …
+/// The number of correct digits that at least half of the numbers in single precision have.
 const HALF_OF_SINGLE: f64 = 6.0;
-/// … and none less than this.
+/// The smallest number of correct digits of a number in single precision.
 const LEAST_OF_SINGLE: f64 = 3.0;
-/// A number with more digits than this is right to the last one, as small integers are in any precision.
+/// A number with at least this many correct digits is exact, as small integers are in any precision, and says nothing about the
+/// precision.
 const EXACT: f64 = 15.0;
 
 /// The kinds of faults in a comparison: terms that one side lacks, single precision, and numbers without a correct digit that
-/// their conditions do not explain. `condition` gives how much a relative error of the inputs may grow in a number; 1 where
-/// that is not known.
+/// their conditions do not explain. `condition` is the factor by which relative errors of the inputs may grow in a number, or 1
+/// if it is not known.
 pub(super) fn unexplained(
     found: &Comparison,
     condition: impl Fn(&Row) -> Rational,
@@ -89,7 +90,7 @@ fn is_single(found: &Comparison) -> bool {
     let digits = found.rows.iter().map(|row| row.deviation.digits());
     let mut off: Vec<f64> = digits.filter(|digits| *digits < EXACT).collect();
     off.sort_by(f64::total_cmp);
-    // Some that are exact by chance, but not most of them.
+    // Some numbers may be exact by chance, but not most of them.
     let enough = 2 * off.len() >= found.rows.len() && off.len() > 1;
     let half = off.get(off.len() / 2);
     enough
@@ -98,7 +99,7 @@ fn is_single(found: &Comparison) -> bool {
         && half.is_some_and(|half| *half >= HALF_OF_SINGLE)
 }
 
-/// What numbers that are wrong have in common.
+/// What the wrong numbers have in common, in words.
 fn kind(wrong: &[&Row]) -> String {
     let mut text = String::new();
     let degree = |row: &&Row| match row.place {
@@ -119,7 +120,7 @@ fn kind(wrong: &[&Row]) -> String {
     text
 }
 
-/// The simple fraction that every number is of the exact one, within a millionth.
+/// The ratio of the given numbers to the exact ones, if it is the same simple fraction for all of them up to a millionth.
 fn common_ratio(wrong: &[&Row]) -> Option<Rational> {
     let ratio = |row: &&Row| {
         let exact = row.exact.as_ref().filter(|exact| !exact.is_zero())?;

@@ -1,4 +1,4 @@
-//! Test vectors for float programs: inputs that are doubles, and everything that follows from them, certified.
+//! Test vectors for float programs: inputs that are doubles, and certified results that follow from them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -16,15 +16,15 @@ use crate::poly::{SpacePolynomial, SparsePolynomial};
 use crate::sample::{Direction, IntegerVector, Ray, RaySolver, Sample, SpaceDirection};
 use crate::shape::FourierRadius;
 
-/// What a float program is given: a double.
+/// An input of a float program; it is a double.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum VectorInput {
-    /// a_n of the radius.
+    /// The coefficient a_n of the radius, with its n.
     Cosine(usize, f64),
-    /// b_n of the radius.
+    /// The coefficient b_n of the radius, with its n.
     Sine(usize, f64),
-    /// The coefficient of a term, where the polynomial itself is given.
+    /// The coefficient of a term, with its exponents, if the polynomial itself is given.
     Coefficient([u32; 3], f64),
 }
 
@@ -38,11 +38,11 @@ pub struct CoefficientVector {
     pub exact: Rational,
     /// The double nearest to it.
     pub double: f64,
-    /// Its condition with respect to the inputs; `None` where no inputs are known.
+    /// Its condition with respect to the inputs; `None` if there are no inputs.
     pub condition: Option<Rational>,
 }
 
-/// r(θ) at an angle that is a double.
+/// The value r(θ) at an angle that is a double.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RadiusVector {
@@ -60,7 +60,8 @@ pub struct RadiusVector {
 pub struct PointVector {
     /// The direction, a unit vector; its third component is 0 in the plane.
     pub unit: [Rational; 3],
-    /// The double nearest to its distance from the origin, with the sign of the direction.
+    /// The double nearest to the root r, which is the distance from the origin along the direction, or its negative on the
+    /// opposite side.
     pub r: f64,
     /// The doubles nearest to x, y and z.
     pub position: [f64; 3],
@@ -70,38 +71,38 @@ pub struct PointVector {
     pub condition: f64,
 }
 
-/// Inputs and what follows from them.
+/// Inputs of a float program, and the results that follow from them.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TestVectors {
-    /// Whether it is a surface.
+    /// Whether the form is a surface.
     pub in_space: bool,
-    /// Where x = y = 0 lies in the contour's coordinates.
+    /// The point of the contour's coordinates that is the origin here.
     pub center: [Rational; 2],
-    /// What the float program is given; none for a parametric form.
+    /// The inputs; none for a parametric form.
     pub inputs: Vec<VectorInput>,
-    /// How many of the numbers given were no doubles and were rounded to some first.
+    /// The number of given numbers that are not doubles, and so were rounded to doubles first.
     pub rounded: usize,
-    /// In canonical order; with first coefficient 1 where the inputs are those of a radius.
+    /// The coefficients in canonical order; the first coefficient is 1 if the inputs are those of a radius.
     pub coefficients: Vec<CoefficientVector>,
-    /// At the doubles nearest to 2πk/K; none where the curve has no Fourier radius.
+    /// The radii at the angles 2πk/K, which are computed in doubles; none if the curve has no Fourier radius.
     pub radii: Vec<RadiusVector>,
-    /// All points in K directions.
+    /// All points of the zero set in K directions.
     pub points: Vec<PointVector>,
 }
 
-/// What the inputs of a float program are.
+/// The form whose coefficients are the inputs of a float program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum InputsOf {
-    /// The coefficients of the radius, or else of the polynomial.
+    /// The inputs are the coefficients of the radius if there is one, otherwise those of the polynomial.
     Form,
-    /// Neither: the polynomial comes from a parametric form.
+    /// There are no inputs, because the polynomial comes from a parametric form.
     Nothing,
 }
 
-/// Test vectors from a reference. Its numbers are rounded to doubles first, because only those can be given to a float
-/// program; all else follows from these doubles exactly.
+/// The test vectors of a reference. Its numbers are rounded to doubles first, because only those can be given to a float
+/// program; everything else follows exactly from these doubles.
 ///
 /// ```
 /// use stellate::check::{InputsOf, Reference, test_vectors};
@@ -117,7 +118,7 @@ pub enum InputsOf {
 /// ```
 ///
 /// # Errors
-/// [`Error::Hypothesis`] if a number is beyond the doubles; [`Error::Usage`] without directions; what `limits` returns.
+/// [`Error::Hypothesis`] if a number is beyond the doubles; [`Error::Usage`] without directions; those of `limits`.
 pub fn test_vectors(
     reference: &Reference,
     inputs_of: InputsOf,
@@ -186,7 +187,7 @@ impl Rounding {
     }
 }
 
-/// The nearest double, which must not be infinite, nor 0 for another number.
+/// The nearest double. It is an error if this is infinite, or if it is 0 for a number that is not 0.
 fn finite(exact: &Rational) -> Result<f64> {
     let double = exact.to_f64();
     let beyond = if !double.is_finite() {
@@ -223,7 +224,7 @@ fn coefficients(
         conditions.map(|f| f.terms().map(|(e, c)| (*e, c.clone())).collect());
     let condition = |exponents: &[u32; 3]| match (&conditions, inputs_of) {
         (Some(all), _) => Some(all.get(exponents).cloned().unwrap_or_default()),
-        // A coefficient that is given itself.
+        // The coefficient itself is an input.
         (None, InputsOf::Form) => Some(Rational::one()),
         (None, InputsOf::Nothing) => None,
     };
@@ -298,7 +299,7 @@ fn all_points<D: Send>(
     Ok(rays?.into_iter().flatten().collect())
 }
 
-/// A line that belongs to the zero set as a whole has no points to be checked.
+/// The points on one line through the origin. If the whole line belongs to the zero set, there are none to be checked.
 fn on_ray<const V: usize>(
     ray: Ray<V>,
     vector: &[Integer; 3],
@@ -314,7 +315,7 @@ fn on_ray<const V: usize>(
     let point = |sample: Sample<V>| PointVector {
         unit: vector.each_ref().map(component),
         r: sample.r,
-        // In the plane z = 0.
+        // In the plane, z is 0.
         position: std::array::from_fn(|i| sample.position.get(i).copied().unwrap_or_default()),
         multiplicity: sample.multiplicity,
         condition: if sample.multiplicity > 1 {
