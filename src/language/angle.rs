@@ -1,4 +1,4 @@
-//! What may stand in cos( ) and sin( ): rational multiples of the parameters, and of π.
+//! Arguments of cos and sin: sums of rational multiples of the parameters, rational multiples of π, and rational numbers.
 
 use super::evaluate::{Algebra, Context, evaluate, times};
 use super::name::{Name, PARAMETERS};
@@ -9,17 +9,17 @@ use crate::exact::Rational;
 
 pub(super) const ARGUMENT: &str = "the argument of cos and sin is an integer multiple of the angle, as in cos(3*t); the angle is t or theta";
 
-/// `Σ slope·parameter + turns·π + offset`
+/// The angle `Σ slope·parameter + half_turns·π + offset`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Angle {
-    /// In the order of [`PARAMETERS`].
+    /// The slopes in the order of [`PARAMETERS`].
     pub(super) slopes: [Rational; PARAMETERS.len()],
     half_turns: Rational,
     offset: Rational,
 }
 
 impl Angle {
-    /// The value of the argument of cos, sin and so on.
+    /// The angle that an argument of a function of angles gives.
     pub(super) fn of(cx: &mut Context<'_>, argument: &Expr) -> Result<Self> {
         evaluate(cx, &Angles, argument)
     }
@@ -32,8 +32,9 @@ impl Angle {
         }
     }
 
-    /// How many right angles are added, modulo 4; `None` if what is added has a cosine that is not
-    /// rational or not known.
+    /// The number of right angles that are added to the multiples of the parameters, modulo 4. `None` if something else is
+    /// added: then its cosine and its sine are not both rational, by Niven's theorem for a rational multiple of π, and because
+    /// e^(i·offset) is transcendental for an offset other than 0 (Lindemann).
     pub(super) fn quarter_turns(&self) -> Option<u8> {
         let quarters = &self.half_turns * Rational::from(2);
         if !self.offset.is_zero() || !quarters.is_integer() {
@@ -56,7 +57,7 @@ impl Angle {
     }
 }
 
-/// Linear functions of the parameters.
+/// The linear functions of the parameters and π.
 struct Angles;
 
 impl Algebra for Angles {

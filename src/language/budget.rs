@@ -1,4 +1,4 @@
-//! The stated limits of the input language, and the account that keeps an expansion within them.
+//! The limits of the input language, and the account that keeps an expansion within them.
 
 use super::source::{Source, Span};
 use crate::error::Result;
@@ -18,22 +18,22 @@ pub const MAX_TERMS: usize = 5_000_000;
 /// The largest index n of `cos(n*t)` and `sin(n*t)`.
 pub const MAX_HARMONIC: u32 = 100_000;
 
-/// The most digits of one number, written or computed.
+/// The largest number of digits of one number, written or computed.
 pub const MAX_DIGITS: usize = 10_000_000;
 
-/// The most work that the expansion of one text may take term by term: products of coefficients,
-/// each counted with the number of its 64-bit words.
+/// The largest number of products of coefficients, computed term by term, in the expansion of one text. Each is counted with
+/// the number of its 64-bit words.
 pub const MAX_PRODUCTS: u64 = 1 << 25;
 
-/// The most bits that the products and powers of one text, or the coefficients of one polynomial
-/// over their common denominator, may have in all: 2 GiB.
+/// The largest number of bits that the products and powers of one text, or the coefficients of one polynomial over their common
+/// denominator, may have in all: 2 GiB.
 pub const MAX_BITS: u64 = 1 << 34;
 
-/// The most coefficients, with the zeros between them, of the homogeneous parts of a plane
-/// polynomial or of a polynomial being expanded.
+/// The largest number of coefficients, with the zeros between them, of the homogeneous parts of a plane polynomial or of a
+/// polynomial that is expanded.
 pub const MAX_COEFFICIENTS: usize = 20_000_000;
 
-/// What the expansion of one text may still spend.
+/// The amounts that the expansion of one text may still spend.
 #[derive(Debug)]
 pub(super) struct Budget {
     products: u64,
@@ -73,7 +73,7 @@ impl Budget {
         source: Source<'_>,
         at: Span,
     ) -> Result<()> {
-        // 10 bits are three digits.
+        // Ten bits are about three digits.
         if bits / 10 > MAX_DIGITS as u64 / 3 {
             let limit = format!("a number of more than {MAX_DIGITS} digits");
             return Err(source.limit(at, limit));
@@ -84,7 +84,7 @@ impl Budget {
     }
 }
 
-/// Takes an amount from what is left, or says which limit is reached.
+/// Subtracts an amount from the rest; the error says which limit is reached.
 fn spend(
     left: &mut u64,
     amount: u64,

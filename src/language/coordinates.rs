@@ -1,4 +1,4 @@
-//! `x = …; y = …[; z = …]`: parametric curves and patches.
+//! Reads parametric curves and patches: `x = …; y = …[; z = …]`.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Gcd, Lcm};
@@ -17,8 +17,8 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{Form, Parameter, ParametricCurve, Patch, PatchFunction};
 
-/// Whether the equations are coordinates as functions of parameters: one of them is `x = …` with a
-/// parameter or a function of an angle on the right.
+/// Whether the equations give coordinates as functions of parameters: one of them is `x = …`, `y = …` or `z = …` with a
+/// parameter or a function of an angle.
 pub(super) fn are_parametric(equations: &[Equation]) -> bool {
     let varies = |equation: &Equation| {
         equation.names.any(&PARAMETERS) || equation.names.any(&Name::OF_ANGLES)
@@ -28,7 +28,8 @@ pub(super) fn are_parametric(equations: &[Equation]) -> bool {
         .any(|equation| coordinate(equation).is_some() && varies(equation))
 }
 
-/// Whether every equation is another one of `x = …`, `y = …` and `z = …`, without a variable on the right.
+/// Whether the equations give coordinates: each one is `x = …`, `y = …` or `z = …`, no coordinate is given twice, and none
+/// occurs in the formula of another one.
 pub(super) fn are_coordinates(equations: &[Equation]) -> bool {
     let mut given = [false; 3];
     equations.iter().all(|equation| {
@@ -41,7 +42,7 @@ pub(super) fn are_coordinates(equations: &[Equation]) -> bool {
     })
 }
 
-/// Which coordinate the equation gives, and its formula.
+/// The index of the coordinate that the equation gives, and its formula.
 fn coordinate(equation: &Equation) -> Option<(usize, &Expr)> {
     let formula = equation.right.as_ref()?;
     let index = COORDINATES
@@ -50,13 +51,13 @@ fn coordinate(equation: &Equation) -> Option<(usize, &Expr)> {
     Some((index, formula))
 }
 
-/// The curve or patch.
+/// The curve or patch that the equations give.
 pub(super) fn parametric(cx: &mut Context<'_>, equations: &[Equation]) -> Result<Form> {
     let formulas = formulas(cx, equations)?;
     of_formulas(cx, equations, formulas)
 }
 
-/// The curve or patch whose coordinates are given; the equations are what messages point to.
+/// The curve or patch with these formulas of the coordinates; messages point to the equations.
 pub(super) fn of_formulas(
     cx: &mut Context<'_>,
     equations: &[Equation],
@@ -91,7 +92,7 @@ pub(super) fn of_formulas(
                 check_multiples(cx, parameter, f.degree_in(v), *at)?;
             }
         }
-        // A parameter that falls away is none.
+        // A parameter that no longer occurs in the reduced coordinates does not count.
         let occurs = |v: usize| coordinates.iter().any(|f| f.degree_in(v) > 0);
         let (v, parameter) = match (occurs(0), occurs(1)) {
             (false, false) => return Err(a_point(cx, equations)),
@@ -144,17 +145,17 @@ pub(super) fn of_formulas(
     )))
 }
 
-/// Why constant coordinates are refused.
+/// The error for coordinates that are all constant.
 pub(super) fn a_point(cx: &Context<'_>, equations: &[Equation]) -> crate::error::Error {
     let message =
         "all coordinates are constant, whatever the parameter is: this is a point, not a curve";
     cx.source.error(equations[0].left.span, message)
 }
 
-/// Refuses a coordinate of so high a degree in s = tan(step·t/2) that it has multiples of the angle beyond what is read: what is
-/// accepted can be written in them, and read again.
+/// Refuses a coordinate whose degree in s = tan(step·t/2) is so high that its formula may contain multiples of the angle beyond
+/// [`MAX_MULTIPLE`]. So every form that is accepted can be written, and be read again.
 fn check_multiples(cx: &Context<'_>, parameter: &Parameter, degree: u32, at: Span) -> Result<()> {
-    // An odd degree has odd multiples of half the angle.
+    // A function of even degree d in s has multiples of the angle up to d/2. For odd d, the degree itself is the bound.
     let is_whole = degree.is_multiple_of(2);
     let multiple = if is_whole { degree / 2 } else { degree };
     if parameter.is_angle() && multiple > MAX_MULTIPLE {
@@ -174,7 +175,8 @@ fn missing(cx: &Context<'_>, equations: &[Equation], name: &str) -> crate::error
     cx.source.error(end, message)
 }
 
-/// Why an equation such as `y = sin(x)` is refused, if there is one.
+/// The error for an equation in which a coordinate stands beside a function of an angle or a parameter, as in `y = sin(x)`, if
+/// there is one.
 fn beside_a_coordinate(cx: &Context<'_>, equations: &[Equation]) -> Option<crate::error::Error> {
     equations.iter().find_map(|equation| {
         let own = coordinate(equation).map(|(index, _)| COORDINATES[index]);
@@ -186,7 +188,7 @@ fn beside_a_coordinate(cx: &Context<'_>, equations: &[Equation]) -> Option<crate
     })
 }
 
-/// The formulas of x, y and z.
+/// The formulas of x, y and z; that of z may be missing.
 fn formulas<'e>(cx: &Context<'_>, equations: &'e [Equation]) -> Result<[Option<&'e Expr>; 3]> {
     let mut formulas = [None; 3];
     for equation in equations {
@@ -209,7 +211,8 @@ fn formulas<'e>(cx: &Context<'_>, equations: &'e [Equation]) -> Result<[Option<&
     Ok(formulas)
 }
 
-/// Where a parameter occurs: by itself, and in angles with which slopes.
+/// The places where a parameter occurs first by itself and first in an angle, and the largest step of which all its slopes in
+/// angles are integer multiples.
 #[derive(Default)]
 struct Occurrence {
     by_itself: Option<Span>,
@@ -217,7 +220,7 @@ struct Occurrence {
     step: Option<Rational>,
 }
 
-/// The parameters in canonical order and how each is used; whether there is a z.
+/// The parameters, in canonical order, with their uses, and whether z is given.
 fn parameters(
     cx: &mut Context<'_>,
     formulas: &[Option<&Expr>; 3],
@@ -294,12 +297,12 @@ fn collect(cx: &mut Context<'_>, expr: &Expr, found: &mut [Occurrence]) -> Resul
     Ok(())
 }
 
-/// Where the argument is; for a bare parameter that is its name.
+/// The place of a parameter in an argument: that of the whole argument.
 fn name_in(argument: &Expr) -> Span {
     argument.span
 }
 
-/// The largest rational number of which both are integer multiples.
+/// The largest rational number of which the step and the slope are integer multiples.
 fn common_step(step: Option<Rational>, slope: &Rational) -> Rational {
     let slope = slope.abs();
     let Some(step) = step else {
@@ -312,7 +315,7 @@ fn common_step(step: Option<Rational>, slope: &Rational) -> Rational {
     Rational::from_integers(gcd, b * d).invariant("a denominator is not 0")
 }
 
-/// A quotient that has only one variable; `None` if its denominator is 0.
+/// The quotient as a function of the only variable that occurs; `None` if its denominator is 0.
 fn univariate(
     variable: usize,
     above: &SparsePolynomial<2>,

@@ -1,4 +1,4 @@
-//! Walks an expression in whatever ring it is to be evaluated in.
+//! Evaluates an expression in a ring, which the caller chooses as an [`Algebra`].
 
 use super::budget::{Budget, MAX_DEGREE};
 use super::name::Name;
@@ -8,7 +8,7 @@ use super::syntax::{Expr, ExprKind};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 
-/// What an evaluation needs besides the ring.
+/// The data that an evaluation needs besides the ring.
 #[derive(Debug)]
 pub(super) struct Context<'a> {
     pub(super) source: Source<'a>,
@@ -16,11 +16,11 @@ pub(super) struct Context<'a> {
     pub(super) budget: Budget,
 }
 
-/// A ring with constants, and what names and functions mean in it.
+/// A ring that contains the rational numbers, with the meanings of names and functions in it.
 pub(super) trait Algebra {
     type Value;
 
-    /// Why this ring refuses a divisor that is not a constant.
+    /// The message for a divisor that is not constant, in a ring that has no reciprocal of it.
     const DIVISOR: &'static str;
 
     fn constant(value: Rational) -> Self::Value;
@@ -38,7 +38,8 @@ pub(super) trait Algebra {
         at: Span,
     ) -> Result<Self::Value>;
 
-    /// sum ± term. A long sum is one accumulator, so this costs the length of the term.
+    /// Adds the term to the sum, or subtracts it if `negative`. The sum changes in place, so that a long sum is not copied for
+    /// every term.
     fn add(
         &self,
         cx: &mut Context<'_>,
@@ -48,7 +49,7 @@ pub(super) trait Algebra {
         at: Span,
     ) -> Result<()>;
 
-    /// 1/value for a value that is not a constant, if there is such a thing here.
+    /// 1/value for a value that is not constant; `None` if the ring has no quotients.
     fn reciprocal(&self, _: Self::Value) -> Option<Self::Value> {
         None
     }
@@ -61,7 +62,7 @@ pub(super) trait Algebra {
         at: Span,
     ) -> Result<Self::Value>;
 
-    /// base^exponent for a base that is not a constant.
+    /// base^exponent for a base that is not constant.
     fn power(
         &self,
         cx: &mut Context<'_>,
@@ -127,7 +128,7 @@ pub(super) fn constant(cx: &mut Context<'_>, expr: &Expr) -> Result<Rational> {
 fn number(cx: &mut Context<'_>, span: Span) -> Result<Rational> {
     let text = cx.source.slice(span);
     let value = literal(text, cx.numbers).map_err(|message| cx.source.error(span, message))?;
-    // `1e99999` is much longer than it looks.
+    // A number such as `1e99999` is much longer than its text, so its bits are accounted for.
     let (bits, written) = (value.bits(), 8 * text.len() as u64);
     if bits > written {
         cx.budget.spend_bits(1, bits, cx.source, span)?;
@@ -245,7 +246,7 @@ fn square_root(cx: &mut Context<'_>, arguments: &[Expr], at: Span) -> Result<Rat
     })
 }
 
-/// a·b, accounted for.
+/// a·b, with its bits accounted for.
 pub(super) fn times(cx: &mut Context<'_>, a: Rational, b: Rational, at: Span) -> Result<Rational> {
     if is_one(&a) {
         return Ok(b);
@@ -262,7 +263,7 @@ fn is_one(value: &Rational) -> bool {
     value.bits() == 1 && value.signum() > 0
 }
 
-/// The rational numbers themselves: exponents, and the arguments of `Rational`.
+/// The ring of the rational numbers, for exponents and for the arguments of `Rational` and `sqrt`.
 struct Constants;
 
 const CONSTANT: &str =
@@ -317,7 +318,7 @@ impl Algebra for Constants {
     }
 
     fn power(&self, cx: &mut Context<'_>, _: Rational, _: u32, at: Span) -> Result<Rational> {
-        // Every value is a constant, which the caller raises itself.
+        // Every value is constant here, and `power` raises constants itself, so this is never called.
         Err(cx.source.error(at, CONSTANT))
     }
 }

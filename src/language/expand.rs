@@ -1,8 +1,8 @@
-//! Products and powers of sums of terms, refused before they explode.
+//! Products and powers of polynomials. They are refused before they are computed if they are too large.
 //!
-//! Two ways lead to a product: term by term, or packed. Packed, each polynomial becomes a
-//! univariate one by Kronecker's substitution (x, y, z become powers of one variable with strides
-//! that keep the answer's exponents apart), which a fast univariate product then multiplies.
+//! A product is computed term by term or packed. A packed polynomial is univariate, by Kronecker's substitution: x, y and z
+//! become powers of one variable, with strides that keep the exponents of the answer apart. A fast univariate product then
+//! multiplies two such polynomials.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm, Pow};
@@ -19,7 +19,7 @@ use crate::poly::{IntegerPolynomial, Ring, SparsePolynomial, total_degree};
 
 type Polynomial = SparsePolynomial<3>;
 
-/// Powers of polynomials with at most so many terms are found coefficient by coefficient.
+/// Packed powers of polynomials with at most this many terms are computed coefficient by coefficient.
 const FEW_TERMS: usize = 32;
 
 /// The error for a degree beyond [`MAX_DEGREE`].
@@ -28,7 +28,7 @@ pub(super) fn degree_limit(cx: &Context<'_>, at: Span) -> Error {
     cx.source.limit(at, limit)
 }
 
-/// `c x^e f`.
+/// The product `c x^e f`.
 pub(super) fn times_term(
     cx: &mut Context<'_>,
     f: Polynomial,
@@ -51,7 +51,7 @@ pub(super) fn times_term(
     })))
 }
 
-/// f·g.
+/// The product f·g.
 pub(super) fn product(
     cx: &mut Context<'_>,
     f: &Polynomial,
@@ -82,7 +82,7 @@ pub(super) fn product(
     Ok(f.times(g))
 }
 
-/// f^n for n ≥ 2.
+/// The power f^n for n ≥ 2.
 pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> Result<Polynomial> {
     let Some(degree) = f.degree().map(|d| d * u64::from(n)) else {
         return Ok(Polynomial::zero());
@@ -95,7 +95,7 @@ pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> R
     let terms = packing.terms(degree).min(multisets(f.len(), n));
     let per_factor = coefficient_bits(f) + u64::from(f.len().ilog2()) + 1;
     account(cx, terms, per_factor * u64::from(n), at)?;
-    // The last squaring dominates the term-by-term way.
+    // Term by term, the last squaring takes most of the time.
     let half = multisets(f.len(), n / 2).min(packing.terms(degree));
     if packing.is_better_than(half.saturating_mul(half)) {
         let packed = packing.pack(cx, f, at)?;
@@ -114,7 +114,7 @@ pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> R
         return Ok(packing.unpack(&powered, &packed.denominator.pow(u64::from(n))));
     }
     let mut result = f.clone();
-    // From the highest bit of n down: square, and multiply by f where the bit is set.
+    // For every bit of n after the highest one, the result is squared, and multiplied by f if the bit is set.
     for bit in (0..n.ilog2()).rev() {
         account_pairs(cx, &result, &result, at)?;
         result = result.squared();
@@ -126,12 +126,14 @@ pub(super) fn power(cx: &mut Context<'_>, f: &Polynomial, n: u32, at: Span) -> R
     Ok(result)
 }
 
-/// f^n for f ≠ 0, coefficient by coefficient, in the memory of the answer.
+/// The power f^n for f ≠ 0, computed coefficient by coefficient in the memory of the answer.
 ///
-/// With f = x^s Σ_j c_j x^(e_j), e_0 = 0, the power P of the sum has P_0 = c_0^n, and f P' = n f' P says of the coefficient of
-/// x^(m − 1) that `m c_0 P_m = Σ_(j ≥ 1) ((n + 1) e_j − m) c_j P_(m − e_j)` (Euler). All divisions are exact.
+/// Let f = x^s S with S = Σ_j c_j x^(e_j) and e_0 = 0. The power P = S^n has P_0 = c_0^n. The coefficient of x^(m − 1) in S
+/// P' = n S' P gives `m c_0 P_m = Σ_(j ≥ 1) ((n + 1) e_j − m) c_j P_(m − e_j)` (Euler). The division by m c_0 is exact, because
+/// S^n has integer coefficients.
 ///
-/// Cost: one product for every coefficient of the answer and term of f; the zeros between the terms cost next to nothing.
+/// Cost: one product for every pair of a coefficient of the answer and a term of f; coefficients that are 0 cost almost
+/// nothing.
 fn power_of_few_terms(f: &IntegerPolynomial, n: u32) -> IntegerPolynomial {
     let coefficients = f.coefficients_asc();
     let mut terms = coefficients.iter().enumerate().filter(|(_, c)| **c != 0);
@@ -160,7 +162,7 @@ fn power_of_few_terms(f: &IntegerPolynomial, n: u32) -> IntegerPolynomial {
     IntegerPolynomial::from_coefficients_asc(power)
 }
 
-/// Checks a result of at most `terms` terms of about `bits` bits each.
+/// Accounts for a result of at most `terms` terms of about `bits` bits each, before it is computed.
 fn account(cx: &mut Context<'_>, terms: u64, bits: u64, at: Span) -> Result<()> {
     if terms > MAX_TERMS as u64 {
         let limit = format!("more than {MAX_TERMS} terms after expansion");
@@ -169,7 +171,7 @@ fn account(cx: &mut Context<'_>, terms: u64, bits: u64, at: Span) -> Result<()> 
     cx.budget.spend_bits(terms, bits, cx.source, at)
 }
 
-/// Accounts for a product term by term.
+/// Accounts for a product that is computed term by term.
 fn account_pairs(cx: &mut Context<'_>, f: &Polynomial, g: &Polynomial, at: Span) -> Result<()> {
     let pairs = (f.len() as u64).saturating_mul(g.len() as u64);
     let bits = coefficient_bits(f) + coefficient_bits(g);
@@ -191,7 +193,7 @@ fn coefficient_bits(f: &Polynomial) -> u64 {
     f.terms().map(|(_, c)| c.bits()).max().unwrap_or(0)
 }
 
-/// C(n + k − 1, n), the number of ways to choose n of k with repetition, up to saturation.
+/// The number C(n + k − 1, n) of ways to choose n of k elements with repetition; `u64::MAX` if it is above 2⁴⁰.
 fn multisets(k: usize, n: u32) -> u64 {
     let (k, n) = (k as u64, u64::from(n));
     let (small, large) = (n.min(k - 1), n.max(k - 1));
@@ -209,10 +211,10 @@ fn multisets(k: usize, n: u32) -> u64 {
     count
 }
 
-/// Kronecker's substitution for an answer whose largest exponents are known.
+/// Kronecker's substitution for an answer with known largest exponents.
 struct Packing {
-    /// The total degree of the answer, if everything is homogeneous: then one variable is left
-    /// out, because its exponent follows.
+    /// The total degree of the answer, if it is homogeneous. Then one variable is omitted, because its exponent follows from
+    /// the others.
     homogeneous: Option<u64>,
     omitted: Option<usize>,
     strides: [u64; 3],
@@ -220,7 +222,7 @@ struct Packing {
     variables: u64,
 }
 
-/// A polynomial over its common denominator, packed.
+/// A packed polynomial with integer coefficients, and the common denominator by which they are divided.
 struct Packed {
     polynomial: IntegerPolynomial,
     denominator: Integer,
@@ -258,9 +260,9 @@ impl Packing {
         }
     }
 
-    /// The most terms that the answer, of the given degree, can have.
+    /// The largest possible number of terms of the answer, which has the given degree.
     fn terms(&self, degree: u64) -> u64 {
-        // C(degree + v, v) in v free variables.
+        // There are C(degree + v, v) monomials in v free variables.
         let free = usize::try_from(self.variables).invariant("there are at most three variables");
         let dense = multisets(
             free + 1,
@@ -269,7 +271,7 @@ impl Packing {
         dense.min(self.length)
     }
 
-    /// Whether the packed product beats so many term-by-term products.
+    /// Whether a packed product is faster than this many products of terms.
     fn is_better_than(&self, pairs: u64) -> bool {
         self.length <= MAX_TERMS as u64 && self.length <= pairs
     }
@@ -317,7 +319,7 @@ impl Packing {
     fn exponents(&self, index: u64) -> [u32; 3] {
         let mut exponents = [0; 3];
         let mut rest = index;
-        // The largest stride first.
+        // The variable with the largest stride comes first.
         for i in (0..3).rev().filter(|&i| self.strides[i] > 0) {
             exponents[i] =
                 u32::try_from(rest / self.strides[i]).invariant("exponents are below 2^32");
@@ -337,7 +339,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Coefficient by coefficient the power is the same as by products; cancelling coefficients and gaps included.
+        /// The power that is computed coefficient by coefficient equals the power by products; coefficients that cancel and
+        /// gaps are included.
         #[test]
         fn powers_of_few_terms_are_powers(c in prop::collection::vec(prop_oneof![3 => Just(0i64), 2 => -9i64..10, 1 => any::<i64>()], 1..20), n in 2u32..12) {
             let f = IntegerPolynomial::from_coefficients_asc(c.into_iter().map(Integer::from).collect());

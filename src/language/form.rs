@@ -1,4 +1,4 @@
-//! From equations to a form: which of the understood kinds a text is.
+//! Decides which kind of form the equations of a text give, and builds it.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
@@ -22,7 +22,7 @@ use crate::exact::Rational;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
-/// The form that the equations say, about `center` if there is one.
+/// The form that the equations give, with the given center if there is one.
 pub(super) fn form(
     cx: &mut Context<'_>,
     equations: &[Equation],
@@ -93,7 +93,7 @@ pub(super) fn form(
     )
 }
 
-/// left − right, which is not constant.
+/// The polynomial left − right, or its numerator; it is an error if it is constant.
 fn difference(cx: &mut Context<'_>, equation: &Equation) -> Result<SparsePolynomial<3>> {
     let sides = || {
         [Some(&equation.left), equation.right.as_ref()]
@@ -138,7 +138,7 @@ fn intersection(
     Ok(Form::Intersection(surfaces))
 }
 
-/// Why a constant is not a curve.
+/// The message for an equation whose polynomial is constant.
 pub(crate) fn constant_message(value: &Rational) -> &'static str {
     if value.is_zero() {
         "the equation is 0 = 0: every point satisfies it, so it describes no curve"
@@ -147,8 +147,8 @@ pub(crate) fn constant_message(value: &Rational) -> &'static str {
     }
 }
 
-/// What r^k is, if the equation gives it: the right side of `r = …` or `r^k = …`, or an expression in
-/// the angle that stands alone.
+/// The exponent k and the formula of r^k, if the equation gives it: the formula is the right side of `r = …` or `r^k = …`, or a
+/// single expression in the angle.
 fn radius_formula<'e>(
     cx: &mut Context<'_>,
     equation: &'e Equation,
@@ -168,7 +168,7 @@ fn radius_formula<'e>(
     Ok(is_alone.then_some((1, &equation.left)))
 }
 
-/// The name of the angle: whichever parameter occurs.
+/// The name of the angle, which is the parameter that occurs.
 fn angle(cx: &Context<'_>, equation: &Equation) -> Result<Name> {
     let named = |name| equation.names.first(name).map(|at| (at.start, name, at));
     let mut angles: Vec<_> = PARAMETERS.into_iter().filter_map(named).collect();
@@ -186,7 +186,7 @@ fn angle(cx: &Context<'_>, equation: &Equation) -> Result<Name> {
 /// The implicit curve or surface of a polynomial that is not constant.
 ///
 /// # Errors
-/// [`Error::Limit`] if the polynomial is beyond what is computed with.
+/// [`Error::Limit`] if the polynomial has too many terms, coefficients or bits.
 pub(crate) fn implicit(
     polynomial: SparsePolynomial<3>,
     in_space: bool,
@@ -208,7 +208,7 @@ pub(crate) fn implicit(
     }))
 }
 
-/// The polynomial in x and y as its homogeneous parts, each only as long as its highest power of y.
+/// The polynomial in x and y by its homogeneous parts; the list of each part ends at its highest power of y.
 fn plane(polynomial: &SparsePolynomial<3>, source_name: &str) -> Result<PlanePolynomial> {
     let mut denominator = Integer::ONE;
     for (_, c) in polynomial.terms().filter(|(_, c)| !c.is_integer()) {
@@ -225,7 +225,7 @@ fn plane(polynomial: &SparsePolynomial<3>, source_name: &str) -> Result<PlanePol
     let mut parts = Vec::new();
     let mut part: Option<(usize, Vec<Integer>)> = None;
     let mut length = 0;
-    // Terms come by degree, and within a degree by ascending powers of y.
+    // Terms are ordered by degree, and those of one degree by ascending powers of y.
     for (e, c) in polynomial.terms() {
         let degree = usize::try_from(total_degree(e)).invariant("a degree fits in a word");
         let y = e[1] as usize;

@@ -1,4 +1,4 @@
-//! Quotients of a ring, and equations between those of polynomials in x, y and z: `y = 1/x` is x y − 1 = 0.
+//! Quotients of elements of a ring, and equations between quotients of polynomials in x, y and z: `y = 1/x` is x y − 1 = 0.
 
 use super::evaluate::{Algebra, Context, evaluate};
 use super::name::Name;
@@ -11,11 +11,11 @@ use crate::factor::{coprime_parts, greatest_common_divisor};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 
-/// The highest degree of numerator and denominator, and the most terms of both.
+/// The highest degree of the numerator and of the denominator, and the largest number of terms of both.
 const MAX_DEGREE: u64 = 100;
 const MAX_FRACTION_TERMS: usize = 10_000;
 
-/// Whether something with a coordinate in it divides.
+/// Whether the expression contains a division by something that is not a number.
 pub(super) fn divides(expr: &Expr) -> bool {
     let is_divisor = match &expr.kind {
         ExprKind::Product(factors) => {
@@ -30,8 +30,9 @@ pub(super) fn divides(expr: &Expr) -> bool {
     is_divisor || expr.children().into_iter().any(divides)
 }
 
-/// The numerator of left − right in lowest terms, and without the factors that it shares with a divisor: they are 0 where
-/// the equation says nothing. It is 0 exactly where the equation holds, and at points where numerator and denominator vanish.
+/// The numerator of left − right in lowest terms, without the factors that it still shares with the denominator, because the
+/// equation has no meaning where these are 0. The result is 0 exactly where the equation holds, and possibly at points where
+/// the denominator is 0.
 pub(super) fn numerator(cx: &mut Context<'_>, equation: &Equation) -> Result<SparsePolynomial<3>> {
     let mut difference = evaluate(cx, &Fractions(Implicit), &equation.left)?;
     if let Some(right) = &equation.right {
@@ -59,9 +60,9 @@ pub(super) fn numerator(cx: &mut Context<'_>, equation: &Equation) -> Result<Spa
     Ok(above)
 }
 
-/// A ring over which there are quotients, with what functions of an angle are in them.
+/// A ring over which quotients are formed, with the functions of angles as such quotients.
 pub(super) trait RatioAlgebra: Algebra<Value: Clone + PartialEq> {
-    /// The numerator and the denominator of a function of an angle.
+    /// The numerator and the denominator of a function of an angle in this ring.
     fn ratio(
         &self,
         cx: &mut Context<'_>,
@@ -72,7 +73,7 @@ pub(super) trait RatioAlgebra: Algebra<Value: Clone + PartialEq> {
 }
 
 impl RatioAlgebra for Implicit {
-    /// The reason why there is none: a polynomial has no angle.
+    /// Always an error, that of [`Algebra::call`], because a polynomial has no angle.
     fn ratio(
         &self,
         cx: &mut Context<'_>,
@@ -85,7 +86,7 @@ impl RatioAlgebra for Implicit {
     }
 }
 
-/// The quotients of a ring, not in lowest terms.
+/// The quotients of elements of a ring, not in lowest terms.
 pub(super) struct Fractions<A>(pub(super) A);
 
 #[derive(Clone)]

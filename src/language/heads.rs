@@ -1,10 +1,11 @@
-//! What stands before a formula in other programs: `f(x, y) =`, `@(x, y)`, `lambda x, y:`, `(x, y) ->`, `c(t) =`.
+//! Recognises the heads of functions, which stand before a formula in other programs: `f(x, y) =`, `@(x, y)`, `lambda x, y:`,
+//! `(x, y) ->`, `c(t) =`.
 
 use super::name::{COORDINATES, Name};
 use super::source::Source;
 use super::token::{Kind, Token};
 
-/// The variables of a function, and the number of tokens before its formula.
+/// The head of a function: its variables, and the number of tokens before the formula.
 pub(super) struct Head {
     pub(super) variables: Vec<Name>,
     pub(super) length: usize,
@@ -22,7 +23,7 @@ impl Head {
     }
 }
 
-/// What stands before the formula of a function, if the tokens begin so.
+/// The head with which the tokens begin, if there is one.
 pub(super) fn head(source: Source<'_>, tokens: &[Token]) -> Option<Head> {
     let text = |i: usize| tokens.get(i).map(|t: &Token| source.slice(t.span));
     let kind = |i: usize| tokens.get(i).map(|t| t.kind);
@@ -58,7 +59,7 @@ pub(super) fn head(source: Source<'_>, tokens: &[Token]) -> Option<Head> {
             });
         }
     }
-    // `f(x, y) = …`, for any name of at most two letters
+    // `f(x, y) = …`, for r and for any unknown name of at most two letters
     let is_name = match kind(0)? {
         Kind::Unknown => text(0)?.chars().count() <= 2,
         Kind::Name(name) => name == Name::R,
@@ -75,7 +76,7 @@ pub(super) fn head(source: Source<'_>, tokens: &[Token]) -> Option<Head> {
     (kind(length + 1) == Some(Kind::Equals)).then_some(head)
 }
 
-/// The different variables between parentheses, and the number of tokens.
+/// Different variables between parentheses, and the number of tokens with the parentheses.
 pub(super) fn in_parentheses(source: Source<'_>, tokens: &[Token]) -> Option<(Vec<Name>, usize)> {
     let (open, rest) = tokens.split_first()?;
     let (variables, length) = listed(source, rest)?;
@@ -85,7 +86,7 @@ pub(super) fn in_parentheses(source: Source<'_>, tokens: &[Token]) -> Option<(Ve
     (open.kind == Kind::Open && is_closed).then_some((variables, length + 2))
 }
 
-/// Different variables with commas between them, each perhaps with the `_` of Mathematica, and the number of tokens.
+/// Different variables with commas between them, and the number of tokens. `_` may follow a variable, as in Mathematica.
 fn listed(source: Source<'_>, tokens: &[Token]) -> Option<(Vec<Name>, usize)> {
     let (mut variables, mut length) = (Vec::new(), 0);
     loop {

@@ -3,7 +3,7 @@
 //! | text | form |
 //! | --- | --- |
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta, or another parameter |
-//! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: with another radius that is rational in cosines and sines of rational multiples of the angle it is the parametric curve (r cos t, r sin t) |
+//! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: any other radius that is rational in cosines and sines of rational multiples of the angle gives the parametric curve (r cos t, r sin t) |
 //! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy; k up to 500, harmonics up to 60 |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
@@ -12,25 +12,25 @@
 //! | `x^2 + y^2 = 1; z = y^5` | the intersection of two or more surfaces |
 //! | `superquadric 2d a=1,2 e=1/2` | the curve `|x/a1|^(2/e) + |y/a2|^(2/e) = 1`; `level=3` makes it `= 3` |
 //!
-//! A parameter that falls away when the coordinates are simplified is none: `x = t; y = t^2; z = u^0` is a space curve, and
-//! where all coordinates are constant the form is a point and refused.
+//! A parameter that no longer occurs after the coordinates are simplified does not count: `x = t; y = t^2; z = u^0` is a space
+//! curve. If all coordinates are constant, the form is a point and is refused.
 //!
-//! A superquadric is a row of parameters, each once and in any order: positive numbers, and the numerator and the
-//! denominator of e at most [`MAX_SUPERQUADRIC_EXPONENT`]. The others are equations.
+//! A superquadric is a list of parameters, each given once and in any order. They are positive numbers, and the numerator and
+//! the denominator of e are at most [`MAX_SUPERQUADRIC_EXPONENT`]. All other forms are equations.
 //!
-//! The grammar of equations, from loose to tight:
+//! The grammar of equations, from the operators that bind least tightly to those that bind most tightly:
 //!
 //! - equations are separated by `;` or a new line. A new line within parentheses, after an operator
 //!   or before one only continues the line above; one before + or − does so too, unless both
 //!   lines have an `=`;
 //! - `+`, `-`;
-//! - `*`, `/` and two factors side by side (`2x`, `3x^2y`, `x y`, `2cos(3t)`), all three alike and
-//!   from left to right: `1/2x` is (1/2)·x. A number never stands right after a factor;
+//! - `*`, `/` and two factors side by side (`2x`, `3x^2y`, `x y`, `2cos(3t)`), which bind equally tightly, from left to right:
+//!   `1/2x` is (1/2)·x. A number never stands right after a factor;
 //! - signs: `-x^2` is −(x²);
 //! - `^` or `**`, from right to left: `2^3^2` is 2⁹, `x^2y` is x²·y. The exponent is a
 //!   constant integer. `x²³` is x^23;
-//! - numbers (`12`, `0.1`, `1e-5`, `0x1.8p+1`), names, `cos(…)`, `sin(…)`, `Rational(1, 3)` and
-//!   parentheses. Letters without a space fall into the longest names there are: `xy` is x·y.
+//! - numbers (`12`, `0.1`, `1e-5`, `0x1.8p+1`), names, `cos(…)`, `sin(…)`, `Rational(1, 3)` and parentheses. Letters without a
+//!   space are split into the longest possible names: `xy` is x·y.
 //!
 //! Spellings of other programs are understood, too: `(t^2, t^3)`, `[t^2, t^3]`, `<t^2, t^3>` and `c(t) = (t^2, t^3)` for
 //! `x = t^2; y = t^3`; a list of polynomials in x, y, z or of equations for the equations; a comma between equations; `x(t) = …`,
@@ -40,11 +40,12 @@
 //! `.*` and `./` of arrays, `//` of fractions. An equation between quotients of polynomials is that of their numerators in lowest
 //! terms: `y = 1/x` is `x*y = 1`.
 //!
-//! Typographic signs (− · × θ ² ½ …), fullwidth and mathematical letters stand for what they look like, and quotes about the
-//! whole text are left out. `#` starts a comment, and so do `//` and `%` at the start of a line or between blanks; the comment `# center: p/q, p/q` is the point that a plane form is
-//! relative to. The statements `ring R = 0, (x, y), dp; poly F = …;` of Singular are read as well.
+//! Typographic signs (− · × θ ² ½ …), fullwidth and mathematical letters stand for what they look like, and quotes around the
+//! whole text are ignored. `#` starts a comment, and so do `//` and `%` at the start of a line or between blanks; the comment
+//! `# center: p/q, p/q` is the point that a plane form is relative to. The statements `ring R = 0, (x, y), dp; poly F = …;` of
+//! Singular are read as well.
 //!
-//! What is read is expanded exactly, in a radius as a trigonometric polynomial:
+//! The expressions are expanded exactly, those of a radius as trigonometric polynomials:
 //!
 //! ```
 //! use stellate::language::{Numbers, parse_form};
@@ -95,17 +96,17 @@ pub(crate) use superquadric::{check_exponent, of_numbers as superquadric_of};
 use crate::error::{Error, Result};
 use crate::shape::Form;
 
-/// The forms that are read, for messages.
+/// The list of the forms that are read, for messages.
 const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
      `r = 1 + 1/5*cos(3*t)`, a plane curve `x^2 + y^2 = 1`, a surface `x^2 + y^2 + z^2 = 1`, \
      a parametric form `x = sin(t); y = cos(t)`, an intersection `x^2 + y^2 = 1; z = y^5`, \
      `superquadric 2d a=1,2 e=1/2`";
 
-/// Reads a formula; the grammar is in the [module documentation](self). `source_name` is what error
-/// messages call the text.
+/// Reads a formula; the grammar is in the [module documentation](self). `source_name` is the name of the text in error
+/// messages.
 ///
-/// Cost: linear in the text, up to the logarithm of the number of terms, plus the products that the
-/// text asks for.
+/// Cost: linear in the length of the text, up to the logarithm of the number of terms, plus the products that the text
+/// contains.
 ///
 /// ```
 /// use stellate::language::{Numbers, parse_form};
@@ -117,9 +118,8 @@ const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
 /// ```
 ///
 /// # Errors
-/// [`Error::Syntax`] with the place in the text if it is not one of the forms above, if it divides
-/// by zero or by something that is not constant, or if the polynomial is a constant;
-/// [`Error::Limit`] if one of the limits of this module is reached.
+/// [`Error::Syntax`] with the place in the text if it is not one of the forms above, if it divides by zero, or if the
+/// polynomial is a constant; [`Error::Limit`] if one of the limits of this module is reached.
 pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<Form> {
     check_size(text, source_name)?;
     let text = plain::plain(text);

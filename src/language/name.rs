@@ -1,21 +1,21 @@
-//! The names of the language, and how a run of letters falls into them.
+//! The names of the language, and how a run of letters is split into them.
 
 use super::source::Span;
 use crate::error::Invariant;
 
-/// A name with a meaning.
+/// A name that has a meaning; several spellings may stand for one name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Name {
-    /// Coordinates.
+    /// The coordinates of a point.
     X,
     Y,
     Z,
     /// The radius.
     R,
-    /// The angle, or the parameter of a curve.
+    /// The parameter of a curve, or the angle of a radius.
     T,
     Theta,
-    /// Other parameters.
+    /// The other parameters of curves and patches.
     U,
     V,
     Phi,
@@ -35,7 +35,7 @@ pub(super) enum Name {
     Pow,
     /// A function that is neither a polynomial nor a finite Fourier series.
     Function,
-    /// A function whose values are not rational.
+    /// The square root, whose values are in general not rational.
     Irrational,
     /// `superquadric`.
     Superquadric,
@@ -44,7 +44,7 @@ pub(super) enum Name {
     Poly,
 }
 
-/// How many names there are.
+/// The number of names.
 pub(super) const NAMES: usize = Name::Poly as usize + 1;
 
 /// The coordinates of a point.
@@ -72,12 +72,12 @@ impl Name {
         Name::Csc,
     ];
 
-    /// Whether it is a parameter.
+    /// Whether the name is that of a parameter.
     pub(super) fn is_parameter(self) -> bool {
         PARAMETERS.contains(&self)
     }
 
-    /// How a parameter is written.
+    /// The usual spelling of a parameter.
     pub(super) fn parameter_name(self) -> &'static str {
         match self {
             Name::Theta => "theta",
@@ -90,14 +90,14 @@ impl Name {
         }
     }
 
-    /// The place of a parameter among the [`PARAMETERS`].
+    /// The index of a parameter among the [`PARAMETERS`].
     pub(super) fn parameter_index(self) -> usize {
         let place = PARAMETERS.iter().position(|&p| p == self);
         place.invariant("the name is that of a parameter")
     }
 }
 
-/// Every spelling; the longer one of two that fit is meant.
+/// All spellings, ordered by descending length, so that the first one that fits is the longest.
 const SPELLINGS: &[(&str, Name)] = &[
     ("superquadric", Name::Superquadric),
     ("Rational", Name::Rational),
@@ -171,10 +171,10 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("V", Name::V),
 ];
 
-/// The longest word for which a similar name is searched.
+/// The largest number of letters of a word for which a similar name is looked for.
 const LONGEST_SLIP: usize = 30;
 
-/// The name of at least three letters that a word is most likely a slip of.
+/// The name, of at least three letters, for which a word is most likely a slip.
 pub(super) fn similar_name(word: &str) -> Option<&'static str> {
     let letters = word.chars().count();
     if !(3..=LONGEST_SLIP).contains(&letters) {
@@ -191,11 +191,11 @@ pub(super) fn similar_name(word: &str) -> Option<&'static str> {
     found.map(|(_, name)| name)
 }
 
-/// The least number of letters to change, insert, leave out or exchange with a neighbour that turns one word into the other
-/// (optimal string alignment).
+/// The smallest number of changes that turn one word into the other (optimal string alignment). A change replaces, inserts or
+/// removes a letter, or exchanges two neighbours.
 fn distance(a: &str, b: &str) -> usize {
     let [a, b] = [a, b].map(|word| word.chars().collect::<Vec<char>>());
-    // Row i, column j: between the first i letters and the first j letters.
+    // The entry in row i and column j is the distance between the first i letters of a and the first j letters of b.
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
     for i in 1..=a.len() {
         let mut row = vec![i];
@@ -213,8 +213,8 @@ fn distance(a: &str, b: &str) -> usize {
     rows[a.len()][b.len()]
 }
 
-/// The names that `word`, which starts at byte `start`, consists of: the longest first, so `xy` is
-/// x and y, and `theta` is not t, h, …. `None` if that leaves a rest: then the word is unknown.
+/// The names of which `word` consists; it starts at byte `start`. At every place the longest name that fits is taken, so that
+/// `xy` is x and y, but `theta` is one name. `None` if no name fits at some place; then the word is unknown.
 pub(super) fn split_word(word: &str, start: u32) -> Option<Vec<(Name, Span)>> {
     let mut names = Vec::new();
     let (mut rest, mut at) = (word, start);
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn slips_are_counted() {
+    fn slips_are_counted_and_similar_names_found() {
         for (a, b, expected) in [
             ("cos", "cos", 0),
             ("con", "cos", 1),
@@ -263,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn words_fall_into_names() {
+    fn words_are_split_into_names() {
         let names = |word| {
             split_word(word, 0).map(|names| names.into_iter().map(|(n, _)| n).collect::<Vec<_>>())
         };

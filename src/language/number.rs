@@ -7,13 +7,14 @@ use super::budget::MAX_DIGITS;
 use crate::error::{Error, Result};
 use crate::exact::{Rational, double_literal, exact_literal};
 
-/// How numbers are taken.
+/// How the numbers of a text are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Numbers {
-    /// As they are written: `0.1` is 1/10.
+    /// Numbers have the value that is written: `0.1` is 1/10.
     #[default]
     Exact,
-    /// As the nearest double, and then exactly: for data that came out of a float program.
+    /// Numbers are rounded to the nearest doubles, and the values of these are exact. This is meant for data of a float
+    /// program.
     F64,
 }
 
@@ -45,8 +46,8 @@ pub(crate) fn literal(text: &str, numbers: Numbers) -> std::result::Result<Ratio
     })
 }
 
-/// The value of a number as a document or a comment holds it: `p`, `p/q`, a decimal or a
-/// hexadecimal float, with a sign. In a fraction p and q are taken each on its own.
+/// The value of a number in a document or a comment: `p`, `p/q`, a decimal or a hexadecimal float, with a sign. In a fraction,
+/// p and q are read separately.
 pub(crate) fn written_number(
     text: &str,
     numbers: Numbers,
@@ -77,7 +78,7 @@ pub(crate) fn written_number(
     Ok(p / q)
 }
 
-/// `p/q, p/q`: the point that a `# center:` comment gives.
+/// The point `p/q, p/q` that a `# center:` comment gives.
 pub(crate) fn written_point(
     text: &str,
     numbers: Numbers,
@@ -87,7 +88,7 @@ pub(crate) fn written_point(
     Ok([written_number(x, numbers)?, written_number(y, numbers)?])
 }
 
-/// The value as a result of the crate, for a place in a data file.
+/// The value of a number at a place in a data file; the error names the place.
 pub(crate) fn number_at(place: &str, text: &str, numbers: Numbers) -> Result<Rational> {
     written_number(text, numbers).map_err(|message| Error::data(place, message))
 }

@@ -1,4 +1,4 @@
-//! From tokens to equations: operator precedence after Pratt.
+//! Builds equations from tokens, by operator precedence after Pratt.
 
 use super::budget::MAX_NESTING;
 use super::name::{Name, similar_name};
@@ -10,9 +10,9 @@ use crate::error::{Invariant, Result};
 // How tightly each operator binds its left and its right side.
 const SUM: (u8, u8) = (1, 2);
 const PRODUCT: (u8, u8) = (3, 4);
-/// Looser than a power: −x² is −(x²).
+/// A sign binds less tightly than a power: −x² is −(x²).
 const SIGN: u8 = 6;
-/// From the right: 2^3^2 is 2^9.
+/// Powers associate to the right: 2^3^2 is 2^9.
 const POWER: (u8, u8) = (8, 7);
 
 /// The equations of a text.
@@ -57,7 +57,7 @@ impl Parser<'_> {
         (self.peek().kind == kind).then(|| self.advance())
     }
 
-    /// How a message calls a token.
+    /// The name of a token in error messages.
     fn found(&self, token: Token) -> String {
         match token.kind {
             Kind::End => "the end of the text".into(),
@@ -66,14 +66,14 @@ impl Parser<'_> {
         }
     }
 
-    /// The next equation, `None` at the end of the text.
+    /// Reads the next equation; `None` at the end of the text.
     fn equation(&mut self) -> Result<Option<Equation>> {
         loop {
             match self.peek().kind {
                 Kind::Semicolon | Kind::Newline => {
                     self.advance();
                 }
-                // `ring R = 0, (x, y), dp;` says nothing that the polynomial does not.
+                // `ring R = 0, (x, y), dp;` adds nothing to the polynomial.
                 Kind::Name(Name::Ring) => {
                     while !matches!(self.peek().kind, Kind::Semicolon | Kind::End) {
                         self.advance();
@@ -127,7 +127,7 @@ impl Parser<'_> {
                  decimals are written with a point, and a range of the parameter is left out"
                     .into()
             }
-            Kind::Other => meant(self.source.slice(token.span)),
+            Kind::Other => message_for_character(self.source.slice(token.span)),
             _ => format!(
                 "expected an operator, `=` or the end, found {}",
                 self.found(token)
@@ -135,7 +135,7 @@ impl Parser<'_> {
         }
     }
 
-    /// An expression whose operators bind at least as tightly as `least`.
+    /// Reads an expression whose operators bind at least as tightly as `least`.
     fn expression(&mut self, least: u8, depth: u32) -> Result<Expr> {
         let mut left = self.operand(depth)?;
         loop {
@@ -184,7 +184,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Signs, then a number, a name, a call or an expression in parentheses.
+    /// Reads signs, then a number, a name, a call or an expression in parentheses.
     fn operand(&mut self, depth: u32) -> Result<Expr> {
         let first = self.peek();
         let (mut signs, mut negative) = (0, false);
@@ -219,7 +219,7 @@ impl Parser<'_> {
                 return Err(self.source.error(token.span, message));
             }
             Kind::Other => {
-                let message = meant(self.source.slice(token.span));
+                let message = message_for_character(self.source.slice(token.span));
                 return Err(self.source.error(token.span, message));
             }
             _ => {
@@ -236,7 +236,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Why a word is not understood, and which name is meant if one is similar.
+    /// The message for a word that is not understood, with a similar name if there is one.
     fn unknown_name(&self, token: Token) -> String {
         let word = self.source.slice(token.span);
         let shown = self.source.quoted(token.span);
@@ -336,7 +336,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether one closes what the other opens. Parentheses that were only meant have no text.
+    /// Whether `close` closes `open`. Parentheses that were inserted around a bare argument have no text.
     fn is_pair(&self, open: Token, close: Token) -> bool {
         let texts = [open, close].map(|token| self.source.slice(token.span));
         matches!(texts, ["(", ")"] | ["[", "]"] | ["{", "}"] | ["", ""])
@@ -357,7 +357,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `x²³` is x^23, but `x² ³` and `x²^3` could be either of two things.
+    /// Refuses a second exponent: `x²³` is x^23, but `x² ³` and `x²^3` could each mean two things.
     fn no_second_exponent(&self) -> Result<()> {
         let after = self.peek();
         if matches!(after.kind, Kind::Caret | Kind::Superscript) {
@@ -376,8 +376,8 @@ impl Parser<'_> {
     }
 }
 
-/// What is meant by a character that has no meaning here, and what to write instead.
-fn meant(text: &str) -> String {
+/// The message for a character that has no meaning, which says what to write instead.
+fn message_for_character(text: &str) -> String {
     let first = text.chars().next();
     let first = first.invariant("a token has characters");
     match first {

@@ -1,4 +1,4 @@
-//! Characters out of documents: what looks like a plain character is read as that character.
+//! Replaces characters that documents contain by the plain characters that they look like.
 
 use std::borrow::Cow;
 
@@ -6,11 +6,11 @@ use unicode_normalization::UnicodeNormalization;
 
 use super::token::SUPERSCRIPTS;
 
-/// The text with fullwidth and mathematical letters, typographic operators, fractions such as ½ and blanks that cannot
-/// be seen replaced by what they look like, and without the quotes that enclose all of it. Lines stay as they are, so that
-/// messages can show them.
+/// The text with plain characters: fullwidth and mathematical letters, typographic operators, fractions such as ½ and special
+/// blanks are replaced by what they look like, characters without width are removed, and a pair of quotes around the whole text
+/// is replaced by blanks. Line breaks are kept, so that messages can show a line.
 ///
-/// Compatible characters are those of Unicode (NFKC); superscripts keep their meaning, because x² is not x2.
+/// The replacements are those of Unicode (NFKC) and some more. Superscripts are kept, because x² is not x2.
 pub(super) fn plain(text: &str) -> Cow<'_, str> {
     let text = unquoted(text);
     if text.is_ascii() {
@@ -23,13 +23,13 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
             _ if c.is_ascii() || SUPERSCRIPTS.contains(&c) || "⁺⁻".contains(c) => {
                 result.push(c)
             }
-            // What has no width: joiners, soft hyphens, marks of direction and of byte order.
+            // Characters without width: joiners, soft hyphens, marks of direction and of byte order.
             '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}' => {}
             '\u{2044}' | '\u{2215}' | '\u{29f8}' => result.push('/'),
             '\u{2217}' | '\u{2062}' | '\u{2022}' => result.push('*'),
             '\u{2c6}' | '\u{2303}' | '\u{2038}' => result.push('^'),
             '\u{2010}'..='\u{2015}' | '\u{2212}' => result.push('-'),
-            // 2½ could be a sum or a product.
+            // A fraction after a digit is kept, and refused later, because 2½ could be a sum or a product.
             '½' | '⅓' | '⅔' | '¼' | '¾' | '⅕'..='⅞' if !after_digit => {
                 result.push('(');
                 result.extend(
@@ -46,7 +46,7 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
     Cow::Owned(result)
 }
 
-/// The text without a pair of quotes around all of it, each replaced by a blank.
+/// The text in which a pair of quotes around all of it is replaced by blanks.
 fn unquoted(text: &str) -> Cow<'_, str> {
     let trimmed = text.trim();
     let pairs = [
@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn characters_of_documents_are_plain_ones() {
+    fn characters_of_documents_become_plain() {
         let cases = [
             ("x^2 + y^2", "x^2 + y^2"),
             ("x² + y³", "x² + y³"),

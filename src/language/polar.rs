@@ -1,8 +1,9 @@
-//! Polar curves that are no finite Fourier series: `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r^2 = cos(2t)`.
+//! Polar curves whose radius is not a finite Fourier series: `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r^2 = cos(2t)`.
 //!
-//! A radius that is a rational function of cosines and sines of rational multiples of the angle is the parametric curve
-//! (r cos θ, r sin θ). A power of the radius gives an equation: r^k Q(θ) = P(θ) with trigonometric polynomials P and Q, times a
-//! power of r, is U + rV = 0 with polynomials U and V in x and y, and so U² = (x² + y²) V², or U = 0 where V = 0.
+//! If the radius is a rational function of cosines and sines of rational multiples of the angle, the curve is the parametric
+//! curve (r cos θ, r sin θ). If a power of the radius is given, there is an equation: let r^k Q(θ) = P(θ) with trigonometric
+//! polynomials P and Q. Multiplied by a power of r, this is U + rV = 0 with polynomials U and V in x and y. So U² = (x² + y²)
+//! V², or U = 0 if V = 0.
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Lcm};
@@ -27,13 +28,13 @@ use crate::poly::{
 use crate::roots::real_roots;
 use crate::shape::Form;
 
-/// The largest power of the radius, and the largest harmonic in what it is equal to.
+/// The largest power of the radius, and the largest harmonic in its formula.
 const MAX_POWER: u32 = 500;
 const MAX_POLAR_HARMONIC: u32 = 60;
-/// The most bits of all coefficients of numerator and denominator together.
+/// The largest number of bits of all coefficients of the numerator and the denominator together.
 const MAX_POLAR_BITS: u64 = 100_000;
 
-/// k, where the left side of an equation is r^k.
+/// The exponent k if the left side of an equation is r^k; `None` if it is anything else.
 pub(super) fn power_of_radius(cx: &mut Context<'_>, left: &Expr) -> Result<Option<u32>> {
     match &left.kind {
         ExprKind::Name(Name::R) => Ok(Some(1)),
@@ -52,8 +53,8 @@ pub(super) fn power_of_radius(cx: &mut Context<'_>, left: &Expr) -> Result<Optio
     }
 }
 
-/// Whether the formula has what no finite Fourier series has: a quotient of functions of the angle, another function of it than
-/// cos and sin, or a multiple of it that is not whole.
+/// Whether the formula contains something that no finite Fourier series has: a quotient by a function of the angle, a function
+/// of the angle other than cos and sin, or a multiple of the angle that is not an integer.
 pub(super) fn is_beyond_series(cx: &mut Context<'_>, formula: &Expr) -> Result<bool> {
     Ok(match &formula.kind {
         ExprKind::Number | ExprKind::Integer(_) | ExprKind::Name(_) => false,
@@ -87,7 +88,7 @@ fn any<'e>(cx: &mut Context<'_>, parts: impl Iterator<Item = &'e Expr>) -> Resul
     Ok(false)
 }
 
-/// Whether a parameter occurs.
+/// Whether a parameter occurs in the expression.
 fn varies(expr: &Expr) -> bool {
     expr.mentions(Name::is_parameter)
 }
@@ -176,8 +177,8 @@ pub(super) fn equation(
     Ok(SparsePolynomial::from(&f.into_primitive()))
 }
 
-/// A trigonometric polynomial of degree N in s = tan(θ/2): (1 + s²)^N P with integer coefficients, up to a constant, and
-/// whether P is 0 at θ = π, where s is infinite.
+/// A trigonometric polynomial P of degree N as a polynomial in s = tan(θ/2): (1 + s²)^N P with integer coefficients, up to a
+/// constant factor, and whether P is 0 at θ = π, where s is infinite.
 struct InHalfAngle {
     polynomial: IntegerPolynomial,
     at_infinity: bool,
@@ -211,11 +212,13 @@ fn common_denominator(functions: &[&TrigPolynomial]) -> Integer {
         })
 }
 
-/// [U, V] with U + rV = 2 scale r^(N + more) P, for a trigonometric polynomial P of degree N and a multiple of its denominators.
+/// The polynomials [U, V] with U + rV = 2 scale r^(N + more) P, for a trigonometric polynomial P of degree N. `scale` must be a
+/// multiple of its denominators.
 fn in_coordinates(f: &TrigPolynomial, scale: &Integer, more: u32) -> [PlanePolynomial; 2] {
     let degree = (f.degree().unwrap_or(0) + more) as usize;
     [0, 1].map(|parity| {
-        // The harmonics of U have the parity of the degree; one power of r is left to those of V.
+        // The harmonics in U have the same parity as the degree. Those in V have the other parity, and the degree of V is lower
+        // by one because of the factor r.
         let Some(degree) = degree.checked_sub(parity) else {
             return PlanePolynomial::from_terms([]);
         };
@@ -229,7 +232,7 @@ fn in_coordinates(f: &TrigPolynomial, scale: &Integer, more: u32) -> [PlanePolyn
     })
 }
 
-/// f/(x² + y²) if that is a polynomial.
+/// The quotient f/(x² + y²), if it is a polynomial.
 fn divided_by_rho(f: &PlanePolynomial) -> Option<PlanePolynomial> {
     f.parts().map(|part| part.divided_by_rho()).collect()
 }

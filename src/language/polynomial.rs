@@ -11,10 +11,10 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{SparsePolynomial, total_degree};
 
-/// Polynomials in x, y, z.
+/// The ring of polynomials in x, y and z.
 pub(super) struct Implicit;
 
-/// A polynomial; one term is kept apart, because most of a long text is single terms.
+/// A polynomial. A single term has a variant of its own, because most values in a long text are single terms.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
     Term([u32; 3], Rational),
@@ -100,7 +100,7 @@ impl Algebra for Implicit {
         _: Span,
     ) -> Result<()> {
         let mut accumulator = match std::mem::replace(sum, Self::constant(Rational::zero())) {
-            // The first part of a sum moves in.
+            // The first part of a sum takes the place of 0.
             Value::Term(_, c) if c.is_zero() && !negative => {
                 *sum = term;
                 return Ok(());

@@ -1,4 +1,4 @@
-//! Rational functions of at most two parameters, or of cosines and sines of their multiples.
+//! The field of rational functions of at most two parameters, or of cosines and sines of their multiples.
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::One;
@@ -14,15 +14,16 @@ use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::Parameter;
 
-/// The largest integer multiple of the smallest angle.
+/// The largest multiple of the smallest angle that is read.
 pub(super) const MAX_MULTIPLE: u32 = 1000;
 
-/// One parameter of a form: what the variable s of its place stands for.
+/// One parameter of a form, and how the variable s of the rational functions depends on it.
 #[derive(Debug)]
 pub(super) struct ParameterUse {
     name: Name,
     spelling: String,
-    /// For an angle t: all multiples of it that occur are integer multiples of step·t.
+    /// For an angle t, the number `step` such that all multiples of t that occur are integer multiples of step·t; `None` for a
+    /// number.
     step: Option<Rational>,
 }
 
@@ -43,10 +44,10 @@ impl ParameterUse {
     }
 }
 
-/// Rational functions of s1 and s2: of a parameter itself, or of s = tan(step·t/2).
+/// Rational functions of s1 and s2. Each of these is a parameter itself, or tan(step·t/2) for an angle t.
 pub(super) struct Quotients<'p>(pub(super) &'p [ParameterUse]);
 
-/// `above / (below · (1 + s1²)^circles[0] · (1 + s2²)^circles[1])`; the third variable does not occur.
+/// The quotient `above / (below · (1 + s1²)^circles[0] · (1 + s2²)^circles[1])`. The third variable does not occur.
 #[derive(Clone, Debug)]
 pub(super) struct Quotient {
     above: SparsePolynomial<3>,
@@ -63,7 +64,7 @@ impl Quotient {
         }
     }
 
-    /// Numerator and denominator, not in lowest terms.
+    /// The numerator and the denominator, not in lowest terms.
     pub(super) fn over_one_denominator(&self) -> (SparsePolynomial<2>, SparsePolynomial<2>) {
         let [first, second] = [0, 1].map(|v| circle_power(v, self.circles[v]));
         let below = self.below.times(&first.times(&second));
@@ -74,7 +75,7 @@ impl Quotient {
     }
 }
 
-/// (1 + s²)^k
+/// The polynomial (1 + s²)^k.
 fn circle_power(variable: usize, k: u32) -> SparsePolynomial<3> {
     let mut binomial = Integer::ONE;
     SparsePolynomial::from_terms((0..=k).map(|j| {
@@ -86,7 +87,7 @@ fn circle_power(variable: usize, k: u32) -> SparsePolynomial<3> {
     }))
 }
 
-/// `[Re, Im] (1 + is)^(2n)`: (1 + s²)^n times the cosine and the sine of the n-fold angle.
+/// The real and the imaginary part of (1 + is)^(2n), which are (1 + s²)^n times the cosine and the sine of the n-fold angle.
 fn multiple_angle(variable: usize, n: u32) -> [SparsePolynomial<3>; 2] {
     let mut parts = [SparsePolynomial::zero(), SparsePolynomial::zero()];
     let mut binomial = Integer::ONE;
@@ -112,7 +113,7 @@ pub(super) fn half_angle(n: u32, degree: u32) -> [Vec<(usize, Integer)>; 2] {
 }
 
 impl Quotients<'_> {
-    /// The cosine and the sine of an angle, times ∏ (1 + s²)^circles.
+    /// The cosine and the sine of an angle, both multiplied by ∏ (1 + s²)^circles, and these exponents.
     fn cosine_and_sine(
         &self,
         cx: &mut Context<'_>,

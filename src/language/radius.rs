@@ -1,4 +1,4 @@
-//! The right side of `r = …`: trigonometric polynomials in one angle.
+//! The right sides of `r = …` that are trigonometric polynomials in one angle.
 
 use super::angle::{ARGUMENT, Angle};
 use super::budget::MAX_HARMONIC;
@@ -10,10 +10,10 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::{Ring, TrigPolynomial};
 
-/// Trigonometric polynomials.
+/// The ring of trigonometric polynomials.
 pub(super) struct TrigAlgebra;
 
-/// Why tan and so on are refused in a radius and in a polynomial; `call` is the text of the call.
+/// The message for a function such as tan in a radius or in a polynomial; `call` is the text of its call.
 pub(super) fn not_a_series(call: &str) -> String {
     let function = call
         .split_once('(')
@@ -25,7 +25,7 @@ pub(super) fn not_a_series(call: &str) -> String {
     )
 }
 
-/// Why π is refused outside angles.
+/// The message for π outside of angles.
 pub(super) fn not_rational(shown: String) -> String {
     format!("{shown} is not rational; numbers are exact here: write a fraction or a decimal")
 }
@@ -72,7 +72,7 @@ impl Algebra for TrigAlgebra {
         let angle = Angle::of(cx, argument)?;
         let wrong = || cx.source.error(argument.span, ARGUMENT);
         let quarters = angle.quarter_turns().ok_or_else(wrong)?;
-        // A formula has one angle, whatever its name.
+        // At most one parameter occurs in a formula, so at most one slope is not 0.
         let slope = angle.slopes.iter().fold(Rational::zero(), |sum, s| sum + s);
         if !slope.is_integer() {
             return Err(wrong());

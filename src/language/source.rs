@@ -1,11 +1,11 @@
-//! The text being read, and how errors point into it.
+//! The text that is read, and errors that point into it.
 
 use crate::error::{Error, Invariant};
 
-/// The longest piece of the input that a message repeats.
+/// The largest number of characters of the input that a message repeats.
 pub(super) const MAX_SHOWN: usize = 30;
 
-/// A text and where it came from.
+/// A text, and the name of its source in messages.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source<'a> {
     pub(super) name: &'a str,
@@ -36,7 +36,7 @@ impl<'a> Source<'a> {
             .invariant("a span lies within its text")
     }
 
-    /// The text of `span`, cut if it is long, between backquotes.
+    /// The text of `span` between backquotes, shortened if it is long.
     pub(super) fn quoted(&self, span: Span) -> String {
         let text = self.slice(span);
         let mut shown: String = text.chars().take(MAX_SHOWN).collect();

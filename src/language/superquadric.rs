@@ -1,4 +1,5 @@
-//! `superquadric 2d a=1,2 e=1/2 level=1`, `superquadric 3d a=1,1,2 e=1/2,1`: rows of parameters, not equations.
+//! Reads superquadrics, which are lists of parameters and not equations: `superquadric 2d a=1,2 e=1/2 level=1`, `superquadric
+//! 3d a=1,1,2 e=1/2,1`.
 
 use super::number::{Numbers, written_number};
 use super::source::{Source, Span};
@@ -9,13 +10,13 @@ use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 /// The word that such a form starts with.
 const KEYWORD: &str = "superquadric";
 
-/// The largest numerator and denominator of e: powers with larger exponents are of no use in exact arithmetic.
+/// The largest numerator and denominator of an exponent e. Powers with larger ones are of no use in exact arithmetic.
 pub const MAX_SUPERQUADRIC_EXPONENT: i32 = 1000;
 
-/// What the parameters of one kind of superquadric look like.
+/// The parameters of superquadrics of one dimension, and an example for messages.
 struct Kind {
     example: &'static str,
-    /// A parameter: its name, what it is for messages, and how many numbers it takes.
+    /// For each parameter its name, its description in messages, and the number of its values.
     parameters: [(&'static str, &'static str, usize); 3],
 }
 
@@ -47,11 +48,11 @@ const IN_SPACE: Kind = Kind {
     ],
 };
 
-/// The superquadric that a text says, `None` if it says another kind of form.
+/// The superquadric that a text gives; `None` if the text does not begin with the keyword.
 ///
 /// # Errors
-/// A syntax error at the first character that is wrong; a limit for exponents beyond
-/// [`MAX_SUPERQUADRIC_EXPONENT`].
+/// [`Error::Syntax`](crate::error::Error::Syntax) at the place of a fault; [`Error::Limit`](crate::error::Error::Limit) for
+/// exponents beyond [`MAX_SUPERQUADRIC_EXPONENT`].
 pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Option<Form>> {
     let mut words = Words { source, at: 0 }.peekable();
     match words.next() {
@@ -132,11 +133,12 @@ pub(super) fn superquadric(source: Source<'_>, numbers: Numbers) -> Result<Optio
     let level = level.unwrap_or_else(Rational::one);
     let axes: Vec<Rational> = numbers(axes).collect();
     let epsilon: Vec<Rational> = numbers(epsilon).collect();
-    // The counts were checked above.
+    // The counts and the signs were checked above, so there is a form.
     Ok(of_numbers(axes, epsilon, level))
 }
 
-/// The form with so many semi-axes and exponents; `None` for other counts or numbers that are not positive.
+/// The superquadric with these semi-axes and exponents, of the dimension that their counts give; `None` if no dimension has
+/// these counts, or if a number is not positive.
 pub(crate) fn of_numbers(
     axes: Vec<Rational>,
     epsilon: Vec<Rational>,
@@ -153,7 +155,7 @@ pub(crate) fn of_numbers(
     }
 }
 
-/// The comment that gives a center has no meaning here.
+/// Refuses a comment with a center, because a superquadric has its center at the origin.
 fn refuse_center(source: Source<'_>) -> Result<()> {
     let comments = source.text.match_indices('#').map(|(at, _)| at);
     let center = |at: &usize| source.text[at + 1..].trim_start().starts_with("center:");
@@ -167,7 +169,7 @@ fn refuse_center(source: Source<'_>) -> Result<()> {
     }
 }
 
-/// Why an exponent is beyond the limits.
+/// Checks the limits of an exponent. The error is a message.
 pub(crate) fn check_exponent(epsilon: &Rational) -> std::result::Result<(), String> {
     let most = malachite::Integer::from(MAX_SUPERQUADRIC_EXPONENT);
     if epsilon.numerator() <= most && epsilon.denominator() <= most {
@@ -187,7 +189,7 @@ fn positive(source: Source<'_>, at: Span, what: &str, numbers: Numbers) -> Resul
     Err(source.error(at, format!("{what}: it must be positive")))
 }
 
-/// The words of a text: `=` and `,` stand alone, blanks, `;` and comments separate.
+/// The words of a text. `=` and `,` are words of their own; blanks, `;` and comments separate words.
 struct Words<'a> {
     source: Source<'a>,
     at: usize,

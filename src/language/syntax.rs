@@ -1,4 +1,4 @@
-//! What the parser builds: equations between expressions, every piece with its place in the text.
+//! The results of the parser: equations between expressions, in which every part has its place in the text.
 
 use super::name::{COORDINATES, NAMES, Name, PARAMETERS};
 use super::source::Span;
@@ -13,21 +13,21 @@ pub(super) struct Expr {
 
 #[derive(Clone, Debug)]
 pub(super) enum ExprKind {
-    /// A literal: the text of the span.
+    /// A literal, which is the text of the span.
     Number,
-    /// A superscript.
+    /// The value of a superscript.
     Integer(u32),
     Name(Name),
     Negative(Box<Expr>),
-    /// Each part, and whether it is subtracted.
+    /// The parts of a sum; `true` marks a part that is subtracted.
     Sum(Vec<(bool, Expr)>),
-    /// Each part, and whether it divides what is to its left.
+    /// The parts of a product; `true` marks a part that divides the product of those before it.
     Product(Vec<(bool, Expr)>),
     Power(Box<Expr>, Box<Expr>),
     Call(Name, Vec<Expr>),
 }
 
-/// `left = right`, or just `left`.
+/// An equation `left = right`, or a single expression `left`.
 #[derive(Debug)]
 pub(super) struct Equation {
     pub(super) left: Expr,
@@ -57,7 +57,7 @@ impl Occurrences {
 }
 
 impl Equation {
-    /// Turns `1 + cos(t) = r` into `r = 1 + cos(t)`: what is given stands on the left.
+    /// Exchanges the sides of `1 + cos(t) = r`, so that the coordinate or the radius stands on the left.
     pub(super) fn turn(&mut self) {
         let Some(right) = &mut self.right else { return };
         let is_given = |expr: &Expr| {
@@ -74,7 +74,7 @@ impl Equation {
 }
 
 impl Expr {
-    /// The expressions that it is made of.
+    /// The expressions of which this one consists.
     pub(super) fn children(&self) -> Vec<&Expr> {
         match &self.kind {
             ExprKind::Number | ExprKind::Integer(_) | ExprKind::Name(_) => Vec::new(),
@@ -87,18 +87,18 @@ impl Expr {
         }
     }
 
-    /// Whether a name occurs in it that is one of these.
+    /// Whether a name occurs for which `is_one` holds.
     pub(super) fn mentions(&self, is_one: impl Fn(Name) -> bool + Copy) -> bool {
         let is_named = matches!(self.kind, ExprKind::Name(name) if is_one(name));
         is_named || self.children().iter().any(|part| part.mentions(is_one))
     }
 
-    /// Whether no name occurs in it.
+    /// Whether no name occurs, so that the expression is a number.
     pub(super) fn is_number(&self) -> bool {
         !self.mentions(|_| true)
     }
 
-    /// Whether this is the bare name.
+    /// Whether the expression is this name and nothing else.
     pub(super) fn is_name(&self, name: Name) -> bool {
         matches!(self.kind, ExprKind::Name(n) if n == name)
     }

@@ -1,4 +1,4 @@
-//! From text to tokens.
+//! Splits a text into tokens.
 
 use winnow::ascii::{digit0, digit1, hex_digit0, hex_digit1};
 use winnow::combinator::{alt, not, opt, preceded};
@@ -10,14 +10,14 @@ use super::name::{Name, split_word};
 use super::source::{Source, Span};
 use crate::error::{Invariant, Result};
 
-/// What a token is; its text is in its span.
+/// The kind of a token; its text is that of its span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Number,
-    /// A run of `²³…`.
+    /// A run of superscript digits.
     Superscript,
     Name(Name),
-    /// A word that is not made of names.
+    /// A word that does not consist of names.
     Unknown,
     Plus,
     Minus,
@@ -30,32 +30,32 @@ pub(super) enum Kind {
     Equals,
     Semicolon,
     Newline,
-    /// Any other character, or `..`: it has no meaning, but a message says what was meant.
+    /// Any other character, or `..`. It has no meaning, and a message says what to write instead.
     Other,
     End,
 }
 
-/// A token and where it is.
+/// A token, and its place in the text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Token {
     pub(super) kind: Kind,
     pub(super) span: Span,
 }
 
-/// The tokens of a text, ending with [`Kind::End`], and what its comments say.
+/// The tokens of a text, of which the last one is [`Kind::End`], and the center that a comment gives.
 #[derive(Debug)]
 pub(super) struct Tokens {
     pub(super) tokens: Vec<Token>,
-    /// What follows `# center:`, if there is such a comment.
+    /// The place of the text after `# center:`, if there is such a comment.
     pub(super) center: Option<Span>,
 }
 
 type Input<'a> = LocatingSlice<&'a str>;
 
-/// The digits that are written as superscripts, in order.
+/// The superscript digits from 0 to 9.
 pub(super) const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// Splits the text. Newlines stay only where they end an equation (see [`join_lines`]).
+/// Splits the text into tokens. Newlines are kept only if they end an equation (see [`join_lines`]).
 pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
     let mut input = LocatingSlice::new(source.text);
     let mut tokens: Vec<Token> = Vec::new();
@@ -115,8 +115,7 @@ pub(super) fn tokenize(source: Source<'_>) -> Result<Tokens> {
     })
 }
 
-/// Whether a comment starts here: with `#`, at the start of a line with `//` or `%`, and after a blank with these two and
-/// another blank.
+/// Whether a comment starts here: with `#`; with `//` or `%` at the start of a line; or with `//` or `%` between two blanks.
 fn is_comment(text: &str, start: u32, line_start: bool) -> bool {
     let (before, rest) = text.split_at(start as usize);
     if rest.starts_with('#') {
@@ -127,12 +126,12 @@ fn is_comment(text: &str, start: u32, line_start: bool) -> bool {
     after.is_some_and(|after| line_start || stands_apart(after))
 }
 
-/// Texts are shorter than 4 GiB: see [`super::budget::MAX_TEXT_BYTES`].
+/// The position of the next character. Texts are shorter than 4 GiB: see [`super::budget::MAX_TEXT_BYTES`].
 fn position(input: &Input<'_>) -> u32 {
     u32::try_from(input.current_token_start()).invariant("a text is shorter than 4 GiB")
 }
 
-/// `# center: p/q, p/q` is the one comment with a meaning.
+/// Records the center that a comment gives. `# center: p/q, p/q` is the only comment with a meaning.
 fn read_comment(
     source: Source<'_>,
     start: u32,
@@ -155,10 +154,11 @@ fn read_comment(
     Ok(())
 }
 
-/// The modules whose functions are written with their names before them in Python.
+/// The modules of Python and JavaScript whose names are written before functions, as in `np.cos`.
 const MODULES: [&str; 6] = ["np", "numpy", "math", "sympy", "sp", "Math"];
 
-/// A run of letters: names, or one unknown word. The name of a module with a point is no token.
+/// Reads a run of letters, which consists of names or is one unknown word. The name of a module and the point after it are no
+/// tokens.
 fn word(input: &mut Input<'_>, tokens: &mut Vec<Token>) {
     let start = position(input);
     let letter = |c: char| c.is_alphabetic() || c == '√';
@@ -191,15 +191,15 @@ fn number(input: &mut Input<'_>) -> std::result::Result<Kind, &'static str> {
         return Ok(Kind::Number);
     }
     if mantissa.parse_next(input).is_err() {
-        return Err(any_char(input, "a point without digits"));
+        return Err(with_next_character(input, "a point without digits"));
     }
     let exponent: winnow::Result<Option<_>> =
         opt((one_of(['e', 'E']), opt(one_of(['+', '-', '−'])), digit1)).parse_next(input);
     if exponent.is_ok_and(|e| e.is_none()) && input.starts_with(['e', 'E']) {
-        // `2exp(…)` is a product with a function, `2e` and `2e+` are slips.
+        // `2exp(…)` is a product with a function, but `2e` and `2e+` are slips.
         let follows_a_letter = input.chars().nth(1).is_some_and(char::is_alphabetic);
         if !follows_a_letter {
-            return Err(any_char(
+            return Err(with_next_character(
                 input,
                 "the exponent after e needs digits, as in 2e5",
             ));
@@ -208,18 +208,19 @@ fn number(input: &mut Input<'_>) -> std::result::Result<Kind, &'static str> {
     Ok(Kind::Number)
 }
 
-fn any_char(input: &mut Input<'_>, message: &'static str) -> &'static str {
+/// Reads one more character, so that the text that the message quotes contains it, and returns the message.
+fn with_next_character(input: &mut Input<'_>, message: &'static str) -> &'static str {
     let _: winnow::Result<char> = any.parse_next(input);
     message
 }
 
-/// `12`, `1.5`, `.5`, `2.`; in `0..1` only the 0.
+/// Reads `12`, `1.5`, `.5` or `2.`; of `0..1` it reads only the 0.
 fn mantissa<'a>(input: &mut Input<'a>) -> ModalResult<&'a str> {
     let fraction = opt((not(".."), '.', digit0));
     alt(((digit1, fraction).take(), ('.', digit1).take())).parse_next(input)
 }
 
-/// `0x1.8p+1`; `0x^2` is not one.
+/// Reads a hexadecimal float such as `0x1.8p+1`; `0x^2` is 0 times x².
 fn hexadecimal<'a>(input: &mut Input<'a>) -> ModalResult<&'a str> {
     let digits = alt((
         (hex_digit1, opt(('.', hex_digit0))).take(),
@@ -238,7 +239,7 @@ fn symbol(input: &mut Input<'_>) -> Kind {
     if power.is_ok() {
         return Kind::Caret;
     }
-    // `:=` as in Maple, `//` as in fractions of Julia; `.*` and its like are those of arrays.
+    // `:=` is written in Maple, `//` in fractions of Julia, and `.^`, `.*` and `./` in formulas with arrays.
     for (written, kind) in [
         ("==", Kind::Equals),
         (":=", Kind::Equals),
@@ -269,9 +270,9 @@ fn symbol(input: &mut Input<'_>) -> Kind {
     }
 }
 
-/// Drops the newlines that do not end an equation: those within parentheses, after an operator,
-/// before one, and before a line that starts with + or − and goes on with the equation: that
-/// holds unless both it and what came before have an `=` of their own.
+/// The tokens without the newlines that do not end an equation. These are the newlines within parentheses; those after an
+/// operator, a comma or `=`; those before `*`, `/`, `^` or `=`; and those before a line that begins with + or −, unless both
+/// this line and the equation before it have an `=`.
 fn join_lines(tokens: &[Token]) -> Vec<Token> {
     let mut kept: Vec<Token> = Vec::with_capacity(tokens.len());
     let (mut depth, mut equals) = (0_usize, false);
@@ -300,7 +301,7 @@ fn join_lines(tokens: &[Token]) -> Vec<Token> {
                     Some(Kind::Plus | Kind::Minus) => {
                         !(equals && line_has_equals(&tokens[i + 1..]))
                     }
-                    // Another newline decides.
+                    // The next newline decides whether the equation ends.
                     Some(Kind::Newline | Kind::End) => true,
                     _ => false,
                 };

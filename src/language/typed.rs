@@ -1,17 +1,17 @@
-//! Spellings of other programs and of paper, in the tokens of the grammar.
+//! Translates spellings of other programs and of textbooks into the tokens of the grammar.
 //!
 //! | typed | read as |
 //! | --- | --- |
-//! | `(t^2, t^3)`, `[t^2, t^3]` | `x = t^2; y = t^3`; with a third one `z = …` |
+//! | `(t^2, t^3)`, `[t^2, t^3]` | `x = t^2; y = t^3`; a third formula is `z = …` |
 //! | `x = t^2, y = t^3` | `x = t^2; y = t^3` |
 //! | `x(t) = …`, `r(theta) = …`, `y(x) = …` | `x = …`, `r = …`, `y = …` |
 //! | `[x = t^2, y = t^3]`, `c(t) = (t^2, t^3)`, `<t^2, t^3>` | `x = t^2; y = t^3` |
-//! | `(x^2 + y^2 - 1, z - y^5)` | `x^2 + y^2 - 1; z - y^5`, because these are no coordinates |
-//! | `f(x, y) = …`, `@(x, y) …`, `lambda x, y: …`, `(x, y) -> …` | the polynomial; with z a surface |
+//! | `(x^2 + y^2 - 1, z - y^5)` | `x^2 + y^2 - 1; z - y^5`, because x, y or z occurs in it |
+//! | `f(x, y) = …`, `@(x, y) …`, `lambda x, y: …`, `(x, y) -> …` | the polynomial; if z is among the variables, a surface |
 //! | `f(x) = …` | `y = …` |
 //! | `Eq(a, b)`, `a == b`, `a := b` | `a = b` |
 //! | `x.^2`, `Cos[t]`, `{t, t^2}` | as in MATLAB and Mathematica |
-//! | `cos t`, `sin 3t` | `cos(t)`, `sin(3t)`, unless a power or a division follows |
+//! | `cos t`, `sin 3t` | `cos(t)`, `sin(3t)`, unless what follows could belong to the argument, as in `cos t^2` or `cos t/2` |
 //! | `cos^2(t)`, `sin²(t)` | `cos(t)^2`, `sin(t)^2` |
 
 use super::heads::{head, in_parentheses};
@@ -20,7 +20,7 @@ use super::source::{Source, Span};
 use super::token::{Kind, Token};
 use crate::error::Result;
 
-/// The tokens of the grammar for what was typed; the last one stays [`Kind::End`].
+/// The tokens of the grammar that mean the same as the given ones; the last one stays [`Kind::End`].
 ///
 /// # Errors
 /// [`crate::error::Error::Syntax`] for a tuple of more than three coordinates.
@@ -28,7 +28,7 @@ pub(super) fn understood(source: Source<'_>, tokens: &[Token]) -> Result<Vec<Tok
     let tokens = with_commas(tokens);
     let mut result = Vec::with_capacity(tokens.len());
     for equation in tokens.split_inclusive(|t| ends_an_equation(t.kind)) {
-        one_equation(source, equation, &mut result)?;
+        translate_equation(source, equation, &mut result)?;
     }
     Ok(with_arguments(&result))
 }
@@ -37,7 +37,8 @@ fn ends_an_equation(kind: Kind) -> bool {
     matches!(kind, Kind::Semicolon | Kind::Newline | Kind::End)
 }
 
-/// Commas instead of semicolons between parentheses, where all of them are closed: `[cos(t); sin(t)]`.
+/// The tokens with commas in place of semicolons within parentheses, as in `[cos(t); sin(t)]`. If a parenthesis is not closed,
+/// nothing is changed.
 fn with_commas(tokens: &[Token]) -> Vec<Token> {
     let mut depth = 0_usize;
     let mut result = tokens.to_vec();
@@ -52,12 +53,12 @@ fn with_commas(tokens: &[Token]) -> Vec<Token> {
     if depth == 0 { result } else { tokens.to_vec() }
 }
 
-/// One equation with the token that ends it, or several with commas between them.
-fn one_equation(source: Source<'_>, tokens: &[Token], result: &mut Vec<Token>) -> Result<()> {
+/// Translates one equation with the token that ends it. It may be several equations with commas between them.
+fn translate_equation(source: Source<'_>, tokens: &[Token], result: &mut Vec<Token>) -> Result<()> {
     let Some((end, body)) = tokens.split_last() else {
         return Ok(());
     };
-    let body = without_last(source, body);
+    let body = without_final_mark(source, body);
     if let Some([left, right]) = sympy_equation(source, body) {
         result.extend_from_slice(left);
         result.push(Token {
@@ -65,30 +66,30 @@ fn one_equation(source: Source<'_>, tokens: &[Token], result: &mut Vec<Token>) -
             span: body[1].span,
         });
         result.extend_from_slice(right);
-    } else if !function(source, body, result)? && !list(source, body, result)? {
-        separated(source, body, result);
+    } else if !translate_function(source, body, result)? && !translate_list(source, body, result)? {
+        translate_separated(source, body, result);
     }
     result.push(*end);
     Ok(())
 }
 
-/// The tokens without a comma at the end of a line, and without the colon that ends a statement of Maple.
-fn without_last<'t>(source: Source<'_>, body: &'t [Token]) -> &'t [Token] {
+/// The tokens without a comma or a colon at their end. A comma may end a line, and in Maple a colon ends a statement.
+fn without_final_mark<'t>(source: Source<'_>, body: &'t [Token]) -> &'t [Token] {
     match body.split_last() {
         Some((last, rest)) if last.kind == Kind::Comma || source.slice(last.span) == ":" => rest,
         _ => body,
     }
 }
 
-/// The formula of a function instead of the function: `f(x, y) = …` is the polynomial, `f(x) = …` the graph, and `c(t) = (…)`
-/// or `(x, y) = (…)` the curve. Whether it is one.
-fn function(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<bool> {
+/// Translates a function, if the tokens are one, and returns whether they are. `f(x, y) = …` becomes the polynomial, `f(x) = …`
+/// the graph, and `c(t) = (…)` or `(x, y) = (…)` the curve.
+fn translate_function(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<bool> {
     let [x, y, z] = COORDINATES;
     if let Some((variables, length)) = in_parentheses(source, body)
         && (variables == [x, y] || variables == COORDINATES)
         && body.get(length).is_some_and(|t| t.kind == Kind::Equals)
     {
-        return list(source, &body[length + 1..], result);
+        return translate_list(source, &body[length + 1..], result);
     }
     let Some(head) = head(source, body) else {
         return Ok(false);
@@ -97,14 +98,14 @@ fn function(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Resu
     let at = before[0].span;
     let token = |kind| Token { kind, span: at };
     if head.is_of_parameters() {
-        return list(source, formula, result);
+        return translate_list(source, formula, result);
     } else if head.is_of(&[x]) {
         result.extend([token(Kind::Name(y)), token(Kind::Equals)]);
         result.extend_from_slice(formula);
     } else if head.is_of(&[x, y]) {
         result.extend_from_slice(formula);
     } else if head.is_of(&COORDINATES) {
-        // z has to occur, so that it is a surface.
+        // z must occur in an equation of a surface.
         result.extend_from_slice(formula);
         result.extend([Kind::Plus, Kind::Name(z), Kind::Minus, Kind::Name(z)].map(token));
     } else {
@@ -113,9 +114,9 @@ fn function(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Resu
     Ok(true)
 }
 
-/// A list in one pair of parentheses or brackets, with commas: of coordinates, of polynomials, or of equations. Whether it
-/// is one.
-fn list(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<bool> {
+/// Translates a list of coordinates, of polynomials or of equations, with commas between them in one pair of parentheses or
+/// brackets. Returns whether the tokens are such a list.
+fn translate_list(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<bool> {
     let Some(parts) = parts(source, body) else {
         return Ok(false);
     };
@@ -128,7 +129,7 @@ fn list(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<b
     let token = |kind| Token { kind, span: at };
     if parts.iter().all(|part| equals(part) == 1) {
         for part in &parts {
-            separated(source, part, result);
+            translate_separated(source, part, result);
             result.push(token(Kind::Semicolon));
         }
     } else if parts.len() < 2 || parts.iter().any(|part| part.is_empty() || equals(part) > 0) {
@@ -153,7 +154,7 @@ fn list(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) -> Result<b
     Ok(true)
 }
 
-/// `Eq(left, right)`.
+/// The two sides of `Eq(left, right)`.
 fn sympy_equation<'t>(source: Source<'_>, body: &'t [Token]) -> Option<[&'t [Token]; 2]> {
     let (first, rest) = body.split_first()?;
     let is_equation = first.kind == Kind::Unknown && source.slice(first.span) == "Eq";
@@ -163,7 +164,8 @@ fn sympy_equation<'t>(source: Source<'_>, body: &'t [Token]) -> Option<[&'t [Tok
     parts(source, rest)?.try_into().ok()
 }
 
-/// What stands between commas in the parentheses, brackets or angle brackets that enclose all the tokens.
+/// The parts between the commas in the parentheses, brackets or angle brackets that enclose all the tokens; `None` if there are
+/// no such parentheses.
 fn parts<'t>(source: Source<'_>, tokens: &'t [Token]) -> Option<Vec<&'t [Token]>> {
     let [first, inner @ .., last] = tokens else {
         return None;
@@ -178,7 +180,7 @@ fn parts<'t>(source: Source<'_>, tokens: &'t [Token]) -> Option<Vec<&'t [Token]>
     for (i, token) in inner.iter().enumerate() {
         match token.kind {
             Kind::Open => depth += 1,
-            // The first parenthesis is closed before the end.
+            // If this fails, the first parenthesis is closed before the last token.
             Kind::Close => depth = depth.checked_sub(1)?,
             Kind::Comma if depth == 0 => {
                 parts.push(&inner[start..i]);
@@ -191,8 +193,9 @@ fn parts<'t>(source: Source<'_>, tokens: &'t [Token]) -> Option<Vec<&'t [Token]>
     Some(parts)
 }
 
-/// Equations with commas between them, and without the arguments on their left sides.
-fn separated(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) {
+/// Translates equations with commas between them: the commas become semicolons, and the arguments on the left sides are
+/// removed.
+fn translate_separated(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) {
     let (mut depth, mut equals, mut i) = (0_usize, false, 0);
     let mut is_start = true;
     while let Some(&token) = body.get(i) {
@@ -223,7 +226,7 @@ fn separated(source: Source<'_>, body: &[Token], result: &mut Vec<Token>) {
     }
 }
 
-/// Whether the tokens begin with `x =`, `x(t) =`, `x(u, v) =` or `y(x) =`, and how many there are before the `=`.
+/// The number of tokens before the `=`, if the tokens begin with `x =`, `x(t) =`, `x(u, v) =` or `y(x) =`.
 fn left_side(source: Source<'_>, tokens: &[Token]) -> Option<usize> {
     let Kind::Name(coordinate) = tokens.first()?.kind else {
         return None;
@@ -240,10 +243,10 @@ fn left_side(source: Source<'_>, tokens: &[Token]) -> Option<usize> {
     (tokens.get(length)?.kind == Kind::Equals).then_some(length)
 }
 
-/// Functions of angles with parentheses about their arguments, and with their exponents behind them.
+/// The tokens in which functions of angles have parentheses around their arguments, and their exponents behind these.
 fn with_arguments(tokens: &[Token]) -> Vec<Token> {
     let mut result: Vec<Token> = Vec::with_capacity(tokens.len());
-    // For each parenthesis that is open, the exponent that belongs behind it.
+    // For each open parenthesis, the exponent that must follow it when it is closed.
     let mut open: Vec<&[Token]> = Vec::new();
     let mut rest = tokens;
     while let Some((&token, after)) = rest.split_first() {
@@ -280,7 +283,7 @@ fn with_arguments(tokens: &[Token]) -> Vec<Token> {
     result
 }
 
-/// How many tokens are a natural exponent: `^2`, or `²`.
+/// The number of tokens of a natural exponent, `^2` or `²`; 0 if there is none.
 fn exponent(tokens: &[Token]) -> usize {
     match tokens {
         [caret, number, ..] if caret.kind == Kind::Caret && number.kind == Kind::Number => 2,
@@ -289,7 +292,7 @@ fn exponent(tokens: &[Token]) -> usize {
     }
 }
 
-/// How many tokens are `t`, `3t` or `3*t`, where it is clear that no more belongs to the argument.
+/// The number of tokens of an argument `t`, `3t` or `3*t`, if it is clear from the next token that the argument ends there.
 fn bare_argument(tokens: &[Token]) -> Option<usize> {
     let number = usize::from(tokens.first()?.kind == Kind::Number);
     let star = usize::from(number == 1 && tokens.get(1)?.kind == Kind::Star);
