@@ -32,13 +32,13 @@
 //! - numbers (`12`, `0.1`, `1e-5`, `0x1.8p+1`), names, `cos(…)`, `sin(…)`, `Rational(1, 3)` and parentheses. Letters without a
 //!   space are split into the longest possible names: `xy` is x·y.
 //!
-//! Spellings of other programs are understood, too: `(t^2, t^3)`, `[t^2, t^3]`, `<t^2, t^3>` and `c(t) = (t^2, t^3)` for
-//! `x = t^2; y = t^3`; a list of polynomials in x, y, z or of equations for the equations; a comma between equations; `x(t) = …`,
-//! `y(x) = …`, `r(theta) = …`; `rho` for r; `f(x, y) = …`, `@(x, y) …`, `lambda x, y: …` and `(x, y) -> …` for a polynomial, and
-//! `f(x) = …` for y = …; `Eq(a, b)`, `==` and `:=` for `=`, and sides that are exchanged, as in `1 + cos(t) = r`; `cos 3t`,
-//! `cos^2(t)`, `Cos[t]`, `COS(t)`, `np.cos(t)`; `Fraction(1, 3)`, `pow(x, 2)`, `sqrt(4)`; braces and brackets for parentheses, `.^`,
-//! `.*` and `./` of arrays, `//` of fractions. An equation between quotients of polynomials is that of their numerators in lowest
-//! terms: `y = 1/x` is `x*y = 1`.
+//! Spellings of other programs are understood, too: `(t^2, t^3)`, `[t^2, t^3]`, `<t^2, t^3>` and `c(t) = (t^2, t^3)` for `x =
+//! t^2; y = t^3`; a list of polynomials in x, y, z or of equations for the equations; a comma between equations; `x(t) = …`,
+//! `y(x) = …`, `r(theta) = …`; `rho` for r; `f(x, y) = …`, `@(x, y) …`, `lambda x, y: …` and `(x, y) -> …` for a polynomial,
+//! and `f(x) = …` for y = …; `Eq(a, b)`, `==` and `:=` for `=`, and sides that are exchanged, as in `1 + cos(t) = r`; `cos 3t`,
+//! `cos^2(t)`, `Cos[t]`, `COS(t)`, `np.cos(t)`; `Fraction(1, 3)`, `pow(x, 2)`, `sqrt(4)`; braces and brackets for parentheses,
+//! `.^`, `.*` and `./` of arrays, `//` of fractions. An equation between quotients of polynomials is that of their numerators
+//! in lowest terms: `y = 1/x` is `x*y = 1`.
 //!
 //! Typographic signs (− · × θ ² ½ …), fullwidth and mathematical letters stand for what they look like, and quotes around the
 //! whole text are ignored. `#` starts a comment, and so do `//` and `%` at the start of a line or between blanks; the comment
