@@ -6,7 +6,7 @@ use crate::error::{Invariant, Result};
 use crate::factor::{factor_plane, factor_space};
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
-use crate::parametrize::{AngleRange, born_of_radius, positive_ranges};
+use crate::parametrize::{AngleRange, born_of_radius, is_full_circle, positive_ranges};
 use crate::poly::{PlanePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
@@ -60,7 +60,7 @@ impl FourierDescription {
     /// Whether r > 0 for every angle.
     #[must_use]
     pub fn star_shaped(&self) -> bool {
-        self.positive.len() == 1 && self.positive[0].closed == [true, true]
+        is_full_circle(&self.positive)
     }
 
     fn of(radius: &FourierRadius, perfect_square: bool) -> Self {

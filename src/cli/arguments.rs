@@ -11,7 +11,7 @@ use stellate::fit::CenterChoice;
 use stellate::verb::{Bounds, CoordinatesFrom, Frame};
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
-use super::flags::{ArcFlags, FitFlags};
+use super::flags::{ArcFlags, FitFlags, ModelFlag};
 use super::values::{
     Angle, angle, center, degrees, frame, marked_point, point, positive, range, space_window, time,
     view, whole,
@@ -115,10 +115,11 @@ pub(crate) enum Verb {
   stellate parametrize 'x^2/4 + y^2/9 + z^2 = 1' --theta 30deg
   stellate parametrize '100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2'")]
     Parametrize(Parametrize),
-    /// Fit a Fourier radius to a contour (Definition 1)
+    /// Fit a Fourier radius (Definition 1) or an elliptic Fourier series to a contour
     #[command(after_help = "Examples:
   stellate fit outline.csv --harmonics 39 --decimals 6
-  stellate fit silhouette.png --tolerance 1.5 -o radius.json")]
+  stellate fit silhouette.png --tolerance 1.5 -o radius.json
+  stellate fit silhouette.png --model elliptic --distance 2 -o series.json")]
     Fit(Fit),
     /// Certified points: exact directions, all real roots, each the nearest double
     #[command(after_help = "Examples:
@@ -365,9 +366,15 @@ pub(crate) struct Inspect {
     /// The part of space or of the plane that is drawn
     #[arg(long, value_name = "X0,X1,Y0,Y1[,Z0,Z1]", allow_hyphen_values = true, value_parser = frame)]
     pub(crate) window: Option<Frame>,
+    /// For a contour: the series that is fitted
+    #[arg(long, value_enum, default_value_t = ModelFlag::Radius)]
+    pub(crate) model: ModelFlag,
     /// For a contour: number of harmonics N
-    #[arg(short = 'n', long, value_name = "N", value_parser = whole::<usize>(0..=u64::MAX, 39))]
+    #[arg(short = 'n', long, value_name = "N", conflicts_with = "distance", value_parser = whole::<usize>(0..=u64::MAX, 39))]
     pub(crate) harmonics: Option<usize>,
+    /// For a contour: the fewest harmonics with which the curve and the outline are certainly at most E apart
+    #[arg(long, value_name = "E", value_parser = positive)]
+    pub(crate) distance: Option<Rational>,
     /// For a contour: where radii are measured from
     #[arg(
         long,

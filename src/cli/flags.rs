@@ -1,8 +1,8 @@
 //! Flags that several verbs have.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use stellate::exact::Rational;
-use stellate::fit::CenterChoice;
+use stellate::fit::{CenterChoice, FitModel};
 use stellate::verb::Bounds;
 
 use super::values::{center, positive, space_window, whole};
@@ -18,15 +18,43 @@ pub(crate) struct ArcFlags {
     pub(crate) resolution: Option<u32>,
 }
 
-/// How a contour becomes a Fourier radius.
+/// The series that is fitted to a contour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ModelFlag {
+    /// The Fourier series of r(theta) (Definition 1)
+    Radius,
+    /// Elliptic Fourier series x(t), y(t) (Kuhl and Giardina)
+    Elliptic,
+}
+
+impl From<ModelFlag> for FitModel {
+    fn from(flag: ModelFlag) -> Self {
+        match flag {
+            ModelFlag::Radius => Self::Radius,
+            ModelFlag::Elliptic => Self::Elliptic,
+        }
+    }
+}
+
+/// How a contour becomes a Fourier series.
 #[derive(Debug, Args)]
 pub(crate) struct FitFlags {
+    /// The radius about a center, or the coordinates by arc length, which any outline has
+    #[arg(long, value_enum, default_value_t = ModelFlag::Radius)]
+    pub(crate) model: ModelFlag,
     /// Number of harmonics N
-    #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance", value_parser = whole::<usize>(0..=u64::MAX, 39))]
+    #[arg(short = 'n', long, value_name = "N", group = "size", value_parser = whole::<usize>(0..=u64::MAX, 39))]
     pub(crate) harmonics: Option<usize>,
-    /// The fewest harmonics with which the largest radial error is at most E
-    #[arg(long, value_name = "E", value_parser = positive)]
+    /// The fewest harmonics with which the error is at most E: the largest radial error of a radius, or the distance of an
+    /// elliptic series
+    #[arg(long, value_name = "E", group = "size", value_parser = positive)]
     pub(crate) tolerance: Option<Rational>,
+    /// The fewest harmonics with which the curve and the outline are certainly at most E apart (Hausdorff distance)
+    #[arg(long, value_name = "E", group = "size", value_parser = positive)]
+    pub(crate) distance: Option<Rational>,
+    /// Of an elliptic series: the fewest harmonics that have this share of the power of all, such as 0.99
+    #[arg(long, value_name = "P", group = "size", value_parser = positive)]
+    pub(crate) power: Option<Rational>,
     /// Where radii are measured from: centroid, or a point X,Y
     #[arg(
         long,
@@ -56,8 +84,11 @@ pub(crate) struct FitFlags {
 impl Default for FitFlags {
     fn default() -> Self {
         Self {
+            model: ModelFlag::Radius,
             harmonics: None,
             tolerance: None,
+            distance: None,
+            power: None,
             center: CenterChoice::Centroid,
             samples: None,
             decimals: None,

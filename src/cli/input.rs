@@ -1,7 +1,6 @@
 //! Reads FORM arguments and data files, and turns flags into the options of the library.
 
 use stellate::error::{Error, Result};
-use stellate::exact::Rational;
 use stellate::fit::{FitOptions, FitSize, PictureOptions};
 use stellate::sample::Direction;
 use stellate::verb::{ArcSearch, Given, ReadOptions, read_limited};
@@ -47,10 +46,21 @@ pub(crate) fn read_data(argument: &str) -> Result<(String, String)> {
 
 /// The options of a fit, from the flags.
 pub(crate) fn fit_options(flags: &FitFlags) -> FitOptions {
-    let harmonics = flags.harmonics.map(FitSize::Harmonics);
-    let tolerance = flags.tolerance.as_ref().map(Rational::to_f64);
+    let sizes = [
+        flags.harmonics.map(FitSize::Harmonics),
+        flags
+            .tolerance
+            .as_ref()
+            .map(|e| FitSize::Tolerance(e.to_f64())),
+        flags
+            .distance
+            .as_ref()
+            .map(|e| FitSize::Distance(e.to_f64())),
+        flags.power.as_ref().map(|p| FitSize::Power(p.to_f64())),
+    ];
     FitOptions::default()
-        .size(harmonics.or(tolerance.map(FitSize::Tolerance)))
+        .model(flags.model.into())
+        .size(sizes.into_iter().flatten().next())
         .center(flags.center.clone())
         .samples(flags.samples)
         .decimals(flags.decimals)

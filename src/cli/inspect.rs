@@ -69,7 +69,9 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
 
 fn options(flags: &Inspect, session: &Session) -> InspectionOptions {
     let fit = FitFlags {
+        model: flags.model,
         harmonics: flags.harmonics,
+        distance: flags.distance.clone(),
         center: flags.center.clone(),
         ..FitFlags::default()
     };

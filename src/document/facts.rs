@@ -9,7 +9,7 @@ use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, 
 use crate::notation::{Format, polynomial_text};
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;
-use crate::verb::{BeyondCurve, Fact, PolarTheorem, Reach};
+use crate::verb::{BeyondCurve, Fact, FitReport, PolarTheorem, Reach};
 
 /// The sentences and fields of a document besides the answer itself.
 #[derive(Debug, Default)]
@@ -47,12 +47,9 @@ impl Annotations {
                 area,
                 centroid: [x, y],
             } => self.note(format!(
-                "a contour of {vertices} vertices, area ≈ {area}, centroid ≈ ({x}, {y}); what follows is its Fourier fit"
+                "a contour of {vertices} vertices, area ≈ {area}, centroid ≈ ({x}, {y}); what follows is the fit of a Fourier series"
             )),
-            Fact::Fit(report) => self.note(format!(
-                "radial error of the fit ≈ {:.3e} at most, ≈ {:.3e} rms",
-                report.max_radial_error, report.rms_radial_error
-            )),
+            Fact::Fit(report) => self.fit(report),
             Fact::PerfectSquare => self.note(super::remark::PERFECT_SQUARE),
             Fact::Irreducible(degree) => {
                 self.note(format!(
@@ -102,6 +99,24 @@ impl Annotations {
                 "not finished within the limits: {}",
                 part_text(*part)
             )),
+        }
+    }
+
+    fn fit(&mut self, report: &FitReport) {
+        if let Some(radial) = &report.radial {
+            self.note(format!(
+                "radial error of the fit ≈ {:.3e} at most, ≈ {:.3e} rms",
+                radial.max_error, radial.rms_error
+            ));
+            self.field("outline_star_shaped", json!(radial.outline_star_shaped));
+            self.field("hidden_share", json!(radial.hidden_share));
+        }
+        if let Some(power) = report.harmonic_power {
+            self.note(format!(
+                "the harmonics of the fit have ≈ {:.6} of the power of all harmonics",
+                power
+            ));
+            self.field("harmonic_power", json!(power));
         }
     }
 

@@ -2,28 +2,13 @@
 
 use std::io::Write;
 
-use super::json::Number;
+use super::fit_report::{report_comments, report_fields};
 use super::{Format, Kind, SCHEMA, center_comment};
-use crate::error::{Invariant, Result};
+use crate::error::Result;
 use crate::exact::Rational;
-use crate::fit::FitReport;
 use crate::notation::Notation;
 use crate::shape::FourierRadius;
-
-/// The fields of a document about the fit, as JSON.
-fn fields(report: &FitReport) -> [(&'static str, String); 5] {
-    let number = |value: f64| {
-        let text = serde_json::to_string(&Number(value));
-        text.invariant("a number is written as JSON")
-    };
-    [
-        ("max_radial_error", number(report.max_radial_error)),
-        ("rms_radial_error", number(report.rms_radial_error)),
-        ("star_shaped", report.star_shaped.to_string()),
-        ("samples", report.samples.to_string()),
-        ("hidden_share", number(report.hidden_share)),
-    ]
-}
+use crate::verb::FitReport;
 
 /// Writes `r = a0 + Σ (a_n cos nθ + b_n sin nθ)`, with the center if it is not the origin, and with the deviations of the fit
 /// if the radius was fitted.
@@ -53,26 +38,44 @@ pub fn write_fourier(
     if format == Format::Json {
         return write_json(radius, fit, out);
     }
-    let fit = fit.map(fields).into_iter().flatten();
-    let fit = fit.map(|(name, value)| format!("{name}: {value}"));
     let comments: Vec<String> = center_comment(radius.center())
         .into_iter()
-        .chain(fit)
-        .map(|comment| format!("{} {comment}", format.comment()))
+        .chain(fit.map(report_comments).into_iter().flatten())
         .collect();
-    if format == Format::Sympy {
-        // SymPy joins all lines, so its comments come last.
-        write!(out, "{}", expression(radius, format, "theta"))?;
-        for (i, comment) in comments.iter().enumerate() {
-            let separator = if i == 0 { "  " } else { "\n" };
-            write!(out, "{separator}{comment}")?;
+    with_comments(&comments, format, out, |out| {
+        write_formula(radius, format, out)
+    })
+}
+
+/// Writes comments and what `write` writes: SymPy joins all lines, so its comments come last.
+pub(super) fn with_comments(
+    comments: &[String],
+    format: Format,
+    out: &mut dyn Write,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let marked = comments
+        .iter()
+        .map(|comment| format!("{} {comment}", format.comment()));
+    if format != Format::Sympy {
+        for comment in marked {
+            writeln!(out, "{comment}")?;
         }
-        return Ok(writeln!(out)?);
+        return write(out);
     }
-    for comment in &comments {
-        writeln!(out, "{comment}")?;
+    let mut text = Vec::new();
+    write(&mut text)?;
+    out.write_all(text.trim_ascii_end())?;
+    for (i, comment) in marked.enumerate() {
+        let separator = if i == 0 { "  " } else { "\n" };
+        write!(out, "{separator}{comment}")?;
     }
+    Ok(writeln!(out)?)
+}
+
+fn write_formula(radius: &FourierRadius, format: Format, out: &mut dyn Write) -> Result<()> {
     match format {
+        Format::Sympy => Ok(writeln!(out, "{}", expression(radius, format, "theta"))?),
         Format::Csv => {
             writeln!(out, "n,cos,sin")?;
             for (n, (a, b)) in radius.cosines().iter().zip(radius.sines()).enumerate() {
@@ -143,19 +146,25 @@ fn latex_call(function: &str, n: usize) -> String {
 fn write_json(radius: &FourierRadius, fit: Option<&FitReport>, out: &mut dyn Write) -> Result<()> {
     write!(out, "{{\"schema\":\"{SCHEMA}\",\"kind\":\"fourier\"")?;
     for (name, values) in [("cos", radius.cosines()), ("sin", radius.sines())] {
-        write!(out, ",\"{name}\":[")?;
-        for (n, value) in values.iter().enumerate() {
-            let separator = if n > 0 { "," } else { "" };
-            write!(out, "{separator}\"{value}\"")?;
-        }
-        write!(out, "]")?;
+        write!(out, ",\"{name}\":")?;
+        write_numbers(values, out)?;
     }
     let [x, y] = radius.center();
     if fit.is_some() || center_comment(radius.center()).is_some() {
         write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
     }
-    for (name, value) in fit.map(fields).into_iter().flatten() {
+    for (name, value) in fit.map(report_fields).into_iter().flatten() {
         write!(out, ",\"{name}\":{value}")?;
     }
     Ok(writeln!(out, "}}")?)
+}
+
+/// Writes exact numbers as an array of JSON strings.
+pub(super) fn write_numbers(values: &[Rational], out: &mut dyn Write) -> Result<()> {
+    write!(out, "[")?;
+    for (n, value) in values.iter().enumerate() {
+        let separator = if n > 0 { "," } else { "" };
+        write!(out, "{separator}\"{value}\"")?;
+    }
+    Ok(write!(out, "]")?)
 }

@@ -15,6 +15,8 @@ pub enum Kind {
     Equations,
     /// Coordinates as functions of parameters.
     ParametricForm,
+    /// An elliptic Fourier series.
+    EllipticSeries,
     /// A superquadric.
     Superquadric,
     /// The description of a form.
@@ -39,11 +41,12 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Radius,
         Self::Equation,
         Self::Equations,
         Self::ParametricForm,
+        Self::EllipticSeries,
         Self::Superquadric,
         Self::Description,
         Self::ClosedForms,
@@ -72,6 +75,11 @@ impl Kind {
                 "",
             ),
             Self::ParametricForm => ("a parametric form is", FORMULAS, ""),
+            Self::EllipticSeries => (
+                "an elliptic series is",
+                &[Text, Json, Csv, Latex, Sympy, Maple],
+                "; Singular has no trigonometric functions, but reads what implicitize writes",
+            ),
             Self::Superquadric => ("a superquadric is", &[Text, Json], ""),
             Self::Description => ("a description is", &[Text, Json], ""),
             Self::ClosedForms => (

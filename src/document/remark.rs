@@ -31,9 +31,11 @@ pub fn remark_text(remark: &Remark) -> String {
             point: [x, y],
             share,
         } => format!(
-            "the outline of {outline} is not star-shaped about ({x}, {y}): its outermost boundary is taken; {:.3} % of its length is hidden behind it",
-            share * 100.0
+            "the outline of {outline} is not star-shaped about ({x}, {y}): its outermost boundary is taken; {:.3} % of its length is hidden behind it{}",
+            share * 100.0,
+            if *share > 0.01 { "; --model elliptic follows all of it" } else { "" }
         ),
+        Remark::DistanceNotMeasured => "the distance between the outline and the fitted curve was not measured: the series has too many harmonics for that".into(),
         Remark::LeftOut { outline, left_out } => left_out_text(outline, left_out),
         Remark::PerfectSquare => PERFECT_SQUARE.into(),
         Remark::RelativeTo([a, b]) => format!("coordinates are relative to the center ({a}, {b})"),

@@ -155,7 +155,7 @@ proptest! {
             center: CenterChoice::Point([0.into(), 0.into()]),
             samples: Some(64),
             size: Some(FitSize::Harmonics(8)),
-            decimals: None,
+            ..FitOptions::default()
         };
         let points = around(&radii);
         let contour = Contour::new(points.clone(), "star").unwrap();
@@ -232,6 +232,7 @@ proptest! {
             samples: Some(512),
             size: Some(FitSize::Tolerance(tolerance)),
             decimals,
+            ..FitOptions::default()
         };
         let Ok(fitted) = fit(&contour, &options) else {
             // With coarse rounding it may happen that no number of harmonics meets the tolerance.
@@ -342,7 +343,7 @@ fn a_jump_puts_small_tolerances_out_of_reach() {
     let message = fit(&contour, &options).unwrap_err().to_string();
     assert!(message.contains("r jumps by"), "{message}");
     let fitted = fit(&contour, &FitOptions::new(FitSize::Harmonics(20))).unwrap();
-    assert!(!fitted.star_shaped && fitted.hidden_share > 0.1);
+    assert!(!fitted.outline_star_shaped && fitted.hidden_share > 0.1);
 }
 
 #[test]

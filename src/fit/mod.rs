@@ -4,14 +4,20 @@
 //! chooses the center; [`ContourRadius`] is the radius of the outline about the center; [`fourier_coefficients`] is Definition
 //! 1; [`fit`] does all of this and measures the error.
 //!
-//! The coefficients are exactly the doubles that Definition 1 gives, or these doubles rounded to a number of decimals. All
+//! An outline that is not star-shaped has no radius that follows it. [`fit_elliptic`] fits the coordinates themselves, by arc
+//! length (Kuhl & Giardina). [`Distances`] says how far either fit is from the outline, with certified bounds.
+//!
+//! The coefficients of a radius are exactly the doubles that Definition 1 gives, or these doubles rounded to a number of decimals. All
 //! later computations with them are exact.
 
 mod center;
 mod definition1;
+mod distance;
+mod elliptic;
 mod kernel;
 mod layout;
 mod left_out;
+mod options;
 #[cfg(feature = "images")]
 mod picture;
 mod radius;
@@ -23,13 +29,17 @@ mod series;
 mod silhouette;
 mod sweep;
 mod tolerance;
+mod turns;
 
 #[cfg(test)]
 mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
+pub use distance::{Bounds, Distances, distances};
+pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub use left_out::{LeftOut, PictureOptions};
+pub use options::{FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES};
 pub use radius::ContourRadius;
 pub use read::{ContourKind, contour_from_reader, read_contour, silhouette_from_reader};
 
@@ -40,133 +50,16 @@ pub use radius::star_shaped_about;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::shape::{Contour, FourierRadius};
+use crate::shape::{Contour, EllipticSeries, FourierRadius};
 use definition1::enough_samples;
+use distance::DistanceSearch;
 use residual::{Assessment, CheckAngles};
 use tolerance::HarmonicsSearch;
-
-/// The largest number of harmonics of a fit.
-pub const MAX_HARMONICS: usize = 100_000;
-/// The largest number of samples of a fit.
-pub const MAX_SAMPLES: usize = 1 << 22;
-/// The largest number of decimals to which coefficients can be rounded (no double has more).
-pub const MAX_DECIMALS: u32 = 1100;
 
 /// The largest default number of samples for a fit to a tolerance.
 const MAX_DEFAULT_SAMPLES: usize = 1 << 17;
 /// The number of check angles for each sample.
 const CHECKS_PER_SAMPLE: usize = 4;
-
-/// The size of a fit: its number of harmonics, or the tolerance that determines it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum FitSize {
-    /// This number of harmonics.
-    Harmonics(usize),
-    /// The smallest number of harmonics with which the largest radial error is at most this.
-    Tolerance(f64),
-}
-
-/// The options of a fit.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct FitOptions {
-    /// The center, from which the radius is measured.
-    pub center: CenterChoice,
-    /// The number of samples Ns. For N harmonics the default is max(8N, 1024) rounded up to a power of two. For a tolerance it
-    /// is max(4096, twice the number of vertices) rounded up to a power of two, at most 131072.
-    pub samples: Option<usize>,
-    /// The size of the fit. It has no default; a fit without it is an error.
-    pub size: Option<FitSize>,
-    /// The number of decimals to which the center (before r is sampled) and the coefficients are rounded.
-    pub decimals: Option<u32>,
-}
-
-impl FitOptions {
-    /// Options for a fit of this size about the centroid, with the default number of samples and no rounding.
-    #[must_use]
-    pub fn new(size: FitSize) -> Self {
-        Self::default().size(Some(size))
-    }
-
-    /// Sets the size of the fit.
-    #[must_use]
-    pub fn size(mut self, size: Option<FitSize>) -> Self {
-        self.size = size;
-        self
-    }
-
-    /// Sets the center, from which the radius is measured.
-    #[must_use]
-    pub fn center(mut self, center: CenterChoice) -> Self {
-        self.center = center;
-        self
-    }
-
-    /// Sets the number of samples Ns.
-    #[must_use]
-    pub fn samples(mut self, samples: Option<usize>) -> Self {
-        self.samples = samples;
-        self
-    }
-
-    /// Sets the number of decimals to which the center and the coefficients are rounded.
-    #[must_use]
-    pub fn decimals(mut self, decimals: Option<u32>) -> Self {
-        self.decimals = decimals;
-        self
-    }
-
-    /// The number of harmonics, if the size is given as one.
-    #[must_use]
-    pub fn harmonics(&self) -> Option<usize> {
-        match self.size {
-            Some(FitSize::Harmonics(n)) => Some(n),
-            _ => None,
-        }
-    }
-
-    /// The size, or an error if it is not given.
-    fn given_size(&self) -> Result<FitSize> {
-        self.size.ok_or_else(|| {
-            Error::Usage(
-                "a contour needs --harmonics N or --tolerance E, such as --harmonics 39".into(),
-            )
-        })
-    }
-
-    fn check(&self, size: FitSize) -> Result<()> {
-        if let FitSize::Tolerance(e) = size
-            && !(e.is_finite() && e > 0.0)
-        {
-            return Err(Error::Usage(format!(
-                "the tolerance is {e}; it must be a number greater than 0"
-            )));
-        }
-        if let FitSize::Harmonics(n) = size
-            && n > MAX_HARMONICS
-        {
-            return Err(Error::limit(format!(
-                "a fit has at most {MAX_HARMONICS} harmonics; {n} were asked for"
-            )));
-        }
-        if let Some(samples) = self.samples
-            && samples > MAX_SAMPLES
-        {
-            return Err(Error::limit(format!(
-                "a fit takes at most {MAX_SAMPLES} samples; {samples} were asked for"
-            )));
-        }
-        if let Some(decimals) = self.decimals
-            && decimals > MAX_DECIMALS
-        {
-            return Err(Error::limit(format!(
-                "at most {MAX_DECIMALS} decimals are kept; {decimals} were asked for"
-            )));
-        }
-        Ok(())
-    }
-}
 
 /// A Fourier radius that was fitted to an outline, and its deviations from it.
 #[non_exhaustive]
@@ -185,44 +78,16 @@ pub struct Fit {
     /// The number of samples Ns.
     pub samples: usize,
     /// Whether the outline is exactly star-shaped about the center.
-    pub star_shaped: bool,
+    pub outline_star_shaped: bool,
     /// The share (0 to 1) of the outline's length that the fit cannot see; 0 if it is star-shaped.
-    pub hidden_share: f64,
-}
-
-impl Fit {
-    /// The deviations of the fit from the outline, as numbers.
-    #[must_use]
-    pub fn report(&self) -> FitReport {
-        FitReport {
-            max_radial_error: self.max_radial_error,
-            rms_radial_error: self.rms_radial_error,
-            star_shaped: self.star_shaped,
-            samples: self.samples,
-            hidden_share: self.hidden_share,
-        }
-    }
-}
-
-/// The deviations of a Fourier radius from the contour to which it was fitted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FitReport {
-    /// As [`Fit::max_radial_error`].
-    pub max_radial_error: f64,
-    /// As [`Fit::rms_radial_error`].
-    pub rms_radial_error: f64,
-    /// Whether every ray from the center meets the contour once.
-    pub star_shaped: bool,
-    /// The number of samples.
-    pub samples: usize,
-    /// As [`Fit::hidden_share`].
     pub hidden_share: f64,
 }
 
 /// Fits a Fourier radius to `contour`: Definition 1 applied to samples of its outermost radius.
 ///
 /// For a [`FitSize::Tolerance`] the number of harmonics is the smallest for which [`Fit::max_radial_error`] is within the
-/// tolerance, with the given samples: each smaller number was tried and its error is larger.
+/// tolerance, with the given samples: each smaller number was tried and its error is larger. For a [`FitSize::Distance`] it is
+/// likewise the smallest for which the upper bound of the Hausdorff distance is within that.
 /// Cost: O(n log n) for the outline, O(Ns log Ns) for the coefficients; a tolerance adds O(N) for
 /// about two thousand angles.
 ///
@@ -234,7 +99,7 @@ pub struct FitReport {
 /// let square = Contour::new(square, "square").unwrap();
 /// let fit = fit(&square, &FitOptions::new(FitSize::Tolerance(0.05))).unwrap();
 /// assert_eq!(fit.radius.center(), &[1.into(), 1.into()]);
-/// assert!(fit.star_shaped && fit.max_radial_error <= 0.05);
+/// assert!(fit.outline_star_shaped && fit.max_radial_error <= 0.05);
 /// assert_eq!(fit.radius.harmonics() % 4, 0);
 /// ```
 ///
@@ -264,13 +129,14 @@ pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
 /// As [`fit`], and those of [`Limits::check`].
 pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> Result<Fit> {
     let size = options.given_size()?;
-    options.check(size)?;
+    options.check(size, MAX_HARMONICS)?;
+    options.is_for_a_radius(size)?;
     let samples = options
         .samples
         .unwrap_or_else(|| default_samples(size, contour.len()));
     let most = match size {
         FitSize::Harmonics(n) => n,
-        FitSize::Tolerance(_) => (samples.saturating_sub(1) / 2).min(MAX_HARMONICS),
+        _ => (samples.saturating_sub(1) / 2).min(MAX_HARMONICS),
     };
     enough_samples(samples, most)?;
     let center = Center::choose(contour, &options.center, options.decimals)?;
@@ -284,24 +150,33 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
     let (cos, sin) = (nearest(&exact_cos), nearest(&exact_sin));
     limits.check()?;
     let check = CheckAngles::new(&outline, CHECKS_PER_SAMPLE * samples);
+    let cut = |n: usize| {
+        FourierRadius::new(exact_cos[..=n].to_vec(), exact_sin[..=n].to_vec())
+            .with_center(center.exact.clone())
+    };
+    let assess = |n: usize| check.assess(&cos[..=n], &sin[..=n]);
     let (harmonics, assessment) = match size {
-        FitSize::Harmonics(n) => (n, check.assess(&cos, &sin)),
         FitSize::Tolerance(tolerance) => {
             refuse_jump(tolerance, &outline)?;
             fewest(tolerance, &check, &cos, &sin, limits)?
         }
+        FitSize::Distance(distance) => {
+            let mut search = DistanceSearch::new(contour, distance);
+            let found =
+                search.fewest(0..=most, |n| EllipticSeries::from_radius(&cut(n)), limits)?;
+            let n = found.ok_or_else(|| search.missed("a Fourier radius", most))?;
+            (n, assess(n))
+        }
+        FitSize::Harmonics(n) => (n, assess(n)),
+        // It was refused above.
+        FitSize::Power(_) => (most, assess(most)),
     };
-    let radius = FourierRadius::new(
-        exact_cos[..=harmonics].to_vec(),
-        exact_sin[..=harmonics].to_vec(),
-    )
-    .with_center(center.exact.clone());
     Ok(Fit {
-        radius,
+        radius: cut(harmonics),
         max_radial_error: assessment.max,
         rms_radial_error: assessment.rms,
         samples,
-        star_shaped: center.star_shaped,
+        outline_star_shaped: center.star_shaped,
         hidden_share: outline.hidden_share(),
         center,
     })
@@ -314,7 +189,7 @@ fn default_samples(size: FitSize, vertices: usize) -> usize {
             .saturating_mul(8)
             .clamp(1024, MAX_SAMPLES)
             .next_power_of_two(),
-        FitSize::Tolerance(_) => vertices
+        _ => vertices
             .saturating_mul(2)
             .clamp(4096, MAX_DEFAULT_SAMPLES)
             .next_power_of_two(),

@@ -1,7 +1,9 @@
 //! Implicitization: equations of parametric forms (§2 of the paper).
 
 mod beyond;
+mod characteristic;
 mod eliminant;
+mod elliptic;
 mod enclosure;
 mod expansion;
 mod fibre;

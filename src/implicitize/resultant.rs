@@ -1,5 +1,6 @@
 //! The equation of a plane curve, by a resultant.
 
+use super::elliptic::resultant_of_series;
 use super::map::RationalMap;
 use super::proper::proper_parametrization;
 use super::tracing::tracing_index_bound;
@@ -7,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::factor::squarefree_plane;
 use crate::limits::Limits;
 use crate::poly::{PlanePolynomial, SparsePolynomial, eliminate};
-use crate::shape::{ImplicitCurve, PlaneCurve};
+use crate::shape::{EllipticSeries, ImplicitCurve, PlaneCurve};
 
 /// The equation of a parametric plane curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +26,8 @@ pub struct PlaneEquation {
 /// Write x = p1/q1 and y = p2/q2 in lowest terms, of degrees m and n in s. Then `Res_s(q1 X − p1, q2 Y − p2) = c f^k`, where f
 /// is irreducible over Q and k is the tracing index; there is no extraneous factor (Sederberg; Sendra & Winkler, *Rational
 /// Algebraic Curves*, Theorem 4.41). If k > 1, the curve first gets a parameter that traces it once, which divides both degrees
-/// by k. The returned f has three proofs. It vanishes identically on the curve: its substitution is 0 modulo primes whose
+/// by k. If the coordinates are trigonometric polynomials and k = 1, the resultant is computed in z = e^(it), exactly: modulo
+/// primes of which there are enough for its coefficients. Otherwise the returned f has three proofs. It vanishes identically on the curve: its substitution is 0 modulo primes whose
 /// product is larger than its coefficients could be. Its degree in X is n/k', where k' is an upper bound of the tracing index.
 /// So, by degrees, f is the minimal polynomial and k = k'.
 ///
@@ -62,6 +64,16 @@ pub fn implicitize_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PlaneEqu
         });
     }
     let tracing_index = tracing_index_bound(curve.coordinates());
+    // The resultant is exact, so it needs no proof by substitution.
+    if tracing_index == 1
+        && let Some(series) = EllipticSeries::of_plane_curve(curve)
+        && let Some(resultant) = resultant_of_series(&series, limits)?
+    {
+        return Ok(PlaneEquation {
+            curve: ImplicitCurve::new(resultant.primitive()),
+            tracing_index,
+        });
+    }
     let map = RationalMap::of_curve(curve);
     let proper = if tracing_index > 1 {
         proper_parametrization(curve.coordinates(), tracing_index, limits)?

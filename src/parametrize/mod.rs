@@ -29,7 +29,8 @@ pub use intersection::{
 };
 pub use meridian::{DirectionAnswer, MeridianBranch};
 pub use parametrization::{Branch, BranchRadius, Parametrization, PolarMethod, parametrize};
-pub use ranges::positive_ranges;
+pub(crate) use ranges::is_full_circle;
+pub use ranges::{is_positive, positive_ranges};
 pub use rational::{
     Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,
 };

@@ -57,6 +57,17 @@ pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
     ranges
 }
 
+/// Whether r(θ) > 0 for every angle, certified as [`positive_ranges`] is.
+#[must_use]
+pub fn is_positive(radius: &FourierRadius) -> bool {
+    is_full_circle(&positive_ranges(radius))
+}
+
+/// Whether these ranges are the full circle.
+pub(crate) fn is_full_circle(ranges: &[AngleRange]) -> bool {
+    matches!(ranges, [only] if only.closed == [true, true])
+}
+
 /// `(1 + t²)^N r(2 arctan t)` times a positive constant.
 fn half_angle_polynomial(radius: &FourierRadius) -> IntegerPolynomial {
     let n = radius.harmonics();

@@ -11,12 +11,12 @@ use crate::language::{
     MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, parse_form,
 };
 use crate::poly::SparsePolynomial;
-use crate::shape::{Form, FourierRadius};
+use crate::shape::{EllipticSeries, Form, FourierRadius};
 
 /// Reads the form of a JSON document.
 ///
 /// The kinds are `implicit`, `fourier`, `superquadric`, `intersection` and `parametric`. The form of a `parametric` document is
-/// the first of these that it has: its coordinates as functions of parameters (if it has no branches), its superquadric, its
+/// the first of these that it has: its elliptic series, its coordinates as functions of parameters (if it has no branches), its superquadric, its
 /// implicit equation, the Fourier radius that was fitted, or the exact Fourier radius of its first branch. Unknown fields are
 /// ignored.
 ///
@@ -66,6 +66,12 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         "intersection" => read_intersection(&root, object, |node| {
             read_implicit(node, node.object()?, source_name)
         }),
+        "parametric" if object.contains_key("elliptic") => {
+            let node = root.field(object, "elliptic")?;
+            let names = ["x_cos", "x_sin", "y_cos", "y_sin"];
+            let series = EllipticSeries::new(read_harmonics(&node, names)?);
+            Ok(Form::PlaneCurve(series.to_plane_curve()))
+        }
         "parametric" if !object.contains_key("branches") && object.contains_key("coordinates") => {
             read_coordinates(&root, object, source_name)
         }
@@ -216,8 +222,19 @@ fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str
 }
 
 fn read_fourier(node: &Node<'_>) -> Result<FourierRadius> {
+    let [cos, sin] = read_harmonics(node, ["cos", "sin"])?;
+    let radius = FourierRadius::new(cos, sin);
+    Ok(match node.center(node.object()?)? {
+        Some((_, center)) => radius.with_center(center),
+        None => radius,
+    })
+}
+
+/// Reads lists of coefficients of the same length: of cosines and sines in turn, from harmonic 0 on.
+fn read_harmonics<const K: usize>(node: &Node<'_>, names: [&str; K]) -> Result<[Vec<Rational>; K]> {
     let object = node.object()?;
-    let read = |name| -> Result<(Node<'_>, Vec<Rational>)> {
+    let mut lists: [Vec<Rational>; K] = std::array::from_fn(|_| Vec::new());
+    for (i, name) in names.into_iter().enumerate() {
         let list = node.field(object, name)?;
         let values = list.array()?;
         if values.len() > MAX_HARMONIC as usize + 1 {
@@ -227,29 +244,26 @@ fn read_fourier(node: &Node<'_>) -> Result<FourierRadius> {
         let numbers: Result<Vec<Rational>> = (0..values.len())
             .map(|n| list.item(values, n)?.number())
             .collect();
-        Ok((list, numbers?))
-    };
-    let ((cos_node, cos), (sin_node, sin)) = (read("cos")?, read("sin")?);
-    if cos.is_empty() {
-        return Err(
-            cos_node.wrong("expected the coefficients of cos 0, cos t, …; the list is empty")
-        );
+        let numbers = numbers?;
+        if i == 0 && numbers.is_empty() {
+            return Err(
+                list.wrong("expected the coefficients of cos 0, cos t, …; the list is empty")
+            );
+        }
+        if i > 0 && numbers.len() != lists[0].len() {
+            return Err(list.wrong(format!(
+                "expected as many entries as in {}, {}; found {}",
+                names[0],
+                lists[0].len(),
+                numbers.len()
+            )));
+        }
+        if i % 2 == 1 && numbers.first().is_some_and(|b| !b.is_zero()) {
+            return Err(list.wrong("the first entry, of sin 0, is 0"));
+        }
+        lists[i] = numbers;
     }
-    if cos.len() != sin.len() {
-        return Err(sin_node.wrong(format!(
-            "expected as many entries as in cos, {}; found {}",
-            cos.len(),
-            sin.len()
-        )));
-    }
-    if sin.first().is_some_and(|b| !b.is_zero()) {
-        return Err(sin_node.wrong("the first entry, of sin 0, is 0"));
-    }
-    let radius = FourierRadius::new(cos, sin);
-    Ok(match node.center(object)? {
-        Some((_, center)) => radius.with_center(center),
-        None => radius,
-    })
+    Ok(lists)
 }
 
 /// Refuses exponents beyond [`MAX_DEGREE`].

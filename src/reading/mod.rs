@@ -8,8 +8,8 @@ mod table;
 
 pub use document::read_document;
 pub use matrix::read_coefficients;
-pub(crate) use table::Table;
-pub use table::{read_coefficients_csv, read_fourier_csv};
+pub(crate) use table::{Table, is_elliptic_header};
+pub use table::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv};
 
 use crate::error::Result;
 use crate::language::{Numbers, parse_form};

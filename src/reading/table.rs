@@ -9,7 +9,7 @@ use crate::language::{
     MAX_HARMONIC, Numbers, check_size, constant_message, implicit, number_at, written_point,
 };
 use crate::poly::SparsePolynomial;
-use crate::shape::{Form, FourierRadius};
+use crate::shape::{EllipticSeries, Form, FourierRadius};
 
 /// Reads the coefficients of a curve, `i,j,coefficient` in rows, or of a surface,
 /// `i,j,k,coefficient`. The header is optional, and `value` may stand for `coefficient`; the comment
@@ -78,40 +78,49 @@ pub fn read_coefficients_csv(text: &str, source_name: &str, numbers: Numbers) ->
 /// a harmonic comes twice; [`Error::Limit`] beyond [`MAX_HARMONIC`].
 pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Result<FourierRadius> {
     let table = Table::read(text, source_name, numbers)?;
-    if table.width() != Some(3) {
-        return Err(Error::data(source_name, "expected the columns n,cos,sin"));
-    }
-    table.check_header(&[&["n", "cos", "sin"]])?;
-    let mut harmonics: BTreeMap<usize, [Rational; 2]> = BTreeMap::new();
-    for (place, row) in &table.rows {
-        let field = |i: usize| row.get(i).map_or("", String::as_str);
-        let n = natural(place, field(0))?;
-        if n > MAX_HARMONIC {
-            return Err(Error::limit(format!(
-                "{place}: a harmonic beyond {MAX_HARMONIC}"
-            )));
-        }
-        let pair = [
-            number_at(place, field(1), numbers)?,
-            number_at(place, field(2), numbers)?,
-        ];
-        if n == 0 && !pair[1].is_zero() {
-            return Err(Error::data(place, "the sine of harmonic 0 is 0"));
-        }
-        if harmonics.insert(n as usize, pair).is_some() {
-            return Err(Error::data(place, "this harmonic was given before"));
-        }
-    }
-    let len = harmonics.keys().next_back().map_or(0, |&n| n + 1);
-    let (mut cos, mut sin) = (vec![Rational::zero(); len], vec![Rational::zero(); len]);
-    for (n, [a, b]) in harmonics {
-        (cos[n], sin[n]) = (a, b);
-    }
+    let [cos, sin] = table.harmonics(source_name, numbers, &[&["n", "cos", "sin"]])?;
     let radius = FourierRadius::new(cos, sin);
     Ok(match table.center {
         Some(center) => radius.with_center(center),
         None => radius,
     })
+}
+
+/// The header of a table of an elliptic series, as this program writes it, and as other programs name the coefficients.
+const ELLIPTIC_HEADERS: [&[&str]; 3] = [
+    &["n", "x_cos", "x_sin", "y_cos", "y_sin"],
+    &["n", "a", "b", "c", "d"],
+    &["n", "an", "bn", "cn", "dn"],
+];
+
+/// Whether a table with these column names holds an elliptic series.
+pub(crate) fn is_elliptic_header(names: &str) -> bool {
+    ELLIPTIC_HEADERS
+        .iter()
+        .any(|header| header.join(",") == names)
+}
+
+/// Reads the coefficients of an elliptic series, `n,x_cos,x_sin,y_cos,y_sin` in rows; the columns may also be called `n,a,b,c,d` or
+/// `n,an,bn,cn,dn`. The header is optional; harmonics that are not given are 0.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::reading::read_elliptic_csv;
+/// let series = read_elliptic_csv("n,x_cos,x_sin,y_cos,y_sin\n1,3,0,0,2\n", "e.csv", Numbers::Exact)?;
+/// assert_eq!(series.x_cos()[1].to_string(), "3");
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`read_fourier_csv`].
+pub fn read_elliptic_csv(
+    text: &str,
+    source_name: &str,
+    numbers: Numbers,
+) -> Result<EllipticSeries> {
+    let table = Table::read(text, source_name, numbers)?;
+    let lists = table.harmonics(source_name, numbers, &ELLIPTIC_HEADERS)?;
+    Ok(EllipticSeries::new(lists))
 }
 
 /// The rows of a CSV file, all of the same length, each with its line.
@@ -175,6 +184,54 @@ impl Table {
     pub(crate) fn width(&self) -> Option<usize> {
         let header = self.header.as_ref().map(|(_, row)| row.len());
         header.or_else(|| self.rows.first().map(|(_, row)| row.len()))
+    }
+
+    /// The coefficients of harmonics, from rows of the number n and then a cosine and a sine in turn. `headers` are the possible
+    /// names of the columns.
+    fn harmonics<const K: usize>(
+        &self,
+        source_name: &str,
+        numbers: Numbers,
+        headers: &[&[&str]],
+    ) -> Result<[Vec<Rational>; K]> {
+        if self.width() != Some(K + 1) {
+            let names = headers
+                .first()
+                .map_or(String::new(), |names| names.join(","));
+            return Err(Error::data(
+                source_name,
+                format!("expected the columns {names}"),
+            ));
+        }
+        self.check_header(headers)?;
+        let mut harmonics: BTreeMap<usize, [Rational; K]> = BTreeMap::new();
+        for (place, row) in &self.rows {
+            let field = |i: usize| row.get(i).map_or("", String::as_str);
+            let n = natural(place, field(0))?;
+            if n > MAX_HARMONIC {
+                return Err(Error::limit(format!(
+                    "{place}: a harmonic beyond {MAX_HARMONIC}"
+                )));
+            }
+            let mut values = std::array::from_fn(|_| Rational::zero());
+            for (i, value) in values.iter_mut().enumerate() {
+                *value = number_at(place, field(i + 1), numbers)?;
+                if n == 0 && i % 2 == 1 && !value.is_zero() {
+                    return Err(Error::data(place, "the sine of harmonic 0 is 0"));
+                }
+            }
+            if harmonics.insert(n as usize, values).is_some() {
+                return Err(Error::data(place, "this harmonic was given before"));
+            }
+        }
+        let len = harmonics.keys().next_back().map_or(0, |&n| n + 1);
+        let mut lists: [Vec<Rational>; K] = std::array::from_fn(|_| vec![Rational::zero(); len]);
+        for (n, values) in harmonics {
+            for (list, value) in lists.iter_mut().zip(values) {
+                list[n] = value;
+            }
+        }
+        Ok(lists)
     }
 
     pub(crate) fn has_header(&self) -> bool {

@@ -29,6 +29,8 @@ const SMALLEST: f64 = 1e-120;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
     points: Vec<[f64; 2]>,
+    /// Whether the points were given clockwise.
+    is_reversed: bool,
     place: String,
 }
 
@@ -110,11 +112,13 @@ impl Contour {
                 ),
             ));
         }
-        if is_clockwise(&points) {
+        let is_reversed = is_clockwise(&points);
+        if is_reversed {
             points[1..].reverse();
         }
         Ok(Self {
             points,
+            is_reversed,
             place: place.into(),
         })
     }
@@ -129,6 +133,15 @@ impl Contour {
     #[must_use]
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
+    }
+
+    /// The vertices in the sense in which they were given.
+    pub(crate) fn given_points(&self) -> Vec<[f64; 2]> {
+        let mut points = self.points.clone();
+        if self.is_reversed {
+            points[1..].reverse();
+        }
+        points
     }
 
     /// The number of vertices, at least 3.

@@ -144,11 +144,30 @@ impl FourierRadius {
         PlaneCurve::new(parameter, [turn([1, 0, -1]), turn([0, 2, 0])])
     }
 
+    /// The series as a function of s = tan(θ/2).
+    fn to_function(&self) -> RationalFunction {
+        let n = self.harmonics();
+        let (denominator, cos, sin) = self.over_common_denominator();
+        let halves = (0..=n).map(|m| (2 * m, &cos[m], &sin[m]));
+        let above = doubled_form_from_harmonics(2 * n, halves);
+        let below = BinaryForm::rho_power(n).scaled(&(denominator << 1u64));
+        RationalFunction::from_integers(
+            above.dehomogenized().clone(),
+            below.dehomogenized().clone(),
+        )
+        .invariant("a power of 1 + s^2 is not 0")
+    }
+
     /// Whether r is identically 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.cos.len() == 1 && self.cos[0].is_zero()
     }
+}
+
+/// The series Σ (a_n cos nt + b_n sin nt) as a function of s = tan(t/2).
+pub(super) fn series_as_function(cos: &[Rational], sin: &[Rational]) -> RationalFunction {
+    FourierRadius::new(cos.to_vec(), sin.to_vec()).to_function()
 }
 
 /// Values for drawing: doubles without certificate.
@@ -190,7 +209,7 @@ impl FourierRadius {
     clippy::cast_precision_loss,
     reason = "the number of harmonics is small"
 )]
-fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
+pub(super) fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
     let terms = cos.iter().zip(sin).enumerate().map(|(n, (a, b))| {
         let (s, c) = (n as f64 * theta).sin_cos();
         a * c + b * s

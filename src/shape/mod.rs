@@ -4,6 +4,7 @@ mod contour;
 mod crossing;
 mod curve;
 mod drawn;
+mod elliptic;
 mod fourier;
 mod harmonics;
 mod implicit;
@@ -20,6 +21,7 @@ pub use curve::{ParametricCurve, PlaneCurve, SpaceCurve};
 #[cfg(feature = "pictures")]
 pub(crate) use drawn::DRAWN_NUMBERS;
 pub(crate) use drawn::{CurveInDoubles, PatchInDoubles};
+pub use elliptic::EllipticSeries;
 pub use fourier::FourierRadius;
 pub(crate) use harmonics::{Basis, Expansion, quotient_in_harmonics};
 pub use implicit::{ImplicitCurve, ImplicitSurface};

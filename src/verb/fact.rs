@@ -1,8 +1,7 @@
 //! The facts that accompany an answer, as data. [`crate::document`] writes each of them as a sentence or as fields.
 
-use super::Part;
+use super::{FitReport, Part};
 use crate::exact::Rational;
-use crate::fit::FitReport;
 use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface};
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;

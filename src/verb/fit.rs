@@ -1,27 +1,151 @@
-//! Fits of contours by Fourier radii, for the verb `fit` and for every verb that takes a contour.
+//! Fits of contours by Fourier series, for the verb `fit` and for every verb that takes a contour.
 
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
-use crate::fit::{CenterChoice, CenterOrigin, Fit, FitOptions, FitReport, FitSize, fit_within};
-use crate::shape::{Contour, Form, FourierRadius};
+use crate::fit::{
+    CenterChoice, CenterOrigin, Distances, EllipticFit, Fit, FitModel, FitOptions, FitSize,
+    distances, fit_elliptic, fit_within,
+};
+use crate::parametrize::is_positive;
+use crate::shape::{Contour, EllipticSeries, Form, FourierRadius};
 
-/// Fits a Fourier radius to a contour (Definition 1).
+/// A series that was fitted to an outline, and how far it is from the outline.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct OutlineFit {
+    /// The series.
+    pub series: OutlineSeries,
+    /// What is reported of the fit.
+    pub report: FitReport,
+}
+
+/// A series that was fitted to an outline.
+#[derive(Clone, Debug)]
+pub enum OutlineSeries {
+    /// The Fourier series of the radius.
+    Radius(Fit),
+    /// The elliptic Fourier series of the coordinates.
+    Elliptic(EllipticFit),
+}
+
+/// What is reported of a fit.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FitReport {
+    /// The deviations of a radius along rays.
+    pub radial: Option<RadialReport>,
+    /// [`EllipticFit::power`] of an elliptic series.
+    pub harmonic_power: Option<f64>,
+    /// How far the curve is from the outline, if that was asked for and is within the stated cost.
+    pub distances: Option<Distances>,
+}
+
+/// What is reported of the fit of a radius.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RadialReport {
+    /// As [`Fit::max_radial_error`].
+    pub max_error: f64,
+    /// As [`Fit::rms_radial_error`].
+    pub rms_error: f64,
+    /// As [`Fit::samples`].
+    pub samples: usize,
+    /// As [`Fit::outline_star_shaped`].
+    pub outline_star_shaped: bool,
+    /// As [`Fit::hidden_share`].
+    pub hidden_share: f64,
+    /// Whether r > 0 for every angle, certified; `None` if that was not asked for.
+    pub star_shaped: Option<bool>,
+}
+
+impl OutlineSeries {
+    /// The series as a form.
+    #[must_use]
+    pub fn form(&self) -> Form {
+        match self {
+            Self::Radius(fit) => Form::Fourier(fit.radius.clone()),
+            Self::Elliptic(fit) => Form::PlaneCurve(fit.series.to_plane_curve()),
+        }
+    }
+
+    /// The degree of the implicit equation of a general series with so many harmonics.
+    fn degree(model: FitModel, harmonics: usize) -> usize {
+        match model {
+            FitModel::Radius => harmonics.saturating_mul(2).saturating_add(2),
+            FitModel::Elliptic => harmonics.saturating_mul(2),
+        }
+    }
+
+    fn curve(&self) -> EllipticSeries {
+        match self {
+            Self::Radius(fit) => EllipticSeries::from_radius(&fit.radius),
+            Self::Elliptic(fit) => fit.series.clone(),
+        }
+    }
+
+    fn report(&self) -> FitReport {
+        match self {
+            Self::Radius(fit) => FitReport {
+                radial: Some(RadialReport {
+                    max_error: fit.max_radial_error,
+                    rms_error: fit.rms_radial_error,
+                    samples: fit.samples,
+                    outline_star_shaped: fit.outline_star_shaped,
+                    hidden_share: fit.hidden_share,
+                    star_shaped: None,
+                }),
+                ..FitReport::default()
+            },
+            Self::Elliptic(fit) => FitReport {
+                harmonic_power: Some(fit.power),
+                ..FitReport::default()
+            },
+        }
+    }
+}
+
+/// Fits a series to a contour: a Fourier radius (Definition 1) or an elliptic series, and measures how far it is from the contour.
 ///
 /// ```
 /// use stellate::fit::{FitOptions, FitSize};
 /// use stellate::shape::Contour;
-/// use stellate::verb::{self, Work};
+/// use stellate::verb::{self, OutlineSeries, Work};
 /// let square = Contour::new(vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]], "square")?;
-/// let fit = verb::fit(&square, &FitOptions::new(FitSize::Harmonics(8)), &Work::default())?;
+/// let found = verb::fit(&square, &FitOptions::new(FitSize::Harmonics(8)), &Work::default())?;
+/// let OutlineSeries::Radius(fit) = found.series else { unreachable!() };
 /// assert_eq!(fit.radius.harmonics(), 8);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
 /// # Errors
-/// As [`fit_within`]; [`Error::Limit`] if the polynomial of the radius has a degree above that which the work allows.
-pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<Fit> {
+/// As [`fit_within`] and [`fit_elliptic`]; [`Error::Limit`] if the polynomial of the series has a degree above that which the work
+/// allows.
+pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<OutlineFit> {
+    let series = fit_series(contour, options, work)?;
+    let mut report = series.report();
+    report.distances = work.stage("distance", || {
+        distances(contour, &series.curve(), work.bounds())
+    })?;
+    if report.distances.is_none() {
+        work.remark(Remark::DistanceNotMeasured);
+    }
+    if let (OutlineSeries::Radius(fit), Some(radial)) = (&series, &mut report.radial) {
+        radial.star_shaped = Some(is_positive(&fit.radius));
+    }
+    Ok(OutlineFit { series, report })
+}
+
+/// Fits a series to a contour, with remarks, and without measuring distances.
+pub(super) fn fit_series(
+    contour: &Contour,
+    options: &FitOptions,
+    work: &Work,
+) -> Result<OutlineSeries> {
     if let Some(n) = options.harmonics() {
-        work.check_degree(n.saturating_mul(2).saturating_add(2))?;
+        work.check_degree(OutlineSeries::degree(options.model, n))?;
+    }
+    if options.model == FitModel::Elliptic {
+        let fit = work.stage("fit", || fit_elliptic(contour, options, work.bounds()))?;
+        return Ok(OutlineSeries::Elliptic(fit));
     }
     let fit = work.stage("fit", || fit_within(contour, options, work.bounds()))?;
     let point = fit.center.point;
@@ -34,7 +158,7 @@ pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<Fit> 
             origin,
         }),
     }
-    if !fit.star_shaped {
+    if !fit.outline_star_shaped {
         let share = fit.hidden_share;
         work.remark(Remark::Hidden {
             outline: outline(),
@@ -42,22 +166,25 @@ pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<Fit> 
             share,
         });
     }
-    Ok(fit)
+    Ok(OutlineSeries::Radius(fit))
 }
 
-/// The fit of a contour with another number of harmonics. It makes no remarks; it is `None` if the contour has no such fit.
+/// The radius of a contour with another number of harmonics. It makes no remarks; it is `None` if the contour has no such fit.
 pub(super) fn fit_quietly(
     contour: &Contour,
     options: &FitOptions,
     harmonics: usize,
     work: &Work,
 ) -> Option<FourierRadius> {
+    if options.model != FitModel::Radius {
+        return None;
+    }
     let options = options.clone().size(Some(FitSize::Harmonics(harmonics)));
     let fit = fit_within(contour, &options, work.bounds()).ok()?;
     Some(fit.radius)
 }
 
-/// An exact form and, if it was fitted to a contour, the deviations of that fit.
+/// An exact form and, if it was fitted to a contour, what is reported of that fit, without distances.
 pub(super) struct Fitted {
     pub(super) form: Form,
     pub(super) report: Option<FitReport>,
@@ -71,10 +198,10 @@ pub(super) fn exact_form(given: Given, options: &FitOptions, work: &Work) -> Res
             Ok(Fitted { form, report: None })
         }
         Content::Contour(contour) => {
-            let fit = fit(&contour, options, work)?;
+            let series = fit_series(&contour, options, work)?;
             Ok(Fitted {
-                report: Some(fit.report()),
-                form: Form::Fourier(fit.radius),
+                report: Some(series.report()),
+                form: series.form(),
             })
         }
     }
@@ -86,18 +213,21 @@ pub(super) fn refuse_fit_options(options: &FitOptions) -> Result<()> {
         ("--harmonics", options.harmonics().is_some()),
         ("--samples", options.samples.is_some()),
         ("--decimals", options.decimals.is_some()),
+        ("--tolerance", options.tolerance().is_some()),
     ])?;
     refuse_contour_options(options)
 }
 
-/// Refuses the options that only a contour has: its center and the tolerance of its fit.
+/// Refuses the options that only a contour has.
 pub(super) fn refuse_contour_options(options: &FitOptions) -> Result<()> {
     refuse(&[
-        (
-            "--tolerance",
-            matches!(options.size, Some(FitSize::Tolerance(_))),
-        ),
         ("--center", options.center != CenterChoice::Centroid),
+        ("--model", options.model != FitModel::Radius),
+        (
+            "--distance",
+            matches!(options.size, Some(FitSize::Distance(_))),
+        ),
+        ("--power", matches!(options.size, Some(FitSize::Power(_)))),
     ])
 }
 

@@ -9,7 +9,9 @@ use crate::fit::{
 };
 use crate::language::{MAX_TEXT_BYTES, Numbers};
 use crate::options::options;
-use crate::reading::{read_coefficients_csv, read_fourier_csv, read_text};
+use crate::reading::{
+    is_elliptic_header, read_coefficients_csv, read_elliptic_csv, read_fourier_csv, read_text,
+};
 use crate::rows::{double, words};
 use crate::shape::{Contour, Form};
 
@@ -308,6 +310,10 @@ fn table(text: &str, name: &str, numbers: Numbers) -> Result<Content> {
     if header == "n,cos,sin" {
         let radius = read_fourier_csv(text, name, numbers)?;
         return Ok(Content::Exact(Form::Fourier(radius)));
+    }
+    if is_elliptic_header(&header) {
+        let series = read_elliptic_csv(text, name, numbers)?;
+        return Ok(Content::Exact(Form::PlaneCurve(series.to_plane_curve())));
     }
     contour_from_reader(text.as_bytes(), ContourKind::Rows, name).map(Content::Contour)
 }

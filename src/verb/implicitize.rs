@@ -93,9 +93,9 @@ pub fn implicitize(
     options: &ImplicitizeOptions,
     work: &Work,
 ) -> Result<Implicitization> {
-    let Fitted { form, .. } = exact_form(given, &options.fit, work)?;
+    let Fitted { form, report } = exact_form(given, &options.fit, work)?;
     refuse_method(options.method, &form)?;
-    let found = work.stage("implicitize", || {
+    let mut found = work.stage("implicitize", || {
         let found = equation(form, options, work)?;
         if let (CoordinatesFrom::Original, Form::Curve(curve)) = (options.coordinates, &found.form)
             && !curve.center().iter().all(Rational::is_zero)
@@ -110,6 +110,7 @@ pub fn implicitize(
     if let Form::Curve(curve) = &found.form {
         check_curve(curve, work)?;
     }
+    found.facts.extend(report.map(Fact::Fit));
     Ok(found)
 }
 

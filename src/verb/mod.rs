@@ -9,7 +9,7 @@
 //! | describe | [`describe`] | [`Described`] |
 //! | implicitize | [`implicitize()`] | [`Implicitization`] |
 //! | parametrize | [`parametrize()`] | [`Parametrized`] |
-//! | fit | [`fit()`] | [`crate::fit::Fit`] |
+//! | fit | [`fit()`] | [`OutlineFit`] |
 //! | sample | [`sample()`] | [`Samples`] |
 //! | inspect | [`inspect()`] | [`InspectionTask`], then a verdict for each point |
 //! | mesh | [`mesh()`] | [`crate::mesh::Mesh`] |
@@ -65,7 +65,7 @@ pub use check::{
 pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
-pub use fit::fit;
+pub use fit::{FitReport, OutlineFit, OutlineSeries, RadialReport, fit};
 pub use given::{Content, Given, ReadOptions, read_limited};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,

@@ -6,7 +6,7 @@ use super::fit::{exact_form, refuse_contour_options};
 use super::{Content, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
 use crate::error::{Error, Result};
-use crate::fit::FitOptions;
+use crate::fit::{FitOptions, FitSize};
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
 use crate::options::options;
@@ -22,8 +22,8 @@ use crate::shape::{Form, FourierRadius, ImplicitSurface};
 options! {
     /// How a form is parametrized.
     ParametrizeOptions {
-        /// How a contour is fitted. For an exact form: the number of harmonics and samples and the decimals of the Fourier fit
-        /// of a branch without a closed form.
+        /// How a contour is fitted. For an exact form: the size, the number of samples and the decimals of the Fourier fit of a
+        /// branch without a closed form.
         fit: FitOptions = FitOptions::default(),
         /// The branch that is fitted by a Fourier series if there is no closed form; by default the outermost.
         branch: Option<usize> = None,
@@ -128,6 +128,7 @@ pub fn parametrize(
     };
     let form = through_equation(fitted.form, work)?;
     if let Form::Intersection(surfaces) = &form {
+        refuse_series_options(options, "an intersection of surfaces")?;
         return intersection(surfaces, options, work);
     }
     refuse_arcs(&options.arcs)?;
@@ -135,6 +136,7 @@ pub fn parametrize(
         return of_surface(surface, options, work);
     }
     if let Form::SpaceSuperquadric(shape) = &form {
+        refuse_series_options(options, "a superquadric in space")?;
         if !options.thetas.is_empty() {
             return Err(Error::Usage(
                 "--theta and --phi ask where R is real; that of a superquadric is real and positive in every direction".into(),
@@ -182,23 +184,36 @@ impl Parametrized {
     }
 }
 
+/// Refuses the options of Fourier series for a form that has no plane radius.
+fn refuse_series_options(options: &ParametrizeOptions, this: &str) -> Result<()> {
+    let given = series_options(options);
+    match given.iter().find(|(_, given)| *given) {
+        Some((name, _)) => Err(Error::Usage(format!(
+            "{name} belongs to Fourier series of plane radii; this is {this}"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// The options of Fourier series of branches, and which of them are given.
+fn series_options(options: &ParametrizeOptions) -> [(&'static str, bool); 5] {
+    let fit = &options.fit;
+    [
+        ("--branch", options.branch.is_some()),
+        ("--harmonics", fit.harmonics().is_some()),
+        ("--tolerance", fit.tolerance().is_some()),
+        ("--samples", fit.samples.is_some()),
+        ("--decimals", fit.decimals.is_some()),
+    ]
+}
+
 /// Theorem 6: R(θ, φ), and the exact answers on the requested meridians and in the requested directions.
 fn of_surface(
     surface: &ImplicitSurface,
     options: &ParametrizeOptions,
     work: &Work,
 ) -> Result<Parametrized> {
-    let given = [
-        ("--branch", options.branch.is_some()),
-        ("--harmonics", options.fit.harmonics().is_some()),
-        ("--samples", options.fit.samples.is_some()),
-        ("--decimals", options.fit.decimals.is_some()),
-    ];
-    if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
-        return Err(Error::Usage(format!(
-            "{name} belongs to Fourier series of plane radii; this is a surface"
-        )));
-    }
+    refuse_series_options(options, "a surface")?;
     check_surface(surface, work)?;
     let spherical = work.stage("parametrize", || {
         parametrize_surface(surface, work.bounds())
@@ -283,13 +298,12 @@ fn branch_fit(
     let fit = &options.fit;
     let is_root = |b: &Branch| matches!(&b.radius, BranchRadius::Root(root) if !root.is_point());
     if !polar.branches.iter().any(is_root) {
-        let given = [
-            ("--branch", options.branch.is_some()),
-            ("--harmonics", is_exact && fit.harmonics().is_some()),
-            ("--samples", is_exact && fit.samples.is_some()),
-            ("--decimals", is_exact && fit.decimals.is_some()),
-        ];
-        return match given.iter().find(|(_, given)| *given) {
+        // The other options have made the fit of a contour.
+        let given = series_options(options);
+        let mut unused = given
+            .iter()
+            .filter(|(name, given)| *given && (is_exact || *name == "--branch"));
+        return match unused.next() {
             Some((name, _)) => Err(Error::Usage(format!(
                 "{name} is for contours and for branches without a closed form (Lemma 6); the radii of this form are exact"
             ))),
@@ -298,7 +312,7 @@ fn branch_fit(
     }
     let options = BranchFitOptions::default()
         .branch(options.branch)
-        .harmonics(fit.harmonics().unwrap_or(DEFAULT_HARMONICS))
+        .size(fit.size.unwrap_or(FitSize::Harmonics(DEFAULT_HARMONICS)))
         .samples(fit.samples)
         .decimals(fit.decimals);
     let fit = work.stage("fit", || fit_branch(polar, &options, work.bounds()))?;

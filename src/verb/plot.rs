@@ -1,13 +1,13 @@
 //! The verb `plot`: several forms in one picture.
 
 use super::equation::{Taken, check_curve};
-use super::fit::{fit, refuse_fit_options};
+use super::fit::{OutlineSeries, fit_series, refuse_fit_options};
 use super::plot_options::{PlotOptions, check_ranges, plane_window, range_of, range_text, width};
 use super::plot_space::{is_in_space, scene};
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::implicitize::SquaredForm;
+use crate::implicitize::{SquaredForm, implicitize_plane};
 use crate::picture::{Figure, Layer, Window, extent, isolated_origin, trace_zero_set};
 use crate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, Superquadric};
 
@@ -119,10 +119,15 @@ impl Drawing {
                 self.layers
                     .push(outline(&contour, format!("outline, {name}")));
                 if options.fit.size.is_some() {
-                    let fit = fit(&contour, &options.fit, work)?;
-                    self.layers.push(series(&fit.radius, &name));
-                    let form = SquaredForm::new(&fit.radius)?;
-                    let curve = work.stage("implicitize", || Ok(form.expand()))?;
+                    let fit = fit_series(&contour, &options.fit, work)?;
+                    self.layers.push(fitted(&fit, &name));
+                    let curve = work.stage("implicitize", || match &fit {
+                        OutlineSeries::Radius(fit) => Ok(SquaredForm::new(&fit.radius)?.expand()),
+                        OutlineSeries::Elliptic(fit) => {
+                            let curve = fit.series.to_plane_curve();
+                            Ok(implicitize_plane(&curve, work.bounds())?.curve)
+                        }
+                    })?;
                     self.zero_set(curve, &name);
                 }
             }
@@ -176,6 +181,23 @@ fn series(radius: &FourierRadius, name: &str) -> Layer {
         label: format!("Fourier radius, N = {n}, {name}"),
         lines: vec![points],
         ..Layer::default()
+    }
+}
+
+fn fitted(fit: &OutlineSeries, name: &str) -> Layer {
+    match fit {
+        OutlineSeries::Radius(fit) => series(&fit.radius, name),
+        OutlineSeries::Elliptic(fit) => {
+            let n = fit.series.harmonics();
+            let points = fit
+                .series
+                .polyline((n * POINTS_PER_HARMONIC).max(MIN_POINTS));
+            Layer {
+                label: format!("elliptic series, N = {n}, {name}"),
+                lines: vec![points],
+                ..Layer::default()
+            }
+        }
     }
 }
 

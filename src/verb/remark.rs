@@ -32,6 +32,8 @@ pub enum Remark {
         /// The share of the outline's length that the fit cannot see.
         share: f64,
     },
+    /// The distance of a fit from its contour was not measured, because the series has too many harmonics.
+    DistanceNotMeasured,
     /// The polynomial of Theorem 2 is a perfect square; its root is taken.
     PerfectSquare,
     /// Coordinates are relative to this point.

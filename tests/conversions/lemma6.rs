@@ -4,6 +4,15 @@
 
 use std::path::Path;
 
+use stellate::exact::Rational;
+use stellate::fit::FitSize;
+use stellate::language::{Numbers, parse_form};
+use stellate::limits::Limits;
+use stellate::parametrize::{
+    BranchFit, BranchFitOptions, Parametrization, fit_branch, parametrize,
+};
+use stellate::shape::Form;
+
 use crate::common::program::{done, json, run_in};
 
 /// A branch all around: x^6 + y^6 + xy³ = 1 + x.
@@ -219,4 +228,64 @@ fn too_large_a_discriminant_is_a_limit() {
     let run = run_in(Path::new("."), &["parametrize", text], "");
     assert_eq!((run.code, run.out.as_str()), (3, ""), "{}", run.err);
     assert!(run.err.contains("a discriminant of degree"), "{}", run.err);
+}
+
+fn parametrized(text: &str) -> Parametrization {
+    let Form::Curve(curve) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
+        panic!("a plane curve")
+    };
+    parametrize(&curve, &Limits::none()).unwrap()
+}
+
+/// The fit to a tolerance is that of the fewest harmonics: the same fit as for this number, and each smaller number has a
+/// larger error.
+#[test]
+fn a_tolerance_has_the_fewest_harmonics() {
+    for (text, tolerance) in [
+        (ROUND, 0.05),
+        (ROUND, 0.001),
+        // The error does not decrease with every harmonic: many coefficients are 0.
+        ("x^8 + y^8 + x^3*y^2 = 1", 0.01),
+    ] {
+        let found = parametrized(text);
+        let fit = |size: FitSize| {
+            let options = BranchFitOptions::default().size(size);
+            fit_branch(&found, &options, &Limits::none())
+                .unwrap()
+                .unwrap()
+        };
+        let largest = |fit: &BranchFit| fit.error_at_samples.clone().max(fit.error_between.clone());
+        let bound = Rational::try_from(tolerance).unwrap();
+        let fewest = fit(FitSize::Tolerance(tolerance));
+        assert!(largest(&fewest) <= bound, "{text}");
+        let count = fewest.radius.harmonics();
+        assert!(count > 3, "{text}: {count}");
+        assert_eq!(fit(FitSize::Harmonics(count)).radius, fewest.radius);
+        for fewer in 0..count {
+            assert!(
+                largest(&fit(FitSize::Harmonics(fewer))) > bound,
+                "{text}: {fewer}"
+            );
+        }
+    }
+}
+
+/// The best number of harmonics is named.
+#[test]
+fn a_tolerance_that_no_series_meets_is_refused() {
+    let found = parametrized(ROUND);
+    let refused = |tolerance: f64, samples: usize| {
+        let options = BranchFitOptions::default()
+            .size(FitSize::Tolerance(tolerance))
+            .samples(Some(samples));
+        fit_branch(&found, &options, &Limits::none())
+            .unwrap_err()
+            .to_string()
+    };
+    let message = refused(1e-9, 64);
+    assert!(
+        message.contains("up to 31") && message.contains("the best found is"),
+        "{message}"
+    );
+    assert!(refused(0.0, 64).contains("greater than 0"));
 }

@@ -6,12 +6,11 @@ use proptest::prelude::*;
 use stellate::document::{Format, write_form, write_fourier};
 use stellate::error::Error;
 use stellate::exact::Rational;
-use stellate::fit::FitReport;
 use stellate::language::{Numbers, parse_form};
 use stellate::poly::{PlanePolynomial, SparsePolynomial};
 use stellate::reading::{read_coefficients_csv, read_document, read_fourier_csv, read_text};
 use stellate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
-use stellate::verb::{Fact, Part};
+use stellate::verb::{Fact, FitReport, Part, RadialReport};
 
 /// The notes of two facts.
 const IRREDUCIBLE: &str =
@@ -139,13 +138,15 @@ fn every_format_of_one_radius() {
 
 #[test]
 fn a_fit_is_reported() {
-    let fit = FitReport {
-        max_radial_error: 0.25,
-        rms_radial_error: f64::NAN,
-        star_shaped: true,
+    let mut fit = FitReport::default();
+    fit.radial = Some(RadialReport {
+        max_error: 0.25,
+        rms_error: f64::NAN,
+        star_shaped: Some(true),
+        outline_star_shaped: false,
         samples: 360,
         hidden_share: 0.0,
-    };
+    });
     let radius = FourierRadius::new(vec![Rational::from(2)], vec![]);
     let mut out = Vec::new();
     write_fourier(&radius, Some(&fit), Format::Json, &mut out).unwrap();
@@ -155,7 +156,7 @@ fn a_fit_is_reported() {
         serde_json::json!({
             "schema": "stellate/1", "kind": "fourier", "cos": ["2"], "sin": ["0"],
             "center": ["0", "0"], "max_radial_error": 0.25, "rms_radial_error": null,
-            "star_shaped": true, "samples": 360, "hidden_share": 0.0,
+            "star_shaped": true, "outline_star_shaped": false, "samples": 360, "hidden_share": 0.0,
         })
         .to_string()
     );

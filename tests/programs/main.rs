@@ -7,6 +7,7 @@ mod bad_input;
 mod cli;
 mod cli_session;
 mod documents;
+mod elliptic;
 mod form_mistakes;
 mod implicitize_cli;
 mod language;

@@ -192,7 +192,10 @@ fn an_outline_that_is_not_star_shaped_is_said_to_be_so() {
     assert!(run.err.contains("not star-shaped"), "{}", run.err);
     assert!(run.err.contains("% of its length is hidden"), "{}", run.err);
     let fit = json(&run.out);
-    assert_eq!(fit["star_shaped"], json("false"));
+    // The fitted radius is positive everywhere; the outline has parts that no radius follows.
+    assert_eq!(fit["star_shaped"], json("true"));
+    assert_eq!(fit["outline_star_shaped"], json("false"));
+    assert!(run.err.contains("--model elliptic"), "{}", run.err);
     assert!(fit["hidden_share"].as_f64().unwrap() > 0.1);
 }
 
@@ -216,6 +219,13 @@ fn a_fit_has_the_fields_of_the_contract() {
         0.0 < error("rms_radial_error") && error("rms_radial_error") < error("max_radial_error")
     );
     assert_eq!(fit["star_shaped"], json("true"));
+    assert_eq!(fit["outline_star_shaped"], json("true"));
+    let distance = |end: &str| fit["distance"][end].as_f64().unwrap();
+    assert!(0.0 < distance("low") && distance("low") <= distance("high"));
+    assert!(distance("high") <= 1.01 * distance("low"));
+    // No point of either curve is farther from the other than along its ray.
+    assert!(distance("low") <= error("max_radial_error"));
+    assert!(error("mean_distance") < distance("low") && error("overlap") < 1.0);
     assert!(fit["samples"].as_u64().unwrap() >= 40, "at least 8N");
 }
 

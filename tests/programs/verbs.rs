@@ -9,7 +9,7 @@ use std::path::Path;
 use crate::common::documentation::DOCUMENTATION;
 use crate::common::program::run_in;
 use stellate::document::{
-    Format, InspectionWriter, MeshFormat, json_schema, write_check, write_described, write_fourier,
+    Format, InspectionWriter, MeshFormat, json_schema, write_check, write_described, write_fit,
     write_implicitization, write_ladder, write_mesh, write_parametrized, write_sampled,
     write_vectors,
 };
@@ -152,7 +152,7 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             };
             let fit = verb::fit(&contour, &words.fit(), &work).unwrap();
             let format = words.format(Format::Text);
-            write_fourier(&fit.radius, Some(&fit.report()), format, &mut out).unwrap();
+            write_fit(&fit, format, &mut out).unwrap();
         }
         "describe" => {
             let options = DescribeOptions::default().fit(words.fit());

@@ -170,7 +170,7 @@ impl LaneFields {
     /// The inverse 1/a = a^(p − 2), of at most 7/8 p, for an a of at most p. The four exponents are different; where a bit is
     /// 0, the product is not used.
     #[inline(always)]
-    pub(super) fn inverse_of(&self, a: Lanes) -> Lanes {
+    pub(crate) fn inverse_of(&self, a: Lanes) -> Lanes {
         let exponents = each(self.p, |p| p - 2.0).map(u64_from);
         let (mut result, mut square) = ([1.0; 4], a);
         for bit in 0..PRIME_BITS {
@@ -206,7 +206,7 @@ impl LaneFields {
     /// Lemma 5. With w = 2^32 and |value| ≤ p, the next value is at most p.
     /// Proof. By Lemma 3 the product is at most 11/16 p, and 2^32 < 5/16 p. Law: `residues_of_long_integers_are_congruent`.
     #[inline(always)]
-    pub(super) fn residue(&self, limbs: &[u64]) -> Lanes {
+    pub(crate) fn residue(&self, limbs: &[u64]) -> Lanes {
         // Horner's rule in 2^32.
         let by = self.factor([f64_from(1 << 32); 4]);
         let mut value = [if is_negative(limbs) { -1.0 } else { 0.0 }; 4];

@@ -3,13 +3,14 @@
 //! A ball is a midpoint, which is a [`Fixed`] number, and a radius, which counts ulps of the midpoint. It *holds* every real
 //! number that is at most its radius away from its midpoint. There is one rule: **the result of an operation holds the
 //! exact result for all numbers that its operands hold.** Each operation below says by how much it widens the radius,
-//! and proves it; nothing outside this file turns a rounding into a radius. What is not promised is the smallest ball.
+//! and proves it; nothing outside this file and `unit.rs`, which has the rules for numbers in [−1, 1], turns a rounding into a
+//! radius. What is not promised is the smallest ball.
 //!
 //! A radius is a non-negative double, perhaps infinite: then the ball holds every number, and no sign of it is known.
 //! Midpoints must stay inside (−128, 128). Lists keep the sum of their midpoints' sizes at most 64, so that sums, values at
 //! points of [0, 1], Bernstein coefficients and means stay inside.
 //!
-//! The laws are in `ball_laws.rs` and `unit_laws.rs`, one for every rule.
+//! The laws are in `ball_laws.rs`, one for every rule.
 
 use std::cell::OnceCell;
 
@@ -18,21 +19,17 @@ use malachite::Integer;
 use super::super::sign_changes::Changes;
 use super::bernstein::{BernsteinTable, scaled_to_bernstein};
 use super::fixed::{Fixed, Fraction};
-use super::signed::Signed;
 
 #[cfg(test)]
 #[path = "ball_laws.rs"]
-mod laws;
-#[cfg(test)]
-#[path = "unit_laws.rs"]
-mod unit_laws;
+pub(super) mod laws;
 
 /// **Lemma 1.** Let x be the double that at most 2^12 additions and multiplications of non-negative doubles give, each rounded
 /// to the nearest, without underflow. Then the exact result is at most x · SLACK, also after the product with SLACK is rounded.
 ///
 /// Proof. Each rounding changes a non-negative result by a factor of at least 1 − 2^(−53), so the exact result is at most
 /// x (1 − 2^(−53))^(−4097) < x (1 + 2^(−40.9)), and SLACK = 1 + 2^(−40). Law: `sums_of_radii_are_covered`.
-const SLACK: f64 = 1.0 + 4096.0 * f64::EPSILON;
+pub(super) const SLACK: f64 = 1.0 + 4096.0 * f64::EPSILON;
 
 /// From 2^126 on, radii are compared with midpoints by their numbers of bits alone.
 const LARGE_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0;
@@ -40,10 +37,10 @@ const LARGE_RADIUS: f64 = 85_070_591_730_234_615_865_843_651_857_942_052_864.0;
 const TWO_TO_64: f64 = 18_446_744_073_709_551_616.0;
 
 /// The sizes of the midpoints of a list add up to at most this number.
-const LARGEST_SUM: f64 = 64.0;
+pub(super) const LARGEST_SUM: f64 = 64.0;
 
 /// A double that is at least 2^k. It is exact for |k| ≤ 1000; it is 2^(−1000) for smaller k and infinite for larger ones.
-fn power_of_two(k: i64) -> f64 {
+pub(super) fn power_of_two(k: i64) -> f64 {
     match k {
         1001.. => f64::INFINITY,
         ..-1000 => power_of_two(-1000),
@@ -106,9 +103,9 @@ fn known_sign<const W: usize>(mid: Fixed<W>, radius: f64) -> Option<i8> {
 /// A number of W limbs with its error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ball<const W: usize> {
-    mid: Fixed<W>,
+    pub(super) mid: Fixed<W>,
     /// The radius, in ulps.
-    radius: f64,
+    pub(super) radius: f64,
 }
 
 impl<const W: usize> Ball<W> {
@@ -345,155 +342,6 @@ impl<const W: usize> Balls<W> {
 
 /// A small count as a double.
 #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
-fn float(count: usize) -> f64 {
+pub(super) fn float(count: usize) -> f64 {
     count as f64
-}
-
-/// A number in [−1, 1] with its error: a midpoint in (−1, 1), and a radius in units of 2^(−64W).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct UnitBall<const W: usize> {
-    mid: Signed<W>,
-    radius: f64,
-}
-
-impl<const W: usize> UnitBall<W> {
-    /// The number 1; the largest fraction is one unit below it.
-    pub(crate) const ONE: Self = Self {
-        mid: Signed::LARGEST,
-        radius: 1.0,
-    };
-
-    /// The exact number 0.
-    const ZERO: Self = Self {
-        mid: Signed::ZERO,
-        radius: 0.0,
-    };
-
-    /// The quotient p / q, for |p| ≤ |q| ≠ 0.
-    ///
-    /// **Lemma 10.** The quotient is cut by less than one unit, or is ±1 and replaced by the largest fraction. Law:
-    /// `quotients_are_inside`.
-    pub(crate) fn quotient(p: &Integer, q: &Integer) -> Self {
-        Self {
-            mid: Signed::quotient(p, q),
-            radius: 1.0,
-        }
-    }
-
-    /// The product of two numbers in [−1, 1].
-    ///
-    /// **Lemma 11.** It is wrong by at most r + s + W units.
-    ///
-    /// Proof. x y − a b = x (y − b) + b (x − a) with |x| ≤ 1, |b| < 1, and the product of the midpoints is cut by less than
-    /// W. Law: `products_are_inside`.
-    pub(crate) fn times(&self, other: &Self) -> Self {
-        Self {
-            mid: self.mid.times(&other.mid),
-            radius: (self.radius + other.radius + float(W)) * SLACK,
-        }
-    }
-}
-
-/// cos mθ and sin mθ for m = 0, …, `last`, from balls that hold cos θ and sin θ.
-///
-/// **Lemma 12.** Let Z and Y be complex numbers of modulus 1, and z and y computed ones, no farther from them than R and S
-/// units. The computed product of z and y is no farther from Z Y than R + S (1 + R 2^(−64W)) + 3W + 1 units.
-///
-/// Proof. Z Y − z y = Y (Z − z) + z (Y − y), and |z| ≤ 1 + R 2^(−64W). Four products are cut, each by less than W, so either
-/// coordinate is wrong by less than 2W more, and the point by less than 2√2 W < 3W. A coordinate that is at least 1 becomes
-/// the largest fraction, which is no farther from the true one, which is at most 1, than before or than 1 unit; that happens
-/// to one of the two coordinates at most. Law: `rotations_are_inside`.
-pub(crate) fn rotations<const W: usize>(
-    [cos, sin]: [UnitBall<W>; 2],
-    last: usize,
-) -> [Vec<UnitBall<W>>; 2] {
-    let step_radius = (cos.radius + sin.radius) * SLACK;
-    let (mut cosines, mut sines) = (vec![UnitBall::ONE], vec![UnitBall::ZERO]);
-    let (mut c, mut s, mut radius) = (cos.mid, sin.mid, step_radius);
-    for _ in 0..last {
-        cosines.push(UnitBall { mid: c, radius });
-        sines.push(UnitBall { mid: s, radius });
-        (c, s) = (
-            c.times(&cos.mid).plus(&s.times(&sin.mid).negated()),
-            s.times(&cos.mid).plus(&c.times(&sin.mid)),
-        );
-        let longer = 1.0 + radius * power_of_two(-64 * W as i64);
-        radius = (radius + step_radius * longer + float(3 * W + 1)) * SLACK;
-    }
-    [cosines, sines]
-}
-
-/// The values of functions at one point, each in [−1, 1].
-#[derive(Debug)]
-pub(crate) struct UnitBalls<const W: usize> {
-    mids: Vec<Signed<W>>,
-    /// A number that is at least the radius of each value.
-    radius: f64,
-}
-
-impl<const W: usize> FromIterator<UnitBall<W>> for UnitBalls<W> {
-    fn from_iter<I: IntoIterator<Item = UnitBall<W>>>(balls: I) -> Self {
-        let mut radius = 0.0;
-        let mids = balls.into_iter().map(|ball| {
-            radius = f64::max(radius, ball.radius);
-            ball.mid
-        });
-        let mids = mids.collect();
-        Self { mids, radius }
-    }
-}
-
-/// The coefficients of a sum Σ c_i b_i over numbers b_i in [−1, 1]. The sizes of their midpoints add up to at most 64.
-#[derive(Debug)]
-pub(crate) struct Coefficients<const W: usize> {
-    /// The midpoints, divided by 2^8.
-    mids: Vec<Signed<W>>,
-    /// The sum of the radii.
-    radius: f64,
-}
-
-impl<const W: usize> Coefficients<W> {
-    /// The balls of integers, all divided by the power of two that is returned with them.
-    ///
-    /// **Lemma 13.** The midpoints fit, and each ball holds its quotient. The proof is that of Lemmas 5 and 6.
-    pub(crate) fn of_integers<'a>(
-        integers: impl Iterator<Item = &'a Integer> + Clone,
-    ) -> (Self, i64) {
-        let bits = integers.clone().map(Fixed::<W>::bits_of).max();
-        let room = Fixed::<W>::room_for(integers.clone().count());
-        let exponent = bits.map_or(0, |bits| bits - room);
-        // Each radius is 0 or 1, so their sum is exact.
-        let mut radius = 0.0;
-        let mid = |value| {
-            let ball = Ball::of_integer(value, exponent);
-            radius += ball.radius;
-            ball.mid.over_256()
-        };
-        let mids = integers.map(mid).collect();
-        (Self { mids, radius }, exponent)
-    }
-
-    /// The sum Σ c_i b_i, where b_i is the value at the i-th of `indices`.
-    ///
-    /// **Lemma 14.** If the b_i are wrong by at most R units of 2^(−64W), that is R/256 ulps, the sum of n products is wrong
-    /// by at most 64 R/256 + Σ r_i + W n ulps.
-    ///
-    /// Proof. x y − c b = y (x − c) + c (y − b) with |y| ≤ 1 and Σ |c| ≤ 64, and each product is rounded by less than W ulps.
-    /// Law: `sums_of_products_are_inside`.
-    pub(crate) fn combination(
-        &self,
-        values: &UnitBalls<W>,
-        indices: impl Iterator<Item = usize>,
-    ) -> Ball<W> {
-        let terms = self.mids.iter().zip(indices);
-        let mid = terms.fold(Fixed::ZERO, |sum, (c, i)| {
-            sum.plus_product(c, &values.mids[i])
-        });
-        let rounding = float(W) * float(self.mids.len());
-        let radius = LARGEST_SUM * values.radius / 256.0 + self.radius + rounding;
-        Ball {
-            mid,
-            radius: radius * SLACK,
-        }
-    }
 }

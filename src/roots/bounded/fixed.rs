@@ -335,6 +335,13 @@ impl<const W: usize> Fraction<W> {
         Self(shifted(&self.0, i64::from(shift)))
     }
 
+    /// The whole part and the rest of self · 2^bits, for bits < 64.
+    pub(super) fn split(&self, bits: u32) -> (u64, Self) {
+        let rest = Self(shifted(&self.0, -i64::from(bits)));
+        let whole = low(u128::from(self.0[W - 1]) << bits >> 64);
+        (whole, rest)
+    }
+
     /// The number self · 2^shift, or [`Fraction::LARGEST`] if it is smaller.
     pub(crate) fn shifted_up(&self, shift: u32) -> Self {
         let shift = i64::from(shift);

@@ -18,6 +18,7 @@ mod laws;
 mod newton;
 mod search;
 mod signed;
+mod unit;
 
 use std::cell::LazyCell;
 
@@ -26,13 +27,14 @@ use malachite::base::num::arithmetic::traits::DivRound;
 use malachite::base::rounding_modes::RoundingMode;
 
 use ball::Balls;
-pub(crate) use ball::{Coefficients, ScaledBall, UnitBall, UnitBalls, rotations};
+pub(crate) use ball::ScaledBall;
 use bernstein::BernsteinTable;
 #[cfg(test)]
 pub(crate) use draw::Draw;
 use fixed::Fraction;
 use search::IsolatingInterval;
 pub(crate) use search::Unproved;
+pub(crate) use unit::{Coefficients, UnitBall, UnitBalls, rotations};
 
 use crate::error::Invariant;
 use crate::exact::Dyadic;

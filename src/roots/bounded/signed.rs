@@ -62,6 +62,14 @@ impl<const W: usize> Signed<W> {
         }
     }
 
+    /// The number self · 2^(−bits), rounded towards 0.
+    pub(super) fn shifted_down(self, bits: u32) -> Self {
+        Self {
+            size: self.size.shifted_down(bits),
+            ..self
+        }
+    }
+
     pub(super) fn negated(self) -> Self {
         Self {
             is_negative: !self.is_negative,

@@ -1,7 +1,7 @@
-//! The laws of the rules in `ball.rs` for numbers in [−1, 1], in the manner of `ball_laws.rs`.
+//! The laws of the rules in `unit.rs`, in the manner of `ball_laws.rs`.
 
+use super::super::ball::laws::{CASES, Tightness, exact, for_widths, is_just, one, ulps};
 use super::super::draw::Draw;
-use super::laws::{CASES, Tightness, exact, for_widths, is_just, one, ulps};
 use super::*;
 use crate::exact::Rational;
 use crate::poly::TrigPolynomial;
@@ -17,6 +17,12 @@ for_widths!(products_are_inside);
 for_widths!(rotations_are_inside);
 for_widths!(errors_of_steps_are_multiplied);
 for_widths!(sums_of_products_are_inside);
+for_widths!(doubles_are_inside);
+for_widths!(quotients_of_balls_are_inside);
+for_widths!(roots_are_inside);
+for_widths!(sums_are_inside);
+for_widths!(shifts_are_inside);
+for_widths!(digits_are_inside);
 
 mod all {
     use super::*;
@@ -172,5 +178,103 @@ mod all {
             );
         }
         tightness.is_at_least(0.4);
+    }
+
+    pub(super) fn doubles_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let bits = draw.word() >> 12;
+            let exponent = 1022 - draw.word() % (100 * W as u64).min(1000);
+            let size = f64::from_bits(exponent << 52 | bits);
+            let value = if draw.below(2) == 0 { size } else { -size };
+            let ball = UnitBall::<W>::of_double(value);
+            let truth = exact(value) * Rational::from_dyadic(Integer::from(1), 64 * W as i64);
+            tightness.check(&truth, &units(&ball.mid), ball.radius);
+        }
+        tightness.is_at_least(0.9);
+    }
+
+    pub(super) fn quotients_of_balls_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        let unit = Rational::from_dyadic(Integer::from(1), 64 * W as i64);
+        for _ in 0..CASES {
+            let ((a, x), (b, y)) = (unit_ball::<W>(draw), unit_ball::<W>(draw));
+            let Some(quotient) = a.over(&b) else { continue };
+            assert!(y.signum() > 0, "a positive divisor");
+            let truth = x / y * &unit;
+            if truth.abs() <= unit {
+                tightness.check(&truth, &units(&quotient.mid), quotient.radius);
+            }
+        }
+        tightness.is_at_least(0.9);
+    }
+
+    /// The truth is a fraction, and the ball holds its square.
+    pub(super) fn roots_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES / 4 {
+            let root: Fraction<W> = draw.fraction();
+            let ball = UnitBall {
+                mid: Signed {
+                    size: root.times(&root),
+                    is_negative: false,
+                },
+                radius: float(W) + draw.radius(),
+            };
+            let Some(found) = ball.root() else { continue };
+            let truth = Rational::whole(root.to_integer());
+            tightness.check(&truth, &units(&found.mid), found.radius);
+        }
+        tightness.is_at_least(0.1);
+    }
+
+    pub(super) fn sums_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        let unit = Rational::from_dyadic(Integer::from(1), 64 * W as i64);
+        for _ in 0..CASES {
+            let ((a, x), (b, y)) = (unit_ball::<W>(draw), unit_ball::<W>(draw));
+            let truth = x + y;
+            if truth.abs() <= unit {
+                let sum = a.plus(&b);
+                tightness.check(&truth, &units(&sum.mid), sum.radius);
+            }
+        }
+        tightness.is_at_least(0.99);
+    }
+
+    pub(super) fn shifts_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let (a, x) = unit_ball::<W>(draw);
+            let bits = u32::try_from(draw.below(80)).expect("small");
+            let ball = a.shifted_down(bits);
+            let truth = x * Rational::from_dyadic(Integer::from(1), -i64::from(bits));
+            tightness.check(&truth, &units(&ball.mid), ball.radius);
+        }
+        tightness.is_at_least(0.9);
+    }
+
+    pub(super) fn digits_are_inside<const W: usize>(draw: &mut Draw) {
+        let mut tightness = Tightness::default();
+        for _ in 0..CASES {
+            let (a, x) = unit_ball::<W>(draw);
+            if a.mid.is_negative {
+                continue;
+            }
+            let bits = u32::try_from(draw.below(64)).expect("small");
+            let (whole, ball) = a.digits(bits);
+            let scaled = Rational::from_dyadic(Integer::from(1), i64::from(bits));
+            let unit = Rational::from_dyadic(Integer::from(1), 64 * W as i64);
+            let truth = x * scaled - Rational::whole(Integer::from(whole)) * &unit;
+            tightness.check(&truth, &units(&ball.mid), ball.radius);
+            // The midpoint itself is exact, and the ends are those of the ball.
+            let [low, high] = ball.bounds();
+            assert_eq!(
+                (&high - &low) * &unit,
+                exact(ball.radius) * Rational::from(2)
+            );
+            assert_eq!((high + low) * unit, units(&ball.mid) * Rational::from(2));
+        }
+        tightness.is_at_least(0.99);
     }
 }
