@@ -144,8 +144,19 @@ pub(crate) fn fields(row: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The fields of a row between separators, without white space around them and without one pair of double quotes around each.
+/// A field in quotes may have the separator in it.
 pub(crate) fn fields_between(row: &str, separator: char) -> impl Iterator<Item = &str> {
-    row.split(separator).map(|field| {
+    let mut rest = Some(row);
+    let split = std::iter::from_fn(move || {
+        let text = rest?;
+        let quoted = text.trim_start().strip_prefix('"');
+        let closed = quoted.and_then(|inner| Some(inner.get(inner.find('"')? + 1..)?.len()));
+        let from = closed.map_or(0, |behind| text.len() - behind);
+        let end = text[from..].find(separator).map(|at| from + at);
+        rest = end.map(|end| &text[end + separator.len_utf8()..]);
+        Some(&text[..end.unwrap_or(text.len())])
+    });
+    split.map(|field| {
         let field = field.trim();
         field
             .strip_prefix('"')
@@ -171,10 +182,17 @@ fn is_header(row: &str) -> bool {
     fields.peek().is_some() && fields.all(is_word)
 }
 
-/// Whether a field of the first row belongs to a header. Infinity, NaN and numbers that are too large are wrong numbers, not
-/// words.
+/// Whether a field of the first row belongs to a header. Infinity, NaN, marks of missing numbers and numbers that are too large
+/// are wrong numbers, not words.
 fn is_word(field: &str) -> bool {
-    double(field).is_err() && field.parse::<f64>().is_err()
+    double(field).is_err() && field.parse::<f64>().is_err() && !is_missing(field)
+}
+
+/// Whether a field stands for a number that is missing.
+pub(crate) fn is_missing(field: &str) -> bool {
+    let small = field.to_ascii_lowercase();
+    let marks = ["", "-", "na", "n/a", "#n/a", "<na>", "nan", "none", "null"];
+    marks.contains(&small.as_str())
 }
 
 /// The double nearest to a number in a text.

@@ -19,6 +19,8 @@ mod draw;
 mod harness;
 #[path = "fuzz/mutate.rs"]
 mod mutate;
+#[path = "fuzz/outlines.rs"]
+mod outlines;
 #[path = "fuzz/pictures.rs"]
 mod pictures;
 #[path = "fuzz/program.rs"]
@@ -35,7 +37,7 @@ use harness::{Kind, Weight, campaign};
 /// All readers, with how many inputs each has by default.
 fn kinds() -> Vec<Kind> {
     use Weight::{Cheap, Heavy};
-    vec![
+    let mut all = vec![
         Kind::new("language", Cheap, 300, readers::language),
         Kind::new("documents", Cheap, 200, readers::documents),
         Kind::new("coefficients", Cheap, 200, readers::coefficients),
@@ -44,7 +46,11 @@ fn kinds() -> Vec<Kind> {
         Kind::new("outlines", Cheap, 100, readers::outlines),
         Kind::new("pictures", Cheap, 60, pictures::pictures),
         Kind::new("program", Heavy, 8, program::program),
-    ]
+    ];
+    all.extend(outlines::KINDS.map(|(name, run)| Kind::new(name, Cheap, 500, run)));
+    #[cfg(feature = "more-images")]
+    all.extend(outlines::MORE_KINDS.map(|(name, run)| Kind::new(name, Cheap, 500, run)));
+    all
 }
 
 #[test]

@@ -11,7 +11,7 @@ use stellate::fit::CenterChoice;
 use stellate::verb::{Bounds, CoordinatesFrom, Frame};
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
-use super::flags::{ArcFlags, FitFlags, ModelFlag};
+use super::flags::{ArcFlags, FitFlags, ModelFlag, OutlineFlags};
 use super::values::{
     Angle, angle, center, degrees, frame, marked_point, point, positive, range, space_window, time,
     view, whole,
@@ -37,8 +37,9 @@ A FORM is text, a file, or - for standard input:
   'x^2 + y^2 = 1; z = y^5'                a space curve as an intersection of surfaces
   'superquadric 2d a=1,2 e=1/2'           |x/a1|^(2/e) + |y/a2|^(2/e) = 1, or = c with level=c
   'superquadric 3d a=1,1,2 e=1/2,1'       in space, with two exponents: Eq. (77) of the paper
-  outline.csv|.tsv|.txt|.dat|.xy          a contour: rows x,y in order
+  outline.csv|.tsv|.txt|.dat|.xy|.npy     a contour: rows x,y in order, or a NumPy array of them
   outline.png|.jpg|.bmp                   a contour: a silhouette
+  outline.svg|.geojson                    a contour: the largest closed path, or the largest polygon
   document.json                           what another verb wrote
 Numbers are exact as written: 0.1 is 1/10.
 
@@ -299,7 +300,7 @@ pub(crate) struct Parametrize {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fit {
-    /// A contour: .csv rows x,y, or a silhouette .png, .jpg, .bmp
+    /// A contour: .csv rows x,y, .npy, .geojson, .svg, or a silhouette .png, .jpg, .bmp
     pub(crate) contour: PathBuf,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
@@ -384,6 +385,8 @@ pub(crate) struct Inspect {
         value_parser = center
     )]
     pub(crate) center: CenterChoice,
+    #[command(flatten)]
+    pub(crate) outline: OutlineFlags,
 }
 
 #[derive(Debug, Args)]

@@ -19,7 +19,7 @@ pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
         input::read_with(&argument, &flags.fit, session)?.into_content()
     else {
         return Err(Error::Usage(format!(
-            "{argument}: fit needs a contour: a .csv with rows x,y, or a .png, .jpg or .bmp silhouette"
+            "{argument}: fit needs a contour: a .csv with rows x,y, .npy, .geojson or .svg, or a .png, .jpg or .bmp silhouette"
         )));
     };
     let fit = verb::fit(&contour, &options, &session.work)?;

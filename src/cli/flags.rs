@@ -2,10 +2,10 @@
 
 use clap::{Args, ValueEnum};
 use stellate::exact::Rational;
-use stellate::fit::{CenterChoice, FitModel};
+use stellate::fit::{CenterChoice, Columns, FitModel};
 use stellate::verb::Bounds;
 
-use super::values::{center, positive, space_window, whole};
+use super::values::{center, columns, positive, space_window, whole};
 
 /// How the curve in which two surfaces meet is followed.
 #[derive(Debug, Args)]
@@ -70,7 +70,17 @@ pub(crate) struct FitFlags {
     /// Round the center and the coefficients to D decimals
     #[arg(long, value_name = "D", value_parser = whole::<u32>(0..=u64::MAX, 6))]
     pub(crate) decimals: Option<u32>,
-    /// Of a picture with several blobs: which one, counted from 1 by the number of pixels
+    #[command(flatten)]
+    pub(crate) outline: OutlineFlags,
+}
+
+/// How an outline is found in a file.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct OutlineFlags {
+    /// Of a table: the columns of x and y, by name or by number from 1 [default: those named so, or the only two]
+    #[arg(long, value_name = "X,Y", value_parser = columns)]
+    pub(crate) columns: Option<Columns>,
+    /// Of a picture, an SVG drawing or GeoJSON with several outlines: which one, counted from 1 by its size
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole::<usize>(1..=u64::MAX, 2))]
     pub(crate) blob: usize,
     /// Of a picture: the largest value of its darker colour, 0 to 254 [default: Otsu's threshold]
@@ -79,6 +89,17 @@ pub(crate) struct FitFlags {
     /// Of a picture: take what is otherwise the background
     #[arg(long)]
     pub(crate) invert: bool,
+}
+
+impl Default for OutlineFlags {
+    fn default() -> Self {
+        Self {
+            columns: None,
+            blob: 1,
+            threshold: None,
+            invert: false,
+        }
+    }
 }
 
 impl Default for FitFlags {
@@ -92,9 +113,7 @@ impl Default for FitFlags {
             center: CenterChoice::Centroid,
             samples: None,
             decimals: None,
-            blob: 1,
-            threshold: None,
-            invert: false,
+            outline: OutlineFlags::default(),
         }
     }
 }

@@ -1,31 +1,42 @@
 //! Reads FORM arguments and data files, and turns flags into the options of the library.
 
 use stellate::error::{Error, Result};
-use stellate::fit::{FitOptions, FitSize, PictureOptions};
+use stellate::fit::{FitOptions, FitSize, OutlineOptions};
 use stellate::sample::Direction;
 use stellate::verb::{ArcSearch, Given, ReadOptions, read_limited};
 
-use super::flags::{ArcFlags, FitFlags};
+use super::flags::{ArcFlags, FitFlags, OutlineFlags};
 use super::session::Session;
 use super::values::Angle;
 
 /// Reads a FORM argument.
 pub(crate) fn read(argument: &str, session: &Session) -> Result<Given> {
-    read_with(argument, &FitFlags::default(), session)
+    read_outline(argument, &OutlineFlags::default(), session)
 }
 
-/// Reads a FORM argument that may be a picture; the flags say how its silhouette is found.
+/// Reads a FORM argument. If it has outlines, one is found as the flags of a fit say.
 pub(crate) fn read_with(argument: &str, flags: &FitFlags, session: &Session) -> Result<Given> {
+    read_outline(argument, &flags.outline, session)
+}
+
+/// Reads a FORM argument. If it has outlines, one is found as the flags say.
+pub(crate) fn read_outline(
+    argument: &str,
+    flags: &OutlineFlags,
+    session: &Session,
+) -> Result<Given> {
     session.work.stage("read", || {
         let numbers = session.numbers();
-        if argument == "-" {
-            return Given::from_reader(std::io::stdin().lock(), "standard input", numbers);
-        }
-        let picture = PictureOptions::default()
+        let outline = OutlineOptions::default()
             .blob(flags.blob)
             .threshold(flags.threshold)
-            .invert(flags.invert);
-        let options = ReadOptions::default().numbers(numbers).picture(picture);
+            .invert(flags.invert)
+            .columns(flags.columns.clone());
+        let options = ReadOptions::default().numbers(numbers).outline(outline);
+        if argument == "-" {
+            let input = std::io::stdin().lock();
+            return Given::from_reader_with(input, "standard input", &options, &session.work);
+        }
         Given::read_with(argument, &options, &session.work)
     })
 }

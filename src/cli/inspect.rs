@@ -37,7 +37,7 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     let options = options(flags, session);
     let points = points(flags)?;
     let dimension = points.dimension()?;
-    let given = input::read(&flags.form, session)?;
+    let given = input::read_outline(&flags.form, &flags.outline, session)?;
     let task = verb::inspect(given, dimension, &options, &session.work)?;
     let format = session.format_or(Format::Csv);
     let writer = InspectionWriter::new(format, dimension, session.decimals())?;

@@ -1,6 +1,6 @@
 //! Remarks about the work, and missing parts of an answer, as sentences.
 
-use crate::fit::LeftOut;
+use crate::fit::{ContourKind, LeftOut};
 use crate::inspect::MAX_EXACT_MONOMIALS;
 use crate::verb::{Missing, Part, Remark};
 
@@ -68,7 +68,7 @@ pub fn remark_text(remark: &Remark) -> String {
     }
 }
 
-/// What of a picture is not in the outline, in a sentence.
+/// What of a file is not in the outline, in a sentence.
 fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
     let counted = |count: usize, one: &str, several: &str| match count {
         1 => format!("1 {one}"),
@@ -76,9 +76,20 @@ fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
     };
     let mut all = Vec::new();
     if left_out.parts > 0 {
-        let parts = counted(left_out.parts, "other part", "other parts");
+        let (parts, size) = match left_out.kind {
+            ContourKind::Drawing => (["other closed path", "other closed paths"], "area"),
+            ContourKind::Polygons => (["other polygon", "other polygons"], "area"),
+            _ => (
+                [
+                    "other part of the silhouette",
+                    "other parts of the silhouette",
+                ],
+                "pixels",
+            ),
+        };
         all.push(format!(
-            "{parts} of the silhouette, the largest with {:.1} % of the pixels of the one that is taken (--blob chooses another one)",
+            "{}, the largest with {:.1} % of the {size} of the one that is taken (--blob chooses another one)",
+            counted(left_out.parts, parts[0], parts[1]),
             left_out.largest * 100.0
         ));
     }
@@ -88,6 +99,15 @@ fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
     if left_out.frame > 0 {
         let pixels = counted(left_out.frame, "pixel", "pixels");
         all.push(format!("a frame of {pixels} around the picture"));
+    }
+    if left_out.background {
+        all.push("a rectangle that covers the whole drawing".into());
+    }
+    if left_out.open > 0 {
+        all.push(match left_out.kind {
+            ContourKind::Drawing => counted(left_out.open, "open path", "open paths"),
+            _ => counted(left_out.open, "point or open line", "points or open lines"),
+        });
     }
     format!("the outline of {outline} leaves out {}", all.join(", "))
 }

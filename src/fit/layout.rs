@@ -2,7 +2,8 @@
 
 use smallvec::SmallVec;
 
-use crate::rows::{columns_text, double, fields_between};
+use super::Columns;
+use crate::rows::{columns_text, double, fields_between, is_missing};
 
 /// The columns of a row, for messages.
 pub(super) const COLUMNS: &str = "x,y";
@@ -31,20 +32,55 @@ pub(super) struct Layout {
     separator: Separator,
     /// The places of x and y, from 0.
     columns: [usize; 2],
-    /// The number of fields of every row: two, or as many as the header has. Empty ones at the end of a row do not count.
+    /// The number of fields of every row: two, or as many as the header or else the first row has. Empty ones at the end of a
+    /// row do not count.
     width: usize,
+    /// What gave the width, for messages.
+    given_by: GivenBy,
+}
+
+/// What gave the number of fields of every row.
+#[derive(Clone, Copy, Debug)]
+enum GivenBy {
+    /// A table of two columns.
+    Points,
+    /// The names in the first row.
+    Names,
+    /// The first row of numbers.
+    FirstRow,
 }
 
 impl Layout {
-    /// The layout that the header, if there is one, and the first row of numbers say.
+    /// The layout that the columns, if they are given, the header, if there is one, and the first row of numbers say.
     ///
     /// # Errors
-    /// The message for a header without x and y.
-    pub(super) fn of(header: Option<&str>, first: &str) -> Result<Self, String> {
+    /// The message for a header without x and y, or for columns that there are not.
+    pub(super) fn of(
+        header: Option<&str>,
+        first: &str,
+        columns: Option<&Columns>,
+    ) -> Result<Self, String> {
         let separator = Separator::of(first);
-        let names = header.map(|header| separator.split(header).map(plain_name));
-        let names: Vec<String> = names.into_iter().flatten().collect();
-        let count = filled(&separator.split(first).collect::<Vec<_>>());
+        let names = header.map(|header| separator.split(header));
+        let names: Vec<&str> = names.into_iter().flatten().collect();
+        let fields: Vec<&str> = separator.split(first).collect();
+        let count = filled(&fields);
+        if let Some(columns) = columns {
+            // A title is no row of names.
+            let has_names = [count, fields.len()].contains(&names.len());
+            let (width, given_by) = match has_names {
+                true => (names.len(), GivenBy::Names),
+                false => (count, GivenBy::FirstRow),
+            };
+            let names = if has_names { &names[..] } else { &[] };
+            return Ok(Self {
+                separator,
+                columns: columns.places(names, width)?,
+                width,
+                given_by,
+            });
+        }
+        let names: Vec<String> = names.into_iter().map(plain_name).collect();
         let place = |known: &[&str]| names.iter().position(|name| known.contains(&name.as_str()));
         let columns = match (place(NAMES[0]), place(NAMES[1])) {
             (Some(x), Some(y)) => [x, y],
@@ -60,11 +96,12 @@ impl Layout {
                     separator,
                     columns: [0, 1],
                     width: 2,
+                    given_by: GivenBy::Points,
                 });
             }
             _ => {
                 return Err(format!(
-                    "none of the columns {} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y",
+                    "none of the columns {} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y, or --columns says which they are",
                     names.join(",")
                 ));
             }
@@ -73,6 +110,7 @@ impl Layout {
             separator,
             columns,
             width: names.len(),
+            given_by: GivenBy::Names,
         })
     }
 
@@ -84,12 +122,18 @@ impl Layout {
         let fields: SmallVec<[&str; 4]> = self.separator.split(row).collect();
         let count = filled(&fields);
         match self.columns.map(|column| fields.get(column)) {
-            [Some(x), Some(y)] if count == self.width => Ok([self.value(x)?, self.value(y)?]),
+            [Some(x), Some(y)] if [count, fields.len()].contains(&self.width) => {
+                Ok([self.value(x)?, self.value(y)?])
+            }
             _ => {
-                let columns = columns_text(count);
-                Err(match self.width {
-                    2 => format!("found {columns}; each row must be {COLUMNS}"),
-                    width => format!("found {columns}; the first row names {width}"),
+                let (columns, width) = (columns_text(count), self.width);
+                Err(match self.given_by {
+                    GivenBy::Points if count > 2 => format!(
+                        "found {columns}; each row must be {COLUMNS}, or --columns says which they are"
+                    ),
+                    GivenBy::Points => format!("found {columns}; each row must be {COLUMNS}"),
+                    GivenBy::Names => format!("found {columns}; the first row names {width}"),
+                    GivenBy::FirstRow => format!("found {columns}; the first row has {width}"),
                 })
             }
         }
@@ -102,6 +146,9 @@ impl Layout {
             false => double(field),
         };
         value.map_err(|message| match message.ends_with("not a number") {
+            true if is_missing(field) => {
+                format!("{message}, and an outline has no gaps; leave this row out")
+            }
             true => format!("{message}; each row must be {COLUMNS}"),
             false => message,
         })
@@ -156,7 +203,7 @@ mod tests {
     use super::*;
 
     fn point(header: Option<&str>, row: &str) -> Result<[f64; 2], String> {
-        Layout::of(header, row)?.point(row)
+        Layout::of(header, row, None)?.point(row)
     }
 
     #[test]
@@ -207,6 +254,9 @@ mod tests {
         ] {
             assert_eq!(point(Some(title), row), Ok([1.0, 2.0]), "{title}");
         }
+        // A field in quotes may have the separator in it, and the last field may be empty.
+        assert_eq!(point(Some("name,x,y"), "\"a, b\",1,2"), Ok([1.0, 2.0]));
+        assert_eq!(point(Some("x,y,remark"), "1,2,"), Ok([1.0, 2.0]));
         assert!(
             point(Some("theta,r"), "0,1")
                 .unwrap_err()
@@ -222,5 +272,39 @@ mod tests {
                 .unwrap_err()
                 .contains("the first row names 3")
         );
+    }
+
+    #[test]
+    fn columns_can_be_chosen() {
+        let chosen = |header: Option<&str>, rows: [&str; 2], columns: &str| {
+            let columns = columns
+                .parse()
+                .map_err(|error: crate::error::Error| error.to_string())?;
+            Layout::of(header, rows[0], Some(&columns))?.point(rows[1])
+        };
+        let same = |header, row, columns| chosen(header, [row, row], columns);
+        assert_eq!(same(None, "7;1;2", "2,3"), Ok([1.0, 2.0]));
+        assert_eq!(same(None, "7,a,1,2", "4,3"), Ok([2.0, 1.0]));
+        assert_eq!(same(Some("x,y,u,v"), "7,8,1,2", "u,v"), Ok([1.0, 2.0]));
+        assert_eq!(same(Some("a title"), "7,1,2", "2,3"), Ok([1.0, 2.0]));
+        for (header, rows, columns, part) in [
+            (
+                None,
+                ["1,2,3", "1,2"],
+                "2,3",
+                "found 2 columns; the first row has 3",
+            ),
+            (None, ["1,2", "1,2"], "2,3", "there is no column 3"),
+            (
+                Some("a,b,c"),
+                ["1,2,3", "1,2,3"],
+                "a,d",
+                "the columns are a,b,c",
+            ),
+            (None, ["1,2,3", "1,NA,3"], "1,2", "leave this row out"),
+        ] {
+            let message = chosen(header, rows, columns).unwrap_err();
+            assert!(message.contains(part), "{message}");
+        }
     }
 }

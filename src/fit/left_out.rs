@@ -1,37 +1,35 @@
-//! The options of reading a picture, and what of it is not in the outline.
+//! What of a file is not in the outline that was taken.
 
-use crate::options::options;
+use super::ContourKind;
 
-options! {
-    /// How a silhouette is found in a picture.
-    PictureOptions {
-        /// The part of the silhouette that is taken, counted from 1 by the number of pixels.
-        blob: usize = 1,
-        /// The largest value of the darker class, from 0 to 254; by default Otsu's threshold.
-        threshold: Option<u8> = None,
-        /// Whether the silhouette is the class of pixels that is otherwise the background.
-        invert: bool = false,
-    }
-}
-
-/// What is in a picture besides the outline that was taken.
+/// What is in a file besides the outline that was taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct LeftOut {
-    /// The number of other parts of the silhouette.
+    /// The kind of the file.
+    pub kind: ContourKind,
+    /// The number of other outlines: parts of a silhouette, closed paths, or polygons.
     pub parts: usize,
-    /// The number of pixels of the largest of them, as a share of the part that was taken.
+    /// The size of the largest of them as a share of the outline that was taken: its number of pixels, or its area.
     pub largest: f64,
-    /// The number of holes in the part that was taken.
+    /// The number of holes in the outline that was taken.
     pub holes: usize,
-    /// The thickness of the frame around the picture, in pixels; 0 if there is none.
+    /// The thickness of the frame around a picture, in pixels; 0 if there is none.
     pub frame: usize,
+    /// The number of lines and points, which enclose nothing.
+    pub open: usize,
+    /// Whether a rectangle covers the whole drawing; it is taken for the background.
+    pub background: bool,
 }
 
 impl LeftOut {
-    /// Whether the picture shows nothing but the outline.
+    /// Whether the file has nothing but the outline.
     #[must_use]
     pub fn is_nothing(&self) -> bool {
-        self.parts == 0 && self.holes == 0 && self.frame == 0
+        *self
+            == Self {
+                kind: self.kind,
+                ..Self::default()
+            }
     }
 }

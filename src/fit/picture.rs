@@ -7,7 +7,7 @@ use zune_core::bytestream::ZCursor;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 
-use super::PictureOptions;
+use super::OutlineOptions;
 use crate::error::{Error, Invariant, Result};
 
 /// The longest side of a picture, in pixels.
@@ -18,6 +18,14 @@ const MAX_PIXELS: u64 = 64_000_000;
 const THICKEST_FRAME: usize = 50;
 /// The largest amount of memory that decoding may take.
 const MAX_ALLOC: u64 = 1 << 30;
+
+/// Whether GIF, TIFF and WebP pictures are read.
+const MORE: bool = cfg!(feature = "more-images");
+/// The pictures that are read.
+const READ: &str = match MORE {
+    true => "PNG, JPEG, BMP, GIF, TIFF or WebP",
+    false => "PNG, JPEG or BMP",
+};
 
 /// Markers of JPEG files. In the data of a scan the byte 0xff is followed by 0, so that no pair of its bytes is one of these.
 const START_OF_SCAN: [u8; 2] = [0xff, 0xda];
@@ -47,9 +55,16 @@ impl Picture {
             .with_guessed_format()
             .map_err(|error| unreadable(&error))?;
         match reader.format() {
-            None => return Err(Error::data(place, "not a PNG, JPEG or BMP picture")),
             Some(ImageFormat::Jpeg) => check_jpeg(bytes, place)?,
-            Some(_) => {}
+            Some(ImageFormat::Png | ImageFormat::Bmp) => {}
+            Some(ImageFormat::Gif | ImageFormat::Tiff | ImageFormat::WebP) if MORE => {}
+            Some(more @ (ImageFormat::Gif | ImageFormat::Tiff | ImageFormat::WebP)) => {
+                return Err(Error::Usage(format!(
+                    "{place}: {more:?} pictures are read by stellate with the feature `more-images` only \
+                     (cargo install --path . --features more-images); or save it as .png"
+                )));
+            }
+            _ => return Err(Error::data(place, format!("not a {READ} picture"))),
         }
         let mut limits = Limits::default();
         limits.max_alloc = Some(MAX_ALLOC);
@@ -81,7 +96,7 @@ impl Picture {
     ///
     /// # Errors
     /// [`Error::Data`] if all pixels have one value.
-    pub(super) fn heights(&self, options: &PictureOptions, place: &str) -> Result<Heights> {
+    pub(super) fn heights(&self, options: &OutlineOptions, place: &str) -> Result<Heights> {
         let split = options.threshold.or_else(|| otsu(&self.values));
         let is_plain = |split: u8| {
             let above = self.values.iter().filter(|&&value| value > split).count();

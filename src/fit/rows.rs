@@ -2,6 +2,7 @@
 
 use std::io::BufRead;
 
+use super::Columns;
 use super::layout::{COLUMNS, Layout};
 use crate::error::{Error, Result};
 use crate::rows::RowReader;
@@ -12,6 +13,7 @@ pub(super) const MAX_ROWS: usize = 10_000_000;
 /// The points and, for each point, its row in the file (counted from 1; every line counts).
 pub(super) fn read_rows(
     reader: &mut impl BufRead,
+    columns: Option<&Columns>,
     place: &str,
 ) -> Result<(Vec<[f64; 2]>, Vec<usize>)> {
     let mut points = Vec::new();
@@ -21,8 +23,8 @@ pub(super) fn read_rows(
         return Ok((points, numbers));
     };
     // The header is known with the first row.
-    let layout =
-        Layout::of(rows.header(), &first).map_err(|message| rows.error(number, message))?;
+    let layout = Layout::of(rows.header(), &first, columns)
+        .map_err(|message| rows.error(number, message))?;
     let mut point = layout.point(&first);
     let mut number = number;
     loop {
@@ -45,7 +47,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<(Vec<[f64; 2]>, Vec<usize>)> {
-        read_rows(&mut text.as_bytes(), "outline.csv")
+        read_rows(&mut text.as_bytes(), None, "outline.csv")
     }
 
     fn message(text: &str) -> String {
@@ -89,6 +91,15 @@ mod tests {
         assert!(message("1,2\n3,\n").contains("\"\" is not a number"));
         assert!(message("1,2\n3,inf\n").contains("\"inf\" is not a number"));
         assert!(message("1,2\n3,NaN\n").contains("\"NaN\" is not a number"));
+        for missing in ["NA", "", "NaN", "null", "-"] {
+            let text = format!("x,y\n1,2\n3,{missing}\n");
+            let expected = format!(
+                "outline.csv, row 3: {missing:?} is not a number, and an outline has no gaps; leave this row out"
+            );
+            assert_eq!(message(&text), expected);
+            // A first row of such marks is no header.
+            assert!(message(&format!("{missing},{missing}\n1,2\n")).contains("row 1"));
+        }
         assert!(message("1,2\n3,1e999\n").contains("too large for a double"));
         assert!(message("inf,nan\n").contains("row 1: \"inf\" is not a number"));
         assert!(message("1,2\n3,0x1p99999\n").contains("not a number"));
@@ -97,7 +108,7 @@ mod tests {
     #[test]
     fn what_is_not_text_is_refused() {
         let bytes = [b'1', b',', 0xff, b'\n'];
-        let error = read_rows(&mut bytes.as_slice(), "a.csv").unwrap_err();
+        let error = read_rows(&mut bytes.as_slice(), None, "a.csv").unwrap_err();
         assert!(error.to_string().contains("row 1: not text"), "{error}");
         let long = "1".repeat(1 << 17);
         assert!(message(&long).contains("longer than 65536 bytes"));

@@ -3,7 +3,8 @@
 use contour::ContourBuilder;
 
 use super::picture::{Heights, Picture};
-use super::{LeftOut, PictureOptions};
+use super::rings::signed_area;
+use super::{ContourKind, LeftOut, OutlineOptions};
 use crate::error::{Error, Invariant, Result};
 use crate::shape::Contour;
 
@@ -16,39 +17,69 @@ struct Part {
     label: u32,
 }
 
-/// Traces the outer boundary of the largest part of a silhouette, or of another one; see [`super::contour_from_reader`] for
-/// the rules.
-pub(super) fn trace_silhouette(
-    bytes: &[u8],
-    options: &PictureOptions,
-    place: &str,
-) -> Result<(Contour, LeftOut)> {
-    let picture = Picture::decode(bytes, place)?;
-    let heights = picture.heights(options, place)?;
-    let (labels, mut parts) = parts(&heights, picture.width);
-    parts.sort_by_key(|part| std::cmp::Reverse(part.pixels));
-    let count = parts.len();
-    let index = options.blob.checked_sub(1).filter(|&index| index < count);
-    let Some(index) = index else {
-        return Err(Error::data(
-            place,
-            format!(
-                "--blob {}: the silhouette has {count} {}, counted from 1 by their size",
-                options.blob,
-                if count == 1 { "part" } else { "parts" }
-            ),
-        ));
-    };
-    let taken = parts.swap_remove(index);
-    let (ring, holes) = outline(&picture, &heights, &labels, &taken, place)?;
-    let largest = parts.iter().map(|other| other.pixels).max().unwrap_or(0);
-    let left_out = LeftOut {
-        parts: parts.len(),
-        largest: coordinate(largest) / coordinate(taken.pixels),
-        holes,
-        frame: heights.frame,
-    };
-    Ok((Contour::new(ring, place)?, left_out))
+/// A silhouette in a picture, and its parts, that with the most pixels first.
+pub(super) struct Silhouette {
+    picture: Picture,
+    heights: Heights,
+    labels: Vec<u32>,
+    parts: Vec<Part>,
+}
+
+impl Silhouette {
+    /// Finds the silhouette in a picture; see [`super::contour_from_reader`] for the rules.
+    ///
+    /// # Errors
+    /// [`Error::Data`] for a picture that cannot be read, or that has no silhouette; [`Error::Limit`] if it is too large.
+    pub(super) fn read(bytes: &[u8], options: &OutlineOptions, place: &str) -> Result<Self> {
+        let picture = Picture::decode(bytes, place)?;
+        let heights = picture.heights(options, place)?;
+        let (labels, mut parts) = parts(&heights, picture.width);
+        parts.sort_by_key(|part| std::cmp::Reverse(part.pixels));
+        Ok(Self {
+            picture,
+            heights,
+            labels,
+            parts,
+        })
+    }
+
+    /// The number of parts.
+    pub(super) fn count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Traces the outer boundary of the part with this number, from 1.
+    ///
+    /// # Errors
+    /// [`Error::Data`] if there are fewer parts; those of [`Contour::new`].
+    pub(super) fn outline(&self, blob: usize, place: &str) -> Result<(Contour, LeftOut)> {
+        let count = self.count();
+        let found = blob.checked_sub(1).and_then(|index| self.parts.get(index));
+        let Some(taken) = found else {
+            return Err(Error::data(
+                place,
+                format!(
+                    "--blob {blob}: the silhouette has {count} {}, counted from 1 by their size",
+                    if count == 1 { "part" } else { "parts" }
+                ),
+            ));
+        };
+        let (ring, holes) = outline(&self.picture, &self.heights, &self.labels, taken, place)?;
+        // The others are in order, too.
+        let largest = self.parts.get(usize::from(blob == 1));
+        let largest = largest
+            .filter(|_| count > 1)
+            .map_or(0, |other| other.pixels);
+        let left_out = LeftOut {
+            kind: ContourKind::Image,
+            parts: count - 1,
+            largest: coordinate(largest) / coordinate(taken.pixels),
+            holes,
+            frame: self.heights.frame,
+            ..LeftOut::default()
+        };
+        Ok((Contour::new(ring, place)?, left_out))
+    }
 }
 
 /// The label of every pixel, 0 for the background, and the parts of the silhouette.
@@ -134,7 +165,7 @@ fn outline(
             .map(|p| [p.x + x_offset, picture_height - (p.y + y_offset)])
             .collect()
     });
-    let with_areas = in_picture.map(|ring| (area(&ring), ring));
+    let with_areas = in_picture.map(|ring| (signed_area(&ring), ring));
     let mut rings: Vec<(f64, Vec<[f64; 2]>)> = with_areas.collect();
     // A hole is within the outer boundary, so the boundary encloses more.
     rings.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
@@ -149,15 +180,6 @@ fn outline(
 
 fn coordinate(pixels: usize) -> f64 {
     u32::try_from(pixels).map_or(f64::INFINITY, f64::from)
-}
-
-/// The signed area of a closed ring, whose last point is its first.
-fn area(ring: &[[f64; 2]]) -> f64 {
-    let doubled: f64 = ring
-        .windows(2)
-        .map(|pair| pair[0][0] * pair[1][1] - pair[1][0] * pair[0][1])
-        .sum();
-    doubled / 2.0
 }
 
 #[cfg(test)]

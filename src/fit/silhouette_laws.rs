@@ -6,7 +6,11 @@ use std::io::Cursor;
 
 /// The outline as it is traced without options.
 fn traced(bytes: &[u8], place: &str) -> Result<Contour> {
-    Ok(trace_silhouette(bytes, &PictureOptions::default(), place)?.0)
+    Ok(trace(bytes, &OutlineOptions::default(), place)?.0)
+}
+
+fn trace(bytes: &[u8], options: &OutlineOptions, place: &str) -> Result<(Contour, LeftOut)> {
+    Silhouette::read(bytes, options, place)?.outline(options.blob, place)
 }
 
 fn encoded(image: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {
@@ -158,8 +162,7 @@ fn a_hole_is_never_the_outline() {
         Luma([if inside && !slit { 0 } else { 255 }])
     });
     let bytes = encoded(plate, ImageFormat::Png);
-    let (outline, left_out) =
-        trace_silhouette(&bytes, &PictureOptions::default(), "plate").unwrap();
+    let (outline, left_out) = trace(&bytes, &OutlineOptions::default(), "plate").unwrap();
     assert_eq!(outline.bounding_box(), [[10.0, 10.0], [50.0, 50.0]]);
     assert_eq!((left_out.parts, left_out.holes), (0, 1));
     assert!((outline.area() - 1600.0).abs() < 3.0, "{}", outline.area());
@@ -182,8 +185,8 @@ fn other_parts_holes_and_a_frame_are_left_out_and_counted() {
     };
     for frame in [0, 1, 3] {
         let bytes = encoded(picture(frame), ImageFormat::Png);
-        let trace = |options: &PictureOptions| trace_silhouette(&bytes, options, "blobs.png");
-        let (outline, left_out) = trace(&PictureOptions::default()).unwrap();
+        let trace = |options: &OutlineOptions| trace(&bytes, options, "blobs.png");
+        let (outline, left_out) = trace(&OutlineOptions::default()).unwrap();
         assert!(
             (outline.centroid()[0] - 60.5).abs() < 0.01,
             "{:?}",
@@ -195,18 +198,18 @@ fn other_parts_holes_and_a_frame_are_left_out_and_counted() {
             (left_out.largest - 400.0 / 1500.0).abs() < 0.01,
             "{left_out:?}"
         );
-        let (second, _) = trace(&PictureOptions::default().blob(2)).unwrap();
+        let (second, _) = trace(&OutlineOptions::default().blob(2)).unwrap();
         assert!((second.centroid()[0] - 150.5).abs() < 0.01);
         assert!(
             (second.centroid()[1] - 89.5).abs() < 0.01,
             "{:?}",
             second.centroid()
         );
-        let error = trace(&PictureOptions::default().blob(4))
+        let error = trace(&OutlineOptions::default().blob(4))
             .unwrap_err()
             .to_string();
         assert!(error.contains("the silhouette has 3 parts"), "{error}");
-        assert!(trace(&PictureOptions::default().blob(0)).is_err());
+        assert!(trace(&OutlineOptions::default().blob(0)).is_err());
     }
 }
 
@@ -224,17 +227,17 @@ fn the_threshold_and_the_side_may_be_given() {
         }])
     });
     let bytes = encoded(image, ImageFormat::Png);
-    let trace = |options: PictureOptions| trace_silhouette(&bytes, &options, "core.png");
-    let width = |options: PictureOptions| {
+    let trace = |options: OutlineOptions| trace(&bytes, &options, "core.png");
+    let width = |options: OutlineOptions| {
         let [low, high] = trace(options).unwrap().0.bounding_box();
         high[0] - low[0]
     };
-    assert!((width(PictureOptions::default().threshold(Some(40))) - 59.0).abs() < 1.5);
-    assert!((width(PictureOptions::default().threshold(Some(150))) - 19.0).abs() < 1.5);
+    assert!((width(OutlineOptions::default().threshold(Some(40))) - 59.0).abs() < 1.5);
+    assert!((width(OutlineOptions::default().threshold(Some(150))) - 19.0).abs() < 1.5);
     // The background with a hole in it.
-    let (_, left_out) = trace(PictureOptions::default().threshold(Some(40)).invert(true)).unwrap();
+    let (_, left_out) = trace(OutlineOptions::default().threshold(Some(40)).invert(true)).unwrap();
     assert_eq!(left_out.holes, 1);
-    let error = trace(PictureOptions::default().threshold(Some(254)))
+    let error = trace(OutlineOptions::default().threshold(Some(254)))
         .unwrap_err()
         .to_string();
     assert!(

@@ -38,6 +38,7 @@ mod describe;
 mod equation;
 mod fact;
 mod fit;
+mod foreign;
 mod given;
 mod implicitize;
 mod inspect;
@@ -54,6 +55,7 @@ mod plot_space;
 mod remark;
 mod rows;
 mod sample;
+mod source;
 mod work;
 
 pub use arcs::ArcSearch;
@@ -66,7 +68,7 @@ pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::{FitReport, OutlineFit, OutlineSeries, RadialReport, fit};
-pub use given::{Content, Given, ReadOptions, read_limited};
+pub use given::{Content, Given, ReadOptions};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,
     implicitize,
@@ -81,6 +83,7 @@ pub use plot_options::{FigureFormat, Frame, PlotOptions};
 pub use remark::{Part, Remark};
 pub use rows::{KeptPoint, PointRows, PointSource, PointWriter, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};
+pub use source::read_limited;
 use work::Progress;
 pub use work::{DEFAULT_MAX_DEGREE, Missing, Watcher, Work};
 

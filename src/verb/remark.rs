@@ -16,9 +16,9 @@ pub enum Remark {
         /// The reason for this center.
         origin: CenterOrigin,
     },
-    /// A picture shows more than the outline that was taken.
+    /// A file has more than the outline that was taken.
     LeftOut {
-        /// The name of the picture.
+        /// The name of the file.
         outline: String,
         /// The rest.
         left_out: LeftOut,

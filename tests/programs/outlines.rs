@@ -5,6 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use stellate::verb::{Content, Given, ReadOptions};
 use tempfile::TempDir;
 
 use crate::common::program::{Run, done, json, rational, run_in, strings};
@@ -194,7 +195,25 @@ fn tables_that_are_no_outline_are_named_for_what_they_are() {
             [vec![0xff, 0xfe], utf16].concat(),
             "this is UTF-16 text; save it as UTF-8",
         ),
-        ("page.pdf", "%PDF-1.4".into(), "files .pdf are not read"),
+        (
+            "missing.csv",
+            "x,y\n1,2\n3,NaN\n".into(),
+            "row 3: \"NaN\" is not a number, and an outline has no gaps; leave this row out",
+        ),
+        ("page.pdf", "%PDF-1.4".into(), "this is a PDF document"),
+        ("a.npz", "PK".into(), "numpy.save(\"outline.npy\", array)"),
+        ("a.kml", "<kml/>".into(), "ogr2ogr -f GeoJSON"),
+        ("a.dxf", "0\nSECTION\n".into(), "a CAD drawing (DXF or DWG)"),
+        (
+            "a.xlsx",
+            "PK".into(),
+            "save the sheet with the columns x and y as .csv",
+        ),
+        (
+            "kml.txt",
+            "<kml></kml>".into(),
+            "a map of places (KML, GPX or GML)",
+        ),
     ] {
         let run = fitted(name, text);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{name}");
@@ -214,6 +233,19 @@ fn options_of_pictures_belong_to_pictures() {
         assert_eq!(run.code, 2);
         assert!(run.err.contains("is for pictures"), "{}", run.err);
     }
+    for form in ["r = 1", &file("whole.jpg"), &file("a.geojson")] {
+        let run = run_in(
+            Path::new("."),
+            &["implicitize", form, "--columns", "1,2"],
+            "",
+        );
+        assert_eq!(run.code, 2);
+        assert!(
+            run.err.contains("--columns is for tables of points"),
+            "{}",
+            run.err
+        );
+    }
     let run = run_in(
         Path::new("."),
         &["fit", &file("whole.jpg"), "-n", "8", "--blob", "2"],
@@ -224,4 +256,162 @@ fn options_of_pictures_belong_to_pictures() {
         "{}",
         run.err
     );
+}
+
+#[test]
+fn columns_are_chosen_by_name_or_by_number() {
+    let folder = TempDir::new().unwrap();
+    let rows = "id,u,v,name\n1,0,0,\"a, b\"\n2,4,0,c\n3,4.5,2,d\n4,4,4,e\n5,0,4,\n";
+    fs::write(folder.path().join("table.csv"), rows).unwrap();
+    fs::write(
+        folder.path().join("points.csv"),
+        "0,0\n4,0\n4.5,2\n4,4\n0,4\n",
+    )
+    .unwrap();
+    let fit = |arguments: &[&str]| {
+        let all = [&["fit", "-n", "2"][..], arguments].concat();
+        let run = run_in(folder.path(), &all, "");
+        (run.code, run.out, run.err)
+    };
+    let (code, expected, err) = fit(&["points.csv"]);
+    assert_eq!(code, 0, "{err}");
+    for columns in ["2,3", "u,v", "U, V", "2,v"] {
+        let (code, out, err) = fit(&["table.csv", "--columns", columns]);
+        assert_eq!((code, &out), (0, &expected), "{columns}: {err}");
+    }
+    for (columns, part) in [
+        (
+            "u,w",
+            "row 2: --columns: no column is named w; the columns are id,u,v,name",
+        ),
+        ("2,7", "there is no column 7; found 4 columns"),
+        ("name,v", "row 2: \"a, b\" is not a number"),
+        ("2", "expected two names, or numbers from 1"),
+    ] {
+        let (code, _, err) = fit(&["table.csv", "--columns", columns]);
+        assert!(code == 2 && err.contains(part), "{columns}: {err}");
+    }
+    // Standard input and other verbs take it, too.
+    let run = run_in(
+        folder.path(),
+        &["fit", "-", "-n", "2", "--columns", "2,3"],
+        rows,
+    );
+    assert_eq!((run.code, run.out), (0, expected), "{}", run.err);
+    let verb = |verb: &[&str]| {
+        let table = ["table.csv", "--columns", "u,v", "--quiet", "-n", "2"];
+        run_in(folder.path(), &[verb, &table].concat(), "").code
+    };
+    assert_eq!(verb(&["describe"]), 0);
+    assert_eq!(verb(&["sample", "--directions", "4"]), 0);
+    assert_eq!(verb(&["inspect", "--tolerance", "1", "--point", "2,4"]), 0);
+}
+
+#[test]
+fn polygons_of_geojson_are_outlines() {
+    let (a0, [x, y]) = mean_and_center(&[&file("a.geojson")]);
+    assert!((a0 - 2.3).abs() < 0.1 && (x - 2.12).abs() < 0.01 && (y - 2.0).abs() < 1e-9);
+    let fit = |arguments: &[&str], input: &str| {
+        run_in(
+            Path::new("."),
+            &[&["fit", "-n", "2"][..], arguments].concat(),
+            input,
+        )
+    };
+    let islands = file("islands.geojson");
+    let run = fit(&[&islands], "");
+    assert!(
+        run.code == 0
+            && run.err.contains(
+                "leaves out 1 other polygon, the largest with 2.1 % of the area of the one that is taken \
+                 (--blob chooses another one), 1 hole, 1 point or open line"
+            ),
+        "{}",
+        run.err
+    );
+    assert_ne!(fit(&[&islands, "--blob", "2"], "").out, run.out);
+    let third = fit(&[&islands, "--blob", "3"], "");
+    assert!(
+        third.code == 2 && third.err.contains("there are 2 polygons"),
+        "{}",
+        third.err
+    );
+    // The text of it is recognised without the name.
+    let again = fit(&["-"], &fs::read_to_string(&islands).unwrap());
+    assert_eq!((again.code, again.out), (0, run.out), "{}", again.err);
+    let points = r#"{"type":"MultiPoint","coordinates":[[0,0],[1,1]]}"#;
+    let run = fit(&["-"], points);
+    assert!(
+        run.code == 2 && run.err.contains("this is GeoJSON of 2 points"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
+fn closed_paths_of_svg_are_outlines() {
+    let leaf = file("leaf.svg");
+    let run = run_in(Path::new("."), &["fit", &leaf, "-n", "4"], "");
+    assert!(
+        run.code == 0
+            && run.err.contains(
+                "leaves out 1 other closed path, the largest with 1.3 % of the area of the one that is taken \
+                 (--blob chooses another one), 1 hole, a rectangle that covers the whole drawing, 1 open path"
+            ),
+        "{}",
+        run.err
+    );
+    // The circle is below on the right.
+    let (a0, [x, y]) = mean_and_center(&[&leaf, "--blob", "2"]);
+    assert!((a0 - 4.0).abs() < 1e-3 && (x - 110.0).abs() < 1e-3 && (y - 10.0).abs() < 1e-3);
+}
+
+#[test]
+fn an_array_of_numpy_is_an_outline() {
+    let folder = TempDir::new().unwrap();
+    let header = "{'descr': '<i4', 'fortran_order': False, 'shape': (5, 1, 2), }\n";
+    let mut bytes = b"\x93NUMPY\x01\0".to_vec();
+    bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
+    bytes.extend(header.as_bytes());
+    let points = [[0_i32, 0], [40, 0], [45, 20], [40, 40], [0, 40]];
+    bytes.extend(points.iter().flatten().flat_map(|c| c.to_le_bytes()));
+    fs::write(folder.path().join("a.npy"), &bytes).unwrap();
+    fs::write(folder.path().join("cut.npy"), &bytes[..bytes.len() - 1]).unwrap();
+    let rows: Vec<String> = points.iter().map(|[x, y]| format!("{x},{y}")).collect();
+    fs::write(folder.path().join("a.csv"), rows.join("\n")).unwrap();
+    let fit = |name: &str| run_in(folder.path(), &["fit", name, "-n", "2"], "");
+    let (array, table) = (fit("a.npy"), fit("a.csv"));
+    assert_eq!((array.code, array.out), (0, table.out), "{}", array.err);
+    let cut = fit("cut.npy");
+    let part = "an array of shape (5, 1, 2) has 40 bytes of elements; the file has 39";
+    assert!(cut.code == 2 && cut.err.contains(part), "{}", cut.err);
+}
+
+#[test]
+fn all_outlines_of_a_file_are_read_in_order() {
+    let all = |name: &str| {
+        let found = Given::read_all_with(&file(name), &ReadOptions::default()).unwrap();
+        let found: Vec<Given> = found.into_iter().map(Result::unwrap).collect();
+        let area = |given: &Given| match given.content() {
+            Content::Contour(outline) => outline.area(),
+            _ => panic!("{name}: no outline"),
+        };
+        let areas: Vec<f64> = found.iter().map(area).collect();
+        (
+            areas,
+            found.iter().map(Given::short_name).collect::<Vec<_>>(),
+        )
+    };
+    let (areas, names) = all("islands.geojson");
+    assert_eq!(
+        names,
+        ["islands.geojson, blob 1", "islands.geojson, blob 2"]
+    );
+    assert!(areas[0] > areas[1] && areas[1] > 0.0);
+    let (areas, _) = all("leaf.svg");
+    assert!(areas.len() == 2 && (areas[1] - 16.0 * std::f64::consts::PI).abs() < 0.02);
+    assert_eq!(all("comb_hole.png").1, ["comb_hole.png"]);
+    assert_eq!(all("plain.txt").1, ["plain.txt"]);
+    let formula = Given::read_all_with("r = 1", &ReadOptions::default()).unwrap();
+    assert_eq!(formula.len(), 1);
 }

@@ -2,7 +2,7 @@
 //! them.
 
 use stellate::exact::Rational;
-use stellate::fit::CenterChoice;
+use stellate::fit::{CenterChoice, Columns};
 use stellate::picture::Window;
 use stellate::verb::{Bounds, Frame};
 
@@ -52,6 +52,13 @@ pub(crate) fn center(text: &str) -> Read<CenterChoice> {
         return Ok(CenterChoice::Centroid);
     }
     exactly(text, "expected centroid or X,Y, such as 12.5,-3").map(CenterChoice::Point)
+}
+
+/// Reads the columns of x and y of a table.
+pub(crate) fn columns(text: &str) -> Read<Columns> {
+    text.parse().map_err(|_| {
+        "expected two names, or numbers from 1, with a comma between them, such as 2,3 or lon,lat".into()
+    })
 }
 
 /// Reads a point that is inspected. Its coordinates remain texts, which are read exactly later.

@@ -1,0 +1,456 @@
+//! Outlines in NumPy arrays (`.npy`, format versions 1 to 3): the header, a literal of Python, is read strictly, and so is the length.
+//!
+//! Cost: the points need 16 bytes each besides the bytes of the file. A crate is not used: those that read such files also read
+//! structures and archives, with a parser generator for Python's literals.
+
+use winnow::ascii::digit1;
+use winnow::combinator::{alt, delimited, opt, preceded, separated, separated_pair, terminated};
+use winnow::prelude::*;
+use winnow::token::{take_till, take_while};
+
+use super::Columns;
+use super::rows::MAX_ROWS;
+use crate::error::{Error, Result};
+
+/// The first bytes of every such file.
+pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
+/// The longest header that is read, in bytes.
+const MAX_HEADER: usize = 1 << 16;
+/// What an outline looks like as an array.
+const RIGHT: &str = "an outline is an array of numbers of shape (n, 2), (n, 1, 2) as from OpenCV, or complex of shape (n,)";
+
+/// The header of an array.
+#[derive(Debug)]
+struct Header {
+    kind: Kind,
+    is_fortran: bool,
+    shape: Vec<usize>,
+}
+
+/// A value in a header.
+#[derive(Clone, Debug)]
+enum Literal {
+    Text(String),
+    Truth(bool),
+    Shape(Vec<usize>),
+    /// A list of fields, and anything else.
+    Other,
+}
+
+/// How an element is stored.
+#[derive(Clone, Copy, Debug)]
+struct Kind {
+    number: Number,
+    is_big_endian: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Number {
+    Float32,
+    Float64,
+    Signed(usize),
+    Unsigned(usize),
+    Complex32,
+    Complex64,
+}
+
+impl Number {
+    /// The number of bytes of an element.
+    fn size(self) -> usize {
+        match self {
+            Self::Float32 => 4,
+            Self::Float64 | Self::Complex32 => 8,
+            Self::Complex64 => 16,
+            Self::Signed(size) | Self::Unsigned(size) => size,
+        }
+    }
+}
+
+impl Kind {
+    /// The kind that a description such as `<f8` means.
+    fn of(description: &str) -> std::result::Result<Self, String> {
+        let order = description.chars().next();
+        let code = description.get(1..).unwrap_or_default();
+        let number = match code {
+            "f4" => Number::Float32,
+            "f8" => Number::Float64,
+            "i1" => Number::Signed(1),
+            "i2" => Number::Signed(2),
+            "i4" => Number::Signed(4),
+            "i8" => Number::Signed(8),
+            "u1" => Number::Unsigned(1),
+            "u2" => Number::Unsigned(2),
+            "u4" => Number::Unsigned(4),
+            "u8" => Number::Unsigned(8),
+            "c8" => Number::Complex32,
+            "c16" => Number::Complex64,
+            _ => return Err(named(description, code)),
+        };
+        let is_big_endian = match order {
+            Some('<' | '|') => false,
+            Some('>') => true,
+            _ => return Err(named(description, code)),
+        };
+        Ok(Self {
+            number,
+            is_big_endian,
+        })
+    }
+
+    /// The number in these bytes, as the nearest double, or a part of it.
+    fn value(self, bytes: &[u8]) -> f64 {
+        let mut wide = [0_u8; 8];
+        let little = |wide: &mut [u8; 8]| {
+            for (slot, byte) in wide.iter_mut().zip(bytes) {
+                *slot = *byte;
+            }
+            if self.is_big_endian {
+                wide[..bytes.len()].reverse();
+            }
+        };
+        little(&mut wide);
+        match self.number {
+            Number::Float32 | Number::Complex32 => {
+                let [a, b, c, d, ..] = wide;
+                f64::from(f32::from_le_bytes([a, b, c, d]))
+            }
+            Number::Float64 | Number::Complex64 => f64::from_le_bytes(wide),
+            Number::Unsigned(_) => nearest(i128::from(u64::from_le_bytes(wide))),
+            Number::Signed(size) => {
+                // The sign of the last byte goes on to the left.
+                let unused = 64 - 8 * size;
+                nearest(i128::from((i64::from_le_bytes(wide) << unused) >> unused))
+            }
+        }
+    }
+}
+
+/// The double that is nearest to an integer of at most 64 bits.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "the conversion rounds to the nearest double"
+)]
+fn nearest(integer: i128) -> f64 {
+    integer as f64
+}
+
+/// The message for elements that are no numbers, or numbers that are not read.
+fn named(description: &str, code: &str) -> String {
+    let what = match code.chars().next() {
+        Some('O') => "objects of Python",
+        Some('b') => "truth values; the outline of a mask is read from a picture of it",
+        Some('U' | 'S' | 'a') => "texts",
+        Some('M' | 'm') => "times",
+        Some('f' | 'c') => "floating-point numbers of another size; astype(\"f8\") makes doubles",
+        _ => "of a kind that is not read",
+    };
+    format!("the elements ({description}) are {what}; {RIGHT}")
+}
+
+/// The points of an outline in an array.
+///
+/// # Errors
+/// [`Error::Data`] for another header, another shape, or another length than the shape says; [`Error::Limit`] beyond
+/// [`MAX_ROWS`] points.
+pub(super) fn read_array(
+    bytes: &[u8],
+    columns: Option<&Columns>,
+    place: &str,
+) -> Result<Vec<[f64; 2]>> {
+    let wrong = |message: String| Error::data(place, message);
+    let (header, data) = split(bytes).map_err(wrong)?;
+    let header = Header::read(header).map_err(wrong)?;
+    let Header { kind, shape, .. } = &header;
+    let size = kind.number.size();
+    let count = shape.iter().try_fold(size, |all, &n| all.checked_mul(n));
+    if count != Some(data.len()) {
+        let needed = count.map_or("too many".into(), |count| count.to_string());
+        let (shape, found) = (shape_text(shape), data.len());
+        return Err(wrong(format!(
+            "an array of shape {shape} has {needed} bytes of elements; the file has {found}"
+        )));
+    }
+    let (rows, places) = header.layout(columns).map_err(wrong)?;
+    if rows > MAX_ROWS {
+        let limit = format!("{place} has more than {MAX_ROWS} rows");
+        return Err(Error::limit(limit));
+    }
+    let part = size / if header.is_complex() { 2 } else { 1 };
+    let at = |index: usize| kind.value(&data[index * part..(index + 1) * part]);
+    let width = data.len() / part / rows.max(1);
+    let point = |row: usize| match header.is_fortran && !header.is_complex() {
+        true => places.map(|column| at(column * rows + row)),
+        false => places.map(|column| at(row * width + column)),
+    };
+    Ok((0..rows).map(point).collect())
+}
+
+impl Header {
+    fn read(text: &str) -> std::result::Result<Self, String> {
+        let unreadable = || "the header of the NumPy array is damaged".to_owned();
+        let entries = entries.parse(text).map_err(|_| unreadable())?;
+        let find = |name: &str| {
+            let mut named = entries.iter().filter(|(key, _)| key == name);
+            let found = named.next().map(|(_, value)| value.clone());
+            found.filter(|_| named.next().is_none())
+        };
+        let description = find("descr").ok_or_else(unreadable)?;
+        let (Some(Literal::Truth(is_fortran)), Some(Literal::Shape(shape))) =
+            (find("fortran_order"), find("shape"))
+        else {
+            return Err(unreadable());
+        };
+        let Literal::Text(description) = description else {
+            return Err(format!(
+                "the elements are structures with named fields; {RIGHT}: numpy.column_stack((a[\"x\"], a[\"y\"])) makes one"
+            ));
+        };
+        Ok(Self {
+            kind: Kind::of(&description)?,
+            is_fortran,
+            shape,
+        })
+    }
+
+    fn is_complex(&self) -> bool {
+        matches!(self.kind.number, Number::Complex32 | Number::Complex64)
+    }
+
+    /// The number of points, and the columns of x and y.
+    fn layout(
+        &self,
+        columns: Option<&Columns>,
+    ) -> std::result::Result<(usize, [usize; 2]), String> {
+        let wrong = |hint: &str| {
+            let shape = shape_text(&self.shape);
+            Err(format!("the array has the shape {shape}; {RIGHT}{hint}"))
+        };
+        match (self.shape[..].as_ref(), self.is_complex(), columns) {
+            ([rows], true, None) => Ok((*rows, [0, 1])),
+            (_, true, Some(_)) => {
+                Err("--columns: an array of complex numbers has no columns".into())
+            }
+            ([rows, width] | [rows, 1, width], false, Some(columns)) => {
+                Ok((*rows, columns.places(&[], *width)?))
+            }
+            ([rows, 2] | [rows, 1, 2], false, None) => Ok((*rows, [0, 1])),
+            ([2, columns], false, _) if *columns > 2 => wrong("; transposed, a.T, it is one"),
+            ([_, 3..=9], false, _) => wrong("; --columns 1,2 says which columns are x and y"),
+            ([_, _] | [_, _, 3 | 4], false, _) => wrong("; if it is a picture, save it as .png"),
+            _ => wrong(""),
+        }
+    }
+}
+
+/// The header and the elements.
+fn split(bytes: &[u8]) -> std::result::Result<(&str, &[u8]), String> {
+    let body = bytes
+        .strip_prefix(MAGIC)
+        .ok_or("this is no NumPy array: numpy.save writes one")?;
+    let cut = || "the file ends in the header of the NumPy array".to_owned();
+    let (length, body) = match body {
+        [1, _, a, b, body @ ..] => (usize::from(u16::from_le_bytes([*a, *b])), body),
+        [2 | 3, _, a, b, c, d, body @ ..] => {
+            let length = u32::from_le_bytes([*a, *b, *c, *d]);
+            (usize::try_from(length).unwrap_or(usize::MAX), body)
+        }
+        [1..=3, ..] | [] => return Err(cut()),
+        [version, ..] => {
+            return Err(format!(
+                "version {version} of NumPy's format; versions 1 to 3 are read"
+            ));
+        }
+    };
+    if length > MAX_HEADER {
+        return Err(format!(
+            "the header of the NumPy array is longer than {MAX_HEADER} bytes"
+        ));
+    }
+    let (header, data) = body.split_at_checked(length).ok_or_else(cut)?;
+    let header = std::str::from_utf8(header)
+        .map_err(|_| "the header of the NumPy array is no text".to_owned())?;
+    Ok((header, data))
+}
+
+/// A shape as Python writes it.
+fn shape_text(shape: &[usize]) -> String {
+    match shape {
+        [one] => format!("({one},)"),
+        all => {
+            let all: Vec<String> = all.iter().map(ToString::to_string).collect();
+            format!("({})", all.join(", "))
+        }
+    }
+}
+
+/// A dictionary of Python with the values that a header has.
+fn entries(input: &mut &str) -> winnow::Result<Vec<(String, Literal)>> {
+    let entry = separated_pair(word(text), word(':'), value);
+    let list = terminated(separated(1.., entry, word(',')), opt(word(',')));
+    terminated(delimited(word('{'), list, word('}')), blanks).parse_next(input)
+}
+
+fn value(input: &mut &str) -> winnow::Result<Literal> {
+    let fields = (word('['), take_till(0.., ']'), ']');
+    alt((
+        word(text).map(Literal::Text),
+        word("True").value(Literal::Truth(true)),
+        word("False").value(Literal::Truth(false)),
+        word(shape).map(Literal::Shape),
+        fields.value(Literal::Other),
+    ))
+    .parse_next(input)
+}
+
+fn shape(input: &mut &str) -> winnow::Result<Vec<usize>> {
+    // Python 2 wrote long integers with an L.
+    let side = terminated(word(digit1.parse_to::<usize>()), opt('L'));
+    let list = terminated(separated(0.., side, word(',')), opt(word(',')));
+    delimited('(', list, word(')')).parse_next(input)
+}
+
+fn text(input: &mut &str) -> winnow::Result<String> {
+    let single = delimited('\'', take_till(0.., ['\'', '\\']), '\'');
+    let double = delimited('"', take_till(0.., ['"', '\\']), '"');
+    alt((single, double)).map(str::to_owned).parse_next(input)
+}
+
+fn blanks<'a>(input: &mut &'a str) -> winnow::Result<&'a str> {
+    take_while(0.., [' ', '\t', '\n']).parse_next(input)
+}
+
+/// What stands behind blanks.
+fn word<'a, O>(
+    parser: impl Parser<&'a str, O, winnow::error::ContextError>,
+) -> impl Parser<&'a str, O, winnow::error::ContextError> {
+    preceded(blanks, parser)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An array as `numpy.save` writes it.
+    fn array(version: u8, description: &str, order: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+        let mut header =
+            format!("{{'descr': {description}, 'fortran_order': {order}, 'shape': {shape}, }}");
+        header.push_str(&" ".repeat(63 - header.len() % 64));
+        header.push('\n');
+        let length = header.len();
+        let mut bytes = [MAGIC, &[version, 0]].concat();
+        match version {
+            1 => bytes.extend(u16::try_from(length).unwrap().to_le_bytes()),
+            _ => bytes.extend(u32::try_from(length).unwrap().to_le_bytes()),
+        }
+        bytes.extend(header.as_bytes());
+        bytes.extend(data);
+        bytes
+    }
+
+    fn bytes<const N: usize>(numbers: &[i8], write: impl Fn(i8) -> [u8; N]) -> Vec<u8> {
+        numbers.iter().flat_map(|&n| write(n)).collect()
+    }
+
+    #[test]
+    fn every_number_in_every_order_is_read() {
+        let rows: [i8; 6] = [0, -1, 5, 2, -3, 4];
+        let by_columns: [i8; 6] = [0, 5, -3, -1, 2, 4];
+        let expected = [[0.0, -1.0], [5.0, 2.0], [-3.0, 4.0]];
+        let read = |bytes: &[u8]| read_array(bytes, None, "a.npy").unwrap();
+        for version in 1..=3 {
+            for (kind, data) in [
+                ("'<f4'", bytes(&rows, |n| f32::from(n).to_le_bytes())),
+                ("'>f4'", bytes(&rows, |n| f32::from(n).to_be_bytes())),
+                ("'<f8'", bytes(&rows, |n| f64::from(n).to_le_bytes())),
+                ("'>f8'", bytes(&rows, |n| f64::from(n).to_be_bytes())),
+                ("'|i1'", bytes(&rows, i8::to_le_bytes)),
+                ("'<i2'", bytes(&rows, |n| i16::from(n).to_le_bytes())),
+                ("'>i2'", bytes(&rows, |n| i16::from(n).to_be_bytes())),
+                ("'<i4'", bytes(&rows, |n| i32::from(n).to_le_bytes())),
+                ("\">i8\"", bytes(&rows, |n| i64::from(n).to_be_bytes())),
+            ] {
+                for shape in ["(3, 2)", "(3, 1, 2)", "(3L, 2L)"] {
+                    assert_eq!(read(&array(version, kind, "False", shape, &data)), expected);
+                }
+            }
+            let data = bytes(&by_columns, |n| f64::from(n).to_le_bytes());
+            assert_eq!(
+                read(&array(version, "'<f8'", "True", "(3, 2)", &data)),
+                expected
+            );
+            let data = bytes(&rows, |n| f32::from(n).to_be_bytes());
+            assert_eq!(
+                read(&array(version, "'>c8'", "True", "(3,)", &data)),
+                expected
+            );
+            let data = bytes(&rows, |n| f64::from(n).to_le_bytes());
+            assert_eq!(
+                read(&array(version, "'<c16'", "False", "(3,)", &data)),
+                expected
+            );
+        }
+        let large = [u64::MAX.to_le_bytes(), 200_u64.to_le_bytes()].concat();
+        let large = array(1, "'<u8'", "False", "(1, 2)", &large);
+        assert_eq!(read(&large), [[18_446_744_073_709_551_615.0, 200.0]]);
+        let small = array(1, "'|u1'", "False", "(1, 2)", &[200, 255]);
+        assert_eq!(read(&small), [[200.0, 255.0]]);
+        let three = array(1, "'|u1'", "False", "(2, 3)", &[7, 1, 2, 8, 3, 4]);
+        let columns = "2,3".parse().unwrap();
+        let chosen = read_array(&three, Some(&columns), "a.npy").unwrap();
+        assert_eq!(chosen, [[1.0, 2.0], [3.0, 4.0]]);
+    }
+
+    #[test]
+    fn what_is_no_outline_is_named() {
+        let zeros = [0; 96];
+        let any = |kind: &str, shape: &str, length: usize| {
+            array(1, kind, "False", shape, &zeros[..length])
+        };
+        for (bytes, part) in [
+            (
+                any("'<f8'", "(4, 3)", 96),
+                "--columns 1,2 says which columns",
+            ),
+            (any("'|u1'", "(2, 9)", 18), "a.T"),
+            (any("'|u1'", "(9, 10)", 90), "if it is a picture"),
+            (any("'|u1'", "(3,)", 3), "the shape (3,)"),
+            (any("'|u1'", "()", 1), "the shape ()"),
+            (any("'|O'", "(3, 2)", 48), "objects of Python"),
+            (any("'|b1'", "(3, 2)", 6), "truth values"),
+            (any("'<f2'", "(3, 2)", 12), "astype"),
+            (any("'<U3'", "(3, 2)", 72), "texts"),
+            (
+                any("[('x', '<f8'), ('y', '<f8')]", "(3,)", 48),
+                "column_stack",
+            ),
+            (
+                any("'<f8'", "(3, 2)", 47),
+                "48 bytes of elements; the file has 47",
+            ),
+            (
+                any("'<f8'", "(3, 2)", 49),
+                "48 bytes of elements; the file has 49",
+            ),
+            (
+                any("'<f8'", "(18446744073709551615, 2)", 48),
+                "too many bytes",
+            ),
+            (any("'<f8'", "(99999999999999999999, 2)", 48), "is damaged"),
+            (any("'<f8'", "3", 48), "is damaged"),
+            (array(4, "'<f8'", "False", "(3, 2)", &[]), "version 4"),
+            (b"x,y\n1,2\n".to_vec(), "this is no NumPy array"),
+            (
+                any("'<f8'", "(3, 2)", 48)[..40].to_vec(),
+                "ends in the header",
+            ),
+        ] {
+            let error = read_array(&bytes, None, "a.npy").unwrap_err().to_string();
+            assert!(
+                error.starts_with("a.npy: ") && error.contains(part),
+                "{error}"
+            );
+        }
+        let empty = any("'<f8'", "(0, 2)", 0);
+        assert!(read_array(&empty, None, "a.npy").unwrap().is_empty());
+    }
+}
