@@ -102,6 +102,13 @@ impl Error {
         }
     }
 
+    /// An [`Error::Data`] with the message of a decoder, which is put on one line.
+    pub(crate) fn decoding(place: &str, what: &str, error: &dyn std::fmt::Display) -> Self {
+        let error = error.to_string();
+        let words: Vec<&str> = error.split_whitespace().collect();
+        Self::data(place, format!("{what}: {}", words.join(" ")))
+    }
+
     /// An [`Error::Internal`] for an answer that fails its own check in the algorithm `place`.
     pub(crate) fn internal(place: impl Into<String>, broken: impl Into<String>) -> Self {
         Error::Internal {

@@ -80,7 +80,7 @@ impl<'a, R: BufRead> RowReader<'a, R> {
         let text = std::str::from_utf8(&self.line).map_err(|_| {
             self.error(
                 self.row,
-                format!("not text; each row must be {}", self.expected),
+                format!("not UTF-8 text; each row must be {}", self.expected),
             )
         })?;
         if !text.ends_with('\n') && self.line.len() as u64 >= MAX_ROW_BYTES {

@@ -60,7 +60,7 @@ pub(super) fn read_drawing(text: &str, place: &str) -> Result<Rings> {
         ..ParsingOptions::default()
     };
     let document = Document::parse_with_options(text, options)
-        .map_err(|error| wrong(format!("this cannot be read as SVG: {error}")))?;
+        .map_err(|error| Error::decoding(place, "this cannot be read as SVG", &error))?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
         let name = root.tag_name().name();

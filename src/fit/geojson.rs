@@ -77,7 +77,7 @@ pub(super) fn read_geojson(text: &str, place: &str) -> Result<Rings> {
     let wrong = |message: String| Error::data(place, message);
     let text = text.trim_start_matches('\u{feff}');
     let root: Object = serde_json::from_str(text)
-        .map_err(|error| wrong(format!("this cannot be read as GeoJSON: {error}")))?;
+        .map_err(|error| Error::decoding(place, "this cannot be read as GeoJSON", &error))?;
     let mut found = Found::default();
     // Objects that are not read yet, the next one last. The parser bounds the depth, but not the number.
     let mut open = vec![root];

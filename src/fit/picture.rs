@@ -50,7 +50,9 @@ pub(super) struct Heights {
 
 impl Picture {
     pub(super) fn decode(bytes: &[u8], place: &str) -> Result<Self> {
-        let unreadable = |error: &dyn std::fmt::Display| Error::data(place, error.to_string());
+        let unreadable = |error: &dyn std::fmt::Display| {
+            Error::decoding(place, "the picture is damaged or ends in the middle", error)
+        };
         let mut reader = ImageReader::new(Cursor::new(bytes))
             .with_guessed_format()
             .map_err(|error| unreadable(&error))?;
@@ -182,9 +184,10 @@ fn check_jpeg(bytes: &[u8], place: &str) -> Result<()> {
         .set_max_height(side + 1);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     let damaged = |error: &dyn std::fmt::Display| {
-        Error::data(
+        Error::decoding(
             place,
-            format!("the JPEG picture is damaged or ends in the middle: {error}"),
+            "the JPEG picture is damaged or ends in the middle",
+            error,
         )
     };
     decoder.decode_headers().map_err(|error| damaged(&error))?;

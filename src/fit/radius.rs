@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::as_f64;
 use super::sweep::outermost;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::shape::{Contour, coordinate_fault, orientation};
 
 /// The outermost radius r(θ) of an outline about an interior point: the distance to the last point
@@ -27,18 +27,23 @@ use crate::shape::{Contour, coordinate_fault, orientation};
 /// ```
 #[derive(Clone, Debug)]
 pub struct ContourRadius {
+    /// The vertices of the outline, relative to the center.
+    points: Vec<[f64; 2]>,
     /// The arcs, in the order of `start`. Directions before the first start belong to the last arc.
     arcs: Vec<Arc>,
     star_shaped: bool,
     hidden_share: f64,
 }
 
-/// A range of directions in which one edge is the outermost; vectors are relative to the center.
+/// A range of directions in which one edge is the outermost. There is one for each of perhaps a million vertices, so vertices are
+/// small numbers.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
-    ends: [[f64; 2]; 2],
-    from: [f64; 2],
-    to: [f64; 2],
+    /// The edge, by its first vertex.
+    edge: u32,
+    /// The vertices in the directions of which it begins and ends.
+    from: u32,
+    to: u32,
     /// The angle of `from`, in [0, 2π].
     start: f64,
 }
@@ -60,19 +65,18 @@ impl ContourRadius {
         if !contour.contains(center) {
             return Err(outside(contour, center));
         }
-        let points = contour.points();
-        let next = |i: usize| (i + 1) % points.len();
-        let relative = |i: usize| [points[i][0] - center[0], points[i][1] - center[1]];
-        let mut arcs: Vec<Arc> = outermost(points, center)
+        let relative = |p: &[f64; 2]| [p[0] - center[0], p[1] - center[1]];
+        let points: Vec<[f64; 2]> = contour.points().iter().map(relative).collect();
+        let number = |vertex: usize| {
+            u32::try_from(vertex).invariant("an outline in memory has fewer than 2^32 vertices")
+        };
+        let mut arcs: Vec<Arc> = outermost(contour.points(), center)
             .into_iter()
-            .map(|visible| {
-                let from = relative(visible.from);
-                Arc {
-                    ends: [relative(visible.edge), relative(next(visible.edge))],
-                    from,
-                    to: relative(visible.to),
-                    start: angle(from),
-                }
+            .map(|visible| Arc {
+                edge: number(visible.edge),
+                from: number(visible.from),
+                to: number(visible.to),
+                start: angle(points[visible.from]),
             })
             .collect();
         // The first arc may begin before direction 0; then its start is more than π larger than that of the second one.
@@ -86,18 +90,18 @@ impl ContourRadius {
             arc.start = last;
         }
         let star_shaped = star_shaped_about(contour, center);
-        let hidden_share = if star_shaped {
-            0.0
-        } else {
-            let visible: f64 = arcs.iter().map(Arc::length).sum();
-            let all: f64 = contour.edges().map(|(p, q)| distance(p, q)).sum();
-            (1.0 - visible / all).clamp(0.0, 1.0)
-        };
-        Ok(Self {
+        let mut radius = Self {
+            points,
             arcs,
             star_shaped,
-            hidden_share,
-        })
+            hidden_share: 0.0,
+        };
+        if !star_shaped {
+            let visible: f64 = radius.arcs.iter().map(|arc| radius.length_of(arc)).sum();
+            let all: f64 = contour.edges().map(|(p, q)| distance(p, q)).sum();
+            radius.hidden_share = (1.0 - visible / all).clamp(0.0, 1.0);
+        }
+        Ok(radius)
     }
 
     /// Whether every ray from the center meets the outline in exactly one point; this is decided exactly.
@@ -154,8 +158,8 @@ impl ContourRadius {
             let previous = &self.arcs[(i + count - 1) % count];
             Corner {
                 theta: arc.start,
-                before: length(previous.point(arc.from)),
-                after: length(arc.point(arc.from)),
+                before: length(self.point(previous, self.vertex(arc.from))),
+                after: length(self.point(arc, self.vertex(arc.from))),
             }
         })
     }
@@ -165,21 +169,28 @@ impl ContourRadius {
         let direction = [theta.cos(), theta.sin()];
         let count = self.arcs.len();
         let arc = |back: usize| &self.arcs[(begun + count - back) % count];
-        let mut radius = length(arc(1).point(direction));
+        let mut radius = length(self.point(arc(1), direction));
         // In a direction in which arcs begin, the ray also meets the arcs before them.
         let mut back = 1;
         while back < count && arc(back).start >= theta && back <= begun {
             back += 1;
-            radius = radius.max(length(arc(back).point(direction)));
+            radius = radius.max(length(self.point(arc(back), direction)));
         }
         radius
     }
-}
 
-impl Arc {
-    /// The point of the edge in `direction`, or the nearer end of the edge if rounding puts the point outside.
-    fn point(&self, direction: [f64; 2]) -> [f64; 2] {
-        let [p, q] = self.ends;
+    /// A vertex, by its number in an arc.
+    fn vertex(&self, number: u32) -> [f64; 2] {
+        self.points[number as usize]
+    }
+
+    /// The point of an arc's edge in `direction`, or the nearer end of the edge if rounding puts the point outside.
+    fn point(&self, arc: &Arc, direction: [f64; 2]) -> [f64; 2] {
+        let edge = arc.edge as usize;
+        let (p, q) = (
+            self.points[edge],
+            self.points[(edge + 1) % self.points.len()],
+        );
         let weights = [cross(direction, q).max(0.0), cross(p, direction).max(0.0)];
         let sum = weights[0] + weights[1];
         if sum > 0.0 {
@@ -192,8 +203,10 @@ impl Arc {
         }
     }
 
-    fn length(&self) -> f64 {
-        distance(self.point(self.from), self.point(self.to))
+    /// The visible length of an arc.
+    fn length_of(&self, arc: &Arc) -> f64 {
+        let end = |vertex| self.point(arc, self.vertex(vertex));
+        distance(end(arc.from), end(arc.to))
     }
 }
 

@@ -109,7 +109,10 @@ mod tests {
     fn what_is_not_text_is_refused() {
         let bytes = [b'1', b',', 0xff, b'\n'];
         let error = read_rows(&mut bytes.as_slice(), None, "a.csv").unwrap_err();
-        assert!(error.to_string().contains("row 1: not text"), "{error}");
+        assert!(
+            error.to_string().contains("row 1: not UTF-8 text"),
+            "{error}"
+        );
         let long = "1".repeat(1 << 17);
         assert!(message(&long).contains("longer than 65536 bytes"));
     }

@@ -28,15 +28,13 @@ pub(super) fn at_angles(cos: &[f64], sin: &[f64], angles: &[f64]) -> Vec<f64> {
     }
     let grid = (8 * cos.len()).next_power_of_two();
     let half_step = PI / as_f64(grid);
-    // Each angle is node·2π/G + offset·(half a step), |offset| ≤ 1.
-    let split: Vec<(usize, f64)> = angles
-        .iter()
-        .map(|&theta| {
-            let steps = theta / TAU * as_f64(grid);
-            let node = steps.round();
-            (node_index(node, grid), 2.0 * (steps - node))
-        })
-        .collect();
+    // Each angle is node·2π/G + offset·(half a step), |offset| ≤ 1. This is computed anew for every term, because a million
+    // angles have no room to keep it.
+    let split = |theta: f64| {
+        let steps = theta / TAU * as_f64(grid);
+        let node = steps.round();
+        (node_index(node, grid), 2.0 * (steps - node))
+    };
     // The k-th derivative, times (half a step)^k/k!.
     let mut terms: Vec<Complex<f64>> = cos
         .iter()
@@ -47,7 +45,8 @@ pub(super) fn at_angles(cos: &[f64], sin: &[f64], angles: &[f64]) -> Vec<f64> {
     let mut powers = vec![1.0; angles.len()];
     for k in 0..TAYLOR_TERMS {
         let derivative = transform(terms.iter().copied(), grid);
-        for ((value, power), &(node, offset)) in values.iter_mut().zip(&mut powers).zip(&split) {
+        for ((value, power), &theta) in values.iter_mut().zip(&mut powers).zip(angles) {
+            let (node, offset) = split(theta);
             *value += *power * derivative[node].re;
             *power *= offset;
         }

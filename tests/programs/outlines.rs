@@ -323,7 +323,7 @@ fn polygons_of_geojson_are_outlines() {
     assert!(
         run.code == 0
             && run.err.contains(
-                "leaves out 1 other polygon, the largest with 2.1 % of the area of the one that is taken \
+                "leaves out 1 other polygon, the largest with 1.9 % of the area of the one that is taken \
                  (--blob chooses another one), 1 hole, 1 point or open line"
             ),
         "{}",
@@ -355,7 +355,7 @@ fn closed_paths_of_svg_are_outlines() {
     assert!(
         run.code == 0
             && run.err.contains(
-                "leaves out 1 other closed path, the largest with 1.3 % of the area of the one that is taken \
+                "leaves out 1 other closed path, the largest with 1.4 % of the area of the one that is taken \
                  (--blob chooses another one), 1 hole, a rectangle that covers the whole drawing, 1 open path"
             ),
         "{}",
