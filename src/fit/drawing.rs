@@ -78,7 +78,7 @@ pub(super) fn read_drawing(text: &str, place: &str) -> Result<Rings> {
         .collect();
     if rings.is_empty() {
         return Err(wrong(format!(
-            "the drawing has no closed path{}",
+            "the drawing has no closed path{}; Z closes a path, and polygons, circles, ellipses and rectangles are closed",
             drawing.text()
         )));
     }

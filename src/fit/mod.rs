@@ -1,8 +1,8 @@
 //! Fits: the Fourier radius (Lemma 1) of an outline, by Definition 1.
 //!
-//! The steps of a fit can be used separately. [`read_contour`] reads rows of points or traces a silhouette; [`Center::choose`]
-//! chooses the center; [`ContourRadius`] is the radius of the outline about the center; [`fourier_coefficients`] is Definition
-//! 1; [`fit`] does all of this and measures the error.
+//! The steps of a fit can be used separately. [`read_contour`] reads an outline from a table, an array, a map, a drawing or a
+//! picture; [`Center::choose`] chooses the center; [`ContourRadius`] is the radius of the outline about the center;
+//! [`fourier_coefficients`] is Definition 1; [`fit`] does all of this and measures the error.
 //!
 //! An outline that is not star-shaped has no radius that follows it. [`fit_elliptic`] fits the coordinates themselves, by arc
 //! length (Kuhl & Giardina). [`Distances`] says how far either fit is from the outline, with certified bounds.

@@ -1,7 +1,7 @@
-//! Outlines in NumPy arrays (`.npy`, format versions 1 to 3): the header, a literal of Python, is read strictly, and so is the length.
+//! Outlines in NumPy arrays (`.npy`, format versions 1 to 3). The header, a literal of Python, is read strictly, and the length of
+//! the file must be what it says.
 //!
-//! Cost: the points need 16 bytes each besides the bytes of the file. A crate is not used: those that read such files also read
-//! structures and archives, with a parser generator for Python's literals.
+//! The crates that read such files bring a parser generator for all literals of Python; a header has only a few.
 
 use winnow::ascii::digit1;
 use winnow::combinator::{alt, delimited, opt, preceded, separated, separated_pair, terminated};

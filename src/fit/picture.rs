@@ -61,8 +61,13 @@ impl Picture {
             Some(ImageFormat::Png | ImageFormat::Bmp) => {}
             Some(ImageFormat::Gif | ImageFormat::Tiff | ImageFormat::WebP) if MORE => {}
             Some(more @ (ImageFormat::Gif | ImageFormat::Tiff | ImageFormat::WebP)) => {
+                let name = match more {
+                    ImageFormat::Gif => "GIF",
+                    ImageFormat::Tiff => "TIFF",
+                    _ => "WebP",
+                };
                 return Err(Error::Usage(format!(
-                    "{place}: {more:?} pictures are read by stellate with the feature `more-images` only \
+                    "{place}: {name} pictures are read by stellate with the feature `more-images` only \
                      (cargo install --path . --features more-images); or save it as .png"
                 )));
             }

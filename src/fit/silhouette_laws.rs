@@ -105,7 +105,7 @@ fn the_part_with_the_most_pixels_is_taken() {
 fn what_is_not_a_picture_is_refused() {
     assert!(traced(b"", "a.png").is_err());
     let error = traced(b"x,y\n1,2\n", "a.png").unwrap_err();
-    assert_eq!(error.to_string(), "a.png: not a PNG, JPEG or BMP picture");
+    assert!(error.to_string().starts_with("a.png: not a PNG, JPEG"));
     let mut cut = encoded(disc(50, [25.0, 25.0], 9.0, 0.0, 255.0), ImageFormat::Png);
     cut.truncate(cut.len() / 2);
     assert!(traced(&cut, "cut.png").is_err());

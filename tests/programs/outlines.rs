@@ -415,3 +415,39 @@ fn all_outlines_of_a_file_are_read_in_order() {
     let formula = Given::read_all_with("r = 1", &ReadOptions::default()).unwrap();
     assert_eq!(formula.len(), 1);
 }
+
+/// What a small fit takes is subtracted.
+#[test]
+fn a_million_rows_take_at_most_150_bytes_each() {
+    let folder = TempDir::new().unwrap();
+    let peak = |count: u32| {
+        let rows = (0..count).map(|k| {
+            let t = f64::from(k) * std::f64::consts::TAU / f64::from(count);
+            let r = 2.0 + 0.5 * t.cos() + 0.25 * (3.0 * t).sin();
+            format!("{:.9},{:.9}\n", r * t.cos(), r * t.sin())
+        });
+        fs::write(folder.path().join("rows.csv"), rows.collect::<String>()).unwrap();
+        let fit = ["fit", "rows.csv", "-n", "8", "--quiet", "--stats"];
+        let run = run_in(folder.path(), &fit, "");
+        assert_eq!(run.code, 0, "{}", run.err);
+        json(&run.err)["stats"]["peak_rss_bytes"].as_u64().unwrap()
+    };
+    let (small, large) = (peak(1000), peak(1_000_000));
+    assert!(large - small <= 150_000_000, "{large} - {small}");
+}
+
+#[cfg(not(feature = "more-images"))]
+#[test]
+fn pictures_that_this_build_does_not_read_are_named() {
+    for (name, head, kind) in [
+        ("a.tif", &b"II*\0\x08\0\0\0"[..], "TIFF"),
+        ("a.gif", b"GIF89a\x01\0\x01\0", "GIF"),
+        ("a.webp", b"RIFF\x08\0\0\0WEBPVP8L", "WebP"),
+    ] {
+        let run = fitted(name, head);
+        let part = format!(
+            "{name}: {kind} pictures are read by stellate with the feature `more-images` only"
+        );
+        assert!(run.code == 2 && run.err.contains(&part), "{}", run.err);
+    }
+}
