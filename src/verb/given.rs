@@ -118,7 +118,7 @@ impl Given {
     pub fn read_all_with(argument: &str, options: &ReadOptions) -> Result<Vec<Result<Self>>> {
         let path = Path::new(argument);
         if !names_a_file(path) {
-            return Ok(vec![Self::formula(argument, options)]);
+            return Ok(vec![Ok(Self::formula(argument, options)?)]);
         }
         refuse_name(path)?;
         let place = path.display().to_string();
