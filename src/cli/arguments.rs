@@ -120,7 +120,8 @@ pub(crate) enum Verb {
     #[command(after_help = "Examples:
   stellate fit outline.csv --harmonics 39 --decimals 6
   stellate fit silhouette.png --tolerance 1.5 -o radius.json
-  stellate fit silhouette.png --model elliptic --distance 2 -o series.json")]
+  stellate fit silhouette.png --model elliptic --distance 2 -o series.json
+  stellate fit wings/*.csv --model elliptic --harmonics 16 -o table.csv")]
     Fit(Fit),
     /// Certified points: exact directions, all real roots, each the nearest double
     #[command(after_help = "Examples:
@@ -300,8 +301,15 @@ pub(crate) struct Parametrize {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fit {
-    /// A contour: .csv rows x,y, .npy, .geojson, .svg, or a silhouette .png, .jpg, .bmp
-    pub(crate) contour: PathBuf,
+    /// Contours: .csv rows x,y, .npy, .geojson, .svg, or silhouettes .png, .jpg, .bmp; of several files one row each is written
+    #[arg(required = true, value_name = "CONTOUR")]
+    pub(crate) contours: Vec<String>,
+    /// All outlines of a picture, an SVG drawing or GeoJSON, largest first, one row each
+    #[arg(long, conflicts_with = "blob")]
+    pub(crate) all: bool,
+    /// An elliptic series without position, size, rotation, starting point and direction, to compare specimens
+    #[arg(long)]
+    pub(crate) normal_form: bool,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
 }
@@ -379,8 +387,8 @@ pub(crate) struct Inspect {
     /// For a contour: where radii are measured from
     #[arg(
         long,
-        value_name = "centroid|X,Y",
-        default_value = "centroid",
+        value_name = "auto|centroid|kernel|best|X,Y",
+        default_value = "auto",
         allow_hyphen_values = true,
         value_parser = center
     )]

@@ -1,8 +1,8 @@
-//! `stellate fit`: fits a Fourier radius to a contour.
+//! `stellate fit`: fits Fourier series to contours.
 
-use stellate::document::{Format, Kind, write_fit};
+use stellate::document::{Format, Kind, write_fit, write_fit_table};
 use stellate::error::{Error, Result};
-use stellate::verb::{self, Content, OutlineFit, OutlineSeries};
+use stellate::verb::{self, Content, FittedOutline, Given, OutlineFit, OutlineSeries};
 
 use super::arguments::Fit;
 use super::input;
@@ -11,20 +11,76 @@ use super::session::Session;
 
 pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     check_destination(session)?;
+    if flags.all || flags.contours.len() > 1 {
+        return table(flags, session);
+    }
     let format = session.format_or(Format::Text);
     Kind::Radius.check(format)?;
-    let options = input::fit_options(&flags.fit);
-    let argument = flags.contour.display().to_string();
-    let Content::Contour(contour) =
-        input::read_with(&argument, &flags.fit, session)?.into_content()
-    else {
+    for argument in &flags.contours {
+        let given = input::read_with(argument, &flags.fit, session)?;
+        let fit = fit_of(argument, given, flags, session)?;
+        session.note(&summary(&fit));
+        write_result(session, |out| write_fit(&fit, format, out))?;
+    }
+    Ok(())
+}
+
+/// One row for each outline.
+fn table(flags: &Fit, session: &Session) -> Result<()> {
+    Kind::FitTable.check(session.format_or(Format::Csv))?;
+    let mut rows = Vec::new();
+    for argument in &flags.contours {
+        let outlines = if flags.all {
+            all_outlines(argument, flags, session)?
+        } else {
+            let given = input::read_with(argument, &flags.fit, session)?;
+            vec![(flags.fit.outline.blob, given)]
+        };
+        for (blob, given) in outlines {
+            let fit = fit_of(argument, given, flags, session)?;
+            rows.push(FittedOutline {
+                file: argument.clone(),
+                blob,
+                fit,
+            });
+        }
+    }
+    write_result(session, |out| write_fit_table(&rows, out))
+}
+
+/// All outlines of a file that can be fitted, each with its number; a note names the others.
+fn all_outlines(argument: &str, flags: &Fit, session: &Session) -> Result<Vec<(usize, Given)>> {
+    let mut outlines = Vec::new();
+    for (k, found) in input::read_all(argument, &flags.fit, session)?
+        .into_iter()
+        .enumerate()
+    {
+        match found {
+            Ok(given) => outlines.push((k + 1, given)),
+            Err(error) => session.note(&format!("outline {} is left out: {error}", k + 1)),
+        }
+    }
+    if outlines.is_empty() {
+        return Err(Error::Usage(format!(
+            "{argument}: no outline of this file can be fitted"
+        )));
+    }
+    Ok(outlines)
+}
+
+fn fit_of(argument: &str, given: Given, flags: &Fit, session: &Session) -> Result<OutlineFit> {
+    let Content::Contour(contour) = given.into_content() else {
         return Err(Error::Usage(format!(
             "{argument}: fit needs a contour: a .csv with rows x,y, .npy, .geojson or .svg, or a .png, .jpg or .bmp silhouette"
         )));
     };
-    let fit = verb::fit(&contour, &options, &session.work)?;
-    session.note(&summary(&fit));
-    write_result(session, |out| write_fit(&fit, format, out))
+    let options = input::fit_options(&flags.fit);
+    if flags.normal_form {
+        // What is rounded is the normal form.
+        let fit = verb::fit(&contour, &options.decimals(None), &session.work)?;
+        return fit.into_normal_form(flags.fit.decimals);
+    }
+    verb::fit(&contour, &options, &session.work)
 }
 
 /// A fit in a sentence.

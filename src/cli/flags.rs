@@ -55,11 +55,12 @@ pub(crate) struct FitFlags {
     /// Of an elliptic series: the fewest harmonics that have this share of the power of all, such as 0.99
     #[arg(long, value_name = "P", group = "size", value_parser = positive)]
     pub(crate) power: Option<Rational>,
-    /// Where radii are measured from: centroid, or a point X,Y
+    /// Where radii are measured from: the centroid where it sees the whole outline, else the middle of the kernel (auto); one of
+    /// these two; the point that sees the most, by search (best); or a point X,Y
     #[arg(
         long,
-        value_name = "centroid|X,Y",
-        default_value = "centroid",
+        value_name = "auto|centroid|kernel|best|X,Y",
+        default_value = "auto",
         allow_hyphen_values = true,
         value_parser = center
     )]
@@ -110,7 +111,7 @@ impl Default for FitFlags {
             tolerance: None,
             distance: None,
             power: None,
-            center: CenterChoice::Centroid,
+            center: CenterChoice::Auto,
             samples: None,
             decimals: None,
             outline: OutlineFlags::default(),

@@ -26,19 +26,35 @@ pub(crate) fn read_outline(
     session: &Session,
 ) -> Result<Given> {
     session.work.stage("read", || {
-        let numbers = session.numbers();
-        let outline = OutlineOptions::default()
-            .blob(flags.blob)
-            .threshold(flags.threshold)
-            .invert(flags.invert)
-            .columns(flags.columns.clone());
-        let options = ReadOptions::default().numbers(numbers).outline(outline);
+        let options = read_options(flags, session);
         if argument == "-" {
             let input = std::io::stdin().lock();
             return Given::from_reader_with(input, "standard input", &options, &session.work);
         }
         Given::read_with(argument, &options, &session.work)
     })
+}
+
+/// Reads all outlines of a file; each may have a fault of its own.
+pub(crate) fn read_all(
+    argument: &str,
+    flags: &FitFlags,
+    session: &Session,
+) -> Result<Vec<Result<Given>>> {
+    session.work.stage("read", || {
+        Given::read_all_with(argument, &read_options(&flags.outline, session))
+    })
+}
+
+fn read_options(flags: &OutlineFlags, session: &Session) -> ReadOptions {
+    let outline = OutlineOptions::default()
+        .blob(flags.blob)
+        .threshold(flags.threshold)
+        .invert(flags.invert)
+        .columns(flags.columns.clone());
+    ReadOptions::default()
+        .numbers(session.numbers())
+        .outline(outline)
 }
 
 /// Reads a data file of a verb, or standard input. Returns the text and the name of its source in messages.

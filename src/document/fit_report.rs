@@ -73,5 +73,15 @@ fn plain_fields(report: &FitReport) -> Vec<(&'static str, String)> {
             .harmonic_power
             .map(|power| ("harmonic_power", number(power))),
     );
+    if let Some(taken) = &report.normal_form {
+        let text = format!(
+            "{{\"size\":{},\"rotation\":{},\"start\":{},\"reversed\":{}}}",
+            number(taken.size),
+            number(taken.rotation),
+            number(taken.start),
+            taken.reversed
+        );
+        fields.push(("normal_form", text));
+    }
     fields
 }

@@ -17,6 +17,8 @@ pub enum Kind {
     ParametricForm,
     /// An elliptic Fourier series.
     EllipticSeries,
+    /// The fits of many outlines.
+    FitTable,
     /// A superquadric.
     Superquadric,
     /// The description of a form.
@@ -41,12 +43,13 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Radius,
         Self::Equation,
         Self::Equations,
         Self::ParametricForm,
         Self::EllipticSeries,
+        Self::FitTable,
         Self::Superquadric,
         Self::Description,
         Self::ClosedForms,
@@ -80,6 +83,7 @@ impl Kind {
                 &[Text, Json, Csv, Latex, Sympy, Maple],
                 "; Singular has no trigonometric functions, but reads what implicitize writes",
             ),
+            Self::FitTable => ("the fits of several outlines are", &[Csv], ""),
             Self::Superquadric => ("a superquadric is", &[Text, Json], ""),
             Self::Description => ("a description is", &[Text, Json], ""),
             Self::ClosedForms => (

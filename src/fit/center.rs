@@ -1,19 +1,29 @@
 //! The center of a fit: the point from which the radius is measured.
 
+use super::best_center::best_center;
 use super::kernel::kernel;
-use super::radius::{outside, star_shaped_about};
+use super::radius::{ContourRadius, outside, star_shaped_about};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::shape::Contour;
+
+/// In a picture, the radius about a center that sees the whole outline may jump by this many pixels: edges are staircases, and
+/// compressed pictures have noise.
+const NOISE_JUMP: f64 = 4.0;
 
 /// The center that a fit should have.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum CenterChoice {
-    /// The centroid of the area if the outline is star-shaped about it; otherwise the best
-    /// replacement (see [`CenterOrigin`]).
+    /// The centroid of the area if it sees the whole outline; otherwise the best replacement (see [`CenterOrigin`]).
     #[default]
+    Auto,
+    /// The centroid of the area, which must be strictly inside the outline.
     Centroid,
+    /// The middle of the kernel, which must not be empty: the centroid of the set of points that see the whole outline.
+    Kernel,
+    /// A point that sees as much of the outline as a search finds: the middle of the kernel if there is one.
+    Best,
     /// This point, which must be strictly inside the outline.
     Point([Rational; 2]),
 }
@@ -32,6 +42,8 @@ pub enum CenterOrigin {
     /// The centroid lies outside the outline and no kernel was found: this is the middle of the longest
     /// inside piece of the horizontal line through the centroid.
     ChordMiddle,
+    /// A search found no point inside the outline from which less of it is hidden.
+    Best,
 }
 
 impl CenterOrigin {
@@ -41,6 +53,7 @@ impl CenterOrigin {
         match self {
             Self::Centroid => "the centroid",
             Self::Given => "the given point",
+            Self::Best => "the point that sees the most of it, as far as a search found",
             Self::Kernel => {
                 "the middle of the kernel (the centroid does not see the whole outline)"
             }
@@ -69,7 +82,8 @@ pub struct Center {
 impl Center {
     /// Chooses the center of `contour` and, if `decimals` is given, rounds it to this many decimals.
     ///
-    /// For [`CenterChoice::Centroid`] these points are tried in turn: the centroid, if the outline is star-shaped about it; the
+    /// For [`CenterChoice::Auto`] these points are tried in turn: the centroid, if the outline is star-shaped about it, or if the
+    /// outline was traced in a picture and its radius jumps by at most four pixels, which noise can do; the
     /// centroid of the kernel, if the outline is star-shaped about that (it is found in floating point and verified exactly, so
     /// a kernel thinner than rounding may be missed); the centroid again, if it is inside; and the middle of the longest inside
     /// piece of the horizontal line through the centroid.
@@ -81,7 +95,7 @@ impl Center {
     ///
     /// let l_shape = vec![[0., 0.], [9., 0.], [9., 1.], [1., 1.], [1., 9.], [0., 9.]];
     /// let l_shape = Contour::new(l_shape, "L").unwrap();
-    /// let center = Center::choose(&l_shape, &CenterChoice::Centroid, None).unwrap();
+    /// let center = Center::choose(&l_shape, &CenterChoice::Auto, None).unwrap();
     /// assert_eq!(center.origin, CenterOrigin::Kernel);
     /// assert_eq!(center.point, [0.5, 0.5]);
     /// assert!(center.star_shaped);
@@ -98,10 +112,39 @@ impl Center {
                 }
                 (point.clone(), CenterOrigin::Given)
             }
-            CenterChoice::Centroid => {
+            CenterChoice::Auto => {
                 let (point, origin) = automatic(contour)?;
                 (exactly(point)?, origin)
             }
+            CenterChoice::Centroid => {
+                let point = contour.centroid();
+                if !contour.contains(point) {
+                    return Err(Error::Usage(format!(
+                        "the centroid ({}, {}) is not inside the outline; --center auto takes a point that is",
+                        point[0], point[1]
+                    )));
+                }
+                (exactly(point)?, CenterOrigin::Centroid)
+            }
+            CenterChoice::Kernel => {
+                let point = kernel_middle(contour).ok_or_else(|| {
+                    Error::Usage(
+                        "no point was found that sees the whole outline; --center best takes one that sees much of it".into(),
+                    )
+                })?;
+                (exactly(point)?, CenterOrigin::Kernel)
+            }
+            CenterChoice::Best => match kernel_middle(contour) {
+                Some(point) => (exactly(point)?, CenterOrigin::Kernel),
+                None => {
+                    let others: Vec<[f64; 2]> = automatic(contour)
+                        .into_iter()
+                        .map(|(point, _)| point)
+                        .collect();
+                    let point = best_center(contour, &others)?;
+                    (exactly(point)?, CenterOrigin::Best)
+                }
+            },
         };
         let exact = match decimals {
             None => exact,
@@ -132,10 +175,13 @@ fn automatic(contour: &Contour) -> Result<([f64; 2], CenterOrigin)> {
     if star_shaped_about(contour, centroid) {
         return Ok((centroid, CenterOrigin::Centroid));
     }
-    let in_kernel = kernel(contour)
-        .map(|region| region.centroid())
-        .filter(|&point| star_shaped_about(contour, point));
-    if let Some(point) = in_kernel {
+    if contour.resolution() > 0.0 && contour.contains(centroid) {
+        let (jump, _) = ContourRadius::new(contour, centroid)?.largest_jump();
+        if jump <= NOISE_JUMP * contour.resolution() {
+            return Ok((centroid, CenterOrigin::Centroid));
+        }
+    }
+    if let Some(point) = kernel_middle(contour) {
         return Ok((point, CenterOrigin::Kernel));
     }
     if contour.contains(centroid) {
@@ -151,6 +197,12 @@ fn automatic(contour: &Contour) -> Result<([f64; 2], CenterOrigin)> {
                     .into(),
             )
         })
+}
+
+/// The centroid of the kernel, if the outline is star-shaped about it.
+fn kernel_middle(contour: &Contour) -> Option<[f64; 2]> {
+    let region = kernel(contour)?;
+    Some(region.centroid()).filter(|&point| star_shaped_about(contour, point))
 }
 
 /// The middle of the longest piece of the line y = `height` inside the outline.
@@ -220,7 +272,7 @@ mod tests {
 
     #[test]
     fn a_centroid_that_sees_everything_is_taken() {
-        let center = Center::choose(&contour(&SQUARE), &CenterChoice::Centroid, None).unwrap();
+        let center = Center::choose(&contour(&SQUARE), &CenterChoice::Auto, None).unwrap();
         assert_eq!(center.origin, CenterOrigin::Centroid);
         assert_eq!(center.exact, [Rational::one(), Rational::one()]);
         assert!(center.star_shaped);
@@ -228,7 +280,7 @@ mod tests {
 
     #[test]
     fn a_centroid_outside_gives_way_to_the_thickest_chord() {
-        let center = Center::choose(&contour(&U), &CenterChoice::Centroid, None).unwrap();
+        let center = Center::choose(&contour(&U), &CenterChoice::Auto, None).unwrap();
         assert_eq!(center.origin, CenterOrigin::ChordMiddle);
         assert_eq!(center.point[0], 9.0);
         assert!(!center.star_shaped);
@@ -250,6 +302,38 @@ mod tests {
             let error = Center::choose(&square, &given(x, y), None).unwrap_err();
             assert!(error.to_string().contains("is not inside the outline"));
         }
+    }
+
+    #[test]
+    fn a_choice_that_the_outline_does_not_have_is_refused() {
+        let refused = |points: &[[f64; 2]], choice: CenterChoice| {
+            Center::choose(&contour(points), &choice, None)
+                .unwrap_err()
+                .to_string()
+        };
+        assert!(refused(&U, CenterChoice::Centroid).contains("--center auto takes"));
+        assert!(refused(&U, CenterChoice::Kernel).contains("--center best takes"));
+    }
+
+    /// Of the U, no point sees everything; the best one hides less than the one that is chosen otherwise.
+    #[test]
+    fn the_best_center_hides_the_least() {
+        let hidden = |choice: CenterChoice| {
+            let contour = contour(&U);
+            let center = Center::choose(&contour, &choice, None).unwrap();
+            let radius = ContourRadius::new(&contour, center.point).unwrap();
+            (radius.hidden_share(), center.origin)
+        };
+        let (best, origin) = hidden(CenterChoice::Best);
+        assert_eq!(origin, CenterOrigin::Best);
+        let (auto, _) = hidden(CenterChoice::Auto);
+        assert!(best < auto - 0.05, "{best} {auto}");
+        // A square has a kernel, which is all of it.
+        let center = Center::choose(&contour(&SQUARE), &CenterChoice::Best, None).unwrap();
+        assert_eq!(
+            (center.origin, center.point),
+            (CenterOrigin::Kernel, [1.0, 1.0])
+        );
     }
 
     #[test]

@@ -135,7 +135,7 @@ proptest! {
 
     #[test]
     fn a_chosen_center_is_inside_and_says_what_it_is(contour in outlines()) {
-        let center = Center::choose(&contour, &CenterChoice::Centroid, None).unwrap();
+        let center = Center::choose(&contour, &CenterChoice::Auto, None).unwrap();
         prop_assert!(contour.contains(center.point));
         prop_assert_eq!(center.star_shaped, star_shaped_about(&contour, center.point));
         match center.origin {
@@ -228,7 +228,7 @@ proptest! {
     ) {
         let contour = Contour::new(around(&radii), "star").unwrap();
         let options = FitOptions {
-            center: CenterChoice::Centroid,
+            center: CenterChoice::Auto,
             samples: Some(512),
             size: Some(FitSize::Tolerance(tolerance)),
             decimals,

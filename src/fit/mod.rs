@@ -10,6 +10,7 @@
 //! The coefficients of a radius are exactly the doubles that Definition 1 gives, or these doubles rounded to a number of decimals. All
 //! later computations with them are exact.
 
+mod best_center;
 mod center;
 mod columns;
 #[cfg(feature = "images")]
@@ -23,6 +24,7 @@ mod geojson;
 mod kernel;
 mod layout;
 mod left_out;
+mod normal_form;
 mod numpy;
 mod options;
 mod outline_options;
@@ -54,6 +56,7 @@ pub use distance::{Bounds, Distances, distances};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub(crate) use geojson::is_geojson;
 pub use left_out::LeftOut;
+pub use normal_form::{NormalForm, normal_form};
 pub use options::{FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES};
 pub use outline_options::OutlineOptions;
 pub use radius::ContourRadius;

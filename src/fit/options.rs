@@ -182,7 +182,7 @@ impl FitOptions {
     /// Checks that all options belong to the fit of an elliptic series.
     pub(super) fn is_for_an_elliptic_series(&self) -> Result<()> {
         let given = [
-            ("--center", self.center != CenterChoice::Centroid),
+            ("--center", self.center != CenterChoice::Auto),
             ("--samples", self.samples.is_some()),
         ];
         match given.iter().find(|(_, given)| *given) {

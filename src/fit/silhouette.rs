@@ -78,7 +78,7 @@ impl Silhouette {
             frame: self.heights.frame,
             ..LeftOut::default()
         };
-        Ok((Contour::new(ring, place)?, left_out))
+        Ok((Contour::new(ring, place)?.with_resolution(1.0), left_out))
     }
 }
 

@@ -31,6 +31,8 @@ pub struct Contour {
     points: Vec<[f64; 2]>,
     /// Whether the points were given clockwise.
     is_reversed: bool,
+    /// The size of a pixel if the outline was traced in a picture, else 0.
+    resolution: f64,
     place: String,
 }
 
@@ -119,8 +121,21 @@ impl Contour {
         Ok(Self {
             points,
             is_reversed,
+            resolution: 0.0,
             place: place.into(),
         })
+    }
+
+    /// The same outline, traced in a picture whose pixels have this size.
+    #[must_use]
+    pub fn with_resolution(self, resolution: f64) -> Self {
+        Self { resolution, ..self }
+    }
+
+    /// The size of a pixel if the outline was traced in a picture, else 0.
+    #[must_use]
+    pub fn resolution(&self) -> f64 {
+        self.resolution
     }
 
     /// Where the points came from, as it was given.

@@ -4,7 +4,7 @@ use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::fit::{
     CenterChoice, CenterOrigin, Distances, EllipticFit, Fit, FitModel, FitOptions, FitSize,
-    distances, fit_elliptic, fit_within,
+    NormalForm, distances, fit_elliptic, fit_within, normal_form,
 };
 use crate::parametrize::is_positive;
 use crate::shape::{Contour, EllipticSeries, Form, FourierRadius};
@@ -17,6 +17,17 @@ pub struct OutlineFit {
     pub series: OutlineSeries,
     /// What is reported of the fit.
     pub report: FitReport,
+}
+
+/// One of several outlines and its fit.
+#[derive(Clone, Debug)]
+pub struct FittedOutline {
+    /// The name of the file.
+    pub file: String,
+    /// Which outline of the file it is, from 1 by its size.
+    pub blob: usize,
+    /// The fit.
+    pub fit: OutlineFit,
 }
 
 /// A series that was fitted to an outline.
@@ -38,6 +49,56 @@ pub struct FitReport {
     pub harmonic_power: Option<f64>,
     /// How far the curve is from the outline, if that was asked for and is within the stated cost.
     pub distances: Option<Distances>,
+    /// What was taken out of an elliptic series in normal form.
+    pub normal_form: Option<TakenOut>,
+}
+
+/// What was taken out of an elliptic series in normal form, as in [`NormalForm`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TakenOut {
+    /// As [`NormalForm::size`].
+    pub size: f64,
+    /// As [`NormalForm::rotation`].
+    pub rotation: f64,
+    /// As [`NormalForm::start`].
+    pub start: f64,
+    /// As [`NormalForm::reversed`].
+    pub reversed: bool,
+}
+
+impl OutlineFit {
+    /// The fit with its elliptic series in normal form. What is reported still speaks of the fit to the outline.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a radius; those of [`normal_form`].
+    pub fn into_normal_form(self, decimals: Option<u32>) -> Result<Self> {
+        let OutlineSeries::Elliptic(fit) = self.series else {
+            return Err(Error::Usage(
+                "--normal-form is for elliptic series; it needs --model elliptic".into(),
+            ));
+        };
+        let NormalForm {
+            series,
+            size,
+            rotation,
+            start,
+            reversed,
+            ..
+        } = normal_form(&fit.series, decimals)?;
+        let taken = TakenOut {
+            size,
+            rotation,
+            start,
+            reversed,
+        };
+        Ok(Self {
+            series: OutlineSeries::Elliptic(EllipticFit { series, ..fit }),
+            report: FitReport {
+                normal_form: Some(taken),
+                ..self.report
+            },
+        })
+    }
 }
 
 /// What is reported of the fit of a radius.
@@ -221,7 +282,7 @@ pub(super) fn refuse_fit_options(options: &FitOptions) -> Result<()> {
 /// Refuses the options that only a contour has.
 pub(super) fn refuse_contour_options(options: &FitOptions) -> Result<()> {
     refuse(&[
-        ("--center", options.center != CenterChoice::Centroid),
+        ("--center", options.center != CenterChoice::Auto),
         ("--model", options.model != FitModel::Radius),
         (
             "--distance",

@@ -67,7 +67,7 @@ pub use check::{
 pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
-pub use fit::{FitReport, OutlineFit, OutlineSeries, RadialReport, fit};
+pub use fit::{FitReport, FittedOutline, OutlineFit, OutlineSeries, RadialReport, TakenOut, fit};
 pub use given::{Content, Given, ReadOptions};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,

@@ -57,7 +57,7 @@ fn example_2_the_butterfly_is_star_shaped_about_its_centroid() {
 #[test]
 fn example_2_the_jet_is_not_star_shaped_about_its_centroid() {
     let contour = jet();
-    let center = Center::choose(&contour, &CenterChoice::Centroid, None).unwrap();
+    let center = Center::choose(&contour, &CenterChoice::Auto, None).unwrap();
     assert_eq!(center.origin, CenterOrigin::Centroid);
     assert!(!center.star_shaped);
     let radius = ContourRadius::new(&contour, center.point).unwrap();

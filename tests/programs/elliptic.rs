@@ -157,6 +157,79 @@ fn tolerances_distances_and_powers_choose_the_fewest_harmonics() {
     assert!(less["harmonic_power"].as_f64().unwrap() < 0.9);
 }
 
+/// The same outline turned, larger, elsewhere, from another vertex and in the other sense has the same normal form.
+#[test]
+fn normal_forms_of_alike_outlines_are_alike() {
+    let folder = TempDir::new().unwrap();
+    let text = fs::read_to_string(outline("jet")).unwrap();
+    let mut points: Vec<[f64; 2]> = text
+        .lines()
+        .filter_map(|line| {
+            let (x, y) = line.split_once(',')?;
+            Some([x.parse().ok()?, y.parse().ok()?])
+        })
+        .collect();
+    points.dedup();
+    if points.first() == points.last() {
+        points.pop();
+    }
+    points.rotate_left(40);
+    points.reverse();
+    let rows = points
+        .iter()
+        .map(|[x, y]| format!("{},{}\n", 300.0 - 2.0 * y, 7.0 + 2.0 * x));
+    fs::write(folder.path().join("moved.csv"), rows.collect::<String>()).unwrap();
+    let jet = outline("jet");
+    let normal = |file: &str| {
+        let flags = [
+            "--model",
+            "elliptic",
+            "-n",
+            "6",
+            "--normal-form",
+            "--format",
+            "json",
+            "--quiet",
+        ];
+        json(&done_in(
+            folder.path(),
+            &[&["fit", file], &flags[..]].concat(),
+            "",
+        ))
+    };
+    let (plain, moved) = (normal(&jet), normal("moved.csv"));
+    let taken = |document: &Value, name: &str| document["normal_form"][name].as_f64().unwrap();
+    assert!((taken(&moved, "size") / taken(&plain, "size") - 2.0).abs() < 1e-9);
+    assert_ne!(
+        moved["normal_form"]["reversed"],
+        plain["normal_form"]["reversed"]
+    );
+    let number = |text: &str| {
+        let exact = rational(text);
+        let double = |n: &num_bigint::BigInt| n.to_string().parse::<f64>().unwrap();
+        double(exact.numer()) / double(exact.denom())
+    };
+    let mut worst = [0.0f64; 2];
+    for name in ["x_cos", "x_sin", "y_cos", "y_sin"] {
+        let lists = [&plain, &moved].map(|d| strings(&d["elliptic"][name]));
+        for (n, (a, b)) in lists[0].iter().zip(&lists[1]).enumerate() {
+            // From the other end of the half axis, even harmonics have the other sign.
+            for (sign, worst) in [1.0, -1.0].into_iter().zip(&mut worst) {
+                let sign = if n % 2 == 0 { sign } else { 1.0 };
+                *worst = worst.max((number(a) - sign * number(b)).abs());
+            }
+        }
+    }
+    assert!(worst[0].min(worst[1]) < 1e-9, "{worst:?}");
+    let run = run_in(
+        Path::new("."),
+        &["fit", &jet, "-n", "3", "--normal-form"],
+        "",
+    );
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("it needs --model elliptic"), "{}", run.err);
+}
+
 /// All coefficients of the documents are decimals of so many digits.
 #[test]
 fn coefficients_are_rounded_to_decimals() {

@@ -290,11 +290,11 @@ fn angles_points_and_boxes_are_asked_for_in_plain_words() {
         ),
         (
             "fit c.csv -n 2 --center middle",
-            "--center middle: \"middle\" is not a number; expected centroid or X,Y",
+            "--center middle: \"middle\" is not a number; expected auto, centroid, kernel, best or X,Y",
         ),
         (
             "fit c.csv -n 2 --center 1,2,3",
-            "--center 1,2,3: expected centroid or X,Y",
+            "--center 1,2,3: expected auto, centroid, kernel, best or X,Y",
         ),
         (
             "fit c.csv -n 2 --center '0,1;0,2'",

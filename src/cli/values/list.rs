@@ -48,10 +48,17 @@ fn doubles<const N: usize>(text: &str, expected: &str) -> Read<[f64; N]> {
 
 /// Reads the center of a fit.
 pub(crate) fn center(text: &str) -> Read<CenterChoice> {
-    if text.trim().eq_ignore_ascii_case("centroid") {
-        return Ok(CenterChoice::Centroid);
+    match text.trim().to_ascii_lowercase().as_str() {
+        "auto" => Ok(CenterChoice::Auto),
+        "centroid" => Ok(CenterChoice::Centroid),
+        "kernel" => Ok(CenterChoice::Kernel),
+        "best" => Ok(CenterChoice::Best),
+        _ => exactly(
+            text,
+            "expected auto, centroid, kernel, best or X,Y, such as 12.5,-3",
+        )
+        .map(CenterChoice::Point),
     }
-    exactly(text, "expected centroid or X,Y, such as 12.5,-3").map(CenterChoice::Point)
 }
 
 /// Reads the columns of x and y of a table.
