@@ -65,7 +65,7 @@ pub(crate) struct FitFlags {
         value_parser = center
     )]
     pub(crate) center: CenterChoice,
-    /// Number of samples of the radius [default: at least 8N]
+    /// Number of samples of the radius [default: at least 8N and twice the number of vertices]
     #[arg(long, value_name = "NS", value_parser = whole::<usize>(0..=u64::MAX, 1024))]
     pub(crate) samples: Option<usize>,
     /// Round the center and the coefficients to D decimals
@@ -90,6 +90,9 @@ pub(crate) struct OutlineFlags {
     /// Of a picture: take what is otherwise the background
     #[arg(long)]
     pub(crate) invert: bool,
+    /// Mend an outline that touches or crosses itself: cut its loops and spurs off, and say what they are
+    #[arg(long)]
+    pub(crate) repair: bool,
 }
 
 impl Default for OutlineFlags {
@@ -99,6 +102,7 @@ impl Default for OutlineFlags {
             blob: 1,
             threshold: None,
             invert: false,
+            repair: false,
         }
     }
 }

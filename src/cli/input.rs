@@ -51,7 +51,8 @@ fn read_options(flags: &OutlineFlags, session: &Session) -> ReadOptions {
         .blob(flags.blob)
         .threshold(flags.threshold)
         .invert(flags.invert)
-        .columns(flags.columns.clone());
+        .columns(flags.columns.clone())
+        .repair(flags.repair);
     ReadOptions::default()
         .numbers(session.numbers())
         .outline(outline)

@@ -109,6 +109,15 @@ fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
             _ => counted(left_out.open, "point or open line", "points or open lines"),
         });
     }
+    let removed = &left_out.removed;
+    if removed.points > 0 {
+        let points = counted(removed.points, "point", "points");
+        let loops = counted(removed.loops, "loop", "loops");
+        all.push(format!(
+            "{points} in {loops}, {:.3} % of its length (--repair)",
+            100.0 * removed.share
+        ));
+    }
     format!("the outline of {outline} leaves out {}", all.join(", "))
 }
 

@@ -1,6 +1,7 @@
 //! Drawings in SVG.
 
 use super::*;
+use crate::fit::OutlineOptions;
 use crate::shape::Contour;
 use std::f64::consts::PI;
 
@@ -10,7 +11,10 @@ fn rings(body: &str) -> Result<Rings> {
 }
 
 fn taken(body: &str) -> (Contour, LeftOut) {
-    rings(body).unwrap().outline(0, "a.svg").unwrap()
+    rings(body)
+        .unwrap()
+        .outline(0, &OutlineOptions::default(), "a.svg")
+        .unwrap()
 }
 
 fn message(body: &str) -> String {
@@ -47,7 +51,11 @@ fn the_range_of_y_stays_that_of_the_view_box() {
     let box_of = |attributes: &str| {
         let text = format!("<svg {attributes}><path d='M-1 -2H3V1z'/></svg>");
         let mut rings = read_drawing(&text, "a.svg").unwrap();
-        rings.outline(0, "a").unwrap().0.bounding_box()
+        rings
+            .outline(0, &OutlineOptions::default(), "a")
+            .unwrap()
+            .0
+            .bounding_box()
     };
     assert_eq!(box_of("viewBox='-5 -5 10 10'"), [[-1.0, -1.0], [3.0, 2.0]]);
     assert_eq!(box_of("viewBox='0 0 9 20'"), [[-1.0, 19.0], [3.0, 22.0]]);

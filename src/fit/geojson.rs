@@ -248,6 +248,7 @@ impl<'de> Visitor<'de> for NestedVisitor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::OutlineOptions;
 
     fn rings(text: &str) -> Result<Rings> {
         read_geojson(text, "a.geojson")
@@ -276,7 +277,10 @@ mod tests {
             ),
         ] {
             assert!(is_geojson(&text), "{text}");
-            let (outline, _) = rings(&text).unwrap().outline(0, "a").unwrap();
+            let (outline, _) = rings(&text)
+                .unwrap()
+                .outline(0, &OutlineOptions::default(), "a")
+                .unwrap();
             assert_eq!(
                 outline.points(),
                 [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]
@@ -288,14 +292,20 @@ mod tests {
                 {{"type":"MultiPoint","coordinates":[[1,2],[3,4]]}},
                 {{"type":"LineString","coordinates":[[1,2],[3,4]]}}]}}"#
         );
-        let (_, left_out) = rings(&text).unwrap().outline(0, "a").unwrap();
+        let (_, left_out) = rings(&text)
+            .unwrap()
+            .outline(0, &OutlineOptions::default(), "a")
+            .unwrap();
         assert_eq!((left_out.parts, left_out.holes, left_out.open), (1, 1, 3));
     }
 
     #[test]
     fn numbers_have_all_their_digits() {
         let text = r#"{"type":"Polygon","coordinates":[[[500000.12700000004,4649776.458000001],[1e-5,1],[2,7e0]]]}"#;
-        let (outline, _) = rings(text).unwrap().outline(0, "a").unwrap();
+        let (outline, _) = rings(text)
+            .unwrap()
+            .outline(0, &OutlineOptions::default(), "a")
+            .unwrap();
         assert!(
             outline
                 .points()
@@ -326,7 +336,8 @@ mod tests {
             ("[[[0,0],[1,0]]]", "at least three points"),
         ] {
             let text = format!(r#"{{"type":"Polygon","coordinates":{coordinates}}}"#);
-            let found = rings(&text).and_then(|mut rings| rings.outline(0, "a"));
+            let found = rings(&text)
+                .and_then(|mut rings| rings.outline(0, &OutlineOptions::default(), "a"));
             let message = found.unwrap_err().to_string();
             assert!(message.contains(part), "{coordinates}: {message}");
         }

@@ -1,6 +1,7 @@
 //! What of a file is not in the outline that was taken.
 
 use super::ContourKind;
+use crate::shape::Removed;
 
 /// What is in a file besides the outline that was taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,6 +21,8 @@ pub struct LeftOut {
     pub open: usize,
     /// Whether a rectangle covers the whole drawing; it is taken for the background.
     pub background: bool,
+    /// What was cut off to mend the outline.
+    pub removed: Removed,
 }
 
 impl LeftOut {

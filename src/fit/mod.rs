@@ -208,6 +208,7 @@ fn default_samples(size: FitSize, vertices: usize) -> usize {
     match size {
         FitSize::Harmonics(n) => n
             .saturating_mul(8)
+            .max(vertices.saturating_mul(2).min(MAX_DEFAULT_SAMPLES))
             .clamp(1024, MAX_SAMPLES)
             .next_power_of_two(),
         _ => vertices

@@ -45,8 +45,8 @@ pub struct FitOptions {
     pub model: FitModel,
     /// The center, from which the radius is measured.
     pub center: CenterChoice,
-    /// The number of samples Ns. For N harmonics the default is max(8N, 1024) rounded up to a power of two. For a tolerance it
-    /// is max(4096, twice the number of vertices) rounded up to a power of two, at most 131072.
+    /// The number of samples Ns. By default it is twice the number of vertices, but at most 131072, and at least 8N and 1024
+    /// for N harmonics or 4096 for a tolerance, rounded up to a power of two.
     pub samples: Option<usize>,
     /// The size of the fit. It has no default; a fit without it is an error.
     pub size: Option<FitSize>,

@@ -3,6 +3,7 @@
 use super::{Columns, ContourKind};
 use crate::error::{Error, Result};
 use crate::options::options;
+use crate::shape::{Contour, Removed};
 
 options! {
     /// How an outline is found in a file.
@@ -15,10 +16,26 @@ options! {
         invert: bool = false,
         /// Of a table: the columns of x and y; by default those that its first row names so, or the only two.
         columns: Option<Columns> = None,
+        /// Whether an outline that touches or crosses itself is mended ([`Contour::repaired`](crate::shape::Contour::repaired)).
+        repair: bool = false,
     }
 }
 
 impl OutlineOptions {
+    /// The outline through these points, mended if that is asked for, and what was cut off; `rows` are as in
+    /// [`Contour::from_rows`].
+    pub(super) fn outline(
+        &self,
+        points: Vec<[f64; 2]>,
+        rows: &[usize],
+        place: &str,
+    ) -> Result<(Contour, Removed)> {
+        if self.repair {
+            return Contour::repaired(points, rows, place);
+        }
+        Contour::from_rows(points, rows, place).map(|outline| (outline, Removed::default()))
+    }
+
     /// Refuses options that mean nothing for an outline of this kind, or for what is no outline (`None`).
     ///
     /// # Errors
@@ -26,7 +43,7 @@ impl OutlineOptions {
     pub fn check(&self, kind: Option<ContourKind>) -> Result<()> {
         use ContourKind::{Array, Drawing, Image, Polygons, Rows};
         let usual = Self::default();
-        let given: [(&str, bool, &[ContourKind], &str); 4] = [
+        let given: [(&str, bool, &[ContourKind], &str); 5] = [
             (
                 "--blob",
                 self.blob != usual.blob,
@@ -50,6 +67,12 @@ impl OutlineOptions {
                 self.columns != usual.columns,
                 &[Rows, Array],
                 "tables of points",
+            ),
+            (
+                "--repair",
+                self.repair,
+                &[Array, Drawing, Image, Polygons, Rows],
+                "outlines",
             ),
         ];
         let wrong = given

@@ -139,7 +139,7 @@ pub fn outline_from_reader(
     place: &str,
 ) -> Result<(Contour, LeftOut)> {
     let mut outlines = Outlines::read(reader, kind, options, place)?;
-    outlines.outline(options.blob, place)
+    outlines.outline(options.blob, options, place)
 }
 
 /// Reads all outlines of a file, the largest first: those that [`outline_from_reader`] gives for `blob` = 1, 2, … If one of them
@@ -167,8 +167,8 @@ pub fn outlines_from_reader(
     let mut outlines = Outlines::read(reader, kind, options, place)?;
     let count = outlines.count();
     let each = |blob: usize| match count {
-        1 => outlines.outline(blob, place),
-        _ => outlines.outline(blob, &format!("{place}, blob {blob}")),
+        1 => outlines.outline(blob, options, place),
+        _ => outlines.outline(blob, options, &format!("{place}, blob {blob}")),
     };
     Ok((1..=count).map(each).collect())
 }
@@ -251,19 +251,25 @@ impl Outlines {
     }
 
     /// The outline with this number, from 1. Each is taken once.
-    fn outline(&mut self, blob: usize, place: &str) -> Result<(Contour, LeftOut)> {
+    fn outline(
+        &mut self,
+        blob: usize,
+        options: &OutlineOptions,
+        place: &str,
+    ) -> Result<(Contour, LeftOut)> {
         match self {
             Self::Points { points, rows, kind } => {
-                let outline = Contour::from_rows(std::mem::take(points), rows, place)?;
+                let (outline, removed) = options.outline(std::mem::take(points), rows, place)?;
                 let left_out = LeftOut {
                     kind: *kind,
+                    removed,
                     ..LeftOut::default()
                 };
                 Ok((outline, left_out))
             }
-            Self::Rings(rings) => rings.outline(blob.wrapping_sub(1), place),
+            Self::Rings(rings) => rings.outline(blob.wrapping_sub(1), options, place),
             #[cfg(feature = "images")]
-            Self::Silhouette(silhouette) => silhouette.outline(blob, place),
+            Self::Silhouette(silhouette) => silhouette.outline(blob, options, place),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Closed rings of points: which one is the outline, and what is left out.
 
-use super::{ContourKind, LeftOut};
+use super::{ContourKind, LeftOut, OutlineOptions};
 use crate::error::{Error, Result};
 use crate::shape::Contour;
 
@@ -51,7 +51,12 @@ impl Rings {
     ///
     /// # Errors
     /// Those of [`Contour::new`]; [`Error::Data`] if there are fewer rings.
-    pub(super) fn outline(&mut self, index: usize, place: &str) -> Result<(Contour, LeftOut)> {
+    pub(super) fn outline(
+        &mut self,
+        index: usize,
+        options: &OutlineOptions,
+        place: &str,
+    ) -> Result<(Contour, LeftOut)> {
         let count = self.all.len();
         let others = self.all.iter().enumerate().filter(|(k, _)| *k != index);
         let largest = others.map(|(_, ring)| ring.area).fold(0.0, f64::max);
@@ -70,15 +75,17 @@ impl Rings {
                 ),
             ));
         };
+        // No ring is an outline twice.
+        let points = std::mem::take(&mut taken.points);
+        let (outline, removed) = options.outline(points, &[], place)?;
         let left_out = LeftOut {
             parts: count - 1,
             largest: largest / taken.area,
             holes: taken.holes,
+            removed,
             ..self.rest
         };
-        // No ring is an outline twice.
-        let points = std::mem::take(&mut taken.points);
-        Ok((Contour::new(points, place)?, left_out))
+        Ok((outline, left_out))
     }
 }
 
@@ -123,15 +130,16 @@ mod tests {
     fn rings_are_counted_by_their_area() {
         let all = vec![square(1e9, 1.0), square(0.0, 3.0), square(5.0, 2.0)];
         let mut rings = Rings::new(all, LeftOut::default());
-        let (outline, left_out) = rings.outline(1, "a").unwrap();
+        let options = OutlineOptions::default();
+        let (outline, left_out) = rings.outline(1, &options, "a").unwrap();
         assert_eq!((outline.area(), outline.len()), (4.0, 4));
         assert_eq!(
             (left_out.parts, left_out.holes, left_out.largest),
             (2, 1, 2.25)
         );
-        let (outline, _) = rings.outline(2, "a").unwrap();
+        let (outline, _) = rings.outline(2, &options, "a").unwrap();
         assert_eq!((outline.area(), outline.len()), (1.0, 4));
-        let error = rings.outline(3, "a").unwrap_err().to_string();
+        let error = rings.outline(3, &options, "a").unwrap_err().to_string();
         assert!(error.contains("--blob 4: there are 3 polygons"), "{error}");
     }
 }

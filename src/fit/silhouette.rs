@@ -52,7 +52,12 @@ impl Silhouette {
     ///
     /// # Errors
     /// [`Error::Data`] if there are fewer parts; those of [`Contour::new`].
-    pub(super) fn outline(&self, blob: usize, place: &str) -> Result<(Contour, LeftOut)> {
+    pub(super) fn outline(
+        &self,
+        blob: usize,
+        options: &OutlineOptions,
+        place: &str,
+    ) -> Result<(Contour, LeftOut)> {
         let count = self.count();
         let found = blob.checked_sub(1).and_then(|index| self.parts.get(index));
         let Some(taken) = found else {
@@ -70,15 +75,17 @@ impl Silhouette {
         let largest = largest
             .filter(|_| count > 1)
             .map_or(0, |other| other.pixels);
+        let (contour, removed) = options.outline(ring, &[], place)?;
         let left_out = LeftOut {
             kind: ContourKind::Image,
+            removed,
             parts: count - 1,
             largest: coordinate(largest) / coordinate(taken.pixels),
             holes,
             frame: self.heights.frame,
             ..LeftOut::default()
         };
-        Ok((Contour::new(ring, place)?.with_resolution(1.0), left_out))
+        Ok((contour.with_resolution(1.0), left_out))
     }
 }
 

@@ -10,7 +10,7 @@ fn traced(bytes: &[u8], place: &str) -> Result<Contour> {
 }
 
 fn trace(bytes: &[u8], options: &OutlineOptions, place: &str) -> Result<(Contour, LeftOut)> {
-    Silhouette::read(bytes, options, place)?.outline(options.blob, place)
+    Silhouette::read(bytes, options, place)?.outline(options.blob, options, place)
 }
 
 fn encoded(image: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {

@@ -106,7 +106,7 @@ impl Contour {
             return Err(Error::data(
                 place,
                 format!(
-                    "the outline crosses or touches itself: {} meets {} near ({:.6}, {:.6})",
+                    "the outline crosses or touches itself: {} meets {} near ({:.6}, {:.6}); --repair cuts such loops off",
                     edge(crossing.first),
                     edge(crossing.second),
                     crossing.near[0],
@@ -323,7 +323,7 @@ mod tests {
         assert_eq!(
             message(&[[0.0, 0.0], [2.0, 2.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]]),
             "outline.csv: the outline crosses or touches itself: the edge from point 1 to point 2 \
-             meets the edge from point 4 to point 5 near (1.000000, 1.000000)"
+             meets the edge from point 4 to point 5 near (1.000000, 1.000000); --repair cuts such loops off"
         );
         let rows = [3, 4, 9, 11];
         let bow_tie = vec![[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];

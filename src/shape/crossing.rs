@@ -107,7 +107,7 @@ fn neighbours<'a>(
 }
 
 /// Whether the edges a → b and b → c overlap: c lies on the ray from b to a.
-fn doubles_back(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
+pub(super) fn doubles_back(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
     // All three points are on one line, so a coordinate in which a and b differ tells whether a and c are on the same side of
     // b.
     let same_side = (0..2).any(|k| (a[k] < b[k] && c[k] < b[k]) || (a[k] > b[k] && c[k] > b[k]));
@@ -115,7 +115,7 @@ fn doubles_back(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
 }
 
 /// Whether the closed segments p–q and r–s have a point in common.
-fn share_a_point(p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]) -> bool {
+pub(super) fn share_a_point(p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]) -> bool {
     let (r_side, s_side) = (orientation(p, q, r), orientation(p, q, s));
     if r_side == Ordering::Equal && s_side == Ordering::Equal {
         return in_box(p, q, r) || in_box(p, q, s) || in_box(r, s, p);

@@ -12,6 +12,7 @@ mod orientation;
 mod parameter;
 mod patch;
 mod radial;
+mod repair;
 mod superquadric;
 mod swept_edge;
 
@@ -29,6 +30,7 @@ pub(crate) use orientation::orientation;
 pub use parameter::Parameter;
 pub use patch::{Patch, PatchFunction};
 pub use radial::Radial;
+pub use repair::Removed;
 pub use superquadric::{SpaceSuperquadric, Superquadric};
 pub(crate) use swept_edge::SweptEdge;
 

@@ -140,7 +140,7 @@ fn bad_files_are_diagnosed_by_name_and_row() {
     assert!(message("0,0\n1,1\n2,2\n3,3\n").contains("all points lie on one line"));
     assert!(message("# bow tie\n0,0\n2,2\n\n2,0\n0,2\n").ends_with(
         "outline.csv: the outline crosses or touches itself: the edge from row 2 to row 3 meets the \
-         edge from row 5 to row 6 near (1.000000, 1.000000)"
+         edge from row 5 to row 6 near (1.000000, 1.000000); --repair cuts such loops off"
     ));
     assert!(from_text("outline.png", "x").is_err());
     assert!(from_text("outline.txt", "0,0\n1,0\n0,1\n").is_err());
