@@ -12,56 +12,34 @@
 
 mod best_center;
 mod center;
-mod columns;
-#[cfg(feature = "images")]
-mod cut;
 mod definition1;
 mod distance;
-#[cfg(feature = "images")]
-mod drawing;
 mod elliptic;
-mod geojson;
 mod kernel;
-mod layout;
-mod left_out;
 mod normal_form;
-mod numpy;
 mod options;
-mod outline_options;
-#[cfg(feature = "images")]
-mod picture;
 mod radius;
-mod read;
+mod reading;
 mod residual;
-mod rings;
-mod rows;
 mod series;
-#[cfg(feature = "images")]
-mod silhouette;
-#[cfg(feature = "images")]
-mod svg_path;
 mod sweep;
 mod tolerance;
 mod turns;
-#[cfg(feature = "images")]
-mod viewport;
 
 #[cfg(test)]
 mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
-pub use columns::Columns;
 pub use definition1::fourier_coefficients;
 pub use distance::{Bounds, Distances, distances};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
-pub(crate) use geojson::is_geojson;
-pub use left_out::LeftOut;
 pub use normal_form::{NormalForm, normal_form};
 pub use options::{FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES};
-pub use outline_options::OutlineOptions;
 pub use radius::ContourRadius;
-pub use read::{
-    ContourKind, contour_from_reader, outline_from_reader, outlines_from_reader, read_contour,
+pub(crate) use reading::is_geojson;
+pub use reading::{
+    Columns, ContourKind, LeftOut, OutlineOptions, contour_from_reader, outline_from_reader,
+    outlines_from_reader, read_contour,
 };
 
 // Only the tests and benches of this project use these; they are no part of the public interface.

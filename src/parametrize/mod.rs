@@ -13,12 +13,13 @@ mod parametrization;
 mod ranges;
 mod rational;
 mod same_angle;
+mod series_error;
 mod superquadric;
 mod surface;
 mod traced;
 
 pub use angle::{AngleRange, ExactAngle};
-pub(crate) use approximate::rounded_up;
+
 pub use approximate::{BranchFit, BranchFitOptions, DEFAULT_HARMONICS, fit_branch};
 pub use condition::{Condition, Relation};
 pub use expression::Expression;
@@ -34,6 +35,7 @@ pub use ranges::{is_positive, positive_ranges};
 pub use rational::{
     Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,
 };
+pub(crate) use series_error::rounded_up;
 pub use superquadric::{parametrize_space_superquadric, parametrize_superquadric};
 pub use surface::{
     SurfaceBranch, SurfaceFactor, SurfaceMethod, SurfaceParametrization, parametrize_surface,

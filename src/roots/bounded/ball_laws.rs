@@ -12,11 +12,11 @@ use crate::bigint::binomials;
 use crate::exact::Rational;
 
 /// The number of inputs for each law and width.
-pub(in crate::roots::bounded) const CASES: usize = 2000;
+pub(crate) const CASES: usize = 2000;
 
 impl Draw {
     /// A radius of 0, of some ulps, or much larger, with few bits or with all of them.
-    pub(in crate::roots::bounded) fn radius(&mut self) -> f64 {
+    pub(crate) fn radius(&mut self) -> f64 {
         match self.below(5) {
             4 => f64::from_bits((1023 + 50 + self.word() % 20) << 52 | self.word() >> 12),
             0 => 0.0,
@@ -42,7 +42,7 @@ impl Draw {
     }
 
     /// A number that a ball with this midpoint and radius holds.
-    pub(in crate::roots::bounded) fn held(&mut self, mid: &Rational, radius: f64) -> Rational {
+    pub(crate) fn held(&mut self, mid: &Rational, radius: f64) -> Rational {
         let off = exact(radius) * Rational::from([-1, 1, 0, 1][self.below(4)]);
         match self.below(3) {
             0 => mid + off * Rational::from(self.below(100) as i64) / Rational::from(100),
@@ -57,38 +57,33 @@ fn ulps_of(count: i64) -> f64 {
 }
 
 /// The exact value of a double.
-pub(in crate::roots::bounded) fn exact(value: f64) -> Rational {
+pub(crate) fn exact(value: f64) -> Rational {
     Rational::try_from(value).expect("a finite double")
 }
 
 /// The number in ulps.
-pub(in crate::roots::bounded) fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
+pub(crate) fn ulps<const W: usize>(value: Fixed<W>) -> Rational {
     let size = Rational::whole(Integer::from(Natural::from_limbs_asc(&value.magnitude())));
     if value.is_negative() { -size } else { size }
 }
 
 /// The exact value of a fraction.
-pub(in crate::roots::bounded) fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
+pub(crate) fn number<const W: usize>(fraction: &Fraction<W>) -> Rational {
     Rational::from_dyadic(fraction.to_integer(), -(64 * W as i64))
 }
 
 /// The number of ulps in 1, which is 2^(64W − 8).
-pub(in crate::roots::bounded) fn one<const W: usize>() -> Rational {
+pub(crate) fn one<const W: usize>() -> Rational {
     Rational::from_dyadic(Integer::from(1), Fixed::<W>::FRACTION_BITS)
 }
 
 /// The largest quotient of an error and its radius so far.
 #[derive(Default)]
-pub(in crate::roots::bounded) struct Tightness(f64);
+pub(crate) struct Tightness(f64);
 
 impl Tightness {
     /// Checks that the ball with this midpoint and radius holds the true value.
-    pub(in crate::roots::bounded) fn check(
-        &mut self,
-        truth: &Rational,
-        mid: &Rational,
-        radius: f64,
-    ) {
+    pub(crate) fn check(&mut self, truth: &Rational, mid: &Rational, radius: f64) {
         let error = (truth - mid).abs();
         assert!(
             error <= exact(radius),
@@ -100,7 +95,7 @@ impl Tightness {
     }
 
     /// Checks that some error had this share of its radius, so that no radius is much too large.
-    pub(in crate::roots::bounded) fn is_at_least(&self, share: f64) {
+    pub(crate) fn is_at_least(&self, share: f64) {
         assert!(
             self.0 >= share,
             "no error is more than {} of its radius",
@@ -110,7 +105,7 @@ impl Tightness {
 }
 
 /// Checks that a radius is at least the bound of a lemma, and hardly more.
-pub(in crate::roots::bounded) fn is_just(radius: f64, lemma: &Rational) {
+pub(crate) fn is_just(radius: f64, lemma: &Rational) {
     let slack = Rational::one() + Rational::from_dyadic(Integer::from(1), -30);
     let radius = exact(radius);
     assert!(
@@ -131,7 +126,7 @@ macro_rules! for_widths {
         }
     };
 }
-pub(in crate::roots::bounded) use for_widths;
+pub(crate) use for_widths;
 
 for_widths!(integers_are_inside);
 for_widths!(a_shift_keeps_the_number_inside);
@@ -146,7 +141,7 @@ for_widths!(halves_are_inside);
 mod all {
     use super::*;
 
-    pub(in crate::roots::bounded) fn integers_are_inside<const W: usize>(draw: &mut Draw) {
+    pub(crate) fn integers_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES {
             let value = draw.integer(W + 3);
@@ -167,9 +162,7 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    pub(in crate::roots::bounded) fn a_shift_keeps_the_number_inside<const W: usize>(
-        draw: &mut Draw,
-    ) {
+    pub(crate) fn a_shift_keeps_the_number_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES {
             let ball = draw.ball::<W>(-70);
@@ -186,9 +179,7 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    pub(in crate::roots::bounded) fn means_keep_the_numbers_inside<const W: usize>(
-        draw: &mut Draw,
-    ) {
+    pub(crate) fn means_keep_the_numbers_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES {
             let (a, b) = (draw.ball::<W>(5), draw.ball::<W>(5));
@@ -203,9 +194,7 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    pub(in crate::roots::bounded) fn a_sign_is_that_of_all_numbers_inside<const W: usize>(
-        draw: &mut Draw,
-    ) {
+    pub(crate) fn a_sign_is_that_of_all_numbers_inside<const W: usize>(draw: &mut Draw) {
         let mut known = 0;
         for _ in 0..CASES {
             // The midpoints are about as large as the radius, and the radii are near integers.
@@ -284,7 +273,7 @@ mod all {
         Balls::new(mids, radii)
     }
 
-    pub(in crate::roots::bounded) fn aligned_numbers_are_inside<const W: usize>(draw: &mut Draw) {
+    pub(crate) fn aligned_numbers_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES / 10 {
             let count = 1 + draw.below(40);
@@ -329,9 +318,7 @@ mod all {
     }
 
     /// Midpoints and radii of a few ulps, so that the signs of many sums are unknown. The numbers are taken at all ends.
-    pub(in crate::roots::bounded) fn partial_sums_change_as_often_as_is_said<const W: usize>(
-        draw: &mut Draw,
-    ) {
+    pub(crate) fn partial_sums_change_as_often_as_is_said<const W: usize>(draw: &mut Draw) {
         let mut told = 0;
         for _ in 0..CASES / 4 {
             let count = 1 + draw.below(6);
@@ -363,7 +350,7 @@ mod all {
         assert!(told > CASES / 16, "{told}");
     }
 
-    pub(in crate::roots::bounded) fn values_are_inside<const W: usize>(draw: &mut Draw) {
+    pub(crate) fn values_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES / 10 {
             let list = list::<W>(draw, 30);
@@ -390,9 +377,7 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    pub(in crate::roots::bounded) fn bernstein_coefficients_are_inside<const W: usize>(
-        draw: &mut Draw,
-    ) {
+    pub(crate) fn bernstein_coefficients_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for case in 0..CASES / 40 {
             let list = list::<W>(draw, if case % 10 == 0 { 120 } else { 20 });
@@ -425,7 +410,7 @@ mod all {
         tightness.is_at_least(0.99);
     }
 
-    pub(in crate::roots::bounded) fn halves_are_inside<const W: usize>(draw: &mut Draw) {
+    pub(crate) fn halves_are_inside<const W: usize>(draw: &mut Draw) {
         let mut tightness = Tightness::default();
         for _ in 0..CASES / 20 {
             let list = list::<W>(draw, 20);

@@ -1,0 +1,36 @@
+//! Outlines are read from files: tables, arrays, maps, drawings and pictures.
+//!
+//! [`read`] turns a file of any kind into the outline that is chosen ([`OutlineOptions`]) and what else there is ([`LeftOut`]).
+//! Below it is a file for each kind: rows of numbers in [`rows`], [`layout`] and [`columns`]; arrays in [`numpy`]; polygons in
+//! [`geojson`]; drawings in `drawing`, with the paths of SVG in `svg_path`, `cut` and `viewport`; and pictures in `picture` and
+//! `silhouette`. Several closed rings are put in order in [`rings`].
+
+mod columns;
+#[cfg(feature = "images")]
+mod cut;
+#[cfg(feature = "images")]
+mod drawing;
+mod geojson;
+mod layout;
+mod left_out;
+mod numpy;
+mod outline_options;
+#[cfg(feature = "images")]
+mod picture;
+mod read;
+mod rings;
+mod rows;
+#[cfg(feature = "images")]
+mod silhouette;
+#[cfg(feature = "images")]
+mod svg_path;
+#[cfg(feature = "images")]
+mod viewport;
+
+pub use columns::Columns;
+pub(crate) use geojson::is_geojson;
+pub use left_out::LeftOut;
+pub use outline_options::OutlineOptions;
+pub use read::{
+    ContourKind, contour_from_reader, outline_from_reader, outlines_from_reader, read_contour,
+};
