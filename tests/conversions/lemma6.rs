@@ -204,8 +204,8 @@ fn wrong_choices_get_one_diagnosis_each() {
         "need at least 41 samples",
     );
     refused(
-        &["parametrize", ROUND, "--tolerance", "1"],
-        "--tolerance is for contours",
+        &["parametrize", ROUND, "--distance", "1"],
+        "--distance is for contours",
     );
     refused(
         &["parametrize", "x^2 + y^2 - 1", "--branch", "0"],

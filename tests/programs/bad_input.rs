@@ -299,7 +299,10 @@ fn flags_that_do_not_fit_are_refused() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("c.csv"), circle().join("\n")).unwrap();
     for (arguments, expected) in [
-        (&["fit", "c.csv"][..], "--harmonics N or --tolerance E"),
+        (
+            &["fit", "c.csv"][..],
+            "--harmonics N, --tolerance E or --distance E",
+        ),
         (
             &["fit", "c.csv", "--harmonics", "2", "--tolerance", "1"],
             "cannot be used with",

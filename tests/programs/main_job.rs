@@ -302,12 +302,12 @@ fn an_outline_on_standard_input_is_a_contour_and_original_coordinates_expand_the
     ];
     assert_eq!(
         piped(&arguments, SQUARE),
-        "# center: 1, 1\n100x^2 + 100y^2 - 121 = 0\n"
+        "# center: 1, 1\n# note: radial error of the fit ≈ 3.142e-1 at most, ≈ 1.200e-1 rms\n100x^2 + 100y^2 - 121 = 0\n"
     );
     let original = [&arguments[..], &["--coordinates", "original"]].concat();
     assert_eq!(
         piped(&original, SQUARE),
-        "100x^2 + 100y^2 - 200x - 200y + 79 = 0\n"
+        "# note: radial error of the fit ≈ 3.142e-1 at most, ≈ 1.200e-1 rms\n100x^2 + 100y^2 - 200x - 200y + 79 = 0\n"
     );
 }
 
@@ -323,8 +323,17 @@ fn the_center_survives_every_document() {
         "3",
         "--format",
     ];
-    let expected = piped(&[&["implicitize"], &flags[..], &["json"]].concat(), SQUARE);
-    assert_eq!(json(&expected)["center"], json(r#"["1","3/4"]"#));
+    let direct = piped(&[&["implicitize"], &flags[..], &["json"]].concat(), SQUARE);
+    assert_eq!(json(&direct)["center"], json(r#"["1","3/4"]"#));
+    // The polynomial does not know of the fit.
+    assert_eq!(json(&direct)["outline_star_shaped"], true);
+    let expected = piped(&["implicitize", "-", "--format", "json"], &direct);
+    let (mut left, right) = (json(&direct), json(&expected));
+    let fields = left.as_object_mut().unwrap();
+    for name in ["notes", "outline_star_shaped", "hidden_share"] {
+        assert!(fields.remove(name).is_some(), "{name}");
+    }
+    assert_eq!(left, right);
     let implicitized = |text: &str| piped(&["implicitize", "-", "--format", "json"], text);
     for format in ["text", "json", "csv", "sympy", "maple"] {
         let radius = piped(&[&["fit"], &flags[..], &[format]].concat(), SQUARE);

@@ -413,8 +413,8 @@ fn forms_and_verbs_in_the_wrong_place_are_recognised() {
             "y = 1: implicitize takes one form, and this is another argument; plot takes several",
         ),
         (
-            "fit c.csv d.csv",
-            "d.csv: fit takes one contour, and this is another argument",
+            "describe c.csv d.csv",
+            "d.csv: describe takes one form, and this is another argument",
         ),
         ("paper T1", "T1: paper takes options only"),
         (

@@ -10,20 +10,20 @@ use crate::common::documentation::DOCUMENTATION;
 use crate::common::program::run_in;
 use stellate::document::{
     Format, InspectionWriter, MeshFormat, json_schema, write_check, write_described, write_fit,
-    write_implicitization, write_ladder, write_mesh, write_parametrized, write_sampled,
-    write_vectors,
+    write_fit_table, write_implicitization, write_ladder, write_mesh, write_parametrized,
+    write_sampled, write_vectors,
 };
-use stellate::fit::{FitOptions, FitSize};
+use stellate::fit::{CenterChoice, FitModel, FitOptions, FitSize, OutlineOptions};
 use stellate::inspect::Verdict;
 use stellate::language::Numbers;
 use stellate::picture::Window;
 use stellate::sample::Direction;
 use stellate::shape::{Form, ImplicitCurve};
 use stellate::verb::{
-    self, CoefficientScale, Content, CoordinatesFrom, DescribeOptions, FigureFormat, FloatKind,
-    Frame, Given, ImplicitizeMethod, ImplicitizeOptions, InspectionOptions, MeshingOptions,
-    ParametrizeOptions, PlotOptions, PointRows, PointSource, ReadingOptions, SampleOptions,
-    VectorOptions, Work,
+    self, CoefficientScale, Content, CoordinatesFrom, DescribeOptions, FigureFormat, FittedOutline,
+    FloatKind, Frame, Given, ImplicitizeMethod, ImplicitizeOptions, InspectionOptions,
+    MeshingOptions, ParametrizeOptions, PlotOptions, PointRows, PointSource, ReadOptions,
+    ReadingOptions, SampleOptions, VectorOptions, Work,
 };
 use tempfile::TempDir;
 
@@ -45,7 +45,9 @@ impl Words {
             let name = name.trim_start_matches('-');
             let (name, value) = match name.split_once('=') {
                 Some((name, value)) => (name, value.to_owned()),
-                None if ["positive", "quiet", "self"].contains(&name) => (name, String::new()),
+                None if ["positive", "quiet", "self", "repair", "normal-form"].contains(&name) => {
+                    (name, String::new())
+                }
                 None => (name, words.next().unwrap().clone()),
             };
             options.entry(name.into()).or_default().push(value);
@@ -77,10 +79,24 @@ impl Words {
     }
 
     fn fit(&self) -> FitOptions {
-        let size = self.number("harmonics").map(FitSize::Harmonics);
+        let harmonics = self.number("harmonics").or(self.number("n"));
+        let size = harmonics.map(FitSize::Harmonics);
         let size = size.or(self.number("tolerance").map(FitSize::Tolerance));
+        let size = size.or(self.number("distance").map(FitSize::Distance));
+        let model = match self.one("model") {
+            Some("elliptic") => FitModel::Elliptic,
+            _ => FitModel::Radius,
+        };
         FitOptions::default()
+            .model(model)
             .size(size)
+            .center(match self.one("center") {
+                Some(point) => {
+                    let (x, y) = point.split_once(',').unwrap();
+                    CenterChoice::Point([x, y].map(|c| c.parse().unwrap()))
+                }
+                None => CenterChoice::Auto,
+            })
             .decimals(self.number("decimals"))
     }
 
@@ -128,31 +144,54 @@ fn folder() -> TempDir {
 }
 
 /// The form of an argument; files are looked for in the folder.
-fn given(folder: &Path, argument: &str) -> Given {
+fn given(folder: &Path, argument: &str, words: &Words) -> Given {
     let path = folder.join(argument);
     let argument = if path.is_file() {
         path.to_str().unwrap()
     } else {
         argument
     };
-    Given::read(argument, Numbers::Exact).unwrap()
+    let outline = OutlineOptions::default()
+        .blob(words.number("blob").unwrap_or(1))
+        .columns(words.number("columns"))
+        .repair(words.one("repair").is_some());
+    let options = ReadOptions::default().outline(outline);
+    Given::read_with(argument, &options, &Work::default()).unwrap()
 }
 
 /// What the library makes of a command.
 fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
     let (verb, words) = (words[0].as_str(), Words::new(&words[1..]));
     let work = Work::default();
-    let first = || given(folder, &words.forms[0]);
+    let first = || given(folder, &words.forms[0], &words);
     let (digits, mut out) = (words.number("digits").unwrap_or(16), Vec::new());
     match verb {
         "fit" => {
-            let content = first().into_content();
-            let Content::Contour(contour) = content else {
-                panic!("a contour")
-            };
-            let fit = verb::fit(&contour, &words.fit(), &work).unwrap();
-            let format = words.format(Format::Text);
-            write_fit(&fit, format, &mut out).unwrap();
+            let is_normal = words.one("normal-form").is_some();
+            let options = words.fit();
+            let fits = words.forms.iter().map(|file| {
+                let Content::Contour(contour) = given(folder, file, &words).into_content() else {
+                    panic!("a contour")
+                };
+                let plain = options
+                    .clone()
+                    .decimals(options.decimals.filter(|_| !is_normal));
+                let fit = verb::fit(&contour, &plain, &work).unwrap();
+                let fit = match is_normal {
+                    true => fit.into_normal_form(options.decimals).unwrap(),
+                    false => fit,
+                };
+                FittedOutline {
+                    file: file.clone(),
+                    blob: 1,
+                    fit,
+                }
+            });
+            let fits: Vec<FittedOutline> = fits.collect();
+            match &fits[..] {
+                [only] => write_fit(&only.fit, words.format(Format::Text), &mut out).unwrap(),
+                all => write_fit_table(all, &mut out).unwrap(),
+            }
         }
         "describe" => {
             let options = DescribeOptions::default().fit(words.fit());
@@ -210,7 +249,7 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             if let Some(view) = words.doubles("view") {
                 options = options.view(Some(view));
             }
-            let forms = words.forms.iter().map(|form| given(folder, form));
+            let forms = words.forms.iter().map(|form| given(folder, form, &words));
             let svg = verb::plot(forms.collect(), &options, &work).unwrap();
             let format = FigureFormat::of("-o", Path::new(words.one("o").unwrap())).unwrap();
             out = format.bytes(svg).unwrap();

@@ -13,7 +13,7 @@ use clap::{ArgMatches, FromArgMatches};
 use stellate::error::Invariant;
 
 use super::about;
-use super::arguments::Arguments;
+use super::arguments::{Arguments, Verb};
 use super::{mesh, plot};
 use typed::Typed;
 
@@ -39,10 +39,16 @@ pub(crate) fn parsed() -> Result<Arguments, Refusal> {
     }
     let matches = command.try_get_matches_from_mut(&words);
     let arguments = matches.and_then(|matches: ArgMatches| Arguments::from_arg_matches(&matches));
-    arguments.map_err(|error| match error.use_stderr() {
+    let arguments = arguments.map_err(|error| match error.use_stderr() {
         true => wrong(message(&error, &typed, &command)),
         false => Refusal::Shown(error),
-    })
+    })?;
+    if let Verb::Fit(fit) = &arguments.verb
+        && let Some(message) = stray::among_files(&fit.contours, &typed, typed.verb(&command))
+    {
+        return Err(wrong(message));
+    }
+    Ok(arguments)
 }
 
 /// The message for an error of the parser.
@@ -75,6 +81,10 @@ fn message(error: &clap::Error, typed: &Typed, command: &clap::Command) -> Strin
             format!("{name} {value}: expected one of {values}")
         }
         (ErrorKind::ValueValidation, _, Some(name)) => {
+            let split = value.and_then(|value| stray::split_value(name, value, typed, verb));
+            if let Some(message) = split {
+                return message;
+            }
             let why = error.source().invariant("a reader says what is wrong");
             format!("{name} {}: {why}", value.unwrap_or("\"\""))
         }

@@ -15,7 +15,7 @@ pub(super) fn argument(argument: &str, typed: &Typed, verb: &Command) -> String 
         return quoted(verb, &form);
     }
     if let Some((option, value)) = split_list(argument, typed, verb) {
-        return format!("{option} takes its numbers in one argument: {option} {value},{argument}");
+        return in_one_argument(option, value, argument);
     }
     if let Some((option, value)) = argument.split_once('=')
         && let Some(option) = named(option, verb)
@@ -81,6 +81,36 @@ fn split_list<'t>(argument: &str, typed: &'t Typed, verb: &Command) -> Option<(&
     let mut triples = typed.words.windows(3);
     let triple = triples.find(|words| words[2] == argument && takes_a_list(&words[0]))?;
     Some((&triple[0], &triple[1]))
+}
+
+/// The message for an option whose list of numbers is split into several arguments, if the next argument is a number. The parser
+/// complains about the value if the verb takes several forms.
+pub(super) fn split_value(
+    option: &str,
+    value: &str,
+    typed: &Typed,
+    verb: &Command,
+) -> Option<String> {
+    let mut triples = typed.words.windows(3);
+    let triple = triples.find(|words| words[0] == option && words[1] == value)?;
+    let (option, value) = split_list(&triple[2], typed, verb)?;
+    Some(in_one_argument(option, value, &triple[2]))
+}
+
+fn in_one_argument(option: &str, value: &str, argument: &str) -> String {
+    format!("{option} takes its numbers in one argument: {option} {value},{argument}")
+}
+
+/// The message for an argument of a verb that takes several, if it is no file but a number or an option without dashes.
+pub(super) fn among_files(files: &[String], typed: &Typed, verb: &Command) -> Option<String> {
+    let is_stray = |name: &&String| {
+        let is_assignment = name
+            .split_once('=')
+            .is_some_and(|(name, _)| named(name, verb).is_some());
+        (is_assignment || name.parse::<f64>().is_ok()) && !Path::new(name).exists()
+    };
+    let stray = files.iter().skip(1).find(is_stray)?;
+    Some(argument(stray, typed, verb))
 }
 
 /// The option with this name, with its dashes.
