@@ -1,4 +1,4 @@
-//! From an outline to its Fourier radius: by points, by harmonics, beside Definition 1 as it is printed.
+//! From an outline to its Fourier series: by points, by harmonics, by models, beside Definition 1 as it is printed.
 //!
 //! `cargo bench --bench fit`. Every answer is verified before it is timed.
 
@@ -8,7 +8,8 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
-use stellate::fit::{FitOptions, FitSize, fit, fourier_coefficients};
+use stellate::fit::{FitOptions, FitSize, distances, fit, fit_elliptic, fourier_coefficients};
+use stellate::limits::Limits;
 use stellate::shape::Contour;
 
 /// 2 + 0.3 cos 3θ + 0.2 sin 7θ + 0.01 sin 500θ
@@ -36,6 +37,34 @@ fn points(c: &mut Criterion) {
         group.bench_with_input(BenchmarkId::new("points", count), &contour, |b, contour| {
             b.iter(|| fit(black_box(contour), &options).unwrap());
         });
+    }
+    group.finish();
+}
+
+/// Both models with 39 harmonics, of the same outlines: their ratio is what exact rounding of the elliptic series costs.
+fn models(c: &mut Criterion) {
+    let mut group = c.benchmark_group("fit_39_harmonics");
+    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    let options = FitOptions::new(FitSize::Harmonics(39));
+    for count in [1000, 100_000, 1_000_000] {
+        let contour = outline(count);
+        let series = fit_elliptic(&contour, &options, &Limits::none())
+            .unwrap()
+            .series;
+        let found = distances(&contour, &series, &Limits::none())
+            .unwrap()
+            .unwrap();
+        assert!(found.hausdorff.high < 0.1);
+        group.bench_with_input(BenchmarkId::new("radius", count), &contour, |b, contour| {
+            b.iter(|| fit(black_box(contour), &options).unwrap());
+        });
+        group.bench_with_input(
+            BenchmarkId::new("elliptic", count),
+            &contour,
+            |b, contour| {
+                b.iter(|| fit_elliptic(black_box(contour), &options, &Limits::none()).unwrap());
+            },
+        );
     }
     group.finish();
 }
@@ -83,5 +112,5 @@ fn definition_1(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, points, definition_1);
+criterion_group!(benches, points, models, definition_1);
 criterion_main!(benches);

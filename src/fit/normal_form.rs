@@ -76,7 +76,7 @@ pub fn normal_form(series: &EllipticSeries, decimals: Option<u32>) -> Result<Nor
     }
     let [a, _, c, _] = harmonics[1];
     let (size, rotation) = (a.hypot(c), c.atan2(a));
-    if !(size > 0.0) {
+    if size <= 0.0 {
         return Err(no_first_harmonic());
     }
     let (sin, cos) = rotation.sin_cos();

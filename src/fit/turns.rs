@@ -2,6 +2,7 @@
 
 use malachite::Integer;
 
+use crate::error::Invariant;
 use crate::exact::{Rational, cosine_and_sine, pi};
 use crate::roots::UnitBall;
 
@@ -17,9 +18,14 @@ pub(super) struct Turns<const W: usize> {
     coefficients: Vec<UnitBall<W>>,
 }
 
+/// The number of bits of W limbs.
+pub(super) fn bits_of<const W: usize>() -> u32 {
+    u32::try_from(64 * W).invariant("a number has few limbs")
+}
+
 impl<const W: usize> Turns<W> {
     pub(super) fn new() -> Self {
-        let bits = 64 * W as u32 + 8;
+        let bits = bits_of::<W>() + 8;
         let (pi, _) = pi(bits + 8);
         let count = 1u32 << TABLE_BITS;
         let step = &pi * &Rational::from(2) / Rational::from(i64::from(count));
@@ -61,7 +67,8 @@ impl<const W: usize> Turns<W> {
         };
         let (c, s) = (series(0), y.times(&series(1)));
         // Near a full turn the midpoint may be one.
-        let [table_c, table_s] = &self.table[k as usize % self.table.len()];
+        let k = usize::try_from(k).invariant("an index of the table is small");
+        let [table_c, table_s] = &self.table[k % self.table.len()];
         [
             c.times(table_c).plus(&s.times(table_s).negated()),
             s.times(table_c).plus(&c.times(table_s)),
@@ -75,7 +82,7 @@ mod tests {
 
     fn check<const W: usize>() {
         let turns = Turns::<W>::new();
-        let (pi, _) = pi(64 * W as u32 + 70);
+        let (pi, _) = pi(bits_of::<W>() + 70);
         let denominator = Integer::from(1) << (64 * W as u64);
         for k in 0..400u64 {
             // Angles everywhere, and those at the ends of the entries of the table.
@@ -90,7 +97,7 @@ mod tests {
             }
             let angle =
                 &pi * &Rational::from_integers(&numerator << 1u64, denominator.clone()).unwrap();
-            let truths = cosine_and_sine(&angle, 64 * W as u32 + 60);
+            let truths = cosine_and_sine(&angle, bits_of::<W>() + 60);
             let turn = UnitBall::quotient(&numerator, &denominator);
             let eighth = UnitBall::quotient(&numerator, &(&denominator << 3u64));
             let found = [turns.at(turn, 0), turns.at(eighth, 3)];

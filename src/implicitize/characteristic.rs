@@ -291,10 +291,10 @@ impl NullaryFnOnce for Interpolation<'_> {
         let mut table = self.values;
         let len = table.len();
         // Divided differences; the distance of the k-th point from the one `step` before it is `step`.
-        for step in 1..len {
+        for (step, inverse) in inverses.iter().enumerate().take(len).skip(1) {
             for k in (step..len).rev() {
                 let difference = field.reduced(minus(table[k], table[k - 1]));
-                table[k] = field.reduced(field.times(difference, inverses[step]));
+                table[k] = field.reduced(field.times(difference, *inverse));
             }
         }
         // Horner's rule for Newton's form: the polynomial times (v − k), plus the next difference.

@@ -31,6 +31,10 @@ pub struct FittedOutline {
 }
 
 /// A series that was fitted to an outline.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of these for each outline"
+)]
 #[derive(Clone, Debug)]
 pub enum OutlineSeries {
     /// The Fourier series of the radius.

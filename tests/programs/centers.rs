@@ -15,14 +15,14 @@ use crate::common::program::{done, done_in, json, outline, rational, run_in, str
 fn silhouette(radius: impl Fn(f64) -> f64, [x0, y0]: [f64; 2]) -> GrayImage {
     const PARTS: u32 = 4;
     GrayImage::from_fn(256, 256, |column, row| {
-        let inside = (0..PARTS * PARTS).filter(|k| {
+        let outside = (0..PARTS * PARTS).filter(|k| {
             let part = |n: u32| (f64::from(n) + 0.5) / f64::from(PARTS);
             let x = f64::from(column) + part(k % PARTS) - x0;
             let y = f64::from(row) + part(k / PARTS) - y0;
-            x.hypot(y) < radius(y.atan2(x))
+            x.hypot(y) >= radius(y.atan2(x))
         });
-        let share = inside.count() as f64 / f64::from(PARTS * PARTS);
-        Luma([(255.0 * (1.0 - share)) as u8])
+        let parts = u8::try_from(outside.count()).unwrap();
+        Luma([parts.saturating_mul(16)])
     })
 }
 

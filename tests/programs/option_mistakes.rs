@@ -121,7 +121,7 @@ fn an_option_that_a_verb_does_not_have_is_found_where_it_belongs() {
         ("implicitize x -q", "there is no option -q; write --quiet"),
         (
             "implicitize x --zebra",
-            "there is no option --zebra; there are --harmonics, ",
+            "there is no option --zebra; there are --model, --harmonics, ",
         ),
         ("--hlep", "there is no option --hlep; did you mean --help?"),
     ]);

@@ -95,10 +95,13 @@ impl Tracer {
         }
         let table = quarter_waves(vertices);
         let quarter = vertices / 4;
+        // Divisions by powers of two are shifts.
+        let bits = quarter.trailing_zeros();
+        let all = vertices - 1;
         // cos 2πk/M, from the first quarter.
         let cosine = |k: usize| {
-            let (part, rest) = (k / quarter, k % quarter);
-            match part {
+            let rest = k & (quarter - 1);
+            match k >> bits {
                 0 => table[rest][0],
                 1 => -table[rest][1],
                 2 => -table[rest][0],
@@ -114,10 +117,10 @@ impl Tracer {
                 let (mut x, mut y, mut k) = (0.0, 0.0, 0);
                 let [a, b, c, d] = &self.lists;
                 for n in 0..harmonics {
-                    let (cos, sin) = (cosine(k), cosine((k + 3 * quarter) % vertices));
+                    let (cos, sin) = (cosine(k), cosine((k + 3 * quarter) & all));
                     x += a[n] * cos + b[n] * sin;
                     y += c[n] * cos + d[n] * sin;
-                    k = (k + j) % vertices;
+                    k = (k + j) & all;
                 }
                 Ok([x, y])
             })

@@ -13,7 +13,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 use rayon::prelude::*;
 
-use super::super::turns::Turns;
+use super::super::turns::{Turns, bits_of};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, pi};
 use crate::limits::Limits;
@@ -299,7 +299,7 @@ struct Enclosures {
 impl Enclosures {
     fn new<const W: usize>(sums: &Sums<W>, frame: &Frame<W>, middle: [f64; 2]) -> Self {
         let power = |e: i64| Rational::from_dyadic(Integer::ONE, e);
-        let (low, high) = pi(64 * W as u32);
+        let (low, high) = pi(bits_of::<W>());
         let two = Rational::from(2);
         let [shortest, longest] = frame.total.bounds();
         let unit = power(frame.length + i64::from(frame.guard));

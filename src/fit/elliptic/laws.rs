@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::exact::{Rational, cosine_and_sine, pi};
-use crate::fit::FitModel;
+use crate::fit::{FitModel, as_f64};
 
 /// The number of bits of the slow computation.
 const BITS: u32 = 400;
@@ -62,6 +62,10 @@ fn slow(points: &[[i32; 2]], harmonics: usize) -> Vec<[Rational; 4]> {
 }
 
 /// A star-shaped polygon with whole coordinates, in either sense.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the coordinates are at most 1000"
+)]
 fn polygon() -> impl Strategy<Value = Vec<[i32; 2]>> {
     (prop::collection::vec(10i32..1000, 3..12), any::<bool>()).prop_map(|(radii, is_reversed)| {
         let count = radii.len();
@@ -69,7 +73,7 @@ fn polygon() -> impl Strategy<Value = Vec<[i32; 2]>> {
             .iter()
             .enumerate()
             .map(|(k, r)| {
-                let angle = TAU * k as f64 / count as f64;
+                let angle = TAU * as_f64(k) / as_f64(count);
                 [angle.cos(), angle.sin()].map(|c| (f64::from(*r) * c) as i32)
             })
             .collect();
@@ -154,6 +158,22 @@ fn tiny_edges_and_large_offsets_lose_nothing() {
         }
     }
     assert!((with.x_cos()[0].to_f64() - far - 0.5).abs() < 1e-4);
+}
+
+/// The share of the power does not depend on the size, also where its square is no double.
+#[test]
+fn powers_of_outlines_of_any_size() {
+    let power = |size: f64| {
+        let points = [[0.0, 0.0], [3.0, 0.0], [0.0, 1.0]]
+            .map(|p| p.map(|c| c * size))
+            .to_vec();
+        let contour = Contour::new(points, "triangle").unwrap();
+        fitted(&contour, FitSize::Harmonics(2), None).power
+    };
+    for size in [1e-119, 1e119] {
+        assert!((power(size) - power(1.0)).abs() < 1e-12, "{size}");
+    }
+    assert!(power(1.0) > 0.9 && power(1.0) < 1.0);
 }
 
 /// Twice as large, the coefficients are twice as large, exactly; moved by a double that all coordinates can take, the middle

@@ -4,9 +4,12 @@ mod coefficients;
 #[cfg(test)]
 mod laws;
 
+use malachite::Integer;
+
 use super::distance::DistanceSearch;
 use super::{FitOptions, FitSize};
 use crate::error::{Error, Result};
+use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries};
 use coefficients::coefficients;
@@ -71,13 +74,20 @@ pub fn fit_elliptic(
     options.check(size, MAX_ELLIPTIC_HARMONICS)?;
     options.is_for_an_elliptic_series()?;
     let points = contour.given_points();
-    let (middle, _) = contour.frame();
+    let (middle, scale) = contour.frame();
     let series = |harmonics: usize| -> Result<EllipticSeries> {
         coefficients(&points, middle, harmonics, options.decimals, limits).map(EllipticSeries::new)
     };
-    let total = total_power(&points, middle);
+    // Powers are compared in a unit in which the outline has about the size 1: the square of a size may be no double.
+    let unit = (scale.to_bits().cast_signed() >> 52) - 1023;
+    let total = total_power(
+        &points,
+        middle,
+        f64::from_bits((1023 - unit).unsigned_abs() << 52),
+    );
+    let squared_unit = Rational::from_dyadic(Integer::from(1), -2 * unit);
     let powers = |series: &EllipticSeries| -> Vec<f64> {
-        let each = (1..=series.harmonics()).map(|n| series.power(n).to_f64());
+        let each = (1..=series.harmonics()).map(|n| (series.power(n) * &squared_unit).to_f64());
         let sums = each.scan(0.0, |sum, power| {
             *sum += power;
             Some(*sum / total)
@@ -116,12 +126,14 @@ pub fn fit_elliptic(
     }
 }
 
-/// The power of all harmonics together: the mean square of the distance from the mean point, by arc length (Parseval).
-fn total_power(points: &[[f64; 2]], middle: [f64; 2]) -> f64 {
+/// The power of all harmonics together, for coordinates times a factor: the mean square of the distance from the mean point, by arc
+/// length (Parseval).
+fn total_power(points: &[[f64; 2]], middle: [f64; 2], factor: f64) -> f64 {
     let n = points.len();
     let (mut length, mut sums, mut squares) = (0.0, [0.0; 2], 0.0);
     for k in 0..n {
-        let [p, q] = [points[k], points[(k + 1) % n]].map(|p| [p[0] - middle[0], p[1] - middle[1]]);
+        let [p, q] =
+            [points[k], points[(k + 1) % n]].map(|p| [0, 1].map(|i| (p[i] - middle[i]) * factor));
         let edge = f64::hypot(q[0] - p[0], q[1] - p[1]);
         length += edge;
         for i in 0..2 {
