@@ -1,24 +1,18 @@
 //! Charts of numbers over numbers, with a scale for each axis.
 
-use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
-use plotters::coord::cartesian::Cartesian2d;
-use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
-use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, EmptyElement, PathElement, Text};
 use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
+use plotters::style::{Color, ShapeStyle, WHITE};
 
-use super::heading::{
-    self, Drawn, FINER, LEFT, MARGIN, Mark, Row, WIDTH, color, font, load_font, shown_in_units,
-    tick,
-};
+use super::heading::{self, Drawn, FINER, Mark, Row, WIDTH, color, shown_in_units};
+use super::plane_axes::{BELOW, Margins, PlaneAxes, PlaneChart, Scale};
+use super::text::{font, load_font};
 use crate::error::{Error, Result};
 
-/// The number of units below the plotted part, and its height.
-const BELOW: u32 = 56;
+/// The height of the plotted part.
 const HEIGHT: u32 = 460;
 
 /// The position of the mark of a series, relative to its last point.
@@ -110,52 +104,29 @@ impl Chart {
         let above = heading::height(&self.title, &self.rows(), WIDTH);
         let (above, plot) = area.split_vertically(above * FINER);
         heading::draw(&above, &self.title, self.rows(), WIDTH)?;
-        let y = self.y;
-        let mut builder = ChartBuilder::on(&plot);
-        builder
-            .margin_left(MARGIN / 2 * FINER)
-            .margin_right(MARGIN * FINER)
-            .x_label_area_size(BELOW * FINER)
-            .y_label_area_size((LEFT - MARGIN / 2) * FINER);
-        if self.logarithmic {
-            let axis = |ends: [f64; 2]| {
-                let scale = (ends[0]..ends[1]).log_scale();
-                scale.with_key_points(decades(ends))
-            };
-            let chart = builder.build_cartesian_2d(axis(x), axis(y))?;
-            self.draw_on(chart, |v| logarithmic_tick(*v))?;
-        } else {
-            let chart = builder.build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
-            self.draw_on(chart, |v| tick(*v))?;
-        }
+        let (axes, margins) = self.axes(x);
+        self.draw_on(axes.draw(&plot, margins)?)?;
         plot.present()
     }
 
-    /// Draws the axes and the series.
-    fn draw_on<B: DrawingBackend, X, Y>(
-        &self,
-        mut chart: ChartContext<'_, B, Cartesian2d<X, Y>>,
-        label: impl Fn(&f64) -> String,
-    ) -> Drawn<B>
-    where
-        X: Ranged<ValueType = f64> + ValueFormatter<f64>,
-        Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
-    {
-        let [x_label, y_label] = &self.labels;
-        chart
-            .configure_mesh()
-            .max_light_lines(1)
-            .light_line_style(WHITE.mix(0.0))
-            .bold_line_style(ShapeStyle::from(RGBColor(225, 225, 225)).stroke_width(FINER))
-            .axis_style(ShapeStyle::from(BLACK).stroke_width(FINER))
-            .set_all_tick_mark_size(5 * FINER)
-            .axis_desc_style(font(16))
-            .label_style(font(14))
-            .x_label_formatter(&label)
-            .y_label_formatter(&label)
-            .x_desc(x_label.as_str())
-            .y_desc(y_label.as_str())
-            .draw()?;
+    /// The axes, and the margins for them.
+    fn axes(&self, x: [f64; 2]) -> (PlaneAxes, Margins) {
+        let names = self.labels.each_ref().map(String::as_str);
+        let scale = if self.logarithmic {
+            Scale::Logarithmic
+        } else {
+            Scale::Linear
+        };
+        Margins::settled(|margins| {
+            let size = [margins.plotted(WIDTH), HEIGHT].map(f64::from);
+            let axes = PlaneAxes::new([x, self.y], names, scale, size);
+            let needed = axes.margins();
+            ((axes, margins), needed)
+        })
+    }
+
+    /// Draws the series.
+    fn draw_on<B: DrawingBackend>(&self, mut chart: PlaneChart<'_, B>) -> Drawn<B> {
         for (index, series) in self.series.iter().enumerate() {
             let within = |p: &[f64; 2]| (p[0], p[1].clamp(self.y[0], self.y[1]));
             let points: Vec<(f64, f64)> = series.points.iter().map(within).collect();
@@ -193,52 +164,9 @@ impl Chart {
     }
 }
 
-/// The ticks of a logarithmic axis: powers of ten and, if they are few, 2 and 5 times these.
-fn decades([low, high]: [f64; 2]) -> Vec<f64> {
-    /// With at most this many decades there is room for further ticks.
-    const FEW: f64 = 4.0;
-    let steps: &[f64] = if high < low * 10f64.powf(FEW) {
-        &[1.0, 2.0, 5.0]
-    } else {
-        &[1.0]
-    };
-    let mut ticks = Vec::new();
-    let mut power = low.log10().floor();
-    while power <= high.log10() {
-        let within = steps.iter().map(|step| step * 10f64.powf(power));
-        ticks.extend(within.filter(|tick| (low..=high).contains(tick)));
-        power += 1.0;
-    }
-    ticks
-}
-
-/// The text of a tick of a logarithmic axis.
-fn logarithmic_tick(value: f64) -> String {
-    if (1e-3..1e5).contains(&value) {
-        tick(value)
-    } else {
-        format!("{value:.0e}")
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn logarithmic_ticks_are_round_numbers() {
-        let shown = |ends: [f64; 2]| -> Vec<String> {
-            decades(ends).into_iter().map(logarithmic_tick).collect()
-        };
-        assert_eq!(
-            shown([0.9, 120.0]),
-            ["1", "2", "5", "10", "20", "50", "100"]
-        );
-        assert_eq!(
-            shown([5e-6, 11.0]),
-            ["1e-5", "1e-4", "0.001", "0.01", "0.1", "1", "10"]
-        );
-    }
 
     #[test]
     fn there_must_be_something_finite() {

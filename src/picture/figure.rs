@@ -1,20 +1,16 @@
 //! Figures: layers of lines and points over equal axes, with a legend above them.
 
-use plotters::chart::ChartBuilder;
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{PathElement, Polygon};
 use plotters::prelude::{DrawingBackend, SVGBackend};
-use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
+use plotters::style::{Color, ShapeStyle, WHITE};
 
-use super::heading::{
-    self, Drawn, FINER, LEFT, MARGIN, Mark, Row, color, dot, font, load_font, shown_in_units, tick,
-};
+use super::heading::{self, Drawn, FINER, Mark, Row, color, dot, shown_in_units};
+use super::plane_axes::{BELOW, Margins, PlaneAxes, Scale};
+use super::text::load_font;
 use super::{Window, clip};
-use crate::error::{Error, Invariant, Result};
-
-/// The number of units below the plotted part.
-const BELOW: u32 = 56;
+use crate::error::{Error, Result};
 
 /// The smallest and the largest ratio of the height of the plotted part to its width. More of the plane is shown to keep the
 /// ratio between them.
@@ -76,32 +72,7 @@ impl Figure {
         area.fill(&WHITE)?;
         let (above, plot) = area.split_vertically(frame.heading * FINER);
         heading::draw(&above, &self.title, self.rows(), self.width)?;
-        let mut chart = ChartBuilder::on(&plot)
-            .margin(0)
-            .margin_right(MARGIN * FINER)
-            .margin_bottom(0)
-            .x_label_area_size(BELOW * FINER)
-            .y_label_area_size(LEFT * FINER)
-            .build_cartesian_2d(
-                frame.window.x[0]..frame.window.x[1],
-                frame.window.y[0]..frame.window.y[1],
-            )?;
-        let label = |v: &f64| tick(*v);
-        chart
-            .configure_mesh()
-            .max_light_lines(1)
-            .light_line_style(WHITE.mix(0.0))
-            .bold_line_style(ShapeStyle::from(RGBColor(225, 225, 225)).stroke_width(FINER))
-            .axis_style(ShapeStyle::from(BLACK).stroke_width(FINER))
-            .set_all_tick_mark_size(5 * FINER)
-            .x_labels(x_labels(self.width))
-            .axis_desc_style(font(16))
-            .label_style(font(14))
-            .x_label_formatter(&label)
-            .y_label_formatter(&label)
-            .x_desc("x")
-            .y_desc("y")
-            .draw()?;
+        let mut chart = frame.axes.draw(&plot, frame.margins)?;
         for (index, layer) in self.layers.iter().enumerate() {
             let style = self.style(index);
             let (lines, window) = (layer.lines.iter(), &frame.window);
@@ -167,50 +138,56 @@ impl Figure {
     }
 }
 
-/// The number of labels along the x axis: as many as fit beside each other, and at most ten.
-fn x_labels(width: u32) -> usize {
-    const UNITS: u32 = 70;
-    usize::try_from((width / UNITS).min(10)).invariant("ten is a small number")
-}
-
 /// The sizes that make the axes equal.
 struct Frame {
     window: Window,
+    margins: Margins,
+    axes: PlaneAxes,
     heading: u32,
     height: u32,
 }
 
 impl Frame {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a number of pixels below 2000"
-    )]
     fn new(figure: &Figure) -> Result<Self> {
+        load_font();
         let size = |v: [f64; 2]| v[1] - v[0];
-        let Window { x, y } = figure.window;
-        let (w, h) = (size(x), size(y));
+        let (w, h) = (size(figure.window.x), size(figure.window.y));
         if !(w.is_finite() && h.is_finite() && w > 0.0 && h > 0.0) {
             return Err(Error::data("figure", "there is nothing finite to draw"));
         }
-        let width = figure.width - LEFT - MARGIN;
-        let aspect = (h / w).clamp(ASPECT[0], ASPECT[1]);
-        let plotted = (f64::from(width) * aspect).round();
+        let heading = heading::height(&figure.title, &figure.rows(), figure.width);
+        Ok(Margins::settled(|margins| {
+            let frame = Self::with_margins(figure, heading, margins);
+            let needed = frame.axes.margins();
+            (frame, needed)
+        }))
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of units below 6000"
+    )]
+    fn with_margins(figure: &Figure, heading: u32, margins: Margins) -> Self {
+        let Window { x, y } = figure.window;
+        let size = |v: [f64; 2]| v[1] - v[0];
+        let width = f64::from(margins.plotted(figure.width));
+        let aspect = (size(y) / size(x)).clamp(ASPECT[0], ASPECT[1]);
+        let height = (width * aspect).round().max(f64::from(margins.height));
         // Both axes have one scale; in the direction with more room more of the plane is shown.
-        let unit = (w / f64::from(width)).max(h / plotted);
-        let widened = |v: [f64; 2], pixels: f64| {
-            let more = (unit * pixels - size(v)) / 2.0;
+        let unit = (size(x) / width).max(size(y) / height);
+        let widened = |v: [f64; 2], units: f64| {
+            let more = (unit * units - size(v)) / 2.0;
             [v[0] - more, v[1] + more]
         };
-        let heading = heading::height(&figure.title, &figure.rows(), figure.width);
-        Ok(Self {
-            window: Window {
-                x: widened(x, f64::from(width)),
-                y: widened(y, plotted),
-            },
+        let (x, y) = (widened(x, width), widened(y, height));
+        Self {
+            window: Window { x, y },
+            margins,
+            axes: PlaneAxes::new([x, y], ["x", "y"], Scale::Equal, [width, height]),
             heading,
-            height: heading + plotted as u32 + BELOW,
-        })
+            height: heading + height as u32 + BELOW,
+        }
     }
 }
 
@@ -234,7 +211,7 @@ mod tests {
             let frame = Frame::new(&figure).unwrap();
             let pixels = f64::from(frame.height - frame.heading - BELOW);
             let [x, y] = [frame.window.x, frame.window.y].map(|v| v[1] - v[0]);
-            let unit = x / f64::from(WIDTH - LEFT - MARGIN);
+            let unit = x / f64::from(frame.margins.plotted(WIDTH));
             assert!((y / pixels / unit - 1.0).abs() < 1e-9);
             assert!(x >= w && y >= h);
         }

@@ -1,13 +1,12 @@
 //! The title of a picture and a row of the legend for every layer. They are above the drawing, so that they hide nothing.
 
-use std::sync::Once;
-
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
 use plotters::element::{Circle, PathElement, Rectangle, Text};
 use plotters::prelude::DrawingBackend;
-use plotters::style::{FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, register_font};
+use plotters::style::{RGBColor, ShapeStyle};
 
+use super::text::{few_lines, font, lines};
 use crate::error::Invariant;
 
 /// Colours that colour-blind people can distinguish (Okabe and Ito), and that are dark enough on white.
@@ -26,7 +25,7 @@ const PALETTE: [RGBColor; 8] = [
 pub(crate) const WIDTH: u32 = 900;
 /// The drawing library rounds to whole units, so it draws on a grid that is finer by this factor.
 pub(super) const FINER: u32 = 8;
-/// The number of units to the left of the legend, and around the picture.
+/// The number of units to the left of the plotted part if its numbers are short, and around the picture.
 pub(super) const LEFT: u32 = 76;
 pub(super) const MARGIN: u32 = 16;
 const LEGEND_ROW: u32 = 22;
@@ -36,6 +35,8 @@ const MARK: u32 = 40;
 /// The sizes of letters.
 const LEGEND_SIZE: u32 = 14;
 const TITLE_SIZE: u32 = 20;
+/// A longer label loses its middle.
+const MOST_LINES: usize = 3;
 
 /// The result of drawing.
 pub(super) type Drawn<B> =
@@ -58,11 +59,11 @@ pub(super) enum Mark {
 
 /// The height of the heading.
 pub(super) fn height(title: &str, rows: &[Row], width: u32) -> u32 {
-    let titles = count(&lines(title, TITLE_SIZE, 0, width));
-    let rows = rows
+    let titles = count(&title_lines(title, width));
+    let rows: u32 = rows
         .iter()
-        .map(|row| lines(&row.label, LEGEND_SIZE, MARK, width));
-    let rows: u32 = rows.map(|lines| count(&lines)).sum();
+        .map(|row| count(&label_lines(&row.label, width)))
+        .sum();
     MARGIN + titles * TITLE_ROW + rows * LEGEND_ROW + MARGIN / 2
 }
 
@@ -70,22 +71,27 @@ fn count(lines: &[String]) -> u32 {
     u32::try_from(lines.len().min(1000)).invariant("1000 is small")
 }
 
-/// The text in lines that fit into the picture, broken at blanks. An empty text has no line.
-fn lines(text: &str, size: u32, before: u32, width: u32) -> Vec<String> {
-    let room = width.saturating_sub(LEFT + before + MARGIN) * FINER;
-    let fits = |line: &str| {
-        let measured = ("sans-serif", size * FINER).into_font().box_size(line);
-        measured.is_ok_and(|(length, _)| length <= room)
-    };
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        let longer = lines.last().map(|line| format!("{line} {word}"));
-        match (longer.filter(|line| fits(line)), lines.last_mut()) {
-            (Some(longer), Some(line)) => *line = longer,
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
+/// The number of units to the left of the heading.
+fn left(width: u32) -> u32 {
+    LEFT.min(width / 10)
+}
+
+fn title_lines(title: &str, width: u32) -> Vec<String> {
+    lines(title, TITLE_SIZE, room(left(width), width))
+}
+
+fn label_lines(label: &str, width: u32) -> Vec<String> {
+    few_lines(
+        label,
+        LEGEND_SIZE,
+        room(left(width) + MARK, width),
+        MOST_LINES,
+    )
+}
+
+/// The number of units from a place to the right margin.
+fn room(from: u32, width: u32) -> f64 {
+    f64::from(width.saturating_sub(from + MARGIN))
 }
 
 /// Draws the title and the rows.
@@ -97,28 +103,29 @@ pub(super) fn draw<B: DrawingBackend>(
 ) -> Drawn<B> {
     let at = |x: u32, y: u32| (int(x * FINER), int(y * FINER));
     let mut y = MARGIN;
-    for line in lines(title, TITLE_SIZE, 0, width) {
-        area.draw(&Text::new(line, at(LEFT, y), font(TITLE_SIZE)))?;
+    let left = left(width);
+    for line in title_lines(title, width) {
+        area.draw(&Text::new(line, at(left, y), font(TITLE_SIZE)))?;
         y += TITLE_ROW;
     }
     for row in rows {
         let middle = y + LEGEND_ROW / 2;
         match row.mark {
             Mark::Area(style) => {
-                let corners = [at(LEFT, middle - 6), at(LEFT + 30, middle + 6)];
+                let corners = [at(left, middle - 6), at(left + 30, middle + 6)];
                 area.draw(&Rectangle::new(corners, style))?;
             }
             Mark::Line(style) => {
-                let ends = vec![at(LEFT, middle), at(LEFT + 30, middle)];
+                let ends = vec![at(left, middle), at(left + 30, middle)];
                 area.draw(&PathElement::new(ends, style))?;
             }
             Mark::None => {}
         }
         if let Some(color) = row.dot {
-            area.draw(&dot(at(LEFT + 15, middle), color))?;
+            area.draw(&dot(at(left + 15, middle), color))?;
         }
-        for line in lines(&row.label, LEGEND_SIZE, MARK, width) {
-            area.draw(&Text::new(line, at(LEFT + MARK, y + 6), font(LEGEND_SIZE)))?;
+        for line in label_lines(&row.label, width) {
+            area.draw(&Text::new(line, at(left + MARK, y + 6), font(LEGEND_SIZE)))?;
             y += LEGEND_ROW;
         }
     }
@@ -134,29 +141,17 @@ pub(super) fn color(index: usize) -> RGBColor {
     PALETTE[index % PALETTE.len()]
 }
 
-pub(super) fn font(size: u32) -> TextStyle<'static> {
-    ("sans-serif", size * FINER).into_font().into()
-}
-
 pub(super) fn int(value: u32) -> i32 {
     i32::try_from(value).invariant("places on a picture are less than 2^31")
 }
 
-/// The shortest text of a tick; ticks are short decimals except for rounding.
-pub(super) fn tick(value: f64) -> String {
-    let text = format!("{value:.10}");
-    let short = text.trim_end_matches('0').trim_end_matches('.');
-    match short {
-        "-0" => "0".into(),
-        "0" | "" if value != 0.0 => format!("{value:e}"),
-        _ => short.into(),
-    }
-}
-
-/// The SVG on the fine grid, scaled so that it shows units.
+/// The SVG on the fine grid, scaled so that it shows units. Corners and ends of lines are round, so that sharp tips are neither
+/// cut nor too long.
 pub(super) fn shown_in_units(svg: &str, width: u32, height: u32) -> String {
     let fine = format!("width=\"{}\" height=\"{}\"", width * FINER, height * FINER);
-    let shown = format!("width=\"{width}\" height=\"{height}\"");
+    let shown = format!(
+        "width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\" stroke-linecap=\"round\""
+    );
     svg.replacen(&fine, &shown, 1)
 }
 
@@ -213,14 +208,6 @@ fn with_short_points(line: &str) -> String {
     format!("{before}points=\"{}\"{after}", points.replace(' ', ","))
 }
 
-pub(super) fn load_font() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        // The font of the crate can be parsed; if it could not, labels would be missing.
-        let _ = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
-    });
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -245,22 +232,5 @@ mod tests {
             "<text>1 2</text>\n</svg>\n"
         );
         assert_eq!(compacted(svg), expected);
-    }
-
-    #[test]
-    fn a_long_label_has_several_lines() {
-        load_font();
-        let label = "parametric curve, x = 1 + cos(t); y = 1 + sin(t), t from 0 to 1";
-        let broken = lines(label, LEGEND_SIZE, MARK, 480);
-        assert!(broken.len() > 1, "{broken:?}");
-        assert_eq!(broken.join(" "), label);
-        assert_eq!(lines(label, LEGEND_SIZE, MARK, WIDTH), [label]);
-        assert!(lines("", TITLE_SIZE, 0, WIDTH).is_empty());
-    }
-
-    #[test]
-    fn ticks_are_short() {
-        let shown = [0.0, -0.0, 200.0, 0.1 + 0.2, -1.5, 1e-12].map(tick);
-        assert_eq!(shown, ["0", "0", "200", "0.3", "-1.5", "1e-12"]);
     }
 }

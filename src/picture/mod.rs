@@ -8,9 +8,14 @@ mod cut;
 mod extent;
 mod figure;
 mod heading;
+#[cfg(test)]
+mod inside;
 mod order;
+mod plane_axes;
 mod raster;
 mod scene;
+mod text;
+mod ticks;
 mod trace;
 
 pub use chart::Chart;

@@ -6,18 +6,17 @@ use plotters::element::{PathElement, Polygon};
 use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::{Color, RGBColor, ShapeStyle, WHITE};
 
+use super::axes::BoxAxes;
 use super::camera::{Camera, Seen};
-use super::heading::{
-    self, Drawn, FINER, MARGIN, Mark, Row, color, compacted, dot, load_font, shown_in_units,
-};
+use super::cut;
+use super::heading::{self, Drawn, FINER, Mark, Row, color, compacted, dot, shown_in_units};
 use super::order::{Piece, from_behind};
-use super::{axes, cut};
+use super::text::load_font;
 use crate::error::{Error, Invariant, Result};
 
-/// The number of units around the box for ticks and names.
+/// The number of units beside and below the box for numbers and names, if these need no more.
 const AROUND: f64 = 74.0;
-/// The number of units below the box.
-const BELOW: f64 = 40.0;
+const BELOW: f64 = 56.0;
 /// The largest height of the picture of the box.
 const HEIGHT: f64 = 640.0;
 /// Lines are cut into pieces of at most this part of the box's diagonal, and are drawn nearer to the eye by this part. So a
@@ -100,23 +99,45 @@ impl Scene {
     /// [`Error::Data`] if there is nothing finite to draw.
     pub(crate) fn to_svg(&self) -> Result<String> {
         load_font();
-        let width = f64::from(self.width) - 2.0 * AROUND;
-        let camera = Camera::new(
-            self.bounds()?,
-            [self.azimuth, self.elevation],
-            [width, HEIGHT],
-        );
-        let rows = self.rows(&camera);
+        let (camera, axes) = self.view(self.bounds()?);
+        let rows = self.rows(&camera, &axes);
         let heading = heading::height(&self.title, &rows, self.width);
-        let height = heading + pixels(camera.size[1] + BELOW) + MARGIN;
+        let [_, below] = axes.beyond(&camera);
+        let height = heading + pixels(camera.size[1] + below.max(BELOW));
         let mut svg = String::new();
         {
             let size = (self.width * FINER, height * FINER);
             let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-            let drawn = self.draw(&area, &camera, heading, rows);
+            let drawn = self.draw(&area, (&camera, &axes), heading, rows);
             drawn.map_err(|e| Error::data("figure", e.to_string()))?;
         }
         Ok(compacted(&shown_in_units(&svg, self.width, height)))
+    }
+
+    /// The view of the box and its axes, such that nothing is beyond the sides of the picture.
+    fn view(&self, bounds: [[f64; 2]; 3]) -> (Camera, BoxAxes) {
+        const ATTEMPTS: usize = 4;
+        /// The box has at least this part of the width.
+        const NARROWEST: f64 = 0.25;
+        let width = f64::from(self.width);
+        let view_with = |around: f64| {
+            let room = (width - 2.0 * around).max(NARROWEST * width);
+            let direction = [self.azimuth, self.elevation];
+            let camera = Camera::new(bounds, direction, [room, HEIGHT]);
+            let axes = BoxAxes::new(&camera);
+            (camera, axes)
+        };
+        let mut around = AROUND;
+        let (mut camera, mut axes) = view_with(around);
+        for _ in 0..ATTEMPTS {
+            let [aside, _] = axes.beyond(&camera);
+            if aside <= (width - camera.size[0]) / 2.0 {
+                break;
+            }
+            around = around.max(aside);
+            (camera, axes) = view_with(around);
+        }
+        (camera, axes)
     }
 
     /// The given box, or the box around all finite points.
@@ -143,7 +164,7 @@ impl Scene {
         Ok(bounds)
     }
 
-    fn rows(&self, camera: &Camera) -> Vec<Row> {
+    fn rows(&self, camera: &Camera, axes: &BoxAxes) -> Vec<Row> {
         let mut rows: Vec<Row> = self
             .layers
             .iter()
@@ -159,20 +180,20 @@ impl Scene {
                 dot: (!layer.points.is_empty()).then(|| color(index)),
             })
             .collect();
-        if !camera.equal {
-            rows.push(Row {
-                label: "the axes do not have one unit of length".into(),
-                mark: Mark::None,
-                dot: None,
-            });
-        }
+        let unequal = "the axes do not have one unit of length";
+        let unequal = (!camera.equal).then(|| unequal.to_owned());
+        rows.extend(axes.note().into_iter().chain(unequal).map(|label| Row {
+            label,
+            mark: Mark::None,
+            dot: None,
+        }));
         rows
     }
 
     fn draw<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
-        camera: &Camera,
+        (camera, axes): (&Camera, &BoxAxes),
         heading: u32,
         rows: Vec<Row>,
     ) -> Drawn<B> {
@@ -186,7 +207,7 @@ impl Scene {
                 rounded((seen.y + f64::from(heading)) * fine),
             )
         };
-        axes::draw_walls(area, camera, &place)?;
+        axes.draw_walls(area, camera, &place)?;
         if self.layers.iter().all(|layer| layer.facets.is_empty()) {
             self.draw_shadows(area, camera, &place)?;
         }
@@ -229,7 +250,7 @@ impl Scene {
                 }
             }
         }
-        axes::draw_labels(area, camera, &place)?;
+        axes.draw_labels(area, camera, &place)?;
         area.present()
     }
 

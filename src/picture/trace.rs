@@ -2,7 +2,7 @@
 //!
 //! At degree 80, f cannot be evaluated in doubles, because the monomials cancel. So f is restricted exactly to every line of a
 //! grid, and its real roots there are isolated exactly and then rounded. Only the decision how neighbouring crossings inside a
-//! cell are joined is for drawing. Cells with more than two crossings are divided.
+//! cell are joined is for drawing. Cells with more than two crossings are divided, and so are cells into which the curve turns.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -118,11 +118,12 @@ pub(crate) fn trace_zero_set(
             let crossings = cell.crossings(&grid, &lines);
             match crossings[..] {
                 [] => {}
-                [a, b] => segments.push([a, b]),
+                // A curve that enters and leaves through one edge turns inside the cell; there may be a sharp tip.
+                [(one, a), (other, b)] if one != other || cell.size == 1 => segments.push([a, b]),
                 _ if cell.size > 1 => divided.extend(cell.quarters()),
                 _ => {
                     let middle = mean(&crossings);
-                    segments.extend(crossings.iter().map(|&p| [p, middle]));
+                    segments.extend(crossings.iter().map(|&(_, p)| [p, middle]));
                 }
             }
         }
@@ -217,8 +218,8 @@ impl Cell {
         })
     }
 
-    /// The crossings of the curve with the four edges of the cell.
-    fn crossings(&self, grid: &Grid, lines: &BTreeMap<Line, Vec<f64>>) -> Vec<Point> {
+    /// The crossings of the curve with the four edges of the cell, each with its edge.
+    fn crossings(&self, grid: &Grid, lines: &BTreeMap<Line, Vec<f64>>) -> Vec<(Line, Point)> {
         let mut points = Vec::new();
         for line in self.lines() {
             let (low, high) = match line {
@@ -229,8 +230,8 @@ impl Cell {
             let from = roots.partition_point(|&v| v < low);
             let to = roots.partition_point(|&v| v < high);
             points.extend(roots[from..to].iter().map(|&v| match line {
-                Line::Horizontal(row) => [v, grid.y(row)],
-                Line::Vertical(column) => [grid.x(column), v],
+                Line::Horizontal(row) => (line, [v, grid.y(row)]),
+                Line::Vertical(column) => (line, [grid.x(column), v]),
             }));
         }
         points
@@ -311,9 +312,9 @@ impl Restriction {
     }
 }
 
-fn mean(points: &[Point]) -> Point {
-    let weight = 1.0 / points.iter().map(|_| 1.0).sum::<f64>();
-    let sum = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() * weight;
+fn mean(crossings: &[(Line, Point)]) -> Point {
+    let weight = 1.0 / crossings.iter().map(|_| 1.0).sum::<f64>();
+    let sum = |k: usize| crossings.iter().map(|(_, p)| p[k]).sum::<f64>() * weight;
     [sum(0), sum(1)]
 }
 

@@ -209,11 +209,18 @@ impl Given {
         self.left_out
     }
 
+    /// The whole name on one line.
+    #[must_use]
+    pub fn whole_name(&self) -> String {
+        let words: Vec<&str> = self.name.split_whitespace().collect();
+        words.join(" ")
+    }
+
     /// The name on one line, cut if it is long.
     #[must_use]
     pub fn short_name(&self) -> String {
         const LONGEST: usize = 40;
-        let line: String = self.name.split_whitespace().collect::<Vec<_>>().join(" ");
+        let line = self.whole_name();
         if line.chars().count() <= LONGEST {
             return line;
         }

@@ -112,7 +112,7 @@ struct Drawing {
 impl Drawing {
     /// Adds the layers of a form.
     fn add(&mut self, given: Given, options: &PlotOptions, work: &Work) -> Result<()> {
-        let name = given.short_name();
+        let name = given.whole_name();
         let before = self.layers.len();
         match given.into_content() {
             Content::Contour(contour) => {

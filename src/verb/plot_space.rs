@@ -198,7 +198,7 @@ fn intersection(
 }
 
 fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> {
-    let name = given.short_name();
+    let (name, short_name) = (given.whole_name(), given.short_name());
     let label = |kind: &str, parts: Vec<String>| {
         let parts = parts.into_iter().map(|part| format!(", {part}"));
         format!("{kind}, {name}{}", parts.collect::<String>())
@@ -250,7 +250,7 @@ fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> 
             Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))
         }
         _ => Err(Error::Usage(format!(
-            "{name}: this form is in the plane and cannot be drawn with one in space"
+            "{short_name}: this form is in the plane and cannot be drawn with one in space"
         ))),
     }
 }
