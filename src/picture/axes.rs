@@ -64,11 +64,14 @@ impl BoxAxes {
             let labels = edges[k].numbers(ticks, camera);
             labels.windows(2).all(|pair| pair[0].is_apart(&pair[1]))
         });
-        let mut labels = Vec::new();
-        for (edge, ticks) in edges.iter().zip(&ticks) {
-            let numbers = edge.numbers(ticks, camera);
-            labels.push(edge.name(&numbers));
-            labels.extend(numbers);
+        let numbers = [0, 1, 2].map(|k| edges[k].numbers(&ticks[k], camera));
+        let names = edges.iter().zip(&numbers);
+        let mut labels: Vec<Label> = names.map(|(edge, numbers)| edge.name(numbers)).collect();
+        // Where two edges meet, one of them has no number.
+        for number in numbers.into_iter().flatten() {
+            if labels.iter().all(|label| label.is_apart(&number)) {
+                labels.push(number);
+            }
         }
         Self {
             edges,

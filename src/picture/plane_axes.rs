@@ -33,7 +33,7 @@ const LINE: f64 = 22.0;
 /// Letters have at least this distance from the edge of the picture.
 const ROOM: f64 = 2.0;
 /// The largest number of ticks on an axis.
-const MOST: usize = 10;
+const MOST: usize = 11;
 
 /// How numbers are spaced along both axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -278,7 +278,8 @@ impl Grid {
     }
 }
 
-/// A round number near all numbers of a grid if that saves many digits; otherwise 0.
+/// A round number near all numbers of a grid if that saves many digits; otherwise 0. It is below all numbers, so that the
+/// differences are positive, unless there is a much rounder one between them.
 fn offset(first: i128, last: i128) -> i128 {
     if first <= 0 && last >= 0 {
         return 0;
@@ -287,10 +288,22 @@ fn offset(first: i128, last: i128) -> i128 {
     while round <= last - first {
         round *= 10;
     }
-    let offset = first.div_euclid(round) * round;
-    let largest = first.abs().max(last.abs());
-    let saved = count_digits(largest).saturating_sub(count_digits(last - offset));
-    if saved >= SAVED { offset } else { 0 }
+    let below = |power: i128| last.div_euclid(power) * power;
+    let mut offset = first.div_euclid(round) * round;
+    let mut rounder = 10 * round;
+    while below(rounder) >= first && below(rounder) != 0 {
+        offset = below(rounder);
+        rounder *= 10;
+    }
+    let longest = |offset: i128| {
+        let sizes = [first, last].map(|end| count_digits((end - offset).abs()));
+        sizes[0].max(sizes[1])
+    };
+    if longest(0) >= longest(offset) + SAVED {
+        offset
+    } else {
+        0
+    }
 }
 
 /// The exponent, a multiple of three, by which the labels of all grids become short; 0 if they are short already.

@@ -400,6 +400,17 @@ mod tests {
     }
 
     #[test]
+    fn the_tip_of_a_cusp_is_not_cut() {
+        // y^2 = (1 - x)^3 ends in the cusp (1, 0).
+        let cusp = curve(&[(0, 2, -1), (0, 0, 1), (1, 0, -3), (2, 0, 3), (3, 0, -1)]);
+        let lines = trace(&cusp);
+        let tip = lines.iter().flatten().map(|p| p[0]);
+        let tip = tip.fold(f64::NEG_INFINITY, f64::max);
+        let cell = 4.0 / 64.0;
+        assert!((1.0 - cell / 6.0..1.0 + 1e-4).contains(&tip), "{tip}");
+    }
+
+    #[test]
     fn a_square_and_its_root_have_the_same_picture() {
         let g = curve(&[(4, 0, 1), (2, 0, -1), (0, 2, 1)]);
         let (once, twice) = (trace(&g), trace(&(&g * &g)));
