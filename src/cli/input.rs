@@ -1,5 +1,7 @@
 //! Reads FORM arguments and data files, and turns flags into the options of the library.
 
+use std::path::Path;
+
 use stellate::error::{Error, Result};
 use stellate::fit::{FitOptions, FitSize, OutlineOptions};
 use stellate::sample::Direction;
@@ -25,6 +27,7 @@ pub(crate) fn read_outline(
     flags: &OutlineFlags,
     session: &Session,
 ) -> Result<Given> {
+    refuse_output(argument, session)?;
     session.work.stage("read", || {
         let options = read_options(flags, session);
         if argument == "-" {
@@ -41,9 +44,23 @@ pub(crate) fn read_all(
     flags: &FitFlags,
     session: &Session,
 ) -> Result<Vec<Result<Given>>> {
+    refuse_output(argument, session)?;
     session.work.stage("read", || {
         Given::read_all_with(argument, &read_options(&flags.outline, session))
     })
+}
+
+/// Refuses to write over a file that is read: an outline would be lost.
+fn refuse_output(argument: &str, session: &Session) -> Result<()> {
+    let file = |path: &Path| path.canonicalize().ok().filter(|path| path.is_file());
+    let read = file(Path::new(argument));
+    let written = session.common.output.as_deref().and_then(file);
+    match (read, written) {
+        (Some(read), Some(written)) if read == written => Err(Error::Usage(format!(
+            "-o {argument}: this file is read; write to another one"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn read_options(flags: &OutlineFlags, session: &Session) -> ReadOptions {

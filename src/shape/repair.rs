@@ -40,7 +40,7 @@ impl Contour {
     /// let points = vec![[0., 0.], [5., 0.], [5., -1.], [5., 0.], [9., 0.], [9., 9.], [5., 9.], [4., 8.], [4., 9.5], [5., 8.5], [0., 9.]];
     /// assert!(Contour::new(points.clone(), "square").is_err());
     /// let (mended, removed) = Contour::repaired(points, &[], "square")?;
-    /// assert_eq!((removed.loops, removed.points), (2, 4));
+    /// assert_eq!((removed.loops, removed.points), (2, 5));
     /// assert!(mended.area() > 75.0);
     /// # Ok::<(), stellate::error::Error>(())
     /// ```

@@ -523,3 +523,24 @@ fn samples_are_at_least_twice_as_many_as_vertices() {
     let (a0, _) = mean_and_center(&[path.to_str().unwrap(), "--center", "0,0"]);
     assert!((a0 - 10.0).abs() < 0.01, "{a0}");
 }
+
+/// A slip of the hand does not destroy the data.
+#[test]
+fn the_output_is_never_the_input() {
+    let folder = TempDir::new().unwrap();
+    let rows = "x,y\n0,0\n2,0\n2,2\n0,2\n";
+    fs::write(folder.path().join("a.csv"), rows).unwrap();
+    for arguments in [
+        &["fit", "a.csv", "-n", "3", "-o", "a.csv"][..],
+        &["fit", "a.csv", "--all", "-n", "3", "-o", "./a.csv"],
+        &["implicitize", "./a.csv", "-n", "3", "-o", "a.csv"],
+    ] {
+        let run = run_in(folder.path(), arguments, "");
+        assert_eq!(run.code, 2, "{arguments:?}");
+        assert!(run.err.contains("this file is read"), "{}", run.err);
+        assert_eq!(
+            fs::read_to_string(folder.path().join("a.csv")).unwrap(),
+            rows
+        );
+    }
+}

@@ -46,19 +46,25 @@ pub(super) fn enclose([first, second]: [&Polygon; 2], limits: &Limits) -> Result
         let [low, high] = one_sided(from, to, nearest, known, limits)?;
         bounds = (f64::max(bounds.0, low), f64::max(bounds.1, high));
     }
-    let mut order: Vec<usize> = (0..first.len()).collect();
-    let kept = KEPT.min(order.len());
-    order.select_nth_unstable_by(kept - 1, |&i, &j| {
-        ends[0][j]
-            .distance
-            .total_cmp(&ends[0][i].distance)
-            .then(i.cmp(&j))
-    });
     Ok(Enclosed {
         low: bounds.0,
         high: bounds.1,
-        far: order[..kept].iter().map(|&k| first.points()[k]).collect(),
+        far: farthest(first, &ends[0]),
     })
+}
+
+/// The vertices that are farthest from the other polygon.
+fn farthest(polygon: &Polygon, nearest: &[Nearest]) -> Vec<[f64; 2]> {
+    let mut kept: Vec<(f64, [f64; 2])> = Vec::with_capacity(KEPT + 1);
+    for (&point, at) in polygon.points().iter().zip(nearest) {
+        let least = kept.get(KEPT - 1).map_or(-1.0, |(distance, _)| *distance);
+        if at.distance > least {
+            let place = kept.partition_point(|(distance, _)| *distance >= at.distance);
+            kept.insert(place, (at.distance, point));
+            kept.truncate(KEPT);
+        }
+    }
+    kept.into_iter().map(|(_, point)| point).collect()
 }
 
 /// The mean distance of the points of the first polygon from the second one, by arc length, from the distances at the ends and
