@@ -9,6 +9,8 @@ use crate::shape::FourierRadius;
 
 /// The number of points whose distances propose a common factor.
 const PROPOSALS: usize = 5;
+/// Ratios are nearly a factor if they differ from it by this share of its difference from 1.
+const NEARLY: f64 = 0.01;
 
 impl Reference {
     /// For each mistake, the points as they would be without it. `found` are the comparisons of these points, in the same
@@ -59,21 +61,31 @@ fn mapped(points: &[GivenPoint], f: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<GivenP
     points.collect()
 }
 
-/// The factors that are tried: the ratios of given and exact distances of the first points, and the ratios of units of length
-/// that are confused most often.
+/// The factors that are tried: the ratios of given and exact distances of the first points, if at least half of all points have
+/// nearly that ratio, and the ratios of units of length that are confused most often.
 fn factors(found: &Comparison) -> impl Iterator<Item = f64> {
-    let ratio = |got: f64, exact: f64| got / exact;
-    let proposed = found.rows.iter().filter_map(move |row| {
-        let exact = row.exact.as_ref()?.to_f64();
-        let factor = ratio(row.got, exact);
+    let ratios: Vec<f64> = found
+        .rows
+        .iter()
+        .filter_map(|row| Some(row.got / row.exact.as_ref()?.to_f64()))
+        .collect();
+    let is_shared = |factor: f64| {
+        let near = ratios
+            .iter()
+            .filter(|ratio| (*ratio - factor).abs() <= NEARLY * (factor - 1.0).abs());
+        2 * near.count() >= ratios.len()
+    };
+    let proposed: Vec<f64> = ratios
+        .iter()
         // The ratio is rounded to twelve digits, because a ratio of units has few digits.
-        let short: f64 = format!("{factor:.11e}").parse().ok()?;
-        let is_another = (short - 1.0).abs() > f64::EPSILON;
-        (short.is_finite() && short > 0.0 && is_another).then_some(short)
-    });
+        .filter_map(|ratio| format!("{ratio:.11e}").parse().ok())
+        .filter(|short: &f64| short.is_finite() && *short > 0.0)
+        .filter(|short| (short - 1.0).abs() > f64::EPSILON && is_shared(*short))
+        .take(PROPOSALS)
+        .collect();
     let units = [10.0, 100.0, 1000.0, 25.4, 2.54];
     let both = units.into_iter().flat_map(|unit| [unit, 1.0 / unit]);
-    proposed.take(PROPOSALS).chain(both)
+    proposed.into_iter().chain(both)
 }
 
 /// Undoes the mistake for a point whose radius was computed as r(180 α/π) instead of r(α), where α is its angle.

@@ -362,6 +362,13 @@ fn points_of_another_scale_and_points_of_degrees_are_named() {
         let number: f64 = said.split_whitespace().nth(3).unwrap().parse().unwrap();
         assert!((number / factor - 1.0).abs() < 1e-10, "{factor}: {said}");
     }
+    // Points that are wrong in y alone have no common factor.
+    let mut stretched = points(&|t| right.approximate(t));
+    for point in &mut stretched {
+        point.position[1] *= 1.001;
+    }
+    let found = reference.check_points(&stretched, &limits).unwrap();
+    assert!(!names(&found).contains(&"scale"), "{:?}", names(&found));
     let of_degrees = points(&|t| right.approximate(t.to_degrees()));
     let found = reference.check_points(&of_degrees, &limits).unwrap();
     assert_eq!(names(&found), ["degrees for radians"]);
