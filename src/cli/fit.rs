@@ -11,18 +11,18 @@ use super::session::Session;
 
 pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     check_destination(session)?;
-    if flags.all || flags.contours.len() > 1 {
+    let [argument] = &flags.contours[..] else {
+        return table(flags, session);
+    };
+    if flags.all {
         return table(flags, session);
     }
     let format = session.format_or(Format::Text);
     Kind::Radius.check(format)?;
-    for argument in &flags.contours {
-        let given = input::read_with(argument, &flags.fit, session)?;
-        let fit = fit_of(argument, given, flags, session)?;
-        session.note(&summary(&fit));
-        write_result(session, |out| write_fit(&fit, format, out))?;
-    }
-    Ok(())
+    let given = input::read_with(argument, &flags.fit, session)?;
+    let fit = fit_of(argument, given, flags, session)?;
+    session.note(&summary(&fit));
+    write_result(session, |out| write_fit(&fit, format, out))
 }
 
 /// One row for each outline.

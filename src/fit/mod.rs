@@ -31,6 +31,7 @@ mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
+pub(crate) use distance::is_positive_by_values;
 pub use distance::{Bounds, Distances, distances};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub use normal_form::{NormalForm, normal_form};
@@ -167,8 +168,12 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
             (n, assess(n))
         }
         FitSize::Harmonics(n) => (n, assess(n)),
-        // It was refused above.
-        FitSize::Power(_) => (most, assess(most)),
+        FitSize::Power(_) => {
+            return Err(Error::internal(
+                "the size of a fit",
+                "a share of the power belongs to elliptic series, and was refused",
+            ));
+        }
     };
     Ok(Fit {
         radius: cut(harmonics),
@@ -250,6 +255,11 @@ fn exactly(values: &[f64], decimals: Option<u32>) -> Result<Vec<Rational>> {
 
 fn nearest(values: &[Rational]) -> Vec<f64> {
     values.iter().map(Rational::to_f64).collect()
+}
+
+/// The exponent e with 2^(e − 1) ≤ value < 2^e, for a normal value.
+fn exponent_of(value: f64) -> i64 {
+    (value.to_bits() >> 52) as i64 - 1022
 }
 
 /// A count as a double.

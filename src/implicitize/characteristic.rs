@@ -8,7 +8,8 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::bigint::{LaneFields, Lanes, Quartet, minus, plus};
+use crate::bigint::{LaneFields, Lanes, Quartet, f64_from, minus, plus};
+use crate::error::Invariant;
 
 /// So many products, of at most 3p/4 each, are added before a sum is reduced: sums stay below 8p.
 const TOGETHER: usize = 8;
@@ -35,17 +36,13 @@ impl Pair {
     #[inline(always)]
     pub(super) fn new(quartet: &Quartet, x: Vec<Lanes>, y: &[Lanes]) -> Self {
         let field = quartet.field();
-        let leading_inverse = y.last().map_or([1.0; 4], |&c| field.inverse_of(c));
+        let leading_inverse = field.inverse_of(y[y.len() - 1]);
         let mut g: Vec<Lanes> = y
             .iter()
             .map(|&c| field.reduced(field.times(c, leading_inverse)))
             .collect();
-        if let Some(last) = g.last_mut() {
-            *last = [1.0; 4];
-        }
-        let last_inverse = g
-            .first()
-            .map_or([1.0; 4], |&c| field.reduced(field.inverse_of(c)));
+        g[y.len() - 1] = [1.0; 4];
+        let last_inverse = field.reduced(field.inverse_of(g[0]));
         let most = (x.len() - 1).max(y.len() - 1);
         let mut count = [0.0; 4];
         let mut inverses = vec![[0.0; 4]];
@@ -98,13 +95,13 @@ impl NullaryFnOnce for Characteristic<'_> {
         let ring = Ring { field, g };
         let x = ring.value(pair);
         // The square root of n balances the two kinds of steps.
-        let block = (1..n).find(|b| b * b >= n).unwrap_or(1);
+        let block = (1..=n).find(|b| b * b >= n).invariant("n² is at least n");
         let mut powers = vec![ring.one()];
         for _ in 0..block {
             let last = &powers[powers.len() - 1];
             powers.push(ring.product(last, &x));
         }
-        let giant = powers.pop().unwrap_or_default();
+        let giant = powers.pop().invariant("there is the power 0");
         let mut form = ring.traces();
         let mut traces = Vec::with_capacity(n + block);
         while traces.len() <= n {
@@ -298,10 +295,7 @@ impl NullaryFnOnce for Interpolation<'_> {
             }
         }
         // Horner's rule for Newton's form: the polynomial times (v − k), plus the next difference.
-        let mut node = [0.0; 4];
-        for _ in 1..len {
-            node = plus(node, [1.0; 4]);
-        }
+        let mut node = [f64_from(len as u64 - 1); 4];
         let mut coefficients: Vec<Lanes> = Vec::with_capacity(len);
         for c in table.into_iter().rev() {
             coefficients.insert(0, [0.0; 4]);

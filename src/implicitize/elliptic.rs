@@ -8,7 +8,6 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Pow, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
-use malachite::base::polynomial::Polynomial;
 use rayon::prelude::*;
 
 use super::characteristic::{Characteristic, Interpolation, Pair};
@@ -17,7 +16,7 @@ use crate::error::{Result, broken};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::modular::{PrimeField, large_primes};
-use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial};
+use crate::poly::PlanePolynomial;
 use crate::shape::{EllipticSeries, FourierRadius};
 
 /// A coordinate: twice its series over a common denominator.
@@ -207,26 +206,15 @@ fn assemble(
     scales: [&Integer; 2],
 ) -> PlanePolynomial {
     let mut powers = scales.map(|_| vec![Integer::ONE]);
-    let mut parts: Vec<Vec<Integer>> = Vec::new();
-    for ((i, j), c) in terms {
+    let terms = terms.map(|((i, j), c)| {
         for ((powers, scale), exponent) in powers.iter_mut().zip(scales).zip([i, j]) {
             while powers.len() <= exponent {
                 powers.push(&powers[powers.len() - 1] * scale);
             }
         }
-        if parts.len() <= i + j {
-            parts.resize(i + j + 1, Vec::new());
-        }
-        let part = &mut parts[i + j];
-        if part.len() <= j {
-            part.resize(j + 1, Integer::ZERO);
-        }
-        part[j] = c * &powers[0][i] * &powers[1][j];
-    }
-    let forms = parts.into_iter().enumerate().map(|(degree, row)| {
-        BinaryForm::from_dehomogenized(degree, IntegerPolynomial::from_coefficients_asc(row))
+        ((i, j), Rational::whole(c * &powers[0][i] * &powers[1][j]))
     });
-    PlanePolynomial::from_parts(forms, Integer::ONE)
+    PlanePolynomial::from_terms(terms)
 }
 
 /// A check: stops the program if the equation does not vanish at one point of the curve modulo one more prime.

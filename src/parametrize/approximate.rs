@@ -107,8 +107,12 @@ pub fn fit_branch(
             let series = sampled.series(n, options.decimals)?;
             (sampled, series)
         }
-        FitSize::Tolerance(e) | FitSize::Distance(e) | FitSize::Power(e) => {
-            fewest(&target, e, options, limits)?
+        FitSize::Tolerance(e) => fewest(&target, e, options, limits)?,
+        FitSize::Distance(_) | FitSize::Power(_) => {
+            return Err(Error::internal(
+                "the size of the fit of a branch",
+                "it is that of a contour, and was refused",
+            ));
         }
     };
     Ok(Some(BranchFit {
@@ -124,10 +128,10 @@ pub fn fit_branch(
 
 impl BranchFitOptions {
     fn check(&self) -> Result<()> {
-        let samples = self.samples.unwrap_or(0);
-        let harmonics = match self.size {
-            FitSize::Harmonics(n) => n,
-            FitSize::Tolerance(e) if e.is_finite() && e > 0.0 => 0,
+        let samples = |n: usize| self.samples.unwrap_or_else(|| default_samples(n));
+        let (harmonics, samples) = match self.size {
+            FitSize::Harmonics(n) => (n, samples(n)),
+            FitSize::Tolerance(e) if e.is_finite() && e > 0.0 => (0, samples(0)),
             FitSize::Distance(_) | FitSize::Power(_) => {
                 return Err(Error::Usage(
                     "--distance and --power are for contours; the fit of a branch has --harmonics or --tolerance".into(),

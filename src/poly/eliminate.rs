@@ -1,14 +1,14 @@
 //! The implicit equation of x = p1/q1, y = p2/q2 by a resultant.
 
+use malachite::Natural;
 use malachite::base::num::arithmetic::traits::Pow;
-use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
-use malachite::{Integer, Natural};
 use rayon::prelude::*;
 
-use super::{BinaryForm, IntegerPolynomial, PlanePolynomial, RationalFunction};
+use super::{IntegerPolynomial, PlanePolynomial, RationalFunction};
 use crate::error::{Error, Invariant, Result};
+use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, Reconstruction, large_primes};
 
@@ -100,23 +100,11 @@ pub(crate) fn eliminate<T>(
 
 /// The polynomial whose coefficient of x^i y^j is at the index i (m + 1) + j.
 fn polynomial(flat: &IntegerPolynomial, m: usize) -> PlanePolynomial {
-    let mut parts: Vec<Vec<Integer>> = Vec::new();
-    for (index, c) in flat.coefficients_asc().iter().enumerate() {
-        let (i, j) = (index / (m + 1), index % (m + 1));
-        if *c == 0 {
-            continue;
-        }
-        if parts.len() <= i + j {
-            parts.resize(i + j + 1, Vec::new());
-        }
-        let part = &mut parts[i + j];
-        part.resize(part.len().max(j + 1), Integer::from(0));
-        part[j] = c.clone();
-    }
-    let forms = parts.into_iter().enumerate().map(|(degree, row)| {
-        BinaryForm::from_dehomogenized(degree, IntegerPolynomial::from_coefficients_asc(row))
-    });
-    PlanePolynomial::from_parts(forms, Integer::ONE)
+    let terms = flat.coefficients_asc().iter().enumerate();
+    let terms = terms.filter(|(_, c)| **c != 0);
+    PlanePolynomial::from_terms(
+        terms.map(|(index, c)| ((index / (m + 1), index % (m + 1)), Rational::whole(c))),
+    )
 }
 
 /// The coefficients of the resultant modulo a prime, in the order of [`polynomial`].

@@ -289,7 +289,8 @@ pub(crate) fn coordinate_fault(c: f64) -> Option<String> {
     }
 }
 
-fn same(p: [f64; 2], q: [f64; 2]) -> bool {
+/// Whether two points are equal.
+pub(super) fn same(p: [f64; 2], q: [f64; 2]) -> bool {
     p.partial_cmp(&q) == Some(Ordering::Equal)
 }
 

@@ -1,6 +1,6 @@
 //! Outlines that touch themselves are mended: the loops are cut off.
 
-use super::Contour;
+use super::contour::{Contour, same};
 use super::crossing::{doubles_back, find_crossing, share_a_point};
 use crate::error::{Error, Result};
 
@@ -146,10 +146,6 @@ fn first_met(kept: &[Indexed], next: [f64; 2], longest: f64) -> Option<usize> {
 fn short(way: &[Indexed], next: [f64; 2], longest: f64) -> bool {
     let points: Vec<[f64; 2]> = way.iter().map(|(_, p)| *p).chain([next]).collect();
     length_of_way(&points) <= longest
-}
-
-fn same(p: [f64; 2], q: [f64; 2]) -> bool {
-    p.partial_cmp(&q) == Some(std::cmp::Ordering::Equal)
 }
 
 fn length_of_way(points: &[[f64; 2]]) -> f64 {

@@ -4,7 +4,7 @@ use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::fit::{
     CenterChoice, CenterOrigin, Distances, EllipticFit, Fit, FitModel, FitOptions, FitSize,
-    NormalForm, distances, fit_elliptic, fit_within, normal_form,
+    NormalForm, distances, fit_elliptic, fit_within, is_positive_by_values, normal_form,
 };
 use crate::parametrize::is_positive;
 use crate::shape::{Contour, EllipticSeries, Form, FourierRadius};
@@ -118,7 +118,7 @@ pub struct RadialReport {
     pub outline_star_shaped: bool,
     /// As [`Fit::hidden_share`].
     pub hidden_share: f64,
-    /// Whether r > 0 for every angle, certified; `None` if that was not asked for.
+    /// Whether r > 0 for every angle, certified; `None` if that was not asked for or not decided.
     pub star_shaped: Option<bool>,
 }
 
@@ -194,9 +194,18 @@ pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<Outli
         work.remark(Remark::DistanceNotMeasured);
     }
     if let (OutlineSeries::Radius(fit), Some(radial)) = (&series, &mut report.radial) {
-        radial.star_shaped = Some(is_positive(&fit.radius));
+        radial.star_shaped = is_positive_radius(&fit.radius, work)?;
     }
     Ok(OutlineFit { series, report })
+}
+
+/// Whether r > 0 for every angle: by values if they decide it, else exactly if the radius has few harmonics.
+fn is_positive_radius(radius: &FourierRadius, work: &Work) -> Result<Option<bool>> {
+    /// Roots of polynomials of higher degrees than twice this one take too long.
+    const MOST_EXACT: usize = 256;
+    let by_values = is_positive_by_values(radius, work.bounds())?;
+    let is_short = radius.harmonics() <= MOST_EXACT;
+    Ok(by_values.or_else(|| is_short.then(|| is_positive(radius))))
 }
 
 /// Fits a series to a contour, with remarks, and without measuring distances.

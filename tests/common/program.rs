@@ -84,6 +84,14 @@ pub(crate) fn rational(text: &str) -> BigRational {
     text.parse().unwrap()
 }
 
+/// The double near an exact number.
+pub(crate) fn number(text: &str) -> f64 {
+    let exact = rational(text);
+    let [above, below] =
+        [exact.numer(), exact.denom()].map(|n| n.to_string().parse::<f64>().unwrap());
+    above / below
+}
+
 pub(crate) fn rationals(value: &Value) -> Vec<BigRational> {
     strings(value).iter().map(|t| rational(t)).collect()
 }

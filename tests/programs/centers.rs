@@ -9,7 +9,7 @@ use image::codecs::jpeg::JpegEncoder;
 use image::{GrayImage, Luma};
 use tempfile::TempDir;
 
-use crate::common::program::{done, done_in, json, outline, rational, run_in, strings};
+use crate::common::program::{done, done_in, json, number, outline, run_in, strings};
 
 /// A silhouette, anti-aliased, of the points within r(θ) of a center.
 fn silhouette(radius: impl Fn(f64) -> f64, [x0, y0]: [f64; 2]) -> GrayImage {
@@ -33,11 +33,7 @@ fn center_of(folder: &Path, name: &str) -> [f64; 2] {
         "",
     ));
     let center = strings(&document["center"]);
-    [0, 1].map(|i| {
-        let exact = rational(&center[i]);
-        let double = |n: &num_bigint::BigInt| n.to_string().parse::<f64>().unwrap();
-        double(exact.numer()) / double(exact.denom())
-    })
+    [0, 1].map(|i| number(&center[i]))
 }
 
 /// The noise of a JPEG does not move the center.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::program::{done, done_in, json, outline, rational, run_in, strings};
+use crate::common::program::{done, done_in, json, number, outline, rational, run_in, strings};
 
 fn cavity() -> String {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
@@ -204,11 +204,6 @@ fn normal_forms_of_alike_outlines_are_alike() {
         moved["normal_form"]["reversed"],
         plain["normal_form"]["reversed"]
     );
-    let number = |text: &str| {
-        let exact = rational(text);
-        let double = |n: &num_bigint::BigInt| n.to_string().parse::<f64>().unwrap();
-        double(exact.numer()) / double(exact.denom())
-    };
     let mut worst = [0.0f64; 2];
     for name in ["x_cos", "x_sin", "y_cos", "y_sin"] {
         let lists = [&plain, &moved].map(|d| strings(&d["elliptic"][name]));

@@ -15,6 +15,7 @@ mod language;
 mod language_parameters;
 mod limits;
 mod main_job;
+mod measured;
 mod option_mistakes;
 mod option_spellings;
 mod outlines;

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use stellate::verb::{Content, Given, ReadOptions};
 use tempfile::TempDir;
 
-use crate::common::program::{Run, done, json, rational, run_in, strings};
+use crate::common::program::{Run, done, json, number, run_in, strings};
 
-fn file(name: &str) -> String {
+pub(super) fn file(name: &str) -> String {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     root.join("tests/outlines")
         .join(name)
@@ -20,7 +20,7 @@ fn file(name: &str) -> String {
 }
 
 /// a0 and the center of a fit.
-fn mean_and_center(arguments: &[&str]) -> (f64, [f64; 2]) {
+pub(super) fn mean_and_center(arguments: &[&str]) -> (f64, [f64; 2]) {
     let document = json(&done(
         &[
             &["fit", "-n", "8", "--format", "json", "--quiet"],
@@ -28,14 +28,9 @@ fn mean_and_center(arguments: &[&str]) -> (f64, [f64; 2]) {
         ]
         .concat(),
     ));
-    let value = |text: &str| -> f64 {
-        let exact = rational(text);
-        let double = |n: &num_bigint::BigInt| n.to_string().parse::<f64>().unwrap();
-        double(exact.numer()) / double(exact.denom())
-    };
     let center = strings(&document["center"]);
     let a0 = &strings(&document["cos"])[0];
-    (value(a0), [value(&center[0]), value(&center[1])])
+    (number(a0), [number(&center[0]), number(&center[1])])
 }
 
 #[test]
@@ -449,98 +444,5 @@ fn pictures_that_this_build_does_not_read_are_named() {
             "{name}: {kind} pictures are read by stellate with the feature `more-images` only"
         );
         assert!(run.code == 2 && run.err.contains(&part), "{}", run.err);
-    }
-}
-
-/// Noisy points in order, which touch themselves: what is cut off is said.
-#[test]
-fn an_outline_that_touches_itself_is_mended() {
-    let noisy = file("noisy_circle.csv");
-    let refused = run_in(Path::new("."), &["fit", &noisy, "-n", "3"], "");
-    assert_eq!(refused.code, 2);
-    assert!(refused.err.contains("--repair"), "{}", refused.err);
-    let run = run_in(
-        Path::new("."),
-        &["fit", &noisy, "-n", "3", "--repair", "--format", "json"],
-        "",
-    );
-    assert_eq!(run.code, 0, "{}", run.err);
-    assert!(
-        run.err.contains("leaves out") && run.err.contains("of its length (--repair)"),
-        "{}",
-        run.err
-    );
-    let points: usize = run
-        .err
-        .split("leaves out ")
-        .nth(1)
-        .unwrap()
-        .split(' ')
-        .next()
-        .unwrap()
-        .parse()
-        .unwrap();
-    assert!((1..200).contains(&points), "{}", run.err);
-    let (a0, _) = mean_and_center(&[&noisy, "--repair"]);
-    let (_, [x, y]) = mean_and_center(&[&noisy, "--repair", "--model", "radius"]);
-    assert!(a0 > 0.0 && x.hypot(y) < 0.1 * a0, "{a0} ({x}, {y})");
-    // Nothing is said of an outline that needs no repair.
-    let run = run_in(
-        Path::new("."),
-        &["fit", &file("plain.txt"), "-n", "3", "--repair"],
-        "",
-    );
-    assert!(
-        run.code == 0 && !run.err.contains("--repair"),
-        "{}",
-        run.err
-    );
-    let run = run_in(
-        Path::new("."),
-        &["describe", "x^2 + y^2 = 1", "--repair"],
-        "",
-    );
-    assert!(
-        run.code == 2 && run.err.contains("--repair is for outlines"),
-        "{}",
-        run.err
-    );
-}
-
-/// The samples of the radius follow the data: a wave of 1024 periods is not read at one place of each.
-#[test]
-fn samples_are_at_least_twice_as_many_as_vertices() {
-    let rows: String = (0..40_000)
-        .map(|k| {
-            let t = std::f64::consts::TAU * f64::from(k) / 40_000.0;
-            let r = 10.0 + 0.5 * (1024.0 * t).cos();
-            format!("{},{}\n", r * t.cos(), r * t.sin())
-        })
-        .collect();
-    let folder = TempDir::new().unwrap();
-    let path = folder.path().join("wave.csv");
-    fs::write(&path, rows).unwrap();
-    let (a0, _) = mean_and_center(&[path.to_str().unwrap(), "--center", "0,0"]);
-    assert!((a0 - 10.0).abs() < 0.01, "{a0}");
-}
-
-/// A slip of the hand does not destroy the data.
-#[test]
-fn the_output_is_never_the_input() {
-    let folder = TempDir::new().unwrap();
-    let rows = "x,y\n0,0\n2,0\n2,2\n0,2\n";
-    fs::write(folder.path().join("a.csv"), rows).unwrap();
-    for arguments in [
-        &["fit", "a.csv", "-n", "3", "-o", "a.csv"][..],
-        &["fit", "a.csv", "--all", "-n", "3", "-o", "./a.csv"],
-        &["implicitize", "./a.csv", "-n", "3", "-o", "a.csv"],
-    ] {
-        let run = run_in(folder.path(), arguments, "");
-        assert_eq!(run.code, 2, "{arguments:?}");
-        assert!(run.err.contains("this file is read"), "{}", run.err);
-        assert_eq!(
-            fs::read_to_string(folder.path().join("a.csv")).unwrap(),
-            rows
-        );
     }
 }

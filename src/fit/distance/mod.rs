@@ -9,9 +9,11 @@ mod polygon;
 mod traced;
 
 use crate::error::{Error, Result};
+use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::shape::{Contour, EllipticSeries};
-use polygon::{Frame, Polygon};
+use crate::shape::{Contour, EllipticSeries, FourierRadius};
+pub(super) use polygon::Frame;
+use polygon::Polygon;
 use traced::Tracer;
 
 /// The bounds of the distance are this close together, relative to the lower one, …
@@ -86,6 +88,37 @@ pub fn distances(
         mean: hausdorff::mean(&outline.polygon, &polygon) * outline.frame.scale(),
         overlap: overlap::overlap(&outline.polygon, &polygon),
     }))
+}
+
+/// Whether r(θ) > 0 for every angle, decided by certified values of the series; `None` if they do not decide it within the stated
+/// cost of [`distances`].
+///
+/// The radius is traced as the curve x(t) = r(t): between two vertices it is as near their mean as the curve is to its polygon.
+pub(crate) fn is_positive_by_values(
+    radius: &FourierRadius,
+    limits: &Limits,
+) -> Result<Option<bool>> {
+    /// The numbers of vertices that are tried, each 16 times the one before.
+    const TRIALS: u32 = 3;
+    let lists = [radius.cosines(), radius.sines()].map(<[Rational]>::to_vec);
+    let size = lists.iter().flatten().map(|c| c.to_f64().abs()).sum();
+    let [cos, sin] = lists;
+    let series = EllipticSeries::new([cos, sin, Vec::new(), Vec::new()]);
+    let tracer = Tracer::new(&series, &Frame::about_origin(size));
+    for trial in 0..TRIALS {
+        let Some(traced) = tracer.polygon(tracer.first_count() << (4 * trial), limits)? else {
+            return Ok(None);
+        };
+        let least = traced
+            .points
+            .iter()
+            .map(|p| p[0])
+            .fold(f64::INFINITY, f64::min);
+        if least.abs() > traced.error {
+            return Ok(Some(least > 0.0));
+        }
+    }
+    Ok(None)
 }
 
 /// The search for the fewest harmonics whose distance from an outline is small enough.

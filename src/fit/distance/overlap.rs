@@ -2,6 +2,7 @@
 
 use std::f64;
 
+use super::super::as_f64;
 use super::polygon::Polygon;
 
 /// The number of horizontal lines on which the polygons are compared.
@@ -14,7 +15,7 @@ pub(super) fn overlap(first: &Polygon, second: &Polygon) -> f64 {
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
         (low.min(y), high.max(y))
     });
-    let step = (high - low) / count(LINES);
+    let step = (high - low) / as_f64(LINES);
     let crossings = [first, second].map(|polygon| crossings(polygon, low, step));
     let (mut both, mut either) = (0.0, 0.0);
     for (a, b) in crossings[0].iter().zip(&crossings[1]) {
@@ -51,7 +52,7 @@ fn crossings(polygon: &Polygon, low: f64, step: f64) -> Vec<Vec<f64>> {
         let first = line_above(lower[1], low, step);
         let end = line_above(upper[1], low, step);
         for (line, places) in lines.iter_mut().enumerate().take(end).skip(first) {
-            let height = low + (count(line) + 0.5) * step;
+            let height = low + (as_f64(line) + 0.5) * step;
             let t = (height - lower[1]) / (upper[1] - lower[1]);
             places.push(lower[0] + t.clamp(0.0, 1.0) * (upper[0] - lower[0]));
         }
@@ -68,12 +69,6 @@ fn crossings(polygon: &Polygon, low: f64, step: f64) -> Vec<Vec<f64>> {
 )]
 fn line_above(height: f64, low: f64, step: f64) -> usize {
     (((height - low) / step - 0.5).ceil() as usize).min(LINES)
-}
-
-/// A count as a double.
-#[expect(clippy::cast_precision_loss, reason = "counts are small")]
-fn count(n: usize) -> f64 {
-    n as f64
 }
 
 #[cfg(test)]

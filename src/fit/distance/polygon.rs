@@ -1,5 +1,7 @@
 //! Closed polygons in doubles, and their nearest edges.
 
+use super::super::exponent_of;
+use crate::error::Invariant;
 use crate::shape::Contour;
 
 /// The number of edges in a leaf of the tree.
@@ -18,16 +20,26 @@ pub(super) const ROUNDING: f64 = 2.9e-14;
 /// The coordinates in which distances are measured: the middle of the outline's box is the origin, and all coordinates of the
 /// outline are at most 1 in size.
 #[derive(Debug)]
-pub(super) struct Frame {
-    pub(super) middle: [f64; 2],
+pub(in crate::fit) struct Frame {
+    pub(in crate::fit) middle: [f64; 2],
     exponent: i32,
 }
 
 impl Frame {
-    pub(super) fn of(contour: &Contour) -> Self {
+    pub(in crate::fit) fn of(contour: &Contour) -> Self {
         let (middle, scale) = contour.frame();
         // The middle is rounded, so half the side may be a little less than the largest distance from it.
-        let exponent = (scale.to_bits() >> 52) as i32 - 1022;
+        Self::new(middle, scale)
+    }
+
+    /// Coordinates of at most about 1 in size for numbers up to this one.
+    pub(super) fn about_origin(size: f64) -> Self {
+        Self::new([0.0; 2], size)
+    }
+
+    fn new(middle: [f64; 2], size: f64) -> Self {
+        let exponent =
+            i32::try_from(exponent_of(size)).invariant("an exponent of a double is small");
         Self { middle, exponent }
     }
 
@@ -36,12 +48,12 @@ impl Frame {
         f64::from(self.exponent).exp2()
     }
 
-    pub(super) fn exponent(&self) -> i64 {
+    pub(in crate::fit) fn exponent(&self) -> i64 {
         self.exponent.into()
     }
 
     /// The coordinates of a point; each is rounded once.
-    pub(super) fn inside(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(in crate::fit) fn inside(&self, point: [f64; 2]) -> [f64; 2] {
         std::array::from_fn(|i| (point[i] - self.middle[i]) / self.scale())
     }
 }

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use malachite::Integer;
 use rayon::prelude::*;
 
+use super::super::as_f64;
 use super::super::turns::Turns;
 use super::polygon::Frame;
 use crate::error::{Invariant, Result};
@@ -53,7 +54,7 @@ impl Tracer {
         let size = lists.iter().flatten().map(|c| c.abs()).sum();
         let bend = (0..lists[0].len()).map(|n| {
             let square: f64 = lists.iter().map(|list| list[n] * list[n]).sum();
-            count(n) * count(n) * square.sqrt()
+            as_f64(n) * as_f64(n) * square.sqrt()
         });
         // Less than 2^20 roundings one after another.
         let bend = bend.sum::<f64>() * (1.0 + 1e-9);
@@ -125,9 +126,9 @@ impl Tracer {
                 Ok([x, y])
             })
             .collect::<Result<_>>()?;
-        let step = TAU / count(vertices);
+        let step = TAU / as_f64(vertices);
         let chord = self.bend * step * step / 8.0;
-        let rounding = count(2 * harmonics + 6) * f64::EPSILON * self.size * 2.0;
+        let rounding = as_f64(2 * harmonics + 6) * f64::EPSILON * self.size * 2.0;
         Ok(Some(Traced {
             points,
             error: (chord + rounding) * (1.0 + 1e-9),
@@ -144,10 +145,4 @@ fn quarter_waves(vertices: usize) -> Vec<[f64; 2]> {
         .zip(&sines)
         .map(|(c, s)| [c.to_f64(), s.to_f64()])
         .collect()
-}
-
-/// A count as a double.
-#[expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
-fn count(n: usize) -> f64 {
-    n as f64
 }

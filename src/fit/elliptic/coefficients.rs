@@ -13,6 +13,7 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 use rayon::prelude::*;
 
+use super::super::exponent_of;
 use super::super::turns::{Turns, bits_of};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, pi};
@@ -168,8 +169,9 @@ impl Polygon<'_> {
     ) -> Option<Sums<W>> {
         let n = self.points.len();
         let mut sums = Sums::zero(harmonics);
-        let mut before = self.edge::<W>((start + n - 1) % n)?;
+        let before = self.edge::<W>((start + n - 1) % n)?;
         let mut incoming = before.direction(frame.guard)?;
+        let mut last = before.length_in(frame.length);
         for k in start..n.min(start + CHUNK) {
             let edge = self.edge::<W>(k)?;
             let outgoing = edge.direction(frame.guard)?;
@@ -187,14 +189,14 @@ impl Polygon<'_> {
                     *part = part.plus(&weights[weight].times(wave));
                 }
             }
-            let [last, next] = [&before, &edge].map(|edge| edge.length_in(frame.length));
+            let next = edge.length_in(frame.length);
             let share = last.shifted_down(1).plus(&next.shifted_down(1));
             for (i, sum) in sums.middle.iter_mut().enumerate() {
                 let coordinate = difference(self.points[k][i], self.middle[i], frame.size);
                 *sum = sum.plus(&share.times(&coordinate));
             }
             at = at.plus(&next);
-            (before, incoming) = (edge, outgoing);
+            (last, incoming) = (next, outgoing);
         }
         Some(sums)
     }
@@ -233,10 +235,10 @@ impl Polygon<'_> {
     }
 }
 
-/// An exponent e with value < 2^(e − 1) ≤ 2 · value, for a normal value. The doubles that are handed in are rounded, so they may
-/// be a little too small.
+/// An exponent e with value < 2^(e − 1) ≤ 2 · value. The doubles that are handed in are rounded, so they may be a little too
+/// small.
 fn exponent_above(value: f64) -> i64 {
-    (value.to_bits() >> 52) as i64 - 1021
+    exponent_of(value) + 1
 }
 
 /// The difference a − b in units of 2^exponent, which must be in (−1, 1).

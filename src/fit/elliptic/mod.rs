@@ -4,9 +4,11 @@ mod coefficients;
 #[cfg(test)]
 mod laws;
 
+use std::ops::RangeInclusive;
+
 use malachite::Integer;
 
-use super::distance::DistanceSearch;
+use super::distance::{DistanceSearch, Frame};
 use super::{FitOptions, FitSize};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -74,18 +76,14 @@ pub fn fit_elliptic(
     options.check(size, MAX_ELLIPTIC_HARMONICS)?;
     options.is_for_an_elliptic_series()?;
     let points = contour.given_points();
-    let (middle, scale) = contour.frame();
+    let frame = Frame::of(contour);
     let series = |harmonics: usize| -> Result<EllipticSeries> {
-        coefficients(&points, middle, harmonics, options.decimals, limits).map(EllipticSeries::new)
+        coefficients(&points, frame.middle, harmonics, options.decimals, limits)
+            .map(EllipticSeries::new)
     };
-    // Powers are compared in a unit in which the outline has about the size 1: the square of a size may be no double.
-    let unit = (scale.to_bits().cast_signed() >> 52) - 1023;
-    let total = total_power(
-        &points,
-        middle,
-        f64::from_bits((1023 - unit).unsigned_abs() << 52),
-    );
-    let squared_unit = Rational::from_dyadic(Integer::from(1), -2 * unit);
+    // Powers are compared in the unit of the frame: the square of a size may be no double.
+    let total = total_power(&points, &frame);
+    let squared_unit = Rational::from_dyadic(Integer::from(1), -2 * frame.exponent());
     let powers = |series: &EllipticSeries| -> Vec<f64> {
         let each = (1..=series.harmonics()).map(|n| (series.power(n) * &squared_unit).to_f64());
         let sums = each.scan(0.0, |sum, power| {
@@ -94,46 +92,57 @@ pub fn fit_elliptic(
         });
         std::iter::once(0.0).chain(sums).collect()
     };
-    let fitted = |series: EllipticSeries| EllipticFit {
-        power: powers(&series).last().copied().unwrap_or(0.0).min(1.0),
-        series,
-    };
-    let mut search = match size {
-        FitSize::Harmonics(n) => return series(n).map(fitted),
-        FitSize::Tolerance(e) | FitSize::Distance(e) => Some(DistanceSearch::new(contour, e)),
-        FitSize::Power(_) => None,
-    };
-    let (mut first, mut last) = (0, FIRST_HARMONICS);
-    loop {
-        let all = series(last)?;
-        let found = match (&mut search, size) {
-            (Some(search), _) => search.fewest(first..=last, |n| all.truncated(n), limits)?,
-            (None, FitSize::Power(share)) => powers(&all).iter().position(|&sum| sum >= share),
-            (None, _) => None,
-        };
-        if let Some(n) = found {
-            return Ok(fitted(all.truncated(n)));
+    let series = match size {
+        FitSize::Harmonics(n) => series(n)?,
+        FitSize::Tolerance(e) | FitSize::Distance(e) => {
+            let mut search = DistanceSearch::new(contour, e);
+            let found = fewest(series, |all, tried| {
+                search.fewest(tried, |n| all.truncated(n), limits)
+            })?;
+            found.ok_or_else(|| search.missed("an elliptic series", MAX_ELLIPTIC_HARMONICS))?
         }
-        if last == MAX_ELLIPTIC_HARMONICS {
-            return Err(match &search {
-                Some(search) => search.missed("an elliptic series", last),
-                None => Error::limit(format!(
-                    "no number of harmonics up to {last} has that share of the power"
-                )),
-            });
+        FitSize::Power(share) => {
+            let found = fewest(series, |all, _| {
+                Ok(powers(all).iter().position(|&sum| sum >= share))
+            })?;
+            found.ok_or_else(|| {
+                Error::limit(format!(
+                    "no number of harmonics up to {MAX_ELLIPTIC_HARMONICS} has that share of the power"
+                ))
+            })?
+        }
+    };
+    let power = powers(&series).into_iter().fold(0.0, f64::max);
+    Ok(EllipticFit {
+        power: power.min(1.0),
+        series,
+    })
+}
+
+/// The series with the fewest harmonics, as `find` finds them: it is handed series with more and more harmonics, and the numbers
+/// of harmonics that were not tried before.
+fn fewest(
+    series: impl Fn(usize) -> Result<EllipticSeries>,
+    mut find: impl FnMut(&EllipticSeries, RangeInclusive<usize>) -> Result<Option<usize>>,
+) -> Result<Option<EllipticSeries>> {
+    let (mut first, mut last) = (0, FIRST_HARMONICS);
+    while last <= MAX_ELLIPTIC_HARMONICS {
+        let all = series(last)?;
+        if let Some(n) = find(&all, first..=last)? {
+            return Ok(Some(all.truncated(n)));
         }
         (first, last) = (last + 1, 2 * last);
     }
+    Ok(None)
 }
 
-/// The power of all harmonics together, for coordinates times a factor: the mean square of the distance from the mean point, by arc
-/// length (Parseval).
-fn total_power(points: &[[f64; 2]], middle: [f64; 2], factor: f64) -> f64 {
+/// The power of all harmonics together, in the unit of a frame: the mean square of the distance from the mean point, by arc length
+/// (Parseval).
+fn total_power(points: &[[f64; 2]], frame: &Frame) -> f64 {
     let n = points.len();
     let (mut length, mut sums, mut squares) = (0.0, [0.0; 2], 0.0);
     for k in 0..n {
-        let [p, q] =
-            [points[k], points[(k + 1) % n]].map(|p| [0, 1].map(|i| (p[i] - middle[i]) * factor));
+        let [p, q] = [points[k], points[(k + 1) % n]].map(|p| frame.inside(p));
         let edge = f64::hypot(q[0] - p[0], q[1] - p[1]);
         length += edge;
         for i in 0..2 {

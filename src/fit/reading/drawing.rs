@@ -12,7 +12,7 @@ use super::rings::{Ring, Rings, is_inside, signed_area};
 use super::rows::MAX_ROWS;
 use super::svg_path::{Subpath, subpaths};
 use super::viewport::{Along, Viewport};
-use super::{ContourKind, LeftOut};
+use super::{ContourKind, LeftOut, counted};
 use crate::error::{Error, Result};
 
 /// The largest number of closed paths in a drawing: which one is within which is asked of all pairs.
@@ -206,11 +206,6 @@ impl Drawing {
 
     /// What there is instead of closed paths.
     fn text(&self) -> String {
-        let counted = |count: usize, one: &str, several: &str| match count {
-            0 => None,
-            1 => Some(format!("one {one}")),
-            count => Some(format!("{count} {several}")),
-        };
         let all = [
             counted(self.open, "open path", "open paths"),
             counted(self.texts, "text", "texts"),

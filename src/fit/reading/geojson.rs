@@ -8,7 +8,7 @@ use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::Number;
 
 use super::rings::{Ring, Rings};
-use super::{ContourKind, LeftOut};
+use super::{ContourKind, LeftOut, counted};
 use crate::error::{Error, Result};
 use crate::rows::double;
 
@@ -153,11 +153,6 @@ impl Found {
 
     /// What there is instead of polygons.
     fn text(&self) -> String {
-        let counted = |count: usize, one: &str, several: &str| match count {
-            0 => None,
-            1 => Some(format!("one {one}")),
-            count => Some(format!("{count} {several}")),
-        };
         let all = [
             counted(self.points, "point", "points"),
             counted(self.open_lines, "open line", "open lines"),

@@ -34,3 +34,12 @@ pub use outline_options::OutlineOptions;
 pub use read::{
     ContourKind, contour_from_reader, outline_from_reader, outlines_from_reader, read_contour,
 };
+
+/// Some things in words: "one point", "3 points"; `None` for none.
+fn counted(count: usize, one: &str, several: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("one {one}")),
+        count => Some(format!("{count} {several}")),
+    }
+}
