@@ -2,7 +2,7 @@
 
 use stellate::document::{Format, Kind, write_fit, write_fit_table};
 use stellate::error::{Error, Result};
-use stellate::verb::{self, Content, FittedOutline, Given, OutlineFit, OutlineSeries};
+use stellate::verb::{self, FittedOutline, Given, OutlineFit, OutlineSeries};
 
 use super::arguments::Fit;
 use super::input;
@@ -20,7 +20,7 @@ pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     let format = session.format_or(Format::Text);
     Kind::Radius.check(format)?;
     let given = input::read_with(argument, &flags.fit, session)?;
-    let fit = fit_of(argument, given, flags, session)?;
+    let fit = fit_of(given, flags, session)?;
     session.note(&summary(&fit));
     write_result(session, |out| write_fit(&fit, format, out))
 }
@@ -37,7 +37,7 @@ fn table(flags: &Fit, session: &Session) -> Result<()> {
             vec![(flags.fit.outline.blob, given)]
         };
         for (blob, given) in outlines {
-            let fit = fit_of(argument, given, flags, session)?;
+            let fit = fit_of(given, flags, session)?;
             rows.push(FittedOutline {
                 file: argument.clone(),
                 blob,
@@ -68,28 +68,34 @@ fn all_outlines(argument: &str, flags: &Fit, session: &Session) -> Result<Vec<(u
     Ok(outlines)
 }
 
-fn fit_of(argument: &str, given: Given, flags: &Fit, session: &Session) -> Result<OutlineFit> {
-    let Content::Contour(contour) = given.into_content() else {
-        return Err(Error::Usage(format!(
-            "{argument}: fit needs a contour: a .csv with rows x,y, .npy, .geojson or .svg, or a .png, .jpg or .bmp silhouette"
-        )));
-    };
+fn fit_of(given: Given, flags: &Fit, session: &Session) -> Result<OutlineFit> {
     let options = input::fit_options(&flags.fit);
+    // Of a normal form, what is rounded is the normal form.
+    let unrounded = options.clone().decimals(None);
+    let options = if flags.normal_form {
+        unrounded
+    } else {
+        options
+    };
+    let fit = verb::fit(given, &options, &session.work)?;
     if flags.normal_form {
-        // What is rounded is the normal form.
-        let fit = verb::fit(&contour, &options.decimals(None), &session.work)?;
         return fit.into_normal_form(flags.fit.decimals);
     }
-    verb::fit(&contour, &options, &session.work)
+    Ok(fit)
 }
 
 /// A fit in a sentence.
 fn summary(fit: &OutlineFit) -> String {
     let mut text = match &fit.series {
         OutlineSeries::Radius(fit) => format!(
-            "N = {}, {} samples, radial error ≈ {:.3e} at most, ≈ {:.3e} rms",
+            "N = {}, {} {}, radial error ≈ {:.3e} at most, ≈ {:.3e} rms",
             fit.radius.harmonics(),
             fit.samples,
+            if fit.least_squares.is_some() {
+                "points"
+            } else {
+                "samples"
+            },
             fit.max_radial_error,
             fit.rms_radial_error
         ),
@@ -101,6 +107,17 @@ fn summary(fit: &OutlineFit) -> String {
             )
         }
     };
+    let errors = fit
+        .report
+        .least_squares
+        .as_ref()
+        .and_then(|found| found.errors.as_ref());
+    if let Some(errors) = errors {
+        let largest = errors.deviation.iter().copied().fold(0.0, f64::max);
+        text.push_str(&format!(
+            "; points deviate by ≈ {largest:.3e} (standard deviation)"
+        ));
+    }
     if let Some(found) = &fit.report.distances {
         text.push_str(&format!(
             "; distance {:.3e} to {:.3e} (Hausdorff, certified), ≈ {:.3e} on average, overlap ≈ {:.4}",

@@ -2,10 +2,10 @@
 
 use clap::{Args, ValueEnum};
 use stellate::exact::Rational;
-use stellate::fit::{CenterChoice, Columns, FitModel};
+use stellate::fit::{CenterChoice, Column, Columns, Estimator, FitModel};
 use stellate::verb::Bounds;
 
-use super::values::{center, columns, positive, space_window, whole};
+use super::values::{center, column, columns, positive, space_window, whole};
 
 /// How the curve in which two surfaces meet is followed.
 #[derive(Debug, Args)]
@@ -32,6 +32,24 @@ impl From<ModelFlag> for FitModel {
         match flag {
             ModelFlag::Radius => Self::Radius,
             ModelFlag::Elliptic => Self::Elliptic,
+        }
+    }
+}
+
+/// The way in which the coefficients of a series are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EstimatorFlag {
+    /// Integrals over the whole outline
+    Quadrature,
+    /// The least squares of the errors at the given points
+    LeastSquares,
+}
+
+impl From<EstimatorFlag> for Estimator {
+    fn from(flag: EstimatorFlag) -> Self {
+        match flag {
+            EstimatorFlag::Quadrature => Self::Quadrature,
+            EstimatorFlag::LeastSquares => Self::LeastSquares,
         }
     }
 }
@@ -68,9 +86,18 @@ pub(crate) struct FitFlags {
     /// Number of samples of the radius [default: at least 8N and twice the number of vertices]
     #[arg(long, value_name = "NS", value_parser = whole::<usize>(0..=u64::MAX, 1024))]
     pub(crate) samples: Option<usize>,
+    /// How the coefficients are found [default: least-squares for a cloud, with --weights and with --robust, else quadrature]
+    #[arg(long, value_enum)]
+    pub(crate) estimator: Option<EstimatorFlag>,
+    /// Least squares with less weight for points that are far from the curve (Huber's loss)
+    #[arg(long)]
+    pub(crate) robust: bool,
     /// Round the center and the coefficients to D decimals
     #[arg(long, value_name = "D", value_parser = whole::<u32>(0..=u64::MAX, 6))]
     pub(crate) decimals: Option<u32>,
+    /// Of a table: its points are in no order
+    #[arg(long)]
+    pub(crate) cloud: bool,
     #[command(flatten)]
     pub(crate) outline: OutlineFlags,
 }
@@ -81,6 +108,9 @@ pub(crate) struct OutlineFlags {
     /// Of a table: the columns of x and y, by name or by number from 1 [default: those named so, or the only two]
     #[arg(long, value_name = "X,Y", value_parser = columns)]
     pub(crate) columns: Option<Columns>,
+    /// Of a table: the column of the weights 1/sigma^2 of the points, by name or by number from 1
+    #[arg(long, value_name = "COLUMN", value_parser = column)]
+    pub(crate) weights: Option<Column>,
     /// Of a picture, an SVG drawing or GeoJSON with several outlines: which one, counted from 1 by its size
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = whole::<usize>(1..=u64::MAX, 2))]
     pub(crate) blob: usize,
@@ -99,6 +129,7 @@ impl Default for OutlineFlags {
     fn default() -> Self {
         Self {
             columns: None,
+            weights: None,
             blob: 1,
             threshold: None,
             invert: false,
@@ -117,7 +148,10 @@ impl Default for FitFlags {
             power: None,
             center: CenterChoice::Auto,
             samples: None,
+            estimator: None,
+            robust: false,
             decimals: None,
+            cloud: false,
             outline: OutlineFlags::default(),
         }
     }

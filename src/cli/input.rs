@@ -18,7 +18,7 @@ pub(crate) fn read(argument: &str, session: &Session) -> Result<Given> {
 
 /// Reads a FORM argument. If it has outlines, one is found as the flags of a fit say.
 pub(crate) fn read_with(argument: &str, flags: &FitFlags, session: &Session) -> Result<Given> {
-    read_outline(argument, &flags.outline, session)
+    read_one(argument, &options_of(flags, session), session)
 }
 
 /// Reads a FORM argument. If it has outlines, one is found as the flags say.
@@ -27,14 +27,17 @@ pub(crate) fn read_outline(
     flags: &OutlineFlags,
     session: &Session,
 ) -> Result<Given> {
+    read_one(argument, &read_options(flags, session), session)
+}
+
+fn read_one(argument: &str, options: &ReadOptions, session: &Session) -> Result<Given> {
     refuse_output(argument, session)?;
     session.work.stage("read", || {
-        let options = read_options(flags, session);
         if argument == "-" {
             let input = std::io::stdin().lock();
-            return Given::from_reader_with(input, "standard input", &options, &session.work);
+            return Given::from_reader_with(input, "standard input", options, &session.work);
         }
-        Given::read_with(argument, &options, &session.work)
+        Given::read_with(argument, options, &session.work)
     })
 }
 
@@ -46,7 +49,12 @@ pub(crate) fn read_all(
 ) -> Result<Vec<Result<Given>>> {
     refuse_output(argument, session)?;
     session.work.stage("read", || {
-        Given::read_all_with(argument, &read_options(&flags.outline, session))
+        let options = options_of(flags, session);
+        if argument == "-" {
+            let input = std::io::stdin().lock();
+            return Given::all_from_reader_with(input, "standard input", &options);
+        }
+        Given::read_all_with(argument, &options)
     })
 }
 
@@ -63,12 +71,17 @@ fn refuse_output(argument: &str, session: &Session) -> Result<()> {
     }
 }
 
+fn options_of(flags: &FitFlags, session: &Session) -> ReadOptions {
+    read_options(&flags.outline, session).cloud(flags.cloud)
+}
+
 fn read_options(flags: &OutlineFlags, session: &Session) -> ReadOptions {
     let outline = OutlineOptions::default()
         .blob(flags.blob)
         .threshold(flags.threshold)
         .invert(flags.invert)
         .columns(flags.columns.clone())
+        .weights(flags.weights.clone())
         .repair(flags.repair);
     ReadOptions::default()
         .numbers(session.numbers())
@@ -108,6 +121,8 @@ pub(crate) fn fit_options(flags: &FitFlags) -> FitOptions {
         .size(sizes.into_iter().flatten().next())
         .center(flags.center.clone())
         .samples(flags.samples)
+        .estimator(flags.estimator.map(Into::into))
+        .robust(flags.robust)
         .decimals(flags.decimals)
 }
 

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::Coordinates;
+use super::fit_report::least_squares_sentence;
 use super::remark::part_text;
 use crate::exact::Rational;
 use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface};
@@ -108,8 +109,13 @@ impl Annotations {
                 "radial error of the fit ≈ {:.3e} at most, ≈ {:.3e} rms",
                 radial.max_error, radial.rms_error
             ));
-            self.field("outline_star_shaped", json!(radial.outline_star_shaped));
-            self.field("hidden_share", json!(radial.hidden_share));
+            if let Some(seen) = radial.outline {
+                self.field("outline_star_shaped", json!(seen.star_shaped));
+                self.field("hidden_share", json!(seen.hidden_share));
+            }
+        }
+        if let Some(found) = &report.least_squares {
+            self.note(least_squares_sentence(found));
         }
         if let Some(power) = report.harmonic_power {
             self.note(format!(

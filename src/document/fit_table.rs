@@ -99,7 +99,7 @@ fn fields(row: &FittedOutline) -> [String; 13] {
         number(distances.map(|d| d.hausdorff.low)),
         number(distances.map(|d| d.hausdorff.high)),
         number(distances.map(|d| d.overlap)),
-        number(radial.map(|r| r.hidden_share)),
+        number(radial.and_then(|r| r.outline).map(|seen| seen.hidden_share)),
         star_shaped.map_or(String::new(), |yes| yes.to_string()),
     ]
 }

@@ -61,6 +61,9 @@ pub fn remark_text(remark: &Remark) -> String {
             "{rounded} of {total} inputs were no doubles and were rounded; everything follows from the doubles exactly"
         ),
         Remark::NothingToFitTo => "no points were found to fit the picture to: it shows -1,1,-1,1; --window chooses another part".into(),
+        Remark::PointsNotDrawn { drawn, total } => format!(
+            "{drawn} of the {total} points of the cloud are drawn"
+        ),
         Remark::NotDrawn(reason) => format!("a component of the curve is not drawn: {reason}"),
         Remark::DoublesAlone => format!(
             "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
@@ -112,7 +115,7 @@ fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
     let removed = &left_out.removed;
     if removed.points > 0 {
         let points = counted(removed.points, "point", "points");
-        let loops = counted(removed.loops, "loop", "loops");
+        let loops = counted(removed.ways.len(), "loop", "loops");
         all.push(format!(
             "{points} in {loops}, {:.3} % of its length (--repair)",
             100.0 * removed.share

@@ -2,10 +2,11 @@
 
 use super::best_center::best_center;
 use super::kernel::kernel;
+use super::least_squares::widest_gap;
 use super::radius::{ContourRadius, outside, star_shaped_about};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::shape::Contour;
+use crate::shape::{Contour, PointCloud};
 
 /// In a picture, the radius about a center that sees the whole outline may jump by this many pixels: edges are staircases, and
 /// compressed pictures have noise.
@@ -42,6 +43,8 @@ pub enum CenterOrigin {
     /// The centroid lies outside the outline and no kernel was found: this is the middle of the longest
     /// inside piece of the horizontal line through the centroid.
     ChordMiddle,
+    /// The middle of a cloud: the centroid of the polygon through its points in the order of their directions from their median.
+    Cloud,
     /// A search found no point inside the outline from which less of it is hidden.
     Best,
 }
@@ -53,6 +56,7 @@ impl CenterOrigin {
         match self {
             Self::Centroid => "the centroid",
             Self::Given => "the given point",
+            Self::Cloud => "the middle of the points",
             Self::Best => "the point that sees the most of it, as far as a search found",
             Self::Kernel => {
                 "the middle of the kernel (the centroid does not see the whole outline)"
@@ -75,8 +79,8 @@ pub struct Center {
     pub point: [f64; 2],
     /// The origin of the center.
     pub origin: CenterOrigin,
-    /// Whether the outline is exactly star-shaped about `point`.
-    pub star_shaped: bool,
+    /// Whether the outline is exactly star-shaped about `point`; `None` for a cloud.
+    pub star_shaped: Option<bool>,
 }
 
 impl Center {
@@ -98,7 +102,7 @@ impl Center {
     /// let center = Center::choose(&l_shape, &CenterChoice::Auto, None).unwrap();
     /// assert_eq!(center.origin, CenterOrigin::Kernel);
     /// assert_eq!(center.point, [0.5, 0.5]);
-    /// assert!(center.star_shaped);
+    /// assert_eq!(center.star_shaped, Some(true));
     /// ```
     ///
     /// # Errors
@@ -162,12 +166,88 @@ impl Center {
             });
         }
         Ok(Self {
-            star_shaped: star_shaped_about(contour, point),
+            star_shaped: Some(star_shaped_about(contour, point)),
             exact,
             point,
             origin,
         })
     }
+
+    /// Chooses the center of a cloud and, if `decimals` is given, rounds it to this many decimals: the given point, or the middle
+    /// of the points.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a choice that needs an outline, or if half of the directions from the middle have no point.
+    pub(super) fn of_cloud(
+        cloud: &PointCloud,
+        choice: &CenterChoice,
+        decimals: Option<u32>,
+    ) -> Result<Self> {
+        let (exact, origin) = match choice {
+            CenterChoice::Point(point) => (point.clone(), CenterOrigin::Given),
+            CenterChoice::Auto | CenterChoice::Centroid => {
+                (exactly(middle(cloud)?)?, CenterOrigin::Cloud)
+            }
+            CenterChoice::Kernel | CenterChoice::Best => {
+                return Err(Error::Usage(
+                    "--center kernel and best are for outlines; the points of a cloud have no order".into(),
+                ));
+            }
+        };
+        let exact = match decimals {
+            None => exact,
+            Some(digits) => exact.map(|c| c.round_decimals(digits)),
+        };
+        Ok(Self {
+            star_shaped: None,
+            point: exact.each_ref().map(Rational::to_f64),
+            exact,
+            origin,
+        })
+    }
+}
+
+/// The centroid of the polygon through the points of a cloud in the order of their directions from their median.
+fn middle(cloud: &PointCloud) -> Result<[f64; 2]> {
+    let counts = |i: usize| cloud.weights().get(i).is_none_or(|&w| w > 0.0);
+    let points = cloud
+        .points()
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| counts(*i));
+    let points: Vec<[f64; 2]> = points.map(|(_, p)| *p).collect();
+    let median: [f64; 2] = std::array::from_fn(|k| {
+        let mut values: Vec<f64> = points.iter().map(|p| p[k]).collect();
+        let half = values.len() / 2;
+        *values.select_nth_unstable_by(half, f64::total_cmp).1
+    });
+    let relative = |p: &[f64; 2]| [p[0] - median[0], p[1] - median[1]];
+    // Products of coordinates in this unit do not overflow.
+    let sizes = points.iter().flat_map(relative).map(f64::abs);
+    let unit = sizes.fold(0.0, f64::max);
+    let around = points.iter().map(|p| relative(p).map(|c| c / unit));
+    let mut around: Vec<(f64, [f64; 2])> = around.map(|[x, y]| (y.atan2(x), [x, y])).collect();
+    around.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let next = around.iter().cycle().skip(1);
+    let (mut area, mut moments) = (0.0, [0.0; 2]);
+    for ((_, p), (_, q)) in around.iter().zip(next) {
+        let twice = p[0] * q[1] - p[1] * q[0];
+        area += twice / 2.0;
+        for k in 0..2 {
+            moments[k] += twice * (p[k] + q[k]) / 6.0;
+        }
+    }
+    let middle: [f64; 2] = std::array::from_fn(|k| median[k] + unit * moments[k] / area);
+    let angles = points
+        .iter()
+        .map(|p| (p[1] - middle[1]).atan2(p[0] - middle[0]));
+    let (from, to) = widest_gap(&angles.collect::<Vec<_>>());
+    if middle.iter().any(|c| !c.is_finite()) || to - from >= std::f64::consts::PI {
+        return Err(Error::Usage(
+            "no middle of the points was found from which they lie all around; give a center with --center X,Y".into(),
+        ));
+    }
+    Ok(middle)
 }
 
 fn automatic(contour: &Contour) -> Result<([f64; 2], CenterOrigin)> {
@@ -275,7 +355,7 @@ mod tests {
         let center = Center::choose(&contour(&SQUARE), &CenterChoice::Auto, None).unwrap();
         assert_eq!(center.origin, CenterOrigin::Centroid);
         assert_eq!(center.exact, [Rational::one(), Rational::one()]);
-        assert!(center.star_shaped);
+        assert_eq!(center.star_shaped, Some(true));
     }
 
     #[test]
@@ -283,7 +363,7 @@ mod tests {
         let center = Center::choose(&contour(&U), &CenterChoice::Auto, None).unwrap();
         assert_eq!(center.origin, CenterOrigin::ChordMiddle);
         assert_eq!(center.point[0], 9.0);
-        assert!(!center.star_shaped);
+        assert_eq!(center.star_shaped, Some(false));
     }
 
     #[test]
@@ -291,7 +371,7 @@ mod tests {
         let square = contour(&SQUARE);
         let center = Center::choose(&square, &given("1/3", "0.1"), None).unwrap();
         assert_eq!(center.exact[0].to_string(), "1/3");
-        assert!(center.star_shaped);
+        assert_eq!(center.star_shaped, Some(true));
         for (x, y) in [
             ("5", "5"),
             ("0", "1"),

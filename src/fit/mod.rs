@@ -7,6 +7,9 @@
 //! An outline that is not star-shaped has no radius that follows it. [`fit_elliptic`] fits the coordinates themselves, by arc
 //! length (Kuhl & Giardina). [`Distances`] says how far either fit is from the outline, with certified bounds.
 //!
+//! Points that were measured, and are not exact, are fitted by [`Estimator::LeastSquares`], with weights and a robust loss if they
+//! need them; [`fit_cloud`] fits points in no order.
+//!
 //! The coefficients of a radius are exactly the doubles that Definition 1 gives, or these doubles rounded to a number of decimals. All
 //! later computations with them are exact.
 
@@ -16,6 +19,8 @@ mod definition1;
 mod distance;
 mod elliptic;
 mod kernel;
+mod least_squares;
+mod measured;
 mod normal_form;
 mod options;
 mod radius;
@@ -34,13 +39,17 @@ pub use definition1::fourier_coefficients;
 pub(crate) use distance::is_positive_by_values;
 pub use distance::{Bounds, Distances, distances};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
+pub use least_squares::{LeastSquares, MAX_LEAST_SQUARES_HARMONICS, Robust, StandardErrors};
+pub use measured::fit_cloud;
 pub use normal_form::{NormalForm, normal_form};
-pub use options::{FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES};
+pub use options::{
+    Estimator, FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES,
+};
 pub use radius::ContourRadius;
 pub(crate) use reading::is_geojson;
 pub use reading::{
-    Columns, ContourKind, LeftOut, OutlineOptions, contour_from_reader, outline_from_reader,
-    outlines_from_reader, read_contour,
+    Column, Columns, ContourKind, LeftOut, OutlineOptions, cloud_from_reader, contour_from_reader,
+    outline_from_reader, outlines_from_reader, read_contour,
 };
 
 // Only the tests and benches of this project use these; they are no part of the public interface.
@@ -75,15 +84,26 @@ pub struct Fit {
     pub max_radial_error: f64,
     /// The root of the mean square of |fit − outline| over the uniform angles.
     pub rms_radial_error: f64,
-    /// The number of samples Ns.
+    /// The number of samples Ns, or of points for least squares.
     pub samples: usize,
+    /// How the outline is seen from the center; `None` for a cloud.
+    pub outline: Option<Visibility>,
+    /// What a fit by least squares says of the coefficients.
+    pub least_squares: Option<LeastSquares>,
+}
+
+/// How much of an outline is seen from a center.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Visibility {
     /// Whether the outline is exactly star-shaped about the center.
-    pub outline_star_shaped: bool,
-    /// The share (0 to 1) of the outline's length that the fit cannot see; 0 if it is star-shaped.
+    pub star_shaped: bool,
+    /// The share (0 to 1) of the outline's length that a radius cannot see; 0 if it is star-shaped.
     pub hidden_share: f64,
 }
 
-/// Fits a Fourier radius to `contour`: Definition 1 applied to samples of its outermost radius.
+/// Fits a Fourier radius to `contour`: Definition 1 applied to samples of its outermost radius, or by
+/// [`Estimator::LeastSquares`] the radius with the least sum of weighted squares of ρ − r(θ) over the vertices, whose distances ρ
+/// and directions θ are taken from the center.
 ///
 /// For a [`FitSize::Tolerance`] the number of harmonics is the smallest for which [`Fit::max_radial_error`] is within the
 /// tolerance, with the given samples: each smaller number was tried and its error is larger. For a [`FitSize::Distance`] it is
@@ -99,7 +119,7 @@ pub struct Fit {
 /// let square = Contour::new(square, "square").unwrap();
 /// let fit = fit(&square, &FitOptions::new(FitSize::Tolerance(0.05))).unwrap();
 /// assert_eq!(fit.radius.center(), &[1.into(), 1.into()]);
-/// assert!(fit.outline_star_shaped && fit.max_radial_error <= 0.05);
+/// assert!(fit.outline.unwrap().star_shaped && fit.max_radial_error <= 0.05);
 /// assert_eq!(fit.radius.harmonics() % 4, 0);
 /// ```
 ///
@@ -131,6 +151,9 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
     let size = options.given_size()?;
     options.check(size, MAX_HARMONICS)?;
     options.is_for_a_radius(size)?;
+    if options.chosen_estimator(!contour.weights().is_empty())? == Estimator::LeastSquares {
+        return measured::fit_vertices(contour, size, options, limits);
+    }
     let samples = options
         .samples
         .unwrap_or_else(|| default_samples(size, contour.len()));
@@ -162,8 +185,11 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
         }
         FitSize::Distance(distance) => {
             let mut search = DistanceSearch::new(contour, distance);
-            let found =
-                search.fewest(0..=most, |n| EllipticSeries::from_radius(&cut(n)), limits)?;
+            let found = search.fewest(
+                0..=most,
+                |n| Ok(EllipticSeries::from_radius(&cut(n))),
+                limits,
+            )?;
             let n = found.ok_or_else(|| search.missed("a Fourier radius", most))?;
             (n, assess(n))
         }
@@ -180,8 +206,8 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
         max_radial_error: assessment.max,
         rms_radial_error: assessment.rms,
         samples,
-        outline_star_shaped: center.star_shaped,
-        hidden_share: outline.hidden_share(),
+        outline: Some(outline.visibility()),
+        least_squares: None,
         center,
     })
 }

@@ -37,6 +37,17 @@ pub enum FitModel {
     Elliptic,
 }
 
+/// The way in which the coefficients of a series are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Estimator {
+    /// Integrals over the outline, all of whose points count: Definition 1 for a radius, and the sums of Kuhl and Giardina for an
+    /// elliptic series.
+    Quadrature,
+    /// The least sum of weighted squares of the errors at the given points, which need not be exact.
+    LeastSquares,
+}
+
 /// The options of a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -48,6 +59,11 @@ pub struct FitOptions {
     /// The number of samples Ns. By default it is twice the number of vertices, but at most 131072, and at least 8N and 1024
     /// for N harmonics or 4096 for a tolerance, rounded up to a power of two.
     pub samples: Option<usize>,
+    /// The way in which the coefficients are found: by default least squares for a cloud, for points with weights and for a robust
+    /// fit, and else quadrature.
+    pub estimator: Option<Estimator>,
+    /// Whether least squares give points that are far from the series less weight (Huber's loss).
+    pub robust: bool,
     /// The size of the fit. It has no default; a fit without it is an error.
     pub size: Option<FitSize>,
     /// The number of decimals to which the center (before r is sampled) and the coefficients are rounded.
@@ -72,6 +88,20 @@ impl FitOptions {
     #[must_use]
     pub fn model(mut self, model: FitModel) -> Self {
         self.model = model;
+        self
+    }
+
+    /// Sets the way in which the coefficients are found.
+    #[must_use]
+    pub fn estimator(mut self, estimator: Option<Estimator>) -> Self {
+        self.estimator = estimator;
+        self
+    }
+
+    /// Sets whether points that are far from the series have less weight.
+    #[must_use]
+    pub fn robust(mut self, robust: bool) -> Self {
+        self.robust = robust;
         self
     }
 
@@ -168,6 +198,28 @@ impl FitOptions {
         Ok(())
     }
 
+    /// The way in which the coefficients are found, for points with or without weights.
+    pub(super) fn chosen_estimator(&self, is_weighted: bool) -> Result<Estimator> {
+        let needs = [("--robust", self.robust), ("--weights", is_weighted)];
+        let needing = needs.iter().find(|(_, given)| *given);
+        let chosen = match (self.estimator, needing) {
+            (Some(Estimator::Quadrature), Some((name, _))) => {
+                return Err(Error::Usage(format!(
+                    "{name} is for least squares; leave --estimator quadrature out"
+                )));
+            }
+            (Some(chosen), _) => chosen,
+            (None, Some(_)) => Estimator::LeastSquares,
+            (None, None) => Estimator::Quadrature,
+        };
+        if chosen == Estimator::LeastSquares && self.samples.is_some() {
+            return Err(Error::Usage(
+                "--samples is for quadrature; least squares take the given points".into(),
+            ));
+        }
+        Ok(chosen)
+    }
+
     /// Checks that all options belong to the fit of a radius.
     pub(super) fn is_for_a_radius(&self, size: FitSize) -> Result<()> {
         if let FitSize::Power(_) = size {
@@ -177,6 +229,22 @@ impl FitOptions {
             ));
         }
         Ok(())
+    }
+
+    /// Checks that all options belong to the fit of a cloud.
+    pub(super) fn is_for_a_cloud(&self, size: FitSize) -> Result<()> {
+        if let FitSize::Distance(_) = size {
+            return Err(Error::Usage(
+                "--distance is for outlines; of a cloud, --tolerance bounds the largest error of a point".into(),
+            ));
+        }
+        if self.estimator == Some(Estimator::Quadrature) {
+            return Err(Error::Usage(
+                "--estimator quadrature is for outlines; the points of a cloud have no order"
+                    .into(),
+            ));
+        }
+        self.chosen_estimator(true).map(|_| ())
     }
 
     /// Checks that all options belong to the fit of an elliptic series.

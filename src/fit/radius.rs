@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
-use super::as_f64;
 use super::sweep::outermost;
+use super::{Visibility, as_f64};
 use crate::error::{Error, Invariant, Result};
 use crate::shape::{Contour, coordinate_fault, orientation};
 
@@ -114,6 +114,14 @@ impl ContourRadius {
     #[must_use]
     pub fn hidden_share(&self) -> f64 {
         self.hidden_share
+    }
+
+    /// How the outline is seen from the center.
+    pub(super) fn visibility(&self) -> Visibility {
+        Visibility {
+            star_shaped: self.star_shaped,
+            hidden_share: self.hidden_share,
+        }
     }
 
     /// The radius r(θ); where r jumps, the larger value. Cost: O(log n).

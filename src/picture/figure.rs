@@ -6,7 +6,7 @@ use plotters::element::{PathElement, Polygon};
 use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::{Color, ShapeStyle, WHITE};
 
-use super::heading::{self, Drawn, FINER, Mark, Row, color, dot, shown_in_units};
+use super::heading::{self, Drawn, FINER, Mark, Row, color, dot, shown_in_units, small_dot};
 use super::plane_axes::{BELOW, Margins, PlaneAxes, Scale};
 use super::text::load_font;
 use super::{Window, clip};
@@ -25,6 +25,8 @@ pub(crate) struct Layer {
     pub lines: Vec<Vec<[f64; 2]>>,
     /// Isolated points, which the legend names.
     pub points: Vec<[f64; 2]>,
+    /// Points of a cloud, which have small dots.
+    pub cloud: Vec<[f64; 2]>,
     /// Whether the layer is drawn as a pale area.
     pub filled: bool,
 }
@@ -89,6 +91,8 @@ impl Figure {
             };
             let dots = layer.points.iter().filter(shown);
             chart.draw_series(dots.map(|&[x, y]| dot((x, y), color(index))))?;
+            let cloud = layer.cloud.iter().filter(shown);
+            chart.draw_series(cloud.map(|&[x, y]| small_dot((x, y), color(index))))?;
         }
         plot.present()
     }
@@ -100,6 +104,7 @@ impl Figure {
         let row = |(index, layer): (usize, &Layer)| {
             let style = self.style(index);
             let has_points = !layer.points.is_empty();
+            let is_cloud = !layer.cloud.is_empty();
             let has_lines = !layer.lines.is_empty();
             let remark = if has_points && has_lines {
                 " (dot: its isolated point)"
@@ -110,12 +115,12 @@ impl Figure {
                 label: format!("{}{remark}", layer.label),
                 mark: if layer.filled {
                     Mark::Area(style)
-                } else if has_lines || !has_points {
+                } else if has_lines || !(has_points || is_cloud) {
                     Mark::Line(style)
                 } else {
                     Mark::None
                 },
-                dot: has_points.then(|| color(index)),
+                dot: (has_points || is_cloud).then(|| color(index)),
             }
         };
         layers.map(row).collect()

@@ -137,6 +137,11 @@ pub(super) fn dot<C>(at: C, color: RGBColor) -> Circle<C, u32> {
     Circle::new(at, 4 * FINER, color.filled())
 }
 
+pub(super) fn small_dot<C>(at: C, color: RGBColor) -> Circle<C, u32> {
+    use plotters::style::Color;
+    Circle::new(at, 3 * FINER / 2, color.filled())
+}
+
 pub(super) fn color(index: usize) -> RGBColor {
     PALETTE[index % PALETTE.len()]
 }

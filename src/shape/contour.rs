@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::crossing::find_crossing;
 use super::orientation::{on_segment, orientation};
+use super::points::GivenPoints;
 use crate::error::{Error, Invariant, Result};
 
 /// The largest size of a coordinate: products of two coordinates must not overflow.
@@ -31,6 +32,8 @@ pub struct Contour {
     points: Vec<[f64; 2]>,
     /// Whether the points were given clockwise.
     is_reversed: bool,
+    /// The weight of each vertex; empty if every weight is 1.
+    weights: Vec<f64>,
     /// The size of a pixel if the outline was traced in a picture, else 0.
     resolution: f64,
     place: String,
@@ -47,26 +50,21 @@ impl Contour {
     /// the range above, if fewer than three distinct points remain, if all are on one line, or if
     /// the outline crosses or touches itself.
     pub fn new(points: Vec<[f64; 2]>, place: &str) -> Result<Self> {
-        Self::build(points, place, |i| format!("point {}", i + 1))
+        Self::build(&points.into(), place, |i| format!("point {}", i + 1))
     }
 
-    /// The outline through points that were read from the rows of a file: `rows[i]` is the row of `points[i]`, counted from 1, and
-    /// a row that `rows` does not have is i + 1. Messages name rows.
+    /// The outline through points that were read from a file, each with its weight. Messages name rows. Of repeated points, the
+    /// weight of the first one counts.
     ///
     /// # Errors
-    /// As [`Contour::new`].
-    pub fn from_rows(points: Vec<[f64; 2]>, rows: &[usize], place: &str) -> Result<Self> {
-        Self::build(points, place, |i| {
-            format!("row {}", rows.get(i).map_or(i + 1, |&row| row))
-        })
+    /// As [`Contour::new`]; [`Error::Data`] for a weight that is negative or no number.
+    pub fn from_rows(given: GivenPoints, place: &str) -> Result<Self> {
+        Self::build(&given, place, |i| given.name(i))
     }
 
-    fn build(points: Vec<[f64; 2]>, place: &str, name: impl Fn(usize) -> String) -> Result<Self> {
-        for (i, point) in points.iter().enumerate() {
-            if let Some(fault) = point.iter().find_map(|&c| coordinate_fault(c)) {
-                return Err(Error::data(format!("{place}, {}", name(i)), fault));
-            }
-        }
+    fn build(given: &GivenPoints, place: &str, name: impl Fn(usize) -> String) -> Result<Self> {
+        given.check(place, &name)?;
+        let points = &given.points;
         // `origin[k]` is the index, among the given points, of the vertex with the number k.
         let mut origin: Vec<usize> = Vec::with_capacity(points.len());
         for i in 0..points.len() {
@@ -80,6 +78,7 @@ impl Contour {
         // Adding 0.0 turns −0.0 into 0.0.
         let mut points: Vec<[f64; 2]> =
             origin.iter().map(|&i| points[i].map(|c| c + 0.0)).collect();
+        let mut weights = given.weights_of(origin.iter().copied());
         let n = points.len();
         if n < 3 {
             let given = match n {
@@ -117,10 +116,14 @@ impl Contour {
         let is_reversed = is_clockwise(&points);
         if is_reversed {
             points[1..].reverse();
+            if let Some((_, others)) = weights.split_first_mut() {
+                others.reverse();
+            }
         }
         Ok(Self {
             points,
             is_reversed,
+            weights,
             resolution: 0.0,
             place: place.into(),
         })
@@ -157,6 +160,21 @@ impl Contour {
             points[1..].reverse();
         }
         points
+    }
+
+    /// The weight of each vertex, in the order of [`Contour::points`] and as in [`GivenPoints`]; empty if every weight is 1.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// The weights in the sense in which the vertices were given.
+    pub(crate) fn given_weights(&self) -> Vec<f64> {
+        let mut weights = self.weights.clone();
+        if let (true, Some((_, others))) = (self.is_reversed, weights.split_first_mut()) {
+            others.reverse();
+        }
+        weights
     }
 
     /// The number of vertices, at least 3.
@@ -326,9 +344,12 @@ mod tests {
             "outline.csv: the outline crosses or touches itself: the edge from point 1 to point 2 \
              meets the edge from point 4 to point 5 near (1.000000, 1.000000); --repair cuts such loops off"
         );
-        let rows = [3, 4, 9, 11];
-        let bow_tie = vec![[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];
-        let error = Contour::from_rows(bow_tie, &rows, "a.csv").unwrap_err();
+        let bow_tie = GivenPoints {
+            points: vec![[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]],
+            rows: vec![3, 4, 9, 11],
+            ..GivenPoints::default()
+        };
+        let error = Contour::from_rows(bow_tie, "a.csv").unwrap_err();
         assert!(
             error.to_string().contains("from row 9 to row 11"),
             "{error}"

@@ -4,10 +4,11 @@ use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::fit::{
     CenterChoice, CenterOrigin, Distances, EllipticFit, Fit, FitModel, FitOptions, FitSize,
-    NormalForm, distances, fit_elliptic, fit_within, is_positive_by_values, normal_form,
+    LeastSquares, NormalForm, Visibility, distances, fit_cloud, fit_elliptic, fit_within,
+    is_positive_by_values, normal_form,
 };
 use crate::parametrize::is_positive;
-use crate::shape::{Contour, EllipticSeries, Form, FourierRadius};
+use crate::shape::{Contour, EllipticSeries, Form, FourierRadius, PointCloud};
 
 /// A series that was fitted to an outline, and how far it is from the outline.
 #[derive(Clone, Debug)]
@@ -51,6 +52,8 @@ pub struct FitReport {
     pub radial: Option<RadialReport>,
     /// [`EllipticFit::power`] of an elliptic series.
     pub harmonic_power: Option<f64>,
+    /// What a fit by least squares says of the coefficients.
+    pub least_squares: Option<LeastSquares>,
     /// How far the curve is from the outline, if that was asked for and is within the stated cost.
     pub distances: Option<Distances>,
     /// What was taken out of an elliptic series in normal form.
@@ -99,6 +102,8 @@ impl OutlineFit {
             series: OutlineSeries::Elliptic(EllipticFit { series, ..fit }),
             report: FitReport {
                 normal_form: Some(taken),
+                // The standard errors are those of other coefficients.
+                least_squares: None,
                 ..self.report
             },
         })
@@ -114,10 +119,8 @@ pub struct RadialReport {
     pub rms_error: f64,
     /// As [`Fit::samples`].
     pub samples: usize,
-    /// As [`Fit::outline_star_shaped`].
-    pub outline_star_shaped: bool,
-    /// As [`Fit::hidden_share`].
-    pub hidden_share: f64,
+    /// As [`Fit::outline`].
+    pub outline: Option<Visibility>,
     /// Whether r > 0 for every angle, certified; `None` if that was not asked for or not decided.
     pub star_shaped: Option<bool>,
 }
@@ -154,44 +157,62 @@ impl OutlineSeries {
                     max_error: fit.max_radial_error,
                     rms_error: fit.rms_radial_error,
                     samples: fit.samples,
-                    outline_star_shaped: fit.outline_star_shaped,
-                    hidden_share: fit.hidden_share,
+                    outline: fit.outline,
                     star_shaped: None,
                 }),
+                least_squares: fit.least_squares.clone(),
                 ..FitReport::default()
             },
             Self::Elliptic(fit) => FitReport {
                 harmonic_power: Some(fit.power),
+                least_squares: fit.least_squares.clone(),
                 ..FitReport::default()
             },
         }
     }
 }
 
-/// Fits a series to a contour: a Fourier radius (Definition 1) or an elliptic series, and measures how far it is from the contour.
+/// Fits a series to a contour, a Fourier radius (Definition 1) or an elliptic series, and measures how far it is from the contour. A
+/// cloud is fitted by a radius; it has no outline from which a distance could be measured.
 ///
 /// ```
 /// use stellate::fit::{FitOptions, FitSize};
 /// use stellate::shape::Contour;
 /// use stellate::verb::{self, OutlineSeries, Work};
 /// let square = Contour::new(vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]], "square")?;
-/// let found = verb::fit(&square, &FitOptions::new(FitSize::Harmonics(8)), &Work::default())?;
+/// let options = FitOptions::new(FitSize::Harmonics(8));
+/// let found = verb::fit(square.into(), &options, &Work::default())?;
 /// let OutlineSeries::Radius(fit) = found.series else { unreachable!() };
 /// assert_eq!(fit.radius.harmonics(), 8);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 ///
 /// # Errors
-/// As [`fit_within`] and [`fit_elliptic`]; [`Error::Limit`] if the polynomial of the series has a degree above that which the work
-/// allows.
-pub fn fit(contour: &Contour, options: &FitOptions, work: &Work) -> Result<OutlineFit> {
-    let series = fit_series(contour, options, work)?;
-    let mut report = series.report();
-    report.distances = work.stage("distance", || {
-        distances(contour, &series.curve(), work.bounds())
-    })?;
-    if report.distances.is_none() {
-        work.remark(Remark::DistanceNotMeasured);
+/// [`Error::Usage`] for an exact form; those of [`fit_within`], [`fit_elliptic`] and [`fit_cloud`]; [`Error::Limit`] if the
+/// polynomial of the series has a degree above that which the work allows.
+pub fn fit(given: Given, options: &FitOptions, work: &Work) -> Result<OutlineFit> {
+    let name = given.short_name();
+    let (series, mut report);
+    match given.into_content() {
+        Content::Contour(contour) => {
+            series = fit_series(&contour, options, work)?;
+            report = series.report();
+            report.distances = work.stage("distance", || {
+                distances(&contour, &series.curve(), work.bounds())
+            })?;
+            if report.distances.is_none() {
+                work.remark(Remark::DistanceNotMeasured);
+            }
+        }
+        Content::Cloud(cloud) => {
+            series = fit_cloud_series(&cloud, options, work)?;
+            report = series.report();
+        }
+        Content::Exact(_) => {
+            return Err(Error::Usage(format!(
+                "{name}: fit needs a contour: a .csv with rows x,y, .npy, .geojson or .svg, or a .png, .jpg or .bmp silhouette"
+            )));
+        }
     }
     if let (OutlineSeries::Radius(fit), Some(radial)) = (&series, &mut report.radial) {
         radial.star_shaped = is_positive_radius(&fit.radius, work)?;
@@ -206,6 +227,24 @@ fn is_positive_radius(radius: &FourierRadius, work: &Work) -> Result<Option<bool
     let by_values = is_positive_by_values(radius, work.bounds())?;
     let is_short = radius.harmonics() <= MOST_EXACT;
     Ok(by_values.or_else(|| is_short.then(|| is_positive(radius))))
+}
+
+/// Fits a series to a cloud, with remarks.
+pub(super) fn fit_cloud_series(
+    cloud: &PointCloud,
+    options: &FitOptions,
+    work: &Work,
+) -> Result<OutlineSeries> {
+    if options.model == FitModel::Elliptic {
+        return Err(Error::Usage(
+            "an elliptic series goes along the outline, and the points of a cloud have no order; --model radius fits them".into(),
+        ));
+    }
+    if let Some(n) = options.harmonics() {
+        work.check_degree(OutlineSeries::degree(options.model, n))?;
+    }
+    let fit = work.stage("fit", || fit_cloud(cloud, options, work.bounds()))?;
+    Ok(OutlineSeries::Radius(fit))
 }
 
 /// Fits a series to a contour, with remarks, and without measuring distances.
@@ -232,8 +271,8 @@ pub(super) fn fit_series(
             origin,
         }),
     }
-    if !fit.outline_star_shaped {
-        let share = fit.hidden_share;
+    if let Some(seen) = fit.outline.filter(|seen| !seen.star_shaped) {
+        let share = seen.hidden_share;
         work.remark(Remark::Hidden {
             outline: outline(),
             point,
@@ -278,6 +317,13 @@ pub(super) fn exact_form(given: Given, options: &FitOptions, work: &Work) -> Res
                 form: series.form(),
             })
         }
+        Content::Cloud(cloud) => {
+            let series = fit_cloud_series(&cloud, options, work)?;
+            Ok(Fitted {
+                report: Some(series.report()),
+                form: series.form(),
+            })
+        }
     }
 }
 
@@ -302,6 +348,8 @@ pub(super) fn refuse_contour_options(options: &FitOptions) -> Result<()> {
             matches!(options.size, Some(FitSize::Distance(_))),
         ),
         ("--power", matches!(options.size, Some(FitSize::Power(_)))),
+        ("--estimator", options.estimator.is_some()),
+        ("--robust", options.robust),
     ])
 }
 

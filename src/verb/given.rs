@@ -5,12 +5,13 @@ use std::path::Path;
 
 use crate::error::{Error, Result};
 use crate::fit::{
-    ContourKind, LeftOut, OutlineOptions, is_geojson, outline_from_reader, outlines_from_reader,
+    ContourKind, LeftOut, OutlineOptions, cloud_from_reader, is_geojson, outline_from_reader,
+    outlines_from_reader,
 };
 use crate::language::Numbers;
 use crate::options::options;
 use crate::reading::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv, read_text};
-use crate::shape::{Contour, Form};
+use crate::shape::{Contour, Form, PointCloud};
 
 use super::foreign::refuse_name;
 use super::source::{Held, head_of, held, is_a_folder, names_a_file, open, read_limited};
@@ -40,6 +41,20 @@ options! {
         numbers: Numbers = Numbers::Exact,
         /// How an outline is found in a file.
         outline: OutlineOptions = OutlineOptions::default(),
+        /// Whether the points of a table are a cloud, which has no order.
+        cloud: bool = false,
+    }
+}
+
+impl ReadOptions {
+    /// Refuses options that mean nothing for an exact form.
+    fn check_form(&self) -> Result<()> {
+        if self.cloud {
+            return Err(Error::Usage(
+                "--cloud is for tables of points; this is none".into(),
+            ));
+        }
+        self.outline.check(None)
     }
 }
 
@@ -55,6 +70,8 @@ pub enum Content {
     Exact(Form),
     /// A contour. It becomes an exact form by a fit.
     Contour(Contour),
+    /// A cloud of points, likewise.
+    Cloud(PointCloud),
 }
 
 impl From<Form> for Given {
@@ -66,6 +83,12 @@ impl From<Form> for Given {
 impl From<Contour> for Given {
     fn from(contour: Contour) -> Self {
         Self::new("the contour", Content::Contour(contour))
+    }
+}
+
+impl From<PointCloud> for Given {
+    fn from(cloud: PointCloud) -> Self {
+        Self::new("the cloud", Content::Cloud(cloud))
     }
 }
 
@@ -123,25 +146,23 @@ impl Given {
         refuse_name(path)?;
         let place = path.display().to_string();
         let source = Source::new(open(path)?, Some(path), &place)?;
-        let name = file_name(path);
-        let all = source.read_all(options)?;
-        let count = all.len();
-        let each = all.into_iter().enumerate().map(|(k, found)| {
-            let name = match count {
-                1 => name.clone(),
-                _ => format!("{name}, blob {}", k + 1),
-            };
-            found.map(|(content, left_out)| Self {
-                name,
-                content,
-                left_out,
-            })
-        });
-        Ok(each.collect())
+        source.all_given(&file_name(path), options)
+    }
+
+    /// Reads all outlines that a reader gives, as [`Given::read_all_with`] reads those of a file.
+    ///
+    /// # Errors
+    /// Those of [`Given::from_reader_with`].
+    pub fn all_from_reader_with(
+        reader: impl Read,
+        place: &str,
+        options: &ReadOptions,
+    ) -> Result<Vec<Result<Self>>> {
+        Source::new(reader, None, place)?.all_given(place, options)
     }
 
     fn formula(argument: &str, options: &ReadOptions) -> Result<Self> {
-        options.outline.check(None)?;
+        options.check_form()?;
         let form = read_text(argument, "<form>", options.numbers);
         let form = form.map_err(|error| folder_instead(Path::new(argument), error))?;
         Ok(Self::new(argument.trim(), Content::Exact(form)))
@@ -205,8 +226,8 @@ impl Given {
 
     /// What of a file is not in the outline.
     #[must_use]
-    pub fn left_out(&self) -> LeftOut {
-        self.left_out
+    pub fn left_out(&self) -> &LeftOut {
+        &self.left_out
     }
 
     /// The whole name on one line.
@@ -251,7 +272,10 @@ impl<'a, R: Read> Source<'a, R> {
         let (content, left_out) = self.read(options)?;
         if !left_out.is_nothing() {
             let outline = place.to_owned();
-            work.remark(Remark::LeftOut { outline, left_out });
+            work.remark(Remark::LeftOut {
+                outline,
+                left_out: left_out.clone(),
+            });
         }
         Ok(Given {
             name: name.into(),
@@ -260,10 +284,31 @@ impl<'a, R: Read> Source<'a, R> {
         })
     }
 
+    fn all_given(self, name: &str, options: &ReadOptions) -> Result<Vec<Result<Given>>> {
+        let all = self.read_all(options)?;
+        let count = all.len();
+        let each = all.into_iter().enumerate().map(|(k, found)| {
+            let name = match count {
+                1 => name.into(),
+                _ => format!("{name}, blob {}", k + 1),
+            };
+            found.map(|(content, left_out)| Given {
+                name,
+                content,
+                left_out,
+            })
+        });
+        Ok(each.collect())
+    }
+
     /// The content, and what is left out.
     fn read(self, options: &ReadOptions) -> Result<(Content, LeftOut)> {
         let place = self.place;
         let outline = |text: &mut dyn Read, kind| {
+            if options.cloud {
+                let cloud = cloud_from_reader(text, kind, &options.outline, place)?;
+                return Ok((Content::Cloud(cloud), LeftOut::default()));
+            }
             let found = outline_from_reader(text, kind, &options.outline, place);
             found.map(|(outline, left_out)| (Content::Contour(outline), left_out))
         };
@@ -280,6 +325,11 @@ impl<'a, R: Read> Source<'a, R> {
     fn read_all(self, options: &ReadOptions) -> Result<Vec<Result<(Content, LeftOut)>>> {
         let place = self.place;
         let outlines = |text: &mut dyn Read, kind| -> Result<Vec<Result<(Content, LeftOut)>>> {
+            if options.cloud {
+                return Err(Error::Usage(
+                    "--all is for several outlines; all points of a file are one cloud".into(),
+                ));
+            }
             let all = outlines_from_reader(text, kind, &options.outline, place)?.into_iter();
             let content = all.map(|found| {
                 found.map(|(outline, left_out)| (Content::Contour(outline), left_out))
@@ -312,7 +362,7 @@ impl<'a, R: Read> Source<'a, R> {
         if held == Held::Text && is_geojson(&text) {
             return Ok(Exact::Polygons(text));
         }
-        options.outline.check(None)?;
+        options.check_form()?;
         let form = match held {
             Held::Coefficients => read_coefficients_csv(&text, place, numbers)?,
             Held::Fourier => Form::Fourier(read_fourier_csv(&text, place, numbers)?),

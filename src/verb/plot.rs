@@ -1,7 +1,7 @@
 //! The verb `plot`: several forms in one picture.
 
 use super::equation::{Taken, check_curve};
-use super::fit::{OutlineSeries, fit_series, refuse_fit_options};
+use super::fit::{OutlineSeries, fit_cloud_series, fit_series, refuse_fit_options};
 use super::plot_options::{PlotOptions, check_ranges, plane_window, range_of, range_text, width};
 use super::plot_space::{is_in_space, scene};
 use super::{Content, Given, Remark, Work};
@@ -9,7 +9,9 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::implicitize::{SquaredForm, implicitize_plane};
 use crate::picture::{Figure, Layer, Window, extent, isolated_origin, trace_zero_set};
-use crate::shape::{Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, Superquadric};
+use crate::shape::{
+    Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, PointCloud, Superquadric,
+};
 
 /// The number of points that are drawn of a Fourier radius for each harmonic: 100 oscillations still look smooth.
 const POINTS_PER_HARMONIC: usize = 40;
@@ -20,6 +22,9 @@ pub(super) const CELLS: u32 = 240;
 
 /// The number of points that are drawn of a parametric curve.
 const CURVE_POINTS: u32 = 2880;
+
+/// The largest number of points of a cloud that are drawn.
+const MOST_DOTS: usize = 20_000;
 
 /// The number of points per quadrant of a superquadric, for each of its two kinds of points.
 const POINTS_PER_QUADRANT: usize = 90;
@@ -66,8 +71,8 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
             "--view turns a picture of space; these forms are in the plane".into(),
         ));
     }
-    let is_contour = |given: &Given| matches!(given.content(), Content::Contour(_));
-    if !forms.iter().any(is_contour) {
+    let is_exact = |given: &Given| matches!(given.content(), Content::Exact(_));
+    if forms.iter().all(is_exact) {
         refuse_fit_options(&options.fit)?;
     }
     let mut drawing = Drawing::default();
@@ -114,21 +119,28 @@ impl Drawing {
     fn add(&mut self, given: Given, options: &PlotOptions, work: &Work) -> Result<()> {
         let name = given.whole_name();
         let before = self.layers.len();
+        let removed = given.left_out().removed.ways.clone();
         match given.into_content() {
             Content::Contour(contour) => {
                 self.layers
                     .push(outline(&contour, format!("outline, {name}")));
                 if options.fit.size.is_some() {
                     let fit = fit_series(&contour, &options.fit, work)?;
-                    self.layers.push(fitted(&fit, &name));
-                    let curve = work.stage("implicitize", || match &fit {
-                        OutlineSeries::Radius(fit) => Ok(SquaredForm::new(&fit.radius)?.expand()),
-                        OutlineSeries::Elliptic(fit) => {
-                            let curve = fit.series.to_plane_curve();
-                            Ok(implicitize_plane(&curve, work.bounds())?.curve)
-                        }
-                    })?;
-                    self.zero_set(curve, &name);
+                    self.fit(&fit, &name, work)?;
+                }
+                if !removed.is_empty() {
+                    self.layers.push(Layer {
+                        label: format!("cut off by --repair, {name}"),
+                        lines: removed,
+                        ..Layer::default()
+                    });
+                }
+            }
+            Content::Cloud(cloud) => {
+                self.layers.push(dots(&cloud, &name, work));
+                if options.fit.size.is_some() {
+                    let fit = fit_cloud_series(&cloud, &options.fit, work)?;
+                    self.fit(&fit, &name, work)?;
                 }
             }
             Content::Exact(Form::PlaneCurve(curve)) => {
@@ -147,8 +159,24 @@ impl Drawing {
             Content::Exact(Form::Superquadric(shape)) => self.layers.push(superquadric(&shape)),
             Content::Exact(_) => return Err(PLOT.not_this()),
         }
-        let added = self.layers[before..].iter().flat_map(|layer| &layer.lines);
-        self.seen.extend(added.flatten());
+        for layer in &self.layers[before..] {
+            self.seen.extend(layer.lines.iter().flatten());
+            self.seen.extend(&layer.cloud);
+        }
+        Ok(())
+    }
+
+    /// Adds a series that was fitted, and its zero set.
+    fn fit(&mut self, fit: &OutlineSeries, name: &str, work: &Work) -> Result<()> {
+        self.layers.push(fitted(fit, name));
+        let curve = work.stage("implicitize", || match fit {
+            OutlineSeries::Radius(fit) => Ok(SquaredForm::new(&fit.radius)?.expand()),
+            OutlineSeries::Elliptic(fit) => {
+                let curve = fit.series.to_plane_curve();
+                Ok(implicitize_plane(&curve, work.bounds())?.curve)
+            }
+        })?;
+        self.zero_set(curve, name);
         Ok(())
     }
 
@@ -170,6 +198,22 @@ fn outline(contour: &Contour, label: String) -> Layer {
         label,
         lines: vec![line],
         filled: true,
+        ..Layer::default()
+    }
+}
+
+/// The points of a cloud; of a large one, some that are evenly chosen.
+fn dots(cloud: &PointCloud, name: &str, work: &Work) -> Layer {
+    let total = cloud.points().len();
+    let points = cloud.points().iter().step_by(total.div_ceil(MOST_DOTS));
+    let points: Vec<[f64; 2]> = points.copied().collect();
+    let drawn = points.len();
+    if drawn < total {
+        work.remark(Remark::PointsNotDrawn { drawn, total });
+    }
+    Layer {
+        label: format!("points, {name}"),
+        cloud: points,
         ..Layer::default()
     }
 }

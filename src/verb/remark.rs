@@ -65,6 +65,13 @@ pub enum Remark {
     },
     /// No points were found to fit a picture to.
     NothingToFitTo,
+    /// Of a cloud, only some points are drawn.
+    PointsNotDrawn {
+        /// The number of points that are drawn.
+        drawn: usize,
+        /// The number of all points.
+        total: usize,
+    },
     /// A component of a curve is not drawn, for this reason.
     NotDrawn(String),
     /// Points that doubles do not decide are left undecided, because a factor has too many monomials.

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use stellate::document::{Format, write_form, write_fourier};
 use stellate::error::Error;
 use stellate::exact::Rational;
+use stellate::fit::Visibility;
 use stellate::language::{Numbers, parse_form};
 use stellate::poly::{PlanePolynomial, SparsePolynomial};
 use stellate::reading::{read_coefficients_csv, read_document, read_fourier_csv, read_text};
@@ -143,9 +144,11 @@ fn a_fit_is_reported() {
         max_error: 0.25,
         rms_error: f64::NAN,
         star_shaped: Some(true),
-        outline_star_shaped: false,
         samples: 360,
-        hidden_share: 0.0,
+        outline: Some(Visibility {
+            star_shaped: false,
+            hidden_share: 0.0,
+        }),
     });
     let radius = FourierRadius::new(vec![Rational::from(2)], vec![]);
     let mut out = Vec::new();

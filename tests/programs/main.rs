@@ -13,6 +13,7 @@ mod form_mistakes;
 mod implicitize_cli;
 mod language;
 mod language_parameters;
+mod least_squares;
 mod limits;
 mod main_job;
 mod measured;

@@ -20,12 +20,22 @@ use stellate::picture::Window;
 use stellate::sample::Direction;
 use stellate::shape::{Form, ImplicitCurve};
 use stellate::verb::{
-    self, CoefficientScale, Content, CoordinatesFrom, DescribeOptions, FigureFormat, FittedOutline,
+    self, CoefficientScale, CoordinatesFrom, DescribeOptions, FigureFormat, FittedOutline,
     FloatKind, Frame, Given, ImplicitizeMethod, ImplicitizeOptions, InspectionOptions,
     MeshingOptions, ParametrizeOptions, PlotOptions, PointRows, PointSource, ReadOptions,
     ReadingOptions, SampleOptions, VectorOptions, Work,
 };
 use tempfile::TempDir;
+
+/// The options without a value.
+const FLAGS: [&str; 6] = [
+    "positive",
+    "quiet",
+    "self",
+    "repair",
+    "normal-form",
+    "cloud",
+];
 
 /// A command, taken apart.
 struct Words {
@@ -45,9 +55,7 @@ impl Words {
             let name = name.trim_start_matches('-');
             let (name, value) = match name.split_once('=') {
                 Some((name, value)) => (name, value.to_owned()),
-                None if ["positive", "quiet", "self", "repair", "normal-form"].contains(&name) => {
-                    (name, String::new())
-                }
+                None if FLAGS.contains(&name) => (name, String::new()),
                 None => (name, words.next().unwrap().clone()),
             };
             options.entry(name.into()).or_default().push(value);
@@ -155,7 +163,9 @@ fn given(folder: &Path, argument: &str, words: &Words) -> Given {
         .blob(words.number("blob").unwrap_or(1))
         .columns(words.number("columns"))
         .repair(words.one("repair").is_some());
-    let options = ReadOptions::default().outline(outline);
+    let options = ReadOptions::default()
+        .outline(outline)
+        .cloud(words.one("cloud").is_some());
     Given::read_with(argument, &options, &Work::default()).unwrap()
 }
 
@@ -170,13 +180,10 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             let is_normal = words.one("normal-form").is_some();
             let options = words.fit();
             let fits = words.forms.iter().map(|file| {
-                let Content::Contour(contour) = given(folder, file, &words).into_content() else {
-                    panic!("a contour")
-                };
                 let plain = options
                     .clone()
                     .decimals(options.decimals.filter(|_| !is_normal));
-                let fit = verb::fit(&contour, &plain, &work).unwrap();
+                let fit = verb::fit(given(folder, file, &words), &plain, &work).unwrap();
                 let fit = match is_normal {
                     true => fit.into_normal_form(options.decimals).unwrap(),
                     false => fit,

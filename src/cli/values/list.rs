@@ -2,7 +2,7 @@
 //! them.
 
 use stellate::exact::Rational;
-use stellate::fit::{CenterChoice, Columns};
+use stellate::fit::{CenterChoice, Column, Columns};
 use stellate::picture::Window;
 use stellate::verb::{Bounds, Frame};
 
@@ -66,6 +66,12 @@ pub(crate) fn columns(text: &str) -> Read<Columns> {
     text.parse().map_err(|_| {
         "expected two names, or numbers from 1, with a comma between them, such as 2,3 or lon,lat".into()
     })
+}
+
+/// Reads a column of a table.
+pub(crate) fn column(text: &str) -> Read<Column> {
+    text.parse()
+        .map_err(|_| "expected a name or a number from 1, such as 3 or weight".into())
 }
 
 /// Reads a point that is inspected. Its coordinates remain texts, which are read exactly later.

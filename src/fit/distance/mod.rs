@@ -144,17 +144,14 @@ impl DistanceSearch {
     pub(super) fn fewest(
         &mut self,
         mut harmonics: impl Iterator<Item = usize>,
-        curve: impl Fn(usize) -> EllipticSeries,
+        curve: impl Fn(usize) -> Result<EllipticSeries>,
         limits: &Limits,
     ) -> Result<Option<usize>> {
         let enough = self.enough / self.outline.frame.scale();
         harmonics
             .find_map(|n| {
-                let found = self
-                    .outline
-                    .enclose(&curve(n), enough, limits)
-                    .transpose()?;
-                let bounds = match found {
+                let found = curve(n).and_then(|c| self.outline.enclose(&c, enough, limits));
+                let bounds = match found.transpose()? {
                     Ok((bounds, _)) => self.outline.in_its_units(bounds),
                     Err(error) => return Some(Err(error)),
                 };

@@ -33,7 +33,7 @@ impl Frame {
     }
 
     /// Coordinates of at most about 1 in size for numbers up to this one.
-    pub(super) fn about_origin(size: f64) -> Self {
+    pub(in crate::fit) fn about_origin(size: f64) -> Self {
         Self::new([0.0; 2], size)
     }
 
@@ -44,7 +44,7 @@ impl Frame {
     }
 
     /// The length of the unit, a power of two.
-    pub(super) fn scale(&self) -> f64 {
+    pub(in crate::fit) fn scale(&self) -> f64 {
         f64::from(self.exponent).exp2()
     }
 

@@ -1,5 +1,6 @@
 //! Elliptic Fourier series of outlines (Kuhl & Giardina, *Elliptic Fourier features of a closed contour*, 1982).
 
+mod by_least_squares;
 mod coefficients;
 #[cfg(test)]
 mod laws;
@@ -9,11 +10,13 @@ use std::ops::RangeInclusive;
 use malachite::Integer;
 
 use super::distance::{DistanceSearch, Frame};
-use super::{FitOptions, FitSize};
+use super::least_squares::LeastSquares;
+use super::{Estimator, FitOptions, FitSize};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries};
+use by_least_squares::Points;
 use coefficients::coefficients;
 
 /// The largest number of harmonics of an elliptic series that is fitted.
@@ -30,6 +33,8 @@ pub struct EllipticFit {
     pub series: EllipticSeries,
     /// The share (0 to 1) of the power of all harmonics that the harmonics of the series have; approximate.
     pub power: f64,
+    /// What a fit by least squares says of the coefficients.
+    pub least_squares: Option<LeastSquares>,
 }
 
 /// Fits an elliptic series to `contour`: the Fourier series of x and y as functions of the arc length, which goes from 0 to 2π,
@@ -42,6 +47,9 @@ pub struct EllipticFit {
 /// Every coefficient is correctly rounded: it is the double nearest to the exact one, or the nearest decimal of so many digits.
 /// What 320 bits do not tell from 0 is 0, and what they do not tell from a number half-way between two rounded ones is taken
 /// for it; the error of that is at most 2^(−200) of the size of the outline.
+///
+/// By [`Estimator::LeastSquares`] the coefficients are those of least squares at the vertices, each at its arc length; they are
+/// not correctly rounded.
 ///
 /// For a [`FitSize::Tolerance`] or [`FitSize::Distance`] the number of harmonics is the smallest for which the upper bound of the
 /// Hausdorff distance (see [`super::distances`]) is within that. For a [`FitSize::Power`] it is the smallest for which
@@ -92,12 +100,21 @@ pub fn fit_elliptic(
         });
         std::iter::once(0.0).chain(sums).collect()
     };
+    if options.chosen_estimator(!contour.weights().is_empty())? == Estimator::LeastSquares {
+        let points = Points::new(contour, &points, &frame)?;
+        let (series, least_squares) = points.fit(contour, size, options, powers, limits)?;
+        return Ok(EllipticFit {
+            power: all_power(&powers(&series)),
+            series,
+            least_squares: Some(least_squares),
+        });
+    }
     let series = match size {
         FitSize::Harmonics(n) => series(n)?,
         FitSize::Tolerance(e) | FitSize::Distance(e) => {
             let mut search = DistanceSearch::new(contour, e);
             let found = fewest(series, |all, tried| {
-                search.fewest(tried, |n| all.truncated(n), limits)
+                search.fewest(tried, |n| Ok(all.truncated(n)), limits)
             })?;
             found.ok_or_else(|| search.missed("an elliptic series", MAX_ELLIPTIC_HARMONICS))?
         }
@@ -112,11 +129,16 @@ pub fn fit_elliptic(
             })?
         }
     };
-    let power = powers(&series).into_iter().fold(0.0, f64::max);
     Ok(EllipticFit {
-        power: power.min(1.0),
+        power: all_power(&powers(&series)),
         series,
+        least_squares: None,
     })
+}
+
+/// The power of all harmonics together, from the sums of the first ones.
+fn all_power(sums: &[f64]) -> f64 {
+    sums.iter().copied().fold(0.0, f64::max).min(1.0)
 }
 
 /// The series with the fewest harmonics, as `find` finds them: it is handed series with more and more harmonics, and the numbers

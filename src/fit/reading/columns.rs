@@ -19,11 +19,37 @@ use crate::rows::columns_text;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Columns([Column; 2]);
 
+/// A column of a table, by its name or by its number from 1.
+///
+/// ```
+/// use stellate::fit::Column;
+/// assert_eq!("3".parse::<Column>()?.to_string(), "3");
+/// assert_eq!("sigma".parse::<Column>()?.to_string(), "sigma");
+/// assert!("0".parse::<Column>().is_err());
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Column {
+pub struct Column(Which);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Which {
     /// Its place, from 0.
     Place(usize),
     Name(String),
+}
+
+/// The places of x and y when a column of weights, but none of these, is given: the first two.
+///
+/// # Errors
+/// The message if the weights are in one of them.
+pub(super) fn places_beside(weights: usize) -> std::result::Result<[usize; 2], String> {
+    match weights {
+        0 | 1 => Err(format!(
+            "--weights: column {} has the weights; --columns says which are x and y",
+            weights + 1
+        )),
+        _ => Ok([0, 1]),
+    }
 }
 
 impl Columns {
@@ -36,7 +62,7 @@ impl Columns {
         names: &[&str],
         count: usize,
     ) -> std::result::Result<[usize; 2], String> {
-        let [x, y] = [&self.0[0], &self.0[1]].map(|column| column.place(names, count));
+        let [x, y] = [&self.0[0], &self.0[1]].map(|column| column.place(names, count, "--columns"));
         let (x, y) = (x?, y?);
         if x == y {
             let number = x + 1;
@@ -49,21 +75,30 @@ impl Columns {
 }
 
 impl Column {
-    fn place(&self, names: &[&str], count: usize) -> std::result::Result<usize, String> {
-        let name = match self {
-            Self::Place(place) if *place < count => return Ok(*place),
-            Self::Place(place) => {
+    /// Its place, from 0, among columns with these names; `option` is what gave the column.
+    ///
+    /// # Errors
+    /// The message for a column that there is not.
+    pub(super) fn place(
+        &self,
+        names: &[&str],
+        count: usize,
+        option: &str,
+    ) -> std::result::Result<usize, String> {
+        let name = match &self.0 {
+            Which::Place(place) if *place < count => return Ok(*place),
+            Which::Place(place) => {
                 let number = place + 1;
                 let columns = columns_text(count);
                 return Err(format!(
-                    "--columns: there is no column {number}; found {columns}"
+                    "{option}: there is no column {number}; found {columns}"
                 ));
             }
-            Self::Name(name) => name,
+            Which::Name(name) => name,
         };
         if names.is_empty() {
             return Err(format!(
-                "--columns: no row names a column {name}; without names, columns have numbers from 1"
+                "{option}: no row names a column {name}; without names, columns have numbers from 1"
             ));
         }
         let exact = names.iter().position(|known| known == name);
@@ -71,7 +106,33 @@ impl Column {
         let similar = || names.iter().position(|known| known.to_lowercase() == small);
         exact.or_else(similar).ok_or_else(|| {
             let all = names.join(",");
-            format!("--columns: no column is named {name}; the columns are {all}")
+            format!("{option}: no column is named {name}; the columns are {all}")
+        })
+    }
+}
+
+impl Column {
+    fn read(text: &str) -> Option<Self> {
+        let which = match text.trim() {
+            "" => return None,
+            digits if digits.bytes().all(|b| b.is_ascii_digit()) => {
+                let number: usize = digits.parse().ok()?;
+                Which::Place(number.checked_sub(1)?)
+            }
+            name => Which::Name(name.into()),
+        };
+        Some(Self(which))
+    }
+}
+
+impl FromStr for Column {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        Self::read(text).ok_or_else(|| {
+            Error::Usage(format!(
+                "{text:?} is not a column; it is a name or a number from 1, such as 3 or weight"
+            ))
         })
     }
 }
@@ -85,14 +146,7 @@ impl FromStr for Columns {
                 "{text:?} is not two columns; they are names or numbers from 1 with a comma between them, such as 2,3 or lon,lat"
             ))
         };
-        let column = |text: &str| match text.trim() {
-            "" => Err(wrong()),
-            digits if digits.bytes().all(|b| b.is_ascii_digit()) => {
-                let number = digits.parse().ok().and_then(|n: usize| n.checked_sub(1));
-                number.map(Column::Place).ok_or_else(wrong)
-            }
-            name => Ok(Column::Name(name.into())),
-        };
+        let column = |text: &str| Column::read(text).ok_or_else(wrong);
         let (x, y) = text.split_once(',').ok_or_else(wrong)?;
         if y.contains(',') {
             return Err(wrong());
@@ -110,9 +164,9 @@ impl fmt::Display for Columns {
 
 impl fmt::Display for Column {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Place(place) => write!(f, "{}", place + 1),
-            Self::Name(name) => f.write_str(name),
+        match &self.0 {
+            Which::Place(place) => write!(f, "{}", place + 1),
+            Which::Name(name) => f.write_str(name),
         }
     }
 }

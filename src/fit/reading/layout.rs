@@ -2,7 +2,8 @@
 
 use smallvec::SmallVec;
 
-use super::Columns;
+use super::OutlineOptions;
+use super::columns::places_beside;
 use crate::rows::{columns_text, double, fields_between, is_missing};
 
 /// The columns of a row, for messages.
@@ -32,6 +33,8 @@ pub(super) struct Layout {
     separator: Separator,
     /// The places of x and y, from 0.
     columns: [usize; 2],
+    /// The place of the weight, from 0.
+    weight: Option<usize>,
     /// The number of fields of every row: two, or as many as the header or else the first row has. Empty ones at the end of a
     /// row do not count.
     width: usize,
@@ -51,21 +54,23 @@ enum GivenBy {
 }
 
 impl Layout {
-    /// The layout that the columns, if they are given, the header, if there is one, and the first row of numbers say.
+    /// The layout that the columns, if the options give them, the header, if there is one, and the first row of numbers say.
     ///
     /// # Errors
     /// The message for a header without x and y, or for columns that there are not.
     pub(super) fn of(
         header: Option<&str>,
         first: &str,
-        columns: Option<&Columns>,
+        options: &OutlineOptions,
     ) -> Result<Self, String> {
         let separator = Separator::of(first);
         let names = header.map(|header| separator.split(header));
         let names: Vec<&str> = names.into_iter().flatten().collect();
         let fields: Vec<&str> = separator.split(first).collect();
         let count = filled(&fields);
-        if let Some(columns) = columns {
+        let plain: Vec<String> = names.iter().copied().map(plain_name).collect();
+        let place = |known: &[&str]| plain.iter().position(|name| known.contains(&name.as_str()));
+        if options.columns.is_some() || options.weights.is_some() {
             // A title is no row of names.
             let has_names = [count, fields.len()].contains(&names.len());
             let (width, given_by) = match has_names {
@@ -73,21 +78,29 @@ impl Layout {
                 false => (count, GivenBy::FirstRow),
             };
             let names = if has_names { &names[..] } else { &[] };
+            let weights = options.weights.as_ref();
+            let weight = weights.map(|column| column.place(names, width, "--weights"));
+            let weight = weight.transpose()?;
+            let columns = match (&options.columns, place(NAMES[0]), place(NAMES[1]), weight) {
+                (Some(columns), _, _, _) => columns.places(names, width)?,
+                (None, Some(x), Some(y), _) if has_names => [x, y],
+                (None, _, _, Some(weight)) => places_beside(weight)?,
+                (None, _, _, None) => [0, 1],
+            };
             return Ok(Self {
                 separator,
-                columns: columns.places(names, width)?,
+                columns,
+                weight,
                 width,
                 given_by,
             });
         }
-        let names: Vec<String> = names.into_iter().map(plain_name).collect();
-        let place = |known: &[&str]| names.iter().position(|name| known.contains(&name.as_str()));
         let columns = match (place(NAMES[0]), place(NAMES[1])) {
             (Some(x), Some(y)) => [x, y],
             _ if place(&ANGLES).is_some() && place(&RADII).is_some() => {
                 return Err(format!(
                     "the columns are angles and radii ({}); an outline is rows {COLUMNS} of points",
-                    names.join(",")
+                    plain.join(",")
                 ));
             }
             // There is no header, or a title in its place.
@@ -95,6 +108,7 @@ impl Layout {
                 return Ok(Self {
                     separator,
                     columns: [0, 1],
+                    weight: None,
                     width: 2,
                     given_by: GivenBy::Points,
                 });
@@ -102,28 +116,31 @@ impl Layout {
             _ => {
                 return Err(format!(
                     "none of the columns {} is named x, or none y; each row must be {COLUMNS}, or the first row names x and y, or --columns says which they are",
-                    names.join(",")
+                    plain.join(",")
                 ));
             }
         };
         Ok(Self {
             separator,
             columns,
+            weight: None,
             width: names.len(),
             given_by: GivenBy::Names,
         })
     }
 
-    /// The point of a row.
+    /// The point of a row, and its weight if there are weights.
     ///
     /// # Errors
     /// The message for another number of fields, or for a field that is not a number.
-    pub(super) fn point(&self, row: &str) -> Result<[f64; 2], String> {
+    pub(super) fn point(&self, row: &str) -> Result<([f64; 2], Option<f64>), String> {
         let fields: SmallVec<[&str; 4]> = self.separator.split(row).collect();
         let count = filled(&fields);
         match self.columns.map(|column| fields.get(column)) {
             [Some(x), Some(y)] if [count, fields.len()].contains(&self.width) => {
-                Ok([self.value(x)?, self.value(y)?])
+                let weight = self.weight.and_then(|column| fields.get(column));
+                let weight = weight.map(|field| self.value(field)).transpose()?;
+                Ok(([self.value(x)?, self.value(y)?], weight))
             }
             _ => {
                 let (columns, width) = (columns_text(count), self.width);
@@ -203,7 +220,8 @@ mod tests {
     use super::*;
 
     fn point(header: Option<&str>, row: &str) -> Result<[f64; 2], String> {
-        Layout::of(header, row, None)?.point(row)
+        let layout = Layout::of(header, row, &OutlineOptions::default())?;
+        layout.point(row).map(|(point, _)| point)
     }
 
     #[test]
@@ -280,7 +298,9 @@ mod tests {
             let columns = columns
                 .parse()
                 .map_err(|error: crate::error::Error| error.to_string())?;
-            Layout::of(header, rows[0], Some(&columns))?.point(rows[1])
+            let options = OutlineOptions::default().columns(Some(columns));
+            let point = Layout::of(header, rows[0], &options)?.point(rows[1]);
+            point.map(|(point, _)| point)
         };
         let same = |header, row, columns| chosen(header, [row, row], columns);
         assert_eq!(same(None, "7;1;2", "2,3"), Ok([1.0, 2.0]));
@@ -304,6 +324,30 @@ mod tests {
             (None, ["1,2,3", "1,NA,3"], "1,2", "leave this row out"),
         ] {
             let message = chosen(header, rows, columns).unwrap_err();
+            assert!(message.contains(part), "{message}");
+        }
+    }
+
+    #[test]
+    fn weights_have_a_column() {
+        let weighted = |header: Option<&str>, row: &str, weights: &str| {
+            let weights = weights
+                .parse()
+                .map_err(|e: crate::error::Error| e.to_string())?;
+            let options = OutlineOptions::default().weights(Some(weights));
+            Layout::of(header, row, &options)?.point(row)
+        };
+        let right = Ok(([1.0, 2.0], Some(0.5)));
+        assert_eq!(weighted(None, "1,2,0.5", "3"), right);
+        assert_eq!(weighted(Some("w,y,x"), "0.5,2,1", "w"), right);
+        assert_eq!(weighted(Some("a,b,Weight"), "1,2,0.5", "weight"), right);
+        for (header, row, weights, part) in [
+            (None, "1,2", "3", "--weights: there is no column 3"),
+            (None, "0.5,1,2", "1", "--columns says which are x and y"),
+            (Some("x,y,w"), "1,2,0.5", "sigma", "the columns are x,y,w"),
+            (None, "1,2,0.5", "w", "--weights: no row names a column w"),
+        ] {
+            let message = weighted(header, row, weights).unwrap_err();
             assert!(message.contains(part), "{message}");
         }
     }

@@ -4,7 +4,7 @@ use super::ContourKind;
 use crate::shape::Removed;
 
 /// What is in a file besides the outline that was taken.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct LeftOut {
     /// The kind of the file.

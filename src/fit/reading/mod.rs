@@ -27,12 +27,13 @@ mod svg_path;
 #[cfg(feature = "images")]
 mod viewport;
 
-pub use columns::Columns;
+pub use columns::{Column, Columns};
 pub(crate) use geojson::is_geojson;
 pub use left_out::LeftOut;
 pub use outline_options::OutlineOptions;
 pub use read::{
-    ContourKind, contour_from_reader, outline_from_reader, outlines_from_reader, read_contour,
+    ContourKind, cloud_from_reader, contour_from_reader, outline_from_reader, outlines_from_reader,
+    read_contour,
 };
 
 /// Some things in words: "one point", "3 points"; `None` for none.

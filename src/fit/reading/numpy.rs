@@ -8,9 +8,11 @@ use winnow::combinator::{alt, delimited, opt, preceded, separated, separated_pai
 use winnow::prelude::*;
 use winnow::token::{take_till, take_while};
 
-use super::Columns;
+use super::columns::places_beside;
 use super::rows::MAX_ROWS;
+use super::{Columns, OutlineOptions};
 use crate::error::{Error, Result};
+use crate::shape::GivenPoints;
 
 /// The first bytes of every such file.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
@@ -147,16 +149,16 @@ fn named(description: &str, code: &str) -> String {
     format!("the elements ({description}) are {what}; {RIGHT}")
 }
 
-/// The points of an outline in an array.
+/// The points of an outline in an array, with weights if the options give their column.
 ///
 /// # Errors
 /// [`Error::Data`] for another header, another shape, or another length than the shape says; [`Error::Limit`] beyond
 /// [`MAX_ROWS`] points.
 pub(super) fn read_array(
     bytes: &[u8],
-    columns: Option<&Columns>,
+    options: &OutlineOptions,
     place: &str,
-) -> Result<Vec<[f64; 2]>> {
+) -> Result<GivenPoints> {
     let wrong = |message: String| Error::data(place, message);
     let (header, data) = split(bytes).map_err(wrong)?;
     let header = Header::read(header).map_err(wrong)?;
@@ -170,7 +172,7 @@ pub(super) fn read_array(
             "an array of shape {shape} has {needed} bytes of elements; the file has {found}"
         )));
     }
-    let (rows, places) = header.layout(columns).map_err(wrong)?;
+    let (rows, places, weights) = header.layout(options).map_err(wrong)?;
     if rows > MAX_ROWS {
         let limit = format!("{place} has more than {MAX_ROWS} rows");
         return Err(Error::limit(limit));
@@ -178,11 +180,18 @@ pub(super) fn read_array(
     let part = size / if header.is_complex() { 2 } else { 1 };
     let at = |index: usize| kind.value(&data[index * part..(index + 1) * part]);
     let width = data.len() / part / rows.max(1);
-    let point = |row: usize| match header.is_fortran && !header.is_complex() {
-        true => places.map(|column| at(column * rows + row)),
-        false => places.map(|column| at(row * width + column)),
+    let element = |row: usize, column: usize| match header.is_fortran && !header.is_complex() {
+        true => at(column * rows + row),
+        false => at(row * width + column),
     };
-    Ok((0..rows).map(point).collect())
+    let column = |column: usize| (0..rows).map(move |row| element(row, column));
+    Ok(GivenPoints {
+        points: (0..rows)
+            .map(|row| places.map(|c| element(row, c)))
+            .collect(),
+        weights: weights.into_iter().flat_map(column).collect(),
+        rows: Vec::new(),
+    })
 }
 
 impl Header {
@@ -216,8 +225,32 @@ impl Header {
         matches!(self.kind.number, Number::Complex32 | Number::Complex64)
     }
 
-    /// The number of points, and the columns of x and y.
+    /// The number of points, the columns of x and y, and that of the weights.
     fn layout(
+        &self,
+        options: &OutlineOptions,
+    ) -> std::result::Result<(usize, [usize; 2], Option<usize>), String> {
+        if let ([rows, width] | [rows, 1, width], Some(weights)) =
+            (&self.shape[..], &options.weights)
+            && !self.is_complex()
+        {
+            let weight = weights.place(&[], *width, "--weights")?;
+            let places = match &options.columns {
+                Some(columns) => columns.places(&[], *width)?,
+                None => places_beside(weight)?,
+            };
+            return Ok((*rows, places, Some(weight)));
+        }
+        if options.weights.is_some() {
+            return Err("--weights: this array has no columns".into());
+        }
+        let columns = options.columns.as_ref();
+        let (rows, places) = self.points(columns)?;
+        Ok((rows, places, None))
+    }
+
+    /// The number of points, and the columns of x and y.
+    fn points(
         &self,
         columns: Option<&Columns>,
     ) -> std::result::Result<(usize, [usize; 2]), String> {
@@ -356,7 +389,11 @@ mod tests {
         let rows: [i8; 6] = [0, -1, 5, 2, -3, 4];
         let by_columns: [i8; 6] = [0, 5, -3, -1, 2, 4];
         let expected = [[0.0, -1.0], [5.0, 2.0], [-3.0, 4.0]];
-        let read = |bytes: &[u8]| read_array(bytes, None, "a.npy").unwrap();
+        let read = |bytes: &[u8]| {
+            read_array(bytes, &OutlineOptions::default(), "a.npy")
+                .unwrap()
+                .points
+        };
         for version in 1..=3 {
             for (kind, data) in [
                 ("'<f4'", bytes(&rows, |n| f32::from(n).to_le_bytes())),
@@ -395,9 +432,15 @@ mod tests {
         let small = array(1, "'|u1'", "False", "(1, 2)", &[200, 255]);
         assert_eq!(read(&small), [[200.0, 255.0]]);
         let three = array(1, "'|u1'", "False", "(2, 3)", &[7, 1, 2, 8, 3, 4]);
-        let columns = "2,3".parse().unwrap();
-        let chosen = read_array(&three, Some(&columns), "a.npy").unwrap();
-        assert_eq!(chosen, [[1.0, 2.0], [3.0, 4.0]]);
+        let columns = OutlineOptions::default().columns("2,3".parse().ok());
+        let chosen = read_array(&three, &columns, "a.npy").unwrap();
+        assert_eq!(chosen.points, [[1.0, 2.0], [3.0, 4.0]]);
+        let weighted = columns.weights("1".parse().ok());
+        let chosen = read_array(&three, &weighted, "a.npy").unwrap();
+        assert_eq!(
+            (chosen.points[1], &chosen.weights[..]),
+            ([3.0, 4.0], &[7.0, 8.0][..])
+        );
     }
 
     #[test]
@@ -444,13 +487,20 @@ mod tests {
                 "ends in the header",
             ),
         ] {
-            let error = read_array(&bytes, None, "a.npy").unwrap_err().to_string();
+            let error = read_array(&bytes, &OutlineOptions::default(), "a.npy")
+                .unwrap_err()
+                .to_string();
             assert!(
                 error.starts_with("a.npy: ") && error.contains(part),
                 "{error}"
             );
         }
         let empty = any("'<f8'", "(0, 2)", 0);
-        assert!(read_array(&empty, None, "a.npy").unwrap().is_empty());
+        assert!(
+            read_array(&empty, &OutlineOptions::default(), "a.npy")
+                .unwrap()
+                .points
+                .is_empty()
+        );
     }
 }

@@ -1,9 +1,9 @@
 //! The options of reading an outline from a file.
 
-use super::{Columns, ContourKind};
+use super::{Column, Columns, ContourKind};
 use crate::error::{Error, Result};
 use crate::options::options;
-use crate::shape::{Contour, Removed};
+use crate::shape::{Contour, GivenPoints, Removed};
 
 options! {
     /// How an outline is found in a file.
@@ -16,24 +16,20 @@ options! {
         invert: bool = false,
         /// Of a table: the columns of x and y; by default those that its first row names so, or the only two.
         columns: Option<Columns> = None,
+        /// Of a table: the column of the weights; by default every weight is 1.
+        weights: Option<Column> = None,
         /// Whether an outline that touches or crosses itself is mended ([`Contour::repaired`](crate::shape::Contour::repaired)).
         repair: bool = false,
     }
 }
 
 impl OutlineOptions {
-    /// The outline through these points, mended if that is asked for, and what was cut off; `rows` are as in
-    /// [`Contour::from_rows`].
-    pub(super) fn outline(
-        &self,
-        points: Vec<[f64; 2]>,
-        rows: &[usize],
-        place: &str,
-    ) -> Result<(Contour, Removed)> {
+    /// The outline through these points, mended if that is asked for, and what was cut off.
+    pub(super) fn outline(&self, given: GivenPoints, place: &str) -> Result<(Contour, Removed)> {
         if self.repair {
-            return Contour::repaired(points, rows, place);
+            return Contour::repaired(given, place);
         }
-        Contour::from_rows(points, rows, place).map(|outline| (outline, Removed::default()))
+        Contour::from_rows(given, place).map(|outline| (outline, Removed::default()))
     }
 
     /// Refuses options that mean nothing for an outline of this kind, or for what is no outline (`None`).
@@ -43,7 +39,7 @@ impl OutlineOptions {
     pub fn check(&self, kind: Option<ContourKind>) -> Result<()> {
         use ContourKind::{Array, Drawing, Image, Polygons, Rows};
         let usual = Self::default();
-        let given: [(&str, bool, &[ContourKind], &str); 5] = [
+        let given: [(&str, bool, &[ContourKind], &str); 6] = [
             (
                 "--blob",
                 self.blob != usual.blob,
@@ -65,6 +61,12 @@ impl OutlineOptions {
             (
                 "--columns",
                 self.columns != usual.columns,
+                &[Rows, Array],
+                "tables of points",
+            ),
+            (
+                "--weights",
+                self.weights != usual.weights,
                 &[Rows, Array],
                 "tables of points",
             ),

@@ -14,7 +14,7 @@ use super::rows::read_rows;
 use super::silhouette::Silhouette;
 use super::{LeftOut, OutlineOptions};
 use crate::error::{Error, Result};
-use crate::shape::Contour;
+use crate::shape::{Contour, GivenPoints, PointCloud};
 
 /// The largest number of bytes that are read from one file.
 const MAX_BYTES: u64 = 1 << 30;
@@ -173,12 +173,44 @@ pub fn outlines_from_reader(
     Ok((1..=count).map(each).collect())
 }
 
+/// Reads the points of a table or an array as a cloud: their order does not matter.
+///
+/// ```
+/// use stellate::fit::{ContourKind, OutlineOptions, cloud_from_reader};
+/// let rows = "x,y,weight\n0,0,1\n1,1,0.5\n1,0,1\n0,1,1\n";
+/// let options = OutlineOptions::default().weights("weight".parse().ok());
+/// let cloud = cloud_from_reader(rows.as_bytes(), ContourKind::Rows, &options, "cloud.csv")?;
+/// assert_eq!((cloud.points()[1], cloud.weights()[1]), ([1.0, 1.0], 0.5));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Usage`] for a file of another kind, or for options of outlines; those of [`contour_from_reader`] about rows, and those
+/// of [`PointCloud::new`].
+pub fn cloud_from_reader(
+    reader: impl Read,
+    kind: ContourKind,
+    options: &OutlineOptions,
+    place: &str,
+) -> Result<PointCloud> {
+    if options.repair {
+        return Err(Error::Usage(
+            "--repair is for outlines; the points of a cloud have no order".into(),
+        ));
+    }
+    match Outlines::read(reader, kind, options, place)? {
+        Outlines::Points { given, .. } => PointCloud::new(given, place),
+        _ => Err(Error::Usage(
+            "--cloud is for tables of points; this is none".into(),
+        )),
+    }
+}
+
 /// The outlines of a file, before they are checked.
 enum Outlines {
     /// The only one.
     Points {
-        points: Vec<[f64; 2]>,
-        rows: Vec<usize>,
+        given: GivenPoints,
         kind: ContourKind,
     },
     Rings(Rings),
@@ -194,20 +226,18 @@ impl Outlines {
         place: &str,
     ) -> Result<Self> {
         options.check(Some(kind))?;
-        let columns = options.columns.as_ref();
         let mut limited = reader.take(MAX_BYTES + 1);
         Ok(match kind {
             ContourKind::Rows => {
-                let (points, rows) = read_rows(&mut BufReader::new(&mut limited), columns, place)?;
+                let given = read_rows(&mut BufReader::new(&mut limited), options, place)?;
                 if limited.limit() == 0 {
                     return Err(too_long(place, MAX_BYTES));
                 }
-                Self::Points { points, rows, kind }
+                Self::Points { given, kind }
             }
             ContourKind::Array => {
-                let points = read_array(&bytes(limited, MAX_BYTES, place)?, columns, place)?;
-                let rows = Vec::new();
-                Self::Points { points, rows, kind }
+                let given = read_array(&bytes(limited, MAX_BYTES, place)?, options, place)?;
+                Self::Points { given, kind }
             }
             ContourKind::Polygons => Self::Rings(read_geojson(&text(limited, place)?, place)?),
             ContourKind::Drawing => Self::drawing(&text(limited, place)?, place)?,
@@ -258,8 +288,8 @@ impl Outlines {
         place: &str,
     ) -> Result<(Contour, LeftOut)> {
         match self {
-            Self::Points { points, rows, kind } => {
-                let (outline, removed) = options.outline(std::mem::take(points), rows, place)?;
+            Self::Points { given, kind } => {
+                let (outline, removed) = options.outline(std::mem::take(given), place)?;
                 let left_out = LeftOut {
                     kind: *kind,
                     removed,

@@ -77,13 +77,13 @@ impl Rings {
         };
         // No ring is an outline twice.
         let points = std::mem::take(&mut taken.points);
-        let (outline, removed) = options.outline(points, &[], place)?;
+        let (outline, removed) = options.outline(points.into(), place)?;
         let left_out = LeftOut {
             parts: count - 1,
             largest: largest / taken.area,
             holes: taken.holes,
             removed,
-            ..self.rest
+            ..self.rest.clone()
         };
         Ok((outline, left_out))
     }

@@ -2,41 +2,43 @@
 
 use std::io::BufRead;
 
-use super::Columns;
+use super::OutlineOptions;
 use super::layout::{COLUMNS, Layout};
 use crate::error::{Error, Result};
 use crate::rows::RowReader;
+use crate::shape::GivenPoints;
 
 /// The largest number of rows with points in one file.
 pub(super) const MAX_ROWS: usize = 10_000_000;
 
-/// The points and, for each point, its row in the file (counted from 1; every line counts).
+/// The points, with their rows in the file (counted from 1; every line counts) and with weights if the options name their column.
 pub(super) fn read_rows(
     reader: &mut impl BufRead,
-    columns: Option<&Columns>,
+    options: &OutlineOptions,
     place: &str,
-) -> Result<(Vec<[f64; 2]>, Vec<usize>)> {
-    let mut points = Vec::new();
-    let mut numbers = Vec::new();
+) -> Result<GivenPoints> {
+    let mut read = GivenPoints::default();
     let mut rows = RowReader::new(reader, place, COLUMNS);
     let Some((number, first)) = rows.next_row()?.map(|(n, row)| (n, row.to_owned())) else {
-        return Ok((points, numbers));
+        return Ok(read);
     };
     // The header is known with the first row.
-    let layout = Layout::of(rows.header(), &first, columns)
+    let layout = Layout::of(rows.header(), &first, options)
         .map_err(|message| rows.error(number, message))?;
     let mut point = layout.point(&first);
     let mut number = number;
     loop {
-        points.push(point.map_err(|message| rows.error(number, message))?);
-        numbers.push(number);
-        if points.len() > MAX_ROWS {
+        let (xy, weight) = point.map_err(|message| rows.error(number, message))?;
+        read.points.push(xy);
+        read.weights.extend(weight);
+        read.rows.push(number);
+        if read.points.len() > MAX_ROWS {
             return Err(Error::limit(format!(
                 "{place} has more than {MAX_ROWS} rows"
             )));
         }
         match rows.next_row()? {
-            None => return Ok((points, numbers)),
+            None => return Ok(read),
             Some((next, row)) => (number, point) = (next, layout.point(row)),
         }
     }
@@ -47,7 +49,12 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<(Vec<[f64; 2]>, Vec<usize>)> {
-        read_rows(&mut text.as_bytes(), None, "outline.csv")
+        let read = read_rows(
+            &mut text.as_bytes(),
+            &OutlineOptions::default(),
+            "outline.csv",
+        );
+        read.map(|read| (read.points, read.rows))
     }
 
     fn message(text: &str) -> String {
@@ -108,7 +115,8 @@ mod tests {
     #[test]
     fn what_is_not_text_is_refused() {
         let bytes = [b'1', b',', 0xff, b'\n'];
-        let error = read_rows(&mut bytes.as_slice(), None, "a.csv").unwrap_err();
+        let error =
+            read_rows(&mut bytes.as_slice(), &OutlineOptions::default(), "a.csv").unwrap_err();
         assert!(
             error.to_string().contains("row 1: not UTF-8 text"),
             "{error}"

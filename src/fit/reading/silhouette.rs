@@ -75,7 +75,7 @@ impl Silhouette {
         let largest = largest
             .filter(|_| count > 1)
             .map_or(0, |other| other.pixels);
-        let (contour, removed) = options.outline(ring, &[], place)?;
+        let (contour, removed) = options.outline(ring.into(), place)?;
         let left_out = LeftOut {
             kind: ContourKind::Image,
             removed,
