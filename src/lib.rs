@@ -108,6 +108,7 @@ pub mod exact;
 pub mod factor;
 pub mod fit;
 pub mod guide;
+mod html;
 pub mod implicitize;
 pub mod inspect;
 mod intervals;

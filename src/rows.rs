@@ -107,29 +107,6 @@ pub(crate) fn row_error(place: &str, row: usize, message: impl Into<String>) -> 
     Error::data(format!("{place}, row {row}"), message)
 }
 
-/// The N fields of a row.
-///
-/// # Errors
-/// The message for another number of fields.
-pub(crate) fn fields_of<'r, const N: usize>(
-    row: &'r str,
-    expected: &str,
-) -> std::result::Result<[&'r str; N], String> {
-    let mut all = fields(row);
-    let mut found = [""; N];
-    let mut count = 0;
-    for (slot, field) in found.iter_mut().zip(&mut all) {
-        *slot = field;
-        count += 1;
-    }
-    count += all.count();
-    if count == N {
-        return Ok(found);
-    }
-    let columns = columns_text(count);
-    Err(format!("found {columns}; each row must be {expected}"))
-}
-
 /// `1 column`, `2 columns`
 pub(crate) fn columns_text(count: usize) -> String {
     match count {
@@ -163,6 +140,52 @@ pub(crate) fn fields_between(row: &str, separator: char) -> impl Iterator<Item =
             .and_then(|rest| rest.strip_suffix('"'))
             .map_or(field, str::trim)
     })
+}
+
+/// How the fields of a row are separated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Separator {
+    Comma,
+    Semicolon,
+    Tab,
+    Blanks,
+}
+
+impl Separator {
+    /// A semicolon or a tab wherever there is one; blanks between numbers that have decimal commas, or no comma at all.
+    pub(crate) fn of(row: &str) -> Self {
+        let mut words = row.split_whitespace();
+        let has_several = words.clone().count() > 1;
+        let mut has_decimal_commas =
+            || words.all(|word| double(&word.replacen(',', ".", 1)).is_ok());
+        if row.contains(';') {
+            Self::Semicolon
+        } else if row.contains('\t') {
+            Self::Tab
+        } else if has_several && (!row.contains(',') || has_decimal_commas()) {
+            Self::Blanks
+        } else {
+            Self::Comma
+        }
+    }
+
+    pub(crate) fn split(self, row: &str) -> Box<dyn Iterator<Item = &str> + '_> {
+        match self {
+            Self::Comma => Box::new(fields_between(row, ',')),
+            Self::Semicolon => Box::new(fields_between(row, ';')),
+            Self::Tab => Box::new(fields_between(row, '\t')),
+            Self::Blanks => Box::new(row.split_whitespace()),
+        }
+    }
+}
+
+/// The name of a column in small letters, without its unit: `X (mm)` and `x_mm` are x.
+pub(crate) fn plain_name(name: &str) -> String {
+    let letters = name.trim().split(|c: char| !c.is_alphanumeric());
+    letters
+        .map(str::to_lowercase)
+        .find(|part| !part.is_empty())
+        .unwrap_or_default()
 }
 
 /// The words of a row, whatever separates them.

@@ -357,9 +357,12 @@ pub(crate) struct Inspect {
     /// Rows x,y[,z] of any number, from a file or standard input; the header is optional
     #[arg(long, value_name = "FILE.csv|-", conflicts_with = "point")]
     pub(crate) points: Option<String>,
-    /// Distances are looked for up to here [default: the tolerance]
+    /// Distances are looked for up to here [default: until the nearest point is found]
     #[arg(long, value_name = "R", value_parser = positive)]
     pub(crate) reach: Option<Rational>,
+    /// Carry the other columns of the table along, such as ids and units
+    #[arg(long)]
+    pub(crate) keep: bool,
     /// Count rows that are no points instead of stopping at the first
     #[arg(long)]
     pub(crate) skip_bad: bool,
@@ -369,6 +372,9 @@ pub(crate) struct Inspect {
     /// Draw the surface and the points, coloured by verdict, as .svg or .png
     #[arg(long, value_name = "FIGURE")]
     pub(crate) plot: Option<PathBuf>,
+    /// Write a report into this folder: the summary, a map, the histogram and the worst points as one page
+    #[arg(long, value_name = "DIR")]
+    pub(crate) report: Option<PathBuf>,
     /// Write the points, coloured by verdict and with their distances, as .ply
     #[arg(long, value_name = "CLOUD.ply")]
     pub(crate) cloud: Option<PathBuf>,

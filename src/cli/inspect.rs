@@ -4,7 +4,10 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use stellate::document::{Format, InspectionWriter, summary_text, write_inspection_cloud};
+use stellate::document::{
+    Format, InspectionWriter, ReportHead, summary_text, write_inspection_cloud,
+    write_inspection_report,
+};
 use stellate::error::{Error, Result};
 use stellate::exact::Rational;
 use stellate::inspect::InspectionSummary;
@@ -16,7 +19,9 @@ use stellate::verb::{
 use super::arguments::Inspect;
 use super::flags::FitFlags;
 use super::input;
-use super::output::{check_destination, check_place, write_beside, write_result};
+use super::output::{
+    check_destination, check_folder, check_place, today, write_beside, write_page, write_result,
+};
 use super::session::Session;
 
 /// The number of significant digits of distances without `--digits`.
@@ -34,17 +39,24 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
         .map(|path| FigureFormat::of("--plot", path))
         .transpose()?;
     check_cloud(flags)?;
+    if let Some(folder) = &flags.report {
+        check_folder("--report", folder)?;
+    }
     let options = options(flags, session);
     let points = points(flags)?;
     let dimension = points.dimension()?;
     let given = input::read_outline(&flags.form, &flags.outline, session)?;
+    let form = given.whole_name();
     let task = verb::inspect(given, dimension, &options, &session.work)?;
     let format = session.format_or(Format::Csv);
-    let writer = InspectionWriter::new(format, dimension, session.decimals())?;
+    let mut writer = InspectionWriter::new(format, dimension, session.decimals())?;
+    if flags.keep {
+        writer = writer.keeping(points.other_names());
+    }
     let reading = ReadingOptions::default()
         .numbers(session.numbers())
         .skip_bad(flags.skip_bad)
-        .keep(figure.is_some() || flags.cloud.is_some())
+        .keep(figure.is_some() || flags.cloud.is_some() || flags.report.is_some())
         .with_ranges(format != Format::Csv)
         .streamed(session.common.output.is_none());
     let (summary, kept) = write_all(&task, points, &reading, &writer, session)?;
@@ -64,7 +76,32 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
         let bytes = session.work.stage("draw", || figure.bytes(svg))?;
         write_beside(path, &bytes, session)?;
     }
+    if let Some(folder) = &flags.report {
+        let map = task.picture(&kept, flags.window, &session.work)?;
+        let mut head = ReportHead::new(form, task.tolerance().clone());
+        head.number = number;
+        head.command = command();
+        head.date = today();
+        let mut page = Vec::new();
+        write_inspection_report(&head, &summary, &kept, &map, &mut page)?;
+        write_page(folder, &page, session)?;
+    }
     finish(&summary, flags, session)
+}
+
+/// The command, as it can be typed again.
+fn command() -> String {
+    let words = std::env::args().skip(1).map(|word| {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,=".contains(c);
+        match word.chars().all(is_plain) && !word.is_empty() {
+            true => word,
+            false => format!("'{}'", word.replace('\'', r"'\''")),
+        }
+    });
+    std::iter::once("stellate".to_owned())
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 fn options(flags: &Inspect, session: &Session) -> InspectionOptions {
@@ -77,7 +114,7 @@ fn options(flags: &Inspect, session: &Session) -> InspectionOptions {
     };
     InspectionOptions::default()
         .tolerance(flags.tolerance.clone())
-        .reach(flags.reach.as_ref().map_or(0.0, Rational::to_f64))
+        .reach(flags.reach.as_ref().map(Rational::to_f64))
         .digits(session.common.digits.unwrap_or(DIGITS))
         .budget(flags.budget)
         .fit(input::fit_options(&fit))

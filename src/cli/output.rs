@@ -159,3 +159,35 @@ fn io_error(path: &Path, source: std::io::Error) -> Error {
         source,
     }
 }
+
+/// The name of a report in its folder.
+const PAGE: &str = "index.html";
+
+/// Refuses a folder that cannot be made before any work is done.
+pub(crate) fn check_folder(option: &str, folder: &Path) -> Result<()> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(Error::Usage(format!(
+            "{option} {}: that is a file; a folder is wanted, for the report {PAGE}",
+            folder.display()
+        )));
+    }
+    if folder.is_dir() {
+        check_place(option, &folder.join(PAGE))
+    } else {
+        check_place(option, folder)
+    }
+}
+
+/// Writes a report into its folder, which is made if it does not exist.
+pub(crate) fn write_page(folder: &Path, page: &[u8], session: &Session) -> Result<()> {
+    std::fs::create_dir_all(folder).map_err(|source| Error::Io {
+        path: folder.into(),
+        source,
+    })?;
+    write_beside(&folder.join(PAGE), page, session)
+}
+
+/// The day, such as `2001-12-31`.
+pub(crate) fn today() -> String {
+    jiff::Timestamp::now().strftime("%Y-%m-%d").to_string()
+}

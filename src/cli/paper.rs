@@ -1,6 +1,5 @@
 //! `stellate paper`: every statement of the paper, checked.
 
-use std::path::Path;
 use std::time::Duration;
 
 use stellate::compare::{TimeComparison, compare};
@@ -9,19 +8,16 @@ use stellate::error::{Error, Result};
 use stellate::paper::{Appendix, Entry, entries, write_entries, write_in_full, write_report};
 
 use super::arguments::Paper;
-use super::output::{check_destination, check_place, write_beside, write_result};
+use super::output::{check_destination, check_folder, today, write_page, write_result};
 use super::paper_figures;
 use super::session::Session;
-
-/// The name of the report in its folder.
-const PAGE: &str = "index.html";
 
 pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
     Kind::Statements.check(format)?;
     if let Some(folder) = &verb.out {
-        check_folder(folder)?;
+        check_folder("--out", folder)?;
     }
     let all = entries()?;
     let chosen = match &verb.only {
@@ -53,13 +49,8 @@ pub(crate) fn run(verb: &Paper, session: &mut Session) -> Result<()> {
     if let Some(folder) = &verb.out {
         let figures = paper_figures::draw(session)?;
         let mut page = Vec::new();
-        let today = jiff::Timestamp::now().strftime("%Y-%m-%d").to_string();
-        write_report(&evaluated, &figures, appendix, &today, &mut page)?;
-        std::fs::create_dir_all(folder).map_err(|source| Error::Io {
-            path: folder.clone(),
-            source,
-        })?;
-        write_beside(&folder.join(PAGE), &page, session)?;
+        write_report(&evaluated, &figures, appendix, &today(), &mut page)?;
+        write_page(folder, &page, session)?;
     }
     let write = match verb.only {
         Some(_) => write_in_full,
@@ -78,21 +69,6 @@ fn measure(limit: Duration, largest: usize, session: &Session) -> Result<TimeCom
             })
         })
     })
-}
-
-/// Refuses a folder that cannot be made before any work is done.
-fn check_folder(folder: &Path) -> Result<()> {
-    if folder.exists() && !folder.is_dir() {
-        return Err(Error::Usage(format!(
-            "--out {}: that is a file; a folder is wanted, for the report {PAGE}",
-            folder.display()
-        )));
-    }
-    if folder.is_dir() {
-        check_place("--out", &folder.join(PAGE))
-    } else {
-        check_place("--out", folder)
-    }
 }
 
 /// The statement with this id, in any case of letters; if there is none, all statements with these words in their titles; if

@@ -7,7 +7,7 @@ use super::growth::{chart, letter, ratio};
 use super::radius::RADIUS_TEXT;
 use super::{MethodTimes, TimeComparison};
 use crate::error::Result;
-use crate::paper::html::{escaped, write_picture};
+use crate::html::{escaped, write_picture};
 
 /// Writes the section: the question, the chart, the table, and their meaning.
 ///

@@ -1,5 +1,6 @@
 //! Verdicts of an inspection, point by point, as CSV, JSON and text, and as a cloud of coloured points.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -10,8 +11,10 @@ use super::json::{Number, text_of, write_value};
 use super::{Format, Kind, SCHEMA};
 use crate::error::Result;
 use crate::exact::Rational;
-use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section, Verdict};
-use crate::verb::PointWriter;
+use crate::inspect::{
+    CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section, Verdict,
+};
+use crate::verb::{KeptPoint, PointWriter};
 
 /// A summary in one line of text. `number` is the name of a point's number, such as its row.
 #[must_use]
@@ -34,10 +37,21 @@ pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
     if summary.bad > 0 {
         let _ = write!(line, "; {} rows were no points", summary.bad);
     }
-    if let Some((row, low)) = summary.worst {
+    if let (Some(near), Some(far)) = (&summary.nearest, &summary.farthest) {
+        let [low, high] = [near.distance.low, summary.largest];
+        let _ = match summary.points() {
+            1 => write!(line, "; its distance is from {low:?} to {high:?}"),
+            _ => write!(
+                line,
+                "; the nearest is {number} {}, at a distance of at most {:?}, and the farthest {number} {}, at a distance of at least {:?}",
+                near.row, near.distance.high, far.row, far.distance.low
+            ),
+        };
+    }
+    if let Some([mean, rms, signed]) = summary.means().filter(|_| summary.points() > 1) {
         let _ = write!(
             line,
-            "; the farthest is {number} {row}, at a distance of at least {low:?}"
+            "; ≈ {mean:.3e} on average (≈ {signed:.3e} with signs), ≈ {rms:.3e} rms"
         );
     }
     line
@@ -49,6 +63,8 @@ pub struct InspectionWriter {
     format: Format,
     dimension: usize,
     digits: u32,
+    /// The names of the columns that are carried along.
+    kept: Option<Vec<String>>,
 }
 
 #[derive(Serialize)]
@@ -68,8 +84,11 @@ struct Entry<'a> {
     curve: Option<bool>,
     distance_low: Number,
     distance_high: Number,
+    sign: Option<i8>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ranges: Option<Vec<Range>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kept: Option<BTreeMap<&'a str, &'a str>>,
 }
 
 #[derive(Serialize)]
@@ -79,6 +98,71 @@ struct Tail {
     undecided: usize,
     enclosed: usize,
     bad: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nearest: Option<At>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    farthest: Option<At>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mean: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mean_signed: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rms: Option<Number>,
+    histogram: Classes,
+}
+
+/// A point of a table and the bounds of its distance.
+#[derive(Serialize)]
+struct At {
+    row: usize,
+    distance_low: Number,
+    distance_high: Number,
+}
+
+/// The signed distances in classes.
+#[derive(Serialize)]
+struct Classes {
+    below: usize,
+    within: [usize; CLASSES],
+    above: usize,
+}
+
+impl From<RowDistance> for At {
+    fn from(at: RowDistance) -> Self {
+        Self {
+            row: at.row,
+            distance_low: Number(at.distance.low),
+            distance_high: Number(at.distance.high),
+        }
+    }
+}
+
+impl From<&InspectionSummary> for Tail {
+    fn from(summary: &InspectionSummary) -> Self {
+        let mean = |i: usize| summary.means().map(|means| Number(means[i]));
+        let Histogram {
+            below,
+            within,
+            above,
+        } = summary.histogram;
+        Self {
+            inside: summary.inside,
+            outside: summary.outside,
+            undecided: summary.undecided,
+            enclosed: summary.enclosed,
+            bad: summary.bad,
+            nearest: summary.nearest.map(At::from),
+            farthest: summary.farthest.map(At::from),
+            mean: mean(0),
+            rms: mean(1),
+            mean_signed: mean(2),
+            histogram: Classes {
+                below,
+                within,
+                above,
+            },
+        }
+    }
 }
 
 impl InspectionWriter {
@@ -92,7 +176,34 @@ impl InspectionWriter {
             format,
             dimension,
             digits,
+            kept: None,
         })
+    }
+
+    /// Carries the other columns of a table along, whose names these are: behind the others in CSV, in `kept` in JSON.
+    #[must_use]
+    pub fn keeping(self, names: impl IntoIterator<Item = String>) -> Self {
+        Self {
+            kept: Some(names.into_iter().collect()),
+            ..self
+        }
+    }
+
+    /// Writes fields of CSV, each behind a comma.
+    fn write_fields<'f>(fields: impl Iterator<Item = &'f str>, out: &mut dyn Write) -> Result<()> {
+        for field in fields {
+            match field.contains([',', '"']) {
+                true => write!(out, ",\"{}\"", field.replace('"', "\"\""))?,
+                false => write!(out, ",{field}")?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The columns that are carried along, with the fields of a point.
+    fn kept<'p>(&'p self, point: &'p InspectedPoint<'_>) -> Option<BTreeMap<&'p str, &'p str>> {
+        let names = self.kept.as_ref()?.iter().map(String::as_str);
+        Some(names.zip(point.others.iter().copied()).collect())
     }
 }
 
@@ -111,10 +222,10 @@ impl PointWriter for InspectionWriter {
             Format::Text => Ok(()),
             _ => {
                 let axes = if self.dimension == 2 { "x,y" } else { "x,y,z" };
-                Ok(writeln!(
-                    out,
-                    "{axes},verdict,curve,distance_low,distance_high"
-                )?)
+                write!(out, "{axes},verdict,curve,distance_low,distance_high,sign")?;
+                let names = self.kept.iter().flatten().map(String::as_str);
+                Self::write_fields(names, out)?;
+                Ok(writeln!(out)?)
             }
         }
     }
@@ -145,10 +256,12 @@ impl PointWriter for InspectionWriter {
                     curve: found.curve,
                     distance_low: Number(low),
                     distance_high: Number(high),
+                    sign: found.sign,
                     ranges: match &point.section {
                         Section::At(list) => Some(ranges(list, self.digits)),
                         Section::NotAsked | Section::TooLong => None,
                     },
+                    kept: self.kept(point),
                 };
                 out.write_all(b"\n")?;
                 write_value(&entry, out)?;
@@ -163,7 +276,12 @@ impl PointWriter for InspectionWriter {
                 } else {
                     format!("its distance is at least {low:?}")
                 };
-                writeln!(out, "({at}): {verdict}; {distance}")?;
+                let side = match found.sign {
+                    Some(-1) => ", on the inner side",
+                    Some(1) => ", on the outer side",
+                    _ => "",
+                };
+                writeln!(out, "({at}): {verdict}; {distance}{side}")?;
                 let round = if self.dimension == 2 {
                     "circle"
                 } else {
@@ -193,20 +311,21 @@ impl PointWriter for InspectionWriter {
                     out.write_all(coordinate.as_bytes())?;
                     out.write_all(b",")?;
                 }
-                Ok(writeln!(out, "{verdict},{curve},{low:?},{high:?}")?)
+                write!(out, "{verdict},{curve},{low:?},{high:?},")?;
+                if let Some(sign) = found.sign {
+                    write!(out, "{sign}")?;
+                }
+                if self.kept.is_some() {
+                    Self::write_fields(point.others.iter().copied(), out)?;
+                }
+                Ok(writeln!(out)?)
             }
         }
     }
 
     fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> Result<()> {
         if self.format == Format::Json {
-            let tail = Tail {
-                inside: summary.inside,
-                outside: summary.outside,
-                undecided: summary.undecided,
-                enclosed: summary.enclosed,
-                bad: summary.bad,
-            };
+            let tail = Tail::from(summary);
             writeln!(out, "\n],\"summary\":{}}}", text_of(&tail))?;
         }
         Ok(())
@@ -219,7 +338,7 @@ impl PointWriter for InspectionWriter {
 /// # Errors
 /// Those of `out`.
 pub fn write_inspection_cloud(
-    points: &[([f64; 3], Inspection)],
+    points: &[KeptPoint],
     comment: &str,
     out: &mut dyn Write,
 ) -> Result<()> {
@@ -235,7 +354,8 @@ pub fn write_inspection_cloud(
         writeln!(out, "property uchar {name}")?;
     }
     out.write_all(b"end_header\n")?;
-    for (point, found) in points {
+    for kept in points {
+        let (point, found) = (&kept.point, &kept.inspection);
         let distances = [found.distance.low, found.distance.high];
         for value in point.iter().chain(&distances) {
             out.write_all(&value.to_le_bytes())?;

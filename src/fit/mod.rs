@@ -36,8 +36,8 @@ mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
-pub(crate) use distance::is_positive_by_values;
 pub use distance::{Bounds, Distances, distances};
+pub(crate) use distance::{NearPolygon, is_positive_by_values};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub use least_squares::{LeastSquares, MAX_LEAST_SQUARES_HARMONICS, Robust, StandardErrors};
 pub use measured::fit_cloud;

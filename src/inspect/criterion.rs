@@ -3,7 +3,8 @@
 use super::chart::{CircleSection, SphereSection};
 use super::exact;
 use super::foot::difference;
-use super::inspector::{Inspector, PartialInspection, Point};
+use super::inspector::Inspector;
+use super::known::{PartialInspection, Point};
 use super::sphere::{OnSphere, on_sphere};
 use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, square};

@@ -169,6 +169,7 @@ impl<const N: usize> CurveInspector<N> {
             verdict,
             curve: Some(verdict == Verdict::Inside && self.goes_out(&distance, &level)),
             distance: bounds.given(verdict, &self.tolerance),
+            sign: None,
         }
     }
 

@@ -1,11 +1,11 @@
 //! Inspection of points against one surface or plane curve. Each point is decided by the cheapest rule that can.
 
 use std::borrow::Cow;
-use std::cell::OnceCell;
 
 use super::distance::{Goal, nearest};
 use super::exact::{self, Answer};
 use super::foot::{approach, enclose};
+use super::known::{PartialInspection, Point};
 use super::{DistanceBounds, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -36,8 +36,9 @@ options! {
         /// The tolerance d > 0: the largest distance that counts as inside.
         tolerance: Rational,
     } {
-        /// The search radius for the nearest point; at least the tolerance.
-        reach: f64 = 0.0,
+        /// The search radius for the nearest point; at least the tolerance. By default the search goes on until the nearest point
+        /// is found.
+        reach: Option<f64> = None,
         /// The number of significant digits that the bounds of a distance should determine.
         digits: u32 = 6,
         /// The largest number of cubes that are divided for one point and one factor of the polynomial; fewer for degrees above
@@ -62,91 +63,15 @@ pub struct Inspector {
     center: Option<[Rational; 2]>,
     /// The irreducible factors. They change sign at their zeros, which a repeated factor does not.
     factors: Vec<Field>,
+    /// The multiplicities of the factors.
+    multiplicities: Vec<usize>,
     pub(super) tolerance: Rational,
     /// Doubles below and above the tolerance.
     pub(super) around: [f64; 2],
-    /// The search radius; distances larger than this are reported as infinite.
-    asked: f64,
+    /// The search radius; distances larger than this are reported as infinite. `None` if the nearest point is searched anywhere.
+    asked: Option<f64>,
     pub(super) goal: Goal,
     pub(super) limits: Limits,
-}
-
-/// A point, by its nearest doubles and exactly.
-pub(super) struct Point<'a> {
-    pub(super) near: [f64; 3],
-    /// A bound of the distance between the exact point and the doubles.
-    pub(super) slack: f64,
-    exactly: OnceCell<[Rational; 3]>,
-    read: &'a dyn Fn() -> [Rational; 3],
-    is_flat: bool,
-}
-
-impl<'a> Point<'a> {
-    fn new(near: [f64; 3], slack: f64, read: &'a dyn Fn() -> [Rational; 3]) -> Self {
-        Self {
-            near,
-            slack,
-            exactly: OnceCell::new(),
-            read,
-            is_flat: false,
-        }
-    }
-
-    pub(super) fn exactly(&self) -> &[Rational; 3] {
-        self.exactly.get_or_init(|| {
-            let mut exactly = (self.read)();
-            if self.is_flat {
-                exactly[2] = Rational::zero();
-            }
-            exactly
-        })
-    }
-
-    /// Intervals that hold the exact coordinates.
-    pub(super) fn around(&self) -> [Interval; 3] {
-        self.near.map(|x| Interval::around(x, self.slack))
-    }
-
-    /// The projection of the point to the plane of x and y. It has the same distance from a surface whose equation does not
-    /// have z.
-    fn flattened(&self) -> Self {
-        let [x, y, _] = self.near;
-        Self {
-            is_flat: true,
-            ..Self::new([x, y, 0.0], self.slack, self.read)
-        }
-    }
-}
-
-/// The findings about one factor of the polynomial.
-#[derive(Clone, Debug)]
-pub(super) struct PartialInspection {
-    pub(super) bounds: DistanceBounds,
-    pub(super) inside: Option<bool>,
-    pub(super) curve: Option<bool>,
-    /// The nearest point that was found, in doubles.
-    pub(super) foot: Option<[f64; 3]>,
-    /// The nearest point that was found, more precisely than doubles can hold it.
-    pub(super) exact_foot: Option<[Rational; 3]>,
-}
-
-impl PartialInspection {
-    /// Records a zero within the tolerance; `tolerance` is a double that is not below the tolerance, and `high` is the square
-    /// of a bound of the distance of the zero.
-    pub(super) fn has_zero(
-        &mut self,
-        foot: [Rational; 3],
-        touches: bool,
-        high: &Rational,
-        tolerance: f64,
-    ) {
-        self.inside = Some(true);
-        self.curve = touches.then_some(true);
-        self.exact_foot = Some(foot);
-        let high = Interval::from(high).sqrt().high();
-        self.bounds.high = self.bounds.high.min(high.min(tolerance));
-        self.bounds.low = self.bounds.low.min(self.bounds.high);
-    }
 }
 
 impl Inspector {
@@ -177,8 +102,8 @@ impl Inspector {
         limits: &Limits,
     ) -> Result<Self> {
         let factors = factor_space(surface.polynomial(), limits)?.factors;
-        let factors = factors.into_iter().map(|f| f.polynomial).collect();
-        Self::new(Kind::Surface, factors, options, limits)
+        let factors = factors.into_iter().map(|f| (f.polynomial, f.multiplicity));
+        Self::new(Kind::Surface, factors.collect(), options, limits)
     }
 
     /// The inspector of a plane curve, for points (x, y, 0) in the curve's original coordinates; its center is taken into
@@ -190,7 +115,7 @@ impl Inspector {
         let factors = factor_plane(curve.polynomial(), limits)?.factors;
         let factors = factors
             .iter()
-            .map(|f| SparsePolynomial::from(&f.polynomial))
+            .map(|f| (SparsePolynomial::from(&f.polynomial), f.multiplicity))
             .collect();
         let has_center = curve.center().iter().any(|c| !c.is_zero());
         Ok(Self {
@@ -201,7 +126,7 @@ impl Inspector {
 
     fn new(
         kind: Kind,
-        factors: Vec<SparsePolynomial<3>>,
+        factors: Vec<(SparsePolynomial<3>, usize)>,
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
@@ -215,12 +140,12 @@ impl Inspector {
                 options.tolerance
             )));
         }
-        if !options.reach.is_finite() {
+        if let Some(reach) = options.reach.filter(|reach| !reach.is_finite()) {
             return Err(Error::Usage(format!(
-                "the reach {}: expected a finite number, such as 10",
-                options.reach
+                "the reach {reach}: expected a finite number, such as 10"
             )));
         }
+        let reach = options.reach.unwrap_or(0.0);
         let is_exact = Rational::try_from(tolerance).is_ok_and(|d| d == options.tolerance);
         let around = if is_exact {
             [tolerance; 2]
@@ -230,14 +155,15 @@ impl Inspector {
         Ok(Self {
             kind,
             center: None,
-            factors: factors.iter().map(Field::new).collect(),
+            factors: factors.iter().map(|(f, _)| Field::new(f)).collect(),
+            multiplicities: factors.iter().map(|(_, m)| *m).collect(),
             tolerance: options.tolerance.clone(),
             around,
-            asked: options.reach.max(around[1]),
+            asked: options.reach.map(|reach| reach.max(around[1])),
             goal: Goal {
                 // A slightly larger radius, so that a zero beyond it is outside for every slack of a point. Any margin is
                 // sound.
-                reach: options.reach.max(around[1] * (1.0 + 1e-9)),
+                reach: reach.max(around[1] * (1.0 + 1e-9)),
                 tolerance: around[1],
                 relative: 0.1f64
                     .powi(i32::try_from(options.digits.min(20)).invariant("20 is small"))
@@ -304,22 +230,23 @@ impl Inspector {
     }
 
     fn of_point(&self, p: &Point) -> Inspection {
+        let flat = p.flattened();
+        let at = |field: &Field| if field.is_flat() { &flat } else { p };
+        let mut parts: Vec<PartialInspection> = self
+            .factors
+            .iter()
+            .map(|field| self.of_factor(field, at(field)))
+            .collect();
         let mut all = Inspection {
             verdict: Verdict::Outside,
             curve: Some(false),
+            sign: Some(1),
             distance: DistanceBounds {
                 low: f64::INFINITY,
                 high: f64::INFINITY,
             },
         };
-        for field in &self.factors {
-            let known = if field.is_flat() {
-                self.of_factor(field, &p.flattened())
-            } else {
-                self.of_factor(field, p)
-            };
-            all.distance.low = all.distance.low.min(known.bounds.low);
-            all.distance.high = all.distance.high.min(known.bounds.high);
+        for known in &parts {
             all.verdict = match (all.verdict, known.inside) {
                 (Verdict::Inside, _) | (_, Some(true)) => Verdict::Inside,
                 (Verdict::Undecided, _) | (_, None) => Verdict::Undecided,
@@ -331,7 +258,23 @@ impl Inspector {
                 (Some(false), Some(false)) => Some(false),
             };
         }
-        if all.distance.high > self.asked {
+        if self.asked.is_none() && all.verdict == Verdict::Outside {
+            self.far(&mut parts, at);
+        }
+        for ((known, field), multiplicity) in
+            parts.iter().zip(&self.factors).zip(&self.multiplicities)
+        {
+            all.distance.low = all.distance.low.min(known.bounds.low);
+            all.distance.high = all.distance.high.min(known.bounds.high);
+            let sign = sign_of(field, at(field), &known.bounds);
+            let of_power = if multiplicity % 2 == 1 {
+                sign
+            } else {
+                sign * sign
+            };
+            all.sign = all.sign.map(|all| all * of_power);
+        }
+        if self.asked.is_some_and(|asked| all.distance.high > asked) {
             // No zero was found within reach.
             all.distance.high = f64::INFINITY;
         }
@@ -340,7 +283,9 @@ impl Inspector {
 
     fn of_factor(&self, field: &Field, p: &Point) -> PartialInspection {
         let mut known = self.by_doubles(field, p);
-        if known.inside.is_none() || !self.is_close(&known.bounds) {
+        // What is outside is searched for the nearest point later, with all factors together.
+        let is_left = self.asked.is_none() && known.inside == Some(false);
+        if known.inside.is_none() || !is_left && !self.is_close(&known.bounds) {
             self.by_search(field, p, &mut known);
         }
         known.curve = match (known.inside, self.kind) {
@@ -358,8 +303,8 @@ impl Inspector {
     }
 
     /// Whether the bounds of the distance are as close as the goal requires.
-    fn is_close(&self, bounds: &DistanceBounds) -> bool {
-        bounds.low >= self.goal.reach
+    pub(super) fn is_close(&self, bounds: &DistanceBounds) -> bool {
+        self.asked.is_some() && bounds.low >= self.goal.reach
             || bounds.high - bounds.low <= self.goal.relative * bounds.high
     }
 
@@ -378,7 +323,9 @@ impl Inspector {
         if is_far && field.local(p.near).excludes(reach) {
             known.bounds.low = self.goal.reach;
             known.inside = Some(false);
-            return known;
+            if self.asked.is_some() {
+                return known;
+            }
         }
         let sign = field.sign(p.near);
         if sign == 0 && p.slack <= 0.0 {
@@ -403,7 +350,7 @@ impl Inspector {
     }
 
     /// Adds bounds that hold for the doubles; `slack` makes them hold for the exact point.
-    fn learn(&self, known: &mut PartialInspection, found: DistanceBounds, slack: f64) {
+    pub(super) fn learn(&self, known: &mut PartialInspection, found: DistanceBounds, slack: f64) {
         let low = Interval::from(found.low) - Interval::from(slack);
         let high = Interval::from(found.high) + Interval::from(slack);
         known.bounds.low = known.bounds.low.max(low.low());
@@ -440,7 +387,7 @@ impl Inspector {
         let mut goal = self.goal;
         goal.reach = self.reach_from(p);
         goal.tolerance = (Interval::from(goal.tolerance) + Interval::from(p.slack)).high();
-        goal.cubes = (goal.cubes * CUBE_WORK / field.work()).clamp(goal.cubes.min(64), goal.cubes);
+        goal.cubes = self.cubes_for(field);
         let near_sign = field.sign(p.near);
         let slack = Interval::from(p.slack);
         let outer = DistanceBounds {
@@ -452,6 +399,16 @@ impl Inspector {
         if known.inside.is_none() && self.is_exact_possible(field) {
             self.by_proof(field, p, &found.left, sign, known);
         }
+    }
+
+    pub(super) fn factors(&self) -> &[Field] {
+        &self.factors
+    }
+
+    /// The number of cubes that may be divided for a factor.
+    pub(super) fn cubes_for(&self, field: &Field) -> usize {
+        let all = self.goal.cubes;
+        (all * CUBE_WORK / field.work()).clamp(all.min(64), all)
     }
 
     /// Whether exact expansions are possible. They have as many coefficients as f has monomials, with longer and longer
@@ -496,4 +453,16 @@ impl Inspector {
             None => {}
         }
     }
+}
+
+/// The sign of a polynomial at a point whose distance from its zeros is known within these bounds.
+fn sign_of(field: &Field, p: &Point, bounds: &DistanceBounds) -> i8 {
+    if bounds.high <= 0.0 {
+        return 0;
+    }
+    if bounds.low > p.slack {
+        // There is no zero between the point and its doubles.
+        return field.sign(p.near);
+    }
+    field.polynomial().evaluate(p.exactly()).signum()
 }

@@ -18,8 +18,8 @@ proptest! {
         prop_assume!(near > 1e-6);
         let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
         let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
-        let options = InspectOptions::new(rational(tolerance)).reach(8.0).digits(14).cubes(1000);
-        let inspector = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none()).unwrap();
+        let options = InspectOptions::new(rational(tolerance)).reach(Some(8.0)).digits(14).cubes(1000);
+        let inspector = Inspector::new(Kind::Surface, vec![(plane, 1)], &options, &Limits::none()).unwrap();
         let doubles = p.each_ref().map(Rational::to_f64);
         for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
             let is_inside = distance <= rational(tolerance);
@@ -36,10 +36,10 @@ proptest! {
 #[test]
 fn what_is_no_double_is_undecided() {
     let plane = SparsePolynomial::<3>::variable(0);
-    let options = InspectOptions::new(Rational::one()).reach(1.0);
+    let options = InspectOptions::new(Rational::one()).reach(Some(1.0));
     let inspector = Inspector::new(
         Kind::Surface,
-        vec![plane.clone()],
+        vec![(plane.clone(), 1)],
         &options,
         &Limits::none(),
     )
@@ -47,7 +47,7 @@ fn what_is_no_double_is_undecided() {
     let far = Rational::from(10).pow(400).unwrap();
     let found = inspector.inspect(&[far, Rational::zero(), Rational::zero()]);
     assert_eq!(found, Inspection::UNKNOWN);
-    let options = options.reach(f64::INFINITY);
-    let refused = Inspector::new(Kind::Surface, vec![plane], &options, &Limits::none());
+    let options = options.reach(Some(f64::INFINITY));
+    let refused = Inspector::new(Kind::Surface, vec![(plane, 1)], &options, &Limits::none());
     assert!(matches!(refused, Err(Error::Usage(_))));
 }

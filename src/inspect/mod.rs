@@ -18,14 +18,18 @@ mod criterion;
 mod curve;
 mod distance;
 mod exact;
+mod far;
 mod foot;
 mod gap;
 mod inspector;
+mod known;
 mod patch;
 mod proof;
+mod side;
 mod sphere;
 mod squared_distance;
 mod summary;
+mod winding;
 
 #[cfg(feature = "pictures")]
 pub(crate) use chart::sphere_about;
@@ -35,7 +39,8 @@ pub use curve::CurveInspector;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
 pub use inspector::{InspectOptions, Inspector};
 pub use patch::PatchInspector;
-pub use summary::{InspectedPoint, InspectionSummary, Section};
+pub(crate) use side::{PlanePoint, Sides};
+pub use summary::{CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section};
 
 use std::fmt;
 
@@ -117,6 +122,12 @@ pub struct Inspection {
     pub curve: Option<bool>,
     /// Bounds of the distance.
     pub distance: DistanceBounds,
+    /// The side of the form on which the point is: 0 on it, −1 inside, 1 outside; `None` for a form without sides, and for a point
+    /// of which it is not known.
+    ///
+    /// For an equation it is the sign of its polynomial, whose first term is positive. Inside a closed plane curve with a
+    /// parameter are the points around which it winds an odd number of times; for a radius r > 0, these have ρ < r.
+    pub sign: Option<i8>,
 }
 
 impl Inspection {
@@ -125,5 +136,6 @@ impl Inspection {
         verdict: Verdict::Undecided,
         curve: None,
         distance: DistanceBounds::UNKNOWN,
+        sign: None,
     };
 }

@@ -102,6 +102,7 @@ impl PatchInspector {
                 _ => None,
             },
             distance: DistanceBounds { low, high }.given(verdict, &self.tolerance),
+            sign: None,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Inspected points, and the numbers of points with each verdict.
 
-use super::{Inspection, Verdict};
+use super::{DistanceBounds, Inspection, Verdict};
 use crate::parametrize::AngleRange;
 
 /// A point as it was given, with the result of its inspection.
@@ -9,6 +9,8 @@ use crate::parametrize::AngleRange;
 pub struct InspectedPoint<'a> {
     /// The coordinates as they were written, two or three.
     pub written: &'a [&'a str],
+    /// The fields of other columns of its row.
+    pub others: &'a [&'a str],
     /// The verdict, the paper's criterion and the bounds of the distance.
     pub inspection: Inspection,
     /// The section of Theorem 8 about the point.
@@ -27,7 +29,31 @@ pub enum Section {
     At(Vec<AngleRange>),
 }
 
-/// The numbers of points with each verdict.
+/// A point of a table, by its row counted from 1, and the bounds of its distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowDistance {
+    /// The row.
+    pub row: usize,
+    /// The bounds.
+    pub distance: DistanceBounds,
+}
+
+/// The number of classes of a [`Histogram`] within the tolerance, on both sides together.
+pub const CLASSES: usize = 10;
+
+/// How many points have a signed distance s from the form, in parts of the tolerance D: negative inside, positive outside, and
+/// positive for a form without sides.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Histogram {
+    /// The number of points with s < −D.
+    pub below: usize,
+    /// The numbers with −D + 2Dk/10 ≤ s < −D + 2D(k + 1)/10, for k = 0 … 9; s = D belongs to the last one.
+    pub within: [usize; CLASSES],
+    /// The number of points with s > D.
+    pub above: usize,
+}
+
+/// The numbers of points with each verdict, and their distances.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct InspectionSummary {
@@ -42,13 +68,23 @@ pub struct InspectionSummary {
     pub enclosed: usize,
     /// The number of rows that are no points and were skipped.
     pub bad: usize,
-    /// The row of the farthest point, counted from 1, and a lower bound of its distance.
-    pub worst: Option<(usize, f64)>,
+    /// The point with the smallest upper bound of the distance.
+    pub nearest: Option<RowDistance>,
+    /// The point with the largest lower bound of the distance.
+    pub farthest: Option<RowDistance>,
+    /// The largest upper bound of a distance.
+    pub largest: f64,
+    /// The signed distances.
+    pub histogram: Histogram,
+    /// The number of points with a known distance, and the sums of the middles of their bounds: of the distances, of their
+    /// squares, and of the signed distances.
+    measured: usize,
+    sums: [f64; 3],
 }
 
 impl InspectionSummary {
-    /// Counts a point.
-    pub fn add(&mut self, row: usize, found: &Inspection) {
+    /// Counts a point; `tolerance` is the double nearest to the tolerance.
+    pub fn add(&mut self, row: usize, found: &Inspection, tolerance: f64) {
         match found.verdict {
             Verdict::Inside => self.inside += 1,
             Verdict::Outside => self.outside += 1,
@@ -57,28 +93,135 @@ impl InspectionSummary {
         if found.verdict == Verdict::Inside && found.curve == Some(false) {
             self.enclosed += 1;
         }
-        if self.worst.is_none_or(|(_, low)| found.distance.low > low) {
-            self.worst = Some((row, found.distance.low));
+        let distance = found.distance;
+        let this = Some(RowDistance { row, distance });
+        self.take(this, this, distance.high);
+        if distance.high.is_finite() {
+            let middle = f64::midpoint(distance.low, distance.high);
+            let signed = f64::from(found.sign.unwrap_or(1)) * middle;
+            self.measured += 1;
+            for (sum, value) in self.sums.iter_mut().zip([middle, middle * middle, signed]) {
+                *sum += value;
+            }
+            self.histogram.add(signed / tolerance, found.verdict);
         }
     }
 
-    /// Adds the counts of later rows.
+    fn take(&mut self, nearest: Option<RowDistance>, farthest: Option<RowDistance>, largest: f64) {
+        let known = |at: &Option<RowDistance>, of: fn(&DistanceBounds) -> f64| {
+            at.as_ref().map(|at| of(&at.distance))
+        };
+        let [high, low]: [fn(&DistanceBounds) -> f64; 2] = [|d| d.high, |d| d.low];
+        if known(&nearest, high) < known(&self.nearest, high) || self.nearest.is_none() {
+            self.nearest = nearest;
+        }
+        if known(&farthest, low) > known(&self.farthest, low) {
+            self.farthest = farthest;
+        }
+        self.largest = self.largest.max(largest);
+    }
+
+    /// Adds later rows.
     pub fn join(&mut self, later: &Self) {
         self.inside += later.inside;
         self.outside += later.outside;
         self.undecided += later.undecided;
         self.enclosed += later.enclosed;
         self.bad += later.bad;
-        if let Some((row, low)) = later.worst
-            && self.worst.is_none_or(|(_, known)| low > known)
-        {
-            self.worst = Some((row, low));
+        if later.nearest.is_some() {
+            self.take(later.nearest, later.farthest, later.largest);
         }
+        self.measured += later.measured;
+        for (sum, value) in self.sums.iter_mut().zip(later.sums) {
+            *sum += value;
+        }
+        self.histogram.join(&later.histogram);
     }
 
     /// The number of points.
     #[must_use]
     pub fn points(&self) -> usize {
         self.inside + self.outside + self.undecided
+    }
+
+    /// The mean of the distances, the root of the mean of their squares, and the mean of the signed distances; approximate, and of
+    /// the points whose distance is known. `None` if there are none.
+    #[must_use]
+    pub fn means(&self) -> Option<[f64; 3]> {
+        #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
+        let count = self.measured as f64;
+        let [sum, squares, signed] = self.sums;
+        (self.measured > 0).then(|| [sum / count, (squares / count).sqrt(), signed / count])
+    }
+}
+
+impl Histogram {
+    /// Counts a signed distance, in parts of the tolerance.
+    fn add(&mut self, part: f64, verdict: Verdict) {
+        // The verdict is exact, and the quotient is not.
+        let part = match verdict {
+            Verdict::Inside => part.clamp(-1.0, 1.0),
+            Verdict::Outside if part < 0.0 => f64::NEG_INFINITY,
+            Verdict::Outside => f64::INFINITY,
+            Verdict::Undecided => part,
+        };
+        if part < -1.0 {
+            self.below += 1;
+        } else if part > 1.0 {
+            self.above += 1;
+        } else {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "the number is from 0 to 10"
+            )]
+            let class = ((part + 1.0) / 2.0 * 10.0) as usize;
+            self.within[class.min(CLASSES - 1)] += 1;
+        }
+    }
+
+    fn join(&mut self, later: &Self) {
+        self.below += later.below;
+        self.above += later.above;
+        for (count, more) in self.within.iter_mut().zip(later.within) {
+            *count += more;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(verdict: Verdict, distance: f64, sign: Option<i8>) -> Inspection {
+        Inspection {
+            verdict,
+            curve: Some(false),
+            distance: DistanceBounds {
+                low: distance,
+                high: distance,
+            },
+            sign,
+        }
+    }
+
+    #[test]
+    fn distances_are_summed_up() {
+        let mut first = InspectionSummary::default();
+        first.add(1, &found(Verdict::Inside, 0.5, Some(-1)), 1.0);
+        first.add(2, &found(Verdict::Outside, 3.0, Some(1)), 1.0);
+        let mut later = InspectionSummary::default();
+        later.add(3, &found(Verdict::Inside, 1.0, Some(1)), 1.0);
+        later.add(4, &found(Verdict::Outside, 2.0, Some(-1)), 1.0);
+        first.join(&later);
+        let rows = [first.nearest, first.farthest].map(|at| at.unwrap().row);
+        assert_eq!((rows, first.largest), ([1, 2], 3.0));
+        let [mean, rms, signed] = first.means().unwrap();
+        assert_eq!((mean, signed), (6.5 / 4.0, 1.5 / 4.0));
+        assert!((rms * rms - 14.25 / 4.0).abs() < 1e-12);
+        let histogram = first.histogram;
+        assert_eq!((histogram.below, histogram.above), (1, 1));
+        assert_eq!(histogram.within, [0, 0, 1, 0, 0, 0, 0, 0, 0, 1]);
+        assert_eq!(InspectionSummary::default().means(), None);
     }
 }

@@ -18,7 +18,6 @@ mod data;
 mod document;
 mod entry;
 mod formula;
-pub(crate) mod html;
 mod identity;
 mod mathml;
 mod question;

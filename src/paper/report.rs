@@ -1,15 +1,14 @@
-//! Writes the whole paper as one page of HTML. The page needs no network and no script, and can be read on a phone, on paper,
-//! on light and on dark screens. It is also well-formed XML.
+//! Writes the whole paper as one page of HTML.
 
 use std::io::Write;
 
 use super::appendix::Appendix;
 use super::document::unexpected;
 use super::entry::{Entry, EntryVerdict, Outcome};
-use super::html::{escaped, write_picture};
 use super::mathml;
 use super::text::{Text, unbroken};
 use crate::error::Result;
+use crate::html::{begin_page, end_page, escaped, write_picture};
 
 /// A figure of the report.
 #[derive(Clone, Debug)]
@@ -25,8 +24,6 @@ pub struct ReportFigure {
     pub svg: String,
 }
 
-const STYLE: &str = include_str!("report.css");
-
 /// The digital object identifier of the paper.
 const DOI: &str = "10.1006/cviu.2000.0881";
 
@@ -41,13 +38,11 @@ pub fn write_report(
     date: &str,
     out: &mut dyn Write,
 ) -> Result<()> {
+    let title = "The paper, statement by statement";
+    begin_page(title, "To the statements", out)?;
     write!(
         out,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <meta name=\"color-scheme\" content=\"light dark\"/>\n\
-         <title>The paper, statement by statement</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <a class=\"skip\" href=\"#content\">To the statements</a>\n<header>\n\
+        "<header>\n\
          <h1>The paper, statement by statement</h1>\n\
          <p>Ünsalan &amp; Erçil, <cite>Conversions between Parametric and Implicit Forms Using Polar/Spherical \
          Coordinate Representations</cite>, Computer Vision and Image Understanding 81, 1–25 (2001), \
@@ -82,7 +77,8 @@ pub fn write_report(
         appendix.write_section(out)?;
     }
     write_times(entries, out)?;
-    Ok(writeln!(out, "</main>\n</body>\n</html>")?)
+    writeln!(out, "</main>")?;
+    Ok(end_page(out)?)
 }
 
 /// Writes the number, the colour and the meaning of each verdict, and how to read the evidence.

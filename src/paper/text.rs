@@ -3,8 +3,8 @@
 
 use std::fmt;
 
-use super::html::escaped;
 use super::typeset;
+use crate::html::escaped;
 
 /// A text that may contain formulas and code. `Display` writes it plainly.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -4,8 +4,8 @@
 //! symbol or the parenthesis that follows; characters such as ² are raised, too. `/` makes a fraction of what touches it on
 //! either side: `2 pq/(3s)` is 2 times pq over 3s.
 
-use super::html::escaped;
 use crate::error::Invariant;
+use crate::html::escaped;
 
 /// Names of functions; all other runs of letters are products of symbols.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "cot", "arccos"];

@@ -221,7 +221,7 @@ pub fn fit(given: Given, options: &FitOptions, work: &Work) -> Result<OutlineFit
 }
 
 /// Whether r > 0 for every angle: by values if they decide it, else exactly if the radius has few harmonics.
-fn is_positive_radius(radius: &FourierRadius, work: &Work) -> Result<Option<bool>> {
+pub(super) fn is_positive_radius(radius: &FourierRadius, work: &Work) -> Result<Option<bool>> {
     /// Roots of polynomials of higher degrees than twice this one take too long.
     const MOST_EXACT: usize = 256;
     let by_values = is_positive_by_values(radius, work.bounds())?;

@@ -1,16 +1,17 @@
 //! The verb `inspect`: points are compared with a form, by Theorem 8.
 
 use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
-use super::fit::exact_form;
+use super::fit::{exact_form, is_positive_radius};
 use super::{Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
-    PatchInspector, Section, SphereSection, Verdict,
+    CircleSection, CurveInspector, DistanceBounds, InspectOptions, Inspection, Inspector,
+    MAX_SECTION_WORK, PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict,
 };
+use crate::intervals::Interval;
 use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
@@ -29,8 +30,9 @@ options! {
         /// The tolerance: a point at this distance or less is inside.
         tolerance: Rational = Rational::one(),
         /// The search radius for the nearest point of the form; at least the tolerance. If no point of the form is within it,
-        /// the lower bound of the distance is this radius and the upper bound is infinite.
-        reach: f64 = 0.0,
+        /// the lower bound of the distance is this radius and the upper bound is infinite. By default the search goes on until the
+        /// nearest point is found.
+        reach: Option<f64> = None,
         /// The number of significant digits that the bounds of a distance should determine.
         digits: u32 = DIGITS,
         /// The number of cubes that may be divided for one point before the point is undecided.
@@ -76,6 +78,8 @@ enum Against {
 pub struct InspectionTask {
     subject: Subject,
     against: Against,
+    /// The sides of a closed plane curve that is not an equation.
+    sides: Option<Sides>,
     /// The number of coordinates of a point, 2 or 3.
     dimension: usize,
     tolerance: Rational,
@@ -139,6 +143,14 @@ pub fn inspect(
             }
         })
     })?;
+    let sides = match &subject {
+        Subject::Radius(radius) => {
+            let is_positive = is_positive_radius(radius, work)? == Some(true);
+            Some(Sides::of_radius(radius, is_positive, limits)?)
+        }
+        Subject::PlaneCurve(curve) => Sides::of_curve(curve, limits)?,
+        _ => None,
+    };
     let is_in_doubles_alone = match &against {
         Against::Equation(inspector) => inspector.is_in_doubles_alone(),
         Against::Patch(inspector) => inspector.is_in_doubles_alone(),
@@ -150,6 +162,7 @@ pub fn inspect(
     Ok(InspectionTask {
         subject,
         against,
+        sides,
         dimension,
         tolerance: options.tolerance.clone(),
         limits: limits.clone(),
@@ -227,7 +240,8 @@ impl InspectionTask {
             Against::Equation(inspector) => inspector.inspect(point),
             Against::Plane(inspector) => {
                 let [x, y, _] = point;
-                let found = inspector.inspect(&[x.clone(), y.clone()]);
+                let mut found = inspector.inspect(&[x.clone(), y.clone()]);
+                found.sign = self.side(&[x.clone(), y.clone()], &found.distance);
                 match self.dimension {
                     2 => found,
                     // The sphere meets the cylinder exactly if the distance of the point from it is at most the tolerance.
@@ -240,6 +254,25 @@ impl InspectionTask {
             Against::Space(inspector) => inspector.inspect(point),
             Against::Patch(inspector) => inspector.inspect(point),
         }
+    }
+
+    /// The side of a closed plane curve on which a point is.
+    fn side(&self, point: &[Rational; 2], distance: &DistanceBounds) -> Option<i8> {
+        let near = point.each_ref().map(Rational::to_f64);
+        let off = |i: usize| Some((Rational::try_from(near[i]).ok()? - &point[i]).abs());
+        // A point beyond the largest double is decided exactly.
+        let slack = match (off(0), off(1)) {
+            (Some(x), Some(y)) => Interval::narrowest(&(x + y)).high(),
+            _ => f64::INFINITY,
+        };
+        let exactly = || point.clone();
+        let sides = self.sides.as_ref()?;
+        let point = PlanePoint {
+            near,
+            slack,
+            exactly: &exactly,
+        };
+        Some(sides.sign(&point, distance))
     }
 
     /// Inspects a point whose nearest doubles are `near`. Its exact coordinates are computed only if they are needed.

@@ -89,7 +89,7 @@ enum Drawn<'a> {
 
 /// The cylinder over a plane curve, as high as the points reach.
 fn walls(lines: &[Vec<[f64; 2]>], points: &[KeptPoint]) -> SpaceLayer {
-    let heights = points.iter().map(|(p, _)| p[2]);
+    let heights = points.iter().map(|kept| kept.point[2]);
     let [low, high] = heights.fold([-1.0f64, 1.0f64], |[low, high], z| {
         [low.min(z), high.max(z)]
     });
@@ -109,10 +109,14 @@ fn dots(
     verdict: Verdict,
     tolerance: &Rational,
 ) -> Option<(String, Vec<[f64; 3]>)> {
-    let all = || points.iter().filter(|(_, found)| found.verdict == verdict);
+    let all = || {
+        points
+            .iter()
+            .filter(|kept| kept.inspection.verdict == verdict)
+    };
     let count = all().count();
     let step = count.div_ceil(MAX_DOTS).max(1);
-    let shown: Vec<[f64; 3]> = all().step_by(step).map(|(p, _)| *p).collect();
+    let shown: Vec<[f64; 3]> = all().step_by(step).map(|kept| kept.point).collect();
     let what = match verdict {
         Verdict::Inside => format!("inside: within {tolerance}"),
         Verdict::Outside => format!("outside: farther than {tolerance}"),
@@ -155,7 +159,7 @@ fn in_space_surface(
         ..SpaceLayer::default()
     };
     if points.len() <= FEW {
-        for (p, _) in points {
+        for KeptPoint { point: p, .. } in points {
             let lines = section_lines(surface, *p, task.tolerance(), work)?;
             section.lines.extend(lines);
         }
@@ -188,7 +192,7 @@ fn in_space_lines(
 /// A box around the points, with room for the tolerance.
 fn around(task: &InspectionTask, points: &[KeptPoint]) -> Option<Bounds> {
     let d = task.tolerance().to_f64();
-    box_around(points.iter().map(|(p, _)| p))
+    box_around(points.iter().map(|kept| &kept.point))
         .map(|b| b.map(|[low, high]| [low - 2.0 * d, high + 2.0 * d]))
 }
 
@@ -280,7 +284,7 @@ fn in_plane(
         });
     }
     if points.len() <= FEW {
-        let circle = |(p, _): &KeptPoint| -> Vec<[f64; 2]> {
+        let circle = |KeptPoint { point: p, .. }: &KeptPoint| -> Vec<[f64; 2]> {
             let angles =
                 (0..=CIRCLE).map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(CIRCLE));
             angles
@@ -298,7 +302,8 @@ fn in_plane(
         None => {
             let seen = points
                 .iter()
-                .flat_map(|(p, _)| [[p[0] - d, p[1] - d], [p[0] + d, p[1] + d]]);
+                .map(|kept| kept.point)
+                .flat_map(|p| [[p[0] - d, p[1] - d], [p[0] + d, p[1] + d]]);
             let mut seen: Vec<[f64; 2]> = seen.collect();
             let mut curves = Vec::new();
             match drawn {

@@ -52,6 +52,7 @@ mod plot;
 mod plot_options;
 #[cfg(feature = "pictures")]
 mod plot_space;
+mod point_layout;
 mod remark;
 mod rows;
 mod sample;

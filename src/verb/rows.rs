@@ -6,13 +6,14 @@ use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSlice;
 
 use super::inspect::InspectionTask;
+use super::point_layout::{PointLayout, Row, coordinate};
 use super::{Progress, Work};
-use crate::error::{Error, Invariant, Result};
-use crate::exact::{Rational, double_literal, exact_literal};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
 use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section};
 use crate::language::Numbers;
 use crate::options::options;
-use crate::rows::{RowReader, double, fields, fields_of, row_error};
+use crate::rows::{RowReader, fields, row_error};
 
 /// The number of rows that are in memory at a time.
 const CHUNK: usize = 1 << 15;
@@ -23,15 +24,24 @@ const FEW: usize = 16;
 /// The largest number of points that are kept.
 const MAX_KEPT: usize = 10_000_000;
 
-/// A point that is kept, as doubles, and its inspection.
-pub type KeptPoint = ([f64; 3], Inspection);
+/// A point that is kept, and its inspection.
+#[derive(Clone, Copy, Debug)]
+pub struct KeptPoint {
+    /// Its row, or its number, counted from 1.
+    pub row: usize,
+    /// The doubles nearest to its coordinates; z is 0 in the plane.
+    pub point: [f64; 3],
+    /// Its inspection.
+    pub inspection: Inspection,
+}
 
 /// The source of the points of an inspection.
 #[non_exhaustive]
 pub enum PointSource {
     /// Points that are given one by one, each as a text `x,y` or `x,y,z`.
     Texts(Vec<String>),
-    /// A table with rows `x,y` or `x,y,z`; the header is optional.
+    /// A table with rows `x,y` or `x,y,z`; the header is optional. If it names x and y, and z in space, the columns may be in any
+    /// order, and others beside them.
     Rows(PointRows),
 }
 
@@ -39,7 +49,7 @@ pub enum PointSource {
 pub struct PointRows {
     place: String,
     size: u64,
-    dimension: usize,
+    layout: PointLayout,
     reader: Box<dyn BufRead>,
 }
 
@@ -96,7 +106,7 @@ impl std::fmt::Debug for PointRows {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("PointRows")
             .field("place", &self.place)
-            .field("dimension", &self.dimension)
+            .field("layout", &self.layout)
             .finish_non_exhaustive()
     }
 }
@@ -105,20 +115,25 @@ impl PointRows {
     /// A table from a reader. `place` names it in messages; `size` is about its number of bytes, or 0 if that is not known.
     ///
     /// # Errors
-    /// [`Error::Io`] if reading fails.
+    /// [`Error::Io`] if reading fails; [`Error::Data`] if it is not known which of the columns are coordinates.
     pub fn new(mut reader: Box<dyn BufRead>, place: &str, size: u64) -> Result<Self> {
         let buffer = reader.fill_buf().map_err(|source| Error::Io {
             path: place.into(),
             source,
         })?;
-        let text = String::from_utf8_lossy(buffer);
-        let mut rows = text.trim_start_matches('\u{feff}').lines().map(str::trim);
-        let first = rows.find(|row| !row.is_empty() && !row.starts_with('#'));
-        let is_flat = first.is_some_and(|row| fields(row).count() == 2);
+        let mut rows = RowReader::new(buffer, place, "x,y,z");
+        // A row that is longer than the buffer is refused later.
+        let first = rows.next_row().ok().flatten();
+        let first = first.map(|(number, row)| (number, row.to_owned()));
+        let layout = match first {
+            Some((number, first)) => PointLayout::of(rows.header(), &first)
+                .map_err(|message| row_error(place, number, message))?,
+            None => PointLayout::plain(3),
+        };
         Ok(Self {
             place: place.into(),
             size,
-            dimension: if is_flat { 2 } else { 3 },
+            layout,
             reader,
         })
     }
@@ -146,7 +161,23 @@ impl PointSource {
                         .map(|()| count),
                 }
             }
-            Self::Rows(rows) => Ok(rows.dimension),
+            Self::Rows(rows) => Ok(rows.layout.dimension()),
+        }
+    }
+
+    fn layout(&self) -> Result<PointLayout> {
+        match self {
+            Self::Texts(_) => Ok(PointLayout::plain(self.dimension()?)),
+            Self::Rows(rows) => Ok(rows.layout.clone()),
+        }
+    }
+
+    /// The names of the columns of a table that are no coordinates.
+    #[must_use]
+    pub fn other_names(&self) -> Vec<String> {
+        match self {
+            Self::Texts(_) => Vec::new(),
+            Self::Rows(rows) => rows.layout.other_names().map(str::to_owned).collect(),
         }
     }
 
@@ -165,72 +196,6 @@ impl PointSource {
     }
 }
 
-/// A row with the texts of its fields.
-struct Row<'a> {
-    fields: [&'a str; 3],
-    dimension: usize,
-    numbers: Numbers,
-    /// The nearest doubles of the coordinates; z is 0 in the plane.
-    near: [f64; 3],
-}
-
-impl<'a> Row<'a> {
-    fn new(text: &'a str, dimension: usize, numbers: Numbers) -> std::result::Result<Self, String> {
-        let expected = columns(dimension);
-        let found = if dimension == 2 {
-            let [x, y] = fields_of(text, expected)?;
-            [x, y, ""]
-        } else {
-            fields_of(text, expected)?
-        };
-        let mut near = [0.0; 3];
-        for (value, field) in near.iter_mut().zip(found).take(dimension) {
-            *value = coordinate(field).map_err(|m| format!("{m}; each row must be {expected}"))?;
-        }
-        Ok(Self {
-            fields: found,
-            dimension,
-            numbers,
-            near,
-        })
-    }
-
-    /// The exact coordinates: those that are written, or those of the doubles.
-    fn exactly(&self) -> [Rational; 3] {
-        std::array::from_fn(|i| {
-            let read = match self.numbers {
-                _ if i >= self.dimension => return Rational::zero(),
-                Numbers::Exact => exact_literal(self.fields[i]),
-                Numbers::F64 => double_literal(self.fields[i]),
-            };
-            read.invariant("a field that was read as a double is a number")
-        })
-    }
-
-    fn inspected(&'a self, task: &InspectionTask, with_ranges: bool) -> Result<InspectedPoint<'a>> {
-        Ok(InspectedPoint {
-            written: &self.fields[..self.dimension],
-            inspection: task.point_near(self.near, &|| self.exactly()),
-            section: if with_ranges {
-                task.section(&self.exactly())?
-            } else {
-                Section::NotAsked
-            },
-        })
-    }
-}
-
-/// The double nearest to a coordinate, or the reason why its text is refused.
-fn coordinate(field: &str) -> std::result::Result<f64, String> {
-    let value = double(field)?;
-    if may_be_out_of_reach(field, value) && exact_literal(field).is_err() {
-        return Err(format!(
-            "{field} has an exponent that is too large to be read exactly"
-        ));
-    }
-    Ok(value)
-}
-
 /// Refuses the text of a point with a coordinate that is no number.
 fn check_numbers(text: &str) -> Result<()> {
     match fields(text).find_map(|field| coordinate(field).err()) {
@@ -239,15 +204,24 @@ fn check_numbers(text: &str) -> Result<()> {
     }
 }
 
-/// Whether the text of this double may have an exponent that is too large to be read exactly. A short text is within the limits
-/// if its double is normal.
-fn may_be_out_of_reach(field: &str, value: f64) -> bool {
-    const SHORT: usize = 100;
-    field.len() > SHORT || !value.is_normal() && field.contains(['e', 'E', 'p', 'P'])
-}
-
-fn columns(dimension: usize) -> &'static str {
-    if dimension == 2 { "x,y" } else { "x,y,z" }
+impl InspectionTask {
+    fn inspected<'r>(
+        &self,
+        row: &'r Row<'r>,
+        written: &'r [&'r str],
+        with_ranges: bool,
+    ) -> Result<InspectedPoint<'r>> {
+        Ok(InspectedPoint {
+            written,
+            others: &row.others,
+            inspection: self.point_near(row.near, &|| row.exactly()),
+            section: if with_ranges {
+                self.section(&row.exactly())?
+            } else {
+                Section::NotAsked
+            },
+        })
+    }
 }
 
 impl InspectionTask {
@@ -285,7 +259,7 @@ impl InspectionTask {
         let progress = work.progress("inspecting", points.size());
         let mut batch = Batch {
             task: self,
-            dimension: points.dimension()?,
+            layout: points.layout()?,
             with_ranges: reading.with_ranges && points.are_few(),
             reading,
             writer,
@@ -310,7 +284,7 @@ impl InspectionTask {
 
 struct Batch<'a> {
     task: &'a InspectionTask,
-    dimension: usize,
+    layout: PointLayout,
     with_ranges: bool,
     reading: &'a ReadingOptions,
     writer: &'a dyn PointWriter,
@@ -337,7 +311,7 @@ impl Batch<'_> {
         out: &mut dyn Write,
     ) -> Result<()> {
         let place = &source.place;
-        let mut rows = RowReader::new(source.reader, place, columns(self.dimension));
+        let mut rows = RowReader::new(source.reader, place, self.layout.expected());
         loop {
             let mut chunk = Vec::with_capacity(CHUNK);
             let mut bytes = 0;
@@ -358,11 +332,18 @@ impl Batch<'_> {
                     return Err(Error::data(place, message + &self.what_stands()));
                 }
                 Some(error) => return Err(error),
+                None if chunk.is_empty() && self.is_empty() => {
+                    return Err(Error::data(place, "there are no points in it"));
+                }
                 None if chunk.is_empty() => return Ok(()),
                 None => {}
             }
             progress.add(bytes);
         }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.summary.points() + self.summary.bad == 0
     }
 
     fn chunk(&mut self, rows: &[(usize, String)], place: &str, out: &mut dyn Write) -> Result<()> {
@@ -414,7 +395,7 @@ impl Batch<'_> {
         let mut share = Share::default();
         for (number, text) in rows {
             self.work.bounds().check()?;
-            let row = match Row::new(text, self.dimension, self.reading.numbers) {
+            let row = match self.layout.row(text, self.reading.numbers) {
                 Ok(row) => row,
                 Err(_) if self.reading.skip_bad => {
                     share.summary.bad += 1;
@@ -425,16 +406,24 @@ impl Batch<'_> {
                     break;
                 }
             };
-            let point = row.inspected(self.task, self.with_ranges)?;
+            let written = row.fields.each_ref().map(|field| &**field);
+            let written = &written[..self.layout.dimension()];
+            let point = self.task.inspected(&row, written, self.with_ranges)?;
             // An inspection that a limit has ended has no verdict.
             self.work.bounds().check()?;
             if share.summary.points() > 0 {
                 share.text.extend(self.writer.between());
             }
             self.writer.point(&point, &mut share.text)?;
-            share.summary.add(*number, &point.inspection);
+            share
+                .summary
+                .add(*number, &point.inspection, self.task.tolerance().to_f64());
             if self.reading.keep {
-                share.kept.push((row.near, point.inspection));
+                share.kept.push(KeptPoint {
+                    row: *number,
+                    point: row.near,
+                    inspection: point.inspection,
+                });
             }
         }
         Ok(share)

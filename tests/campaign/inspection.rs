@@ -204,7 +204,7 @@ fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
         format!("stellate inspect '{text}' --tolerance '{tolerance}' --point '{x},{y},{z}'");
     let reach = if draw.once_in(2) { 0.0 } else { 3.0 };
     let options = InspectOptions::new(our(&tolerance))
-        .reach(reach)
+        .reach(Some(reach))
         .cubes(20_000);
     let none = Limits::none();
     let inspector = match parse_form(&text, "<form>", Numbers::Exact).unwrap() {

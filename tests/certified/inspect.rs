@@ -11,7 +11,7 @@ use stellate::shape::Form;
 
 fn inspector_within(text: &str, tolerance: &Rational, reach: f64) -> Inspector {
     let options = InspectOptions::new(tolerance.clone())
-        .reach(reach)
+        .reach(Some(reach))
         .cubes(20_000);
     match parse_form(text, "<form>", Numbers::Exact).unwrap() {
         Form::Surface(surface) => Inspector::surface(&surface, &options, &Limits::none()),

@@ -28,7 +28,7 @@ fn a_point_has_a_row_and_the_verdict_is_the_exit_code() {
     assert!(row.starts_with("0.66,0.88,0,inside,true,"), "{row}");
     assert_eq!(
         touching.out.lines().next().unwrap(),
-        "x,y,z,verdict,curve,distance_low,distance_high"
+        "x,y,z,verdict,curve,distance_low,distance_high,sign"
     );
     assert!(
         touching
@@ -37,14 +37,16 @@ fn a_point_has_a_row_and_the_verdict_is_the_exit_code() {
     );
     let outside = run("0.66,0.8800000000000000000001,0");
     assert_eq!(outside.code, 1);
-    // The largest double below 1/10, which 0.1 is not.
+    // The distance is more than 1/10 by less than a double can tell; the largest double below 1/10 is a lower bound.
+    let row = outside.out.lines().nth(1).unwrap();
+    let fields: Vec<&str> = row.split(',').collect();
+    assert_eq!(fields[3..5], ["outside", "false"], "{row}");
+    let [low, high] = [fields[5], fields[6]].map(|text| text.parse::<f64>().unwrap());
     assert!(
-        outside
-            .out
-            .ends_with(",outside,false,0.09999999999999999,inf\n"),
-        "{}",
-        outside.out
+        (0.099_999_9..0.1).contains(&low) && (0.1..0.100_000_1).contains(&high),
+        "{row}"
     );
+    assert_eq!(fields[7], "1");
     // The double nearest to 0.88 is a little less than 0.88.
     let double = run_in(
         here,
@@ -197,7 +199,9 @@ fn plane_curves_and_contours() {
     );
     let csv = done(&circle);
     assert!(
-        csv.starts_with("x,y,verdict,curve,distance_low,distance_high\n0.66,0.88,inside,true,"),
+        csv.starts_with(
+            "x,y,verdict,curve,distance_low,distance_high,sign\n0.66,0.88,inside,true,"
+        ),
         "{csv}"
     );
     // A Fourier radius goes through its equation; a center is taken into account.
@@ -214,6 +218,123 @@ fn plane_curves_and_contours() {
         "{}",
         run.out
     );
+}
+
+/// The side of every kind of form, and a distance for every point, however far away.
+#[test]
+fn points_have_a_side_and_a_distance() {
+    let at = |form: &str, point: &str| {
+        let arguments = [
+            "inspect",
+            form,
+            "--tolerance",
+            "0.1",
+            "--point",
+            point,
+            "--quiet",
+        ];
+        let run = run_in(Path::new("."), &arguments, "");
+        let row = run.out.lines().nth(1).unwrap().to_owned();
+        let fields: Vec<String> = row.split(',').map(str::to_owned).collect();
+        let [low, high] = [3, 2].map(|k| fields[fields.len() - k].parse::<f64>().unwrap());
+        (low, high, fields[fields.len() - 1].clone())
+    };
+    for (form, point, distance, side) in [
+        ("r = 1 + 1/5*cos(3*t)", "0,0", 0.8, "-1"),
+        ("r = 1 + 1/5*cos(3*t)", "100,0", 98.8, "1"),
+        ("x^2 + y^2 = 1", "3,4", 4.0, "1"),
+        ("1 - x^2 - y^2 = 0", "0,0.5", 0.5, "-1"),
+        ("x^2 + y^2 = 1", "0.6,0.8", 0.0, "0"),
+        ("x = 3*cos(t); y = 2*sin(t)", "0,1", 1.0, "-1"),
+        ("x = 3*cos(t); y = 2*sin(t)", "-7,0", 4.0, "1"),
+        ("x = t^2; y = t^3+t", "-1,0", 1.0, ""),
+        ("x = t; y = 0; z = 0", "0,3,4", 5.0, ""),
+        ("x^2 + y^2 + z^2 = 1", "0,0,50", 49.0, "1"),
+        ("(x^2+y^2-1)*((x-10)^2+y^2-1)", "5,0", 4.0, "1"),
+        ("superquadric 2d a=1,1 e=1/2", "3,0", 2.0, "1"),
+    ] {
+        let (low, high, found) = at(form, point);
+        assert_eq!(found, side, "{form} {point}");
+        assert!(
+            low <= distance && distance <= high,
+            "{form} {point}: {low} {high}"
+        );
+        assert!(
+            high - low <= 1e-5 * (1.0 + distance),
+            "{form} {point}: {low} {high}"
+        );
+    }
+}
+
+#[test]
+fn tables_may_have_other_columns() {
+    let run = |rows: &str, more: &[&str]| {
+        let all = [
+            &[
+                "inspect",
+                SPHERE,
+                "--tolerance",
+                "0.1",
+                "--points",
+                "-",
+                "--quiet",
+            ],
+            more,
+        ]
+        .concat();
+        run_in(Path::new("."), &all, rows)
+    };
+    let rows = "id,z,y,x,unit\n7,0.5,0,0,mm\n\"a, b\",0,0,2,mm\n";
+    let found = run(rows, &[]);
+    assert!(
+        found.out.contains("0,0,0.5,inside") || found.out.contains("0,0,0.5,outside"),
+        "{}",
+        found.out
+    );
+    assert!(
+        found.out.contains("\n2,0,0,outside,false,"),
+        "{}",
+        found.out
+    );
+    let kept = run(rows, &["--keep"]);
+    assert!(
+        kept.out
+            .starts_with("x,y,z,verdict,curve,distance_low,distance_high,sign,id,unit\n")
+    );
+    assert!(kept.out.ends_with(",1,\"a, b\",mm\n"), "{}", kept.out);
+    let document = json(&run(rows, &["--keep", "--format", "json"]).out);
+    assert_eq!(document["points"][0]["kept"]["id"], "7");
+    assert_eq!(document["points"][0]["sign"], -1);
+    assert_eq!(document["summary"]["histogram"]["above"], 1);
+    assert_eq!(document["summary"]["farthest"]["row"], 3);
+    for row in ["5;0;0", "5\t0\t0", "5 0 0", "5,0;0;0\n"] {
+        let found = run(row, &[]);
+        assert_eq!(
+            found.out.lines().count(),
+            2,
+            "{row}: {} {}",
+            found.out,
+            found.err
+        );
+        assert!(found.out.contains("outside"), "{row}");
+    }
+    for (rows, part) in [
+        ("", "there are no points in it"),
+        ("x,y,z\n# nothing\n", "there are no points in it"),
+        (
+            "1,2,3,4\n",
+            "the first row names x, y and z among other columns",
+        ),
+        ("id,x,y,z\n1,2,3\n", "the first row names 4"),
+    ] {
+        let found = run(rows, &[]);
+        assert!(
+            found.code == 2 && found.err.contains(part),
+            "{rows:?}: {}",
+            found.err
+        );
+        assert_eq!(found.out, "");
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! enclosed by branch and bound over their edges ([`hausdorff`]); a tree of boxes finds nearest edges ([`polygon`]).
 
 mod hausdorff;
+mod near;
 mod overlap;
 mod polygon;
 mod traced;
@@ -12,6 +13,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries, FourierRadius};
+pub(crate) use near::NearPolygon;
 pub(super) use polygon::Frame;
 use polygon::Polygon;
 use traced::Tracer;

@@ -37,7 +37,7 @@ impl Frame {
         Self::new([0.0; 2], size)
     }
 
-    fn new(middle: [f64; 2], size: f64) -> Self {
+    pub(super) fn new(middle: [f64; 2], size: f64) -> Self {
         let exponent =
             i32::try_from(exponent_of(size)).invariant("an exponent of a double is small");
         Self { middle, exponent }

@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::OutlineOptions;
 use super::columns::places_beside;
-use crate::rows::{columns_text, double, fields_between, is_missing};
+use crate::rows::{Separator, columns_text, double, is_missing, plain_name};
 
 /// The columns of a row, for messages.
 pub(super) const COLUMNS: &str = "x,y";
@@ -17,15 +17,6 @@ const NAMES: [&[&str]; 2] = [
 /// Names of columns that are no coordinates in the plane.
 const ANGLES: [&str; 6] = ["theta", "angle", "phi", "azimuth", "deg", "degrees"];
 const RADII: [&str; 4] = ["r", "radius", "rho", "distance"];
-
-/// How the fields of a row are separated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Separator {
-    Comma,
-    Semicolon,
-    Tab,
-    Blanks,
-}
 
 /// The layout of the rows of a file.
 #[derive(Debug)]
@@ -172,47 +163,10 @@ impl Layout {
     }
 }
 
-impl Separator {
-    /// A semicolon or a tab wherever there is one; blanks between numbers that have decimal commas, or no comma at all.
-    fn of(row: &str) -> Self {
-        let mut words = row.split_whitespace();
-        let has_several = words.clone().count() > 1;
-        let mut has_decimal_commas =
-            || words.all(|word| double(&word.replacen(',', ".", 1)).is_ok());
-        if row.contains(';') {
-            Self::Semicolon
-        } else if row.contains('\t') {
-            Self::Tab
-        } else if has_several && (!row.contains(',') || has_decimal_commas()) {
-            Self::Blanks
-        } else {
-            Self::Comma
-        }
-    }
-
-    fn split(self, row: &str) -> Box<dyn Iterator<Item = &str> + '_> {
-        match self {
-            Self::Comma => Box::new(fields_between(row, ',')),
-            Self::Semicolon => Box::new(fields_between(row, ';')),
-            Self::Tab => Box::new(fields_between(row, '\t')),
-            Self::Blanks => Box::new(row.split_whitespace()),
-        }
-    }
-}
-
 /// The number of fields, without empty ones behind the second.
 fn filled(fields: &[&str]) -> usize {
     let last = fields.iter().rposition(|field| !field.is_empty());
     last.map_or(0, |last| last + 1).max(fields.len().min(2))
-}
-
-/// The name of a column in small letters, without its unit: `X (mm)` and `x_mm` are x.
-fn plain_name(name: &str) -> String {
-    let letters = name.trim().split(|c: char| !c.is_alphanumeric());
-    letters
-        .map(str::to_lowercase)
-        .find(|part| !part.is_empty())
-        .unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -1,7 +1,27 @@
-//! Texts and pictures in a page of HTML.
+//! Pages of HTML, with texts and pictures in them. A page needs no network and no script, and can be read on a phone, on paper, on
+//! light and on dark screens. It is also well-formed XML.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
+
+const STYLE: &str = include_str!("page.css");
+
+/// Begins a page, with a link past its head, which `skip` names.
+pub(crate) fn begin_page(title: &str, skip: &str, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+         <meta name=\"color-scheme\" content=\"light dark\"/>\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <a class=\"skip\" href=\"#content\">{skip}</a>"
+    )
+}
+
+/// Ends a page.
+pub(crate) fn end_page(out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "</body>\n</html>")
+}
 
 /// Begins a figure. The page contains its picture, and `words` describe it for those who do not see it.
 pub(crate) fn write_picture(words: &str, svg: &str, out: &mut dyn Write) -> io::Result<()> {

@@ -1,0 +1,247 @@
+//! The report of an inspection: one page of HTML that needs no network and no script.
+
+use std::io::Write;
+
+use super::json::{Number, text_of};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::html::{begin_page, end_page, escaped, write_picture};
+use crate::inspect::{CLASSES, InspectionSummary, RowDistance};
+use crate::verb::KeptPoint;
+
+/// The number of points in the table of the worst ones.
+const WORST: usize = 20;
+
+/// What a report says besides the points.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct ReportHead {
+    /// The form, as it was given.
+    pub form: String,
+    /// The tolerance.
+    pub tolerance: Rational,
+    /// The name of a point's number, such as `row`.
+    pub number: &'static str,
+    /// The command that makes the report.
+    pub command: String,
+    /// The day of the report, such as `2001-12-31`.
+    pub date: String,
+}
+
+impl ReportHead {
+    /// A report about this form with this tolerance, without a command and a day.
+    #[must_use]
+    pub fn new(form: impl Into<String>, tolerance: Rational) -> Self {
+        Self {
+            form: form.into(),
+            tolerance,
+            number: "point",
+            command: String::new(),
+            date: String::new(),
+        }
+    }
+}
+
+/// Writes the report: the numbers, the map of the points as SVG, the histogram, the worst points, what is certified, and how to
+/// repeat it.
+///
+/// ```
+/// use stellate::document::{ReportHead, write_inspection_report};
+/// use stellate::inspect::InspectionSummary;
+/// let head = ReportHead::new("x^2 + y^2 = 1", "1/10".parse()?);
+/// let mut page = Vec::new();
+/// write_inspection_report(&head, &InspectionSummary::default(), &[], "<svg/>", &mut page)?;
+/// assert!(String::from_utf8_lossy(&page).contains("<h2 id=\"summary\">Summary</h2>"));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_inspection_report(
+    head: &ReportHead,
+    summary: &InspectionSummary,
+    points: &[KeptPoint],
+    map: &str,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let form = escaped(&head.form);
+    begin_page("Report of an inspection", "To the summary", out)?;
+    writeln!(
+        out,
+        "<header>\n<h1>Report of an inspection</h1>\n<p>{} compared with <code>{form}</code>, tolerance {}; computed by stellate {}\
+         {}.</p>\n</header>\n<main id=\"content\">",
+        count(summary.points(), "point", "points"),
+        escaped(&head.tolerance.to_string()),
+        env!("CARGO_PKG_VERSION"),
+        match head.date.as_str() {
+            "" => String::new(),
+            date => format!(" on <time datetime=\"{date}\">{date}</time>"),
+        }
+    )?;
+    write_summary(head, summary, out)?;
+    section("map", "The points by verdict", out)?;
+    write_picture(
+        "The form and the points: those inside in one colour, those outside in another one.",
+        map,
+        out,
+    )?;
+    writeln!(out, "</figure>\n</section>")?;
+    write_histogram(summary, out)?;
+    write_worst(head, points, out)?;
+    section("certified", "What is certified", out)?;
+    writeln!(
+        out,
+        "<ul>\n<li>Every verdict is exact: a point is inside if its distance is at most the tolerance, for the coordinates as they \
+         are written and the exact numbers of the form. {}</li>\n\
+         <li>Every distance is enclosed by proved bounds. The sign is exact: −1 inside the form, 1 outside, 0 on it.</li>\n\
+         <li>Means and the classes of the histogram are computed from the middles of these bounds, in doubles: they are \
+         approximate.</li>\n</ul>\n</section>",
+        match summary.undecided {
+            0 => "No point is undecided.".to_owned(),
+            n => format!(
+                "Of {} neither was proved; they are called undecided.",
+                count(n, "point", "points")
+            ),
+        }
+    )?;
+    if !head.command.is_empty() {
+        section("repeat", "How to repeat it", out)?;
+        writeln!(
+            out,
+            "<p><code>{}</code></p>\n</section>",
+            escaped(&head.command)
+        )?;
+    }
+    writeln!(out, "</main>")?;
+    Ok(end_page(out)?)
+}
+
+fn section(id: &str, title: &str, out: &mut dyn Write) -> Result<()> {
+    Ok(writeln!(
+        out,
+        "<section aria-labelledby=\"{id}\">\n<h2 id=\"{id}\">{title}</h2>"
+    )?)
+}
+
+fn count(n: usize, one: &str, several: &str) -> String {
+    match n {
+        1 => format!("1 {one}"),
+        n => format!("{n} {several}"),
+    }
+}
+
+fn write_summary(
+    head: &ReportHead,
+    summary: &InspectionSummary,
+    out: &mut dyn Write,
+) -> Result<()> {
+    section("summary", "Summary", out)?;
+    writeln!(out, "<table>")?;
+    let bounds = |at: &RowDistance| {
+        format!(
+            "{} {}: {} to {}",
+            head.number,
+            at.row,
+            shown(at.distance.low),
+            shown(at.distance.high)
+        )
+    };
+    let mut rows = vec![
+        ("inside", summary.inside.to_string()),
+        ("outside", summary.outside.to_string()),
+        ("undecided", summary.undecided.to_string()),
+        ("rows that are no points", summary.bad.to_string()),
+    ];
+    rows.extend(summary.nearest.as_ref().map(|at| ("nearest", bounds(at))));
+    rows.extend(summary.farthest.as_ref().map(|at| ("farthest", bounds(at))));
+    if let Some([mean, rms, signed]) = summary.means() {
+        rows.extend([
+            ("mean distance", format!("≈ {mean:.6e}")),
+            ("mean signed distance", format!("≈ {signed:.6e}")),
+            ("root of the mean square", format!("≈ {rms:.6e}")),
+        ]);
+    }
+    for (name, value) in rows {
+        writeln!(
+            out,
+            "<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>"
+        )?;
+    }
+    Ok(writeln!(out, "</table>\n</section>")?)
+}
+
+/// A bound as JSON writes it.
+fn shown(value: f64) -> String {
+    text_of(&Number(value)).trim_matches('"').to_owned()
+}
+
+/// Writes the classes of the signed distances as a table with bars.
+fn write_histogram(summary: &InspectionSummary, out: &mut dyn Write) -> Result<()> {
+    section("histogram", "Signed distances", out)?;
+    writeln!(
+        out,
+        "<p>Negative is inside the form; the classes are parts of the tolerance D.</p>\n<table class=\"bars\">"
+    )?;
+    let histogram = &summary.histogram;
+    let ends = |k: usize| {
+        let end = |k: usize| 2.0 * as_f64(k) / 10.0 - 1.0;
+        format!("{:.1} D to {:.1} D", end(k), end(k + 1))
+    };
+    let within = (0..CLASSES).map(|k| (ends(k), histogram.within[k]));
+    let classes: Vec<(String, usize)> = std::iter::once(("below −D".into(), histogram.below))
+        .chain(within)
+        .chain([("above D".into(), histogram.above)])
+        .collect();
+    let most = classes.iter().map(|(_, n)| *n).max().unwrap_or(0).max(1);
+    for (name, n) in classes {
+        let share = 100 * n / most;
+        writeln!(
+            out,
+            "<tr><th scope=\"row\">{}</th><td class=\"number\">{n}</td><td class=\"bar\"><span style=\"width:{share}%\"></span></td></tr>",
+            name.replace('-', "−")
+        )?;
+    }
+    Ok(writeln!(out, "</table>\n</section>")?)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "the number of a class")]
+fn as_f64(k: usize) -> f64 {
+    k as f64
+}
+
+/// Writes the points that are farthest away.
+fn write_worst(head: &ReportHead, points: &[KeptPoint], out: &mut dyn Write) -> Result<()> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    let low = |k: usize| points[k].inspection.distance.low;
+    order.sort_by(|&a, &b| low(b).total_cmp(&low(a)));
+    order.truncate(WORST);
+    if order.is_empty() {
+        return Ok(());
+    }
+    section("worst", "The worst points", out)?;
+    writeln!(
+        out,
+        "<div class=\"wide\" tabindex=\"0\">\n<table>\n<thead><tr><th>{}</th><th>x</th><th>y</th><th>z</th><th>verdict</th>\
+         <th>sign</th><th>distance</th></tr></thead>",
+        head.number
+    )?;
+    for k in order {
+        let KeptPoint {
+            row,
+            point,
+            inspection: found,
+        } = &points[k];
+        let [x, y, z] = point.map(shown);
+        let sign = found.sign.map_or(String::new(), |sign| sign.to_string());
+        writeln!(
+            out,
+            "<tr><td>{}</td><td class=\"number\">{x}</td><td class=\"number\">{y}</td><td class=\"number\">{z}</td><td>{}</td>\
+             <td class=\"number\">{sign}</td><td class=\"number\">{} to {}</td></tr>",
+            row,
+            found.verdict,
+            shown(found.distance.low),
+            shown(found.distance.high)
+        )?;
+    }
+    Ok(writeln!(out, "</table>\n</div>\n</section>")?)
+}

@@ -1,0 +1,119 @@
+//! Whether a closed plane curve winds an odd number of times around a point.
+
+use malachite::Integer;
+use malachite::base::polynomial::{Derivative, Polynomial};
+
+use super::DistanceBounds;
+use super::side::PlanePoint;
+use crate::error::{Invariant, Result};
+use crate::exact::Rational;
+use crate::fit::NearPolygon;
+use crate::limits::Limits;
+use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
+use crate::roots::real_roots;
+use crate::shape::{EllipticSeries, PlaneCurve};
+
+/// The numerators and the denominator of the two coordinates of a closed curve, and a polygon near it if it has one.
+#[derive(Debug)]
+pub(crate) struct Winding {
+    coordinates: [RationalFunction; 2],
+    polygon: Option<NearPolygon>,
+}
+
+impl Winding {
+    /// Whether no parameter, ∞ included, is a pole.
+    pub(super) fn is_closed(curve: &PlaneCurve) -> bool {
+        curve.coordinates().iter().all(|f| {
+            let length = |p: &IntegerPolynomial| p.coefficients_asc().len();
+            length(f.numerator()) <= length(f.denominator())
+                && real_roots(f.denominator()).is_empty()
+        })
+    }
+
+    /// The winding numbers of a closed curve.
+    pub(super) fn new(curve: &PlaneCurve, limits: &Limits) -> Result<Self> {
+        let polygon = match EllipticSeries::of_plane_curve(curve) {
+            Some(series) => NearPolygon::new(&series, limits)?,
+            None => None,
+        };
+        Ok(Self {
+            coordinates: curve.coordinates().clone(),
+            polygon,
+        })
+    }
+
+    /// −1 where the winding number is odd, else 1; 0 on the curve. The distance of the point from the curve is at least
+    /// `distance.low`.
+    pub(super) fn sign(&self, point: &PlanePoint<'_>, distance: &DistanceBounds) -> i8 {
+        let by_polygon = self
+            .polygon
+            .as_ref()
+            .and_then(|polygon| polygon.winds_oddly(point.near, distance.low - point.slack));
+        match by_polygon {
+            Some(true) => -1,
+            Some(false) => 1,
+            None => self.exactly(&(point.exactly)()),
+        }
+    }
+
+    /// The sign by the number of points in which a ray from the point crosses the curve. The first of a few directions is taken
+    /// in which the line through the point meets the curve only in simple crossings, not at the parameter ∞.
+    fn exactly(&self, point: &[Rational; 2]) -> i8 {
+        let [x, y] = [0, 1].map(|i| relative_to(&self.coordinates[i], &point[i]));
+        // The coordinates over a common denominator, which has no real zero and so one sign.
+        let common = x.1.clone() * &y.1;
+        let (x, y) = (x.0 * &y.1, y.0 * &x.1);
+        let length = |p: &IntegerPolynomial| p.coefficients_asc().len();
+        let longest = length(&common);
+        let is_positive = common.coefficients_asc().first().is_some_and(|c| *c > 0);
+        if is_zero_at_once(&x, &y, longest) {
+            return 0;
+        }
+        let count = (0i64..).find_map(|k| {
+            let (a, b) = (1 + k * k, 3 * k);
+            let across = times(&y, a) - times(&x, b);
+            let shared = polynomial_gcd(&across, &(&across).derivative());
+            if length(&across) < longest || !real_roots(&shared).is_empty() {
+                return None;
+            }
+            let along = times(&x, a) + times(&y, b);
+            let ahead = if is_positive { 1 } else { -1 };
+            let roots = real_roots(&across);
+            Some(
+                roots
+                    .iter()
+                    .filter(|root| root.sign_of(&along) == ahead)
+                    .count(),
+            )
+        });
+        let count =
+            count.invariant("finitely many lines through a point meet a curve in multiple points");
+        if count % 2 == 1 { -1 } else { 1 }
+    }
+}
+
+/// Whether two polynomials have a common real zero, ∞ included if both are shorter than `longest`.
+fn is_zero_at_once(x: &IntegerPolynomial, y: &IntegerPolynomial, longest: usize) -> bool {
+    let is_short = |p: &IntegerPolynomial| p.coefficients_asc().len() < longest;
+    let common = polynomial_gcd(x, y);
+    is_short(x) && is_short(y) || !real_roots(&common).is_empty()
+}
+
+/// The numerator and the denominator of f − c.
+fn relative_to(f: &RationalFunction, c: &Rational) -> (IntegerPolynomial, IntegerPolynomial) {
+    let (p, q) = (c.numerator(), c.denominator());
+    let scaled = |f: &IntegerPolynomial, by: &Integer| {
+        let coefficients = f.coefficients_asc().iter().map(|c| c * by);
+        IntegerPolynomial::from_coefficients_asc(coefficients.collect())
+    };
+    (
+        scaled(f.numerator(), &q) - scaled(f.denominator(), &p),
+        scaled(f.denominator(), &q),
+    )
+}
+
+fn times(f: &IntegerPolynomial, by: i64) -> IntegerPolynomial {
+    let by = Integer::from(by);
+    let coefficients = f.coefficients_asc().iter().map(|c| c * &by);
+    IntegerPolynomial::from_coefficients_asc(coefficients.collect())
+}
