@@ -26,7 +26,7 @@ pub(crate) use machine::Machine;
 pub(crate) use mobius::tests::bounded_integer;
 pub(crate) use mobius::{ShiftByOne, change_of_basis};
 pub(crate) use residues::{
-    Bases, LaneFields, Lanes, Lifting, Quartet, Residues, Sizes, for_each_quartet, minus, plus,
-    value_of_form, value_of_integers, value_of_rho,
+    Bases, Lanes, Lifting, Quartet, Residues, Sizes, for_each_quartet, minus, plus, value_of_form,
+    value_of_integers, value_of_rho,
 };
 pub(crate) use whole::{f64_from, u64_from};

@@ -11,11 +11,14 @@ use malachite::base::num::logic::traits::SignificantBits;
 use rayon::prelude::*;
 
 use super::characteristic::{Characteristic, Interpolation, Pair};
-use crate::bigint::{Lanes, Lifting, Machine, Quartet, Residues, Sizes};
+use crate::bigint::Machine;
 use crate::error::{Result, broken};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::modular::{PrimeField, large_primes};
+use crate::modular::{
+    Four, FourFields, PrimeField, ShortRemainders, four_fields, fours_for, imaginary_unit,
+    large_primes, multiplied,
+};
 use crate::poly::PlanePolynomial;
 use crate::shape::{EllipticSeries, FourierRadius};
 
@@ -58,25 +61,19 @@ impl Coordinate {
         sum
     }
 
-    /// The coefficients from the lowest one on, modulo four primes.
-    fn modulo(&self, quartet: &Quartet) -> Vec<Lanes> {
-        let (field, unit) = (quartet.field(), quartet.imaginary_unit());
-        let reduced =
-            |value: &Integer| field.reduced(field.residue(&value.to_twos_complement_limbs_asc()));
-        let pairs: Vec<[Lanes; 2]> = self
+    /// The coefficients from the lowest one on, modulo four primes with these square roots of −1.
+    fn modulo(&self, field: &FourFields, unit: Four) -> Vec<Four> {
+        let of = |value: &Integer| field.of(|field| field.reduce_integer(value));
+        let pairs: Vec<[Four; 2]> = self
             .waves
             .iter()
-            .map(|[a, b]| [reduced(a), field.reduced(field.times(reduced(b), unit))])
+            .map(|[a, b]| [of(a), field.times(of(b), unit)])
             .collect();
-        let below = pairs[1..]
-            .iter()
-            .rev()
-            .map(|[a, ib]| crate::bigint::plus(*a, *ib));
-        let above = pairs[1..]
-            .iter()
-            .map(|[a, ib]| crate::bigint::minus(*a, *ib));
-        let all = below.chain([pairs[0][0]]).chain(above);
-        all.map(|c| field.reduced(c)).collect()
+        let sum =
+            |sign: f64| move |[a, ib]: &[Four; 2]| field.reduced(multiplied([sign; 4], *ib, *a));
+        let below = pairs[1..].iter().rev().map(sum(1.0));
+        let above = pairs[1..].iter().map(sum(-1.0));
+        below.chain([pairs[0][0]]).chain(above).collect()
     }
 
     /// The value modulo a prime at the angle with tan(t/2) = 2, whose cosine is −3/5 and whose sine is 4/5.
@@ -102,7 +99,7 @@ impl Coordinate {
 }
 
 /// The resultant G(2D X, 2E Y), a constant times the k-th power of the equation for the tracing index k. `None` if a coordinate is
-/// constant, if a prime divides the leading coefficient of y, or if this machine has no fused products.
+/// constant, if this machine has no fused products, or if there are not enough short primes.
 ///
 /// **Lemma.** Modulo a prime p that does not divide |y_M|², G(u, v) = |y_M|^(2N) times the characteristic polynomial of Σ x_k z^k
 /// modulo z^M (Σ y_k z^k − v).
@@ -118,7 +115,7 @@ impl Coordinate {
 ///
 /// The coefficient of u^(2M−k) has at most the degree k N/M in v: the roots ρ grow at most as v^(1/M), and so do x(ρ) as v^(N/M).
 ///
-/// Cost: for each of 2N + 1 values of v and each prime of 50 bits, 8√2 M^(5/2) … products of residues.
+/// Cost: for each of 2N + 1 values of v and each prime of 25 bits, 8√2 M^(5/2) … products of residues.
 pub(super) fn resultant_of_series(
     series: &EllipticSeries,
     limits: &Limits,
@@ -133,21 +130,25 @@ pub(super) fn resultant_of_series(
         return Ok(None);
     }
     let bound = x.square_length().pow(half_u as u64) * y.square_length().pow(half_v as u64);
-    let quartets = Quartet::enough_for(bound.significant_bits() + 1);
+    let bits = bound.significant_bits() + 1;
     let [a, b] = &y.waves[half_u];
     let norm = a.square() + b.square();
-    if quartets.iter().any(|quartet| quartet.divides(&norm)) {
+    let is_good = |field: PrimeField| field.reduce_integer(&norm) != 0;
+    let Some(fields) = four_fields(fours_for(bits), is_good) else {
         return Ok(None);
-    }
-    let pairs: Vec<Pair> = quartets
-        .iter()
-        .map(|quartet| Pair::new(quartet, x.modulo(quartet), &y.modulo(quartet)))
+    };
+    let pairs: Vec<Pair> = fields
+        .par_iter()
+        .map(|field| {
+            let unit = field.of(imaginary_unit);
+            Pair::new(*field, x.modulo(field, unit), &y.modulo(field, unit))
+        })
         .collect();
     let values = 2 * half_v + 1;
-    let tasks: Vec<(usize, usize)> = (0..quartets.len())
+    let tasks: Vec<(usize, usize)> = (0..fields.len())
         .flat_map(|q| (0..values).map(move |v| (q, v)))
         .collect();
-    let polynomials: Vec<Vec<Lanes>> = tasks
+    let polynomials: Vec<Vec<Four>> = tasks
         .par_iter()
         .map(|&(q, v)| {
             limits.check()?;
@@ -164,35 +165,33 @@ pub(super) fn resultant_of_series(
     let terms: Vec<(usize, usize)> = (0..2 * half_u)
         .flat_map(|i| (0..=most(i)).map(move |j| (i, j)))
         .collect();
-    let residues: Vec<Residues> = quartets
+    let residues: Vec<Vec<[u64; 4]>> = fields
         .par_iter()
+        .zip(&pairs)
         .enumerate()
-        .map(|(q, quartet)| {
+        .map(|(q, (field, pair))| {
             limits.check()?;
-            let field = quartet.field();
-            let mut factor = [field.reduced(field.residue(&norm.to_twos_complement_limbs_asc()))];
-            field.raise(&mut factor, half_v as u64);
+            let power = |field: PrimeField| field.power(field.reduce_integer(&norm), half_v as u64);
+            let factor = field.of(power);
             let rows = &polynomials[q * values..(q + 1) * values];
             let mut all = Vec::with_capacity(terms.len());
             for i in 0..2 * half_u {
                 let values = rows[..=most(i)].iter().map(|row| row[i]).collect();
-                let pair = &pairs[q];
                 let found = machine.dispatch(Interpolation { pair, values });
-                all.extend(
-                    found
-                        .into_iter()
-                        .map(|c| field.reduced(field.times(c, factor[0]))),
-                );
+                let scaled = found.into_iter().map(|c| field.times(c, factor));
+                all.extend(scaled.map(|c| field.representatives(c)));
             }
-            Ok(Residues {
-                start: 0,
-                values: all,
-            })
+            Ok(all)
         })
         .collect::<Result<_>>()?;
-    let lifting = Lifting::new(machine, &quartets);
-    let sizes = Sizes::new(terms.len(), |_| bound.significant_bits() + 1);
-    let mut coefficients = lifting.integers(&sizes, residues);
+    let remainders = ShortRemainders::new(&fields);
+    let mut coefficients: Vec<Integer> = (0..terms.len())
+        .into_par_iter()
+        .map(|k| {
+            let residues: Vec<u64> = residues.iter().flat_map(|all| all[k]).collect();
+            remainders.integer(&residues)
+        })
+        .collect();
     coefficients.push(norm.pow(half_v as u64));
     let terms = terms.into_iter().chain([(2 * half_u, 0)]);
     let found = assemble(terms.zip(coefficients), [&x.scale, &y.scale]);

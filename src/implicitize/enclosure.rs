@@ -161,6 +161,14 @@ impl Enclosure {
         self.low == 0 && self.high == 0
     }
 
+    /// The number value/2^bits.
+    pub(super) fn fixed(value: &Integer) -> Self {
+        Self {
+            low: value.clone(),
+            high: value.clone(),
+        }
+    }
+
     pub(super) fn plus(&self, other: &Self) -> Self {
         Self {
             low: &self.low + &other.low,

@@ -3,6 +3,7 @@
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
+use super::conjugate::isolated_of_series;
 use super::eliminant::{deflated_resultant, pairs_of_poles};
 use super::enclosure::{Enclosure, Precision};
 use super::pair::{Coordinate, DoublePoints, Pair, are_poles, coordinate, has_value};
@@ -13,13 +14,14 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
 use crate::roots::{RealRoot, real_roots};
+use crate::shape::EllipticSeries;
 
 /// The numbers of bits after the point in the first attempt and in the last one.
 const FIRST_BITS: u64 = 384;
 const MOST_BITS: u64 = 1 << 13;
 
 /// A fraction of at most this length, in an interval of [`FIRST_BITS`], is tested exactly.
-const SHORT_BITS: u64 = 100;
+pub(super) const SHORT_BITS: u64 = 100;
 
 /// Changes of the parameter that are tried, `(a u + b)/(c u + d)` for s. After a change, two pairs of conjugate parameters that
 /// had the same sum have different sums.
@@ -61,14 +63,29 @@ pub enum IsolatedPoint {
 /// # Errors
 /// Those of `limits`.
 pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
-    let nothing = Isolated {
-        points: Vec::new(),
-        complete: true,
-    };
     if coordinates.iter().any(|f| f.degree() < 2) {
         // Different parameters have different points, so there is no isolated point.
-        return Ok(nothing);
+        return Ok(Isolated {
+            points: Vec::new(),
+            complete: true,
+        });
     }
+    if let Some(series) = EllipticSeries::of_functions(coordinates)
+        && let Some(found) = isolated_of_series(&series, coordinates, limits)?
+    {
+        return Ok(found);
+    }
+    isolated_by_resultants(coordinates, limits)
+}
+
+/// The isolated points, by resultants.
+///
+/// # Errors
+/// Those of `limits`.
+pub(super) fn isolated_by_resultants(
+    coordinates: [&RationalFunction; 2],
+    limits: &Limits,
+) -> Result<Isolated> {
     let mut best: Option<Isolated> = None;
     for change in CHANGES {
         let changed = coordinates.map(|f| changed(f, change));
@@ -81,7 +98,10 @@ pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> 
             _ => found,
         });
     }
-    Ok(best.unwrap_or(nothing))
+    Ok(best.unwrap_or(Isolated {
+        points: Vec::new(),
+        complete: true,
+    }))
 }
 
 /// The function f((a u + b)/(c u + d)) of u.

@@ -2,6 +2,7 @@
 
 mod beyond;
 mod characteristic;
+mod conjugate;
 mod eliminant;
 mod elliptic;
 mod enclosure;

@@ -14,6 +14,8 @@ mod prime_field;
 mod primes;
 mod random;
 mod reconstruction;
+mod short;
+mod short_remainders;
 
 pub(crate) use factors::{distinct_degrees, equal_degree};
 pub(crate) use hensel::lift;
@@ -25,3 +27,5 @@ pub(crate) use prime_field::PrimeField;
 pub(crate) use primes::large_primes;
 pub(crate) use random::SplitMix;
 pub(crate) use reconstruction::Reconstruction;
+pub(crate) use short::{Four, FourFields, four_fields, imaginary_unit, multiplied, negated};
+pub(crate) use short_remainders::{ShortRemainders, fours_for};

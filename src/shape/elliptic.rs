@@ -86,8 +86,12 @@ impl EllipticSeries {
     /// The series of a plane curve; `None` if its coordinates are not trigonometric polynomials of one angle.
     pub(crate) fn of_plane_curve(curve: &PlaneCurve) -> Option<Self> {
         curve.parameter().step()?;
-        let coordinates = curve.coordinates().each_ref().map(harmonics_of_function);
-        let [x, y] = coordinates;
+        Self::of_functions(curve.coordinates().each_ref())
+    }
+
+    /// The series of two functions of tan(t/2); `None` if they are not trigonometric polynomials of t.
+    pub(crate) fn of_functions(functions: [&RationalFunction; 2]) -> Option<Self> {
+        let [x, y] = functions.map(harmonics_of_function);
         let ([a, b], [c, d]) = (x?, y?);
         Some(Self::new([a, b, c, d]))
     }

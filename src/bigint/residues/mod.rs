@@ -20,7 +20,7 @@ mod quartet;
 mod shift;
 mod transform;
 
-pub(crate) use lanes::{LaneFields, Lanes, minus, plus};
+pub(crate) use lanes::{Lanes, minus, plus};
 pub(crate) use lifting::{Lifting, Residues, Sizes};
 pub(crate) use one_more_prime::{value_of_form, value_of_integers, value_of_rho};
 pub(crate) use quartet::{Quartet, for_each_quartet};

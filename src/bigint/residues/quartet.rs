@@ -41,23 +41,6 @@ impl Quartet {
             .invariant("a number of primes fits in memory")
     }
 
-    /// The integers modulo the four primes.
-    pub(crate) fn field(&self) -> LaneFields {
-        self.field
-    }
-
-    /// Square roots of −1, of at most p/2 + 1: powers of the roots of unity, whose order is 3 · 2^[`ORDER_BITS`].
-    pub(crate) fn imaginary_unit(&self) -> Lanes {
-        let power = self.field.power(self.root, 3 << (ORDER_BITS - 2));
-        self.field.reduced(power)
-    }
-
-    /// Whether one of the primes divides an integer.
-    pub(crate) fn divides(&self, value: &Integer) -> bool {
-        let residue = self.field.residue(&value.to_twos_complement_limbs_asc());
-        self.field.canonical(residue).contains(&0.0)
-    }
-
     /// The four primes.
     pub(super) fn primes(&self) -> [u64; 4] {
         self.field.p.map(u64_from)
@@ -121,23 +104,6 @@ mod tests {
     fn the_least_quartet_has_the_bits_that_are_said() {
         let least = Natural::from(LEAST).pow(4);
         assert_eq!(least.significant_bits(), BITS_OF_QUARTET + 1);
-    }
-
-    #[test]
-    fn imaginary_units_are_square_roots_of_minus_one() {
-        for quartet in Quartet::enough_for(3000) {
-            let (field, i) = (quartet.field(), quartet.imaginary_unit());
-            let square = field.canonical(field.times(i, i));
-            let expected = field.p.map(|p| p - 1.0);
-            assert!(
-                square
-                    .iter()
-                    .zip(expected)
-                    .all(|(a, b)| (a - b).abs() < 0.5)
-            );
-            let [p, ..] = quartet.primes();
-            assert!(quartet.divides(&Integer::from(p)) && !quartet.divides(&Integer::from(p - 1)));
-        }
     }
 
     #[test]
