@@ -1,11 +1,15 @@
 //! Rational parameters → implicit: curves and patches, ladders over the degree and over the length of the coefficients,
-//! beside linear algebra with the rational numbers of another crate: the polynomial that vanishes at enough points.
+//! beside linear algebra with the rational numbers of another crate: the polynomial that vanishes at enough points. Elliptic
+//! Fourier series, beside PARI's resultant if the program gp is there.
 //!
 //! `cargo bench --bench implicitize`. Every answer is verified before it is timed.
 
 #![expect(clippy::unwrap_used, reason = "a bench fails by panicking")]
 
 use std::hint::black_box;
+use std::io::{Read, Write};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, criterion_group, criterion_main};
 use num_bigint::BigInt;
@@ -16,7 +20,7 @@ use stellate::limits::Limits;
 
 #[path = "../tests/common/mod.rs"]
 mod common;
-use common::forms::{patch, plane_curve};
+use common::forms::{patch, plane, plane_curve};
 use common::random::SplitMix;
 
 /// Coordinates over a common denominator, polynomials Σ c u^i v^j of all degrees up to the given one.
@@ -244,5 +248,128 @@ fn patches(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, curves, patches);
+/// Elliptic series whose N-th harmonics have numbers of four decimals up to 1/N.
+struct Series {
+    /// The coefficients of x by cosines and sines, then of y, times 10 000.
+    lists: [Vec<i64>; 4],
+}
+
+impl Series {
+    fn new(harmonics: i64) -> Self {
+        let mut random = SplitMix(7);
+        let mut number = |k: i64| i64::try_from(&random.integer(13)).unwrap() / k;
+        let lists = std::array::from_fn(|i| {
+            let constant = if i % 2 == 0 { number(1) } else { 0 };
+            let waves = (1..=harmonics).map(&mut number);
+            [constant].into_iter().chain(waves).collect()
+        });
+        Self { lists }
+    }
+
+    /// As it is typed.
+    fn text(&self) -> String {
+        let coordinate = |cos: &[i64], sin: &[i64]| {
+            let waves = cos.iter().zip(sin).enumerate();
+            let waves =
+                waves.map(|(k, (a, b))| format!("{a}/10000*cos({k}*t) + {b}/10000*sin({k}*t)"));
+            waves.collect::<Vec<_>>().join(" + ").replace("+ -", "- ")
+        };
+        let [a, b, c, d] = &self.lists;
+        format!("x = {}; y = {}", coordinate(a, b), coordinate(c, d))
+    }
+
+    /// A script for PARI/GP: the resultant with respect to s = tan(t/2), its time in milliseconds, and the primitive polynomial.
+    fn script(&self) -> String {
+        let [a, b, c, d] = &self.lists;
+        let degree = a.len() - 1;
+        format!(
+            "default(nbthreads, 1);
+            default(parisizemax, 4*10^9);
+            n = {degree};
+            form(a, b) = sum(k = 0, n, (a[k+1]*real((1+I*s)^(2*k)) + b[k+1]*imag((1+I*s)^(2*k)))*(1+s^2)^(n-k));
+            first = 10000*x*(1+s^2)^n - form({a:?}, {b:?}); second = 10000*y*(1+s^2)^n - form({c:?}, {d:?});
+            start = getwalltime(); found = polresultant(first, second, s); print(getwalltime() - start);
+            print(found/content(found));"
+        )
+        .lines()
+        .map(|line| line.trim().to_owned() + "\n")
+        .collect()
+    }
+}
+
+/// The longest time of one run of another program.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// The milliseconds and the answer of PARI/GP; `None` if it takes too long or is not there.
+fn run_gp(script: &str) -> Option<(f64, String)> {
+    let mut program = Command::new("gp")
+        .args(["-q", "-f"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .ok()?;
+    program.stdin.take()?.write_all(script.as_bytes()).ok()?;
+    let mut output = program.stdout.take()?;
+    let reader = std::thread::spawn(move || {
+        let mut text = String::new();
+        output.read_to_string(&mut text).map(|_| text)
+    });
+    let start = Instant::now();
+    while !reader.is_finished() && start.elapsed() < PATIENCE {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    if !reader.is_finished() {
+        program.kill().ok()?;
+    }
+    program.wait().ok()?;
+    let text = reader.join().ok()?.ok()?;
+    let (time, answer) = text.split_once('\n')?;
+    Some((time.trim().parse().ok()?, answer.to_owned()))
+}
+
+/// Elliptic series → equation, and beside it PARI's resultant in the same run, both on one thread.
+fn series(c: &mut Criterion) {
+    let mut group = c.benchmark_group("implicitize_series");
+    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    let is_there = Command::new("gp").arg("--version-short").output().is_ok();
+    if !is_there {
+        eprintln!("PARI is skipped: there is no program gp");
+    }
+    let mut is_patient = is_there;
+    let single = rayon::ThreadPoolBuilder::new().num_threads(1);
+    let single = single.build().unwrap();
+    for harmonics in [4, 10, 16, 24] {
+        let series = Series::new(harmonics);
+        let curve = plane_curve(&series.text());
+        let find = || implicitize_plane(black_box(&curve), &Limits::none()).unwrap();
+        let start = Instant::now();
+        let found = single.install(find).curve;
+        let ours = start.elapsed().as_secs_f64();
+        assert_eq!(
+            found.polynomial().degree(),
+            usize::try_from(2 * harmonics).ok()
+        );
+        if is_patient {
+            let answer = run_gp(&series.script());
+            is_patient = answer.is_some();
+            match answer {
+                Some((milliseconds, answer)) => {
+                    assert_eq!(found.polynomial().primitive(), plane(&answer));
+                    let theirs = milliseconds / 1000.0;
+                    let ratio = theirs / ours;
+                    eprintln!(
+                        "N = {harmonics}: stellate {ours:.4} s, PARI {theirs:.3} s, ratio {ratio:.0}"
+                    );
+                }
+                None => eprintln!("N = {harmonics}: PARI is stopped after {PATIENCE:?}"),
+            }
+        }
+        let name = format!("{harmonics} harmonics");
+        group.bench_function(BenchmarkId::new("stellate", name), |b| b.iter(find));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, curves, patches, series);
 criterion_main!(benches);

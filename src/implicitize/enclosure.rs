@@ -48,12 +48,7 @@ impl Precision {
     }
 
     pub(super) fn times(self, a: &Enclosure, b: &Enclosure) -> Enclosure {
-        let [low, high] = least_and_largest([
-            &a.low * &b.low,
-            &a.low * &b.high,
-            &a.high * &b.low,
-            &a.high * &b.high,
-        ]);
+        let [low, high] = extreme_products(a, b);
         Enclosure {
             low: low >> self.bits,
             high: -(-high >> self.bits),
@@ -220,6 +215,32 @@ impl SignOf for Integer {
             std::cmp::Ordering::Greater => 1,
         }
     }
+}
+
+/// The least and the largest product of two members. If a factor has one sign, two products of bounds suffice.
+fn extreme_products(a: &Enclosure, b: &Enclosure) -> [Integer; 2] {
+    let is_negative = |e: &Enclosure| e.high <= 0;
+    let is_positive = |e: &Enclosure| e.low >= 0;
+    // Of a factor with one sign, the bound farther from 0 and the bound nearer to 0.
+    let (near, far, other, minus) = if is_positive(a) {
+        (&a.low, &a.high, b, false)
+    } else if is_negative(a) {
+        (&a.high, &a.low, b, true)
+    } else if is_positive(b) {
+        (&b.low, &b.high, a, false)
+    } else if is_negative(b) {
+        (&b.high, &b.low, a, true)
+    } else {
+        return least_and_largest([
+            &a.low * &b.low,
+            &a.low * &b.high,
+            &a.high * &b.low,
+            &a.high * &b.high,
+        ]);
+    };
+    let low = if is_positive(other) { near } else { far } * &other.low;
+    let high = if is_negative(other) { near } else { far } * &other.high;
+    if minus { [high, low] } else { [low, high] }
 }
 
 fn least_and_largest([first, rest @ ..]: [Integer; 4]) -> [Integer; 2] {

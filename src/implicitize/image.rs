@@ -52,7 +52,8 @@ pub enum Coverage<const N: usize> {
 /// - If the tracing index k is larger than 1, the point is a function of some function m(s) of degree k (Lüroth). If k is odd,
 ///   or if m has no real turning point, real values of s reach all real values of m.
 /// - With k = 1, or for m as the parameter, the other real points are finitely many. Each of them has two conjugate parameters
-///   s, s̄ and no real one, infinity included, and each is decided exactly. They are not searched if the degrees are large.
+///   s, s̄ and no real one, infinity included, and each is decided exactly. Those of a general elliptic series are always found; of
+///   other curves they are not searched if the degrees are large.
 ///
 /// # Errors
 /// Those of `limits`.

@@ -47,21 +47,11 @@ pub enum IsolatedPoint {
     Near([f64; 2]),
 }
 
-/// Finds the isolated points of a plane curve that its parametrization traces once. The answer is incomplete if the degrees are
-/// large.
-///
-/// Two conjugate parameters s, s̄ with the same point are a common zero of `(x(s) − x(σ))/(s − σ)` and `(y(s) − y(σ))/(s − σ)`,
-/// written in S = s + σ and P = sσ, with S² < 4P. Their point is real. It is isolated if no real parameter reaches it, s = ∞
-/// included. Every claim is exact:
-/// - S is a real root of the resultant with respect to P, from which pairs of poles are divided out. If S is a simple zero of
-///   it and not a zero of both leading coefficients, there is one P, a simple common zero. If S is rational, the values of P are
-///   the real roots of a gcd.
-/// - A determinant that is not 0 proves that no other parameter has the point. If it may be 0, real parameters are searched
-///   exactly: by a gcd if the point is rational; else all real t are found whose point two conjugate parameters have as well, and
-///   enclosures tell which of the finitely many pairs each of them belongs to.
+/// Finds the isolated points of a plane curve that its parametrization traces once. An elliptic Fourier series that is general
+/// enough is searched in z = e^(it) ([`isolated_of_series`]), every other curve by resultants.
 ///
 /// # Errors
-/// Those of `limits`.
+/// Those of `limits`; [`Error::Limit`](crate::error::Error::Limit) if the degrees are too large for resultants.
 pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
     if coordinates.iter().any(|f| f.degree() < 2) {
         // Different parameters have different points, so there is no isolated point.
@@ -78,7 +68,17 @@ pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> 
     isolated_by_resultants(coordinates, limits)
 }
 
-/// The isolated points, by resultants.
+/// The isolated points, by resultants. The answer is incomplete if the degrees are large.
+///
+/// Two conjugate parameters s, s̄ with the same point are a common zero of `(x(s) − x(σ))/(s − σ)` and `(y(s) − y(σ))/(s − σ)`,
+/// written in S = s + σ and P = sσ, with S² < 4P. Their point is real. It is isolated if no real parameter reaches it, s = ∞
+/// included. Every claim is exact:
+/// - S is a real root of the resultant with respect to P, from which pairs of poles are divided out. If S is a simple zero of
+///   it and not a zero of both leading coefficients, there is one P, a simple common zero. If S is rational, the values of P are
+///   the real roots of a gcd.
+/// - A determinant that is not 0 proves that no other parameter has the point. If it may be 0, real parameters are searched
+///   exactly: by a gcd if the point is rational; else all real t are found whose point two conjugate parameters have as well, and
+///   enclosures tell which of the finitely many pairs each of them belongs to.
 ///
 /// # Errors
 /// Those of `limits`.

@@ -23,7 +23,7 @@ pub(crate) const TOGETHER: usize = 30;
 /// All primes have this many bits.
 const BITS: u32 = 25;
 
-/// The products of two primes are above 2 to this power (in 1024ths): each is above 2^24.9 if [`LEAST`] is.
+/// The product of ten primes is above 2 to this power, because each is at least [`LEAST`].
 pub(crate) const BITS_OF_TEN_PRIMES: u64 = 249;
 const LEAST: u64 = 31_310_000;
 
@@ -139,12 +139,12 @@ impl FourFields {
                 let mut windows = others.windows(TILE).rev();
                 for factors in a[low..high].chunks(TOGETHER) {
                     for (&factor, window) in factors.iter().zip(&mut windows) {
-                        for t in 0..TILE {
-                            sums[t] = multiplied(factor, window[t], sums[t]);
+                        for (sum, &other) in sums.iter_mut().zip(window) {
+                            *sum = multiplied(factor, other, *sum);
                         }
                     }
-                    for t in 0..TILE {
-                        sums[t] = self.reduced(sums[t]);
+                    for sum in &mut sums {
+                        *sum = self.reduced(*sum);
                     }
                 }
             }
@@ -194,7 +194,7 @@ pub(crate) fn imaginary_unit(field: PrimeField) -> u64 {
 mod tests {
     use super::*;
     use malachite::Integer;
-    use malachite::base::num::arithmetic::traits::Mod;
+    use malachite::base::num::arithmetic::traits::{Mod, Pow};
     use proptest::prelude::*;
 
     fn fields() -> FourFields {
@@ -258,6 +258,7 @@ mod tests {
         primes.dedup();
         assert_eq!(primes.len(), 240);
         // Ten of the primes have at least the bits that are said.
-        assert!(10.0 * (LEAST as f64).log2() >= BITS_OF_TEN_PRIMES as f64);
+        let ten = Integer::from(LEAST).pow(10);
+        assert!(ten >> BITS_OF_TEN_PRIMES >= 1);
     }
 }

@@ -1,10 +1,9 @@
 //! Quartets: four primes for which residues are computed side by side.
 
-use malachite::Integer;
 use rayon::prelude::*;
 
 use super::lanes::{LaneFields, Lanes};
-use super::primes::{ORDER_BITS, fours_of_primes};
+use super::primes::fours_of_primes;
 use super::transform::Transform;
 use crate::bigint::u64_from;
 use crate::error::Invariant;

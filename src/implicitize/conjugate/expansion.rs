@@ -33,6 +33,11 @@ const MORE_ROUNDINGS: usize = 40;
 /// A number that is at least e.
 const E_ABOVE: f64 = 2.719;
 
+/// The absolute value. Where its square underflows, the bounds of the errors are far larger.
+fn size(c: Complex<f64>) -> f64 {
+    c.norm_sqr().sqrt()
+}
+
 /// Twice a trigonometric polynomial, scaled so that the largest coefficient of a wave is about 1.
 #[derive(Debug)]
 pub(super) struct Wave {
@@ -189,10 +194,11 @@ impl Expansion {
         if !self.reaches(radius) {
             return f64::INFINITY;
         }
-        let tail = (2..=ORDER).rev().fold(self.rest * radius, |sum, j| {
-            sum * if j == ORDER { 1.0 } else { radius } + self.terms[j].norm() + self.errors[j]
-        });
-        tail * radius * radius * COVER
+        let mut sum = self.rest;
+        for j in (2..=ORDER).rev() {
+            sum = sum * radius + size(self.terms[j]) + self.errors[j];
+        }
+        sum * radius * radius * COVER
     }
 
     /// A bound of the Lipschitz constant of the terms of order 2 and more for |ζ| ≤ radius.
@@ -204,7 +210,7 @@ impl Expansion {
         let mut power = radius;
         let mut sum = 0.0;
         for j in 2..=ORDER {
-            sum += j as f64 * (self.terms[j].norm() + self.errors[j]) * power;
+            sum += j as f64 * (size(self.terms[j]) + self.errors[j]) * power;
             power *= radius;
         }
         (sum + (ORDER + 1) as f64 * self.rest * power) * COVER
@@ -286,9 +292,9 @@ impl Inverted {
 
     /// A bound of |G(0)|, where G is the inverse of the derivative times the imaginary parts.
     pub(super) fn value(&self) -> f64 {
-        let size = |c: &Expansion| c.terms[0].im.abs() + c.errors[0];
+        let largest = |c: &Expansion| c.terms[0].im.abs() + c.errors[0];
         let [around, outward] = &self.combinations;
-        size(around).hypot(size(outward)) / self.determinant.abs() * COVER
+        largest(around).hypot(largest(outward)) / self.determinant.abs() * COVER
     }
 
     /// A bound of |G(ζ) − ζ − G(ζ′) + ζ′|/|ζ − ζ′| for |ζ|, |ζ′| ≤ radius, where ζ stands for the vector (Im ζ, Re ζ).

@@ -57,7 +57,7 @@ fn exactly(cos: &[Rational], sin: &[Rational], z: &Exact, j: usize) -> Exact {
         let c = Exact(a.clone(), -b.clone());
         let above = c.times(&z.power(k));
         let below = c.conjugate().times(&z.inverse().power(k));
-        let below = below.scaled(&Rational::from(if j % 2 == 0 { 1 } else { -1 }));
+        let below = below.scaled(&Rational::from(if j.is_multiple_of(2) { 1 } else { -1 }));
         let weight = (1..=j).fold(Rational::one(), |w, i| {
             w * Rational::from(k as i64) / Rational::from(i as i64)
         });

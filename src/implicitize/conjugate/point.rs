@@ -123,7 +123,8 @@ pub(super) fn point(lists: &EnclosedLists, zero: &Zero) -> Option<Point> {
                 .each_ref()
                 .map(|part| (Rational::whole(part) / &unit).to_f64());
             let near = nalgebra::Complex::new(re, im);
-            if !(log_distance(near, zero.z) <= zero.reach) {
+            // The distance is never NaN.
+            if log_distance(near, zero.z) > zero.reach {
                 return None;
             }
             let mut found = values.iter().zip(zero.slopes).map(|(value, slope)| {

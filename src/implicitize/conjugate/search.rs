@@ -8,11 +8,11 @@ use nalgebra::Complex;
 use rayon::prelude::*;
 
 use super::expansion::{COVER, Expansion, Inverted, Powers, Wave};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::limits::Limits;
 
-/// The most boxes for one sector of the first division, and the most divisions of a box. General curves of 10 to 60 harmonics need
-/// about 100 boxes for a sector and 8 divisions.
+/// The most boxes for one sector of the first division, and the most divisions of a box. General curves of 4 to 60 harmonics need
+/// up to 300 boxes in a sector and 6 divisions.
 const MAX_BOXES: usize = 6000;
 const MAX_DIVISIONS: u32 = 22;
 
@@ -128,15 +128,19 @@ impl Search {
         let Some(last) = self.last_radius() else {
             return Ok(None);
         };
-        let found: Vec<Option<Vec<Zero>>> = self
+        // The first sector whose zeros are not found ends the search.
+        let found: std::result::Result<Vec<Vec<Zero>>, Option<Error>> = self
             .turns()
             .map(|turns| {
-                limits.check()?;
-                Ok(self.zeros_in_sector(turns, last))
+                limits.check().map_err(Some)?;
+                self.zeros_in_sector(turns, last).ok_or(None)
             })
-            .collect::<Result<_>>()?;
-        let found: Option<Vec<Vec<Zero>>> = found.into_iter().collect();
-        Ok(found.and_then(|zeros| distinct(zeros.into_iter().flatten())))
+            .collect();
+        match found {
+            Ok(zeros) => Ok(distinct(zeros.into_iter().flatten())),
+            Err(None) => Ok(None),
+            Err(Some(error)) => Err(error),
+        }
     }
 
     /// The zeros in a sector, perhaps repeatedly, and perhaps with some beyond the sector.
@@ -223,11 +227,12 @@ impl Search {
         let mut z = start;
         for _ in 0..MAX_STEPS {
             let step = Inverted::new(&self.expansions(z)).step();
-            if !(step.norm() <= 4.0 * radius) {
+            let size = step.norm();
+            if size.is_nan() || size > 4.0 * radius {
                 return None;
             }
             z *= step.exp();
-            if step.norm() < 1e-13 {
+            if size < 1e-13 {
                 break;
             }
         }
