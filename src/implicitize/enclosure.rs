@@ -301,6 +301,16 @@ mod tests {
             prop_assert!(high - low <= most);
         }
 
+        /// Bounds of all signs.
+        #[test]
+        fn products_of_intervals_reach_from_the_least_to_the_largest(bounds in prop::array::uniform4(-3i64..4)) {
+            let [a, b, c, d] = bounds;
+            let interval = |a: i64, b: i64| Enclosure { low: a.min(b).into(), high: a.max(b).into() };
+            let (x, y) = (interval(a, b), interval(c, d));
+            let products = [&x.low * &y.low, &x.low * &y.high, &x.high * &y.low, &x.high * &y.high];
+            prop_assert_eq!(extreme_products(&x, &y), least_and_largest(products));
+        }
+
         #[test]
         fn what_is_left_of_a_matrix_is_its_determinant(
             entries in prop::collection::vec(prop::collection::vec(-9i64..10, 4), 3),

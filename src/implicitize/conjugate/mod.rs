@@ -149,10 +149,14 @@ fn points(
 ) -> Option<Vec<IsolatedPoint>> {
     let mut points = Vec::new();
     for (k, (point, is_off)) in found.iter().enumerate() {
-        let meeting = (0..found.len()).filter(|&other| meet(&point.bounds, &found[other].0.bounds));
-        let meeting: Vec<usize> = meeting.collect();
-        let exact = rational_point(coordinates, &point.bounds);
-        match exact {
+        let is_alone = || {
+            let others = found.iter();
+            others
+                .filter(|(other, _)| meet(&point.bounds, &other.bounds))
+                .count()
+                == 1
+        };
+        match rational_point(coordinates, &point.bounds) {
             // It is the point of all zeros whose bounds hold it, and is listed with the first of them.
             Some((exact, pairs)) => {
                 let holding =
@@ -165,11 +169,16 @@ fn points(
                     points.push(IsolatedPoint::Exact(exact));
                 }
             }
-            None if meeting.len() == 1 && *is_off => {
-                let middle = point
-                    .bounds
-                    .each_ref()
-                    .map(|[low, high]| ((low + high) / Rational::from(2)).to_f64());
+            None if *is_off && is_alone() => {
+                let near = |[low, high]: &[Rational; 2]| {
+                    let may_be_zero = low.signum() <= 0 && high.signum() >= 0;
+                    if may_be_zero {
+                        0.0
+                    } else {
+                        ((low + high) / Rational::from(2)).to_f64()
+                    }
+                };
+                let middle = point.bounds.each_ref().map(near);
                 points.push(IsolatedPoint::Near(middle));
             }
             None => return None,
