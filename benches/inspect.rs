@@ -1,4 +1,5 @@
-//! Inspection (Theorem 8): points per second on surfaces of growing degree, beside the exact arithmetic that doubles save.
+//! Inspection (Theorem 8): points per second on surfaces of growing degree and on Fourier curves, beside the exact arithmetic that
+//! doubles save.
 //!
 //! `cargo bench --bench inspect`. Every answer is verified before it is timed.
 
@@ -8,7 +9,8 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use stellate::exact::Rational;
-use stellate::inspect::{InspectOptions, Inspector, SphereSection, Verdict};
+use stellate::fit::{ContourKind, FitOptions, FitSize, contour_from_reader, fit, fit_elliptic};
+use stellate::inspect::{CurveInspector, InspectOptions, Inspector, SphereSection, Verdict};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::shape::{Form, ImplicitSurface};
@@ -103,5 +105,64 @@ fn inspect(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, inspect);
+/// The butterfly with 39 harmonics, by its radius and by its coordinates.
+fn butterflies(options: &InspectOptions) -> [(&'static str, CurveInspector<2>); 2] {
+    let file = std::fs::File::open("paper-examples/e02-butterfly/butterfly.csv").unwrap();
+    let contour = contour_from_reader(file, ContourKind::Rows, "butterfly").unwrap();
+    let size = FitOptions::new(FitSize::Harmonics(39));
+    let limits = Limits::none();
+    let radius = fit(&contour, &size).unwrap().radius;
+    let elliptic = fit_elliptic(&contour, &size, &limits).unwrap().series;
+    let radius = CurveInspector::radius(&radius, options, &limits).unwrap();
+    let elliptic = CurveInspector::new(&elliptic.to_plane_curve(), options, &limits).unwrap();
+    [("radius", radius), ("elliptic", elliptic)]
+}
+
+/// A butterfly is about 2000 by 1300 in size. Verdicts need no digits.
+fn curves(c: &mut Criterion) {
+    let mut group = c.benchmark_group("inspect_butterfly");
+    let options = |digits: u32| InspectOptions::new(5.into()).digits(digits);
+    let points: Vec<[f64; 2]> = (0..POINTS)
+        .map(|k| {
+            let t = 2.4 * f64::from(k);
+            let r = f64::from(k + 1) / f64::from(POINTS);
+            [1050.0 + 1200.0 * r * t.cos(), 620.0 + 800.0 * r * t.sin()]
+        })
+        .collect();
+    let exactly = |p: [f64; 2]| p.map(|x| Rational::try_from(x).unwrap());
+    for digits in [0, 6] {
+        for (name, inspector) in butterflies(&options(digits)) {
+            for p in points.iter().step_by(50) {
+                let found = inspector.inspect_near(*p, &|| exactly(*p));
+                let counted = inspector.inspect_by_counts(&exactly(*p));
+                assert_eq!(
+                    (found.verdict, found.curve),
+                    (counted.verdict, counted.curve)
+                );
+                assert!(found.distance.low <= counted.distance.high);
+                assert!(counted.distance.low <= found.distance.high);
+            }
+            group.sample_size(20);
+            group.throughput(Throughput::Elements(u64::from(POINTS)));
+            group.bench_function(BenchmarkId::new(format!("{name}_by_arcs"), digits), |b| {
+                b.iter(|| {
+                    let inside = points.iter().filter(|p| {
+                        let found = inspector.inspect_near(black_box(**p), &|| exactly(**p));
+                        found.verdict == Verdict::Inside
+                    });
+                    inside.count()
+                });
+            });
+            // The same question by exact counts of real roots.
+            group.sample_size(10).throughput(Throughput::Elements(1));
+            let p = exactly(points[400]);
+            group.bench_function(BenchmarkId::new(format!("{name}_by_counts"), digits), |b| {
+                b.iter(|| inspector.inspect_by_counts(black_box(&p)));
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, inspect, curves);
 criterion_main!(benches);

@@ -4,15 +4,23 @@
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
+use super::arcs::{ArcTree, NearestPoint, Waveform};
+use super::guess::Guess;
 use super::squared_distance::{
     Against, DistanceForms, SquaredDistance, squared_in_doubles, upper_root,
 };
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
+use crate::intervals::Interval;
+use crate::intervals::interval::UNIT;
 use crate::limits::Limits;
 use crate::poly::RationalFunction;
-use crate::shape::{CurveInDoubles, FourierRadius, ParametricCurve};
+use crate::shape::{EllipticSeries, FourierRadius, ParametricCurve, harmonics_of_curve};
+
+#[cfg(test)]
+#[path = "curve_laws.rs"]
+mod laws;
 
 /// The number of starting points along the curve, for each degree of its coordinates, in the search for the nearest point.
 const STARTS_PER_DEGREE: usize = 12;
@@ -25,6 +33,8 @@ const EXACT_STEPS: usize = 3;
 const STEP_BITS: i64 = 200;
 /// Exact arithmetic refines the nearest point if its distance is less than this part of the curve's size.
 const NEARLY_ON: f64 = 1e-5;
+/// The bounds of a distance are sought to this part of the width that is asked for.
+const SHARE: f64 = 0.25;
 /// How often the search may start again because a nearer part of the curve exists.
 const TURNS: usize = 12;
 
@@ -35,25 +45,25 @@ const TURNS: usize = 12;
 /// exactly if a certain polynomial has a real root or a root at infinity, and this is decided exactly; so the verdict and the
 /// criterion are never undecided. The upper bound of the distance comes from a point of the curve, found in doubles; the lower
 /// bound is the radius of a sphere that the curve provably misses.
+///
+/// If the coordinates are finite Fourier series, doubles with error bounds decide nearly all points, in about a microsecond each:
+/// by branch and bound over arcs of the curve. The exact way remains for points that are on the curve or at the tolerance, within
+/// about 10^−15 of the curve's size, and for distances that are not determined to the requested digits.
 #[derive(Debug)]
 pub struct CurveInspector<const N: usize> {
+    /// The arcs of the curve in original coordinates, if these are finite Fourier series.
+    arcs: Option<ArcTree<N>>,
     forms: DistanceForms<N>,
     guess: Guess<N>,
     starts: Vec<(f64, [f64; N])>,
     size: f64,
     center: [Rational; N],
     tolerance: Rational,
-    digits: u32,
+    /// The tolerance between two doubles.
+    around: Interval,
+    /// Bounds of a distance may differ by this part of it.
+    relative: f64,
     limits: Limits,
-}
-
-/// The curve in doubles without certificate, over an angle τ from −π to π with s = tan(τ/2).
-#[derive(Debug)]
-enum Guess<const N: usize> {
-    /// r(τ) = Σ a_n cos nτ + b_n sin nτ: the coefficients by n.
-    Radius(Vec<[f64; 2]>),
-    /// Rational functions of s.
-    Functions(CurveInDoubles<N>),
 }
 
 impl CurveInspector<2> {
@@ -81,9 +91,9 @@ impl CurveInspector<2> {
         limits: &Limits,
     ) -> Result<Self> {
         let curve = radius.to_plane_curve();
-        let pairs = radius.cosines().iter().zip(radius.sines());
-        let guess = Guess::Radius(pairs.map(|(a, b)| [a.to_f64(), b.to_f64()]).collect());
-        Self::with_guess(&curve, guess, radius.center().clone(), options, limits)
+        let [a, b, c, d] = EllipticSeries::from_radius(radius).lists().clone();
+        let series = Some([[a, b], [c, d]]);
+        Self::with_series(&curve, series, radius.center().clone(), options, limits)
     }
 }
 
@@ -98,13 +108,13 @@ impl<const N: usize> CurveInspector<N> {
         limits: &Limits,
     ) -> Result<Self> {
         let origin = std::array::from_fn(|_| Rational::zero());
-        let guess = Guess::Functions(curve.in_doubles());
-        Self::with_guess(curve, guess, origin, options, limits)
+        Self::with_series(curve, harmonics_of_curve(curve), origin, options, limits)
     }
 
-    fn with_guess(
+    /// The inspector of a curve about its center, with the Fourier series of its original coordinates if they are finite.
+    fn with_series(
         curve: &ParametricCurve<N>,
-        guess: Guess<N>,
+        series: Option<[Waveform; N]>,
         center: [Rational; N],
         options: &InspectOptions,
         limits: &Limits,
@@ -115,6 +125,10 @@ impl<const N: usize> CurveInspector<N> {
                 options.tolerance
             )));
         }
+        let guess = match &series {
+            Some(series) => Guess::of_series(series, &center),
+            None => Guess::of_functions(curve),
+        };
         let degrees = curve.coordinates().iter().map(RationalFunction::degree);
         let count = degrees.fold(MIN_STARTS, |count, d| count.max(STARTS_PER_DEGREE * d));
         let starts: Vec<(f64, [f64; N])> = (0..count)
@@ -129,24 +143,124 @@ impl<const N: usize> CurveInspector<N> {
         }
         let mut sizes: Vec<f64> = starts.iter().map(|(_, p)| norm(p)).collect();
         sizes.sort_by(f64::total_cmp);
+        let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
+            arcs: series.and_then(|series| ArcTree::new(&series)),
             forms: DistanceForms::new(curve),
             guess,
             size: sizes[sizes.len() / 2],
             starts,
             center,
             tolerance: options.tolerance.clone(),
-            digits: options.digits.min(14),
+            around: Interval::narrowest(&options.tolerance),
+            relative: 0.1f64.powi(digits),
             limits: limits.clone(),
         })
     }
 
     /// Inspects a point.
     ///
-    /// Cost: two or three counts of the real roots of a polynomial of twice the degree of the coordinates, and a thousand
+    /// Cost: a search in a tree of arcs in doubles if the coordinates are finite Fourier series, which decides nearly all points.
+    /// Otherwise, two or three counts of the real roots of a polynomial of twice the degree of the coordinates, and a thousand
     /// distances in doubles.
     #[must_use]
     pub fn inspect(&self, point: &[Rational; N]) -> Inspection {
+        let near = point.each_ref().map(Rational::to_f64);
+        if let Some(arcs) = &self.arcs
+            && near.iter().all(|x| x.is_finite())
+        {
+            let off = near.iter().zip(point).map(|(near, x)| {
+                let near = exactly(*near).invariant("the coordinate is finite");
+                (near - x).abs()
+            });
+            let slack = Interval::from(&off.sum::<Rational>()).high();
+            if let Some(found) = self.by_arcs(arcs, near, slack) {
+                return found;
+            }
+            return self.by_counts(point, arcs.nearest(near, slack, 0.0));
+        }
+        self.by_counts(point, None)
+    }
+
+    /// Inspects a point whose nearest doubles are `near`. Its exact coordinates are computed only if they are needed.
+    ///
+    /// ```
+    /// use stellate::exact::Rational;
+    /// use stellate::inspect::{CurveInspector, InspectOptions, Verdict};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::FourierRadius;
+    /// let radius: FourierRadius = "r = 1 + 1/5*cos(3t)".parse()?;
+    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let inspector = CurveInspector::radius(&radius, &options, &Limits::none())?;
+    /// let near = [1.25, 0.0];
+    /// let found = inspector.inspect_near(near, &|| near.map(|x| Rational::try_from(x).unwrap()));
+    /// assert_eq!(found.verdict, Verdict::Inside);
+    /// assert!(found.distance.low < 0.05 && 0.05 < found.distance.high);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn inspect_near(&self, near: [f64; N], exactly: &dyn Fn() -> [Rational; N]) -> Inspection {
+        let found = self.arcs.as_ref().and_then(|arcs| {
+            // A number differs from its nearest double by at most `UNIT` times that double, or by half of the least subnormal
+            // double.
+            let sizes = near.iter().map(|x| Interval::from(*x).abs());
+            let size = sizes.fold(Interval::ZERO, |sum, x| sum + x);
+            let slack = (size * UNIT + Interval::from(f64::MIN_POSITIVE)).high();
+            self.by_arcs(arcs, near, slack)
+        });
+        found.unwrap_or_else(|| self.inspect(&exactly()))
+    }
+
+    /// The nearest point of the curve to a point in doubles, with bounds of the distance; `None` if the coordinates of the curve
+    /// are not finite Fourier series, or beyond the range of doubles. For the curve of a radius the parameter is θ; otherwise it is
+    /// the angle τ with s = tan(τ/2), where the coordinates are functions of s.
+    ///
+    /// ```
+    /// use stellate::inspect::{CurveInspector, InspectOptions};
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::FourierRadius;
+    /// let radius: FourierRadius = "r = 1 + 1/5*cos(3t)".parse()?;
+    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let inspector = CurveInspector::radius(&radius, &options, &Limits::none())?;
+    /// let found = inspector.nearest_point([-1.0, 0.0]).unwrap();
+    /// assert!((found.at - std::f64::consts::PI).abs() < 1e-9);
+    /// assert!((found.point[0] + 0.8).abs() < 1e-9);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn nearest_point(&self, point: [f64; N]) -> Option<NearestPoint<N>> {
+        self.arcs.as_ref()?.nearest(point, 0.0, self.relative)
+    }
+
+    /// The inspection in doubles; `None` if their bounds do not decide the verdict and the criterion, or are too wide.
+    fn by_arcs(&self, arcs: &ArcTree<N>, near: [f64; N], slack: f64) -> Option<Inspection> {
+        let tolerance = self.around;
+        let decided = |bounds: DistanceBounds| match bounds {
+            DistanceBounds { high, .. } if high <= tolerance.low() => Some(Verdict::Inside),
+            DistanceBounds { low, .. } if low > tolerance.high() => Some(Verdict::Outside),
+            _ => None,
+        };
+        let mut distance = arcs.nearest(near, slack, SHARE * self.relative)?.distance;
+        if decided(distance).is_none() {
+            distance = arcs.nearest(near, slack, 0.0)?.distance;
+        }
+        let verdict = decided(distance)?;
+        if distance.high - distance.low > self.relative * distance.high {
+            return None;
+        }
+        // The curve is connected, and it has a point in the ball.
+        let curve = verdict == Verdict::Inside && arcs.goes_beyond(near, slack, tolerance)?;
+        self.limits.check().ok().map(|()| Inspection {
+            sign: None,
+            verdict,
+            curve: Some(curve),
+            distance,
+        })
+    }
+
+    /// The inspection by exact counts of real roots, which decides every point; what is known of the nearest point narrows the
+    /// bounds.
+    fn by_counts(&self, point: &[Rational; N], known: Option<NearestPoint<N>>) -> Inspection {
         if self.limits.check().is_err() {
             return Inspection::UNKNOWN;
         }
@@ -154,7 +268,12 @@ impl<const N: usize> CurveInspector<N> {
         let distance = self.forms.to_point(&point);
         let level = &self.tolerance * &self.tolerance;
         let near = point.each_ref().map(Rational::to_f64);
-        let (nearest, bounds) = self.bounds(&near, &distance);
+        let start = known.map_or_else(|| self.nearest_start(&near), |known| known.at);
+        let (nearest, mut bounds) = self.bounds(start, &near, &distance);
+        if let Some(NearestPoint { distance, .. }) = known {
+            bounds.low = bounds.low.max(distance.low);
+            bounds.high = bounds.high.min(distance.high);
+        }
         let verdict = if nearest <= level {
             Verdict::Inside
         } else if exactly(bounds.low).is_some_and(|low| low > self.tolerance) {
@@ -173,6 +292,13 @@ impl<const N: usize> CurveInspector<N> {
         }
     }
 
+    /// The inspection without the arcs: the slow way that the arcs are tested against.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn inspect_by_counts(&self, point: &[Rational; N]) -> Inspection {
+        self.by_counts(point, None)
+    }
+
     /// Whether a curve that has a point in the ball also has one on the sphere, if it has a point outside: it is connected, or
     /// all its pieces go to infinity.
     fn goes_out(&self, distance: &SquaredDistance, level: &Rational) -> bool {
@@ -180,10 +306,15 @@ impl<const N: usize> CurveInspector<N> {
     }
 
     /// The squared distance of some point of the curve, and bounds of the distance of the nearest one.
-    fn bounds(&self, point: &[f64; N], distance: &SquaredDistance) -> (Rational, DistanceBounds) {
-        let start = self.nearest_start(point);
+    /// The search begins at the angle `start`.
+    fn bounds(
+        &self,
+        start: f64,
+        point: &[f64; N],
+        distance: &SquaredDistance,
+    ) -> (Rational, DistanceBounds) {
         let mut best = self.descend(start, point, distance);
-        let relative = 0.25 * 0.1f64.powi(i32::try_from(self.digits).unwrap_or(14));
+        let relative = SHARE * self.relative;
         let mut high = upper_root(&best);
         if high <= NEARLY_ON * self.size && distance.against(&Rational::zero()) == Against::Meets {
             return (Rational::zero(), DistanceBounds::ZERO);
@@ -284,35 +415,6 @@ impl<const N: usize> CurveInspector<N> {
             }
         }
         best
-    }
-}
-
-impl<const N: usize> Guess<N> {
-    fn at(&self, angle: f64) -> [f64; N] {
-        match self {
-            Self::Radius(series) => {
-                let (sin, cos) = angle.sin_cos();
-                // cos nτ and sin nτ for n = 0, 1, … are computed by rotations. They may be slightly wrong, as this is only a
-                // guess; the function is called often.
-                let (mut turned, mut r) = ([1.0, 0.0], 0.0);
-                for [a, b] in series {
-                    r += a * turned[0] + b * turned[1];
-                    turned = [
-                        turned[0] * cos - turned[1] * sin,
-                        turned[0] * sin + turned[1] * cos,
-                    ];
-                }
-                let mut point = [0.0; N];
-                for (x, u) in point.iter_mut().zip([cos, sin]) {
-                    *x = r * u;
-                }
-                point
-            }
-            Self::Functions(functions) => {
-                let (sin, cos) = (angle / 2.0).sin_cos();
-                functions.at([sin, cos])
-            }
-        }
     }
 }
 

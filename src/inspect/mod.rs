@@ -12,6 +12,7 @@
 //! the exact angle ranges of the section ([`SphereSection`]), or by the gap between 0 and the smallest positive minimum. If
 //! none of these decides a point, the verdict is [`Verdict::Undecided`].
 
+mod arcs;
 mod boxes;
 mod chart;
 mod criterion;
@@ -21,6 +22,7 @@ mod exact;
 mod far;
 mod foot;
 mod gap;
+mod guess;
 mod inspector;
 mod known;
 mod patch;
@@ -31,6 +33,7 @@ mod squared_distance;
 mod summary;
 mod winding;
 
+pub use arcs::NearestPoint;
 #[cfg(feature = "pictures")]
 pub(crate) use chart::sphere_about;
 pub use chart::{CircleSection, SphereSection};

@@ -3,7 +3,7 @@
 use malachite::Integer;
 
 use super::fourier::{series, series_as_function};
-use super::{FourierRadius, Parameter, PlaneCurve};
+use super::{FourierRadius, Parameter, ParametricCurve, PlaneCurve};
 use crate::exact::Rational;
 use crate::poly::{BinaryForm, RationalFunction, harmonics_of_form};
 
@@ -86,7 +86,8 @@ impl EllipticSeries {
     /// The series of a plane curve; `None` if its coordinates are not trigonometric polynomials of one angle.
     pub(crate) fn of_plane_curve(curve: &PlaneCurve) -> Option<Self> {
         curve.parameter().step()?;
-        Self::of_functions(curve.coordinates().each_ref())
+        let [[a, b], [c, d]] = harmonics_of_curve(curve)?;
+        Some(Self::new([a, b, c, d]))
     }
 
     /// The series of two functions of tan(t/2); `None` if they are not trigonometric polynomials of t.
@@ -174,6 +175,18 @@ impl EllipticSeries {
         let squares = self.lists.iter().map(|list| &list[n] * &list[n]);
         squares.sum::<Rational>() / Rational::from(2)
     }
+}
+
+/// The coefficients of the cosines and sines of t = 2 arctan s in each coordinate, from n = 0 on; `None` if a coordinate is not a
+/// trigonometric polynomial of t.
+pub(crate) fn harmonics_of_curve<const N: usize>(
+    curve: &ParametricCurve<N>,
+) -> Option<[[Vec<Rational>; 2]; N]> {
+    let mut all = std::array::from_fn(|_| [Vec::new(), Vec::new()]);
+    for (lists, f) in all.iter_mut().zip(curve.coordinates()) {
+        *lists = harmonics_of_function(f)?;
+    }
+    Some(all)
 }
 
 /// The coefficients of the cosines and sines of t, for a function of s = tan(t/2) whose denominator is a power of 1 + s² (up to a

@@ -24,6 +24,7 @@ pub use curve::{ParametricCurve, PlaneCurve, SpaceCurve};
 pub(crate) use drawn::DRAWN_NUMBERS;
 pub(crate) use drawn::{CurveInDoubles, PatchInDoubles};
 pub use elliptic::EllipticSeries;
+pub(crate) use elliptic::harmonics_of_curve;
 pub use fourier::FourierRadius;
 pub(crate) use harmonics::{Basis, Expansion, quotient_in_harmonics};
 pub use implicit::{ImplicitCurve, ImplicitSurface};

@@ -8,10 +8,11 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, DistanceBounds, InspectOptions, Inspection, Inspector,
-    MAX_SECTION_WORK, PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict,
+    CircleSection, CurveInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
+    PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict,
 };
 use crate::intervals::Interval;
+use crate::intervals::interval::UNIT;
 use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
@@ -240,39 +241,41 @@ impl InspectionTask {
             Against::Equation(inspector) => inspector.inspect(point),
             Against::Plane(inspector) => {
                 let [x, y, _] = point;
-                let mut found = inspector.inspect(&[x.clone(), y.clone()]);
-                found.sign = self.side(&[x.clone(), y.clone()], &found.distance);
-                match self.dimension {
-                    2 => found,
-                    // The sphere meets the cylinder exactly if the distance of the point from it is at most the tolerance.
-                    _ => Inspection {
-                        curve: Some(found.verdict == Verdict::Inside),
-                        ..found
-                    },
-                }
+                let flat = [x.clone(), y.clone()];
+                let near = flat.each_ref().map(Rational::to_f64);
+                let found = inspector.inspect(&flat);
+                self.of_plane(found, near, &|| flat.clone())
             }
             Against::Space(inspector) => inspector.inspect(point),
             Against::Patch(inspector) => inspector.inspect(point),
         }
     }
 
-    /// The side of a closed plane curve on which a point is.
-    fn side(&self, point: &[Rational; 2], distance: &DistanceBounds) -> Option<i8> {
-        let near = point.each_ref().map(Rational::to_f64);
-        let off = |i: usize| Some((Rational::try_from(near[i]).ok()? - &point[i]).abs());
-        // A point beyond the largest double is decided exactly.
-        let slack = match (off(0), off(1)) {
-            (Some(x), Some(y)) => Interval::narrowest(&(x + y)).high(),
-            _ => f64::INFINITY,
+    /// The answers for a point, from those for its projection against a plane curve.
+    fn of_plane(
+        &self,
+        found: Inspection,
+        near: [f64; 2],
+        exactly: &dyn Fn() -> [Rational; 2],
+    ) -> Inspection {
+        let sign = self.sides.as_ref().map(|sides| {
+            let point = PlanePoint {
+                near,
+                slack: rounding(near),
+                exactly,
+            };
+            sides.sign(&point, &found.distance)
+        });
+        let curve = match self.dimension {
+            2 => found.curve,
+            // The sphere meets the cylinder exactly if the distance of the point from it is at most the tolerance.
+            _ => Some(found.verdict == Verdict::Inside),
         };
-        let exactly = || point.clone();
-        let sides = self.sides.as_ref()?;
-        let point = PlanePoint {
-            near,
-            slack,
-            exactly: &exactly,
-        };
-        Some(sides.sign(&point, distance))
+        Inspection {
+            curve,
+            sign,
+            ..found
+        }
     }
 
     /// Inspects a point whose nearest doubles are `near`. Its exact coordinates are computed only if they are needed.
@@ -283,7 +286,17 @@ impl InspectionTask {
     ) -> Inspection {
         match &self.against {
             Against::Equation(inspector) => inspector.inspect_near(near, exactly),
-            _ => self.point(&exactly()),
+            Against::Plane(inspector) => {
+                let [x, y, _] = near;
+                let flat = || {
+                    let [x, y, _] = exactly();
+                    [x, y]
+                };
+                let found = inspector.inspect_near([x, y], &flat);
+                self.of_plane(found, [x, y], &flat)
+            }
+            Against::Space(inspector) => inspector.inspect_near(near, exactly),
+            Against::Patch(inspector) => inspector.inspect(&exactly()),
         }
     }
 
@@ -317,4 +330,11 @@ impl InspectionTask {
             Err(error) => Err(error),
         }
     }
+}
+
+/// A bound of the distance of a point from the doubles that are nearest to its coordinates: half a unit in the last place of each,
+/// or half of the least subnormal double.
+fn rounding(near: [f64; 2]) -> f64 {
+    let [x, y] = near.map(|c| Interval::from(c).abs());
+    ((x + y) * UNIT + Interval::from(f64::MIN_POSITIVE)).high()
 }
