@@ -46,9 +46,9 @@ const TURNS: usize = 12;
 /// criterion are never undecided. The upper bound of the distance comes from a point of the curve, found in doubles; the lower
 /// bound is the radius of a sphere that the curve provably misses.
 ///
-/// If the coordinates are finite Fourier series, doubles with error bounds decide nearly all points, in about a microsecond each:
-/// by branch and bound over arcs of the curve. The exact way remains for points that are on the curve or at the tolerance, within
-/// about 10^−15 of the curve's size, and for distances that are not determined to the requested digits.
+/// If the coordinates are finite Fourier series, doubles with error bounds decide nearly all points, in about a microsecond
+/// each: by branch and bound over arcs of the curve. The exact way remains for points that are on the curve or at the
+/// tolerance, within about 10^−15 of the curve's size, and for distances that are not determined to the requested digits.
 #[derive(Debug)]
 pub struct CurveInspector<const N: usize> {
     /// The arcs of the curve in original coordinates, if these are finite Fourier series.
@@ -160,9 +160,9 @@ impl<const N: usize> CurveInspector<N> {
 
     /// Inspects a point.
     ///
-    /// Cost: a search in a tree of arcs in doubles if the coordinates are finite Fourier series, which decides nearly all points.
-    /// Otherwise, two or three counts of the real roots of a polynomial of twice the degree of the coordinates, and a thousand
-    /// distances in doubles.
+    /// Cost: a search in a tree of arcs in doubles if the coordinates are finite Fourier series, which decides nearly all
+    /// points. Otherwise, two or three counts of the real roots of a polynomial of twice the degree of the coordinates, and a
+    /// thousand distances in doubles.
     #[must_use]
     pub fn inspect(&self, point: &[Rational; N]) -> Inspection {
         let near = point.each_ref().map(Rational::to_f64);
@@ -211,9 +211,9 @@ impl<const N: usize> CurveInspector<N> {
         found.unwrap_or_else(|| self.inspect(&exactly()))
     }
 
-    /// The nearest point of the curve to a point in doubles, with bounds of the distance; `None` if the coordinates of the curve
-    /// are not finite Fourier series, or beyond the range of doubles. For the curve of a radius the parameter is θ; otherwise it is
-    /// the angle τ with s = tan(τ/2), where the coordinates are functions of s.
+    /// The nearest point of the curve to a point in doubles, with bounds of the distance; `None` if the coordinates of the
+    /// curve are not finite Fourier series, or beyond the range of doubles. For the curve of a radius the parameter is θ;
+    /// otherwise it is the angle τ with s = tan(τ/2), where the coordinates are functions of s.
     ///
     /// ```
     /// use stellate::inspect::{CurveInspector, InspectOptions};

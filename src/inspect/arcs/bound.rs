@@ -4,7 +4,8 @@ use super::polynomials::{Expansion, length};
 use crate::intervals::interval::UNIT;
 
 impl<const N: usize> Expansion<N> {
-    /// The computed distance, and a bound of its rounding error and of the part of the expansion's error that is relative to it.
+    /// The computed distance, and a bound of its rounding error and of the part of the expansion's error that is relative to
+    /// it.
     pub(super) fn distance(&self) -> [f64; 2] {
         let distance = dot(&self.value, &self.value).sqrt();
         [distance, 16.0 * UNIT * distance]
@@ -23,13 +24,13 @@ impl<const N: usize> Expansion<N> {
     ///
     /// |D + Tv + Bv² + κ|² ≥ |D|² + 2(D·T)v + μv² with μ = |T|² + 2D·B − 2r(|T·B| + M(|D| + |T|r + |B|r²)).
     ///
-    /// Proof. Let P = D + Tv + Bv². Then |P + κ|² ≥ |P|² − 2|P||κ| with |κ| ≤ M|v|³; and |P|² ≥ |D|² + 2(D·T)v + (|T|² + 2D·B)v² −
-    /// 2|T·B||v|³, as |B|²v⁴ ≥ 0. Here |v|³ ≤ rv².
+    /// Proof. Let P = D + Tv + Bv². Then |P + κ|² ≥ |P|² − 2|P||κ| with |κ| ≤ M|v|³; and |P|² ≥ |D|² + 2(D·T)v + (|T|² +
+    /// 2D·B)v² − 2|T·B||v|³, as |B|²v⁴ ≥ 0. Here |v|³ ≤ rv².
     ///
-    /// Rounding. A computed scalar product is wrong by at most 4·2^(−53) times the product of the lengths. So |D|² gets smaller,
-    /// and 2(D·T)v by at most 2·`error`·|v|, on the side of u where the distance falls and on the side where it rises. The sizes
-    /// of the terms of μ add up to at most `parts`, and each is rounded less than 60 times. The smallest value over a side is that
-    /// at its end or the one at the vertex, −(D·T)²/μ; its terms are rounded less than 12 times.
+    /// Rounding. A computed scalar product is wrong by at most 4·2^(−53) times the product of the lengths. So |D|² gets
+    /// smaller, and 2(D·T)v by at most 2·`error`·|v|, on the side of u where the distance falls and on the side where it rises.
+    /// The sizes of the terms of μ add up to at most `parts`, and each is rounded less than 60 times. The smallest value over a
+    /// side is that at its end or the one at the vertex, −(D·T)²/μ; its terms are rounded less than 12 times.
     ///
     /// Law: `pieces_are_not_nearer`.
     pub(super) fn least_distance(&self, [low, high]: [f64; 2], third: f64) -> f64 {

@@ -1,8 +1,8 @@
 //! Certified bounds of the distance between points and a closed curve whose coordinates are finite Fourier series, in doubles.
 //!
 //! The curve is cut into arcs with Taylor polynomials ([`polynomials`]). A complete binary tree holds the boxes of runs of
-//! consecutive arcs. The search for the nearest point ([`search`]) leaves out boxes that are too far away; on an arc, a bound by the second
-//! derivative at a local minimum of the distance ([`bound`]) leaves out the rest, or else the arc is divided.
+//! consecutive arcs. The search for the nearest point ([`search`]) leaves out boxes that are too far away; on an arc, a bound
+//! by the second derivative at a local minimum of the distance ([`bound`]) leaves out the rest, or else the arc is divided.
 
 mod bound;
 mod polynomials;
@@ -80,11 +80,11 @@ impl<const N: usize> Extent<N> {
         high: [f64::NEG_INFINITY; N],
     };
 
-    /// The box about a middle with half its sides. Coordinates are at most 2 in size, so each end is rounded by at most 2·`UNIT`.
+    /// The box about a middle with half its sides. The ends are at most 1 in size, so each is rounded by less than 4·`UNIT`.
     fn of((middle, half): ([f64; N], [f64; N])) -> Self {
         Self {
-            low: std::array::from_fn(|i| middle[i] - half[i] - 2.0 * UNIT),
-            high: std::array::from_fn(|i| middle[i] + half[i] + 2.0 * UNIT),
+            low: std::array::from_fn(|i| middle[i] - half[i] - 4.0 * UNIT),
+            high: std::array::from_fn(|i| middle[i] + half[i] + 4.0 * UNIT),
         }
     }
 

@@ -10,8 +10,8 @@ use crate::intervals::interval::{UNIT, relative_error};
 const ARCS_PER_HARMONIC: usize = 13;
 /// The smallest number of arcs.
 const FEWEST_ARCS: usize = 64;
-/// The remainder of the Taylor polynomials is at most this part, 2^(−57), of the sum of the coefficients. With [`ARCS_PER_HARMONIC`] their
-/// degree is then at most 12, because (π/13)^13/13! < 2^(−59).
+/// The remainder of the Taylor polynomials is at most this part, 2^(−57), of the sum of the coefficients. With
+/// [`ARCS_PER_HARMONIC`] their degree is then at most 12, because (π/13)^13/13! < 2^(−59).
 const REMAINDER: f64 = f64::EPSILON / 32.0;
 /// The largest degree.
 const LARGEST_DEGREE: usize = 12;
@@ -20,16 +20,17 @@ const ABOVE: f64 = 1.0 + 1e-9;
 
 /// A curve C(t) cut into K arcs. With h = π/K the j-th arc is the curve over the parameters (2j + 1)h + hu for −1 ≤ u ≤ 1.
 ///
-/// **Lemma 2.** Let c_n be the sum of the sizes of all coefficients of the n-th harmonic, in units such that Σ c_n ≤ 1, and
-/// Q_k = Σ (nh)^k c_n/k!. Let c(u) be the exact value of the polynomial of an arc with its doubles as coefficients. Then |C − c| is at
-/// most the sum of
+/// **Lemma 2.** Let c_n be the sum of the sizes of all coefficients of the n-th harmonic, in units such that Σ c_n ≤ 1, and Q_k
+/// = Σ (nh)^k c_n/k!. Let c(u) be the exact value of the polynomial of an arc with its doubles as coefficients. Then |C − c| is
+/// at most the sum of
 ///
 /// 1. N(H + 4) 2^(−62), for N coordinates and H harmonics: the middle of the arc is a sum of products of integers. Each of the
 ///    2H + 1 coefficients of a coordinate is rounded by at most 2^(−63), and each cosine or sine is wrong by at most 2·2^(−62)
 ///    (Lemma 1). The sum is rounded to two doubles, which is wrong by less than 2^(−100).
-/// 2. ε_k Q_k for 1 ≤ k ≤ D with ε_k = `relative_error(H + 4k + 8)`: the k-th coefficient is a sum of 2H products of the doubles
-///    nearest to the coefficients, of doubles that are wrong by at most two roundings of 1 for the cosines and sines, and of
-///    (nh)^k/k!, computed with 4k roundings. Each product is rounded at most H + 4k + 8 times (the lemma at [`relative_error`]).
+/// 2. ε_k Q_k for 1 ≤ k ≤ D with ε_k = `relative_error(H + 4k + 8)`: the k-th coefficient is a sum of 2H products of the
+///    doubles nearest to the coefficients, of doubles that are wrong by at most two roundings of 1 for the cosines and sines,
+///    and of (nh)^k/k!, computed with 4k roundings. Each product is rounded at most H + 4k + 8 times (the lemma at
+///    [`relative_error`]).
 /// 3. Q_(D+1), the remainder of a Taylor polynomial of degree D.
 ///
 /// Laws: `polynomials_are_near_the_curve`, and those of the search.
@@ -193,10 +194,10 @@ impl<const N: usize> Polynomials<N> {
     /// C(u + v) − p = D + Tv + Bv² + κ + ω with |κ| ≤ |v|³ max |c'''|/6 and |ω| ≤ `error` + 4·2^(−53)|D|.
     ///
     /// Proof. κ is the remainder of the expansion of c, and Lemma 2 bounds C − c. By Horner's rule the products with the k-th
-    /// coefficient in the value of c less its middle, in its slope and in its bend are rounded at most 2k + 4 times. So these are
-    /// wrong by at most ε Q_k, ε k Q_k and ε Q_k k(k − 1)/2 with ε = `relative_error(2k + 4)`, and |v| ≤ 2. The value is
-    /// ((high − p) + low) + rest with three roundings of its partial sums, which are at most |D| + ΣQ_k + 2·2^(−53) in size, up to
-    /// a factor of 1 + 4·2^(−53). Numbers below 2^(−1022) are wrong by less than 2^(−1000), which [`TINY`] covers.
+    /// coefficient in the value of c less its middle, in its slope and in its bend are rounded at most 2k + 4 times. So these
+    /// are wrong by at most ε Q_k, ε k Q_k and ε Q_k k(k − 1)/2 with ε = `relative_error(2k + 4)`, and |v| ≤ 2. The value is
+    /// ((high − p) + low) + rest with three roundings of its partial sums, which are at most |D| + ΣQ_k + 2·2^(−53) in size, up
+    /// to a factor of 1 + 4·2^(−53). Numbers below 2^(−1022) are wrong by less than 2^(−1000), which [`TINY`] covers.
     pub(super) fn at(&self, arc: usize, u: f64, p: &[f64; N]) -> Expansion<N> {
         let all = self.of(arc);
         let [mut value, mut slope, mut bend] = [[0.0; N]; 3];

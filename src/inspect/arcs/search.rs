@@ -7,8 +7,8 @@ use super::ArcTree;
 use crate::intervals::Interval;
 use crate::intervals::interval::UNIT;
 
-/// The largest number of pieces of arcs that are searched for one point; then the bounds stay as wide as they are. Only points from
-/// which large parts of the curve are equally far, such as the center of a circle, take more than some tens.
+/// The largest number of pieces of arcs that are searched for one point; then the bounds stay as wide as they are. Only points
+/// from which large parts of the curve are equally far, such as the center of a circle, take more than some tens.
 const MOST_PIECES: usize = 4000;
 /// Shorter pieces are not divided.
 const SHORTEST: f64 = 1e-9;
@@ -82,8 +82,8 @@ impl<const N: usize> ArcTree<N> {
     /// **Lemma 5.** The bounds hold.
     ///
     /// Proof. Every part of the curve is in a piece that was left out, whose bound is at least `low`, or in a piece that still
-    /// waits. Bounds of boxes hold because the boxes hold their arcs, and bounds of pieces by Lemmas 3 and 4. The difference and
-    /// the square of such a bound are rounded by less than the spare factor of 1 − 4·2^(−53) in
+    /// waits. Bounds of boxes hold because the boxes hold their arcs, and bounds of pieces by Lemmas 3 and 4. The difference
+    /// and the square of such a bound are rounded by less than the spare factor of 1 − 4·2^(−53) in
     /// [`super::polynomials::Expansion::least_distance`].
     ///
     /// Laws: those of `curve_laws.rs`, and `bounds_hold_the_distance_of_a_polyline`.
@@ -180,8 +180,8 @@ impl<const N: usize> ArcTree<N> {
         None
     }
 
-    /// A lower bound of the squared distance from a piece of an arc. Newton's method looks for the nearest point of the piece, until
-    /// the bound is large enough.
+    /// A lower bound of the squared distance from a piece of an arc. Newton's method looks for the nearest point of the piece,
+    /// until the bound is large enough.
     fn piece(&self, search: &mut Search, piece: &Piece, p: &[f64; N]) -> f64 {
         let arc = piece.node - self.arcs.len();
         let third = self.arcs.third(arc);
