@@ -123,6 +123,7 @@ pub mod parametrize;
 #[cfg(feature = "pictures")]
 pub mod picture;
 pub mod poly;
+pub mod proof;
 pub mod reading;
 pub mod roots;
 mod rows;

@@ -88,7 +88,12 @@ fn rewritten(file: &Path, folder: &Path) -> (String, usize) {
 /// A folder with the data that commands name.
 fn folder() -> TempDir {
     let folder = TempDir::new().unwrap();
-    for data in ["paper-examples", "tests/numpy", "tests/outlines"] {
+    for data in [
+        "paper-examples",
+        "tests/numpy",
+        "tests/outlines",
+        "tests/proofs",
+    ] {
         copy_folder(&root().join(data), &folder.path().join(data));
     }
     folder

@@ -165,6 +165,13 @@ Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecide
 
 Exit code: 1 if the outcome of a statement is not the recorded one, or if two methods of --compare disagree.")]
     Paper(Paper),
+    /// Check a proof file: whether every claim with a witness holds
+    #[command(after_help = "Examples:
+  stellate verify proof.json
+  stellate verify --checker > checker.py
+
+Exit code: 0 if every claim with a witness holds, 1 if one does not.")]
+    Verify(Verify),
     /// Write the completions of a shell, to be put where it looks for them
     #[command(after_help = "Example:
   stellate completions bash > ~/.local/share/bash-completion/completions/stellate")]
@@ -185,6 +192,19 @@ pub(crate) struct Schema {
     /// The kind, as in the field "kind" of a document
     #[arg(value_parser = PossibleValuesParser::new(stellate::document::schema_kinds()))]
     pub(crate) kind: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Verify {
+    /// The proof file, or - for standard input
+    #[arg(required_unless_present = "checker", conflicts_with = "checker")]
+    pub(crate) file: Option<String>,
+    /// A claim without a witness also makes the exit code 1
+    #[arg(long, conflicts_with = "checker")]
+    pub(crate) complete: bool,
+    /// Print the same checker as a program in Python, which needs nothing but its standard library
+    #[arg(long)]
+    pub(crate) checker: bool,
 }
 
 #[derive(Debug, Args)]

@@ -21,6 +21,7 @@ mod session;
 mod usage;
 mod values;
 mod vectors;
+mod verify;
 mod watch;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -65,6 +66,7 @@ pub(crate) fn main() -> ExitCode {
             Verb::Check(verb) => check::run(&verb, &mut session),
             Verb::Vectors(verb) => vectors::run(&verb, &session),
             Verb::Paper(verb) => paper::run(&verb, &mut session),
+            Verb::Verify(verb) => verify::run(&verb, &mut session),
             Verb::Completions(verb) => about::completions(&verb, &session),
             Verb::Schema(verb) => about::schema(&verb, &session),
             Verb::Man => about::manual(&session),

@@ -19,6 +19,9 @@ pub mod paper {}
 #[doc = include_str!("results.md")]
 pub mod results {}
 
+#[doc = include_str!("proofs.md")]
+pub mod proofs {}
+
 #[doc = include_str!("glossary.md")]
 pub mod glossary {}
 

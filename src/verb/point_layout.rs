@@ -225,7 +225,7 @@ mod tests {
             (
                 Some("x,y,z"),
                 "1,2",
-                "found 2 columns; the first row names 3",
+                "found 2 columns; each row must be x,y,z",
             ),
             (Some("x,y,z"), "1,2,b", "\"b\" is not a number"),
         ] {

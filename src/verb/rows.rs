@@ -241,7 +241,7 @@ impl InspectionTask {
     /// let reading = ReadingOptions::default();
     /// let (summary, _) = task.all(PointSource::Rows(rows), &reading, &writer, &mut out, &work)?;
     /// assert_eq!((summary.inside, summary.outside), (1, 1));
-    /// assert!(out.starts_with(b"x,y,verdict,curve,distance_low,distance_high\n1,0,inside,true,"));
+    /// assert!(out.starts_with(b"x,y,verdict,curve,distance_low,distance_high,sign\n1,0,inside,true,"));
     /// # Ok::<(), stellate::error::Error>(())
     /// ```
     ///

@@ -374,7 +374,54 @@ fn pictures_and_clouds() {
         ply_rs_bw::ply::Property::Double(value) => value,
         _ => panic!("not a double"),
     };
-    assert!(high(0) <= 0.0 && (high(1) - 0.05).abs() < 1e-7 && high(2).is_infinite());
+    assert!(high(0) <= 0.0 && (high(1) - 0.05).abs() < 1e-7 && (high(2) - 0.2).abs() < 1e-6);
+}
+
+/// The report is a page of well-formed XML with the numbers, the worst points and the command.
+#[test]
+fn a_report_is_one_page() {
+    let folder = tempdir().unwrap();
+    let rows = "x,y,z\n1,0,0\n0,1.05,0\n0,0,1.2\n";
+    let arguments = [
+        "inspect",
+        SPHERE,
+        "--tolerance",
+        "0.1",
+        "--points",
+        "-",
+        "--report",
+        "out",
+        "--quiet",
+    ];
+    let run = run_in(folder.path(), &arguments, rows);
+    assert_eq!(run.code, 1, "{}", run.err);
+    let page = std::fs::read_to_string(folder.path().join("out/index.html")).unwrap();
+    let body = page.split_once("<!DOCTYPE html>\n").unwrap().1;
+    let document = roxmltree::Document::parse(body).unwrap();
+    let titles: Vec<&str> = document
+        .descendants()
+        .filter(|node| node.has_tag_name("h2"))
+        .filter_map(|node| node.text())
+        .collect();
+    assert_eq!(titles.len(), 6, "{titles:?}");
+    for part in [
+        "3 points compared with",
+        "row 4",
+        "--tolerance 0.1",
+        "No point is undecided",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    let refused = run_in(
+        folder.path(),
+        &[&arguments[..7], &["out/index.html"]].concat(),
+        rows,
+    );
+    assert!(
+        refused.code == 2 && refused.err.contains("a folder is wanted"),
+        "{}",
+        refused.err
+    );
 }
 
 #[test]

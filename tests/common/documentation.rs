@@ -1,6 +1,6 @@
 //! The files whose commands are run, in the order in which they build on each other.
 
-pub(crate) const DOCUMENTATION: [&str; 10] = [
+pub(crate) const DOCUMENTATION: [&str; 11] = [
     "README.md",
     "src/guide/tour.md",
     "src/guide/space.md",
@@ -8,6 +8,7 @@ pub(crate) const DOCUMENTATION: [&str; 10] = [
     "src/guide/float-programs.md",
     "src/guide/paper.md",
     "src/guide/results.md",
+    "src/guide/proofs.md",
     "src/guide/glossary.md",
     "src/guide/performance.md",
     "src/guide/contributing.md",

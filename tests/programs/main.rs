@@ -20,6 +20,7 @@ mod measured;
 mod option_mistakes;
 mod option_spellings;
 mod outlines;
+mod proofs;
 mod read_back;
 mod spellings;
 mod terminal;

@@ -434,7 +434,6 @@ fn forms_and_verbs_in_the_wrong_place_are_recognised() {
             "parametrise x",
             "there is no verb parametrise; did you mean parametrize?",
         ),
-        ("verify f.json", "there is no verb verify; the verbs are "),
         (
             "help sampel",
             "there is no verb sampel; the verbs are describe, ",

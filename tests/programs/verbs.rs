@@ -28,13 +28,14 @@ use stellate::verb::{
 use tempfile::TempDir;
 
 /// The options without a value.
-const FLAGS: [&str; 6] = [
+const FLAGS: [&str; 7] = [
     "positive",
     "quiet",
     "self",
     "repair",
     "normal-form",
     "cloud",
+    "keep",
 ];
 
 /// A command, taken apart.
@@ -281,6 +282,11 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             let vectors = verb::vectors(first(), &options, &work).unwrap();
             write_vectors(&vectors, &mut out).unwrap();
         }
+        "verify" => {
+            let text = fs::read_to_string(folder.join(&words.forms[0])).unwrap();
+            let report = stellate::proof::check(&text, false).unwrap();
+            out.extend(format!("{report}\n").bytes());
+        }
         "schema" => out.extend(json_schema(Some(&words.forms[0])).unwrap().bytes()),
         other => panic!("no verb of the library: {other}"),
     }
@@ -301,7 +307,10 @@ fn inspected(words: &Words, given: Given, folder: &Path, out: &mut Vec<u8>) {
     let options = InspectionOptions::default().tolerance(words.number("tolerance").unwrap());
     let task = verb::inspect(given, dimension, &options, &work).unwrap();
     let format = words.format(Format::Csv);
-    let writer = InspectionWriter::new(format, dimension, 16).unwrap();
+    let mut writer = InspectionWriter::new(format, dimension, 16).unwrap();
+    if words.one("keep").is_some() {
+        writer = writer.keeping(points.other_names());
+    }
     let reading = ReadingOptions::default().with_ranges(format != Format::Csv);
     task.all(points, &reading, &writer, out, &work).unwrap();
 }
