@@ -53,6 +53,14 @@ impl<'a> Point<'a> {
     }
 }
 
+/// A point of the plane, by its nearest doubles and exactly.
+pub(crate) struct PlanePoint<'a> {
+    pub(crate) near: [f64; 2],
+    /// A bound of the distance between the exact point and the doubles.
+    pub(crate) slack: f64,
+    pub(crate) exactly: &'a dyn Fn() -> [Rational; 2],
+}
+
 /// The findings about one factor of the polynomial.
 #[derive(Clone, Debug)]
 pub(super) struct PartialInspection {

@@ -41,8 +41,9 @@ pub(crate) use criterion::MAX_SECTION_WORK;
 pub use curve::CurveInspector;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
 pub use inspector::{InspectOptions, Inspector};
+pub(crate) use known::PlanePoint;
 pub use patch::PatchInspector;
-pub(crate) use side::{PlanePoint, Sides};
+pub(crate) use side::Sides;
 pub use summary::{CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section};
 
 use std::fmt;

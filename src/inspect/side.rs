@@ -1,20 +1,13 @@
 //! On which side of a plane curve a point is.
 
 use super::DistanceBounds;
+use super::known::PlanePoint;
 use super::winding::Winding;
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::intervals::Interval;
 use crate::limits::Limits;
 use crate::shape::{EllipticSeries, FourierRadius, PlaneCurve};
-
-/// A point of the plane, by its nearest doubles and exactly.
-pub(crate) struct PlanePoint<'a> {
-    pub(crate) near: [f64; 2],
-    /// A bound of the distance between the exact point and the doubles.
-    pub(crate) slack: f64,
-    pub(crate) exactly: &'a dyn Fn() -> [Rational; 2],
-}
 
 /// The sides of a closed plane curve.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use malachite::Integer;
 use malachite::base::polynomial::{Derivative, Polynomial};
 
 use super::DistanceBounds;
-use super::side::PlanePoint;
+use super::known::PlanePoint;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::NearPolygon;

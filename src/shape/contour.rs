@@ -3,14 +3,9 @@
 use std::cmp::Ordering;
 
 use super::crossing::find_crossing;
-use super::orientation::{on_segment, orientation};
+use super::orientation::{SMALLEST, coordinate_fault, on_segment, orientation, same};
 use super::points::GivenPoints;
 use crate::error::{Error, Invariant, Result};
-
-/// The largest size of a coordinate: products of two coordinates must not overflow.
-const LARGEST: f64 = 1e120;
-/// The smallest size of a coordinate other than 0: exact signs need room below the last bit.
-const SMALLEST: f64 = 1e-120;
 
 /// A closed outline that does not touch itself: a simple polygon, its vertices counter-clockwise.
 ///
@@ -291,25 +286,6 @@ impl Contour {
         assert_eq!(find_crossing(&self.points), None);
         assert!(self.area() > 0.0);
     }
-}
-
-/// The fault of a coordinate, if it has one.
-pub(crate) fn coordinate_fault(c: f64) -> Option<String> {
-    if !c.is_finite() {
-        Some(format!("the coordinate {c} is not finite"))
-    } else if c.abs() > LARGEST || (c.abs() < SMALLEST && c.abs() > 0.0) {
-        Some(format!(
-            "the coordinate {c:e} is out of range: it must be 0, or between {SMALLEST:e} and \
-             {LARGEST:e} in size"
-        ))
-    } else {
-        None
-    }
-}
-
-/// Whether two points are equal.
-pub(super) fn same(p: [f64; 2], q: [f64; 2]) -> bool {
-    p.partial_cmp(&q) == Some(Ordering::Equal)
 }
 
 /// Whether a simple polygon is clockwise, by the turn at the lowest of its leftmost vertices.

@@ -18,7 +18,6 @@ mod superquadric;
 mod swept_edge;
 
 pub use contour::Contour;
-pub(crate) use contour::coordinate_fault;
 pub use curve::{ParametricCurve, PlaneCurve, SpaceCurve};
 #[cfg(feature = "pictures")]
 pub(crate) use drawn::DRAWN_NUMBERS;
@@ -28,7 +27,7 @@ pub(crate) use elliptic::harmonics_of_curve;
 pub use fourier::FourierRadius;
 pub(crate) use harmonics::{Basis, Expansion, quotient_in_harmonics};
 pub use implicit::{ImplicitCurve, ImplicitSurface};
-pub(crate) use orientation::orientation;
+pub(crate) use orientation::{coordinate_fault, orientation};
 pub use parameter::Parameter;
 pub use patch::{Patch, PatchFunction};
 pub use points::{GivenPoints, PointCloud};

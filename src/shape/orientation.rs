@@ -4,6 +4,11 @@ use std::cmp::Ordering;
 
 use robust::{Coord, orient2d};
 
+/// The largest size of a coordinate: products of two coordinates must not overflow.
+const LARGEST: f64 = 1e120;
+/// The smallest size of a coordinate other than 0: exact signs need room below the last bit.
+pub(super) const SMALLEST: f64 = 1e-120;
+
 /// The sign of the turn a → b → c: `Greater` to the left (counter-clockwise), `Less` to the right,
 /// `Equal` if the three points are on one line.
 ///
@@ -23,6 +28,25 @@ pub(crate) fn on_segment(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
 /// Whether c lies in the closed box spanned by a and b.
 pub(super) fn in_box(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
     (0..2).all(|k| a[k].min(b[k]) <= c[k] && c[k] <= a[k].max(b[k]))
+}
+
+/// The fault of a coordinate, if it has one.
+pub(crate) fn coordinate_fault(c: f64) -> Option<String> {
+    if !c.is_finite() {
+        Some(format!("the coordinate {c} is not finite"))
+    } else if c.abs() > LARGEST || (c.abs() < SMALLEST && c.abs() > 0.0) {
+        Some(format!(
+            "the coordinate {c:e} is out of range: it must be 0, or between {SMALLEST:e} and \
+             {LARGEST:e} in size"
+        ))
+    } else {
+        None
+    }
+}
+
+/// Whether two points are equal.
+pub(super) fn same(p: [f64; 2], q: [f64; 2]) -> bool {
+    p.partial_cmp(&q) == Some(Ordering::Equal)
 }
 
 #[cfg(test)]

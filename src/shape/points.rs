@@ -2,8 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::contour::{coordinate_fault, same};
-use super::orientation::orientation;
+use super::orientation::{coordinate_fault, orientation, same};
 use crate::error::{Error, Result};
 
 /// Points in the order in which they were read.

@@ -1,7 +1,8 @@
 //! Outlines that touch themselves are mended: the loops are cut off.
 
-use super::contour::{Contour, same};
+use super::contour::Contour;
 use super::crossing::{doubles_back, find_crossing, share_a_point};
+use super::orientation::same;
 use super::points::GivenPoints;
 use crate::error::{Error, Result};
 
