@@ -179,6 +179,12 @@ impl Separator {
     }
 }
 
+/// The number of fields without empty ones at the end.
+pub(crate) fn filled(fields: &[&str]) -> usize {
+    let last = fields.iter().rposition(|field| !field.is_empty());
+    last.map_or(0, |last| last + 1)
+}
+
 /// The name of a column in small letters, without its unit: `X (mm)` and `x_mm` are x.
 pub(crate) fn plain_name(name: &str) -> String {
     let letters = name.trim().split(|c: char| !c.is_alphanumeric());

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::angles::{Range, ranges, ranges_text};
 use super::json::{Number, text_of, write_value};
+use super::remark::counted;
 use super::{Format, Kind, SCHEMA};
 use crate::error::Result;
 use crate::exact::Rational;
@@ -19,10 +20,9 @@ use crate::verb::{KeptPoint, PointWriter};
 /// A summary in one line of text. `number` is the name of a point's number, such as its row.
 #[must_use]
 pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
-    let count = summary.points();
     let mut line = format!(
-        "{count} {}: {} inside, {} outside, {} undecided",
-        if count == 1 { "point" } else { "points" },
+        "{}: {} inside, {} outside, {} undecided",
+        counted(summary.points(), "point", "points"),
         summary.inside,
         summary.outside,
         summary.undecided

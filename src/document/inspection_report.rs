@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use super::json::{Number, text_of};
+use super::remark::counted;
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::html::{begin_page, end_page, escaped, write_picture};
@@ -70,7 +71,7 @@ pub fn write_inspection_report(
         out,
         "<header>\n<h1>Report of an inspection</h1>\n<p>{} compared with <code>{form}</code>, tolerance {}; computed by stellate {}\
          {}.</p>\n</header>\n<main id=\"content\">",
-        count(summary.points(), "point", "points"),
+        counted(summary.points(), "point", "points"),
         escaped(&head.tolerance.to_string()),
         env!("CARGO_PKG_VERSION"),
         match head.date.as_str() {
@@ -100,7 +101,7 @@ pub fn write_inspection_report(
             0 => "No point is undecided.".to_owned(),
             n => format!(
                 "Of {} neither was proved; they are called undecided.",
-                count(n, "point", "points")
+                counted(n, "point", "points")
             ),
         }
     )?;
@@ -121,13 +122,6 @@ fn section(id: &str, title: &str, out: &mut dyn Write) -> Result<()> {
         out,
         "<section aria-labelledby=\"{id}\">\n<h2 id=\"{id}\">{title}</h2>"
     )?)
-}
-
-fn count(n: usize, one: &str, several: &str) -> String {
-    match n {
-        1 => format!("1 {one}"),
-        n => format!("{n} {several}"),
-    }
 }
 
 fn write_summary(
@@ -192,7 +186,7 @@ fn write_histogram(summary: &InspectionSummary, out: &mut dyn Write) -> Result<(
         .chain(within)
         .chain([("above D".into(), histogram.above)])
         .collect();
-    let most = classes.iter().map(|(_, n)| *n).max().unwrap_or(0).max(1);
+    let most = classes.iter().fold(1, |most, (_, n)| most.max(*n));
     for (name, n) in classes {
         let share = 100 * n / most;
         writeln!(

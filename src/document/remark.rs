@@ -71,12 +71,16 @@ pub fn remark_text(remark: &Remark) -> String {
     }
 }
 
-/// What of a file is not in the outline, in a sentence.
-fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
-    let counted = |count: usize, one: &str, several: &str| match count {
+/// A number of things in words: "1 point", "3 points".
+pub(super) fn counted(count: usize, one: &str, several: &str) -> String {
+    match count {
         1 => format!("1 {one}"),
         count => format!("{count} {several}"),
-    };
+    }
+}
+
+/// What of a file is not in the outline, in a sentence.
+fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
     let mut all = Vec::new();
     if left_out.parts > 0 {
         let (parts, size) = match left_out.kind {

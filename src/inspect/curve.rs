@@ -6,6 +6,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 
 use super::arcs::{ArcTree, NearestPoint, Waveform};
 use super::guess::Guess;
+use super::known::rounding;
 use super::squared_distance::{
     Against, DistanceForms, SquaredDistance, squared_in_doubles, upper_root,
 };
@@ -13,7 +14,6 @@ use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
 use crate::intervals::Interval;
-use crate::intervals::interval::UNIT;
 use crate::limits::Limits;
 use crate::poly::RationalFunction;
 use crate::shape::{EllipticSeries, FourierRadius, ParametricCurve, harmonics_of_curve};
@@ -200,14 +200,8 @@ impl<const N: usize> CurveInspector<N> {
     /// ```
     #[must_use]
     pub fn inspect_near(&self, near: [f64; N], exactly: &dyn Fn() -> [Rational; N]) -> Inspection {
-        let found = self.arcs.as_ref().and_then(|arcs| {
-            // A number differs from its nearest double by at most `UNIT` times that double, or by half of the least subnormal
-            // double.
-            let sizes = near.iter().map(|x| Interval::from(*x).abs());
-            let size = sizes.fold(Interval::ZERO, |sum, x| sum + x);
-            let slack = (size * UNIT + Interval::from(f64::MIN_POSITIVE)).high();
-            self.by_arcs(arcs, near, slack)
-        });
+        let arcs = self.arcs.as_ref();
+        let found = arcs.and_then(|arcs| self.by_arcs(arcs, near, rounding(near)));
         found.unwrap_or_else(|| self.inspect(&exactly()))
     }
 

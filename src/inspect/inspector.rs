@@ -5,12 +5,11 @@ use std::borrow::Cow;
 use super::distance::{Goal, nearest};
 use super::exact::{self, Answer};
 use super::foot::{approach, enclose};
-use super::known::{PartialInspection, Point};
+use super::known::{PartialInspection, Point, rounding};
 use super::{DistanceBounds, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
-use crate::intervals::interval::UNIT;
 use crate::intervals::{Field, Interval, distance, dot, rational};
 use crate::limits::Limits;
 use crate::options::options;
@@ -211,11 +210,7 @@ impl Inspector {
         if !near.iter().all(|x| x.is_finite()) {
             return Inspection::UNKNOWN;
         }
-        // A number differs from its nearest double by at most `UNIT` times that double, or by half of the least subnormal
-        // double.
-        let [x, y, z] = near.map(|x| Interval::from(x).abs());
-        let slack = ((x + y + z) * UNIT + Interval::from(f64::MIN_POSITIVE)).high();
-        self.of_point(&Point::new(near, slack, exactly))
+        self.of_point(&Point::new(near, rounding(near), exactly))
     }
 
     /// The point in the coordinates of the polynomial.

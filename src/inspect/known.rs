@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use super::DistanceBounds;
 use crate::exact::Rational;
 use crate::intervals::Interval;
+use crate::intervals::interval::UNIT;
 
 /// A point, by its nearest doubles and exactly.
 pub(super) struct Point<'a> {
@@ -51,6 +52,14 @@ impl<'a> Point<'a> {
             ..Self::new([x, y, 0.0], self.slack, self.read)
         }
     }
+}
+
+/// A bound of the distance of a point from the doubles that are nearest to its coordinates: each differs from the coordinate by at
+/// most `UNIT` times itself, or by half of the least subnormal double.
+pub(crate) fn rounding<const N: usize>(near: [f64; N]) -> f64 {
+    let sizes = near.iter().map(|x| Interval::from(*x).abs());
+    let size = sizes.fold(Interval::ZERO, |sum, x| sum + x);
+    (size * UNIT + Interval::from(f64::MIN_POSITIVE)).high()
 }
 
 /// A point of the plane, by its nearest doubles and exactly.

@@ -41,7 +41,7 @@ pub(crate) use criterion::MAX_SECTION_WORK;
 pub use curve::CurveInspector;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
 pub use inspector::{InspectOptions, Inspector};
-pub(crate) use known::PlanePoint;
+pub(crate) use known::{PlanePoint, rounding};
 pub use patch::PatchInspector;
 pub(crate) use side::Sides;
 pub use summary::{CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section};

@@ -12,6 +12,7 @@
 //! The law of both is `sums_of_products_are_congruent`.
 
 use super::PrimeField;
+use crate::error::Invariant;
 use malachite::base::num::factorization::traits::IsPrime;
 
 /// Four numbers, one for each prime. They are integers of at most 2^53.
@@ -155,10 +156,9 @@ impl FourFields {
     }
 }
 
-/// The double that is equal to an integer below 2^52.
+/// A prime or a representative as a double.
 fn double(a: u64) -> f64 {
-    let [low, high] = [a & 0xFFFF_FFFF, a >> 32].map(|half| u32::try_from(half).unwrap_or(0));
-    f64::from(low) + f64::from(high) * 4_294_967_296.0
+    f64::from(u32::try_from(a).invariant("the primes have 25 bits"))
 }
 
 /// The integer that is equal to a double in [0, 2^52).
@@ -187,7 +187,8 @@ pub(crate) fn four_fields(
 pub(crate) fn imaginary_unit(field: PrimeField) -> u64 {
     let p = field.prime();
     let mut roots = (2..p).map(|g| field.power(g, (p - 1) / 4));
-    roots.find(|&i| field.mul(i, i) == p - 1).unwrap_or(0)
+    let root = roots.find(|&i| field.mul(i, i) == p - 1);
+    root.invariant("a prime that is 1 modulo 4 has a square root of −1")
 }
 
 #[cfg(test)]

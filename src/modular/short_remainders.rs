@@ -12,6 +12,7 @@ use malachite::{Integer, Natural};
 
 use super::PrimeField;
 use super::short::{BITS_OF_TEN_PRIMES, FourFields};
+use crate::error::Invariant;
 
 /// A pair of primes p, q, and what is the same for all integers.
 #[derive(Debug)]
@@ -48,7 +49,7 @@ pub(crate) struct ShortRemainders {
 /// The number of times four primes that are enough for integers of absolute value below 2^`bits`.
 pub(crate) fn fours_for(bits: u64) -> usize {
     let tens = (10 * (bits + 2)).div_ceil(BITS_OF_TEN_PRIMES);
-    usize::try_from(tens.div_ceil(4)).unwrap_or(usize::MAX)
+    usize::try_from(tens.div_ceil(4)).invariant("numbers of bits are lengths in memory")
 }
 
 impl ShortRemainders {
@@ -86,11 +87,12 @@ impl ShortRemainders {
             let m = modulus.value();
             let x = modulus.combined(*residues);
             let y = u128::from(x) * u128::from(modulus.weight) % u128::from(m);
-            let y = u64::try_from(y).unwrap_or(0);
+            let y = u64::try_from(y).invariant("a residue is less than its modulus");
             fractions += y as f64 / m as f64;
             sum.add_mul_assign(&modulus.cofactor, Natural::from(y));
         }
-        let quotient = Natural::try_from(fractions.round_ties_even()).unwrap_or(Natural::ZERO);
+        let quotient = Natural::try_from(fractions.round_ties_even());
+        let quotient = quotient.invariant("a sum of fractions is not negative");
         Integer::from(sum) - Integer::from(quotient * &self.product)
     }
 }

@@ -9,10 +9,8 @@ use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
     CircleSection, CurveInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
-    PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict,
+    PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict, rounding,
 };
-use crate::intervals::Interval;
-use crate::intervals::interval::UNIT;
 use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
@@ -330,11 +328,4 @@ impl InspectionTask {
             Err(error) => Err(error),
         }
     }
-}
-
-/// A bound of the distance of a point from the doubles that are nearest to its coordinates: half a unit in the last place of each,
-/// or half of the least subnormal double.
-fn rounding(near: [f64; 2]) -> f64 {
-    let [x, y] = near.map(|c| Interval::from(c).abs());
-    ((x + y) * UNIT + Interval::from(f64::MIN_POSITIVE)).high()
 }

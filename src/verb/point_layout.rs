@@ -2,10 +2,12 @@
 
 use std::borrow::Cow;
 
+use smallvec::SmallVec;
+
 use crate::error::Invariant;
 use crate::exact::{Rational, double_literal, exact_literal};
 use crate::language::Numbers;
-use crate::rows::{Separator, columns_text, double, plain_name};
+use crate::rows::{Separator, columns_text, double, filled, plain_name};
 
 /// The layout of the rows of a table of points.
 #[derive(Clone, Debug)]
@@ -42,7 +44,8 @@ impl PointLayout {
     /// The message for rows of which the coordinates are not known.
     pub(super) fn of(header: Option<&str>, first: &str) -> Result<Self, String> {
         let separator = Separator::of(first);
-        let count = filled(separator, first);
+        let fields: Vec<&str> = separator.split(first).collect();
+        let count = filled(&fields);
         let names: Vec<&str> = header
             .map(|h| separator.split(h).collect())
             .unwrap_or_default();
@@ -98,8 +101,8 @@ impl PointLayout {
     /// # Errors
     /// The message for another number of fields, or for a coordinate that is no number.
     pub(super) fn row<'a>(&self, text: &'a str, numbers: Numbers) -> Result<Row<'a>, String> {
-        let fields: Vec<&str> = self.separator.split(text).collect();
-        let count = filled(self.separator, text);
+        let fields: SmallVec<[&str; 4]> = self.separator.split(text).collect();
+        let count = filled(&fields);
         if ![count, fields.len()].contains(&self.width) {
             let found = columns_text(count);
             return Err(match self.is_named {
@@ -131,13 +134,6 @@ impl PointLayout {
         }
         Cow::Borrowed(field)
     }
-}
-
-/// The number of fields without empty ones at the end.
-fn filled(separator: Separator, row: &str) -> usize {
-    let fields: Vec<&str> = separator.split(row).collect();
-    let last = fields.iter().rposition(|field| !field.is_empty());
-    last.map_or(0, |last| last + 1)
 }
 
 /// A row with the texts of its fields.

@@ -393,6 +393,7 @@ impl Batch<'_> {
 
     fn share(&self, rows: &[(usize, String)]) -> Result<Share> {
         let mut share = Share::default();
+        let tolerance = self.task.tolerance().to_f64();
         for (number, text) in rows {
             self.work.bounds().check()?;
             let row = match self.layout.row(text, self.reading.numbers) {
@@ -415,9 +416,7 @@ impl Batch<'_> {
                 share.text.extend(self.writer.between());
             }
             self.writer.point(&point, &mut share.text)?;
-            share
-                .summary
-                .add(*number, &point.inspection, self.task.tolerance().to_f64());
+            share.summary.add(*number, &point.inspection, tolerance);
             if self.reading.keep {
                 share.kept.push(KeptPoint {
                     row: *number,

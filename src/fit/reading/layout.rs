@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::OutlineOptions;
 use super::columns::places_beside;
-use crate::rows::{Separator, columns_text, double, is_missing, plain_name};
+use crate::rows::{Separator, columns_text, double, filled, is_missing, plain_name};
 
 /// The columns of a row, for messages.
 pub(super) const COLUMNS: &str = "x,y";
@@ -58,7 +58,7 @@ impl Layout {
         let names = header.map(|header| separator.split(header));
         let names: Vec<&str> = names.into_iter().flatten().collect();
         let fields: Vec<&str> = separator.split(first).collect();
-        let count = filled(&fields);
+        let count = at_least_two(&fields);
         let plain: Vec<String> = names.iter().copied().map(plain_name).collect();
         let place = |known: &[&str]| plain.iter().position(|name| known.contains(&name.as_str()));
         if options.columns.is_some() || options.weights.is_some() {
@@ -126,7 +126,7 @@ impl Layout {
     /// The message for another number of fields, or for a field that is not a number.
     pub(super) fn point(&self, row: &str) -> Result<([f64; 2], Option<f64>), String> {
         let fields: SmallVec<[&str; 4]> = self.separator.split(row).collect();
-        let count = filled(&fields);
+        let count = at_least_two(&fields);
         match self.columns.map(|column| fields.get(column)) {
             [Some(x), Some(y)] if [count, fields.len()].contains(&self.width) => {
                 let weight = self.weight.and_then(|column| fields.get(column));
@@ -164,9 +164,8 @@ impl Layout {
 }
 
 /// The number of fields, without empty ones behind the second.
-fn filled(fields: &[&str]) -> usize {
-    let last = fields.iter().rposition(|field| !field.is_empty());
-    last.map_or(0, |last| last + 1).max(fields.len().min(2))
+fn at_least_two(fields: &[&str]) -> usize {
+    filled(fields).max(fields.len().min(2))
 }
 
 #[cfg(test)]

@@ -39,7 +39,8 @@ pub(super) struct EnclosedLists(Vec<[[Enclosure; 2]; 2]>);
 
 impl EnclosedLists {
     pub(super) fn new(lists: &Lists) -> Self {
-        let len = lists.iter().map(|[cos, _]| cos.len()).max().unwrap_or(0);
+        let [[x, _], [y, _]] = lists;
+        let len = x.len().max(y.len());
         let entry = |list: &Vec<Rational>, k: usize| {
             list.get(k)
                 .map_or_else(Enclosure::zero, |c| PRECISION.rational(c))

@@ -8,7 +8,7 @@ use nalgebra::Complex;
 use rayon::prelude::*;
 
 use super::expansion::{COVER, Expansion, Inverted, Powers, Wave};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 
 /// The most boxes for one sector of the first division, and the most divisions of a box. General curves of 4 to 60 harmonics need
@@ -103,7 +103,7 @@ impl Search {
         let sectors = (5 * degree).max(16).next_power_of_two();
         Self {
             waves,
-            sectors: u32::try_from(sectors).unwrap_or(u32::MAX),
+            sectors: u32::try_from(sectors).invariant("a degree in memory is small"),
         }
     }
 
@@ -260,15 +260,14 @@ impl Search {
     /// Proof. Divided by |z|^N the left side depends on the angle alone, and the right side decreases.
     fn last_radius(&self) -> Option<f64> {
         let [x, y] = &self.waves;
+        let degree = i32::try_from(x.degree().max(y.degree()));
+        let degree = degree.invariant("a degree in memory is small");
         let step: f64 = 1.0 + 1.0 / 8.0;
         let radii = std::iter::successors(Some(1.0 + 1.0 / 8.0), |r| Some(r * step));
         // Powers of radii must be doubles.
         let radii = radii.take(150);
         radii
-            .take_while(|r: &f64| {
-                r.powi(i32::try_from(x.degree().max(y.degree())).unwrap_or(i32::MAX))
-                    .is_finite()
-            })
+            .take_while(|r: &f64| r.powi(degree).is_finite())
             .find(|&radius| {
                 if x.degree() == y.degree() {
                     leading_terms_prevail([x, y], radius)
