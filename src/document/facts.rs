@@ -6,7 +6,9 @@ use super::Coordinates;
 use super::fit_report::least_squares_sentence;
 use super::remark::part_text;
 use crate::exact::Rational;
-use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface};
+use crate::implicitize::{
+    EquationProof, IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface,
+};
 use crate::notation::{Format, polynomial_text};
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;
@@ -52,9 +54,17 @@ impl Annotations {
             )),
             Fact::Fit(report) => self.fit(report),
             Fact::PerfectSquare => self.note(super::remark::PERFECT_SQUARE),
-            Fact::Irreducible(degree) => {
+            Fact::Irreducible { degree, proof } => {
+                let proof = match proof {
+                    EquationProof::Substitution => {
+                        "that it vanishes identically is proved by substitution"
+                    }
+                    EquationProof::CoefficientBound => {
+                        "it is the resultant, computed modulo more primes than its coefficients can need"
+                    }
+                };
                 self.note(format!(
-                    "the irreducible equation, of degree {degree}; that it vanishes identically is proved by substitution"
+                    "the irreducible equation, of degree {degree}; {proof}"
                 ));
                 self.field("irreducible", json!(true));
             }

@@ -40,7 +40,7 @@ pub use polar::{
     PolarFactor, PolarInverse, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role,
     polar_patch, polar_plane, polar_space_curve,
 };
-pub use resultant::{PlaneEquation, implicitize_plane};
+pub use resultant::{EquationProof, PlaneEquation, implicitize_plane};
 pub(crate) use run::Run;
 pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};
 pub use theorem2::SquaredForm;

@@ -19,6 +19,18 @@ pub struct PlaneEquation {
     /// How often the parametrization traces the curve while s runs through all complex numbers and infinity: the degree of Q(s)
     /// over Q(x, y). If the parameter is an angle, s runs through all numbers while the angle makes one turn.
     pub tracing_index: usize,
+    /// Why the equation vanishes on the curve.
+    pub proof: EquationProof,
+}
+
+/// Why an irreducible equation vanishes identically on the form that it was made from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum EquationProof {
+    /// The substitution of the form is 0, modulo primes whose product is larger than its coefficients could be.
+    Substitution,
+    /// The equation is the resultant itself, computed modulo primes whose product is larger than its coefficients could be.
+    CoefficientBound,
 }
 
 /// Finds the implicit equation of a plane curve.
@@ -27,9 +39,9 @@ pub struct PlaneEquation {
 /// is irreducible over Q and k is the tracing index; there is no extraneous factor (Sederberg; Sendra & Winkler, *Rational
 /// Algebraic Curves*, Theorem 4.41). If k > 1, the curve first gets a parameter that traces it once, which divides both degrees
 /// by k. If the coordinates are trigonometric polynomials and k = 1, the resultant is computed in z = e^(it), exactly: modulo
-/// primes of which there are enough for its coefficients. Otherwise the returned f has three proofs. It vanishes identically on the curve: its substitution is 0 modulo primes whose
-/// product is larger than its coefficients could be. Its degree in X is n/k', where k' is an upper bound of the tracing index.
-/// So, by degrees, f is the minimal polynomial and k = k'.
+/// primes of which there are enough for its coefficients. Otherwise the returned f has three proofs. It vanishes identically on
+/// the curve: its substitution is 0 modulo primes whose product is larger than its coefficients could be. Its degree in X is
+/// n/k', where k' is an upper bound of the tracing index. So, by degrees, f is the minimal polynomial and k = k'.
 ///
 /// ```
 /// use stellate::implicitize::implicitize_plane;
@@ -72,6 +84,7 @@ pub fn implicitize_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PlaneEqu
         return Ok(PlaneEquation {
             curve: ImplicitCurve::new(resultant.primitive()),
             tracing_index,
+            proof: EquationProof::CoefficientBound,
         });
     }
     let map = RationalMap::of_curve(curve);
@@ -95,6 +108,7 @@ pub fn implicitize_plane(curve: &PlaneCurve, limits: &Limits) -> Result<PlaneEqu
     Ok(PlaneEquation {
         curve: ImplicitCurve::new(f),
         tracing_index,
+        proof: EquationProof::Substitution,
     })
 }
 

@@ -2,7 +2,9 @@
 
 use super::{FitReport, Part};
 use crate::exact::Rational;
-use crate::implicitize::{IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface};
+use crate::implicitize::{
+    EquationProof, IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface,
+};
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;
 
@@ -25,8 +27,13 @@ pub enum Fact {
     Fit(FitReport),
     /// The polynomial of Theorem 2 is a perfect square; the equation in the document is its square root.
     PerfectSquare,
-    /// The equation is irreducible and has this degree. Exact substitution proves that it vanishes on the whole form.
-    Irreducible(u64),
+    /// The equation is irreducible, and it vanishes on the whole form.
+    Irreducible {
+        /// The degree of the equation.
+        degree: u64,
+        /// Why it vanishes on the form.
+        proof: EquationProof,
+    },
     /// The number of complex parameter values of a general point of a curve.
     TracingIndex(usize),
     /// The number of complex parameter values of a general point of a surface, counted at random points; `None` if the counts

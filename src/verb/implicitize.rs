@@ -7,7 +7,7 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::{
-    Coverage, RealImage, Run, SquaredForm, implicitize_patch, implicitize_plane,
+    Coverage, EquationProof, RealImage, Run, SquaredForm, implicitize_patch, implicitize_plane,
     implicitize_space_curve, point_beyond, polar_patch, polar_plane, polar_space_curve,
     real_counts, real_image,
 };
@@ -170,7 +170,10 @@ fn of_radius(
         let degree = curve.polynomial().degree();
         return Ok(Implicitization {
             facts: vec![
-                Fact::Irreducible(degree.invariant("an equation is not 0") as u64),
+                Fact::Irreducible {
+                    degree: degree.invariant("an equation is not 0") as u64,
+                    proof: equation.proof,
+                },
                 Fact::TracingIndex(run.count(index)),
                 real_tracing(counts, run, index),
             ],
@@ -199,7 +202,10 @@ pub(super) fn of_plane_curve(
     let (run, index) = (Run::of(curve), equation.tracing_index);
     let degree = equation.curve.polynomial().degree();
     let mut facts = vec![
-        Fact::Irreducible(degree.invariant("an equation is not 0") as u64),
+        Fact::Irreducible {
+            degree: degree.invariant("an equation is not 0") as u64,
+            proof: equation.proof,
+        },
         Fact::TracingIndex(run.count(index)),
     ];
     add_real_image(curve, index, run, &mut facts, work)?;
@@ -260,7 +266,10 @@ pub(super) fn of_patch(patch: &Patch, polar: bool, work: &Work) -> Result<Implic
     let degree = equation.surface.polynomial().degree();
     let index = equation.tracing_index;
     let mut facts = vec![
-        Fact::Irreducible(degree.invariant("an equation is not 0")),
+        Fact::Irreducible {
+            degree: degree.invariant("an equation is not 0"),
+            proof: EquationProof::Substitution,
+        },
         Fact::PatchTracingIndex(index.and_then(|index| run.checked_count(index))),
     ];
     let whole = (patch.clone(), equation.surface.clone());

@@ -7,6 +7,7 @@ use stellate::document::{Format, write_form, write_fourier};
 use stellate::error::Error;
 use stellate::exact::Rational;
 use stellate::fit::Visibility;
+use stellate::implicitize::EquationProof;
 use stellate::language::{Numbers, parse_form};
 use stellate::poly::{PlanePolynomial, SparsePolynomial};
 use stellate::reading::{read_coefficients_csv, read_document, read_fourier_csv, read_text};
@@ -47,10 +48,14 @@ fn the_text_is_what_people_write() {
 #[test]
 fn every_format_of_one_curve() {
     let form = read("# center: 1/2, -3\nx^4 - x^2y/3 - 2y + 1");
+    let irreducible = Fact::Irreducible {
+        degree: 4,
+        proof: EquationProof::Substitution,
+    };
     let shown = |format| {
         write(
             &form,
-            &[Fact::Irreducible(4), Fact::Missing(Part::Factors)],
+            &[irreducible.clone(), Fact::Missing(Part::Factors)],
             format,
         )
     };
