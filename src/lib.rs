@@ -130,6 +130,7 @@ mod rows;
 pub mod sample;
 pub mod shape;
 pub mod verb;
+pub mod witness;
 
 // The example of the README is a test.
 #[cfg(doctest)]

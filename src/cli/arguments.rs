@@ -1,6 +1,6 @@
 //! The syntax of the command line. The verbs decide what the values mean.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -11,7 +11,7 @@ use stellate::fit::CenterChoice;
 use stellate::verb::{Bounds, CoordinatesFrom, Frame};
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
-use super::flags::{ArcFlags, FitFlags, ModelFlag, OutlineFlags};
+use super::flags::{ArcFlags, FitFlags, ModelFlag, OutlineFlags, ProofFlag};
 use super::values::{
     Angle, angle, center, degrees, frame, marked_point, point, positive, range, space_window, time,
     view, whole,
@@ -240,6 +240,22 @@ pub(crate) struct Paper {
     pub(crate) compare_up_to: usize,
 }
 
+impl Verb {
+    /// The file for the claims of the output.
+    pub(crate) fn proof(&self) -> Option<&Path> {
+        let flag = match self {
+            Self::Describe(verb) => &verb.proof,
+            Self::Implicitize(verb) => &verb.proof,
+            Self::Parametrize(verb) => &verb.proof,
+            Self::Fit(verb) => &verb.proof,
+            Self::Sample(verb) => &verb.proof,
+            Self::Inspect(verb) => &verb.proof,
+            _ => return None,
+        };
+        flag.proof.as_deref()
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct Describe {
     /// What to describe
@@ -247,6 +263,8 @@ pub(crate) struct Describe {
     pub(crate) form: String,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
+    #[command(flatten)]
+    pub(crate) proof: ProofFlag,
 }
 
 #[derive(Debug, Args)]
@@ -267,6 +285,8 @@ pub(crate) struct Implicitize {
     /// Coordinates relative to the center of the fit, or the contour's own
     #[arg(long, value_enum, default_value_t = CoordinatesFlag::Center)]
     pub(crate) coordinates: CoordinatesFlag,
+    #[command(flatten)]
+    pub(crate) proof: ProofFlag,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -317,6 +337,8 @@ pub(crate) struct Parametrize {
     /// The branch to fit a Fourier series to where there is no closed form [default: the outermost]
     #[arg(long, value_name = "I", value_parser = whole::<usize>(0..=u64::MAX, 1))]
     pub(crate) branch: Option<usize>,
+    #[command(flatten)]
+    pub(crate) proof: ProofFlag,
 }
 
 #[derive(Debug, Args)]
@@ -332,6 +354,8 @@ pub(crate) struct Fit {
     pub(crate) normal_form: bool,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
+    #[command(flatten)]
+    pub(crate) proof: ProofFlag,
 }
 
 #[derive(Debug, Args)]
@@ -360,6 +384,8 @@ pub(crate) struct Sample {
     /// Only points with r > 0
     #[arg(long)]
     pub(crate) positive: bool,
+    #[command(flatten)]
+    pub(crate) proof: ProofFlag,
 }
 
 #[derive(Debug, Args)]
@@ -421,6 +447,8 @@ pub(crate) struct Inspect {
     pub(crate) center: CenterChoice,
     #[command(flatten)]
     pub(crate) outline: OutlineFlags,
+    #[command(flatten)]
+    pub(crate) proof: ProofFlag,
 }
 
 #[derive(Debug, Args)]

@@ -1,5 +1,7 @@
 //! Flags that several verbs have.
 
+use std::path::PathBuf;
+
 use clap::{Args, ValueEnum};
 use stellate::exact::Rational;
 use stellate::fit::{CenterChoice, Column, Columns, Estimator, FitModel};
@@ -155,4 +157,12 @@ impl Default for FitFlags {
             outline: OutlineFlags::default(),
         }
     }
+}
+
+/// Where the claims of the output go.
+#[derive(Debug, Args)]
+pub(crate) struct ProofFlag {
+    /// Also write everything that the output claims to FILE, with witnesses that `stellate verify` checks
+    #[arg(long, value_name = "FILE")]
+    pub(crate) proof: Option<PathBuf>,
 }

@@ -25,6 +25,7 @@ mod verify;
 mod watch;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
@@ -53,7 +54,8 @@ pub(crate) fn main() -> ExitCode {
     };
     let in_json = arguments.common.format == Some(Format::Json);
     let outcome = guarded(|| {
-        let mut session = Session::new(arguments.common)?;
+        let proof = arguments.verb.proof().map(Path::to_owned);
+        let mut session = Session::new(arguments.common, proof)?;
         let done = match arguments.verb {
             Verb::Describe(verb) => describe::run(&verb, &session),
             Verb::Implicitize(verb) => implicitize::run(&verb, &session),

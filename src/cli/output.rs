@@ -8,11 +8,23 @@ use tempfile::NamedTempFile;
 
 use super::session::Session;
 
-/// Writes the result of a verb to `-o FILE` or to standard output.
+/// Writes the result of a verb to `-o FILE` or to standard output, and its proof before it. The claims about points that are
+/// inspected while they are written are known after them.
 pub(crate) fn write_result(
     session: &Session,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
+    let is_known = session.work.proof().is_some_and(|proof| proof.claims() > 0);
+    if is_known {
+        write_proof(session)?;
+    }
+    let write = |out: &mut dyn Write| {
+        write(out)?;
+        if is_known {
+            return Ok(());
+        }
+        write_proof(session)
+    };
     session
         .work
         .stage("write", || match &session.common.output {
@@ -24,6 +36,22 @@ pub(crate) fn write_result(
                 write,
             ),
         })
+}
+
+/// Writes the claims of the output, if they are wanted, after they have been checked.
+fn write_proof(session: &Session) -> Result<()> {
+    let (Some(path), Some(proof)) = (&session.proof, session.work.proof()) else {
+        return Ok(());
+    };
+    let proof = session
+        .work
+        .stage("check of the proof", || proof.checked())?;
+    session.note(&format!(
+        "proof: {} claims, {} of them without a witness",
+        proof.claims(),
+        proof.without_witness()
+    ));
+    write_beside(path, proof.text().as_bytes(), session)
 }
 
 /// Writes to a stream that is not a regular file. Until the first byte is written, the process may be ended from outside.
@@ -121,6 +149,9 @@ fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
 
 /// Refuses `-o` into a missing folder or onto a folder before any work is done.
 pub(crate) fn check_destination(session: &Session) -> Result<()> {
+    if let Some(path) = &session.proof {
+        check_place("--proof", path)?;
+    }
     match &session.common.output {
         Some(path) => check_place("-o", path),
         None => Ok(()),

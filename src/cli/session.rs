@@ -1,6 +1,6 @@
 //! One run of the program: its limits, its notes and the times of its stages.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -29,6 +29,8 @@ pub(crate) struct Session {
     pub(crate) limits: Limits,
     /// The circumstances of the work, watched by this session.
     pub(crate) work: Work,
+    /// The file for the claims of the output.
+    pub(crate) proof: Option<PathBuf>,
     /// Whether the work is done and its answer is "no".
     pub(crate) answer_is_no: bool,
     watch: Arc<Watch>,
@@ -38,7 +40,7 @@ pub(crate) struct Session {
 
 impl Session {
     /// Sets up threads, the time limit and Ctrl-C.
-    pub(crate) fn new(mut common: Common) -> Result<Self> {
+    pub(crate) fn new(mut common: Common, proof: Option<PathBuf>) -> Result<Self> {
         // `-o -` means the same as no `-o`.
         common.output = common.output.filter(|path| path.as_os_str() != "-");
         let mut limits = Limits::none();
@@ -53,11 +55,16 @@ impl Session {
         if let Some(time) = common.time_limit {
             watch_deadline(time, &watch);
         }
+        let work = Work::default()
+            .limits(limits.clone())
+            .max_degree(common.max_degree)
+            .watched_by(Arc::<Watch>::clone(&watch));
         Ok(Self {
-            work: Work::default()
-                .limits(limits.clone())
-                .max_degree(common.max_degree)
-                .watched_by(Arc::<Watch>::clone(&watch)),
+            work: match proof {
+                Some(_) => work.with_proof(),
+                None => work,
+            },
+            proof,
             common,
             limits,
             answer_is_no: false,

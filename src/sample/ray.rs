@@ -122,6 +122,13 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         bounded.map_or_else(|_| self.solve_exactly(direction), Ray::Points)
     }
 
+    /// The origin of the coordinates of points, in those of the polynomial.
+    pub(crate) fn center(&self) -> [Rational; V] {
+        self.center
+            .clone()
+            .unwrap_or_else(|| std::array::from_fn(|_| Rational::zero()))
+    }
+
     /// The number of directions that each precision has decided so far.
     #[must_use]
     pub fn stage_counts(&self) -> StageCounts {

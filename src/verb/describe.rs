@@ -1,5 +1,6 @@
 //! The verb `describe`: the exact properties of a form.
 
+use super::claims::claim_description;
 use super::equation::{Taken, check_curve, check_surface};
 use super::fit::exact_form;
 use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
@@ -96,6 +97,7 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
     if description.factors.is_none() {
         facts.push(Fact::Missing(Part::Factors));
     }
+    work.claim(|proof| claim_description(proof, &form, &description, work))?;
     let what = DescribedForm::Equation(description);
     Ok(Described { what, facts })
 }

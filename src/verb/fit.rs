@@ -1,5 +1,6 @@
 //! Fits of contours by Fourier series, for the verb `fit` and for every verb that takes a contour.
 
+use super::claims::claim_fit;
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::fit::{
@@ -217,6 +218,17 @@ pub fn fit(given: Given, options: &FitOptions, work: &Work) -> Result<OutlineFit
     if let (OutlineSeries::Radius(fit), Some(radial)) = (&series, &mut report.radial) {
         radial.star_shaped = is_positive_radius(&fit.radius, work)?;
     }
+    work.claim(|proof| {
+        let radius = match &series {
+            OutlineSeries::Radius(fit) => {
+                let is_positive = report.radial.as_ref().and_then(|radial| radial.star_shaped);
+                Some((&fit.radius, is_positive, fit.max_radial_error))
+            }
+            OutlineSeries::Elliptic(_) => None,
+        };
+        claim_fit(proof, radius, report.distances.as_ref());
+        Ok(())
+    })?;
     Ok(OutlineFit { series, report })
 }
 

@@ -1,5 +1,6 @@
 //! The verb `implicitize`: Theorems 1 to 4 for parametric forms, and canonical equations for implicit ones.
 
+use super::claims::claim_equation;
 use super::equation::{check_curve, curve_of_superquadric, surface_of_superquadric};
 use super::fit::{Fitted, exact_form};
 use super::{BeyondCurve, Fact, Given, Part, PolarTheorem, Reach, Remark, Work};
@@ -95,6 +96,7 @@ pub fn implicitize(
 ) -> Result<Implicitization> {
     let Fitted { form, report } = exact_form(given, &options.fit, work)?;
     refuse_method(options.method, &form)?;
+    let proved = work.proves().then(|| form.clone());
     let mut found = work.stage("implicitize", || {
         let found = equation(form, options, work)?;
         if let (CoordinatesFrom::Original, Form::Curve(curve)) = (options.coordinates, &found.form)
@@ -109,6 +111,15 @@ pub fn implicitize(
     })?;
     if let Form::Curve(curve) = &found.form {
         check_curve(curve, work)?;
+    }
+    if let Some(form) = proved {
+        work.claim(|proof| {
+            let coordinates = match options.coordinates {
+                CoordinatesFrom::Center => "center",
+                CoordinatesFrom::Original => "original",
+            };
+            claim_equation(proof, &form, &found.form, coordinates, work)
+        })?;
     }
     found.facts.extend(report.map(Fact::Fit));
     Ok(found)

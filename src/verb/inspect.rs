@@ -17,6 +17,7 @@ use crate::poly::SparsePolynomial;
 use crate::shape::{
     Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
 };
+use crate::witness::{InspectedForm, Proof};
 
 /// The default number of significant digits of distances.
 const DIGITS: u32 = 6;
@@ -230,6 +231,22 @@ impl InspectionTask {
     #[must_use]
     pub fn tolerance(&self) -> &Rational {
         &self.tolerance
+    }
+
+    /// The form for claims about points.
+    pub(super) fn claimed(&self, proof: &mut Proof) -> InspectedForm {
+        match &self.subject {
+            Subject::Surface(surface) => InspectedForm::of_surface(surface, proof),
+            Subject::Curve(curve) => InspectedForm::of_curve(curve, proof),
+            // Distances from a cylinder over a radius are not claimed.
+            Subject::Radius(radius) if self.dimension == 2 => {
+                InspectedForm::of_radius(radius, proof)
+            }
+            Subject::Radius(_)
+            | Subject::PlaneCurve(_)
+            | Subject::SpaceCurve(_)
+            | Subject::Patch(..) => InspectedForm::Other,
+        }
     }
 
     /// Inspects a point, given in original coordinates; in the plane z is 0.

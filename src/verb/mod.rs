@@ -34,6 +34,7 @@ mod arcs;
 mod check;
 #[cfg(feature = "pictures")]
 mod check_chart;
+mod claims;
 mod describe;
 mod equation;
 mod fact;

@@ -1,6 +1,7 @@
 //! The verb `parametrize`: r(θ) for plane curves, R(θ, φ) for surfaces, and coordinates for intersections.
 
 use super::arcs::{ArcSearch, arcs_of_others, refuse_arcs};
+use super::claims::claim_branches;
 use super::equation::{Taken, check_curve, check_surface, through_equation};
 use super::fit::{exact_form, refuse_contour_options};
 use super::{Content, Given, Remark, Work};
@@ -166,6 +167,10 @@ pub fn parametrize(
         _ => Err(PARAMETRIZE.not_this()),
     })?;
     let fit = branch_fit(options, is_exact, &polar, work)?;
+    work.claim(|proof| {
+        claim_branches(proof, &polar);
+        Ok(())
+    })?;
     Ok(Parametrized::Curve { polar, fit })
 }
 

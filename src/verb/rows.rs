@@ -14,6 +14,7 @@ use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section};
 use crate::language::Numbers;
 use crate::options::options;
 use crate::rows::{RowReader, fields, row_error};
+use crate::witness::{InspectedForm, inspected_point};
 
 /// The number of rows that are in memory at a time.
 const CHUNK: usize = 1 << 15;
@@ -266,7 +267,12 @@ impl InspectionTask {
             work,
             summary: InspectionSummary::default(),
             kept: Vec::new(),
+            claimed: None,
         };
+        work.claim(|proof| {
+            batch.claimed = Some(self.claimed(proof));
+            Ok(())
+        })?;
         match points {
             PointSource::Texts(points) => {
                 let rows: Vec<(usize, String)> = (1..).zip(points).collect();
@@ -291,6 +297,8 @@ struct Batch<'a> {
     work: &'a Work,
     summary: InspectionSummary,
     kept: Vec<KeptPoint>,
+    /// The form for claims about points, if there are claims.
+    claimed: Option<InspectedForm>,
 }
 
 /// The part of the answer that one thread has found.
@@ -299,6 +307,8 @@ struct Share {
     text: Vec<u8>,
     summary: InspectionSummary,
     kept: Vec<KeptPoint>,
+    /// The exact points about which claims are made, and their inspections.
+    claimed: Vec<([Rational; 3], Inspection)>,
     /// The first row that is not a point, with its number and the reason; the rows after it are not inspected.
     wrong: Option<(usize, String)>,
 }
@@ -354,6 +364,15 @@ impl Batch<'_> {
             let share = share?;
             self.write(&share, out)?;
             self.summary.join(&share.summary);
+            if let Some(form) = &self.claimed {
+                self.work.claim(|proof| {
+                    for (point, inspection) in &share.claimed {
+                        self.work.bounds().check()?;
+                        inspected_point(proof, form, point, self.task.tolerance(), inspection);
+                    }
+                    Ok(())
+                })?;
+            }
             if let Some((row, message)) = share.wrong {
                 return Err(row_error(place, row, message + &self.what_stands()));
             }
@@ -417,6 +436,9 @@ impl Batch<'_> {
             }
             self.writer.point(&point, &mut share.text)?;
             share.summary.add(*number, &point.inspection, tolerance);
+            if self.claimed.is_some() {
+                share.claimed.push((row.exactly(), point.inspection));
+            }
             if self.reading.keep {
                 share.kept.push(KeptPoint {
                     row: *number,

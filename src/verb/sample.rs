@@ -3,6 +3,7 @@
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
+use super::claims::claim_rays;
 use super::equation::{Taken, check_surface, implicit_curve, through_equation};
 use super::fit::exact_form;
 use super::{CoordinatesFrom, Given, Remark, Work};
@@ -15,6 +16,7 @@ use crate::sample::{
     Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts, solve_radial,
 };
 use crate::shape::{Form, ImplicitSurface};
+use crate::witness::{curve_form, surface_form};
 
 const DEFAULT_DIRECTIONS: usize = 360;
 /// The default number of steps along a meridian, from pole to pole.
@@ -145,6 +147,10 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         CoordinatesFrom::Original => (origin, curve.center().clone()),
     };
     let solver = RaySolver::new(curve.polynomial()).about(from);
+    work.claim(|proof| {
+        let form = curve_form(proof, curve.polynomial());
+        claim_rays(proof, form, curve.polynomial(), &solver, &directions, work)
+    })?;
     let rays = solve(|d| Ok(solver.solve(d)), directions, options.positive, work)?;
     if !center.iter().all(Rational::is_zero) {
         work.remark(Remark::RelativeTo(center.clone()));
@@ -168,6 +174,10 @@ fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -
     let directions = space_directions(options)?;
     check_surface(surface, work)?;
     let solver = RaySolver::new(surface.by_degree());
+    work.claim(|proof| {
+        let form = surface_form(proof, surface.polynomial());
+        claim_rays(proof, form, surface.by_degree(), &solver, &directions, work)
+    })?;
     let rays = solve(|d| Ok(solver.solve(d)), directions, options.positive, work)?;
     remark_lines(&rays, work);
     Ok(Samples {

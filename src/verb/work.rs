@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use super::{Part, Remark};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
+use crate::witness::Proof;
 
 /// The largest degree of a polynomial if no other limit is set.
 pub const DEFAULT_MAX_DEGREE: usize = 20_002;
@@ -69,6 +70,7 @@ pub struct Work {
     watcher: Option<Arc<dyn Watcher>>,
     remarks: Mutex<Vec<Remark>>,
     missing: Mutex<Option<Missing>>,
+    proof: Option<Mutex<Proof>>,
 }
 
 impl fmt::Debug for Work {
@@ -102,6 +104,32 @@ impl Work {
     pub fn watched_by(mut self, watcher: Arc<dyn Watcher>) -> Self {
         self.watcher = Some(watcher);
         self
+    }
+
+    /// From now on, everything that the verbs claim is written down with a witness, if there is one.
+    #[must_use]
+    pub fn with_proof(mut self) -> Self {
+        self.proof = Some(Mutex::default());
+        self
+    }
+
+    /// The claims so far; `None` without [`Work::with_proof`].
+    #[must_use]
+    pub fn proof(&self) -> Option<Proof> {
+        self.proof.as_ref().map(|proof| locked(proof).clone())
+    }
+
+    /// Whether claims are written down.
+    pub(super) fn proves(&self) -> bool {
+        self.proof.is_some()
+    }
+
+    /// Makes claims, if claims are written down.
+    pub(super) fn claim(&self, make: impl FnOnce(&mut Proof) -> Result<()>) -> Result<()> {
+        match &self.proof {
+            Some(proof) => self.stage("proof", || make(&mut locked(proof))),
+            None => Ok(()),
+        }
     }
 
     /// The remarks about the work so far.

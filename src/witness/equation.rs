@@ -1,0 +1,138 @@
+//! Claims about equations: where they come from, their factors, and why those are irreducible (T2, T3, T4).
+
+use serde_json::{Value, json};
+
+use super::forms::{parametric_form, radius_form};
+use super::line::LinePoly;
+use super::line::line_and_prime;
+use super::proof::{Proof, by_expansion};
+use crate::error::Result;
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::shape::{Form, FourierRadius};
+
+/// The products of two polynomials that a checker multiplies at most.
+const MOST_PRODUCTS: f64 = 3e7;
+
+/// Claims that the polynomial of the given index is that of Theorem 2 for the radius, in coordinates about its center or in the
+/// original ones: `series-equation`; and that it is irreducible. If the polynomial
+/// of the theorem is a square, the first is claimed without a witness, and the second is not claimed here.
+pub(crate) fn of_radius(
+    proof: &mut Proof,
+    form: Option<usize>,
+    radius: &FourierRadius,
+    is_square: bool,
+    coordinates: &'static str,
+) {
+    let series = radius_form(proof, radius);
+    let both = form.is_some() && series.is_some();
+    let statement = json!({ "form": form, "radius": series, "coordinates": coordinates });
+    if is_square {
+        // The polynomial of the theorem is the square of the polynomial in the output.
+        let statement = json!({ "form": form, "radius": series, "square": true });
+        proof.claim("series-equation", &statement, None);
+        return;
+    }
+    proof.claim(
+        "series-equation",
+        &statement,
+        both.then(by_expansion).flatten(),
+    );
+    let witness = json!({ "radius": series, "coordinates": coordinates });
+    proof.claim(
+        "irreducible",
+        &json!({ "form": form }),
+        both.then_some(witness),
+    );
+}
+
+/// Claims that equations vanish on a curve or patch with parameters: `identity`.
+pub(crate) fn identity(
+    proof: &mut Proof,
+    equations: &[Option<usize>],
+    degrees: &[usize],
+    form: &Form,
+) {
+    let curve = parametric_form(proof, form);
+    let parameters = if matches!(form, Form::Patch(_)) { 2 } else { 1 };
+    // A substitution of degree d in functions of degree m has about d m^p terms for p parameters.
+    let cost = |degree: usize| (degree as f64 * size(form)).powi(parameters + 1) * degree as f64;
+    let is_short = degrees.iter().all(|&degree| cost(degree) <= MOST_PRODUCTS);
+    let all = equations.iter().all(Option::is_some) && curve.is_some() && is_short;
+    let statement = json!({ "equations": equations, "curve": curve });
+    proof.claim("identity", &statement, all.then(by_expansion).flatten());
+}
+
+/// The largest degree of a coordinate in a parameter.
+fn size(form: &Form) -> f64 {
+    let degree = match form {
+        Form::PlaneCurve(curve) => curve.coordinates().iter().map(|f| f.degree()).max(),
+        Form::SpaceCurve(curve) => curve.coordinates().iter().map(|f| f.degree()).max(),
+        Form::Patch(patch) => patch
+            .coordinates()
+            .iter()
+            .map(|f| f.degree_in(0).max(f.degree_in(1)) as usize)
+            .max(),
+        _ => None,
+    };
+    degree.map_or(0.0, |degree| degree as f64)
+}
+
+/// Claims that a polynomial is irreducible over Q, with a line and a prime as the witness if one is found: `irreducible`.
+///
+/// # Errors
+/// Those of `limits`.
+pub(crate) fn irreducible<const V: usize>(
+    proof: &mut Proof,
+    form: Option<usize>,
+    polynomial: &impl LinePoly<V>,
+    limits: &Limits,
+) -> Result<()> {
+    let witness = match form {
+        Some(_) => line_and_prime(polynomial, limits)?,
+        None => None,
+    };
+    proof.claim("irreducible", &json!({ "form": form }), witness);
+    Ok(())
+}
+
+/// Claims that a polynomial is a constant times a product of powers of factors, each given by its index and multiplicity:
+/// `factorization`.
+pub(crate) fn factors(
+    proof: &mut Proof,
+    form: Option<usize>,
+    constant: &Rational,
+    factors: &[(Option<usize>, usize)],
+) {
+    let all = form.is_some() && factors.iter().all(|(index, _)| index.is_some());
+    let list: Vec<Value> = factors
+        .iter()
+        .map(|(index, multiplicity)| json!({ "form": index, "multiplicity": multiplicity }))
+        .collect();
+    let statement = json!({ "form": form, "constant": constant.to_string(), "factors": list });
+    proof.claim(
+        "factorization",
+        &statement,
+        all.then(by_expansion).flatten(),
+    );
+}
+
+/// Makes a claim about equations that has no witness in proof files.
+pub(crate) fn unproved(proof: &mut Proof, name: &'static str, equations: &[Option<usize>]) {
+    proof.claim(name, &json!({ "equations": equations }), None);
+}
+
+/// Makes a claim about a branch of a curve that has no witness.
+pub(crate) fn unproved_branch(
+    proof: &mut Proof,
+    name: &'static str,
+    form: Option<usize>,
+    branch: usize,
+) {
+    proof.claim(name, &json!({ "form": form, "branch": branch }), None);
+}
+
+/// Makes a claim about a number that has no witness.
+pub(crate) fn unproved_number(proof: &mut Proof, name: &'static str, of: &str, number: f64) {
+    proof.claim(name, &json!({ of: number.to_string() }), None);
+}

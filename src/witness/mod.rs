@@ -1,0 +1,22 @@
+//! Witnesses: the claims of a run, written down so that the checker of [`crate::proof`] needs nothing but evaluation.
+//!
+//! A [`Proof`] is the document that the page about proof files defines. Each claim is made from exact objects of the engine; what
+//! has no witness is claimed without one. The names T1 to T8 are those of the theorems on that page.
+
+mod breakpoints;
+mod distance;
+mod equation;
+mod forms;
+mod line;
+mod positive;
+mod proof;
+mod rays;
+
+pub(crate) use distance::{InspectedForm, inspected_point};
+pub(crate) use equation::{
+    factors, identity, irreducible, of_radius, unproved, unproved_branch, unproved_number,
+};
+pub(crate) use forms::{curve_form, surface_form};
+pub(crate) use positive::positive_radius;
+pub use proof::Proof;
+pub(crate) use rays::ray;

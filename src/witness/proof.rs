@@ -1,0 +1,135 @@
+//! The document of claims and witnesses.
+
+use std::collections::{HashMap, HashSet};
+
+use serde_json::{Value, json};
+
+use crate::error::{Error, Result};
+use crate::proof::{LONGEST_DOCUMENT, check};
+
+/// Everything that an output claims, each claim with its witness or without one.
+///
+/// ```
+/// use stellate::language::Numbers;
+/// use stellate::verb::{self, Given, SampleOptions, Work};
+/// let given = Given::read("x^2 + y^2 = 2", Numbers::Exact)?;
+/// let work = Work::default().with_proof();
+/// verb::sample(given, &SampleOptions::default().directions(Some(4)), &work)?;
+/// let proof = work.proof().unwrap().checked()?;
+/// assert_eq!((proof.claims(), proof.without_witness()), (4, 0));
+/// assert!(stellate::proof::check(&proof.text(), true).unwrap().holds());
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Proof {
+    forms: Vec<String>,
+    index_of_form: HashMap<String, usize>,
+    claims: Vec<Claim>,
+    made: HashSet<(&'static str, String)>,
+}
+
+/// A claim, with a witness or without one.
+#[derive(Clone, Debug)]
+pub(crate) struct Claim {
+    name: &'static str,
+    statement: String,
+    witness: Option<Value>,
+}
+
+impl Claim {
+    pub(super) fn new(name: &'static str, statement: &Value, witness: Option<Value>) -> Self {
+        Self {
+            name,
+            statement: statement.to_string(),
+            witness,
+        }
+    }
+}
+
+impl Proof {
+    /// The index of a form in the table of forms, where it is entered once.
+    pub(crate) fn form(&mut self, form: &Value) -> usize {
+        let text = form.to_string();
+        if let Some(index) = self.index_of_form.get(&text) {
+            return *index;
+        }
+        let index = self.forms.len();
+        self.forms.push(text.clone());
+        self.index_of_form.insert(text, index);
+        index
+    }
+
+    /// Makes a claim. A claim that is made already is not made again.
+    pub(super) fn claim(&mut self, name: &'static str, statement: &Value, witness: Option<Value>) {
+        self.add(Claim::new(name, statement, witness));
+    }
+
+    /// As [`Proof::claim`].
+    pub(crate) fn add(&mut self, claim: Claim) {
+        if self.made.insert((claim.name, claim.statement.clone())) {
+            self.claims.push(claim);
+        }
+    }
+
+    /// The number of claims.
+    #[must_use]
+    pub fn claims(&self) -> usize {
+        self.claims.len()
+    }
+
+    /// The number of claims without a witness.
+    #[must_use]
+    pub fn without_witness(&self) -> usize {
+        self.claims.iter().filter(|c| c.witness.is_none()).count()
+    }
+
+    /// The document, as JSON.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let claims = self.claims.iter().map(|claim| {
+            let witness = claim.witness.as_ref().unwrap_or(&Value::Null);
+            format!(
+                "{{\"claim\":\"{}\",\"statement\":{},\"witness\":{witness}}}",
+                claim.name, claim.statement
+            )
+        });
+        let claims: Vec<String> = claims.collect();
+        format!(
+            "{{\"schema\":\"stellate/1\",\"kind\":\"proof\",\"forms\":[\n{}\n],\"claims\":[\n{}\n]}}\n",
+            self.forms.join(",\n"),
+            claims.join(",\n")
+        )
+    }
+
+    /// The proof after the checker has accepted it. A claim about a distance has no witness after this if its cover is too long,
+    /// or if its witness, which was found in doubles, is not good enough.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if the document is longer than [`LONGEST_DOCUMENT`]; [`Error::Internal`] if the checker refuses a claim.
+    pub fn checked(mut self) -> Result<Self> {
+        let text = self.text();
+        if text.len() > LONGEST_DOCUMENT {
+            return Err(Error::limit("the length of a proof, 2^27 bytes"));
+        }
+        let report = check(&text, false).map_err(|refusal| {
+            Error::internal("a proof", format!("it is well formed: {refusal}"))
+        })?;
+        for refused in &report.refused {
+            let claim = &mut self.claims[refused.index];
+            // These witnesses are rules for covers, or were found in doubles.
+            if claim.name != "distance" {
+                return Err(Error::internal(
+                    format!("claim {} of the proof ({})", refused.index, refused.name),
+                    format!("it holds: {}", refused.refusal),
+                ));
+            }
+            claim.witness = None;
+        }
+        Ok(self)
+    }
+}
+
+/// The witness of claims that are checked by expansion.
+pub(super) fn by_expansion() -> Option<Value> {
+    Some(json!({ "method": "expansion" }))
+}
