@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::forms::{curve_form, radius_form, surface_form, texts};
 use super::proof::{Proof, by_expansion};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::inspect::{Inspection, Verdict};
 use crate::poly::{PlanePolynomial, SparsePolynomial};
@@ -54,13 +55,18 @@ impl InspectedForm {
     }
 
     pub(crate) fn of_radius(radius: &FourierRadius, proof: &mut Proof) -> Self {
-        let points = (0..ANGLES).map(|k| point_of_radius(radius, angle(k as f64)));
+        let points = (0..ANGLES).map(|k| point_of_radius(radius, angle(real(k))));
         Self::Radius(radius_form(proof, radius), radius.clone(), points.collect())
     }
 }
 
 fn angle(k: f64) -> f64 {
-    k * TAU / ANGLES as f64
+    k * TAU / real(ANGLES)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a small count")]
+fn real(count: usize) -> f64 {
+    count as f64
 }
 
 fn point_of_radius(radius: &FourierRadius, theta: f64) -> [f64; 2] {
@@ -234,7 +240,7 @@ impl<const V: usize> Witnesses for Nearest<'_, V> {
             .into_iter()
             .chain(opposite)
             .chain(directions::<V>(RAYS));
-        let tried = tried.map(|direction| rational_unit(direction));
+        let tried = tried.map(rational_unit);
         let mut seen: Vec<(i8, [Rational; V])> = Vec::new();
         if !exactly {
             let here = sign(self.point);
@@ -283,12 +289,12 @@ fn directions<const V: usize>(count: usize) -> Vec<[f64; V]> {
     }
     let golden = TAU * (1.0 - 1.0 / 1.618_033_988_749_895);
     for k in 0..count {
-        let share = (k as f64 + 0.5) / count as f64;
+        let share = (real(k) + 0.5) / real(count);
         let spread: [f64; 3] = match V {
             2 => [(TAU * share).cos(), (TAU * share).sin(), 0.0],
             _ => {
                 let z = 1.0 - 2.0 * share;
-                let (sin, cos) = (golden * k as f64).sin_cos();
+                let (sin, cos) = (golden * real(k)).sin_cos();
                 let s = (1.0 - z * z).sqrt();
                 [s * cos, s * sin, z]
             }
@@ -301,7 +307,7 @@ fn directions<const V: usize>(count: usize) -> Vec<[f64; V]> {
 /// A rational unit vector near the direction.
 fn rational_unit<const V: usize>(direction: [f64; V]) -> [Rational; V] {
     // The axes are exact.
-    if let Some(axis) = direction.iter().position(|c| c.abs() == 1.0) {
+    if let Some(axis) = direction.iter().position(|c| c.abs() >= 1.0) {
         let sign = if direction[axis] > 0.0 { 1 } else { -1 };
         return std::array::from_fn(|k| Rational::from(if k == axis { sign } else { 0 }));
     }
@@ -387,11 +393,9 @@ impl<'a> Nearest<'a, 2> {
         let [x, y] = point.each_ref().map(Rational::to_f64);
         let distance = |[a, b]: [f64; 2]| (a - x).hypot(b - y);
         let extreme = |sign: f64| {
-            let best = (0..points.len())
-                .min_by(|&i, &j| {
-                    (sign * distance(points[i])).total_cmp(&(sign * distance(points[j])))
-                })
-                .unwrap_or(0) as f64;
+            let values: Vec<f64> = points.iter().map(|point| sign * distance(*point)).collect();
+            let best = (0..values.len()).min_by(|&i, &j| values[i].total_cmp(&values[j]));
+            let best = real(best.invariant("a radius is drawn with points"));
             // The golden section between the neighbours.
             let ratio = 0.618_033_988_749_895;
             let value = |k: f64| sign * distance(point_of_radius(radius, angle(k)));

@@ -12,7 +12,7 @@ use crate::limits::Limits;
 use crate::shape::{Form, FourierRadius};
 
 /// The products of two polynomials that a checker multiplies at most.
-const MOST_PRODUCTS: f64 = 3e7;
+const MOST_PRODUCTS: usize = 30_000_000;
 
 /// Claims that the polynomial of the given index is that of Theorem 2 for the radius, in coordinates about its center or in the
 /// original ones: `series-equation`; and that it is irreducible. If the polynomial
@@ -56,15 +56,22 @@ pub(crate) fn identity(
     let curve = parametric_form(proof, form);
     let parameters = if matches!(form, Form::Patch(_)) { 2 } else { 1 };
     // A substitution of degree d in functions of degree m has about d m^p terms for p parameters.
-    let cost = |degree: usize| (degree as f64 * size(form)).powi(parameters + 1) * degree as f64;
-    let is_short = degrees.iter().all(|&degree| cost(degree) <= MOST_PRODUCTS);
+    let cost = |degree: usize| {
+        let terms = degree
+            .checked_mul(size(form))?
+            .checked_pow(parameters + 1)?;
+        terms.checked_mul(degree)
+    };
+    let is_short = degrees
+        .iter()
+        .all(|&degree| cost(degree).is_some_and(|cost| cost <= MOST_PRODUCTS));
     let all = equations.iter().all(Option::is_some) && curve.is_some() && is_short;
     let statement = json!({ "equations": equations, "curve": curve });
     proof.claim("identity", &statement, all.then(by_expansion).flatten());
 }
 
 /// The largest degree of a coordinate in a parameter.
-fn size(form: &Form) -> f64 {
+fn size(form: &Form) -> usize {
     let degree = match form {
         Form::PlaneCurve(curve) => curve.coordinates().iter().map(|f| f.degree()).max(),
         Form::SpaceCurve(curve) => curve.coordinates().iter().map(|f| f.degree()).max(),
@@ -75,7 +82,7 @@ fn size(form: &Form) -> f64 {
             .max(),
         _ => None,
     };
-    degree.map_or(0.0, |degree| degree as f64)
+    degree.unwrap_or(usize::MAX)
 }
 
 /// Claims that a polynomial is irreducible over Q, with a line and a prime as the witness if one is found: `irreducible`.

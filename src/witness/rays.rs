@@ -10,7 +10,7 @@ use super::forms::texts;
 use super::proof::Claim;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, squarefree_decomposition};
-use crate::roots::real_roots;
+use crate::roots::{RealRoot, real_roots};
 use crate::sample::{HomogeneousParts, Ray, UnitVector, along};
 
 /// The claim of all points of a ray: `root-count`. `form` is the index of the polynomial, and `center` the origin of the coordinates
@@ -75,7 +75,7 @@ fn restricted_witness(along: &[(usize, Integer)]) -> Option<Value> {
             .map(|(_, part)| part.clone())
             .reduce(|product, part| &product * &part)?,
     };
-    let enclosures: Vec<_> = real_roots(&squarefree).iter().map(|r| r.bounds()).collect();
+    let enclosures = apart(real_roots(&squarefree));
     let roots = Roots {
         coefficients: squarefree.coefficients_asc(),
         enclosures: &enclosures,
@@ -94,4 +94,19 @@ fn restricted_witness(along: &[(usize, Integer)]) -> Option<Value> {
         witness["parts"] = parts.iter().map(part).collect();
     }
     Some(witness)
+}
+
+/// Enclosures of distinct roots, ascending, that have gaps between them.
+fn apart(mut roots: Vec<RealRoot>) -> Vec<(Rational, Rational)> {
+    let mut exponent = 0;
+    loop {
+        let bounds: Vec<_> = roots.iter().map(RealRoot::bounds).collect();
+        if bounds.windows(2).all(|pair| pair[0].1 < pair[1].0) {
+            return bounds;
+        }
+        exponent -= 8;
+        for root in &mut roots {
+            root.refine_to_width(exponent);
+        }
+    }
 }
