@@ -4,11 +4,12 @@ use malachite::base::num::arithmetic::traits::Gcd;
 
 use crate::error::{Invariant, Result};
 use crate::factor::{factor_plane, factor_space};
-use crate::implicitize::SquaredForm;
+use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::limits::Limits;
 use crate::parametrize::{AngleRange, born_of_radius, is_full_circle, positive_ranges};
 use crate::poly::{PlanePolynomial, total_degree};
-use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
+use crate::shape::{Form, FourierRadius, HarmonicSurface, ImplicitCurve, ImplicitSurface};
+use crate::sphere::{Positivity, positivity};
 
 /// The exact properties of an implicit curve or surface, or of the polynomial of a Fourier radius.
 #[derive(Clone, Debug)]
@@ -253,5 +254,51 @@ mod tests {
         assert_eq!(name(&[5, 1, 0]), ("lemma-6".into(), 0));
         assert_eq!(name(&[3, 2, 0]), ("lemma-4".into(), 1));
         assert_eq!(name(&[2]), ("lines".into(), 0));
+    }
+}
+
+/// The properties of a harmonic surface and of its equation.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct HarmonicDescription {
+    /// The radius.
+    pub surface: HarmonicSurface,
+    /// The total degree of the reduced equation: 2(L + 1), or L + 1 if F is a perfect square.
+    pub degree: usize,
+    /// The degrees of its homogeneous parts, descending.
+    pub homogeneous_degrees: Vec<usize>,
+    /// The number of non-zero terms.
+    pub terms: usize,
+    /// The bit length of the largest coefficient.
+    pub coefficient_bits: u64,
+    /// Whether F is the square of the described equation, because all even harmonics are 0.
+    pub perfect_square: bool,
+    /// Whether R > 0 in every direction.
+    pub positivity: Positivity,
+}
+
+impl HarmonicDescription {
+    /// The description of a harmonic surface with this equation.
+    ///
+    /// # Errors
+    /// Those of the limits.
+    pub fn new(
+        surface: HarmonicSurface,
+        equation: &SquaredHarmonics,
+        limits: &Limits,
+    ) -> Result<Self> {
+        let expanded = equation.expand();
+        let f = expanded.polynomial();
+        let degrees = expanded.by_degree().homogeneous_degrees();
+        let bits = f.terms().map(|(_, c)| c.bits()).max();
+        Ok(Self {
+            degree: degrees.first().copied().invariant("an equation is not 0"),
+            homogeneous_degrees: degrees,
+            terms: f.len(),
+            coefficient_bits: bits.invariant("an equation is not 0"),
+            perfect_square: surface.degree() > 0 && equation.is_perfect_square(),
+            positivity: positivity(&surface, equation.pair(), limits)?,
+            surface,
+        })
     }
 }

@@ -129,6 +129,7 @@ pub mod roots;
 mod rows;
 pub mod sample;
 pub mod shape;
+pub mod sphere;
 pub mod verb;
 pub mod witness;
 

@@ -72,6 +72,13 @@ pub(crate) struct Common {
     /// Read decimals as written, or as the nearest double
     #[arg(long, global = true, value_enum, default_value_t = NumberReading::Exact)]
     pub(crate) numbers: NumberReading,
+    /// Of a file of spherical harmonics: their normalization [default: l m C S: 4pi, n m Re Im: orthonormal,
+    /// l,m,value: unnormalized]
+    #[arg(long, global = true, value_enum)]
+    pub(crate) normalization: Option<NormalizationFlag>,
+    /// Of a file of spherical harmonics: whether they have the phase (-1)^m [default: only in n m Re Im]
+    #[arg(long, global = true, value_enum, value_name = "YES|NO")]
+    pub(crate) condon_shortley: Option<YesNo>,
     /// Refuse polynomials above this degree
     #[arg(long, global = true, value_name = "D", default_value_t = 20_002, value_parser = whole::<usize>(0..=u64::MAX, 100))]
     pub(crate) max_degree: usize,
@@ -87,6 +94,25 @@ pub(crate) struct Common {
     /// No notes and no progress bar on standard error
     #[arg(long, global = true)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum NormalizationFlag {
+    /// The harmonics as they are
+    Unnormalized,
+    /// Mean square 1
+    #[value(name = "4pi")]
+    FourPi,
+    /// Integral of the square 1
+    Orthonormal,
+    /// Mean square 1/(2l + 1)
+    Schmidt,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum YesNo {
+    Yes,
+    No,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

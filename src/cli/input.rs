@@ -85,6 +85,7 @@ fn read_options(flags: &OutlineFlags, session: &Session) -> ReadOptions {
         .repair(flags.repair);
     ReadOptions::default()
         .numbers(session.numbers())
+        .harmonics(session.harmonics())
         .outline(outline)
 }
 

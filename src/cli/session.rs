@@ -9,9 +9,10 @@ use stellate::document::{Format, missing_text};
 use stellate::error::{Error, Result};
 use stellate::language::Numbers;
 use stellate::limits::Limits;
+use stellate::reading::{HarmonicConvention, Normalization};
 use stellate::verb::{Missing, Work};
 
-use super::arguments::{Common, NumberReading};
+use super::arguments::{Common, NormalizationFlag, NumberReading, YesNo};
 use super::watch::{Watch, report};
 
 /// The time after the deadline in which a checkpoint can still end the work in good order.
@@ -89,6 +90,19 @@ impl Session {
             NumberReading::Exact => Numbers::Exact,
             NumberReading::F64 => Numbers::F64,
         }
+    }
+
+    /// The convention of a file of spherical harmonics.
+    pub(crate) fn harmonics(&self) -> HarmonicConvention {
+        let normalization = self.common.normalization.map(|flag| match flag {
+            NormalizationFlag::Unnormalized => Normalization::Unnormalized,
+            NormalizationFlag::FourPi => Normalization::FourPi,
+            NormalizationFlag::Orthonormal => Normalization::Orthonormal,
+            NormalizationFlag::Schmidt => Normalization::Schmidt,
+        });
+        HarmonicConvention::default()
+            .normalization(normalization)
+            .condon_shortley(self.common.condon_shortley.map(|flag| flag == YesNo::Yes))
     }
 
     /// The format of the result: that of `--format`, else that of the extension of `-o`, else the usual one of the verb.

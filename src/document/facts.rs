@@ -54,6 +54,13 @@ impl Annotations {
             )),
             Fact::Fit(report) => self.fit(report),
             Fact::PerfectSquare => self.note(super::remark::PERFECT_SQUARE),
+            Fact::Harmonics(degree) => self.note(format!(
+                "the equation of a harmonic surface of degree {degree}: Eqs. (7) and (8) with solid harmonics"
+            )),
+            Fact::SpaceCenter([x, y, z]) => self.note(format!(
+                "coordinates are relative to the center ({x}, {y}, {z})"
+            )),
+            Fact::RoundedRadius(bound) => self.note(super::harmonic::rounding_note(bound)),
             Fact::Irreducible { degree, proof } => {
                 let proof = match proof {
                     EquationProof::Substitution => {

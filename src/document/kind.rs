@@ -9,6 +9,8 @@ use crate::notation::Format::{self, Csv, Json, Latex, Maple, Singular, Sympy, Te
 pub enum Kind {
     /// A Fourier radius.
     Radius,
+    /// A sum of spherical harmonics.
+    Harmonics,
     /// An implicit equation.
     Equation,
     /// The equations of surfaces that meet in a curve.
@@ -43,8 +45,9 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Radius,
+        Self::Harmonics,
         Self::Equation,
         Self::Equations,
         Self::ParametricForm,
@@ -70,6 +73,11 @@ impl Kind {
                 "a Fourier radius is",
                 &[Text, Json, Csv, Latex, Sympy, Maple],
                 "; Singular has no trigonometric functions, but reads what implicitize writes",
+            ),
+            Self::Harmonics => (
+                "a harmonic surface is",
+                &[Text, Json, Csv, Latex, Sympy],
+                "; implicitize writes its equation in every format",
             ),
             Self::Equation => ("an equation is", &Format::ALL, ""),
             Self::Equations => (

@@ -14,6 +14,7 @@ mod facts;
 mod fit_report;
 mod fit_table;
 mod fourier;
+mod harmonic;
 mod implicit;
 mod inspection;
 mod inspection_report;
@@ -44,6 +45,7 @@ pub(crate) use description::{write_description, write_space_curve_description};
 pub use elliptic::{write_elliptic, write_fit};
 pub use fit_table::write_fit_table;
 pub use fourier::write_fourier;
+pub use harmonic::write_harmonic;
 pub(crate) use implicit::write_surface;
 pub use inspection::{InspectionWriter, summary_text, write_inspection_cloud};
 pub use inspection_report::{ReportHead, write_inspection_report};
@@ -90,6 +92,7 @@ pub fn write_form(
 ) -> Result<()> {
     match form {
         Form::Fourier(radius) => write_fourier(radius, None, format, out),
+        Form::Harmonic(surface) => write_harmonic(surface, format, out),
         Form::Curve(curve) => write_implicit(curve, facts, format, out),
         Form::Surface(surface) => write_surface(surface, facts, format, out),
         Form::Superquadric(shape) => write_superquadric(shape, format, out),

@@ -3,8 +3,10 @@
 use std::io::Write;
 
 use super::{
-    Format, Kind, arcs_text, write_arcs, write_description, write_implicit, write_intersection,
-    write_intersection_curves, write_parametrization, write_samples, write_space_curve_description,
+    Format, Kind, arcs_text,
+    harmonic::{write_harmonic_description, write_harmonic_radii},
+    write_arcs, write_description, write_implicit, write_intersection, write_intersection_curves,
+    write_parametrization, write_samples, write_space_curve_description,
     write_space_superquadric_description, write_superquadric_description, write_surface,
     write_surface_parametrization,
 };
@@ -52,6 +54,9 @@ pub fn write_described(
         DescribedForm::Intersection(surfaces) => {
             write_space_curve_description(surfaces, &found.facts, format, out)
         }
+        DescribedForm::Harmonic(described) => {
+            write_harmonic_description(described, &found.facts, format, out)
+        }
         DescribedForm::Superquadric(shape) => write_superquadric_description(shape, format, out),
         DescribedForm::SpaceSuperquadric(shape) => {
             write_space_superquadric_description(shape, format, out)
@@ -76,6 +81,7 @@ pub fn write_parametrized(
             }
             write_parametrization(polar, fit.as_ref(), digits, format, out)
         }
+        Parametrized::Harmonics(radii) => write_harmonic_radii(radii, format, out),
         Parametrized::Surface {
             spherical,
             meridians,
@@ -97,6 +103,7 @@ pub fn write_parametrized(
 pub fn write_sampled(found: &Samples, format: Format, out: &mut dyn Write) -> Result<()> {
     match &found.points {
         SampledPoints::Plane { rays, center } => write_samples(rays, center, format, out),
+        SampledPoints::Harmonics { rays, center } => write_samples(rays, center, format, out),
         SampledPoints::Space(rays) => {
             let origin = [Rational::zero(), Rational::zero()];
             write_samples(rays, &origin, format, out)
@@ -110,6 +117,8 @@ pub fn write_sampled(found: &Samples, format: Format, out: &mut dyn Write) -> Re
 pub fn sampled_text(found: &Samples) -> Vec<String> {
     match &found.points {
         SampledPoints::Arcs(arcs) => arcs_text(arcs),
-        SampledPoints::Plane { .. } | SampledPoints::Space(_) => Vec::new(),
+        SampledPoints::Plane { .. } | SampledPoints::Harmonics { .. } | SampledPoints::Space(_) => {
+            Vec::new()
+        }
     }
 }

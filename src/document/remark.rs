@@ -2,6 +2,7 @@
 
 use crate::fit::{ContourKind, LeftOut};
 use crate::inspect::MAX_EXACT_MONOMIALS;
+use crate::reading::{HarmonicLayout, Normalization, ReadHarmonics};
 use crate::verb::{Missing, Part, Remark};
 
 /// The sentence for a radius without even harmonics, for which the polynomial of Theorem 2 is a square.
@@ -26,6 +27,7 @@ pub fn remark_text(remark: &Remark) -> String {
             "the center of the outline of {outline} is ({x}, {y}): {}",
             origin.describe()
         ),
+        Remark::HarmonicFile { file, read } => harmonic_file_text(file, read),
         Remark::Hidden {
             outline,
             point: [x, y],
@@ -69,6 +71,38 @@ pub fn remark_text(remark: &Remark) -> String {
             "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
         ),
     }
+}
+
+/// The convention that a file of spherical harmonics was read with.
+fn harmonic_file_text(file: &str, read: &ReadHarmonics) -> String {
+    let rows = match read.layout {
+        HarmonicLayout::Real => "rows l m C S",
+        HarmonicLayout::Complex => "rows n m Re Im of complex coefficients",
+        HarmonicLayout::Long => "rows l,m,value",
+    };
+    let normalization = match read.normalization {
+        Normalization::Unnormalized => "unnormalized",
+        Normalization::FourPi => "4pi-normalized",
+        Normalization::Orthonormal => "orthonormal",
+        Normalization::Schmidt => "Schmidt semi-normalized",
+    };
+    let phase = if read.condon_shortley {
+        "with"
+    } else {
+        "without"
+    };
+    let bound = read.surface.rounding();
+    let rounded = match bound.is_zero() {
+        true => "the coefficients are exact".to_owned(),
+        false => format!(
+            "irrational norms were rounded, so that the radius is off by at most {:.3e} in every direction (certified)",
+            bound.to_f64()
+        ),
+    };
+    format!(
+        "{file}: {rows}, degree {}, taken as {normalization} {phase} the Condon-Shortley phase (--normalization and --condon-shortley say otherwise); {rounded}",
+        read.surface.degree()
+    )
 }
 
 /// A number of things in words: "1 point", "3 points".

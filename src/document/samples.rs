@@ -5,7 +5,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::json::{Number, write_value};
-use super::{Format, Kind, SCHEMA, center_comment};
+use super::{Format, Kind, SCHEMA};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::sample::{NominalAngles, Ray, Sample, SampledRay};
@@ -39,7 +39,7 @@ struct SamplesDocument {
     schema: &'static str,
     kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    center: Option<[String; 2]>,
+    center: Option<Vec<String>>,
     points: Vec<Point>,
     lines: Vec<Line>,
 }
@@ -52,14 +52,17 @@ struct SamplesDocument {
 /// Those of `out`, and those of [`Kind::check`].
 pub(crate) fn write_samples<D: NominalAngles<V>, const V: usize>(
     rays: &[SampledRay<D, V>],
-    center: &[Rational; 2],
+    center: &[Rational],
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
+    let is_centered = center.iter().all(Rational::is_zero);
+    let center_texts = (!is_centered).then(|| center.iter().map(ToString::to_string).collect());
+    let center_texts: Option<Vec<String>> = center_texts;
     match format {
         Format::Csv => {
-            if center_comment(center).is_some() {
-                writeln!(out, "# center {} {}", center[0], center[1])?;
+            if let Some(center) = &center_texts {
+                writeln!(out, "# center {}", center.join(" "))?;
             }
             writeln!(
                 out,
@@ -94,7 +97,7 @@ pub(crate) fn write_samples<D: NominalAngles<V>, const V: usize>(
             let document = SamplesDocument {
                 schema: SCHEMA,
                 kind: "samples",
-                center: center_comment(center).map(|_| center.each_ref().map(ToString::to_string)),
+                center: center_texts,
                 points: points(rays).map(point).collect(),
                 lines: rays
                     .iter()

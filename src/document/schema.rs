@@ -9,7 +9,7 @@ use super::json::parsed;
 use crate::error::{Error, Invariant, Result};
 
 /// The kinds of documents, and the text with the definitions that each adds.
-const KINDS: [(&str, &str); 13] = [
+const KINDS: [(&str, &str); 14] = [
     ("arcs", include_str!("schema/arcs.json")),
     ("check", include_str!("schema/check.json")),
     ("description", include_str!("schema/description.json")),
@@ -21,6 +21,7 @@ const KINDS: [(&str, &str); 13] = [
     ("paper", include_str!("schema/paper.json")),
     ("parametric", include_str!("schema/parametric.json")),
     ("samples", include_str!("schema/samples.json")),
+    ("spherical", include_str!("schema/spherical.json")),
     ("superquadric", include_str!("schema/superquadric.json")),
     ("vectors", include_str!("schema/vectors.json")),
 ];

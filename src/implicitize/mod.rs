@@ -8,6 +8,7 @@ mod elliptic;
 mod enclosure;
 mod expansion;
 mod fibre;
+mod harmonic;
 mod identity;
 mod image;
 mod inverse;
@@ -31,6 +32,7 @@ mod tracing;
 mod vanishing;
 
 pub use beyond::{PointBeyond, point_beyond};
+pub use harmonic::SquaredHarmonics;
 pub(crate) use identity::lies_on;
 pub(crate) use image::real_counts;
 pub use image::{Coverage, RealImage, real_image};

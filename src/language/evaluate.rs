@@ -38,6 +38,12 @@ pub(super) trait Algebra {
         at: Span,
     ) -> Result<Self::Value>;
 
+    /// The spherical harmonic Y(l, m).
+    fn harmonic(&self, cx: &mut Context<'_>, degree: &Expr, _: &Expr) -> Result<Self::Value> {
+        let message = "Y(l, m) belongs to the radius of a surface, R = 1 + Y(2, 0)/5";
+        Err(cx.source.error(degree.span, message))
+    }
+
     /// Adds the term to the sum, or subtracts it if `negative`. The sum changes in place, so that a long sum is not copied for
     /// every term.
     fn add(
@@ -104,6 +110,13 @@ pub(super) fn evaluate<A: Algebra>(
         ExprKind::Call(Name::Irrational, arguments) => {
             square_root(cx, arguments, expr.span).map(A::constant)
         }
+        ExprKind::Call(Name::Harmonic, arguments) => match arguments.as_slice() {
+            [degree, order] => algebra.harmonic(cx, degree, order),
+            _ => {
+                let message = "Y(l, m) has a degree and an order, as in Y(2, 0)";
+                Err(cx.source.error(expr.span, message))
+            }
+        },
         ExprKind::Call(name, arguments) => match arguments.as_slice() {
             [argument] => algebra.call(cx, *name, argument, expr.span),
             _ => {

@@ -62,7 +62,7 @@ pub(super) fn head(source: Source<'_>, tokens: &[Token]) -> Option<Head> {
     // `f(x, y) = …`, for r and for any unknown name of at most two letters
     let is_name = match kind(0)? {
         Kind::Unknown => text(0)?.chars().count() <= 2,
-        Kind::Name(name) => name == Name::R,
+        Kind::Name(name) => matches!(name, Name::R | Name::SpaceRadius),
         _ => false,
     };
     if !is_name {

@@ -5,6 +5,7 @@
 //! | `r = 1 + 1/5*cos(3*t) - 0.1*sin(5*t)` | a Fourier radius; the angle is t or theta, or another parameter |
 //! | `r = 1/(1 + cos(t)/2)`, `r = cos(2t/3)`, `r = tan(t)` | a polar curve: any other radius that is rational in cosines and sines of rational multiples of the angle gives the parametric curve (r cos t, r sin t) |
 //! | `r^2 = cos(2t)` | a polar curve by a power of its radius, rational in cos t and sin t: the equation that its points satisfy; k up to 500, harmonics up to 60 |
+//! | `R = 1 + Y(2,0)/5`, `R = 1 + sin(phi)^2*cos(2*theta)/5` | a harmonic surface: R is a polynomial in sin φ cos θ, sin φ sin θ and cos φ, or in the harmonics Y(l, m) of [`crate::shape::HarmonicSurface`] |
 //! | `x^4 - x^2 + y^2 = 0` | an implicit curve in x and y; `= 0` may be left out |
 //! | `x^2 + y^2 + z^2 = 1` | an implicit surface, as soon as z occurs (`+ 0z` is enough) |
 //! | `x = sin(t); y = sin(t)*cos(t)` | a plane curve; with `z = …` a space curve |
@@ -77,6 +78,7 @@ mod polynomial;
 mod quotient;
 mod radius;
 mod source;
+mod spherical;
 mod superquadric;
 mod syntax;
 mod token;
@@ -99,7 +101,7 @@ use crate::shape::Form;
 /// The list of the forms that are read, for messages.
 const UNDERSTOOD: &str = "the forms understood here: a Fourier radius \
      `r = 1 + 1/5*cos(3*t)`, a plane curve `x^2 + y^2 = 1`, a surface `x^2 + y^2 + z^2 = 1`, \
-     a parametric form `x = sin(t); y = cos(t)`, an intersection `x^2 + y^2 = 1; z = y^5`, \
+     a harmonic surface `R = 1 + Y(2,0)/5`, a parametric form `x = sin(t); y = cos(t)`, an intersection `x^2 + y^2 = 1; z = y^5`, \
      `superquadric 2d a=1,2 e=1/2`";
 
 /// Reads a formula; the grammar is in the [module documentation](self). `source_name` is the name of the text in error
@@ -134,6 +136,18 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
     let understood = typed::understood(source, &tokens.tokens)?;
     let mut equations = parser::parse(source, &understood)?;
     equations.iter_mut().for_each(syntax::Equation::turn);
+    let in_space = |e: &syntax::Equation| {
+        e.names
+            .any(&[name::Name::SpaceRadius, name::Name::Harmonic])
+    };
+    if equations.iter().any(in_space) {
+        let mut context = evaluate::Context {
+            source,
+            numbers,
+            budget: budget::Budget::new(),
+        };
+        return spherical::surface(&mut context, &equations, tokens.center);
+    }
     let center = match tokens.center {
         None => None,
         Some(at) => {

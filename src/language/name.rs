@@ -12,6 +12,10 @@ pub(super) enum Name {
     Z,
     /// The radius.
     R,
+    /// The radius of a surface, `R`.
+    SpaceRadius,
+    /// `Y(l, m)`, a spherical harmonic.
+    Harmonic,
     /// The parameter of a curve, or the angle of a radius.
     T,
     Theta,
@@ -169,6 +173,7 @@ const SPELLINGS: &[(&str, Name)] = &[
     ("T", Name::T),
     ("U", Name::U),
     ("V", Name::V),
+    ("R", Name::SpaceRadius),
 ];
 
 /// The largest number of letters of a word for which a similar name is looked for.

@@ -88,6 +88,22 @@ pub(crate) fn written_point(
     Ok([written_number(x, numbers)?, written_number(y, numbers)?])
 }
 
+/// The center of a surface, `p/q, p/q, p/q`.
+pub(super) fn written_coordinates(
+    text: &str,
+    numbers: Numbers,
+) -> std::result::Result<[Rational; 3], String> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let [x, y, z] = parts[..] else {
+        return Err("expected a center such as `1/2, -3, 0`".to_owned());
+    };
+    Ok([
+        written_number(x, numbers)?,
+        written_number(y, numbers)?,
+        written_number(z, numbers)?,
+    ])
+}
+
 /// The value of a number at a place in a data file; the error names the place.
 pub(crate) fn number_at(place: &str, text: &str, numbers: Numbers) -> Result<Rational> {
     written_number(text, numbers).map_err(|message| Error::data(place, message))

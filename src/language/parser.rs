@@ -210,6 +210,10 @@ impl Parser<'_> {
                 self.expect_close(token)?;
                 return Ok(inner);
             }
+            Kind::Name(Name::Y) if self.is_harmonic(token) => {
+                self.names.record(Name::Harmonic, token.span);
+                return self.call(Name::Harmonic, token, depth);
+            }
             Kind::Name(name) => {
                 self.names.record(name, token.span);
                 return self.named(name, token, depth);
@@ -236,6 +240,26 @@ impl Parser<'_> {
         })
     }
 
+    /// Whether `Y` stands before parentheses with a comma in them, as in `Y(2, 0)`, or with one number.
+    fn is_harmonic(&self, token: Token) -> bool {
+        let rest = self.tokens.get(self.next..).unwrap_or_default();
+        if self.source.slice(token.span) != "Y" || rest.first().map(|t| t.kind) != Some(Kind::Open)
+        {
+            return false;
+        }
+        let mut depth = 0_usize;
+        for (i, token) in rest.iter().enumerate() {
+            match token.kind {
+                Kind::Open => depth += 1,
+                Kind::Close if depth == 1 => return i == 2 && rest[1].kind == Kind::Number,
+                Kind::Close => depth -= 1,
+                Kind::Comma if depth == 1 => return true,
+                _ => {}
+            }
+        }
+        false
+    }
+
     /// The message for a word that is not understood, with a similar name if there is one.
     fn unknown_name(&self, token: Token) -> String {
         let word = self.source.slice(token.span);
@@ -243,10 +267,6 @@ impl Parser<'_> {
         let is_called = self.peek().kind == Kind::Open;
         if let Some(similar) = similar_name(word) {
             return format!("unknown name {shown}; a similar one is `{similar}`");
-        }
-        if word == "R" {
-            return "unknown name `R`; the radius of a plane curve is r, as in r = 1 + cos(t)/3"
-                .into();
         }
         if is_called && word.len() > 1 {
             return format!(

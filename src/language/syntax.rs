@@ -63,7 +63,7 @@ impl Equation {
         let is_given = |expr: &Expr| {
             COORDINATES
                 .iter()
-                .chain([&Name::R])
+                .chain([&Name::R, &Name::SpaceRadius])
                 .any(|name| expr.is_name(*name))
         };
         let varies = self.names.any(&PARAMETERS) || self.names.any(&Name::OF_ANGLES);

@@ -231,7 +231,7 @@ fn left_side(source: Source<'_>, tokens: &[Token]) -> Option<usize> {
     let Kind::Name(coordinate) = tokens.first()?.kind else {
         return None;
     };
-    if coordinate != Name::R && !COORDINATES.contains(&coordinate) {
+    if ![Name::R, Name::SpaceRadius].contains(&coordinate) && !COORDINATES.contains(&coordinate) {
         return None;
     }
     let arguments = in_parentheses(source, &tokens[1..]);

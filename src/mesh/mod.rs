@@ -8,6 +8,6 @@ mod tetrahedra;
 mod topology;
 mod triangles;
 
-pub use radial::mesh_radial;
+pub use radial::{mesh_harmonic, mesh_radial};
 pub use topology::Topology;
 pub use triangles::{MAX_MESH_CELLS, Mesh, MeshOptions, mesh_bounds, mesh_surface};

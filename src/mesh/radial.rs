@@ -7,8 +7,8 @@ use super::triangles::Mesh;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::sample::{Direction, Ray, SpaceDirection, solve_radial};
-use crate::shape::Radial;
+use crate::sample::{Direction, Ray, SpaceDirection, harmonic_point, solve_radial};
+use crate::shape::{HarmonicPair, HarmonicSurface, Radial};
 
 /// Meshes a form that every ray from the origin meets once. The mesh is closed, and each vertex is the exact point in an exact
 /// direction, correctly rounded.
@@ -33,6 +33,45 @@ use crate::shape::Radial;
 /// ```
 pub fn mesh_radial(
     form: &dyn Radial<3>,
+    angles: [Vec<f64>; 2],
+    limits: &Limits,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Mesh> {
+    let point = |direction: &SpaceDirection| match solve_radial(form, direction)? {
+        Ray::Points(points) if !points.is_empty() => Ok(points[0].position),
+        _ => Err(Error::internal(
+            "the mesh of a radial form",
+            "every direction has a point of it",
+        )),
+    };
+    mesh_of_directions(&point, angles, limits, progress)
+}
+
+/// Meshes a harmonic surface by its exact points in `rows` + 1 latitudes and twice as many longitudes, each correctly rounded. The mesh
+/// is closed by construction: it is the image of a triangulated sphere.
+///
+/// # Errors
+/// Those of `limits`; [`Error::Usage`] for fewer than two rows.
+#[expect(clippy::cast_precision_loss, reason = "counts of angles are small")]
+pub fn mesh_harmonic(
+    surface: &HarmonicSurface,
+    rows: usize,
+    limits: &Limits,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Mesh> {
+    let pair = HarmonicPair::new(surface);
+    let angle = |k: usize| std::f64::consts::PI * k as f64 / rows as f64;
+    let angles = [
+        (0..2 * rows).map(angle).collect(),
+        (0..=rows).map(angle).collect(),
+    ];
+    let point = |direction: &SpaceDirection| Ok(harmonic_point(&pair, surface.center(), direction));
+    mesh_of_directions(&point, angles, limits, progress)
+}
+
+/// The mesh of the points in all directions of the angles θ and φ, with the poles.
+fn mesh_of_directions(
+    point: &(dyn Fn(&SpaceDirection) -> Result<[f64; 3]> + Sync),
     [thetas, phis]: [Vec<f64>; 2],
     limits: &Limits,
     progress: &(dyn Fn(u64) + Sync),
@@ -61,15 +100,9 @@ pub fn mesh_radial(
     let done = std::sync::atomic::AtomicU64::new(0);
     let solve = |direction: SpaceDirection| -> Result<[f64; 3]> {
         limits.check()?;
-        let ray = solve_radial(form, &direction)?;
+        let position = point(&direction)?;
         progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) * 1000 / total);
-        match ray {
-            Ray::Points(points) if !points.is_empty() => Ok(points[0].position),
-            _ => Err(Error::internal(
-                "the mesh of a radial form",
-                "every direction has a point of it",
-            )),
-        }
+        Ok(position)
     };
     let vertices: Vec<[f64; 3]> = directions
         .into_par_iter()

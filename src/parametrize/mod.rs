@@ -7,6 +7,7 @@ mod closed;
 mod condition;
 mod expression;
 mod fourier;
+mod harmonic;
 mod intersection;
 mod meridian;
 mod parametrization;
@@ -25,6 +26,7 @@ pub use condition::{Condition, Relation};
 pub use expression::Expression;
 pub(crate) use fourier::born_of_radius;
 pub use fourier::{FourierBranches, fourier_branches};
+pub use harmonic::harmonic_radii;
 pub use intersection::{
     IntersectionParametrization, UnparametrizedComponent, parametrize_intersection,
 };

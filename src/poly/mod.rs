@@ -18,6 +18,7 @@ mod ring;
 mod shift;
 mod space;
 mod sparse;
+mod spherical;
 mod sqrt;
 mod subresultant;
 mod terms;
@@ -43,6 +44,9 @@ pub(crate) use shift::shift_classical;
 pub use space::SpacePolynomial;
 pub use sparse::SparsePolynomial;
 pub(crate) use sparse::{term_order, total_degree};
+pub(crate) use spherical::{
+    NotOnSphere, SphericalPolynomial, harmonics_of_ternary_form, legendre_derivative,
+};
 pub(crate) use sqrt::polynomial_sqrt;
 pub(crate) use subresultant::{Weights, signed_subresultant};
 pub(crate) use terms::IntegerTerms;

@@ -1,12 +1,12 @@
 //! Ternary forms: homogeneous polynomials in x, y and z.
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::Gcd;
+use malachite::base::num::arithmetic::traits::{Gcd, Square};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
 use super::ternary_terms::on_meridian;
-use super::{BinaryForm, IntegerPolynomial, Ring, SparsePolynomial};
+use super::{BinaryForm, IntegerPolynomial, Ring, SparsePolynomial, polynomial_sqrt};
 use crate::error::Invariant;
 use crate::exact::Rational;
 
@@ -121,6 +121,74 @@ impl TernaryForm {
     /// The product `factor · f`.
     pub(crate) fn scaled(&self, factor: &Integer) -> Self {
         self.each(|row| row.scaled(factor))
+    }
+
+    /// The product `(x² + y² + z²) f`, by two additions for each coefficient.
+    pub(crate) fn times_rho(&self) -> Self {
+        let degree = self.degree() + 2;
+        let row = |j: usize| {
+            let flat = self.rows.get(j).map(BinaryForm::times_rho);
+            let above = j.checked_sub(2).map(|k| &self.rows[k]);
+            match (flat, above) {
+                (Some(flat), Some(above)) => flat.plus(above),
+                (Some(flat), None) => flat,
+                (None, Some(above)) => above.clone(),
+                (None, None) => BinaryForm::zero(degree - j),
+            }
+        };
+        Self::from_rows((0..=degree).map(row).collect())
+    }
+
+    /// The square of a form without many zeros, as one square of a univariate polynomial (Kronecker's substitution): at x = 1
+    /// the power y^j z^k becomes t^(j + (2d+1) k). Cost: one square with 2(d + 1)² coefficients, whatever the number of terms.
+    pub(crate) fn squared_densely(&self) -> Self {
+        let degree = self.degree();
+        let stride = 2 * degree + 1;
+        let mut packed = vec![Integer::ZERO; stride * degree + 1];
+        for (k, row) in self.rows.iter().enumerate() {
+            for (j, c) in row.terms() {
+                packed[stride * k + j] = c.clone();
+            }
+        }
+        let square = IntegerPolynomial::from_coefficients_asc(packed).square();
+        let mut coefficients = square.into_coefficients_asc().into_iter();
+        let rows = (0..=2 * degree).rev().map(|d| {
+            // Row k = 2·degree − d has degree d; what is above it in its stride is 0.
+            let row: Vec<Integer> = coefficients.by_ref().take(stride).collect();
+            BinaryForm::from_dehomogenized(d, IntegerPolynomial::from_coefficients_asc(row))
+        });
+        Self::from_rows(rows.collect())
+    }
+
+    /// The form g with g² = f and a positive first coefficient in Kronecker's substitution of [`Self::squared_densely`]; `None` if f is no
+    /// square.
+    pub(crate) fn square_root(&self) -> Option<Self> {
+        let degree = self.degree();
+        if !degree.is_multiple_of(2) {
+            return None;
+        }
+        let half = degree / 2;
+        let stride = degree + 1;
+        let mut packed = vec![Integer::ZERO; stride * degree + 1];
+        for (k, row) in self.rows.iter().enumerate() {
+            for (j, c) in row.terms() {
+                packed[stride * k + j] = c.clone();
+            }
+        }
+        let root = polynomial_sqrt(&IntegerPolynomial::from_coefficients_asc(packed))?;
+        let mut coefficients = root.into_coefficients_asc();
+        coefficients.resize(stride * (half + 1), Integer::ZERO);
+        let rows = coefficients.chunks(stride).enumerate().map(|(k, row)| {
+            let own = row.get(..half + 1 - k.min(half))?;
+            let rest = row.get(own.len()..)?;
+            let in_t = IntegerPolynomial::from_coefficients_asc(own.to_vec());
+            rest.iter()
+                .all(|c| *c == 0)
+                .then(|| BinaryForm::from_dehomogenized(half - k, in_t))
+        });
+        let rows: Option<Vec<BinaryForm>> = rows.take(half + 1).collect();
+        let root = Self::from_rows(rows?);
+        (root.squared_densely() == *self).then_some(root)
     }
 
     fn each(&self, change: impl Fn(&BinaryForm) -> BinaryForm) -> Self {
@@ -270,6 +338,11 @@ mod tests {
         #[test]
         fn forms_agree_with_sparse_polynomials(f in form(3), g in form(2), h in form(3), at in prop::array::uniform3(-9i64..10)) {
             prop_assert_eq!(sparse(&f.times(&g)), sparse(&f).times(&sparse(&g)));
+            prop_assert_eq!(f.squared_densely(), f.times(&f));
+            let root = f.squared_densely().square_root();
+            prop_assert!(root.as_ref() == Some(&f) || root == Some(f.scaled(&Integer::from(-1))));
+            prop_assert!(f.is_zero() || g.is_zero() || f.times(&f).times_rho().square_root().is_none());
+            prop_assert_eq!(g.times_rho(), g.times(&TernaryForm::rho()));
             prop_assert_eq!(sparse(&f.plus(&h)), sparse(&f).plus(&sparse(&h)));
             prop_assert_eq!(sparse(&f.minus(&h)), sparse(&f).minus(&sparse(&h)));
             let value = sparse(&f).evaluate(&at.map(Rational::from));

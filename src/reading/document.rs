@@ -1,5 +1,7 @@
 //! JSON documents are read into forms. An error names the place in the document.
 
+use std::collections::BTreeSet;
+
 use serde_json::{Map, Value};
 
 use super::SCHEMA;
@@ -11,11 +13,11 @@ use crate::language::{
     MAX_DEGREE, MAX_HARMONIC, Numbers, check_size, constant_message, implicit, parse_form,
 };
 use crate::poly::SparsePolynomial;
-use crate::shape::{EllipticSeries, Form, FourierRadius};
+use crate::shape::{EllipticSeries, Form, FourierRadius, HarmonicSurface};
 
 /// Reads the form of a JSON document.
 ///
-/// The kinds are `implicit`, `fourier`, `superquadric`, `intersection` and `parametric`. The form of a `parametric` document is
+/// The kinds are `implicit`, `fourier`, `spherical`, `superquadric`, `intersection` and `parametric`. The form of a `parametric` document is
 /// the first of these that it has: its elliptic series, its coordinates as functions of parameters (if it has no branches), its superquadric, its
 /// implicit equation, the Fourier radius that was fitted, or the exact Fourier radius of its first branch. Unknown fields are
 /// ignored.
@@ -62,6 +64,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
     match kind.string()? {
         "implicit" => read_implicit(&root, object, source_name),
         "fourier" => read_fourier(&root).map(Form::Fourier),
+        "spherical" => read_spherical(&root).map(Form::Harmonic),
         "superquadric" => read_superquadric(&root, object),
         "intersection" => read_intersection(&root, object, |node| {
             read_implicit(node, node.object()?, source_name)
@@ -84,6 +87,12 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
                 let node = root.field(object, "implicit")?;
                 return read_implicit(&node, node.object()?, source_name);
             }
+            if object.get("method").and_then(Value::as_str) == Some("harmonics") {
+                let branches = root.field(object, "branches")?;
+                let first = branches.item(branches.array()?, 0)?;
+                let node = first.field(first.object()?, "spherical")?;
+                return read_spherical(&node).map(Form::Harmonic);
+            }
             let radius = if object.contains_key("fit") {
                 // A curve without a closed form has a fitted Fourier radius (Lemma 6).
                 let fit = root.field(object, "fit")?;
@@ -103,7 +112,7 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
             let shown: String = other.chars().take(30).collect();
             Err(kind.wrong(format!(
                 "a document of kind \"{shown}\" is no form; the kinds of forms are \"fourier\", \"implicit\", \
-                 \"intersection\", \"parametric\" and \"superquadric\""
+                 \"intersection\", \"parametric\", \"spherical\" and \"superquadric\""
             )))
         }
     }
@@ -219,6 +228,35 @@ fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str
         center.map(|(_, center)| center),
         source_name,
     )
+}
+
+fn read_spherical(node: &Node<'_>) -> Result<HarmonicSurface> {
+    let object = node.object()?;
+    let list = node.field(object, "coefficients")?;
+    let entries = list.array()?;
+    let mut terms = Vec::with_capacity(entries.len());
+    let mut seen = BTreeSet::new();
+    for n in 0..entries.len() {
+        let entry = list.item(entries, n)?;
+        let fields = entry.object()?;
+        let l = entry.field(fields, "l")?.natural()? as usize;
+        let order = entry.field(fields, "m")?;
+        let m = order.value.as_i64().and_then(|m| isize::try_from(m).ok());
+        let m = m.filter(|m| m.unsigned_abs() <= l);
+        let m = m.ok_or_else(|| order.wrong(format!("expected an integer from -{l} to {l}")))?;
+        if !seen.insert((l, m)) {
+            return Err(entry.wrong(format!("Y({l}, {m}) was given before")));
+        }
+        terms.push(((l, m), entry.field(fields, "value")?.number()?));
+    }
+    let mut surface = HarmonicSurface::new(terms)?;
+    if let Some(center) = node.space_center(object)? {
+        surface = surface.with_center(center);
+    }
+    if object.contains_key("radius_rounding") {
+        surface = surface.with_rounding(node.field(object, "radius_rounding")?.number()?);
+    }
+    Ok(surface)
 }
 
 fn read_fourier(node: &Node<'_>) -> Result<FourierRadius> {

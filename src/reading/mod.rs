@@ -1,12 +1,18 @@
 //! Forms are read from the contents of files: JSON documents, tables of coefficients, and formulas.
 
 mod document;
+mod harmonics;
 mod matrix;
 mod node;
+mod norm;
 mod superquadric;
 mod table;
 
 pub use document::read_document;
+pub(crate) use harmonics::layout_of_header;
+pub use harmonics::{
+    HarmonicConvention, HarmonicLayout, Normalization, ReadHarmonics, read_harmonics,
+};
 pub use matrix::read_coefficients;
 pub(crate) use table::{Table, is_elliptic_header};
 pub use table::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv};

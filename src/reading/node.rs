@@ -129,4 +129,21 @@ impl Node<'_> {
         let point = [node.item(list, 0)?.number()?, node.item(list, 1)?.number()?];
         Ok(Some((node, point)))
     }
+
+    /// The center of a surface, if there is one.
+    pub(super) fn space_center(
+        &self,
+        object: &Map<String, Value>,
+    ) -> Result<Option<[Rational; 3]>> {
+        if object.get("center").is_none_or(Value::is_null) {
+            return Ok(None);
+        }
+        let node = self.field(object, "center")?;
+        let list = node.array()?;
+        if list.len() != 3 {
+            return Err(node.wrong("expected three numbers [x, y, z]"));
+        }
+        let at = |n: usize| node.item(list, n)?.number();
+        Ok(Some([at(0)?, at(1)?, at(2)?]))
+    }
 }

@@ -2,6 +2,7 @@
 
 mod direction;
 mod guess;
+mod harmonic;
 mod ladder;
 #[cfg(test)]
 mod laws;
@@ -17,6 +18,8 @@ mod truncated;
 mod unit_vector;
 
 pub use direction::Direction;
+pub(crate) use harmonic::harmonic_point;
+pub use harmonic::harmonic_ray;
 pub use parts::HomogeneousParts;
 #[cfg(test)]
 pub(crate) use parts::PartsByDegree;

@@ -6,6 +6,8 @@ mod curve;
 mod drawn;
 mod elliptic;
 mod fourier;
+mod harmonic;
+mod harmonic_pair;
 mod harmonics;
 mod implicit;
 mod orientation;
@@ -25,6 +27,9 @@ pub(crate) use drawn::{CurveInDoubles, PatchInDoubles};
 pub use elliptic::EllipticSeries;
 pub(crate) use elliptic::harmonics_of_curve;
 pub use fourier::FourierRadius;
+pub use harmonic::{HarmonicSurface, MAX_HARMONIC_DEGREE};
+pub use harmonic_pair::HarmonicPair;
+pub(crate) use harmonic_pair::rho_power_in_space;
 pub(crate) use harmonics::{Basis, Expansion, quotient_in_harmonics};
 pub use implicit::{ImplicitCurve, ImplicitSurface};
 pub(crate) use orientation::{coordinate_fault, orientation};
@@ -42,6 +47,8 @@ pub(crate) use swept_edge::SweptEdge;
 pub enum Form {
     /// A radius `r = …` that is a Fourier series.
     Fourier(FourierRadius),
+    /// A radius `R = …` in space that is a finite sum of spherical harmonics.
+    Harmonic(HarmonicSurface),
     /// A polynomial in x and y.
     Curve(ImplicitCurve),
     /// A polynomial in x, y and z.

@@ -1,11 +1,11 @@
 //! The verb `describe`: the exact properties of a form.
 
 use super::claims::claim_description;
-use super::equation::{Taken, check_curve, check_surface};
+use super::equation::{Taken, check_curve, check_surface, squared_harmonics};
 use super::fit::exact_form;
 use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
 use super::{Content, Fact, Given, Part, Work};
-use crate::describe::Description;
+use crate::describe::{Description, HarmonicDescription};
 use crate::error::Result;
 use crate::fit::FitOptions;
 use crate::limits::Limits;
@@ -38,6 +38,8 @@ pub enum DescribedForm {
     Equation(Description),
     /// A space curve, by the surfaces that meet in it.
     Intersection(Vec<ImplicitSurface>),
+    /// A harmonic surface.
+    Harmonic(HarmonicDescription),
     /// A plane superquadric.
     Superquadric(Superquadric),
     /// A superquadric in space.
@@ -78,6 +80,14 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
         Form::Superquadric(shape) => return Ok(described(DescribedForm::Superquadric(shape))),
         Form::SpaceSuperquadric(shape) => {
             return Ok(described(DescribedForm::SpaceSuperquadric(shape)));
+        }
+        Form::Harmonic(surface) => {
+            let form = squared_harmonics(&surface, work)?;
+            let what = work.stage("describe", || {
+                HarmonicDescription::new(surface, &form, work.bounds())
+            })?;
+            let what = DescribedForm::Harmonic(what);
+            return Ok(Described { what, facts });
         }
         form => work.stage("implicitize", || with_equation(form, &mut facts, work))?,
     };

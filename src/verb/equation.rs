@@ -2,9 +2,11 @@
 
 use super::Work;
 use crate::error::{Error, Result};
-use crate::implicitize::{SquaredForm, implicitize_patch, implicitize_plane};
+use crate::implicitize::{SquaredForm, SquaredHarmonics, implicitize_patch, implicitize_plane};
 use crate::poly::SparsePolynomial;
-use crate::shape::{Form, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric};
+use crate::shape::{
+    Form, HarmonicSurface, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric,
+};
 
 /// A verb and the forms that it takes, for messages.
 pub(super) struct Taken {
@@ -22,7 +24,7 @@ impl Taken {
     }
 }
 
-/// The implicit form of a parametric curve or patch. Other forms are returned unchanged.
+/// The implicit form of a parametric curve or patch, or of a harmonic surface. Other forms are returned unchanged.
 pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     Ok(match form {
         Form::PlaneCurve(curve) => Form::Curve(
@@ -33,8 +35,21 @@ pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
             work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?
                 .surface,
         ),
+        Form::Harmonic(surface) => Form::Surface(
+            work.stage("implicitize", || squared_harmonics(&surface, work))?
+                .expand(),
+        ),
         other => other,
     })
+}
+
+/// The equation of a harmonic surface, not expanded.
+pub(super) fn squared_harmonics(
+    surface: &HarmonicSurface,
+    work: &Work,
+) -> Result<SquaredHarmonics> {
+    work.check_degree(2 * surface.degree() + 2)?;
+    SquaredHarmonics::new(surface)
 }
 
 /// The plane curve that a form is, or that its implicit form is.

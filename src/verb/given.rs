@@ -10,7 +10,10 @@ use crate::fit::{
 };
 use crate::language::Numbers;
 use crate::options::options;
-use crate::reading::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv, read_text};
+use crate::reading::{
+    HarmonicConvention, read_coefficients_csv, read_elliptic_csv, read_fourier_csv, read_harmonics,
+    read_text,
+};
 use crate::shape::{Contour, Form, PointCloud};
 
 use super::foreign::refuse_name;
@@ -43,6 +46,8 @@ options! {
         outline: OutlineOptions = OutlineOptions::default(),
         /// Whether the points of a table are a cloud, which has no order.
         cloud: bool = false,
+        /// The convention of a file of spherical harmonics.
+        harmonics: HarmonicConvention = HarmonicConvention::default(),
     }
 }
 
@@ -55,6 +60,16 @@ impl ReadOptions {
             ));
         }
         self.outline.check(None)
+    }
+
+    /// Refuses the convention of spherical harmonics for anything else.
+    fn check_no_harmonics(&self) -> Result<()> {
+        match self.harmonics.is_default() {
+            true => Ok(()),
+            false => Err(Error::Usage(
+                "--normalization and --condon-shortley are for files of spherical harmonics; this is none".into(),
+            )),
+        }
     }
 }
 
@@ -163,6 +178,7 @@ impl Given {
 
     fn formula(argument: &str, options: &ReadOptions) -> Result<Self> {
         options.check_form()?;
+        options.check_no_harmonics()?;
         let form = read_text(argument, "<form>", options.numbers);
         let form = form.map_err(|error| folder_instead(Path::new(argument), error))?;
         Ok(Self::new(argument.trim(), Content::Exact(form)))
@@ -269,7 +285,7 @@ impl<'a, R: Read> Source<'a, R> {
 
     fn given(self, name: &str, options: &ReadOptions, work: &Work) -> Result<Given> {
         let place = self.place;
-        let (content, left_out) = self.read(options)?;
+        let (content, left_out) = self.read(options, work)?;
         if !left_out.is_nothing() {
             let outline = place.to_owned();
             work.remark(Remark::LeftOut {
@@ -302,7 +318,7 @@ impl<'a, R: Read> Source<'a, R> {
     }
 
     /// The content, and what is left out.
-    fn read(self, options: &ReadOptions) -> Result<(Content, LeftOut)> {
+    fn read(self, options: &ReadOptions, work: &Work) -> Result<(Content, LeftOut)> {
         let place = self.place;
         let outline = |text: &mut dyn Read, kind| {
             if options.cloud {
@@ -314,7 +330,7 @@ impl<'a, R: Read> Source<'a, R> {
         };
         match self.held(options)? {
             Held::Outline(kind) => outline(&mut self.all(), kind),
-            held => match self.exact(held, options)? {
+            held => match self.exact(held, options, work)? {
                 Exact::Form(form) => Ok((Content::Exact(form), LeftOut::default())),
                 Exact::Polygons(text) => outline(&mut text.as_bytes(), ContourKind::Polygons),
             },
@@ -338,7 +354,7 @@ impl<'a, R: Read> Source<'a, R> {
         };
         match self.held(options)? {
             Held::Outline(kind) => outlines(&mut self.all(), kind),
-            held => match self.exact(held, options)? {
+            held => match self.exact(held, options, &Work::default())? {
                 Exact::Form(form) => Ok(vec![Ok((Content::Exact(form), LeftOut::default()))]),
                 Exact::Polygons(text) => outlines(&mut text.as_bytes(), ContourKind::Polygons),
             },
@@ -356,14 +372,24 @@ impl<'a, R: Read> Source<'a, R> {
     }
 
     /// What is no outline by its first bytes: an exact form, or else GeoJSON.
-    fn exact(self, held: Held, options: &ReadOptions) -> Result<Exact> {
+    fn exact(self, held: Held, options: &ReadOptions, work: &Work) -> Result<Exact> {
         let (place, numbers) = (self.place, options.numbers);
         let text = read_limited(self.all(), place)?;
         if held == Held::Text && is_geojson(&text) {
             return Ok(Exact::Polygons(text));
         }
         options.check_form()?;
+        if !matches!(held, Held::Harmonics(_)) {
+            options.check_no_harmonics()?;
+        }
         let form = match held {
+            Held::Harmonics(layout) => {
+                let read = read_harmonics(&text, place, layout, &options.harmonics, numbers)?;
+                let surface = read.surface.clone();
+                let file = place.to_owned();
+                work.remark(Remark::HarmonicFile { file, read });
+                Form::Harmonic(surface)
+            }
             Held::Coefficients => read_coefficients_csv(&text, place, numbers)?,
             Held::Fourier => Form::Fourier(read_fourier_csv(&text, place, numbers)?),
             Held::Elliptic => {

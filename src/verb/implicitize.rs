@@ -1,7 +1,9 @@
 //! The verb `implicitize`: Theorems 1 to 4 for parametric forms, and canonical equations for implicit ones.
 
 use super::claims::claim_equation;
-use super::equation::{check_curve, curve_of_superquadric, surface_of_superquadric};
+use super::equation::{
+    check_curve, curve_of_superquadric, squared_harmonics, surface_of_superquadric,
+};
 use super::fit::{Fitted, exact_form};
 use super::{BeyondCurve, Fact, Given, Part, PolarTheorem, Reach, Remark, Work};
 use crate::error::{Error, Invariant, Result};
@@ -15,7 +17,8 @@ use crate::implicitize::{
 use crate::limits::Limits;
 use crate::options::options;
 use crate::shape::{
-    Form, FourierRadius, ImplicitSurface, ParametricCurve, Patch, PlaneCurve, SpaceCurve,
+    Form, FourierRadius, HarmonicSurface, ImplicitSurface, ParametricCurve, Patch, PlaneCurve,
+    SpaceCurve,
 };
 
 /// The method that finds the equation of a parametric form.
@@ -139,6 +142,9 @@ fn refuse_method(method: Option<ImplicitizeMethod>, form: &Form) -> Result<()> {
             | Form::Superquadric(_)
             | Form::SpaceSuperquadric(_),
         ) => "--method is for parametric forms; this one is implicit already",
+        (_, Form::Harmonic(_)) => {
+            "--method is for parametric forms; a harmonic surface has one method, the squaring of Theorem 2"
+        }
         (ImplicitizeMethod::Resultant, Form::SpaceCurve(_) | Form::Patch(_)) => {
             "--method resultant is for plane curves; in space the default is certified linear algebra, and polar \
              the paper's way"
@@ -157,6 +163,7 @@ fn equation(form: Form, options: &ImplicitizeOptions, work: &Work) -> Result<Imp
     };
     Ok(match form {
         Form::Fourier(radius) => of_radius(&radius, options, work)?,
+        Form::Harmonic(surface) => of_harmonics(&surface, options, work)?,
         Form::Superquadric(shape) => plain(Form::Curve(curve_of_superquadric(&shape)?)),
         Form::SpaceSuperquadric(shape) => plain(Form::Surface(surface_of_superquadric(&shape)?)),
         Form::PlaneCurve(curve) => of_plane_curve(&curve, polar, work)?,
@@ -199,6 +206,35 @@ fn of_radius(
     }
     Ok(Implicitization {
         form: Form::Curve(form.expand()),
+        facts,
+    })
+}
+
+/// The equation of a harmonic surface by Theorem 2 in space.
+fn of_harmonics(
+    surface: &HarmonicSurface,
+    options: &ImplicitizeOptions,
+    work: &Work,
+) -> Result<Implicitization> {
+    if options.coordinates == CoordinatesFrom::Original && !surface.is_centered() {
+        return Err(Error::Usage(
+            "--coordinates original is for plane curves; the equation of a harmonic surface is relative to its center".into(),
+        ));
+    }
+    let form = squared_harmonics(surface, work)?;
+    let mut facts = vec![Fact::Harmonics(surface.degree())];
+    if form.is_perfect_square() {
+        facts.push(Fact::PerfectSquare);
+        work.remark(Remark::PerfectSquare);
+    }
+    if !surface.is_centered() {
+        facts.push(Fact::SpaceCenter(surface.center().clone()));
+    }
+    if !surface.rounding().is_zero() {
+        facts.push(Fact::RoundedRadius(surface.rounding().clone()));
+    }
+    Ok(Implicitization {
+        form: Form::Surface(form.expand()),
         facts,
     })
 }

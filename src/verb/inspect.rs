@@ -194,6 +194,11 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
             check_surface(&surface, work)?;
             Subject::Surface(surface)
         }
+        (Form::Harmonic(_), _) => {
+            return Err(Error::Usage(
+                "inspect does not take a harmonic surface yet; its equation, which implicitize writes, is inspected".into(),
+            ));
+        }
         (Form::Intersection(_), _) => return Err(INSPECT.not_this()),
         (Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_), _) => {
             return Err(Error::Usage(

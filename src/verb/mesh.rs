@@ -5,9 +5,9 @@ use super::fit::exact_form;
 use super::{Bounds, Given, Work};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
-use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_radial, mesh_surface};
+use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface};
 use crate::options::options;
-use crate::shape::{Form, ImplicitSurface, SpaceSuperquadric};
+use crate::shape::{Form, HarmonicSurface, ImplicitSurface, SpaceSuperquadric};
 
 /// How often a box that is too small is made larger, and the factor by which its sides grow each time.
 const GROWTHS: usize = 4;
@@ -49,13 +49,22 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
     }
     let name = given.short_name();
     let fitted = exact_form(given, &FitOptions::default(), work)?;
+    if let Form::Harmonic(surface) = &fitted.form {
+        if options.window.is_some() {
+            return Err(Error::Usage(
+                "--window is for surfaces that are cut off; a harmonic surface is meshed whole"
+                    .into(),
+            ));
+        }
+        return of_harmonics(surface, options.resolution, work);
+    }
     let mesh = match through_equation(fitted.form, work)? {
         Form::Surface(surface) => of_surface(&surface, options, work)?,
         Form::Curve(curve) => of_surface(&cylinder(&curve), options, work)?,
         Form::SpaceSuperquadric(shape) => of_superquadric(&shape, options.resolution, work)?,
         _ => {
             return Err(Error::Usage(
-                "mesh takes a surface: a polynomial in x, y and z, a patch, or a superquadric 3d"
+                "mesh takes a surface: a polynomial in x, y and z, R = …, a patch, or a superquadric 3d"
                     .into(),
             ));
         }
@@ -117,5 +126,18 @@ pub(super) fn of_superquadric(
         let progress = work.progress("mesh", 1000);
         let angles = shape.angles(count);
         mesh_radial(shape, angles, work.bounds(), &|done| progress.set(done))
+    })
+}
+
+/// The mesh of a harmonic surface, with `resolution` rows from pole to pole.
+pub(super) fn of_harmonics(
+    surface: &HarmonicSurface,
+    resolution: u32,
+    work: &Work,
+) -> Result<Mesh> {
+    work.stage("mesh", || {
+        let progress = work.progress("mesh", 1000);
+        let rows = resolution.max(2) as usize;
+        mesh_harmonic(surface, rows, work.bounds(), &|done| progress.set(done))
     })
 }

@@ -2,7 +2,7 @@
 
 use super::arcs::{ArcSearch, arcs_of_others, refuse_arcs};
 use super::claims::claim_branches;
-use super::equation::{Taken, check_curve, check_surface, through_equation};
+use super::equation::{Taken, check_curve, check_surface, squared_harmonics, through_equation};
 use super::fit::{exact_form, refuse_contour_options};
 use super::{Content, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
@@ -14,11 +14,12 @@ use crate::options::options;
 use crate::parametrize::{
     Branch, BranchFit, BranchFitOptions, BranchRadius, DEFAULT_HARMONICS, DirectionAnswer,
     IntersectionParametrization, MeridianBranch, Parametrization, PolarMethod,
-    SurfaceParametrization, fit_branch, parametrize as parametrize_curve, parametrize_intersection,
-    parametrize_space_superquadric, parametrize_superquadric, parametrize_surface,
+    SurfaceParametrization, fit_branch, harmonic_radii, parametrize as parametrize_curve,
+    parametrize_intersection, parametrize_space_superquadric, parametrize_superquadric,
+    parametrize_surface,
 };
 use crate::sample::{Direction, Ray, RaySolver, SpaceDirection};
-use crate::shape::{Form, FourierRadius, ImplicitSurface};
+use crate::shape::{Form, FourierRadius, HarmonicSurface, ImplicitSurface};
 
 options! {
     /// How a form is parametrized.
@@ -55,6 +56,8 @@ pub enum Parametrized {
         /// The Fourier fit of a branch without a closed form.
         fit: Option<BranchFit>,
     },
+    /// A surface whose branches R(θ, φ) are finite sums of spherical harmonics: R(d), and −R(−d) if that is another one.
+    Harmonics(Vec<HarmonicSurface>),
     /// A surface with its branches R(θ, φ).
     Surface {
         /// The branches.
@@ -127,6 +130,17 @@ pub fn parametrize(
     } else {
         exact_form(given, &options.fit, work)?
     };
+    if let Form::Harmonic(surface) = &fitted.form {
+        refuse_arcs(&options.arcs)?;
+        refuse_harmonics_options(options)?;
+        let equation = squared_harmonics(surface, work)?;
+        let radii = work.stage("parametrize", || harmonic_radii(&equation.expand()))?;
+        let others = radii
+            .into_iter()
+            .filter(|radius| !radius.has_same_radii(surface));
+        let radii = std::iter::once(surface.clone()).chain(others).collect();
+        return Ok(Parametrized::Harmonics(radii));
+    }
     let form = through_equation(fitted.form, work)?;
     if let Form::Intersection(surfaces) = &form {
         refuse_series_options(options, "an intersection of surfaces")?;
@@ -134,6 +148,14 @@ pub fn parametrize(
     }
     refuse_arcs(&options.arcs)?;
     if let Form::Surface(surface) = &form {
+        // The sphere has the closed form of Lemma 7.
+        if surface.polynomial().degree() > Some(2) && options.thetas.is_empty() {
+            let radii = work.stage("parametrize", || harmonic_radii(surface))?;
+            if !radii.is_empty() {
+                refuse_harmonics_options(options)?;
+                return Ok(Parametrized::Harmonics(radii));
+            }
+        }
         return of_surface(surface, options, work);
     }
     if let Form::SpaceSuperquadric(shape) = &form {
@@ -184,9 +206,20 @@ impl Parametrized {
                 polar.branches.first().is_some_and(is_series)
                     || fit.is_some() && polar.method == PolarMethod::Numeric
             }
-            Self::Surface { .. } | Self::Intersection { .. } => false,
+            Self::Surface { .. } | Self::Harmonics(_) | Self::Intersection { .. } => false,
         }
     }
+}
+
+/// Refuses the options that mean nothing for radii that are sums of harmonics.
+fn refuse_harmonics_options(options: &ParametrizeOptions) -> Result<()> {
+    refuse_series_options(options, "a harmonic surface")?;
+    if !options.thetas.is_empty() {
+        return Err(Error::Usage(
+            "--theta and --phi ask where R is real; a sum of harmonics is real in every direction: sample gives its values".into(),
+        ));
+    }
+    Ok(())
 }
 
 /// Refuses the options of Fourier series for a form that has no plane radius.

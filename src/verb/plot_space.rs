@@ -2,7 +2,7 @@
 
 use super::arcs::{ArcSearch, arcs_of_others};
 use super::equation::cylinder;
-use super::mesh::{of_superquadric, of_surface};
+use super::mesh::{of_harmonics, of_superquadric, of_surface};
 use super::plot_options::{PlotOptions, VIEW, range_of, range_text, space_window, width};
 use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
 use crate::arcs::CurveArc;
@@ -31,6 +31,7 @@ pub(super) fn is_in_space(given: &Given) -> bool {
                 | Form::Patch(_)
                 | Form::Surface(_)
                 | Form::SpaceSuperquadric(_)
+                | Form::Harmonic(_)
                 | Form::Intersection(_)
         )
     )
@@ -245,6 +246,15 @@ fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> 
             let mesh = of_superquadric(&shape, cells, work)?;
             let layer = SpaceLayer {
                 label: format!("superquadric, 2/e2 = {of_xy}, 2/e1 = {of_z}"),
+                ..mesh_layer(&mesh)
+            };
+            Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))
+        }
+        Content::Exact(Form::Harmonic(surface)) => {
+            let cells = options.cells.unwrap_or(SURFACE_CELLS);
+            let mesh = of_harmonics(&surface, cells, work)?;
+            let layer = SpaceLayer {
+                label: label("harmonics", vec![format!("degree {}", surface.degree())]),
                 ..mesh_layer(&mesh)
             };
             Ok(Drawn::Layer(layer, box_around(mesh.vertices.iter())))

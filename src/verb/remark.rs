@@ -2,6 +2,7 @@
 
 use crate::exact::Rational;
 use crate::fit::{CenterOrigin, LeftOut};
+use crate::reading::ReadHarmonics;
 
 /// A remark about the work for the person who waits for it. A remark is not a part of the answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,13 @@ pub enum Remark {
         outline: String,
         /// The rest.
         left_out: LeftOut,
+    },
+    /// A file of spherical harmonics was read with this convention.
+    HarmonicFile {
+        /// The name of the file.
+        file: String,
+        /// What was read, and how.
+        read: ReadHarmonics,
     },
     /// A contour is not star-shaped about the center.
     Hidden {

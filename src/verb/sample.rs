@@ -13,9 +13,10 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::options::options;
 use crate::sample::{
-    Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts, solve_radial,
+    Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts,
+    harmonic_ray, solve_radial,
 };
-use crate::shape::{Form, ImplicitSurface};
+use crate::shape::{Form, HarmonicPair, HarmonicSurface, ImplicitSurface};
 use crate::witness::{curve_form, surface_form};
 
 const DEFAULT_DIRECTIONS: usize = 360;
@@ -68,6 +69,13 @@ pub enum SampledPoints {
     },
     /// The points of a surface, ray by ray.
     Space(Vec<SampledRay<SpaceDirection, 3>>),
+    /// The points of a harmonic surface, ray by ray.
+    Harmonics {
+        /// The rays.
+        rays: Vec<SampledRay<SpaceDirection, 3>>,
+        /// The origin of the coordinates.
+        center: [Rational; 3],
+    },
     /// The points of the curve in which two surfaces meet, arc by arc.
     Arcs(IntersectionArcs),
 }
@@ -99,6 +107,10 @@ const SAMPLE: Taken = Taken {
 pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samples> {
     check_count(options.directions.unwrap_or(1))?;
     let fitted = exact_form(given, &options.fit, work)?;
+    if let Form::Harmonic(surface) = &fitted.form {
+        refuse_arcs(&options.arcs)?;
+        return of_harmonics(surface, options, work);
+    }
     let form = match fitted.form {
         shape @ (Form::Superquadric(_) | Form::SpaceSuperquadric(_)) => shape,
         other => through_equation(other, work)?,
@@ -167,6 +179,29 @@ fn uncounted(points: SampledPoints) -> Samples {
         points,
         counts: None,
     }
+}
+
+/// The two radii of a harmonic surface on every line.
+fn of_harmonics(
+    surface: &HarmonicSurface,
+    options: &SampleOptions,
+    work: &Work,
+) -> Result<Samples> {
+    if options.coordinates == CoordinatesFrom::Original && !surface.is_centered() {
+        return Err(Error::Usage(
+            "--coordinates original is for plane curves; the points of a harmonic surface are relative to its center".into(),
+        ));
+    }
+    let directions = space_directions(options)?;
+    let pair = HarmonicPair::new(surface);
+    let rays = solve(
+        |d| Ok(harmonic_ray(&pair, d)),
+        directions,
+        options.positive,
+        work,
+    )?;
+    let center = surface.center().clone();
+    Ok(uncounted(SampledPoints::Harmonics { rays, center }))
 }
 
 /// Lemmas 7 to 10 and Theorem 6 in single directions: all real R with f(R u, R v, R w) = 0.

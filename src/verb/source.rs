@@ -7,7 +7,7 @@ use super::foreign::{is_foreign, refuse_beginning};
 use crate::error::{Error, Result};
 use crate::fit::ContourKind;
 use crate::language::MAX_TEXT_BYTES;
-use crate::reading::is_elliptic_header;
+use crate::reading::{HarmonicLayout, is_elliptic_header, layout_of_header};
 use crate::rows::{double, words};
 
 /// The number of bytes by which a file is recognised.
@@ -24,6 +24,8 @@ pub(super) enum Held {
     Fourier,
     /// A table of the coefficients of an elliptic series.
     Elliptic,
+    /// A file of the coefficients of spherical harmonics, with the layout that its name says.
+    Harmonics(Option<HarmonicLayout>),
     /// A formula, a JSON document, or GeoJSON.
     Text,
 }
@@ -56,6 +58,10 @@ pub(super) fn held(
     if let Some(kind) = kind_of_beginning(head) {
         return Ok(Held::Outline(kind));
     }
+    if let Some(layout) = path.and_then(layout_of_name) {
+        refuse_utf16(head, place)?;
+        return Ok(Held::Harmonics(Some(layout)));
+    }
     let named = path.and_then(ContourKind::of);
     if let Some(kind @ (Image | Array)) = named {
         return Ok(Held::Outline(kind));
@@ -75,6 +81,17 @@ pub(super) fn held(
         None if looks_like_rows(text) => table(text),
         None => Held::Text,
     })
+}
+
+/// The layout of a file of harmonics that has one of the usual names: `*.sh`, `*.sha`, `*anm*.dat`.
+fn layout_of_name(path: &Path) -> Option<HarmonicLayout> {
+    let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+    let (stem, extension) = name.rsplit_once('.')?;
+    match extension {
+        "sh" | "sha" | "shadr" => Some(HarmonicLayout::Real),
+        "dat" if stem.contains("anm") => Some(HarmonicLayout::Complex),
+        _ => None,
+    }
 }
 
 /// The kind of an outline in binary data.
@@ -106,8 +123,12 @@ fn table(head: &str) -> Held {
         .map(str::trim)
         .filter(|l| !l.is_empty() && !l.starts_with('#'));
     let header = rows.next().unwrap_or("");
+    let names: Vec<String> = words(header).map(str::to_ascii_lowercase).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let header = header.replace(' ', "").to_ascii_lowercase();
-    if header.starts_with("i,j,") {
+    if layout_of_header(&names).is_some() {
+        Held::Harmonics(None)
+    } else if header.starts_with("i,j,") {
         Held::Coefficients
     } else if header == "n,cos,sin" {
         Held::Fourier
@@ -152,6 +173,7 @@ pub(super) fn names_a_file(path: &Path) -> bool {
     let extension = extension.unwrap_or_default().to_ascii_lowercase();
     ContourKind::of(path).is_some()
         || ["json", "txt"].contains(&extension.as_str())
+        || layout_of_name(path).is_some()
         || is_foreign(&extension)
         || (path.exists() && !path.is_dir())
 }
@@ -238,6 +260,17 @@ mod tests {
             ("", b"i,j,value\n0,1,0\n", Held::Coefficients),
             ("a.txt", b"# points\n1 2\n3 4\n", Held::Outline(Rows)),
             ("a.txt", b"BM = 1", Held::Text),
+            ("a.csv", b"l,m,value\n0,0,1\n", Held::Harmonics(None)),
+            (
+                "a.sh",
+                b"0 0 1 0\n",
+                Held::Harmonics(Some(HarmonicLayout::Real)),
+            ),
+            (
+                "C-anm-1.dat",
+                b"0 0 1 0\n",
+                Held::Harmonics(Some(HarmonicLayout::Complex)),
+            ),
             ("", b"r = 1", Held::Text),
             ("", b"", Held::Text),
         ] {

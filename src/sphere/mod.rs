@@ -1,0 +1,6 @@
+//! Certified properties of radii that are finite sums of spherical harmonics.
+
+mod grid;
+mod positive;
+
+pub use positive::{Positivity, positivity};
