@@ -9,6 +9,10 @@ use crate::sample::{Direction, SpaceDirection, UnitVector};
 use crate::shape::{HarmonicPair, HarmonicSurface};
 
 /// Whether R > 0 in every direction.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one of these for each surface that is described"
+)]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Positivity {

@@ -7,11 +7,12 @@ use crate::describe::Description;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::Distances;
-use crate::implicitize::SquaredForm;
+use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::parametrize::{BranchRadius, Parametrization, Rationality};
 use crate::sample::{HomogeneousParts, RaySolver, UnitVector};
-use crate::shape::{Form, FourierRadius, ImplicitSurface, Parameter, PlaneCurve};
-use crate::witness::{self, Proof, curve_form, surface_form};
+use crate::shape::{Form, FourierRadius, HarmonicSurface, ImplicitSurface, Parameter, PlaneCurve};
+use crate::sphere::Positivity;
+use crate::witness::{self, Proof, curve_form, harmonic_form, radius_form, surface_form};
 
 /// Claims all points of rays, those with r < 0 included. `form` is the index of the polynomial.
 pub(super) fn claim_rays<P, D, const V: usize>(
@@ -59,7 +60,8 @@ pub(super) fn claim_description(
                 let index = curve_form(proof, curve.polynomial());
                 match &description.fourier {
                     Some(fourier) if !fourier.perfect_square => {
-                        witness::of_radius(proof, index, &fourier.radius, false, "center");
+                        let series = radius_form(proof, &fourier.radius);
+                        witness::of_radius(proof, index, series, false, "center");
                     }
                     _ => witness::irreducible(proof, index, curve.polynomial(), work.bounds())?,
                 }
@@ -117,7 +119,16 @@ pub(super) fn claim_equation(
     match form {
         Form::Fourier(radius) => {
             let is_square = SquaredForm::new(radius)?.is_perfect_square();
-            witness::of_radius(proof, indices[0], radius, is_square, coordinates);
+            let series = radius_form(proof, radius);
+            witness::of_radius(proof, indices[0], series, is_square, coordinates);
+            if !is_square {
+                return Ok(());
+            }
+        }
+        Form::Harmonic(surface) => {
+            let is_square = SquaredHarmonics::new(surface)?.is_perfect_square();
+            let series = harmonic_form(proof, surface);
+            witness::of_radius(proof, indices[0], series, is_square, "center");
             if !is_square {
                 return Ok(());
             }
@@ -166,7 +177,8 @@ pub(super) fn claim_branches(proof: &mut Proof, found: &Parametrization) {
         match &branch.radius {
             BranchRadius::Fourier(radius) if is_irreducible => {
                 let is_square = SquaredForm::new(radius).is_ok_and(|f| f.is_perfect_square());
-                witness::of_radius(proof, form, radius, is_square, "center");
+                let series = radius_form(proof, radius);
+                witness::of_radius(proof, form, series, is_square, "center");
             }
             _ => witness::unproved_branch(proof, "closed-form", form, index),
         }
@@ -202,5 +214,31 @@ pub(super) fn claim_fit(
             distances.hausdorff.high,
         );
         witness::unproved_number(proof, "overlap", "overlap", distances.overlap);
+    }
+}
+
+/// Claims the sign of a sum of spherical harmonics, if it is known, its equation, and that this is irreducible.
+pub(super) fn claim_harmonics(
+    proof: &mut Proof,
+    surface: &HarmonicSurface,
+    equation: &SquaredHarmonics,
+    positivity: &Positivity,
+    work: &Work,
+) -> Result<()> {
+    match positivity {
+        Positivity::Positive { .. } => witness::positive_sphere(proof, surface, None),
+        Positivity::NotPositive { direction, .. } => {
+            witness::positive_sphere(proof, surface, Some(direction));
+        }
+        Positivity::Unknown => {}
+    }
+    let series = harmonic_form(proof, surface);
+    let is_square = equation.is_perfect_square();
+    let expanded = equation.expand();
+    let form = surface_form(proof, expanded.polynomial());
+    witness::of_radius(proof, form, series, is_square, "center");
+    match is_square {
+        true => witness::irreducible(proof, form, expanded.polynomial(), work.bounds()),
+        false => Ok(()),
     }
 }

@@ -1,6 +1,6 @@
 //! The verb `describe`: the exact properties of a form.
 
-use super::claims::claim_description;
+use super::claims::{claim_description, claim_harmonics};
 use super::equation::{Taken, check_curve, check_surface, squared_harmonics};
 use super::fit::exact_form;
 use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
@@ -85,6 +85,9 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
             let form = squared_harmonics(&surface, work)?;
             let what = work.stage("describe", || {
                 HarmonicDescription::new(surface, &form, work.bounds())
+            })?;
+            work.claim(|proof| {
+                claim_harmonics(proof, &what.surface, &form, &what.positivity, work)
             })?;
             let what = DescribedForm::Harmonic(what);
             return Ok(Described { what, facts });

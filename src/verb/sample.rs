@@ -4,7 +4,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
 use super::claims::claim_rays;
-use super::equation::{Taken, check_surface, implicit_curve, through_equation};
+use super::equation::{Taken, check_surface, implicit_curve, squared_harmonics, through_equation};
 use super::fit::exact_form;
 use super::{CoordinatesFrom, Given, Remark, Work};
 use crate::arcs::IntersectionArcs;
@@ -194,6 +194,19 @@ fn of_harmonics(
     }
     let directions = space_directions(options)?;
     let pair = HarmonicPair::new(surface);
+    work.claim(|proof| {
+        let equation = squared_harmonics(surface, work)?.expand();
+        let form = surface_form(proof, equation.polynomial());
+        let solver = RaySolver::new(equation.by_degree());
+        claim_rays(
+            proof,
+            form,
+            equation.by_degree(),
+            &solver,
+            &directions,
+            work,
+        )
+    })?;
     let rays = solve(
         |d| Ok(harmonic_ray(&pair, d)),
         directions,

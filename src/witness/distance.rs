@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::{DMatrix, DVector};
 use serde_json::{Value, json};
 
 use super::forms::{curve_form, radius_form, surface_form, texts};
@@ -17,12 +18,16 @@ use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
 const ANGLES: usize = 4096;
 /// The number of directions in which the nearest zero of a polynomial is searched.
 const RAYS: usize = 96;
+/// Zeros are searched to this multiple of the largest distance, so that rays beside the nearest zero meet one, too.
+const BEYOND: f64 = 1.5;
 /// The number of steps along one ray.
-const STEPS: u32 = 24;
-/// The number of times that a ray is turned towards the normal at its zero.
-const TURNS: usize = 40;
-/// The largest number of halvings of a cover.
-const DEPTH: u32 = 60;
+const STEPS: u32 = 48;
+/// The number of steps of Newton's method.
+const NEWTON: usize = 30;
+/// The largest numbers of halvings of the covers of a cube in 2 and 3 dimensions, and of arcs. About a point at which the form nearly
+/// touches a ball, the cells of a cover are as many as 2^(1/2) or 2 to this power.
+const DEPTHS: [u32; 2] = [28, 12];
+const DEPTH_OF_ARCS: u32 = 60;
 
 /// A form that points are compared with, entered into the proof.
 #[derive(Debug)]
@@ -150,7 +155,7 @@ fn claim_all<'a, const V: usize, N: Witnesses>(
     let mut known = None;
     for (relation, bound) in asked {
         let witness = form.and_then(|_| match relation {
-            "more-than" | "misses" => Some(json!({ "depth": DEPTH })),
+            "more-than" | "misses" => Some(json!({ "depth": N::DEPTH })),
             _ => {
                 let nearest = known.get_or_insert_with(|| nearest(point, high));
                 nearest.witness(&bound, relation == "meets")
@@ -172,6 +177,9 @@ fn claim_all<'a, const V: usize, N: Witnesses>(
 
 /// The nearest point of a form, approximately, from which witnesses are made.
 trait Witnesses {
+    /// The largest number of halvings of a cover.
+    const DEPTH: u32;
+
     /// A witness that a point of the form is within the bound, or at exactly this distance.
     fn witness(&self, bound: &Rational, exactly: bool) -> Option<Value>;
 }
@@ -187,7 +195,7 @@ impl<'a, const V: usize> Nearest<'a, V> {
     fn of(f: &'a SparsePolynomial<V>, point: &'a [Rational; V], reach: f64) -> Self {
         let numeric = Numeric::of(f);
         let from = point.each_ref().map(Rational::to_f64);
-        let zero_along = |direction: [f64; V]| numeric.first_zero(from, direction, reach * 1.001);
+        let zero_along = |direction: [f64; V]| numeric.first_zero(from, direction, reach * BEYOND);
         let mut best: Option<([f64; V], f64)> = None;
         for direction in directions::<V>(RAYS) {
             if let Some(t) = zero_along(direction)
@@ -196,26 +204,13 @@ impl<'a, const V: usize> Nearest<'a, V> {
                 best = Some((direction, t));
             }
         }
-        // The nearest point is where the ray is normal to the curve or surface.
-        if let Some((mut direction, mut t)) = best {
-            for _ in 0..TURNS {
-                let foot: [f64; V] = std::array::from_fn(|k| from[k] + t * direction[k]);
-                let Some(normal) = unit(numeric.gradient(foot)) else {
-                    break;
-                };
-                let along: f64 = normal.iter().zip(&direction).map(|(a, b)| a * b).sum();
-                // Half of the turn, so that the rays do not swing.
-                let turned = std::array::from_fn(|k| direction[k] + along.signum() * normal[k]);
-                let Some(turned) = unit(turned) else { break };
-                let Some(next) = zero_along(turned) else {
-                    break;
-                };
-                if next > t {
-                    break;
-                }
-                (direction, t) = (turned, next);
+        if let Some((direction, t)) = best {
+            let foot = std::array::from_fn(|k| from[k] + t * direction[k]);
+            if let Some(found) = numeric.polished(from, foot)
+                && found.1 <= t
+            {
+                best = Some(found);
             }
-            best = Some((direction, t));
         }
         Self {
             f,
@@ -230,6 +225,8 @@ impl<'a, const V: usize> Nearest<'a, V> {
 }
 
 impl<const V: usize> Witnesses for Nearest<'_, V> {
+    const DEPTH: u32 = DEPTHS[V - 2];
+
     fn witness(&self, bound: &Rational, exactly: bool) -> Option<Value> {
         let sign = |end: &[Rational; V]| self.f.evaluate(end).signum();
         let segment =
@@ -359,6 +356,53 @@ impl<const V: usize> Numeric<V> {
         })
     }
 
+    /// The second derivatives.
+    fn hessian(&self, at: [f64; V]) -> [[f64; V]; V] {
+        let derivative = |e: &mut [i32; V], axis: usize| {
+            let n = e[axis];
+            e[axis] = (n - 1).max(0);
+            f64::from(n)
+        };
+        std::array::from_fn(|a| {
+            std::array::from_fn(|b| {
+                let term = |(e, c): &([i32; V], f64)| {
+                    let mut e = *e;
+                    let factor = derivative(&mut e, a) * derivative(&mut e, b);
+                    c * factor * (0..V).map(|k| at[k].powi(e[k])).product::<f64>()
+                };
+                self.terms.iter().map(term).sum()
+            })
+        })
+    }
+
+    /// The direction and the distance of a zero whose normal goes through the point `from`, by Newton's method for
+    /// q − from + s ∇f(q) = 0 and f(q) = 0.
+    fn polished(&self, from: [f64; V], near: [f64; V]) -> Option<([f64; V], f64)> {
+        let mut q = near;
+        let gradient = self.gradient(q);
+        let square: f64 = gradient.iter().map(|c| c * c).sum();
+        let mut s = -(0..V).map(|k| (q[k] - from[k]) * gradient[k]).sum::<f64>() / square;
+        for _ in 0..NEWTON {
+            let (gradient, hessian) = (self.gradient(q), self.hessian(q));
+            let matrix = DMatrix::from_fn(V + 1, V + 1, |i, j| match (i < V, j < V) {
+                (true, true) => s * hessian[i][j] + if i == j { 1.0 } else { 0.0 },
+                (true, false) => gradient[i],
+                (false, true) => gradient[j],
+                (false, false) => 0.0,
+            });
+            let right = DVector::from_fn(V + 1, |i, _| match i < V {
+                true => from[i] - q[i] - s * gradient[i],
+                false => -self.value(q),
+            });
+            let step = matrix.lu().solve(&right)?;
+            q = std::array::from_fn(|k| q[k] + step[k]);
+            s += step[V];
+        }
+        let away: [f64; V] = std::array::from_fn(|k| q[k] - from[k]);
+        let length = away.iter().map(|c| c * c).sum::<f64>().sqrt();
+        Some((unit(away)?, length))
+    }
+
     /// The first change of sign along a ray, up to the reach.
     fn first_zero(&self, from: [f64; V], direction: [f64; V], reach: f64) -> Option<f64> {
         let at = |t: f64| self.value(std::array::from_fn(|k| from[k] + t * direction[k]));
@@ -419,6 +463,8 @@ impl<'a> Nearest<'a, 2> {
 }
 
 impl Witnesses for NearestOfRadius {
+    const DEPTH: u32 = DEPTH_OF_ARCS;
+
     fn witness(&self, _: &Rational, exactly: bool) -> Option<Value> {
         let mut directions = vec![texts(&self.nearest)];
         if exactly {

@@ -2,29 +2,28 @@
 
 use serde_json::{Value, json};
 
-use super::forms::{parametric_form, radius_form};
+use super::forms::parametric_form;
 use super::line::LinePoly;
 use super::line::line_and_prime;
 use super::proof::{Proof, by_expansion};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::shape::{Form, FourierRadius};
+use crate::shape::Form;
 
 /// The products of two polynomials that a checker multiplies at most.
 const MOST_PRODUCTS: usize = 30_000_000;
 
-/// Claims that the polynomial of the given index is that of Theorem 2 for the radius, in coordinates about its center or in the
+/// Claims that the polynomial of the index `form` is that of Theorem 2 for the radius of the index `series`, in coordinates about its center or in the
 /// original ones: `series-equation`; and that it is irreducible. If the polynomial
 /// of the theorem is a square, the first is claimed without a witness, and the second is not claimed here.
 pub(crate) fn of_radius(
     proof: &mut Proof,
     form: Option<usize>,
-    radius: &FourierRadius,
+    series: Option<usize>,
     is_square: bool,
     coordinates: &'static str,
 ) {
-    let series = radius_form(proof, radius);
     let both = form.is_some() && series.is_some();
     let statement = json!({ "form": form, "radius": series, "coordinates": coordinates });
     if is_square {

@@ -5,13 +5,15 @@ use serde_json::{Value, json};
 use super::proof::Proof;
 use crate::exact::Rational;
 use crate::poly::{PlanePolynomial, RationalFunction, SparsePolynomial};
-use crate::shape::{Form, FourierRadius, Patch};
+use crate::shape::{Form, FourierRadius, HarmonicSurface, Patch};
 
 /// The largest degree of a polynomial, and the largest number of its terms, in a proof file.
 const MOST_DEGREE: usize = 512;
 const MOST_TERMS: usize = 100_000;
 /// The largest number of harmonics of a radius in a proof file.
 const MOST_HARMONICS: usize = 511;
+/// The largest degree of a sum of spherical harmonics in a proof file.
+const MOST_SPHERICAL: usize = 128;
 /// The longest number in a proof file has 20 000 characters.
 const MOST_BITS: u64 = 66_000;
 
@@ -48,6 +50,26 @@ pub(crate) fn radius_form(proof: &mut Proof, radius: &FourierRadius) -> Option<u
     });
     if radius.center().iter().any(|c| !c.is_zero()) {
         form["center"] = texts(radius.center());
+    }
+    Some(proof.form(&form))
+}
+
+/// The index of a sum of spherical harmonics with its center; `None` beyond the limits of the format.
+pub(crate) fn harmonic_form(proof: &mut Proof, surface: &HarmonicSurface) -> Option<usize> {
+    if surface.degree() > MOST_SPHERICAL {
+        return None;
+    }
+    let coefficients: Vec<Value> = surface
+        .terms()
+        .map(|(l, m, value)| json!({ "l": l, "m": m, "value": value.to_string() }))
+        .collect();
+    let mut form = json!({
+        "kind": "spherical",
+        "degree": surface.degree(),
+        "coefficients": coefficients,
+    });
+    if !surface.is_centered() {
+        form["center"] = texts(surface.center());
     }
     Some(proof.form(&form))
 }

@@ -16,7 +16,7 @@ pub(crate) use distance::{InspectedForm, inspected_point};
 pub(crate) use equation::{
     factors, identity, irreducible, of_radius, unproved, unproved_branch, unproved_number,
 };
-pub(crate) use forms::{curve_form, surface_form};
-pub(crate) use positive::positive_radius;
+pub(crate) use forms::{curve_form, harmonic_form, radius_form, surface_form};
+pub(crate) use positive::{positive_radius, positive_sphere};
 pub use proof::Proof;
 pub(crate) use rays::ray;

@@ -6,12 +6,15 @@ use malachite::base::polynomial::Polynomial;
 use serde_json::{Value, json};
 
 use super::breakpoints::{End, Roots};
-use super::forms::{radius_form, texts};
+use super::forms::{harmonic_form, radius_form, texts};
 use super::proof::Proof;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics};
 use crate::roots::real_roots;
-use crate::shape::FourierRadius;
+use crate::shape::{FourierRadius, HarmonicSurface};
+
+/// The largest number of halvings of a cover.
+const DEPTH: u32 = 40;
 
 /// Claims whether r > 0 for every angle: `positive-radius`.
 pub(crate) fn positive_radius(proof: &mut Proof, radius: &FourierRadius, positive: bool) {
@@ -35,6 +38,21 @@ pub(crate) fn positive_radius(proof: &mut Proof, radius: &FourierRadius, positiv
     });
     let statement = json!({ "form": form, "positive": positive });
     proof.claim("positive-radius", &statement, witness);
+}
+
+/// Claims whether R > 0 in every direction: `positive-radius`. The witness is a rule for a cover, or a direction with R ≤ 0.
+pub(crate) fn positive_sphere(
+    proof: &mut Proof,
+    surface: &HarmonicSurface,
+    not_positive_in: Option<&[Rational; 3]>,
+) {
+    let form = harmonic_form(proof, surface);
+    let statement = json!({ "form": form, "positive": not_positive_in.is_none() });
+    let witness = match not_positive_in {
+        Some(direction) => json!({ "direction": texts(direction) }),
+        None => json!({ "depth": DEPTH }),
+    };
+    proof.claim("positive-radius", &statement, form.map(|_| witness));
 }
 
 /// (1 + t²)^N r at the angle qπ/2 + 2 atan t, times a positive number: 2N + 1 coefficients, ascending.

@@ -101,8 +101,8 @@ impl Proof {
         )
     }
 
-    /// The proof after the checker has accepted it. A claim about a distance has no witness after this if its cover is too long,
-    /// or if its witness, which was found in doubles, is not good enough.
+    /// The proof after the checker has accepted it. A claim has no witness after this if its cover is too long; nor has a claim
+    /// about a distance, if its witness, which was found in doubles, is not good enough.
     ///
     /// # Errors
     /// [`Error::Limit`] if the document is longer than [`LONGEST_DOCUMENT`]; [`Error::Internal`] if the checker refuses a claim.
@@ -117,7 +117,9 @@ impl Proof {
         for refused in &report.refused {
             let claim = &mut self.claims[refused.index];
             // These witnesses are rules for covers, or were found in doubles.
-            if claim.name != "distance" {
+            let witness = claim.witness.as_ref();
+            let is_cover = witness.is_some_and(|witness| witness.get("depth").is_some());
+            if !is_cover && claim.name != "distance" {
                 return Err(Error::internal(
                     format!("claim {} of the proof ({})", refused.index, refused.name),
                     format!("it holds: {}", refused.refusal),

@@ -10,6 +10,7 @@ mod cli_session;
 mod documents;
 mod elliptic;
 mod form_mistakes;
+mod harmonics;
 mod implicitize_cli;
 mod language;
 mod language_parameters;

@@ -80,6 +80,120 @@ fn proofs_are_accepted_and_wrong_ones_are_refused() {
 }
 
 /// The checker in Python says the same; only where the variable says that Python is there.
+/// Commands that write proofs, with the numbers of their claims and of those without a witness.
+const PROVED: [(&[&str], usize, usize); 12] = [
+    (&["describe", "(x^2 + y^2 - 1)*(x^3 - y^2)*(x - y)^2"], 4, 0),
+    (&["describe", "r = 1 + 1/5*cos(3*t)"], 3, 0),
+    (&["describe", "r = 1 + 6/5*cos(3*t) - 1/7*sin(t)"], 3, 0),
+    (&["describe", "R = 10 + Y(2,0)/3 - 0.1*Y(3,-2)"], 3, 0),
+    // Double lines, exact roots beside others, and a direction in the curve.
+    (
+        &[
+            "sample",
+            "(x^2 + y^2 - 1)*(x^3 - y^2)*(x - y)^2",
+            "--directions",
+            "24",
+        ],
+        24,
+        0,
+    ),
+    (
+        &[
+            "sample",
+            "(x^2 + y^2 - 4)^2*(x - 1)*(x^2 - 3*y^2)",
+            "--theta",
+            "0",
+            "--theta",
+            "30deg",
+        ],
+        2,
+        0,
+    ),
+    (
+        &["sample", "x^4 + y^4 + z^4 - 1", "--directions", "40"],
+        40,
+        0,
+    ),
+    (&["implicitize", "r = 3 + cos(t) - 1/7*sin(4*t)"], 2, 0),
+    (&["implicitize", "x = sin(t); y = sin(t)*cos(t)"], 4, 2),
+    (
+        &[
+            "implicitize",
+            "x = cos(theta)*sin(phi); y = cos(theta); z = cos(phi)",
+        ],
+        4,
+        2,
+    ),
+    (
+        &[
+            "inspect",
+            "x^2/4 + y^2 = 1",
+            "--tolerance",
+            "1/10",
+            "--point",
+            "2,0",
+            "--point",
+            "1/3,1/4",
+            "--point",
+            "5,5",
+        ],
+        14,
+        2,
+    ),
+    (
+        &[
+            "inspect",
+            "r = 1 + 1/5*cos(3*t)",
+            "--tolerance",
+            "1/10",
+            "--point",
+            "0,0",
+            "--point",
+            "1.1,0",
+            "--point",
+            "-1,1",
+        ],
+        15,
+        0,
+    ),
+];
+
+#[test]
+fn the_verbs_write_proofs_that_are_accepted() {
+    let folder = TempDir::new().unwrap();
+    for (k, (arguments, claims, without)) in PROVED.iter().enumerate() {
+        let name = format!("{k}.json");
+        let mut all = arguments.to_vec();
+        all.extend(["--proof", &name, "-o", "out", "--format", "json"]);
+        let run = run_in(folder.path(), &all, "");
+        assert!(run.code <= 1, "{arguments:?}: {}", run.err);
+        let said = format!("proof: {claims} claims, {without} of them without a witness");
+        assert!(run.err.contains(&said), "{arguments:?}: {}", run.err);
+        let run = run_in(folder.path(), &["verify", &name], "");
+        assert_eq!(run.code, 0, "{arguments:?}: {}", run.out);
+        // Another number of roots, another sign or another polynomial is refused.
+        let text = fs::read_to_string(folder.path().join(&name)).unwrap();
+        let (from, to) = match arguments[0] {
+            "describe" => ("\"coefficient\":\"1\"", "\"coefficient\":\"2\""),
+            "sample" => ("\"order_at_zero\":", "\"order_at_zero\":1"),
+            "implicitize" => ("\"coefficient\":\"1\"", "\"coefficient\":\"2\""),
+            _ => ("\"sign\":1", "\"sign\":-1"),
+        };
+        let changed = text.replacen(from, to, 1);
+        if changed != text {
+            fs::write(folder.path().join("wrong.json"), changed).unwrap();
+            let run = run_in(folder.path(), &["verify", "wrong.json"], "");
+            assert_eq!(run.code, 1, "{arguments:?}: {}", run.out);
+        }
+    }
+    let missing = run_in(
+        folder.path(),
+        &["describe", "x^2 = y", "--proof", "no/p.json"],
+        "",
+    );
+    assert_eq!(missing.code, 2, "{}", missing.err);
+}
+
 #[test]
 fn the_checker_in_python_says_the_same() {
     let checker = done(&["verify", "--checker"]);
@@ -103,4 +217,10 @@ fn the_checker_in_python_says_the_same() {
     };
     assert!(proofs().iter().all(|file| code(file) == 0));
     assert!(wrong(folder.path()).iter().all(|file| code(file) == 1));
+    for (arguments, ..) in PROVED {
+        let mut all = arguments.to_vec();
+        all.extend(["--proof", "made.json", "-o", "out", "--format", "json"]);
+        run_in(folder.path(), &all, "");
+        assert_eq!(code(&folder.path().join("made.json")), 0, "{arguments:?}");
+    }
 }
