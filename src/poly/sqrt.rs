@@ -23,6 +23,9 @@ pub(crate) fn polynomial_sqrt(f: &IntegerPolynomial) -> Option<IntegerPolynomial
         return None;
     }
     let n = degree / 2;
+    if *top < 0 {
+        return None;
+    }
     let lead = top.checked_sqrt()?;
     let twice = &lead * Integer::from(2);
     let mut q = vec![Integer::ZERO; n + 1];

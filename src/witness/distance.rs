@@ -453,7 +453,14 @@ impl<'a> Nearest<'a, 2> {
                     low = a;
                 }
             }
-            Direction::from_radians(angle(f64::midpoint(low, high))).components()
+            let theta = angle(f64::midpoint(low, high));
+            // Where the nearest point is in the direction of an axis, it may be at exactly the distance that is claimed.
+            let degrees = theta.to_degrees();
+            let whole = Rational::try_from(degrees.round()).ok();
+            match whole.filter(|_| (degrees - degrees.round()).abs() < 1e-5) {
+                Some(whole) => Direction::from_degrees(&whole).components(),
+                None => Direction::from_radians(theta).components(),
+            }
         };
         NearestOfRadius {
             nearest: extreme(1.0),

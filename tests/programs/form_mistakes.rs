@@ -48,7 +48,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     ),
     (
         "R = 1 + cos(t)/3",
-        "R =",
+        "t)/3",
         "the radius of a plane curve is r",
     ),
     (
