@@ -96,9 +96,15 @@
 //!
 //! Departures from the paper are marked `DIFFERENCE`, with the erratum.
 
+// The command line names this library as programs do; the Python package has it, too.
+#[cfg(feature = "python")]
+extern crate self as stellate;
+
 pub mod arcs;
 mod bigint;
 pub mod check;
+#[cfg(feature = "python")]
+mod cli;
 #[cfg(feature = "cli")]
 pub mod compare;
 pub mod describe;
@@ -124,6 +130,8 @@ pub mod parametrize;
 pub mod picture;
 pub mod poly;
 pub mod proof;
+#[cfg(feature = "python")]
+mod python;
 pub mod reading;
 pub mod roots;
 mod rows;

@@ -24,9 +24,9 @@ mod vectors;
 mod verify;
 mod watch;
 
+use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
 use stellate::document::Format;
@@ -42,14 +42,15 @@ const WRONG_INPUT: u8 = 2;
 const LIMIT_REACHED: u8 = 3;
 const CONTRADICTION: u8 = 4;
 
-/// Parses the arguments, runs the verb, and reports its error if there is one.
-pub(crate) fn main() -> ExitCode {
-    let arguments = match usage::parsed() {
+/// Parses the arguments, of which the first is the name of the program, runs the verb, and reports its error if there is one. Returns
+/// the exit code.
+pub(crate) fn main(words: Vec<OsString>) -> u8 {
+    let arguments = match usage::parsed(&words) {
         Ok(arguments) => arguments,
         Err(Refusal::Wrong(message, in_json)) => return reported(&message, WRONG_INPUT, in_json),
         Err(Refusal::Shown(text)) => {
             let _ = text.print();
-            return ExitCode::SUCCESS;
+            return 0;
         }
     };
     let in_json = arguments.common.format == Some(Format::Json);
@@ -79,9 +80,9 @@ pub(crate) fn main() -> ExitCode {
         Ok(session.answer_is_no)
     });
     match outcome {
-        Ok(false) => ExitCode::SUCCESS,
-        Ok(true) => ExitCode::from(ANSWER_IS_NO),
-        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Ok(false) => 0,
+        Ok(true) => ANSWER_IS_NO,
+        Err(error) if is_broken_pipe(&error) => 0,
         Err(error) => {
             let code = match error {
                 Error::Limit { .. } => LIMIT_REACHED,
@@ -94,13 +95,13 @@ pub(crate) fn main() -> ExitCode {
 }
 
 /// Reports an error, and returns its exit code.
-fn reported(message: &str, code: u8, in_json: bool) -> ExitCode {
+fn reported(message: &str, code: u8, in_json: bool) -> u8 {
     watch::report(&if in_json {
         serde_json::json!({ "error": { "exit_code": code, "message": message } }).to_string()
     } else {
         format!("stellate: {message}")
     });
-    ExitCode::from(code)
+    code
 }
 
 /// Runs the work of a verb; a broken invariant anywhere in it, on any thread, becomes the one error that is reported.

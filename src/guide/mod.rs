@@ -22,6 +22,9 @@ pub mod results {}
 #[doc = include_str!("proofs.md")]
 pub mod proofs {}
 
+#[doc = include_str!("python.md")]
+pub mod python {}
+
 #[doc = include_str!("glossary.md")]
 pub mod glossary {}
 

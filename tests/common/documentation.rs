@@ -9,6 +9,7 @@ pub(crate) const DOCUMENTATION: [&str; 11] = [
     "src/guide/paper.md",
     "src/guide/results.md",
     "src/guide/proofs.md",
+    "src/guide/python.md",
     "src/guide/glossary.md",
     "src/guide/performance.md",
     "src/guide/contributing.md",

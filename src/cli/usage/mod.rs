@@ -6,6 +6,7 @@ mod stray;
 mod typed;
 
 use std::error::Error as _;
+use std::ffi::OsString;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgMatches, FromArgMatches};
@@ -25,11 +26,10 @@ pub(crate) enum Refusal {
     Wrong(String, bool),
 }
 
-/// The arguments of the process.
-pub(crate) fn parsed() -> Result<Arguments, Refusal> {
+/// The arguments that these words are, of which the first is the name of the program.
+pub(crate) fn parsed(words: &[OsString]) -> Result<Arguments, Refusal> {
     let mut command = about::command();
-    let words: Vec<_> = std::env::args_os().collect();
-    let typed = Typed::new(&words);
+    let typed = Typed::new(words);
     command = command.color(typed.color());
     command.build();
     let wrong = |message| Refusal::Wrong(message, typed.wants_json());
@@ -37,7 +37,7 @@ pub(crate) fn parsed() -> Result<Arguments, Refusal> {
     if let Some(message) = mistake {
         return Err(wrong(message));
     }
-    let matches = command.try_get_matches_from_mut(&words);
+    let matches = command.try_get_matches_from_mut(words);
     let arguments = matches.and_then(|matches: ArgMatches| Arguments::from_arg_matches(&matches));
     let arguments = arguments.map_err(|error| match error.use_stderr() {
         true => wrong(message(&error, &typed, &command)),

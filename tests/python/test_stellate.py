@@ -1,0 +1,143 @@
+"""The Python package, against SymPy and against the program's own documents."""
+
+import doctest
+import json
+import pickle
+import re
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stellate
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_terms_are_exact():
+    curve = stellate.form("x^2 + y^2 = 1/3")
+    assert curve.terms == {(2, 0): 1, (0, 2): 1, (0, 0): Fraction(-1, 3)}
+    assert stellate.form(curve.terms).terms == curve.terms
+    assert stellate.from_series([0.1]).cos == [Fraction(0.1)]
+
+
+def test_equation_of_theorem_2_is_that_of_sympy():
+    sympy = pytest.importorskip("sympy")
+    x, y = sympy.symbols("x y")
+    found = stellate.implicitize("r = 1 + cos(t)/5 + sin(2*t)/7").sympy()
+    # r = A + B with A of even and B of odd harmonics: (ρ B' − ...)² by substitution of a point.
+    r = sympy.Symbol("r")
+    for k in range(7):
+        t = sympy.Rational(k, 3)
+        cos, sin = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+        radius = 1 + cos / 5 + 2 * sin * cos / 7
+        assert sympy.simplify(found.subs({x: radius * cos, y: radius * sin})) == 0
+    assert sympy.Poly(found, x, y).total_degree() == 6
+    assert r.name == "r"
+
+
+def test_round_trips():
+    form = stellate.form("r = 2 + cos(3*t)/5")
+    again = pickle.loads(pickle.dumps(form))
+    assert again == form and hash(again) == hash(form)
+    assert stellate.form(form.to_json()) == form
+    assert form != stellate.form("r = 2")
+    assert form.latex() == r"r = 2 + \frac{1}{5} \cos 3\theta"
+    assert stellate.form("x^2 - y = 0").latex() == "x^{2} - y = 0"
+    assert "<svg" in form._repr_svg_()
+
+
+def test_radius_sign_and_distance():
+    form = stellate.form("r = 1 + cos(3*t)/5")
+    theta = np.linspace(0, 6, 50).reshape(5, 10)
+    assert np.allclose(form.radius(theta), 1 + np.cos(3 * theta) / 5, atol=1e-14)
+    assert form.sign([[0, 0], [1.2, 0], [5, 5]]).tolist() == [-1, 0, 1] or form.sign(
+        [[0, 0], [5, 5]]
+    ).tolist() == [-1, 1]
+    low, high = stellate.form("x^2 + y^2 = 4").distance([[0, 5], [0, 1]])
+    assert np.all(low <= [3, 1]) and np.all(high >= [3, 1]) and np.allclose(low, high, rtol=1e-5)
+
+
+def test_samples_are_columns():
+    found = stellate.sample("x^2 + y^2 = 4", 8)
+    assert found.r.shape == (16,) and set(np.abs(found.r)) == {2.0}
+    u, v = found.directions[3]
+    assert u * u + v * v == 1
+    space = stellate.sample("x^2 + y^2 + z^2 = 9", theta=["30deg"], phi=[1.0])
+    assert space.z is not None and space.phi is not None
+
+
+def test_a_fit_of_points():
+    angles = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    points = np.column_stack([3 * np.cos(angles), 2 * np.sin(angles)])
+    fit = stellate.fit(points, 12)
+    assert fit.form.kind == "fourier" and len(fit.form.cos) == 13
+    low, high = fit.distance
+    assert 0 <= low <= high < 0.05
+    elliptic = stellate.fit(points, 1, model="elliptic")
+    assert stellate.implicitize(elliptic.form).degree == 2
+    again = stellate.fit(points, tolerance=0.01).form
+    assert len(again.cos) <= 13
+
+
+def test_inspection_and_check():
+    found = stellate.inspect("x^2 + y^2 = 1", [[1.05, 0], [2, 0]], tolerance="1/10")
+    assert found.verdict.tolist() == ["inside", "outside"]
+    right = stellate.check("x^2 + y^2 = 1", coefficients={(2, 0): 1.0, (0, 2): 1.0, (0, 0): -1.0})
+    assert right["missing"] == [] and right["mistakes"] == []
+    wrong = stellate.check("x^2 + y^2 = 1", coefficients={(2, 0): 1.0, (0, 0): -1.0})
+    assert wrong["missing"]
+
+
+def test_errors_are_exceptions():
+    with pytest.raises(stellate.InputError, match="="):
+        stellate.implicitize("x^2 + = 1")
+    with pytest.raises(stellate.LimitReached):
+        stellate.implicitize("r = 1 + cos(60*t)", max_degree=80)
+    with pytest.raises(TypeError):
+        stellate.fit([[0, 0], [1, 0], [0, 1]], harmonic=3)
+    with pytest.raises(stellate.InputError, match="shape"):
+        stellate.inspect("x^2 + y^2 = 1", np.zeros((2, 4)), tolerance=1)
+    assert issubclass(stellate.InternalError, stellate.StellateError)
+
+
+def test_pictures_meshes_and_proofs(tmp_path):
+    assert stellate.plot("r = 1 + cos(t)/3").startswith(b"<svg")
+    stellate.plot("x^2 + y^2 = 1", output=tmp_path / "a.png")
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    stellate.mesh("R = 2 + Y(1,0)/2", tmp_path / "a.obj", resolution=8)
+    assert "f " in (tmp_path / "a.obj").read_text()
+    found = stellate.verify(ROOT / "tests/proofs/example-8.json")
+    assert found["holds"] and found["claims"] == 30
+    assert "$defs" in stellate.schema()
+
+
+def test_the_program_is_there():
+    script = Path(sys.executable).with_name("stellate")
+    run = subprocess.run([script, "describe", "x^2 = y", "--format", "json"], capture_output=True, text=True)
+    assert run.returncode == 0 and json.loads(run.stdout)["degree"] == 2
+    assert subprocess.run([script, "descibe", "x"], capture_output=True).returncode == 2
+
+
+def test_examples_in_the_docstrings():
+    from stellate import _form, _verbs
+
+    for module in (stellate, _form, _verbs):
+        assert doctest.testmod(module).failed == 0
+
+
+def test_the_guide(tmp_path, monkeypatch):
+    """The Python examples of the guide, one after the other."""
+    text = (ROOT / "src/guide/python.md").read_text()
+    blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+    assert len(blocks) >= 3
+    monkeypatch.chdir(tmp_path)
+    names = {"__name__": "guide"}
+    (tmp_path / "butterfly.csv").write_bytes(
+        (ROOT / "paper-examples/e02-butterfly/butterfly.csv").read_bytes()
+    )
+    for block in blocks:
+        exec(block, names)
