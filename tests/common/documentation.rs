@@ -1,6 +1,6 @@
 //! The files whose commands are run, in the order in which they build on each other.
 
-pub(crate) const DOCUMENTATION: [&str; 11] = [
+pub(crate) const DOCUMENTATION: [&str; 12] = [
     "README.md",
     "src/guide/tour.md",
     "src/guide/space.md",
