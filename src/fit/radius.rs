@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::sweep::outermost;
 use super::{Visibility, as_f64};
-use crate::error::{Error, Invariant, Result};
+use crate::error::{Error, Result};
 use crate::shape::{Contour, coordinate_fault, orientation};
 
 /// The outermost radius r(θ) of an outline about an interior point: the distance to the last point
@@ -67,16 +67,13 @@ impl ContourRadius {
         }
         let relative = |p: &[f64; 2]| [p[0] - center[0], p[1] - center[1]];
         let points: Vec<[f64; 2]> = contour.points().iter().map(relative).collect();
-        let number = |vertex: usize| {
-            u32::try_from(vertex).invariant("an outline in memory has fewer than 2^32 vertices")
-        };
         let mut arcs: Vec<Arc> = outermost(contour.points(), center)
             .into_iter()
             .map(|visible| Arc {
-                edge: number(visible.edge),
-                from: number(visible.from),
-                to: number(visible.to),
-                start: angle(points[visible.from]),
+                edge: visible.edge,
+                from: visible.from,
+                to: visible.to,
+                start: angle(points[visible.from as usize]),
             })
             .collect();
         // The first arc may begin before direction 0; then its start is more than π larger than that of the second one.

@@ -5,15 +5,16 @@ use std::collections::BTreeSet;
 
 use rayon::slice::ParallelSliceMut;
 
+use crate::error::Invariant;
 use crate::shape::{SweptEdge, orientation};
 
 /// A range of directions, counter-clockwise from one vertex's direction to another's, in which one
 /// edge is the outermost. Numbers are indices of vertices; edge i joins vertices i and i + 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visible {
-    pub(super) edge: usize,
-    pub(super) from: usize,
-    pub(super) to: usize,
+    pub(super) edge: u32,
+    pub(super) from: u32,
+    pub(super) to: u32,
 }
 
 /// The outermost edges in all directions from `center`, in order. The caller must ensure that `points` is a simple
@@ -27,20 +28,24 @@ pub(super) struct Visible {
 /// Cost: O(n log n); O(n) after the sort where the polygon is star-shaped.
 pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
     let n = points.len();
+    let number = |vertex: usize| {
+        u32::try_from(vertex).invariant("an outline in memory has fewer than 2^32 vertices")
+    };
     let next = |i: usize| (i + 1) % n;
-    let mut order: Vec<usize> = (0..n).collect();
-    order.par_sort_by(|&i, &j| by_direction(center, points[i], points[j]).then(i.cmp(&j)));
+    let at = |vertex: u32| points[vertex as usize];
+    let mut order: Vec<u32> = (0..number(n)).collect();
+    order.par_sort_unstable_by(|&i, &j| by_direction(center, at(i), at(j)).then(i.cmp(&j)));
     // Vertices in the same direction share a rank.
-    let mut rank = vec![0usize; n];
-    let mut first_of_rank = Vec::new();
+    let mut rank = vec![0u32; n];
+    let mut first_of_rank: Vec<u32> = Vec::with_capacity(n);
     for &i in &order {
         let is_new = first_of_rank
             .last()
-            .is_none_or(|&j: &usize| by_direction(center, points[j], points[i]) != Ordering::Equal);
+            .is_none_or(|&j| by_direction(center, at(j), at(i)) != Ordering::Equal);
         if is_new {
             first_of_rank.push(i);
         }
-        rank[i] = first_of_rank.len() - 1;
+        rank[i as usize] = number(first_of_rank.len() - 1);
     }
     let outgoing: Vec<bool> = (0..n)
         .map(|i| orientation(center, points[i], points[next(i)]) == Ordering::Greater)
@@ -55,32 +60,28 @@ pub(super) fn outermost(points: &[[f64; 2]], center: [f64; 2]) -> Vec<Visible> {
         .filter(|&i| outgoing[i] && rank[next(i)] <= rank[i])
         .map(key)
         .collect();
-    let mut found: Vec<Visible> = Vec::new();
-    let mut at = 0;
-    for (k, &here) in first_of_rank.iter().enumerate() {
-        let group_start = at;
-        while at < n && rank[order[at]] == k {
-            at += 1;
-        }
-        let group = &order[group_start..at];
+    let mut found: Vec<Visible> = Vec::with_capacity(first_of_rank.len());
+    let same_rank = |&i: &u32, &j: &u32| rank[i as usize] == rank[j as usize];
+    for (group, &here) in order.chunk_by(same_rank).zip(&first_of_rank) {
         // Edges that end in this direction are removed before edges that begin here are added. The two kinds share no ray, and
         // only edges that share a ray can be compared.
         for &i in group {
-            let before = (i + n - 1) % n;
+            let before = (i as usize + n - 1) % n;
             if outgoing[before] {
                 active.remove(&key(before));
             }
         }
-        active.extend(group.iter().filter(|&&i| outgoing[i]).map(|&i| key(i)));
+        let beginning = group.iter().map(|&i| i as usize).filter(|&i| outgoing[i]);
+        active.extend(beginning.map(key));
         let Some(outer) = active.last() else { continue };
         match found.last_mut() {
-            Some(last) if last.edge == outer.index => {}
+            Some(last) if last.edge as usize == outer.index => {}
             last => {
                 if let Some(last) = last {
                     last.to = here;
                 }
                 found.push(Visible {
-                    edge: outer.index,
+                    edge: number(outer.index),
                     from: here,
                     to: here,
                 });
@@ -114,7 +115,7 @@ mod tests {
     #[test]
     fn a_square_shows_each_side_once() {
         let square = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
-        let visible = |edge: usize, from, to| Visible { edge, from, to };
+        let visible = |edge: u32, from, to| Visible { edge, from, to };
         assert_eq!(
             outermost(&square, [0.0, 0.0]),
             [
@@ -137,7 +138,7 @@ mod tests {
             [3.0, 0.5],
             [-1.0, 0.5],
         ];
-        let edges: Vec<usize> = outermost(&hook, [0.0, 0.0])
+        let edges: Vec<u32> = outermost(&hook, [0.0, 0.0])
             .iter()
             .map(|visible| visible.edge)
             .collect();

@@ -45,7 +45,7 @@ pub(super) fn find_crossing(points: &[[f64; 2]]) -> Option<Crossing> {
         return Some(crossing(before(i), i));
     }
     let mut order: Vec<usize> = (0..n).collect();
-    order.par_sort_by(|&i, &j| left_to_right(points[i], points[j]).then(i.cmp(&j)));
+    order.par_sort_unstable_by(|&i, &j| left_to_right(points[i], points[j]).then(i.cmp(&j)));
     if let Some(pair) = order
         .windows(2)
         .find(|pair| left_to_right(points[pair[0]], points[pair[1]]) == Ordering::Equal)

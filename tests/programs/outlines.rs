@@ -411,7 +411,7 @@ fn all_outlines_of_a_file_are_read_in_order() {
     assert_eq!(formula.len(), 1);
 }
 
-/// What a small fit takes is subtracted. Each further thread takes some megabytes for a while, more or fewer of them.
+/// What a small fit takes is subtracted.
 #[test]
 fn a_million_rows_take_at_most_150_bytes_each() {
     let folder = TempDir::new().unwrap();
@@ -422,16 +422,7 @@ fn a_million_rows_take_at_most_150_bytes_each() {
             format!("{:.9},{:.9}\n", r * t.cos(), r * t.sin())
         });
         fs::write(folder.path().join("rows.csv"), rows.collect::<String>()).unwrap();
-        let fit = [
-            "fit",
-            "rows.csv",
-            "-n",
-            "8",
-            "--quiet",
-            "--stats",
-            "--threads",
-            "1",
-        ];
+        let fit = ["fit", "rows.csv", "-n", "8", "--quiet", "--stats"];
         let run = run_in(folder.path(), &fit, "");
         assert_eq!(run.code, 0, "{}", run.err);
         json(&run.err)["stats"]["peak_rss_bytes"].as_u64().unwrap()
