@@ -45,6 +45,19 @@ impl Angle {
         u8::try_from(&(quarters - rounds * four).numerator()).ok()
     }
 
+    /// Writes cos or sin of the angle as ± cos or sin of the multiples of the parameters: whether it is a sine, and the sign. `None` as
+    /// for [`Angle::quarter_turns`].
+    pub(super) fn phase(&self, name: Name) -> Option<(bool, i32)> {
+        // sin a = cos(a − π/2)
+        let quarters = self.quarter_turns()? + if name == Name::Cos { 0 } else { 3 };
+        Some(match quarters % 4 {
+            0 => (false, 1),
+            1 => (true, -1),
+            2 => (false, -1),
+            _ => (true, 1),
+        })
+    }
+
     fn parts(self) -> impl Iterator<Item = Rational> {
         self.slopes
             .into_iter()

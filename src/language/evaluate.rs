@@ -78,6 +78,22 @@ pub(super) trait Algebra {
     ) -> Result<Self::Value>;
 }
 
+/// The product of two values of a ring in which a constant factor only scales. `scaled` and `product` account for their work.
+pub(super) fn multiplied<A: Algebra>(
+    cx: &mut Context<'_>,
+    [a, b]: [A::Value; 2],
+    at: Span,
+    scaled: impl Fn(&mut Context<'_>, &A::Value, &Rational, Span) -> Result<A::Value>,
+    product: impl Fn(&mut Context<'_>, &A::Value, &A::Value, Span) -> Result<A::Value>,
+) -> Result<A::Value> {
+    match (A::to_constant(&a), A::to_constant(&b)) {
+        (Some(p), Some(q)) => Ok(A::constant(times(cx, p, q, at)?)),
+        (Some(p), None) => scaled(cx, &b, &p, at),
+        (None, Some(q)) => scaled(cx, &a, &q, at),
+        (None, None) => product(cx, &a, &b, at),
+    }
+}
+
 /// The value of `expr`.
 pub(super) fn evaluate<A: Algebra>(
     cx: &mut Context<'_>,

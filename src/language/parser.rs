@@ -242,7 +242,8 @@ impl Parser<'_> {
 
     /// Whether `Y` stands before parentheses with a comma in them, as in `Y(2, 0)`, or with one number.
     fn is_harmonic(&self, token: Token) -> bool {
-        let rest = self.tokens.get(self.next..).unwrap_or_default();
+        let rest = self.tokens.get(self.next..);
+        let rest = rest.invariant("the next token is at most one behind the last");
         if self.source.slice(token.span) != "Y" || rest.first().map(|t| t.kind) != Some(Kind::Open)
         {
             return false;

@@ -2,7 +2,7 @@
 
 use super::angle::{ARGUMENT, Angle};
 use super::budget::MAX_HARMONIC;
-use super::evaluate::{Algebra, Context, times};
+use super::evaluate::{Algebra, Context, multiplied};
 use super::name::Name;
 use super::source::Span;
 use super::syntax::Expr;
@@ -71,7 +71,7 @@ impl Algebra for TrigAlgebra {
         }
         let angle = Angle::of(cx, argument)?;
         let wrong = || cx.source.error(argument.span, ARGUMENT);
-        let quarters = angle.quarter_turns().ok_or_else(wrong)?;
+        let (sine, sign) = angle.phase(name).ok_or_else(wrong)?;
         // At most one parameter occurs in a formula, so at most one slope is not 0.
         let slope = angle.slopes.iter().fold(Rational::zero(), |sum, s| sum + s);
         if !slope.is_integer() {
@@ -82,18 +82,12 @@ impl Algebra for TrigAlgebra {
             return Err(cx.source.limit(argument.span, limit));
         }
         let n = i32::try_from(&slope.numerator()).invariant("the harmonic is within the limit");
-        // sin a = cos(a − π/2)
-        let quarters = if name == Name::Cos {
-            quarters
+        let wave = if sine {
+            TrigPolynomial::sine(n)
         } else {
-            quarters + 3
+            TrigPolynomial::cosine(n)
         };
-        Ok(match quarters % 4 {
-            0 => TrigPolynomial::cosine(n),
-            1 => TrigPolynomial::sine(n).scaled(&Rational::from(-1)),
-            2 => TrigPolynomial::cosine(n).scaled(&Rational::from(-1)),
-            _ => TrigPolynomial::sine(n),
-        })
+        Ok(wave.scaled(&Rational::from(sign)))
     }
 
     fn add(
@@ -116,15 +110,7 @@ impl Algebra for TrigAlgebra {
         b: TrigPolynomial,
         at: Span,
     ) -> Result<TrigPolynomial> {
-        match (a.as_constant(), b.as_constant()) {
-            (Some(p), Some(q)) => Ok(Self::constant(times(cx, p, q, at)?)),
-            (Some(p), None) => scaled(cx, &b, &p, at),
-            (None, Some(q)) => scaled(cx, &a, &q, at),
-            (None, None) => {
-                account(cx, &a, &b, at)?;
-                Ok(a.times(&b))
-            }
-        }
+        multiplied::<Self>(cx, [a, b], at, scaled, product)
     }
 
     fn power(
@@ -139,8 +125,7 @@ impl Algebra for TrigAlgebra {
         let mut rest = exponent;
         while rest > 0 {
             if rest & 1 == 1 {
-                account(cx, &result, &square, at)?;
-                result = result.times(&square);
+                result = product(cx, &result, &square, at)?;
             }
             rest >>= 1;
             if rest > 0 {
@@ -170,6 +155,16 @@ fn scaled(
     cx.budget.spend_products(count, bits, cx.source, at)?;
     cx.budget.spend_bits(count, bits, cx.source, at)?;
     Ok(f.scaled(factor))
+}
+
+fn product(
+    cx: &mut Context<'_>,
+    a: &TrigPolynomial,
+    b: &TrigPolynomial,
+    at: Span,
+) -> Result<TrigPolynomial> {
+    account(cx, a, b, at)?;
+    Ok(a.times(b))
 }
 
 /// Accounts for a product and checks its highest harmonic, before it is computed.

@@ -1,7 +1,7 @@
 //! The right sides of `R = …` that are polynomials on the unit sphere: sums of spherical harmonics.
 
 use super::angle::Angle;
-use super::evaluate::{Algebra, Context, constant, evaluate, times};
+use super::evaluate::{Algebra, Context, constant, evaluate, multiplied};
 use super::name::{Name, PARAMETERS};
 use super::number::written_coordinates;
 use super::radius::{not_a_series, not_rational};
@@ -137,33 +137,18 @@ impl Algebra for SphereAlgebra {
             let slope = i32::try_from(&slope.numerator());
             slopes[place] = slope.invariant("the slope is within the limit");
         }
-        let quarters = angle.quarter_turns();
-        let quarters = quarters.ok_or_else(|| cx.source.error(argument.span, wrong))?;
+        let phase = angle.phase(name);
+        let (sine, sign) = phase.ok_or_else(|| cx.source.error(argument.span, wrong))?;
         let [theta, phi] = slopes;
         // cos(a + b) = cos a cos b − sin a sin b, and sin(a + b) = sin a cos b + cos a sin b
-        let of = |sine: bool| {
-            let product = |first: bool, second: bool| {
-                SphericalPolynomial::of_theta(theta, first)
-                    .times(&SphericalPolynomial::of_phi(phi, second))
-            };
-            let mut sum = product(sine, false);
-            let sign = if sine { 1 } else { -1 };
-            sum.add_multiple(&product(!sine, true), &Rational::from(sign));
-            sum
+        let product = |first: bool, second: bool| {
+            SphericalPolynomial::of_theta(theta, first)
+                .times(&SphericalPolynomial::of_phi(phi, second))
         };
-        // sin a = cos(a − π/2)
-        let quarters = if name == Name::Cos {
-            quarters
-        } else {
-            quarters + 3
-        };
-        let (sine, sign) = match quarters % 4 {
-            0 => (false, 1),
-            1 => (true, -1),
-            2 => (false, -1),
-            _ => (true, 1),
-        };
-        Ok(of(sine).scaled(&Rational::from(sign)))
+        let mut sum = product(sine, false);
+        let second = if sine { 1 } else { -1 };
+        sum.add_multiple(&product(!sine, true), &Rational::from(second));
+        Ok(sum.scaled(&Rational::from(sign)))
     }
 
     fn harmonic(
@@ -210,15 +195,7 @@ impl Algebra for SphereAlgebra {
         b: SphericalPolynomial,
         at: Span,
     ) -> Result<SphericalPolynomial> {
-        match (a.as_constant(), b.as_constant()) {
-            (Some(p), Some(q)) => Ok(Self::constant(times(cx, p, q, at)?)),
-            (Some(p), None) => scaled(cx, &b, &p, at),
-            (None, Some(q)) => scaled(cx, &a, &q, at),
-            (None, None) => {
-                account(cx, &a, &b, at)?;
-                Ok(a.times(&b))
-            }
-        }
+        multiplied::<Self>(cx, [a, b], at, scaled, product)
     }
 
     fn power(
@@ -230,8 +207,7 @@ impl Algebra for SphereAlgebra {
     ) -> Result<SphericalPolynomial> {
         let mut result = Self::constant(Rational::one());
         for _ in 0..exponent {
-            account(cx, &result, &base, at)?;
-            result = result.times(&base);
+            result = product(cx, &result, &base, at)?;
         }
         Ok(result)
     }
@@ -246,6 +222,16 @@ fn scaled(
     let (count, bits) = (f.len() as u64, f.bits() + factor.bits());
     cx.budget.spend_products(count, bits, cx.source, at)?;
     Ok(f.scaled(factor))
+}
+
+fn product(
+    cx: &mut Context<'_>,
+    a: &SphericalPolynomial,
+    b: &SphericalPolynomial,
+    at: Span,
+) -> Result<SphericalPolynomial> {
+    account(cx, a, b, at)?;
+    Ok(a.times(b))
 }
 
 /// Accounts for a product and checks its degrees, before it is computed.
