@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::Coordinates;
 use super::fit_report::least_squares_sentence;
-use super::remark::part_text;
+use super::remark::{part_text, rounding_note};
 use crate::exact::Rational;
 use crate::implicitize::{
     EquationProof, IsolatedPoint, PointBeyond, PolarFactor, PolarInverse, PolarSurface,
@@ -60,7 +60,7 @@ impl Annotations {
             Fact::SpaceCenter([x, y, z]) => self.note(format!(
                 "coordinates are relative to the center ({x}, {y}, {z})"
             )),
-            Fact::RoundedRadius(bound) => self.note(super::harmonic::rounding_note(bound)),
+            Fact::RoundedRadius(bound) => self.note(rounding_note(bound)),
             Fact::Irreducible { degree, proof } => {
                 let proof = match proof {
                     EquationProof::Substitution => {

@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 use super::facts::Annotations;
 use super::fourier::with_comments;
 use super::json::write_value;
+use super::remark::rounding_note;
 use super::{Format, Kind, SCHEMA, write_lines};
 use crate::describe::HarmonicDescription;
 use crate::error::{Error, Invariant, Result};
@@ -67,14 +68,6 @@ fn comments(surface: &HarmonicSurface) -> Vec<String> {
     let bound = surface.rounding();
     let rounded = (!bound.is_zero()).then(|| rounding_note(bound));
     center.into_iter().chain(rounded).collect()
-}
-
-/// The sentence about rounded coefficients.
-pub(super) fn rounding_note(bound: &Rational) -> String {
-    format!(
-        "the coefficients are rounded: in every direction the radius differs from that of the file by at most {:.3e} (certified)",
-        bound.to_f64()
-    )
 }
 
 /// The document of kind `spherical`.

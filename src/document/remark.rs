@@ -1,5 +1,6 @@
 //! Remarks about the work, and missing parts of an answer, as sentences.
 
+use crate::exact::Rational;
 use crate::fit::{ContourKind, LeftOut};
 use crate::inspect::MAX_EXACT_MONOMIALS;
 use crate::reading::{HarmonicLayout, Normalization, ReadHarmonics};
@@ -181,4 +182,12 @@ pub(super) fn part_text(part: Part) -> &'static str {
 pub fn missing_text(missing: &Missing) -> String {
     let parts: Vec<&str> = missing.parts.iter().map(|&part| part_text(part)).collect();
     format!("what is written lacks {}", parts.join(", and "))
+}
+
+/// The sentence about rounded coefficients.
+pub(super) fn rounding_note(bound: &Rational) -> String {
+    format!(
+        "the coefficients are rounded: in every direction the radius differs from that of the file by at most {:.3e} (certified)",
+        bound.to_f64()
+    )
 }

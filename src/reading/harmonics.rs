@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::norm::{Norm, Rounded, rounded_product};
+use super::norm::{Norm, Normalization, Rounded, rounded_product};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{Numbers, check_size, number_at};
@@ -21,20 +21,6 @@ pub enum HarmonicLayout {
     Complex,
     /// Degree, order and coefficient, `l,m,value`; an order below 0 is that of a sine.
     Long,
-}
-
-/// What the harmonics of a file are normalised to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Normalization {
-    /// `P_l^m(cos φ) cos mθ` as they are.
-    Unnormalized,
-    /// The mean square over the sphere is 1.
-    FourPi,
-    /// The integral of the square over the sphere is 1.
-    Orthonormal,
-    /// Schmidt's semi-normalisation: the mean square is 1/(2l + 1).
-    Schmidt,
 }
 
 options! {

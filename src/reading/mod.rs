@@ -10,10 +10,9 @@ mod table;
 
 pub use document::read_document;
 pub(crate) use harmonics::layout_of_header;
-pub use harmonics::{
-    HarmonicConvention, HarmonicLayout, Normalization, ReadHarmonics, read_harmonics,
-};
+pub use harmonics::{HarmonicConvention, HarmonicLayout, ReadHarmonics, read_harmonics};
 pub use matrix::read_coefficients;
+pub use norm::Normalization;
 pub(crate) use table::{Table, is_elliptic_header};
 pub use table::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv};
 

@@ -4,12 +4,25 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::FloorSqrt;
 use malachite::base::num::logic::traits::SignificantBits;
 
-use super::harmonics::Normalization;
 use crate::error::Invariant;
 use crate::exact::{Rational, pi};
 
 /// The radius is off by at most 2^(−ROUNDING_BITS) of its mean.
 const ROUNDING_BITS: i64 = 60;
+
+/// What the harmonics of a file are normalised to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Normalization {
+    /// `P_l^m(cos φ) cos mθ` as they are.
+    Unnormalized,
+    /// The mean square over the sphere is 1.
+    FourPi,
+    /// The integral of the square over the sphere is 1.
+    Orthonormal,
+    /// Schmidt's semi-normalisation: the mean square is 1/(2l + 1).
+    Schmidt,
+}
 
 /// The norms of the harmonics of a file.
 #[derive(Clone, Copy, Debug)]
