@@ -16,9 +16,9 @@ use stellate::verb::{
     ReadingOptions,
 };
 
-use super::arguments::Inspect;
 use super::flags::FitFlags;
 use super::input;
+use super::inspect_arguments::Inspect;
 use super::output::{
     check_destination, check_folder, check_place, today, write_beside, write_page, write_result,
 };

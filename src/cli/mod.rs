@@ -10,6 +10,7 @@ mod flags;
 mod implicitize;
 mod input;
 mod inspect;
+mod inspect_arguments;
 mod mesh;
 mod output;
 mod paper;
