@@ -14,7 +14,7 @@ pub(crate) fn write_result(
     session: &Session,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    let is_known = session.work.proof().is_some_and(|proof| proof.claims() > 0);
+    let is_known = session.work.claims() > 0;
     if is_known {
         write_proof(session)?;
     }

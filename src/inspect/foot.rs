@@ -42,7 +42,7 @@ pub(super) fn approach(field: &Field, p: [f64; 3], start: [f64; 3], goal: f64) -
 }
 
 /// A foot of p near `start`, for any distance: Newton's method for q and ν in q + ν∇f(q) = p, f(q) = 0.
-pub(super) fn stationary(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<[f64; 3]> {
+pub(crate) fn stationary(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<[f64; 3]> {
     let mut q = start;
     let mut nu: Option<f64> = None;
     for _ in 0..STEPS {

@@ -39,6 +39,7 @@ pub(crate) use chart::sphere_about;
 pub use chart::{CircleSection, SphereSection};
 pub(crate) use criterion::MAX_SECTION_WORK;
 pub use curve::CurveInspector;
+pub(crate) use foot::stationary;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
 pub use inspector::{InspectOptions, Inspector};
 pub(crate) use known::{PlanePoint, rounding};

@@ -42,6 +42,17 @@ pub(crate) fn distinct_degrees(
     Ok(parts)
 }
 
+/// Whether a monic polynomial of degree n is irreducible: gcd(x^(p^d) − x, f) = 1 for all d ≤ n/2. Most others are recognized by
+/// a small d, without the whole of [`distinct_degrees`].
+pub(crate) fn is_irreducible(field: &PrimeField, f: &[u64]) -> bool {
+    let x = vec![0, 1];
+    let mut power = x.clone();
+    (0..(f.len() - 1) / 2).all(|_| {
+        power = field.power_modulo(&power, field.prime(), f);
+        field.gcd(f.to_vec(), field.difference(&power, &x)).len() == 1
+    })
+}
+
 /// The monic irreducible factors of f, all of which have the given degree, for an odd prime.
 ///
 /// Method: Cantor–Zassenhaus (*Modern Computer Algebra*, Algorithm 14.8), by which half of the elements of each residue field

@@ -17,7 +17,7 @@ mod reconstruction;
 mod short;
 mod short_remainders;
 
-pub(crate) use factors::{distinct_degrees, equal_degree};
+pub(crate) use factors::{distinct_degrees, equal_degree, is_irreducible};
 pub(crate) use hensel::lift;
 pub(crate) use images::Images;
 pub(crate) use linear::{Kernel, Span, determinant, kernel};

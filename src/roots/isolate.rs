@@ -112,7 +112,7 @@ fn positive_roots(f: &[Integer]) -> Result<Vec<(Dyadic, Dyadic)>, Dyadic> {
 
 /// An e with all positive roots of f below 2^e (Kioustelidis: twice the largest
 /// (|c_i| / c_n)^(1/(n−i)) over the coefficients of the other sign).
-fn root_bound_exponent(f: &[Integer]) -> i64 {
+pub(crate) fn root_bound_exponent(f: &[Integer]) -> i64 {
     let bits = |c: &Integer| c.significant_bits().cast_signed();
     let n = f.len() - 1;
     let lead = &f[n];

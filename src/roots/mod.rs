@@ -19,5 +19,7 @@ pub(crate) use bounded::{
     BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
     rotations,
 };
+pub(crate) use isolate::root_bound_exponent;
 pub use real_root::RealRoot;
 pub(crate) use root_sign::constant_sign;
+pub(crate) use sign_changes::sign_changes;

@@ -1,7 +1,7 @@
 //! Changes of sign of a list of numbers, some of which may have an unknown sign.
 
 /// The number of sign changes of a list; zeros do not count.
-pub(super) fn sign_changes(signs: impl Iterator<Item = i8>) -> usize {
+pub(crate) fn sign_changes(signs: impl Iterator<Item = i8>) -> usize {
     let mut last = 0;
     let mut changes = 0;
     for s in signs.filter(|&s| s != 0) {

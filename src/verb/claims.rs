@@ -9,29 +9,28 @@ use crate::exact::Rational;
 use crate::fit::Distances;
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::parametrize::{BranchRadius, Parametrization, Rationality};
-use crate::sample::{HomogeneousParts, RaySolver, UnitVector};
+use crate::sample::{HomogeneousParts, SampledRay, UnitVector};
 use crate::shape::{Form, FourierRadius, HarmonicSurface, ImplicitSurface, Parameter, PlaneCurve};
 use crate::sphere::Positivity;
 use crate::witness::{self, Proof, curve_form, harmonic_form, radius_form, surface_form};
 
-/// Claims all points of rays, those with r < 0 included. `form` is the index of the polynomial.
+/// Claims all points of rays, those with r < 0 included. `form` is the index of the polynomial, and `center` the origin of the
+/// coordinates of the points.
 pub(super) fn claim_rays<P, D, const V: usize>(
     proof: &mut Proof,
     form: Option<usize>,
     polynomial: &P,
-    solver: &RaySolver<'_, P, V>,
-    directions: &[D],
+    center: &[Rational; V],
+    rays: &[SampledRay<D, V>],
     work: &Work,
 ) -> Result<()>
 where
     P: HomogeneousParts<V> + Sync,
     D: UnitVector<V> + Sync,
 {
-    let center = solver.center();
-    let claims = directions.par_iter().map(|direction| {
+    let claims = rays.par_iter().map(|SampledRay { direction, ray }| {
         work.bounds().check()?;
-        let ray = solver.solve(direction);
-        Ok(witness::ray(form, polynomial, &center, direction, &ray))
+        Ok(witness::ray(form, polynomial, center, direction, ray))
     });
     for claim in claims.collect::<Result<Vec<_>>>()? {
         proof.add(claim);

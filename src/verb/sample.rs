@@ -124,12 +124,10 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     }
     if let Form::SpaceSuperquadric(shape) = &form {
         let directions = space_directions(options)?;
-        let rays = solve(
-            |d| solve_radial(shape, d),
-            directions,
-            options.positive,
-            work,
-        )?;
+        let rays = kept(
+            solve(|d| solve_radial(shape, d), directions, work)?,
+            options,
+        );
         return Ok(uncounted(SampledPoints::Space(rays)));
     }
     if !options.phis.is_empty() {
@@ -143,12 +141,10 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     };
     directions.extend(options.thetas.iter().cloned());
     if let Form::Superquadric(shape) = &form {
-        let rays = solve(
-            |d| solve_radial(shape, d),
-            directions,
-            options.positive,
-            work,
-        )?;
+        let rays = kept(
+            solve(|d| solve_radial(shape, d), directions, work)?,
+            options,
+        );
         let center = [Rational::zero(), Rational::zero()];
         return Ok(uncounted(SampledPoints::Plane { rays, center }));
     }
@@ -159,11 +155,19 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         CoordinatesFrom::Original => (origin, curve.center().clone()),
     };
     let solver = RaySolver::new(curve.polynomial()).about(from);
+    let rays = solve(|d| Ok(solver.solve(d)), directions, work)?;
     work.claim(|proof| {
         let form = curve_form(proof, curve.polynomial());
-        claim_rays(proof, form, curve.polynomial(), &solver, &directions, work)
+        claim_rays(
+            proof,
+            form,
+            curve.polynomial(),
+            &solver.center(),
+            &rays,
+            work,
+        )
     })?;
-    let rays = solve(|d| Ok(solver.solve(d)), directions, options.positive, work)?;
+    let rays = kept(rays, options);
     if !center.iter().all(Rational::is_zero) {
         work.remark(Remark::RelativeTo(center.clone()));
     }
@@ -194,25 +198,14 @@ fn of_harmonics(
     }
     let directions = space_directions(options)?;
     let pair = HarmonicPair::new(surface);
+    let rays = solve(|d| Ok(harmonic_ray(&pair, d)), directions, work)?;
     work.claim(|proof| {
         let equation = squared_harmonics(surface, work)?.expand();
         let form = surface_form(proof, equation.polynomial());
-        let solver = RaySolver::new(equation.by_degree());
-        claim_rays(
-            proof,
-            form,
-            equation.by_degree(),
-            &solver,
-            &directions,
-            work,
-        )
+        let origin = std::array::from_fn(|_| Rational::zero());
+        claim_rays(proof, form, equation.by_degree(), &origin, &rays, work)
     })?;
-    let rays = solve(
-        |d| Ok(harmonic_ray(&pair, d)),
-        directions,
-        options.positive,
-        work,
-    )?;
+    let rays = kept(rays, options);
     let center = surface.center().clone();
     Ok(uncounted(SampledPoints::Harmonics { rays, center }))
 }
@@ -222,11 +215,19 @@ fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -
     let directions = space_directions(options)?;
     check_surface(surface, work)?;
     let solver = RaySolver::new(surface.by_degree());
+    let rays = solve(|d| Ok(solver.solve(d)), directions, work)?;
     work.claim(|proof| {
         let form = surface_form(proof, surface.polynomial());
-        claim_rays(proof, form, surface.by_degree(), &solver, &directions, work)
+        claim_rays(
+            proof,
+            form,
+            surface.by_degree(),
+            &solver.center(),
+            &rays,
+            work,
+        )
     })?;
-    let rays = solve(|d| Ok(solver.solve(d)), directions, options.positive, work)?;
+    let rays = kept(rays, options);
     remark_lines(&rays, work);
     Ok(Samples {
         points: SampledPoints::Space(rays),
@@ -307,20 +308,29 @@ fn meridian(steps: usize) -> Vec<Direction> {
     around
 }
 
+/// The points that are asked for: all, or those with r > 0.
+fn kept<D, const V: usize>(
+    mut rays: Vec<SampledRay<D, V>>,
+    options: &SampleOptions,
+) -> Vec<SampledRay<D, V>> {
+    for sampled in &mut rays {
+        if let (true, Ray::Points(points)) = (options.positive, &mut sampled.ray) {
+            points.retain(|p| p.r > 0.0);
+        }
+    }
+    rays
+}
+
 fn solve<D: NominalAngles<V> + Send, const V: usize>(
     solver: impl Fn(&D) -> Result<Ray<V>> + Sync,
     directions: Vec<D>,
-    positive: bool,
     work: &Work,
 ) -> Result<Vec<SampledRay<D, V>>> {
     work.stage("sample", || {
         let progress = work.progress("directions", directions.len() as u64);
         let rays = directions.into_par_iter().map(|direction| {
             work.bounds().check()?;
-            let mut ray = solver(&direction)?;
-            if positive && let Ray::Points(points) = &mut ray {
-                points.retain(|p| p.r > 0.0);
-            }
+            let ray = solver(&direction)?;
             progress.add(1);
             Ok(SampledRay { direction, ray })
         });

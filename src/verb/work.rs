@@ -119,6 +119,14 @@ impl Work {
         self.proof.as_ref().map(|proof| locked(proof).clone())
     }
 
+    /// The number of claims so far.
+    #[must_use]
+    pub fn claims(&self) -> usize {
+        self.proof
+            .as_ref()
+            .map_or(0, |proof| locked(proof).claims())
+    }
+
     /// Whether claims are written down.
     pub(super) fn proves(&self) -> bool {
         self.proof.is_some()

@@ -3,11 +3,12 @@
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{DivExact, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, integer_sign, negate_odd, shift_by_one, sign_at_rational};
+use crate::roots::{root_bound_exponent, sign_changes};
 
 /// No more breakpoints than this are tried for one polynomial.
 const MOST: usize = 4096;
@@ -59,13 +60,15 @@ impl Roots<'_> {
         let (low, high) = match (from, to) {
             (End::At(a), End::At(b)) => (a.clone(), b.clone()),
             (End::Below, End::Above) => return Some(Rational::zero()),
-            // Beyond the bound all coefficients have one sign.
+            // There are no real roots beyond the bound, and far beyond it all coefficients have one sign.
             (End::At(a), _) => {
-                let bound = self.bound();
+                let bound = bound(self.coefficients);
                 return Some(if *a < bound { bound } else { a * &two });
             }
             (_, End::At(b)) => {
-                let bound = -self.bound();
+                let mut reflected = self.coefficients.to_vec();
+                negate_odd(&mut reflected);
+                let bound = -bound(&reflected);
                 return Some(if *b > bound { bound } else { b * &two });
             }
             (End::Below | End::Above, _) => return None,
@@ -89,22 +92,6 @@ impl Roots<'_> {
             window.0 = &(&window.0 + &window.1) / &two;
         }
         None
-    }
-
-    /// A power of two above the absolute values of all roots.
-    fn bound(&self) -> Rational {
-        let bits = |c: &Integer| c.significant_bits();
-        let highest = self.coefficients.iter().rposition(|c| *c != 0).unwrap_or(0);
-        let lead = bits(&self.coefficients[highest]);
-        // Fujiwara: 2 max |c_k / c_n|^(1/(n − k)).
-        let most = (0..highest)
-            .map(|k| {
-                let over = (bits(&self.coefficients[k]) + 1).saturating_sub(lead);
-                over.div_ceil((highest - k) as u64)
-            })
-            .max()
-            .unwrap_or(0);
-        Rational::from_dyadic(Integer::ONE, i64::try_from(most).unwrap_or(i64::MAX) + 2)
     }
 
     fn sign_at(&self, at: &Rational) -> i8 {
@@ -135,7 +122,7 @@ impl Roots<'_> {
     fn changes(&self, from: &End, to: &End) -> usize {
         match (from, to) {
             (End::Below, End::Above) if self.coefficients.len() > 1 => usize::MAX,
-            _ => changes(&self.on(from, to)),
+            _ => sign_changes(self.on(from, to).iter().map(integer_sign)),
         }
     }
 
@@ -165,10 +152,11 @@ impl Roots<'_> {
     }
 }
 
-/// The number of changes of sign in a list, zeros left out.
-fn changes(list: &[Integer]) -> usize {
-    let signs: Vec<i8> = list.iter().map(integer_sign).filter(|s| *s != 0).collect();
-    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+/// A power of two above all positive roots of a polynomial whose coefficients have a change of sign.
+fn bound(coefficients: &[Integer]) -> Rational {
+    let highest = coefficients.iter().rposition(|c| *c != 0);
+    let highest = highest.invariant("a polynomial with a change of sign is not 0");
+    Rational::from_dyadic(Integer::ONE, root_bound_exponent(&coefficients[..=highest]))
 }
 
 fn shift_rational(f: &mut Vec<Integer>, by: &Rational) {

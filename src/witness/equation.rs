@@ -57,7 +57,7 @@ pub(crate) fn identity(
     // A substitution of degree d in functions of degree m has about d m^p terms for p parameters.
     let cost = |degree: usize| {
         let terms = degree
-            .checked_mul(size(form))?
+            .checked_mul(size(form)?)?
             .checked_pow(parameters + 1)?;
         terms.checked_mul(degree)
     };
@@ -69,9 +69,9 @@ pub(crate) fn identity(
     proof.claim("identity", &statement, all.then(by_expansion).flatten());
 }
 
-/// The largest degree of a coordinate in a parameter.
-fn size(form: &Form) -> usize {
-    let degree = match form {
+/// The largest degree of a coordinate in a parameter; `None` for a form without parameters.
+fn size(form: &Form) -> Option<usize> {
+    match form {
         Form::PlaneCurve(curve) => curve.coordinates().iter().map(|f| f.degree()).max(),
         Form::SpaceCurve(curve) => curve.coordinates().iter().map(|f| f.degree()).max(),
         Form::Patch(patch) => patch
@@ -80,8 +80,7 @@ fn size(form: &Form) -> usize {
             .map(|f| f.degree_in(0).max(f.degree_in(1)) as usize)
             .max(),
         _ => None,
-    };
-    degree.unwrap_or(usize::MAX)
+    }
 }
 
 /// Claims that a polynomial is irreducible over Q, with a line and a prime as the witness if one is found: `irreducible`.

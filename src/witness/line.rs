@@ -7,7 +7,7 @@ use super::forms::texts;
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::modular::{PrimeField, large_primes};
+use crate::modular::{PrimeField, is_irreducible, large_primes, trimmed};
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 
 /// Above this degree no line is searched.
@@ -108,20 +108,5 @@ fn on_line<const V: usize>(
             field.sum(sum, term)
         })
     });
-    crate::modular::trimmed(field.interpolate(values.collect()))
-}
-
-/// Whether a monic polynomial of degree n is irreducible: gcd(x^(p^d) − x, f) = 1 for all d ≤ n/2.
-fn is_irreducible(field: &PrimeField, f: &[u64]) -> bool {
-    let degree = f.len() - 1;
-    let x = vec![0, 1];
-    let mut power = x.clone();
-    for _ in 0..degree / 2 {
-        power = field.power_modulo(&power, field.prime(), f);
-        let common = field.gcd(f.to_vec(), field.difference(&power, &x));
-        if common.len() != 1 {
-            return false;
-        }
-    }
-    true
+    trimmed(field.interpolate(values.collect()))
 }
