@@ -192,7 +192,9 @@ fn inspect(
     let dimension = options.dimension.unwrap_or(points.dimension()?);
     let task = verb::inspect(given, dimension, &asked, work)?;
     let writer = InspectionWriter::new(Format::Csv, dimension, DECIMALS)?;
-    task.all(points, &ReadingOptions::default(), &writer, out, work)?;
+    // The rows are doubles, written in decimals.
+    let reading = ReadingOptions::default().numbers(Numbers::F64);
+    task.all(points, &reading, &writer, out, work)?;
     Ok(())
 }
 

@@ -28,15 +28,12 @@ def test_equation_of_theorem_2_is_that_of_sympy():
     sympy = pytest.importorskip("sympy")
     x, y = sympy.symbols("x y")
     found = stellate.implicitize("r = 1 + cos(t)/5 + sin(2*t)/7").sympy()
-    # r = A + B with A of even and B of odd harmonics: (ρ B' − ...)² by substitution of a point.
-    r = sympy.Symbol("r")
-    for k in range(7):
-        t = sympy.Rational(k, 3)
-        cos, sin = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
-        radius = 1 + cos / 5 + 2 * sin * cos / 7
-        assert sympy.simplify(found.subs({x: radius * cos, y: radius * sin})) == 0
+    # Theorem 2 with N = 2: ρ (ρ − B)² − A², where A = 2xy/7 + ρ collects the even and B = x/5 the odd harmonics.
+    rho = x**2 + y**2
+    expected = sympy.expand(rho * (rho - x / 5) ** 2 - (2 * x * y / 7 + rho) ** 2)
+    ratio = sympy.Poly(found, x, y).LC() / sympy.Poly(expected, x, y).LC()
+    assert sympy.expand(found - ratio * expected) == 0
     assert sympy.Poly(found, x, y).total_degree() == 6
-    assert r.name == "r"
 
 
 def test_round_trips():
@@ -54,9 +51,16 @@ def test_radius_sign_and_distance():
     form = stellate.form("r = 1 + cos(3*t)/5")
     theta = np.linspace(0, 6, 50).reshape(5, 10)
     assert np.allclose(form.radius(theta), 1 + np.cos(3 * theta) / 5, atol=1e-14)
-    assert form.sign([[0, 0], [1.2, 0], [5, 5]]).tolist() == [-1, 0, 1] or form.sign(
-        [[0, 0], [5, 5]]
-    ).tolist() == [-1, 1]
+    # The double -0.8 is a little beyond r(pi) = 4/5.
+    assert form.sign([[0, 0], [-0.8, 0], [5, 5]]).tolist() == [-1, 1, 1]
+    # r(0) = 6/5 is no double, but (9/8, 0) is a point of r = 1 + cos(3t)/8 exactly.
+    touched = stellate.form("r = 1 + cos(3*t)/8")
+    assert touched.sign([[1.125, 0], [1.125000001, 0]]).tolist() == [0, 1]
+    # An open curve has no sides.
+    parabola = stellate.form("x = t; y = t^2")
+    assert stellate.inspect(parabola, [[0, 1]], tolerance=1).sign.mask.all()
+    with pytest.raises(stellate.InputError, match="no side"):
+        parabola.sign([[0, 1]])
     low, high = stellate.form("x^2 + y^2 = 4").distance([[0, 5], [0, 1]])
     assert np.all(low <= [3, 1]) and np.all(high >= [3, 1]) and np.allclose(low, high, rtol=1e-5)
 
@@ -97,6 +101,15 @@ def test_errors_are_exceptions():
         stellate.implicitize("x^2 + = 1")
     with pytest.raises(stellate.LimitReached):
         stellate.implicitize("r = 1 + cos(60*t)", max_degree=80)
+    for terms in ({}, {(-1, 0): 1}, {(1,): 1}, {(1, 0): float("nan")}):
+        with pytest.raises(stellate.InputError):
+            stellate.form(terms)
+    with pytest.raises(TypeError):
+        stellate.form({(1.5, 0): 1})
+    with pytest.raises(stellate.InputError):
+        stellate.from_series([])
+    with pytest.raises(stellate.InputError):
+        stellate.plot()
     with pytest.raises(TypeError):
         stellate.fit([[0, 0], [1, 0], [0, 1]], harmonic=3)
     with pytest.raises(stellate.InputError, match="shape"):

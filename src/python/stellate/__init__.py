@@ -6,6 +6,7 @@
 (4, [4, 3, 2])
 """
 
+from ._columns import Inspection
 from ._form import Form, form, from_points, from_series, from_terms
 from ._native import (
     InputError,
@@ -16,7 +17,6 @@ from ._native import (
 )
 from ._verbs import (
     Fit,
-    Inspection,
     Samples,
     check,
     describe,

@@ -4,63 +4,20 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from operator import index
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._columns import Doubles, Inspection, Number, call, exact, inspection, table, value
 
 if TYPE_CHECKING:
     import sympy
 
-Number = Union[int, float, str, Fraction]
-Doubles = npt.NDArray[np.float64]
 FormLike = Union["Form", str, "PathLike[str]", Mapping[Any, Number]]
-
-
-def exact(number: Number) -> str:
-    """The text of a number: a float is its exact binary value, as in ``Fraction(0.1)``."""
-    if isinstance(number, (float, np.floating)):
-        return str(Fraction(float(number)))
-    if isinstance(number, (int, np.integer)):
-        return str(int(number))
-    return str(number)
-
-
-def value(text: str) -> int | Fraction:
-    """The number that a text of a document is."""
-    number = Fraction(text)
-    return number.numerator if number.denominator == 1 else number
-
-
-def options_text(options: Mapping[str, object]) -> str:
-    """The options of a call that are given."""
-    return json.dumps({k: v for k, v in options.items() if v is not None})
-
-
-def call(
-    verb: str,
-    forms: Iterable[Form],
-    data: bytes = b"",
-    **options: object,
-) -> bytes:
-    """Calls the native function of a verb."""
-    sources = [form.source for form in forms]
-    return _native.call(verb, sources, options_text(options), data)
-
-
-def table(points: npt.ArrayLike, names: Sequence[str]) -> bytes:
-    """The rows of an array as a table; every double is written so that it is read back."""
-    array = np.atleast_2d(np.asarray(points, dtype=np.float64))
-    if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise _native.InputError(
-            f"points: an array of shape (n, 2) or (n, 3) is expected, not {array.shape}"
-        )
-    rows = [",".join(names[: array.shape[1]])]
-    rows.extend(",".join(map(repr, row)) for row in array.tolist())
-    return ("\n".join(rows) + "\n").encode()
 
 
 class Form:
@@ -87,7 +44,7 @@ class Form:
     def document(self) -> dict[str, Any]:
         """The JSON document of the form, with exact numbers as texts."""
         if self._document is None:
-            self._document = json.loads(call("form", [self]))
+            self._document = json.loads(call("form", [self.source]))
         return self._document
 
     def to_json(self) -> str:
@@ -177,26 +134,31 @@ class Form:
         return f"${self.latex()}$"
 
     def _repr_svg_(self) -> str:
-        return call("plot", [self], format="svg").decode()
+        return call("plot", [self.source], format="svg").decode()
 
     def radius(self, theta: npt.ArrayLike) -> Doubles:
         """The radius r(θ) of a Fourier form at angles in radians, in doubles (approximate)."""
         angles = np.asarray(theta, dtype=np.float64)
         data = json.dumps(angles.ravel().tolist()).encode()
-        found = json.loads(call("radius", [self], data))
+        found = json.loads(call("radius", [self.source], data))
         return np.asarray(found, dtype=np.float64).reshape(angles.shape)
 
-    def sign(self, points: npt.ArrayLike) -> npt.NDArray[np.int8]:
-        """The side of each point, exactly: −1 inside, 0 on the form, 1 outside."""
-        from ._verbs import inspect
+    def _inspected(self, points: npt.ArrayLike) -> Inspection:
+        data = table(points, ("x", "y", "z"))
+        return inspection(call("inspect", [self.source], data, tolerance="1").decode())
 
-        return inspect(self, points, tolerance=1).sign
+    def sign(self, points: npt.ArrayLike) -> npt.NDArray[np.int8]:
+        """The side of each point, exactly: −1 inside, 0 on the form, 1 outside. Open curves and space curves have no sides."""
+        sign = self._inspected(points).sign
+        if np.ma.is_masked(sign):
+            raise _native.InputError(
+                "a point has no side: this form is no closed curve or surface, or it is not decided"
+            )
+        return sign.filled()
 
     def distance(self, points: npt.ArrayLike) -> tuple[Doubles, Doubles]:
         """Certified lower and upper bounds of the distance of each point."""
-        from ._verbs import inspect
-
-        found = inspect(self, points, tolerance=1)
+        found = self._inspected(points)
         return found.distance_low, found.distance_high
 
     def __eq__(self, other: object) -> bool:
@@ -257,10 +219,24 @@ def from_terms(terms: Mapping[Any, Number]) -> Form:
     names = ("x", "y", "z")
     parts = []
     for exponents, c in terms.items():
-        powers = [f"*{v}^{int(e)}" for v, e in zip(names, exponents) if e]
-        parts.append(f"({exact(c)})" + "".join(powers))
+        if len(exponents) not in (2, 3) or any(index(e) < 0 for e in exponents):
+            raise _native.InputError(
+                f"terms: exponents are two or three integers that are not negative, not {exponents}"
+            )
+        powers = [f"*{v}^{index(e)}" for v, e in zip(names, exponents) if e]
+        parts.append(f"({_finite(c)})" + "".join(powers))
+    if not parts:
+        raise _native.InputError("terms: a polynomial has at least one term")
     three = any(len(key) == 3 for key in terms)
     return Form(" + ".join(parts) + (" + 0*z" if three else "") + " = 0")
+
+
+def _finite(number: Number) -> str:
+    """The text of a number that is not infinite and not NaN."""
+    try:
+        return exact(number)
+    except (ValueError, OverflowError) as error:
+        raise _native.InputError(f"{number} is not a number") from error
 
 
 def from_series(cos: Sequence[Number], sin: Sequence[Number] | None = None) -> Form:
@@ -271,7 +247,9 @@ def from_series(cos: Sequence[Number], sin: Sequence[Number] | None = None) -> F
     [1, 0, Fraction(1, 5)]
     """
     size = max(len(cos), len(sin or ()))
-    padded = [[*map(exact, list_ or ()), *["0"] * (size - len(list_ or ()))] for list_ in (cos, sin)]
+    if size == 0:
+        raise _native.InputError("a series has at least the mean, cos[0]")
+    padded = [[*map(_finite, list_ or ()), *["0"] * (size - len(list_ or ()))] for list_ in (cos, sin)]
     padded[1][0] = "0"
     document = {"schema": "stellate/1", "kind": "fourier", "cos": padded[0], "sin": padded[1]}
     return Form(json.dumps(document), "series")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,7 +12,8 @@ from typing import Any, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from ._form import Doubles, Form, FormLike, Number, call, exact, form, table
+from ._columns import Doubles, Inspection, Number, arrow, call, exact, inspection, rows_of, table
+from ._form import Form, FormLike, form, from_points
 from ._native import InputError
 
 
@@ -74,35 +73,13 @@ class Samples:
     multiplicity: npt.NDArray[np.int64]
     directions: list[tuple[Fraction, ...]]
 
-    def to_arrow(self) -> Any:
+    def toarrow(self) -> Any:
         """The columns as a ``pyarrow.Table`` (which must be installed); directions are left out."""
-        return _arrow(self, ("branch", "theta", "phi", "r", "x", "y", "z", "multiplicity"))
-
-
-@dataclass(frozen=True)
-class Inspection:
-    """The certified answers for points, one element for each point."""
-
-    verdict: npt.NDArray[np.str_]
-    curve: npt.NDArray[np.str_]
-    distance_low: Doubles
-    distance_high: Doubles
-    sign: npt.NDArray[np.int8]
-
-    def to_arrow(self) -> Any:
-        """The columns as a ``pyarrow.Table``, which must be installed."""
-        return _arrow(self, ("verdict", "curve", "distance_low", "distance_high", "sign"))
-
-
-def _arrow(columns: object, names: Sequence[str]) -> Any:
-    import pyarrow
-
-    found = {name: getattr(columns, name) for name in names}
-    return pyarrow.table({k: v for k, v in found.items() if v is not None})
+        return arrow(self, ("branch", "theta", "phi", "r", "x", "y", "z", "multiplicity"))
 
 
 def _json(verb: str, given: FormLike, **options: Any) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(call(verb, [form(given)], **options))
+    found: dict[str, Any] = json.loads(call(verb, [form(given).source], **options))
     return found
 
 
@@ -131,7 +108,7 @@ def implicitize(
     {(4, 0): 1, (2, 0): -1, (0, 2): 1}
     """
     options = dict(method=method, scale=scale, coordinates=coordinates, **_fit_options(fit))
-    return Form(call("implicitize", [form(given)], **options).decode(), "implicitize")
+    return Form(call("implicitize", [form(given).source], **options).decode(), "implicitize")
 
 
 def parametrize(
@@ -160,15 +137,13 @@ def fit(
     The outline is an array of shape (n, 2), a path or a form. Without a size, N = 39. Further options: tolerance, distance, power (one of them
     in place of harmonics), center, samples, estimator, robust, decimals, time_limit, max_degree.
     """
-    from ._form import from_points
-
     sized = any(options.get(name) is not None for name in ("tolerance", "distance", "power"))
     if harmonics is None and not sized:
         harmonics = 39
     is_form = isinstance(given, (Form, str, PathLike))
     outline = form(given) if is_form else from_points(given)  # type: ignore[arg-type]
     text = call(
-        "fit", [outline], normal_form=normal_form,
+        "fit", [outline.source], normal_form=normal_form,
         **_fit_options(dict(options, harmonics=harmonics, model=model)),
     ).decode()  # fmt: skip
     return Fit(Form(text, "fit"), json.loads(text))
@@ -199,10 +174,10 @@ def sample(
     array([2., 2., 2., 2.])
     """
     text = call(
-        "sample", [form(given)], directions=directions, thetas=_angles(theta), phis=_angles(phi),
+        "sample", [form(given).source], directions=directions, thetas=_angles(theta), phis=_angles(phi),
         coordinates=coordinates, positive=positive, **_fit_options(fit),
     ).decode()  # fmt: skip
-    rows = _rows(text)
+    rows = rows_of(text)
 
     def doubles(name: str) -> Doubles:
         return np.array([float(row[name]) for row in rows])
@@ -218,11 +193,6 @@ def sample(
         multiplicity=whole("multiplicity"),
         directions=[tuple(Fraction(row[axis]) for axis in axes) for row in rows],
     )  # fmt: skip
-
-
-def _rows(text: str) -> list[dict[str, str]]:
-    lines = (line for line in io.StringIO(text) if not line.startswith("#"))
-    return list(csv.DictReader(lines))
 
 
 def inspect(
@@ -246,22 +216,11 @@ def inspect(
     ['inside', 'outside']
     """
     text = call(
-        "inspect", [form(given)], table(points, ("x", "y", "z")), tolerance=exact(tolerance),
+        "inspect", [form(given).source], table(points, ("x", "y", "z")), tolerance=exact(tolerance),
         reach=reach, digits=digits, model=model, harmonics=harmonics,
         distance=_number(distance), time_limit=time_limit,
     ).decode()  # fmt: skip
-    rows = _rows(text)
-
-    def column(name: str) -> list[str]:
-        return [row[name] for row in rows]
-
-    return Inspection(
-        verdict=np.array(column("verdict"), dtype=np.str_),
-        curve=np.array(column("curve"), dtype=np.str_),
-        distance_low=np.array(column("distance_low"), dtype=np.float64),
-        distance_high=np.array(column("distance_high"), dtype=np.float64),
-        sign=np.array([int(s) if s else 0 for s in column("sign")], dtype=np.int8),
-    )
+    return inspection(text)
 
 
 def check(
@@ -293,7 +252,7 @@ def check(
         data = ("\n".join(rows) + "\n").encode()
     else:
         data = table(numbers, ("x", "y", "z") if kind == "points" else ("theta", "r"))
-    return dict(json.loads(call("check", [form(reference)], data, kind=kind, digits=digits, **_fit_options(fit))))
+    return dict(json.loads(call("check", [form(reference).source], data, kind=kind, digits=digits, **_fit_options(fit))))
 
 
 def vectors(reference: FormLike, *, directions: int | None = None, **fit: Any) -> dict[str, Any]:
@@ -309,9 +268,11 @@ def plot(
     **fit: Any,
 ) -> bytes:
     """A picture of forms over each other, as SVG, or as what the name of ``output`` says; it is written there, if it is given."""
+    if not forms:
+        raise InputError("plot needs a form")
     format = "svg" if output is None else Path(output).suffix.lstrip(".").lower()
     picture = call(
-        "plot", [form(f) for f in forms], format=format, title=title,
+        "plot", [form(f).source for f in forms], format=format, title=title,
         window=None if window is None else [float(w) for w in window], **_fit_options(fit),
     )  # fmt: skip
     if output is not None:
@@ -322,7 +283,7 @@ def plot(
 def mesh(given: FormLike, output: str | PathLike[str], *, resolution: int | None = None) -> None:
     """Writes the triangles of a surface as .obj, .ply or .stl."""
     format = Path(output).suffix.lstrip(".").lower()
-    Path(output).write_bytes(call("mesh", [form(given)], format=format, resolution=resolution))
+    Path(output).write_bytes(call("mesh", [form(given).source], format=format, resolution=resolution))
 
 
 def verify(proof: str | PathLike[str], *, complete: bool = False) -> dict[str, Any]:
