@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::error::Result;
-use crate::mesh::Mesh;
+use crate::mesh::{Held, Mesh};
 
 /// A file format for meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,9 +156,14 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
             topology.boundary_edges, topology.irregular_edges
         )
     };
+    let said_of = if mesh.has_proved_topology() {
+        ","
+    } else {
+        "; the mesh, which is no proof for the surface:"
+    };
     let mut lines = vec![
         format!(
-            "{} vertices, {} triangles, {pieces}, {closed}, Euler characteristic {}",
+            "{} vertices, {} triangles{said_of} {pieces}, {closed}, Euler characteristic {}",
             mesh.vertices.len(),
             mesh.triangles.len(),
             topology.euler_characteristic
@@ -168,6 +173,17 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
             mesh.vertex_bound
         ),
     ];
+    lines.push(
+        match mesh.held {
+            Held::Whole => "it is proved that no part of the surface is outside of the box",
+            Held::BoundedPieces => {
+                "it is proved that no bounded piece of the surface is outside of the box"
+            }
+            Held::Unproved => "a piece of the surface may be outside of the box",
+            Held::NotAsked => "parts of the surface outside of the window are left out",
+        }
+        .into(),
+    );
     let [all, open] = mesh.cells;
     if open > 0 {
         lines.push(format!(

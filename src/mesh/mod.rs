@@ -1,13 +1,17 @@
 //! Triangle meshes of surfaces, with exact signs at grid points and a certified zero near each vertex.
 
+mod bounds;
 mod cells;
 mod collapse;
+mod critical;
+mod extent;
 mod radial;
 mod refine;
 mod tetrahedra;
 mod topology;
 mod triangles;
 
+pub use bounds::{Held, SurfaceBox, mesh_bounds};
 pub use radial::{mesh_harmonic, mesh_radial};
 pub use topology::Topology;
-pub use triangles::{MAX_MESH_CELLS, Mesh, MeshOptions, mesh_bounds, mesh_surface};
+pub use triangles::{MAX_MESH_CELLS, Mesh, MeshOptions, mesh_surface};

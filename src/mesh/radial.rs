@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
+use super::bounds::Held;
 use super::triangles::Mesh;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -131,6 +132,7 @@ fn mesh_of_directions(
         factors: vec![0],
         // Each of the three coordinates is wrong by half a unit in the last place.
         vertex_bound: largest * f64::EPSILON,
+        held: Held::Whole,
         ..Mesh::default()
     })
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::bounds::Held;
 use super::refine::edges;
 use super::triangles::Mesh;
 use crate::error::Invariant;
@@ -50,6 +51,24 @@ impl Mesh {
             euler_characteristic: signed(self.vertices.len()) - signed(uses.len())
                 + signed(self.triangles.len()),
         }
+    }
+
+    /// Whether it is proved that the mesh of every factor has the topology of the whole zero set of that factor.
+    ///
+    /// Lemma 3. Let all zeros of f be in the grid, and let each cell be proved to be empty, or regular in the sense that the
+    /// bounds of the components of the gradient in the cell satisfy Σ Xᵢ·Xᵢ > 0. Then the triangles of marching tetrahedra are
+    /// isotopic to the zero set.
+    /// Proof. Let L be the function that is linear in each tetrahedron and has the values of f at the corners of the cells. The
+    /// components of ∇L in a tetrahedron are means of those of ∇f along three of its edges, because Kuhn's tetrahedra have an
+    /// edge in each direction of the axes; so ∇L·∇f(p) ≥ Σ Xᵢ·Xᵢ > 0 at its points p. Hence each h = (1 − t) f + t L grows along
+    /// the flow of ∇f in the regular cells, and has exactly one zero on a line of the flow that has one for t = 0, which moves
+    /// continuously with t. It stays in the regular cells: on a face of an empty cell f, and thus L, has one sign. The zero set
+    /// of L is a surface of triangles with the same corners on the same edges.
+    /// Later steps move these corners, split edges, and collapse them under the link condition, which keeps the topology.
+    /// Law: `what_is_proved_is_the_topology`.
+    #[must_use]
+    pub fn has_proved_topology(&self) -> bool {
+        self.held == Held::Whole && self.cells[1] == 0
     }
 
     /// The index of the piece of every vertex, and the number of pieces.

@@ -1,7 +1,6 @@
 //! Meshes of implicit surfaces by marching tetrahedra.
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
+use super::bounds::Held;
 use super::cells::Grid;
 use super::{collapse, refine, tetrahedra};
 use crate::error::{Error, Result};
@@ -9,7 +8,6 @@ use crate::factor::factor_space;
 use crate::intervals::{Crossing, Field};
 use crate::limits::Limits;
 use crate::options::options;
-use crate::sample::{Ray, RaySolver, SpaceDirection};
 use crate::shape::ImplicitSurface;
 
 /// The largest number of cells of the grid that may hold a part of the surface.
@@ -20,10 +18,6 @@ const COLLAPSED: f64 = 0.35;
 const ROUNDS: usize = 4;
 /// Edges shorter than this part of a cell are not split.
 const SHORTEST: f64 = 1.0 / 24.0;
-/// The number of directions in which the extent of a surface is determined.
-const DIRECTIONS: usize = 400;
-/// If the largest radius is more than this times the median, the surface continues beyond the box.
-const LARGEST_OVER_MEDIAN: f64 = 4.0;
 
 options! {
     /// How a surface is meshed.
@@ -58,6 +52,8 @@ pub struct Mesh {
     /// The number of cells that could not be proved to be empty, and how many of these could not be proved to hold a single
     /// smooth sheet. Only in cells of the second kind the mesh may miss a part that is smaller than a cell.
     pub cells: [usize; 2],
+    /// What is known about the parts of the surface outside of the box.
+    pub held: Held,
 }
 
 /// Meshes the zero set of a polynomial in a box.
@@ -211,46 +207,4 @@ impl Mesh {
         let alone = edges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1);
         alone.map(|same| same[0]).collect()
     }
-}
-
-/// A box with a margin around the certified points of a surface in many directions from the origin, except for points that are
-/// much farther away than most; and whether no point was left out. `None` if there are no points.
-///
-/// # Errors
-/// Those of `limits`.
-pub fn mesh_bounds(
-    surface: &ImplicitSurface,
-    limits: &Limits,
-) -> Result<Option<([[f64; 2]; 3], bool)>> {
-    let solver = RaySolver::new(surface.by_degree());
-    let rays = SpaceDirection::fibonacci(DIRECTIONS)
-        .into_par_iter()
-        .map(|direction| {
-            limits.check()?;
-            Ok(match solver.solve(&direction) {
-                Ray::Points(points) => points,
-                Ray::Line => Vec::new(),
-            })
-        });
-    let mut samples = rays.collect::<Result<Vec<_>>>()?.concat();
-    samples.sort_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
-    let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
-        return Ok(None);
-    };
-    let near: Vec<[f64; 3]> = samples
-        .iter()
-        .filter(|s| s.r.abs() <= LARGEST_OVER_MEDIAN * median)
-        .map(|s| s.position)
-        .collect();
-    let all = near.len() == samples.len();
-    let bounds = [0, 1, 2].map(|i: usize| {
-        let values = near.iter().map(|p| p[i]);
-        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-            [a.min(v), b.max(v)]
-        })
-    });
-    let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
-    // A point, or a surface in a plane through the origin, also gets a box.
-    let margin = if longest > 0.0 { 0.08 * longest } else { 1.0 };
-    Ok(Some((bounds.map(|[a, b]| [a - margin, b + margin]), all)))
 }

@@ -35,14 +35,13 @@ pub(crate) fn resultant(
     limits: &Limits,
 ) -> Result<SparsePolynomial<3>> {
     let [f, g] = [f, g].map(|f| IntegerTerms::of_numerators(&f.primitive()));
-    let [of_f, of_g] = [&f, &g].map(|f| f.degrees().map(|d| d as usize));
     let [u, w] = [(v + 1) % 3, (v + 2) % 3];
-    let (m, n) = (of_f[v], of_g[v]);
-    let [in_u, in_w] = [u, w].map(|k| n * of_f[k] + m * of_g[k]);
+    let Size {
+        powers: [m, n],
+        degrees: [in_u, in_w],
+        work,
+    } = size([&f, &g], v);
     let norms = [f.norm(), g.norm()];
-    let bits = as_f64(n) * bits_of(&norms[0]) + as_f64(m) * bits_of(&norms[1]);
-    let cost = (m + 1) * (n + 1) + f.len() + g.len();
-    let work = (bits / 30.9 + 1.0) * as_f64((in_u + 1) * (in_w + 1)) * as_f64(cost);
     if work > MAX_WORK {
         return Err(Error::limit(format!(
             "a resultant of degrees {in_u} and {in_w}, about {work:.0e} operations (at most {MAX_WORK:.0e} are made)"
@@ -91,6 +90,36 @@ pub(crate) fn resultant(
         ));
     }
     Ok(found.to_sparse())
+}
+
+/// The approximate number of operations of [`resultant`].
+pub(crate) fn resultant_work(f: &SparsePolynomial<3>, g: &SparsePolynomial<3>, v: usize) -> f64 {
+    let [f, g] = [f, g].map(|f| IntegerTerms::of_numerators(&f.primitive()));
+    size([&f, &g], v).work
+}
+
+/// The size of a resultant.
+struct Size {
+    /// The degrees of both polynomials in the eliminated variable.
+    powers: [usize; 2],
+    /// The largest degrees of the resultant in the next variable and in the one after it.
+    degrees: [usize; 2],
+    /// The approximate number of operations.
+    work: f64,
+}
+
+fn size([f, g]: [&IntegerTerms<3>; 2], v: usize) -> Size {
+    let [of_f, of_g] = [f, g].map(|f| f.degrees().map(|d| d as usize));
+    let (m, n) = (of_f[v], of_g[v]);
+    let degrees = [(v + 1) % 3, (v + 2) % 3].map(|k| n * of_f[k] + m * of_g[k]);
+    let bits = as_f64(n) * bits_of(&f.norm()) + as_f64(m) * bits_of(&g.norm());
+    let cost = (m + 1) * (n + 1) + f.len() + g.len();
+    let pairs = as_f64((degrees[0] + 1) * (degrees[1] + 1));
+    Size {
+        powers: [m, n],
+        degrees,
+        work: (bits / 30.9 + 1.0) * pairs * as_f64(cost),
+    }
 }
 
 /// The point of the check, which is not on the grid. A polynomial of degrees k and l other than 0 vanishes at less than one in

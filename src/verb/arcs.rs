@@ -69,9 +69,10 @@ pub(super) fn arcs_of_others(
 fn box_of(surfaces: [&ImplicitSurface; 2], work: &Work) -> Result<Bounds> {
     let mut best: Option<(bool, f64, Bounds)> = None;
     for surface in surfaces {
-        let Some((bounds, is_all)) = mesh_bounds(surface, work.bounds())? else {
+        let Some(found) = mesh_bounds(surface, work.bounds())? else {
             continue;
         };
+        let (bounds, is_all) = (found.bounds, found.seems_bounded);
         let size: f64 = bounds.iter().map(|[a, b]| b - a).sum();
         if best.is_none_or(|(all, known, _)| (is_all, -size) > (all, -known)) {
             best = Some((is_all, size, bounds));

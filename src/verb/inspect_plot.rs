@@ -142,7 +142,7 @@ fn in_space_surface(
         Some(window) => Some(window),
         None => {
             let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
-            joined(around(task, points), found.map(|(bounds, _)| bounds))
+            joined(around(task, points), found.map(|found| found.bounds))
         }
     };
     let mesh = of_surface(surface, &for_pictures(shown, None), work)?;

@@ -5,7 +5,7 @@ use super::fit::exact_form;
 use super::{Bounds, Given, Work};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
-use crate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface};
+use crate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface};
 use crate::options::options;
 use crate::shape::{Form, HarmonicSurface, ImplicitSurface, SpaceSuperquadric};
 
@@ -88,18 +88,28 @@ pub(super) fn of_surface(
     work: &Work,
 ) -> Result<Mesh> {
     check_surface(surface, work)?;
-    let found = match options.window {
-        Some(window) => Some((window, false)),
-        None => work.stage("bounds", || mesh_bounds(surface, work.bounds()))?,
+    let (mut bounds, may_grow, held) = match options.window {
+        Some(window) => (window, false, Held::NotAsked),
+        None => match work.stage("bounds", || mesh_bounds(surface, work.bounds()))? {
+            // Nothing lies outside of a box that holds the whole surface.
+            Some(found) => (
+                found.bounds,
+                found.seems_bounded && found.held != Held::Whole,
+                found.held,
+            ),
+            None => ([[-1.5, 1.5]; 3], false, Held::Unproved),
+        },
     };
-    let (mut bounds, may_grow) = found.unwrap_or(([[-1.5, 1.5]; 3], false));
     work.stage("mesh", || {
         let progress = work.progress("mesh", 1000);
         let once = |bounds| {
             let options = MeshOptions::new(bounds)
                 .resolution(options.resolution)
                 .angle(options.angle);
-            mesh_surface(surface, &options, work.bounds(), &|done| progress.set(done))
+            let mut mesh =
+                mesh_surface(surface, &options, work.bounds(), &|done| progress.set(done))?;
+            mesh.held = held;
+            Ok(mesh)
         };
         for _ in 0..GROWTHS {
             let mesh = once(bounds)?;

@@ -7,7 +7,7 @@ use super::plot_options::{PlotOptions, VIEW, range_of, range_text, space_window,
 use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
 use crate::arcs::CurveArc;
 use crate::error::{Error, Result};
-use crate::mesh::{Mesh, mesh_bounds};
+use crate::mesh::{Held, Mesh, mesh_bounds};
 use crate::notation::{Coordinates, Format};
 use crate::parametrize::parametrize_intersection;
 use crate::picture::{Scene, SpaceLayer};
@@ -58,15 +58,9 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
             drawn.push(next);
         }
     }
-    // Bounded surfaces have a box of their own; unbounded ones are drawn in the box of all other forms.
     let mut shown = window;
     if shown.is_none() {
-        for next in &drawn {
-            if let Drawn::Surface(_, surface) = next {
-                around = joined(around, closed_bounds(surface, work)?);
-            }
-        }
-        shown = around;
+        shown = box_of_all(&drawn, around, work)?;
     }
     let mut layers = Vec::new();
     for next in drawn {
@@ -270,8 +264,26 @@ fn formulas(curve: &SpaceCurve) -> String {
     Coordinates::from(curve).formulas(Format::Text).join(", ")
 }
 
-/// The box around a surface; `None` unless certified points in many directions suggest that the surface is closed.
-fn closed_bounds(surface: &ImplicitSurface, work: &Work) -> Result<Option<Bounds>> {
-    let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
-    Ok(found.and_then(|(bounds, is_all)| is_all.then_some(bounds)))
+/// The box of a scene. Bounded surfaces have a box of their own. Unbounded ones are drawn in the box of all other forms, which
+/// grows to hold their bounded pieces.
+fn box_of_all(drawn: &[Drawn], around: Option<Bounds>, work: &Work) -> Result<Option<Bounds>> {
+    let (mut around, mut pieces) = (around, None);
+    for next in drawn {
+        let Drawn::Surface(_, surface) = next else {
+            continue;
+        };
+        let found = work.stage("bounds", || mesh_bounds(surface, work.bounds()))?;
+        let Some(found) = found else {
+            continue;
+        };
+        if found.held == Held::Unproved {
+            work.remark(Remark::PiecesMayBeOutside);
+        }
+        if found.seems_bounded {
+            around = joined(around, Some(found.bounds));
+        } else {
+            pieces = joined(pieces, found.pieces);
+        }
+    }
+    Ok(around.and_then(|around| joined(Some(around), pieces)))
 }

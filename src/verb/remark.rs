@@ -82,6 +82,8 @@ pub enum Remark {
     },
     /// A component of a curve is not drawn, for this reason.
     NotDrawn(String),
+    /// It is not proved that all bounded pieces of a surface are in the box of a picture.
+    PiecesMayBeOutside,
     /// Points that doubles do not decide are left undecided, because a factor has too many monomials.
     DoublesAlone,
 }

@@ -10,7 +10,7 @@ use crate::common::program::run_in;
 use proptest::prelude::*;
 use stellate::exact::{Dyadic, Rational};
 use stellate::limits::Limits;
-use stellate::mesh::{Mesh, MeshOptions, mesh_bounds, mesh_surface};
+use stellate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_surface};
 use stellate::poly::SparsePolynomial;
 use stellate::shape::ImplicitSurface;
 use tempfile::tempdir;
@@ -18,7 +18,7 @@ use tempfile::tempdir;
 fn meshed(text: &str, bounds: Option<[[f64; 2]; 3]>, resolution: u32) -> Mesh {
     let surface = ImplicitSurface::new(space(text));
     let limits = Limits::none();
-    let bounds = bounds.unwrap_or_else(|| mesh_bounds(&surface, &limits).unwrap().unwrap().0);
+    let bounds = bounds.unwrap_or_else(|| mesh_bounds(&surface, &limits).unwrap().unwrap().bounds);
     let options = MeshOptions::new(bounds).resolution(resolution);
     mesh_surface(&surface, &options, &limits, &|_| {}).unwrap()
 }
@@ -100,7 +100,7 @@ fn vertices_are_certified() {
 fn bends_are_refined() {
     let surface = ImplicitSurface::new(space("x^2/25 + y^2 + z^2 - 1"));
     let limits = Limits::none();
-    let (bounds, _) = mesh_bounds(&surface, &limits).unwrap().unwrap();
+    let bounds = mesh_bounds(&surface, &limits).unwrap().unwrap().bounds;
     let deviation = |angle: f64| {
         let options = MeshOptions::new(bounds).resolution(16).angle(angle);
         let mesh = mesh_surface(&surface, &options, &limits, &|_| {}).unwrap();
@@ -132,6 +132,79 @@ proptest! {
         let mesh = mesh_surface(&ImplicitSurface::new(f), &options, &Limits::none(), &|_| {}).unwrap();
         prop_assert!(mesh.topology().is_watertight());
         prop_assert_eq!(mesh.topology().euler_characteristic % 2, 0);
+    }
+}
+
+/// The box that is chosen holds all bounded pieces, however far they are from the origin and from each other, and however thin
+/// they are; where this is not proved, it is said.
+#[test]
+fn the_default_box_holds_all_bounded_pieces() {
+    let folder = tempdir().unwrap();
+    let whole = "no part of the surface is outside of the box";
+    let pieces = "no bounded piece of the surface is outside of the box";
+    for (form, found, held) in [
+        (
+            "(x^2+y^2+z^2-1)*((x-10)^2+y^2+z^2-1)",
+            "triangles, 2 pieces, watertight, Euler characteristic 4",
+            whole,
+        ),
+        (
+            "x^2+y^2+100z^2-1",
+            "one piece, watertight, Euler characteristic 2",
+            whole,
+        ),
+        (
+            "(x*(x-1)^2*(x-2)+y^2)^2+z^2-1/100",
+            "one piece, watertight, Euler characteristic -2",
+            whole,
+        ),
+        (
+            "(x-100)^2+y^2+z^2-1/100",
+            "triangles, one piece, watertight, Euler characteristic 2",
+            whole,
+        ),
+        // A sphere and a disc
+        ("y^2+z^2-x*(x-1)*(x-4)", "Euler characteristic 3", pieces),
+        ("x^2+y^2-z^2-1", "one piece, open", pieces),
+        (
+            "x*y^2+y*z^2+z*x^2-x^2*y^2*z^2",
+            "open",
+            "may be outside of the box",
+        ),
+    ] {
+        let arguments = [form, "--resolution", "48", "-o", "surface.obj"];
+        let said = mesh_in(folder.path(), &arguments);
+        assert!(said.contains(found), "{form}: {said}");
+        assert!(said.contains(held), "{form}: {said}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// If two meshes of different resolution are both proved to have the topology of the surface, they have the same one.
+    #[test]
+    fn what_is_proved_is_the_topology(c in prop::collection::vec(-9i64..10, 10), level in 1i64..8) {
+        let all = (0..3u32).flat_map(|i| (0..3 - i).flat_map(move |j| (0..3 - i - j).map(move |k| [i, j, k])));
+        let mut f = space("x^4 + y^4 + z^4");
+        f.add_multiple(&SparsePolynomial::from_terms(all.zip(c.into_iter().map(Rational::from))), &Rational::one());
+        f.add_term([0; 3], Rational::from(-level));
+        let surface = ImplicitSurface::new(f);
+        let Some(found) = mesh_bounds(&surface, &Limits::none()).unwrap() else {
+            return Ok(());
+        };
+        prop_assert_eq!(found.held, Held::Whole);
+        let meshes = [20, 33].map(|resolution| {
+            let options = MeshOptions::new(found.bounds).resolution(resolution);
+            let mut mesh = mesh_surface(&surface, &options, &Limits::none(), &|_| {}).unwrap();
+            mesh.held = found.held;
+            mesh
+        });
+        if meshes.iter().all(Mesh::has_proved_topology) {
+            let [a, b] = meshes.map(|mesh| mesh.topology());
+            prop_assert!(a.is_watertight() && b.is_watertight());
+            prop_assert_eq!((a.components, a.euler_characteristic), (b.components, b.euler_characteristic));
+        }
     }
 }
 

@@ -1,0 +1,149 @@
+//! The box in which a surface is meshed if nobody gives one, and what it is known to hold.
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::critical::{Pieces, bounded_pieces};
+use super::extent::{Bounds, Extent, extent, joined};
+use crate::error::Result;
+use crate::factor::factor_space;
+use crate::limits::Limits;
+use crate::sample::{Ray, RaySolver, SpaceDirection};
+use crate::shape::ImplicitSurface;
+
+/// The number of directions from the origin in which points of a surface are found.
+const DIRECTIONS: usize = 400;
+/// If the largest radius is more than this times the median, the surface continues beyond the box.
+const LARGEST_OVER_MEDIAN: f64 = 4.0;
+/// The margin of a box, in parts of its longest side.
+const MARGIN: f64 = 0.08;
+
+/// What is known about the parts of a surface outside of a box.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Held {
+    /// It is proved that there are none.
+    Whole,
+    /// It is proved that no bounded piece of the surface lies there.
+    BoundedPieces,
+    /// Neither of these is proved.
+    Unproved,
+    /// The box was given, and nothing was looked for outside of it.
+    #[default]
+    NotAsked,
+}
+
+impl Held {
+    /// What is known of two surfaces together.
+    fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Whole, Self::Whole) => Self::Whole,
+            (Self::Whole | Self::BoundedPieces, Self::Whole | Self::BoundedPieces) => {
+                Self::BoundedPieces
+            }
+            _ => Self::Unproved,
+        }
+    }
+}
+
+/// A box around a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SurfaceBox {
+    /// The sides of the box.
+    pub bounds: Bounds,
+    /// Whether the surface is known or seems to be bounded: this is proved, or no point that was found is far away from the others.
+    pub seems_bounded: bool,
+    /// What is proved.
+    pub held: Held,
+    /// The part of the box in which all bounded pieces are, without those of factors of which nothing is proved.
+    pub pieces: Option<Bounds>,
+}
+
+/// A box with a margin around a surface: around its certified points in many directions from the origin, except for points that
+/// are much farther away than most, and around everything that is proved to be a place of it. `None` if there are no points.
+///
+/// For every factor over Q, a bounded surface is enclosed if its leading form, for suitable weights of the variables, has no zero;
+/// else the bounded pieces of the surface are enclosed by the critical values of the coordinates, if these are finitely many and
+/// can be found by little work.
+///
+/// # Errors
+/// Those of `limits` and of [`factor_space`].
+pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<SurfaceBox>> {
+    let seen = seen_from_origin(surface, limits)?;
+    let sizes = seen.map(|(bounds, _)| bounds.map(|[a, b]| a.abs().max(b.abs())));
+    let (mut proved, mut held) = (None, Held::Whole);
+    for factor in factor_space(surface.polynomial(), limits)?.factors {
+        let f = &factor.polynomial;
+        let (place, here) = match extent(f, sizes, limits)? {
+            Extent::Empty => (None, Held::Whole),
+            Extent::Within(place) => (Some(place), Held::Whole),
+            Extent::Unknown => match bounded_pieces(f, limits)? {
+                None => (None, Held::Unproved),
+                Some(Pieces::Nowhere) => (None, Held::BoundedPieces),
+                Some(Pieces::Within(place)) => (Some(place), Held::BoundedPieces),
+            },
+        };
+        proved = [proved, place].into_iter().flatten().reduce(joined);
+        held = held.and(here);
+    }
+    let (seen, all_near) = seen.map_or((None, true), |(bounds, all)| (Some(bounds), all));
+    let seen = seen.map(with_margin);
+    let bounds = match (seen, proved) {
+        (Some(seen), Some(place)) if is_within(place, seen) => Some(seen),
+        // A surface is at least as large as the points that were found.
+        (Some(_), Some(place)) if held == Held::Whole => Some(with_margin(place)),
+        (Some(seen), Some(place)) => Some(joined(seen, with_margin(place))),
+        (seen, place) => seen.or(place.map(with_margin)),
+    };
+    Ok(bounds.map(|bounds| SurfaceBox {
+        bounds,
+        seems_bounded: held == Held::Whole || all_near,
+        held,
+        pieces: proved,
+    }))
+}
+
+fn is_within(inner: Bounds, outer: Bounds) -> bool {
+    let mut sides = inner.iter().zip(outer);
+    sides.all(|([a, b], [low, high])| *a >= low && *b <= high)
+}
+
+fn with_margin(bounds: Bounds) -> Bounds {
+    let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
+    // A point, or a surface in a plane through the origin, also gets a box.
+    let margin = if longest > 0.0 { MARGIN * longest } else { 1.0 };
+    bounds.map(|[a, b]| [a - margin, b + margin])
+}
+
+/// The box around the certified points of a surface in many directions from the origin, except for points that are much farther
+/// away than most, and whether no point was left out.
+fn seen_from_origin(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<(Bounds, bool)>> {
+    let solver = RaySolver::new(surface.by_degree());
+    let rays = SpaceDirection::fibonacci(DIRECTIONS)
+        .into_par_iter()
+        .map(|direction| {
+            limits.check()?;
+            Ok(match solver.solve(&direction) {
+                Ray::Points(points) => points,
+                Ray::Line => Vec::new(),
+            })
+        });
+    let mut samples = rays.collect::<Result<Vec<_>>>()?.concat();
+    samples.sort_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
+    let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
+        return Ok(None);
+    };
+    let near: Vec<[f64; 3]> = samples
+        .iter()
+        .filter(|s| s.r.abs() <= LARGEST_OVER_MEDIAN * median)
+        .map(|s| s.position)
+        .collect();
+    let all = near.len() == samples.len();
+    let bounds = [0, 1, 2].map(|i: usize| {
+        let values = near.iter().map(|p| p[i]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+            [a.min(v), b.max(v)]
+        })
+    });
+    Ok(Some((bounds, all)))
+}
