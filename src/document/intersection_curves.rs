@@ -10,8 +10,9 @@ use super::json::write_value;
 use super::{Coordinates, Format, SCHEMA, write_coordinates};
 use crate::arcs::IntersectionArcs;
 use crate::error::Result;
+use crate::exact::Rational;
 use crate::notation::polynomial_text;
-use crate::parametrize::IntersectionParametrization;
+use crate::parametrize::{CommonPoint, IntersectionParametrization};
 
 /// The first curve has the fields of any parametric document, from which it is read back; then the document lists all curves.
 #[derive(Serialize)]
@@ -24,6 +25,7 @@ struct IntersectionCurvesDocument {
     projected_along: &'static str,
     curves: Vec<Curve>,
     others: Vec<Other>,
+    points: Vec<[String; 3]>,
     #[serde(flatten)]
     arcs: Option<Arcs>,
     notes: Vec<String>,
@@ -58,6 +60,16 @@ pub(crate) fn write_intersection_curves(
         projection: polynomial_text(&other.projection),
         reason: other.reason.clone(),
     });
+    let finite = found.finite.iter().map(|component| {
+        let many = match component.points {
+            0 => "no real point".to_owned(),
+            1 => "one real point".to_owned(),
+            n => format!("{n} real points"),
+        };
+        let over = polynomial_text(&component.projection);
+        format!("a component over {over} = 0 has {many}")
+    });
+    let notes: Vec<String> = finite.chain(found.notes.iter().cloned()).collect();
     match format {
         Format::Json => {
             let curve = |c: &Coordinates| Curve {
@@ -78,8 +90,9 @@ pub(crate) fn write_intersection_curves(
                 projected_along: axis,
                 curves: all,
                 others: others.collect(),
+                points: found.points.iter().map(coordinates_of).collect(),
                 arcs: arcs.map(Arcs::from),
-                notes: found.notes.clone(),
+                notes,
             };
             write_value(&document, out)?;
             Ok(writeln!(out)?)
@@ -88,10 +101,12 @@ pub(crate) fn write_intersection_curves(
             writeln!(
                 out,
                 "# theorem-7: projected along {axis}; {}",
-                if curves.is_empty() {
-                    "no rational or trigonometric parametrization was found"
-                } else {
+                if !curves.is_empty() {
                     "every curve satisfies all the equations, by exact substitution"
+                } else if found.others.is_empty() {
+                    "the surfaces do not meet in a real curve"
+                } else {
+                    "no rational or trigonometric parametrization was found"
                 }
             )?;
             for other in others {
@@ -101,7 +116,15 @@ pub(crate) fn write_intersection_curves(
                     other.projection, other.reason
                 )?;
             }
-            for note in &found.notes {
+            for point in &found.points {
+                let [x, y, z] = coordinates_of(point);
+                let sign = match point {
+                    CommonPoint::Exact(_) => "=",
+                    _ => "≈",
+                };
+                writeln!(out, "# common point (x, y, z) {sign} ({x}, {y}, {z})")?;
+            }
+            for note in &notes {
                 writeln!(out, "# note: {note}")?;
             }
             for line in arcs.map(arcs_text).unwrap_or_default() {
@@ -123,5 +146,13 @@ pub(crate) fn write_intersection_curves(
         _ => curves
             .iter()
             .try_for_each(|curve| write_coordinates(curve, format, out)),
+    }
+}
+
+/// The coordinates of a point: fractions if they are exact, else decimals.
+fn coordinates_of(point: &CommonPoint) -> [String; 3] {
+    match point {
+        CommonPoint::Exact(point) => point.each_ref().map(Rational::to_string),
+        CommonPoint::Near(near) => near.map(|x| format!("{x:?}")),
     }
 }

@@ -16,6 +16,8 @@ const DIRECTIONS: usize = 400;
 const LARGEST_OVER_MEDIAN: f64 = 4.0;
 /// The margin of a box, in parts of its longest side.
 const MARGIN: f64 = 0.08;
+/// The least box of an unbounded surface of which no point was found.
+const NOTHING_SEEN: Bounds = [[-1.5, 1.5]; 3];
 
 /// What is known about the parts of a surface outside of a box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -86,14 +88,15 @@ pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<
         proved = [proved, place].into_iter().flatten().reduce(joined);
         held = held.and(here);
     }
-    let (seen, all_near) = seen.map_or((None, true), |(bounds, all)| (Some(bounds), all));
+    let (seen, all_near) = seen.map_or((None, false), |(bounds, all)| (Some(bounds), all));
     let seen = seen.map(with_margin);
-    let bounds = match (seen, proved) {
-        (Some(seen), Some(place)) if is_within(place, seen) => Some(seen),
-        // A surface is at least as large as the points that were found.
-        (Some(_), Some(place)) if held == Held::Whole => Some(with_margin(place)),
-        (Some(seen), Some(place)) => Some(joined(seen, with_margin(place))),
-        (seen, place) => seen.or(place.map(with_margin)),
+    let bounds = match (seen, proved.map(with_margin)) {
+        (Some(seen), Some(_)) if proved.is_some_and(|place| is_within(place, seen)) => Some(seen),
+        (_, Some(place)) if held == Held::Whole => Some(place),
+        (Some(seen), Some(place)) => Some(joined(seen, place)),
+        // Of a cone, rays from its apex see nothing.
+        (None, Some(place)) => Some(joined(place, NOTHING_SEEN)),
+        (seen, None) => seen,
     };
     Ok(bounds.map(|bounds| SurfaceBox {
         bounds,

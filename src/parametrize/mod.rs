@@ -28,7 +28,8 @@ pub(crate) use fourier::born_of_radius;
 pub use fourier::{FourierBranches, fourier_branches};
 pub use harmonic::harmonic_radii;
 pub use intersection::{
-    IntersectionParametrization, UnparametrizedComponent, parametrize_intersection,
+    CommonPoint, FiniteComponent, IntersectionParametrization, UnparametrizedComponent,
+    parametrize_intersection,
 };
 pub use meridian::{DirectionAnswer, MeridianBranch};
 pub use parametrization::{Branch, BranchRadius, Parametrization, PolarMethod, parametrize};

@@ -300,19 +300,15 @@ fn intersection(
         parametrize_intersection(surfaces, work.bounds())
     })?;
     let has_arcs = options.with_arcs && surfaces.len() == 2;
-    if found.curves.is_empty() && !has_arcs {
+    if found.curves.is_empty() && !has_arcs && !found.others.is_empty() {
         let reasons: Vec<&str> = found.others.iter().map(|o| o.reason.as_str()).collect();
         return Err(Error::Hypothesis {
             statement: "Theorem 7 with a rational or trigonometric relation",
-            witness: if reasons.is_empty() {
-                "the surfaces do not meet in a curve with a projection".into()
-            } else {
-                reasons.join("; ")
-            },
+            witness: reasons.join("; "),
         });
     }
     let search = &options.arcs;
-    let arcs = if found.others.is_empty() && !found.curves.is_empty() {
+    let arcs = if found.others.is_empty() {
         if search.window.is_some() || search.resolution.is_some() {
             work.remark(Remark::NoArcsNeeded);
         }

@@ -9,7 +9,7 @@ use crate::arcs::CurveArc;
 use crate::error::{Error, Result};
 use crate::mesh::{Held, Mesh, mesh_bounds};
 use crate::notation::{Coordinates, Format};
-use crate::parametrize::parametrize_intersection;
+use crate::parametrize::{CommonPoint, parametrize_intersection};
 use crate::picture::{Scene, SpaceLayer};
 use crate::shape::{DRAWN_NUMBERS, Form, ImplicitSurface, SpaceCurve};
 
@@ -180,6 +180,16 @@ fn intersection(
         for other in &found.others {
             work.remark(Remark::NotDrawn(other.reason.clone()));
         }
+    }
+    if !found.points.is_empty() {
+        let points: Vec<[f64; 3]> = found.points.iter().map(CommonPoint::near).collect();
+        let around = box_around(points.iter());
+        let layer = SpaceLayer {
+            label: format!("both: isolated points ({})", points.len()),
+            points,
+            ..SpaceLayer::default()
+        };
+        all.push(Drawn::Layer(layer, around));
     }
     for curve in &found.curves {
         let layer = SpaceLayer {

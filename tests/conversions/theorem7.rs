@@ -8,7 +8,7 @@ use stellate::document::{Coordinates, Format};
 use stellate::exact::Rational;
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
-use stellate::parametrize::{IntersectionParametrization, parametrize_intersection};
+use stellate::parametrize::{CommonPoint, IntersectionParametrization, parametrize_intersection};
 use stellate::shape::{Form, ImplicitSurface};
 
 fn surfaces(text: &str) -> Vec<ImplicitSurface> {
@@ -62,6 +62,23 @@ fn known_curves() {
         ("y^2 + z^2 = 1; x = y*z", &["1/2*sin(2*t), cos(t), sin(t)"]),
         // Parallel lines: two cylinders along one axis
         ("x^2 = 1 + 0z; y = 0*z", &["1, 0, t", "-1, 0, t"]),
+        // A line parallel to the axis of projection
+        ("x*z = y; y*z = x^2", &["0, 0, t", "t^2, t^3, t"]),
+        (
+            "(x-1)*z = y-1/2; (y-1/2)*z = (x-1)^2",
+            &["1, 1/2, t", "t^2+1, t^3+1/2, t"],
+        ),
+        // A real component beside a complex one over the same projection
+        ("x^2+y^2 = 1+0z; z^3+z = x^2+y^2-1", &["cos(t), sin(t), 0"]),
+        // A torus touches a cylinder along its inner equator, and a plane along its uppermost circle.
+        (
+            "(x^2+y^2+z^2+91/4)^2 = 100*(x^2+y^2); x^2+y^2 = 49/4",
+            &["7/2*cos(t), 7/2*sin(t), 0"],
+        ),
+        (
+            "(x^2+y^2+z^2+91/4)^2 = 100*(x^2+y^2); z = 3/2",
+            &["5*cos(t), 5*sin(t), 3/2"],
+        ),
         // A third surface takes a component away
         (
             "x^2 + y^2 = 1; y^2 + z^2 = 1; x = z",
@@ -94,8 +111,57 @@ fn what_has_no_parametrization_says_why() {
     }
 }
 
+/// Points where surfaces touch, and components without real points, are named.
+#[test]
+fn what_has_few_real_points_is_named() {
+    for (text, expected, finite) in [
+        ("x^2+y^2+z^2 = 1; z = 1", &["0, 0, 1"][..], 1),
+        ("x^2+y^2+z^2 = 1; (x-2)^2+y^2+z^2 = 1", &["1, 0, 0"], 1),
+        ("z^2 = x^2+y^2; z = 0", &["0, 0, 0"], 1),
+        ("x^2+y^2+z^2 = 1; z = 2", &[], 1),
+        ("x^2+y^2+z^2 = 1; x^2+y^2+z^2 = 4", &[], 0),
+        // A cylinder touches a sphere in two points, at the parameters 0 and ∞ of its base circle.
+        ("x^2+y^2 = 1+0z; z^2 = -y^2", &["1, 0, 0", "-1, 0, 0"], 1),
+    ] {
+        let (found, all) = curves(text);
+        assert_eq!((found.len(), all.others.len()), (0, 0), "{text}");
+        let points = all.points.iter().map(|point| match point {
+            CommonPoint::Exact(point) => {
+                for surface in surfaces(text) {
+                    assert!(surface.polynomial().evaluate(point).is_zero(), "{text}");
+                }
+                point.each_ref().map(Rational::to_string).join(", ")
+            }
+            near => panic!("{near:?}"),
+        });
+        assert_eq!(points.collect::<Vec<_>>(), expected, "{text}");
+        assert_eq!(all.finite.len(), finite, "{text}");
+    }
+    let text = done(&["parametrize", "x^2+y^2+z^2 = 1; z = 1"]);
+    assert!(
+        text.contains("# common point (x, y, z) = (0, 0, 1)\n"),
+        "{text}"
+    );
+    let document = done(&["parametrize", "x^2+y^2+z^2 = 1; z = 1", "--format", "json"]);
+    assert_eq!(json(&document)["points"][0][2], "1");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// Built backwards: both surfaces hold the line over (a, b), whose coefficients vanish there.
+    #[test]
+    fn lines_parallel_to_an_axis_come_back(c in prop::array::uniform5(-4i64..5), axis in 0usize..3) {
+        let [a, b, d, e, f] = c;
+        let (u, w, v) = [("y", "z", "x"), ("x", "z", "y"), ("x", "y", "z")][axis];
+        let p = format!("({u}-({a}))");
+        let q = format!("({w}-({b}))");
+        let text = format!("{p}*{v} + {q}*({d}*{u} + {e}*{v} + 7) = 0; {q}*{v}^2 + {p}*({f}*{w} + 5 + {p}) = 0");
+        let (found, _) = curves(&text);
+        let mut line = [a.to_string(), b.to_string()].to_vec();
+        line.insert(axis, "t".into());
+        prop_assert!(found.contains(&line.join(", ")), "{}: {:?}", text, found);
+    }
 
     /// Built backwards: a graph over a circle, and a graph over a parabola, come back.
     #[test]

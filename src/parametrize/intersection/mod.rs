@@ -1,8 +1,14 @@
 //! Theorem 7: the curve in which surfaces meet, as parametric space curves.
 
+mod lines;
+mod real;
+mod search;
+
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
+
+use search::Search;
 
 use super::fourier::fourier_branches;
 use super::rational::{RationalCurve, Rationality, rational_parametrization};
@@ -22,12 +28,47 @@ use crate::shape::{ImplicitCurve, ImplicitSurface, Parameter, PlaneCurve, SpaceC
 pub struct IntersectionParametrization {
     /// The components with an exact parametrization; each of these curves satisfies every equation identically.
     pub curves: Vec<SpaceCurve>,
-    /// The components without a parametrization.
+    /// The components with infinitely many real points that have no parametrization.
     pub others: Vec<UnparametrizedComponent>,
+    /// The real points of components that have only finitely many, such as points where surfaces touch.
+    pub points: Vec<CommonPoint>,
     /// The index of the coordinate along which the intersection was projected: 0, 1 or 2.
     pub axis: usize,
+    /// The components with no real point or finitely many.
+    pub finite: Vec<FiniteComponent>,
     /// Further notes for the reader.
     pub notes: Vec<String>,
+}
+
+/// A real common point of surfaces, on a component that has only finitely many of them.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CommonPoint {
+    /// A point with rational coordinates.
+    Exact([Rational; 3]),
+    /// The doubles near its coordinates.
+    Near([f64; 3]),
+}
+
+impl CommonPoint {
+    /// The doubles near its coordinates.
+    #[must_use]
+    pub fn near(&self) -> [f64; 3] {
+        match self {
+            Self::Exact(point) => point.each_ref().map(Rational::to_f64),
+            Self::Near(near) => *near,
+        }
+    }
+}
+
+/// A component with finitely many real points.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FiniteComponent {
+    /// The irreducible equation of its projection along the axis.
+    pub projection: SparsePolynomial<3>,
+    /// The number of its real points that were found.
+    pub points: usize,
 }
 
 /// A component for which no rational or trigonometric parametrization is known.
@@ -45,9 +86,9 @@ pub struct UnparametrizedComponent {
 /// One coordinate is eliminated: the irreducible factors of the resultant of two equations contain the projections of the
 /// components. If a factor has a parametrization (x(t), y(t)), which is a Fourier radius by Lemmas 2 and 3 or a rational curve,
 /// it is substituted into the equations. They become polynomials in z over Q(t), and a linear factor of their greatest common
-/// divisor gives z(t). Every curve is verified by substitution into all the equations.
-///
-/// Straight lines parallel to the axis of projection are not among the components.
+/// divisor gives z(t). Every curve is verified by substitution into all the equations. Straight lines parallel to the axis are the
+/// common zeros of the coefficients of the powers of z. Components without real points are noted, and those with finitely many
+/// give [`IntersectionParametrization::points`].
 ///
 /// ```
 /// use stellate::document::{Coordinates, Format};
@@ -122,6 +163,9 @@ fn degree_in(f: &SparsePolynomial<3>, axis: usize) -> u32 {
     f.terms().map(|(e, _)| e[axis]).max().unwrap_or(0)
 }
 
+/// The names of the coordinates.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// The two other coordinates, in ascending order.
 fn others(axis: usize) -> [usize; 2] {
     match axis {
@@ -148,90 +192,36 @@ fn along(
             .terms()
             .map(|(e, c)| ((e[u] as usize, e[w] as usize), c.clone())),
     );
-    let mut result = IntersectionParametrization {
+    let vertical = lines::lines(axis, pair, limits)?;
+    let result = IntersectionParametrization {
         curves: Vec::new(),
-        others: Vec::new(),
+        others: vertical.others,
+        points: Vec::new(),
+        finite: Vec::new(),
         axis,
-        notes: Vec::new(),
+        notes: vertical.notes,
     };
-    if !pair.iter().any(|f| is_monic_in(f, axis)) {
-        let name = ["x", "y", "z"][axis];
-        result.notes.push(format!(
-            "straight lines parallel to the {name} axis are not looked for"
-        ));
-    }
+    let mut search = Search {
+        surfaces,
+        pair,
+        limits,
+        result,
+    };
+    search.add(vertical.curves);
     for factor in factor_plane(&plane, limits)?.factors {
         limits.check()?;
-        let in_space = || {
-            SparsePolynomial::from_terms(factor.polynomial.terms().map(|((i, j), c)| {
-                let mut exponents = [0; 3];
-                exponents[u] = u32::try_from(i).invariant("a degree is below 2^32");
-                exponents[w] = u32::try_from(j).invariant("a degree is below 2^32");
-                (exponents, c)
-            }))
-        };
-        let mut other = |reason: String| {
-            result.others.push(UnparametrizedComponent {
-                projection: in_space(),
-                reason,
-            });
-        };
-        match projected(&factor.polynomial) {
-            Err(reason) => other(reason),
-            Ok(below) => match lifted(&below, axis, pair, limits)? {
-                Lifted::Nothing => {}
-                Lifted::Irrational(degree) => other(format!(
-                    "its projection is rational, and above every point of it there are {degree} points, whose {} is no rational function of the parameter",
-                    ["x", "y", "z"][axis]
-                )),
-                Lifted::Curves(curves) => {
-                    let rest = &surfaces[2..];
-                    let on_all = curves
-                        .into_iter()
-                        .filter(|curve| rest.iter().all(|s| lies_on(curve, s.polynomial())));
-                    for curve in on_all {
-                        let is_known = |known: &SpaceCurve| {
-                            known.coordinates() == curve.coordinates()
-                                || half_a_turn_on(known).as_ref() == Some(curve.coordinates())
-                        };
-                        if !result.curves.iter().any(is_known) {
-                            result.curves.push(curve);
-                        }
-                    }
-                }
-            },
-        }
+        search.add_component(&factor.polynomial)?;
     }
-    Ok(result)
+    Ok(search.result)
 }
 
-/// A curve whose parameter is an angle t, as a function of t + π/g instead of t: s = tan(g t/2) becomes −1/s.
-fn half_a_turn_on(curve: &SpaceCurve) -> Option<[RationalFunction; 3]> {
-    let turned = |f: &RationalFunction| {
-        let degree = f.degree();
-        let reversed = |p: &IntegerPolynomial| {
-            let mut coefficients = p.coefficients_asc().to_vec();
-            coefficients.resize(degree + 1, Integer::ZERO);
-            for c in coefficients.iter_mut().skip(1).step_by(2) {
-                *c = -std::mem::take(c);
-            }
-            coefficients.reverse();
-            IntegerPolynomial::from_coefficients_asc(coefficients)
-        };
-        RationalFunction::from_integers(reversed(f.numerator()), reversed(f.denominator()))
-    };
-    if !curve.parameter().is_angle() {
-        return None;
+/// The coordinates in their order, of the two of the projection and the third one.
+fn in_space<T>(axis: usize, [a, b, height]: [T; 3]) -> [T; 3] {
+    match axis {
+        0 => [height, a, b],
+        1 => [a, height, b],
+        _ => [a, b, height],
     }
-    let [x, y, z] = curve.coordinates().each_ref().map(turned);
-    Some([x?, y?, z?])
-}
-
-/// Whether the leading coefficient in a coordinate is constant, so that no line parallel to this axis is on the surface.
-fn is_monic_in(f: &SparsePolynomial<3>, axis: usize) -> bool {
-    let degree = degree_in(f, axis);
-    let mut leading = f.terms().filter(|(e, _)| e[axis] == degree);
-    degree > 0 && leading.all(|(e, _)| e.iter().sum::<u32>() == degree)
 }
 
 /// A parametrization of an irreducible plane curve, or the reason why there is none.
@@ -291,14 +281,17 @@ fn linear(a: &Rational, b: &Rational) -> RationalFunction {
     RationalFunction::from_integers(numerator, below).invariant("no denominator is 0")
 }
 
-/// The part of the intersection above a parametrized projection.
-enum Lifted {
-    /// No point: the factor of the resultant belongs to points at infinity.
-    Nothing,
-    /// This number of points above every point, which are not rational functions of the parameter.
-    Irrational(u32),
+/// The variables of a relation: the parameter s of the projection, and the third coordinate.
+const PARAMETER: usize = 0;
+const HEIGHT: usize = 1;
+
+/// The part of the intersection above a parametrized projection. If it is empty, the factor of the resultant belongs to points at
+/// infinity.
+struct Lifted {
     /// Curves that satisfy both equations.
-    Curves(Vec<SpaceCurve>),
+    curves: Vec<SpaceCurve>,
+    /// Irreducible equations of the third coordinate over the functions of the parameter, of degree at least 2.
+    relations: Vec<SparsePolynomial<3>>,
 }
 
 fn lifted(
@@ -314,7 +307,7 @@ fn lifted(
         terms.map(|(e, c)| ((e[0] as usize, e[1] as usize), c.clone())),
     );
     let mut curves = Vec::new();
-    let mut irrational = None;
+    let mut relations = Vec::new();
     for factor in factor_plane(&plane, limits)?.factors {
         // The coefficients a(t) of the powers of z.
         let mut rows: Vec<Vec<Integer>> = Vec::new();
@@ -335,25 +328,17 @@ fn lifted(
                     continue;
                 };
                 let [x, y] = below.coordinates().clone();
-                let coordinates = match axis {
-                    0 => [height, x, y],
-                    1 => [x, height, y],
-                    _ => [x, y, height],
-                };
+                let coordinates = in_space(axis, [x, y, height]);
                 let curve = SpaceCurve::new(below.parameter().clone(), coordinates);
                 // This is a proof that does not depend on the way in which the curve was found.
                 if pair.iter().all(|f| lies_on(&curve, f)) {
                     curves.push(curve);
                 }
             }
-            more => irrational = u32::try_from(more - 1).ok(),
+            _ => relations.push(SparsePolynomial::from(&factor.polynomial)),
         }
     }
-    Ok(match (curves.is_empty(), irrational) {
-        (_, Some(degree)) => Lifted::Irrational(degree),
-        (true, None) => Lifted::Nothing,
-        (false, None) => Lifted::Curves(curves),
-    })
+    Ok(Lifted { curves, relations })
 }
 
 /// f with a plane curve substituted for two of its variables: a polynomial in the parameter s and the third variable, times a
