@@ -83,6 +83,9 @@ pub struct IntersectionArcs {
     /// Boxes in which the common points are not known: they hold singular points, or points near which the surfaces touch or
     /// nearly do. Every common point in the searched box lies near one of the arcs or in one of these boxes.
     pub unresolved: Vec<[[f64; 2]; 3]>,
+    /// Common points in the unresolved boxes at which the gradients of both polynomials are parallel, exactly: there the surfaces
+    /// touch, or one of them is singular.
+    pub touching: Vec<[Rational; 3]>,
 }
 
 impl CurveArc {
@@ -173,6 +176,7 @@ pub fn trace_intersection(
         bounds: options.bounds,
         arcs: Vec::new(),
         unresolved: Vec::new(),
+        touching: Vec::new(),
     };
     let mut done = 0;
     for f in &factors[0] {
@@ -189,8 +193,34 @@ pub fn trace_intersection(
             done += 1;
         }
     }
+    let touching = all
+        .unresolved
+        .iter()
+        .filter_map(|place| touching_point(place, polynomials));
+    all.touching = touching.collect();
+    all.touching.sort();
+    all.touching.dedup();
     progress(1000);
     Ok(all)
+}
+
+/// The point with the simplest coordinates in a box, if it is a common zero with parallel gradients.
+fn touching_point(
+    place: &[[f64; 2]; 3],
+    polynomials: [&SparsePolynomial<3>; 2],
+) -> Option<[Rational; 3]> {
+    let point = place
+        .each_ref()
+        .map(|side| Rational::simplest_between(&rational(side[0]), &rational(side[1])));
+    if polynomials.iter().any(|f| !f.evaluate(&point).is_zero()) {
+        return None;
+    }
+    let [a, b] = polynomials.map(|f| [0, 1, 2].map(|v| f.derivative(v).evaluate(&point)));
+    let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    let is_parallel = [(0, 1), (0, 2), (1, 2)]
+        .iter()
+        .all(|&(i, j)| minor(i, j).is_zero());
+    is_parallel.then_some(point)
 }
 
 type Cell = [u32; 3];

@@ -426,6 +426,9 @@ pub(crate) struct Mesh {
     /// Edges are split where the surface bends by more than this: degrees, or with a unit as pi/9
     #[arg(long, value_name = "DEGREES", default_value = "20", value_parser = degrees)]
     pub(crate) angle: f64,
+    /// Turn closed pieces inside others inward, as the boundary of the solid between them
+    #[arg(long)]
+    pub(crate) solid: bool,
 }
 
 #[derive(Debug, Args)]

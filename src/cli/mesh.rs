@@ -24,7 +24,8 @@ pub(crate) fn run(flags: &Mesh, session: &Session) -> Result<()> {
     let options = MeshingOptions::default()
         .window(flags.window)
         .resolution(flags.resolution)
-        .angle(flags.angle);
+        .angle(flags.angle)
+        .solid(flags.solid);
     let given = input::read(&flags.form, session)?;
     let name = given.short_name();
     let mesh = verb::mesh(given, &options, &session.work)?;

@@ -8,14 +8,16 @@ use super::json::write_value;
 use super::{Format, Kind, SCHEMA};
 use crate::arcs::{ArcEnd, CurveArc, IntersectionArcs};
 use crate::error::Result;
+use crate::exact::Rational;
 
-/// The arcs as they stand in a JSON document: `window` is the box that was searched, and `unresolved` lists the boxes in which
-/// the curve was not found out.
+/// The arcs as they stand in a JSON document: `window` is the box that was searched, `unresolved` lists the boxes in which
+/// the curve was not found out, and `touching` exact points in them where the surfaces touch.
 #[derive(Serialize)]
 pub(super) struct Arcs {
     window: [[f64; 2]; 3],
     arcs: Vec<Arc>,
     unresolved: Vec<[[f64; 2]; 3]>,
+    touching: Vec<[String; 3]>,
 }
 
 #[derive(Serialize)]
@@ -68,6 +70,11 @@ impl From<&IntersectionArcs> for Arcs {
             window: found.bounds,
             arcs: found.arcs.iter().map(arc).collect(),
             unresolved: found.unresolved.clone(),
+            touching: found
+                .touching
+                .iter()
+                .map(|point| point.each_ref().map(Rational::to_string))
+                .collect(),
         }
     }
 }
@@ -152,6 +159,12 @@ pub(crate) fn arcs_text(found: &IntersectionArcs) -> Vec<String> {
         ),
     };
     lines.push(all);
+    for point in &found.touching {
+        let [x, y, z] = point.each_ref().map(Rational::to_string);
+        lines.push(format!(
+            "among them the common point (x, y, z) = ({x}, {y}, {z}), where the surfaces touch or one of them is singular"
+        ));
+    }
     lines
 }
 

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::remark::counted;
 use crate::error::Result;
 use crate::mesh::{Held, Mesh};
 
@@ -64,6 +65,20 @@ fn write_obj(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
         }
         let [a, b, c] = triangle.map(|v| v + 1);
         writeln!(out, "f {a}//{a} {b}//{b} {c}//{c}")?;
+    }
+    // A negative number counts from the last vertex, which is -1.
+    for line in &mesh.curves {
+        for [x, y, z] in line {
+            writeln!(out, "v {x:?} {y:?} {z:?}")?;
+        }
+        write!(out, "l")?;
+        for number in (1..=line.len()).rev() {
+            write!(out, " -{number}")?;
+        }
+        writeln!(out)?;
+    }
+    for [x, y, z] in &mesh.points {
+        writeln!(out, "v {x:?} {y:?} {z:?}\np -1")?;
     }
     Ok(())
 }
@@ -184,6 +199,32 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
         }
         .into(),
     );
+    if mesh.inward > 0 {
+        let pieces = counted(
+            mesh.inward,
+            "piece inside others points",
+            "pieces inside others point",
+        );
+        lines.push(format!("{pieces} inward"));
+    }
+    if !mesh.curves.is_empty() || !mesh.points.is_empty() {
+        let curves = counted(mesh.curves.len(), "curve", "curves");
+        let points = counted(mesh.points.len(), "point", "points");
+        let place = match (mesh.curves.len(), mesh.points.len()) {
+            (0, _) => format!("at {points}"),
+            (_, 0) => format!("along {curves}"),
+            _ => format!("along {curves} and at {points}"),
+        };
+        lines.push(format!(
+            "the surface is singular {place}, which an OBJ file holds as lines and points; triangles may have gaps there"
+        ));
+    }
+    if mesh.may_be_singular {
+        lines.push(
+            "the surface may have more singular points: isolated points, and curves at which no sheet ends, are not in the mesh"
+                .into(),
+        );
+    }
     let [all, open] = mesh.cells;
     if open > 0 {
         lines.push(format!(

@@ -62,7 +62,7 @@ pub struct SurfaceBox {
 }
 
 /// A box with a margin around a surface: around its certified points in many directions from the origin, except for points that
-/// are much farther away than most, and around everything that is proved to be a place of it. `None` if there are no points.
+/// are much farther away than most, and around everything that is proved to be a place of it. `None` if it is proved that there are no points.
 ///
 /// For every factor over Q, a bounded surface is enclosed if its leading form, for suitable weights of the variables, has no zero;
 /// else the bounded pieces of the surface are enclosed by the critical values of the coordinates, if these are finitely many and
@@ -96,6 +96,7 @@ pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<
         (Some(seen), Some(place)) => Some(joined(seen, place)),
         // Of a cone, rays from its apex see nothing.
         (None, Some(place)) => Some(joined(place, NOTHING_SEEN)),
+        (None, None) if held != Held::Whole => Some(NOTHING_SEEN),
         (seen, None) => seen,
     };
     Ok(bounds.map(|bounds| SurfaceBox {

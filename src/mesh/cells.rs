@@ -27,6 +27,14 @@ pub(super) struct Cell {
 /// coordinates.
 const OFFSETS: [f64; 3] = [0.387, 0.206, 0.604];
 
+/// A cell may be divided this often before it counts as one with a singular point.
+const PARTS_OF_A_CELL: usize = 600;
+
+/// The largest size of a coordinate.
+fn largest(p: [f64; 3]) -> f64 {
+    p.iter().fold(0.0, |l: f64, x| l.max(x.abs()))
+}
+
 impl Grid {
     /// The grid that covers a box, with `resolution` cells along its longest side and one more cell on every side.
     pub(super) fn covering(bounds: &[[f64; 2]; 3], resolution: u32) -> Self {
@@ -74,6 +82,71 @@ impl Grid {
         let mut cells: Vec<Cell> = found.collect::<Result<Vec<_>>>()?.concat();
         cells.sort_by_key(|cell| cell.index);
         Ok(cells)
+    }
+
+    /// The grid with each cell divided into this many along each axis.
+    pub(super) fn divided(&self, parts: u32) -> Self {
+        Self {
+            origin: self.origin,
+            side: self.side / f64::from(parts),
+            counts: self.counts.map(|count| count * parts),
+        }
+    }
+
+    /// The cells of this grid, which are not proved to be empty, in cells of the grid whose division into `parts` it is.
+    pub(super) fn cells_within(
+        &self,
+        field: &Field,
+        coarse: &[Cell],
+        parts: u32,
+        limits: &Limits,
+    ) -> Result<Vec<Cell>> {
+        let within = coarse.into_par_iter().map(|cell| -> Result<Vec<Cell>> {
+            let mut cells = Vec::new();
+            let first = cell.index.map(|k| k * parts);
+            self.visit(field, first, parts, limits, &mut cells)?;
+            Ok(cells)
+        });
+        Ok(within.collect::<Result<Vec<_>>>()?.concat())
+    }
+
+    /// Whether it is proved that no cell has a singular point: each is divided into parts that are empty, or in which a component of
+    /// the gradient is not 0. The result is `false` as soon as a cell is not resolved by little work.
+    pub(super) fn is_smooth(&self, field: &Field, cells: &[Cell], limits: &Limits) -> Result<bool> {
+        for cell in cells.iter().filter(|cell| !cell.is_regular) {
+            limits.check()?;
+            let half = self.side / 2.0;
+            let middle = self.point(cell.index).map(|x| x + half);
+            let mut parts = vec![(middle, half.next_up())];
+            let mut examined = 0;
+            while let Some((middle, half)) = parts.pop() {
+                let bounds = field.on_box(middle, [half; 3]);
+                if bounds.is_empty() || (0..3).any(|axis| bounds.slope(axis).sign().is_some()) {
+                    continue;
+                }
+                examined += 1;
+                if examined > PARTS_OF_A_CELL {
+                    return Ok(false);
+                }
+                let quarter = half / 2.0;
+                parts.extend((0..8u8).map(|bits| {
+                    let part = std::array::from_fn(|i| {
+                        let step = if bits >> i & 1 == 1 {
+                            quarter
+                        } else {
+                            -quarter
+                        };
+                        middle[i] + step
+                    });
+                    // The middles are rounded.
+                    (
+                        part,
+                        quarter * (1.0 + 8.0 * f64::EPSILON) + 4.0 * f64::EPSILON * largest(part),
+                    )
+                }));
+            }
+        }
+        Ok(true)
     }
 
     fn visit(

@@ -34,6 +34,8 @@ const LARGEST_RADIUS: i32 = 48;
 const FIT: f64 = 1.0 / 64.0;
 /// A zero set that is smaller than this part of the first box is not enclosed more tightly.
 const TINY: f64 = 1e-9;
+/// Half the side of the box around a single point.
+const AROUND_A_POINT: f64 = 1.0;
 /// The largest sum of weights times exponents. Weights of forms that occur are far smaller.
 const LARGEST_WEIGHT: u32 = 240;
 
@@ -204,7 +206,12 @@ fn tightened(field: &Field, first: Bounds, limits: &Limits) -> Result<Extent> {
         };
         let (wide, narrow): (Vec<Bounds>, Vec<Bounds>) = parts.into_iter().partition(is_wide);
         examined += 2 * wide.len();
-        if wide.is_empty() || examined > parts_for(field) || longest(&around) <= least {
+        if longest(&around) <= least {
+            // It is a point, or hardly more.
+            let grown = around.map(|[a, b]| [a - AROUND_A_POINT, b + AROUND_A_POINT]);
+            return Ok(Extent::Within(grown));
+        }
+        if wide.is_empty() || examined > parts_for(field) {
             return Ok(Extent::Within(around));
         }
         parts = narrow;

@@ -7,6 +7,7 @@ mod critical;
 mod extent;
 mod radial;
 mod refine;
+mod solid;
 mod tetrahedra;
 mod topology;
 mod triangles;

@@ -1,7 +1,7 @@
 //! Meshes of implicit surfaces by marching tetrahedra.
 
 use super::bounds::Held;
-use super::cells::Grid;
+use super::cells::{Cell, Grid};
 use super::{collapse, refine, tetrahedra};
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
@@ -29,6 +29,9 @@ options! {
         resolution: u32 = 64,
         /// Edges are split if the normals at their ends differ by more than this angle, in degrees.
         angle: f64 = 20.0,
+        /// Cells that are not proved to hold a single smooth sheet are divided into this many along each axis, a power of two. If
+        /// it is not 1, the mesh has cracks around these cells, which are small compared with a cell.
+        fine: u32 = 1,
     }
 }
 
@@ -54,6 +57,15 @@ pub struct Mesh {
     pub cells: [usize; 2],
     /// What is known about the parts of the surface outside of the box.
     pub held: Held,
+    /// Whether the surface may have singular points in the box. Triangles do not show what it has only there: isolated points, and
+    /// curves at which no sheets end.
+    pub may_be_singular: bool,
+    /// Curves of singular points that were found, as polylines.
+    pub curves: Vec<Vec<[f64; 3]>>,
+    /// Single singular points that were found.
+    pub points: Vec<[f64; 3]>,
+    /// The number of closed pieces that point inward, as the boundary of a solid does where it has a hollow.
+    pub inward: usize,
 }
 
 /// Meshes the zero set of a polynomial in a box.
@@ -136,14 +148,15 @@ fn add_factor(
         progress(done * 500 / 512);
     })?;
     if cells.len() > MAX_MESH_CELLS {
-        return Err(Error::limit(format!(
-            "{MAX_MESH_CELLS} cells with a part of the surface; a coarser --resolution or a smaller --window needs fewer"
-        )));
+        return Err(too_many_cells());
     }
     mesh.cells[0] += cells.len();
     mesh.cells[1] += cells.iter().filter(|cell| !cell.is_regular).count();
-    let (mut vertices, mut triangles) = tetrahedra::triangles(field, grid, &cells);
-    collapse::collapse(&mut vertices, &mut triangles, COLLAPSED * grid.side);
+    mesh.may_be_singular |= !grid.is_smooth(field, &cells, limits)?;
+    let (cells, open): (Vec<Cell>, Vec<Cell>) = cells
+        .into_iter()
+        .partition(|cell| cell.is_regular || options.fine <= 1);
+    let (mut vertices, mut triangles) = marched(field, grid, &cells);
     progress(750);
     let cosine = options.angle.to_radians().cos();
     for round in 0..ROUNDS as u64 {
@@ -153,6 +166,17 @@ fn add_factor(
             break;
         }
         progress(750 + 60 * (round + 1));
+    }
+    if !open.is_empty() {
+        let fine = grid.divided(options.fine);
+        let parts = fine.cells_within(field, &open, options.fine, limits)?;
+        if parts.len() > MAX_MESH_CELLS {
+            return Err(too_many_cells());
+        }
+        let (more, others) = marched(field, &fine, &parts);
+        let first = u32::try_from(vertices.len()).map_err(|_| Error::limit("2^32 vertices"))?;
+        vertices.extend(more);
+        triangles.extend(others.into_iter().map(|t| t.map(|v| v + first)));
     }
     let is_countable = u32::try_from(mesh.vertices.len() + vertices.len()).is_ok();
     let first = u32::try_from(mesh.vertices.len()).ok();
@@ -167,6 +191,19 @@ fn add_factor(
     let moved = triangles.into_iter().map(|t| t.map(|v| v + first));
     mesh.triangles.extend(moved);
     Ok(())
+}
+
+fn too_many_cells() -> Error {
+    Error::limit(format!(
+        "{MAX_MESH_CELLS} cells with a part of the surface; a coarser --resolution or a smaller --window needs fewer"
+    ))
+}
+
+/// The vertices and triangles in cells of a grid, without slivers.
+fn marched(field: &Field, grid: &Grid, cells: &[Cell]) -> (Vec<Crossing>, Vec<[u32; 3]>) {
+    let (mut vertices, mut triangles) = tetrahedra::triangles(field, grid, cells);
+    collapse::collapse(&mut vertices, &mut triangles, COLLAPSED * grid.side);
+    (vertices, triangles)
 }
 
 impl Mesh {

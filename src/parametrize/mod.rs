@@ -15,6 +15,7 @@ mod ranges;
 mod rational;
 mod same_angle;
 mod series_error;
+mod singular;
 mod superquadric;
 mod surface;
 mod traced;
@@ -39,6 +40,7 @@ pub use rational::{
     Cover, FactorRationality, Place, RationalCurve, Rationality, rational_parametrization,
 };
 pub(crate) use series_error::rounded_up;
+pub use singular::{SingularLocus, singular_locus};
 pub use superquadric::{parametrize_space_superquadric, parametrize_superquadric};
 pub use surface::{
     SurfaceBranch, SurfaceFactor, SurfaceMethod, SurfaceParametrization, parametrize_surface,

@@ -2,6 +2,7 @@
 
 use super::equation::{check_surface, cylinder, through_equation};
 use super::fit::exact_form;
+use super::singular::singular_parts;
 use super::{Bounds, Given, Work};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
@@ -24,6 +25,11 @@ options! {
         resolution: u32 = 64,
         /// Edges are split where the surface bends by more than this, in degrees from 1 to 180.
         angle: f64 = 20.0,
+        /// Whether pieces inside others are turned inward, so that the mesh is the boundary of the solid between them.
+        solid: bool = false,
+        /// Cells along singular curves are divided into this many along each axis, a power of two. Then the mesh has cracks around
+        /// these cells.
+        fine: u32 = 1,
     }
 }
 
@@ -58,7 +64,7 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
         }
         return of_harmonics(surface, options.resolution, work);
     }
-    let mesh = match through_equation(fitted.form, work)? {
+    let mut mesh = match through_equation(fitted.form, work)? {
         Form::Surface(surface) => of_surface(&surface, options, work)?,
         Form::Curve(curve) => of_surface(&cylinder(&curve), options, work)?,
         Form::SpaceSuperquadric(shape) => of_superquadric(&shape, options.resolution, work)?,
@@ -74,8 +80,23 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
             Some(_) => " in the window",
             None => "",
         };
+        let what = match (mesh.curves.is_empty(), mesh.points.is_empty()) {
+            (true, true) if mesh.has_proved_topology() => {
+                "it is proved that the surface has no real point"
+            }
+            (true, true) => "no part of the surface was found",
+            (false, _) => {
+                "there are only curves of the surface, which have no triangles; plot draws them"
+            }
+            (true, false) => {
+                "there are only single points of the surface, which have no triangles; plot draws them"
+            }
+        };
+        return Err(Error::Usage(format!("{name}: {what}{place}")));
+    }
+    if options.solid && !mesh.turn_as_solid() {
         return Err(Error::Usage(format!(
-            "{name}: no part of the surface was found{place}"
+            "--solid: the mesh of {name} is not closed, so it is not the boundary of a solid"
         )));
     }
     Ok(mesh)
@@ -97,31 +118,40 @@ pub(super) fn of_surface(
                 found.seems_bounded && found.held != Held::Whole,
                 found.held,
             ),
-            None => ([[-1.5, 1.5]; 3], false, Held::Unproved),
+            // There is no real point, so any box will do.
+            None => ([[-1.5, 1.5]; 3], false, Held::Whole),
         },
     };
     work.stage("mesh", || {
         let progress = work.progress("mesh", 1000);
-        let once = |bounds| {
+        let with = |bounds, fine| -> Result<Mesh> {
             let options = MeshOptions::new(bounds)
                 .resolution(options.resolution)
-                .angle(options.angle);
+                .angle(options.angle)
+                .fine(fine);
             let mut mesh =
                 mesh_surface(surface, &options, work.bounds(), &|done| progress.set(done))?;
             mesh.held = held;
             Ok(mesh)
         };
+        let once = |bounds| with(bounds, 1);
+        let mut mesh = once(bounds)?;
         for _ in 0..GROWTHS {
-            let mesh = once(bounds)?;
             if !may_grow || mesh.topology().boundary_edges == 0 {
-                return Ok(mesh);
+                break;
             }
             bounds = bounds.map(|[a, b]| {
                 let (middle, half) = (f64::midpoint(a, b), GROWTH * (b - a) / 2.0);
                 [middle - half, middle + half]
             });
+            mesh = once(bounds)?;
         }
-        once(bounds)
+        let found = singular_parts(&mesh, surface, &bounds, work)?;
+        if options.fine > 1 && !found.curves.is_empty() {
+            mesh = with(bounds, options.fine)?;
+        }
+        found.add_to(&mut mesh);
+        Ok(mesh)
     })
 }
 

@@ -57,6 +57,7 @@ mod point_layout;
 mod remark;
 mod rows;
 mod sample;
+mod singular;
 mod source;
 mod work;
 

@@ -22,6 +22,11 @@ const PATCH_CELLS: u32 = 54;
 const SURFACE_CELLS: u32 = 36;
 const SURFACE_ANGLE: f64 = 30.0;
 
+/// Cells along a singular curve are divided into this many along each axis, and vertices within this many sides of a cell are moved
+/// to the curve.
+const FINE: u32 = 4;
+const SNAPPED: f64 = 0.5;
+
 /// Whether a form is drawn in space.
 pub(super) fn is_in_space(given: &Given) -> bool {
     matches!(
@@ -43,6 +48,7 @@ pub(super) fn for_pictures(window: Option<Bounds>, cells: Option<u32>) -> Meshin
         .window(window)
         .resolution(cells.unwrap_or(SURFACE_CELLS))
         .angle(SURFACE_ANGLE)
+        .fine(FINE)
 }
 
 /// The scene of several forms, as SVG.
@@ -68,7 +74,11 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
             Drawn::Layer(layer, _) => layers.push(layer),
             Drawn::Surface(label, surface) => {
                 let mesh = of_surface(&surface, &for_pictures(shown, options.cells), work)?;
-                shown = shown.or_else(|| box_around(mesh.vertices.iter()));
+                if mesh.may_be_singular {
+                    work.remark(Remark::MayBeSingular);
+                }
+                let all = mesh.vertices.iter().chain(mesh.curves.iter().flatten());
+                shown = shown.or_else(|| box_around(all.chain(&mesh.points)));
                 layers.push(SpaceLayer {
                     label,
                     ..mesh_layer(&mesh)
@@ -103,14 +113,24 @@ enum Drawn {
     Surface(String, ImplicitSurface),
 }
 
-/// The triangles of a mesh.
+/// The triangles of a mesh, with the singular curves and points of the surface. Vertices near such a curve are moved to it: there
+/// sheets meet at an angle that the cells are too coarse for.
 pub(super) fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
     let mut layer = SpaceLayer {
-        closed: mesh.topology().is_watertight(),
+        closed: mesh.topology().is_watertight() && mesh.curves.is_empty(),
+        lines: mesh.curves.clone(),
+        points: mesh.points.clone(),
         ..SpaceLayer::default()
     };
+    let vertices: Vec<[f64; 3]> = {
+        let snapped = mesh.vertices.iter();
+        let reach = SNAPPED * mesh.cell;
+        snapped
+            .map(|v| near_curve(*v, &mesh.curves, reach))
+            .collect()
+    };
     for triangle in &mesh.triangles {
-        let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        let corners = triangle.map(|v| vertices[v as usize]);
         let normals = triangle.map(|v| mesh.normals[v as usize]);
         layer.facets.push(corners.to_vec());
         layer
@@ -118,6 +138,23 @@ pub(super) fn mesh_layer(mesh: &Mesh) -> SpaceLayer {
             .push([0, 1, 2].map(|i| normals.iter().map(|n| n[i]).sum()));
     }
     layer
+}
+
+/// The nearest point of polylines, if it is within reach, or else the point itself.
+fn near_curve(p: [f64; 3], curves: &[Vec<[f64; 3]>], reach: f64) -> [f64; 3] {
+    let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
+    let dot = |a: [f64; 3], b: [f64; 3]| -> f64 { (0..3).map(|i| a[i] * b[i]).sum() };
+    let (mut best, mut least) = (p, reach * reach);
+    for pair in curves.iter().flat_map(|line| line.windows(2)) {
+        let (step, from) = (minus(pair[1], pair[0]), minus(p, pair[0]));
+        let t = (dot(step, from) / dot(step, step)).clamp(0.0, 1.0);
+        let foot = [0, 1, 2].map(|i| pair[0][i] + t * step[i]);
+        let off = minus(p, foot);
+        if dot(off, off) < least {
+            (best, least) = (foot, dot(off, off));
+        }
+    }
+    best
 }
 
 /// The box around both boxes.

@@ -5,6 +5,7 @@ mod common;
 
 mod arcs;
 mod mesh;
+mod singular;
 mod superquadric;
 mod superquadric_space;
 mod surfaces;

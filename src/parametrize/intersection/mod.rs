@@ -9,6 +9,7 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
 use search::Search;
+pub(super) use search::passes;
 
 use super::fourier::fourier_branches;
 use super::rational::{RationalCurve, Rationality, rational_parametrization};

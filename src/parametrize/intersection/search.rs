@@ -202,7 +202,7 @@ impl Search<'_> {
 }
 
 /// Whether a curve passes through a point, for a parameter or at infinity.
-fn passes(curve: &SpaceCurve, point: &[Rational; 3]) -> bool {
+pub(crate) fn passes(curve: &SpaceCurve, point: &[Rational; 3]) -> bool {
     if curve.point_at_infinity().as_ref() == Some(point) {
         return true;
     }

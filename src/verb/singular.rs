@@ -1,0 +1,135 @@
+//! The singular curves and points of a surface in a box, for meshes and pictures.
+
+use super::{Bounds, Work};
+use crate::error::Result;
+use crate::factor::factor_space;
+use crate::mesh::Mesh;
+use crate::parametrize::{CommonPoint, singular_locus};
+use crate::shape::{ImplicitSurface, SpaceCurve};
+
+/// The number of parameters at which a curve is evaluated first.
+const SAMPLES: u32 = 360;
+/// Pieces longer than this part of the diagonal of the box are halved, at most so often.
+const PIECE: f64 = 0.01;
+const HALVINGS: u32 = 12;
+
+/// The singular curves and points of a surface in a box.
+#[derive(Default)]
+pub(super) struct SingularParts {
+    pub(super) curves: Vec<Vec<[f64; 3]>>,
+    points: Vec<[f64; 3]>,
+    /// Whether there may be more.
+    may_be_more: bool,
+}
+
+impl SingularParts {
+    pub(super) fn add_to(self, mesh: &mut Mesh) {
+        mesh.curves = self.curves;
+        mesh.points = self.points;
+        mesh.may_be_singular = self.may_be_more;
+    }
+}
+
+/// The singular curves and points of a surface in a box, if its mesh says that there may be some.
+pub(super) fn singular_parts(
+    mesh: &Mesh,
+    surface: &ImplicitSurface,
+    bounds: &Bounds,
+    work: &Work,
+) -> Result<SingularParts> {
+    let mut parts = SingularParts::default();
+    if !mesh.may_be_singular {
+        return Ok(parts);
+    }
+    for factor in factor_space(surface.polynomial(), work.bounds())?.factors {
+        let found = singular_locus(&factor.polynomial, work.bounds())?;
+        parts.may_be_more |= !found.complete;
+        for curve in &found.curves {
+            parts.curves.extend(in_box(curve, bounds));
+        }
+        let points = found.points.iter().map(CommonPoint::near);
+        parts.points.extend(points.filter(|p| is_inside(p, bounds)));
+    }
+    Ok(parts)
+}
+
+fn is_inside(p: &[f64; 3], bounds: &Bounds) -> bool {
+    p.iter().zip(bounds).all(|(x, [a, b])| a <= x && x <= b)
+}
+
+/// A parameter a/b with a point of the curve.
+type Sample = ([f64; 2], [f64; 3]);
+
+/// The parts of a curve in a box, as polylines with short pieces.
+fn in_box(curve: &SpaceCurve, bounds: &Bounds) -> Vec<Vec<[f64; 3]>> {
+    let diagonal = bounds
+        .iter()
+        .map(|[a, b]| (b - a).powi(2))
+        .sum::<f64>()
+        .sqrt();
+    let in_doubles = curve.in_doubles();
+    let sample = |ratio: [f64; 2]| -> Sample { (ratio, in_doubles.at(ratio)) };
+    let first: Vec<Sample> = (0..=SAMPLES)
+        .map(|k| {
+            let half_angle = std::f64::consts::PI * (f64::from(k) / f64::from(SAMPLES) - 0.5);
+            sample([half_angle.sin(), half_angle.cos()])
+        })
+        .collect();
+    let is_shown = |(_, p): &Sample| is_inside(p, bounds);
+    let mut lines: Vec<Vec<[f64; 3]>> = Vec::new();
+    let mut line: Vec<[f64; 3]> = Vec::new();
+    for pair in first.windows(2) {
+        let mut left = vec![(pair[0], pair[1], 0)];
+        while let Some((a, b, halvings)) = left.pop() {
+            let length = crate::intervals::distance(a.1, b.1);
+            let is_short = length <= PIECE * diagonal;
+            if !is_short && halvings < HALVINGS {
+                let middle = sample([a.0[0] + b.0[0], a.0[1] + b.0[1]]);
+                left.push((middle, b, halvings + 1));
+                left.push((a, middle, halvings + 1));
+                continue;
+            }
+            if is_short && is_shown(&a) && is_shown(&b) {
+                if line.is_empty() {
+                    line.push(a.1);
+                }
+                line.push(b.1);
+            } else if !line.is_empty() {
+                lines.push(std::mem::take(&mut line));
+            }
+        }
+    }
+    if !line.is_empty() {
+        lines.push(line);
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_and_a_circle_are_whole_in_a_box() {
+        let curve = |text: &str| -> SpaceCurve {
+            match crate::language::parse_form(text, "a test", crate::language::Numbers::Exact) {
+                Ok(crate::shape::Form::SpaceCurve(curve)) => curve,
+                other => panic!("{other:?}"),
+            }
+        };
+        let bounds = [[-50.0, 50.0]; 3];
+        for (text, length) in [
+            ("x = 0; y = 0; z = t", 100.0),
+            ("x = cos(t); y = sin(t); z = 1", 2.0 * std::f64::consts::PI),
+            ("x = t; y = t^2; z = 0", 101.4),
+        ] {
+            let lines = in_box(&curve(text), &bounds);
+            assert_eq!(lines.len(), 1, "{text}");
+            let found: f64 = lines[0]
+                .windows(2)
+                .map(|pair| crate::intervals::distance(pair[0], pair[1]))
+                .sum();
+            assert!((found - length).abs() < 0.03 * length, "{text}: {found}");
+        }
+    }
+}
