@@ -27,8 +27,11 @@ pub(super) struct Cell {
 /// coordinates.
 const OFFSETS: [f64; 3] = [0.387, 0.206, 0.604];
 
-/// A cell may be divided this often before it counts as one with a singular point.
+/// A cell may be divided this often before it counts as one with a singular point, and all cells together this often, if the
+/// expansion of the polynomial takes little work.
 const PARTS_OF_A_CELL: usize = 600;
+const PARTS_OF_ALL: usize = 100_000;
+const LITTLE_WORK: usize = 600;
 
 /// The largest size of a coordinate.
 fn largest(p: [f64; 3]) -> f64 {
@@ -113,6 +116,7 @@ impl Grid {
     /// Whether it is proved that no cell has a singular point: each is divided into parts that are empty, or in which a component of
     /// the gradient is not 0. The result is `false` as soon as a cell is not resolved by little work.
     pub(super) fn is_smooth(&self, field: &Field, cells: &[Cell], limits: &Limits) -> Result<bool> {
+        let mut left = PARTS_OF_ALL * LITTLE_WORK / field.work().max(LITTLE_WORK);
         for cell in cells.iter().filter(|cell| !cell.is_regular) {
             limits.check()?;
             let half = self.side / 2.0;
@@ -125,7 +129,7 @@ impl Grid {
                     continue;
                 }
                 examined += 1;
-                if examined > PARTS_OF_A_CELL {
+                if examined > PARTS_OF_A_CELL.min(left) {
                     return Ok(false);
                 }
                 let quarter = half / 2.0;
@@ -138,13 +142,14 @@ impl Grid {
                         };
                         middle[i] + step
                     });
-                    // The middles are rounded.
+                    // The middles are rounded, so the half sides are enlarged.
                     (
                         part,
                         quarter * (1.0 + 8.0 * f64::EPSILON) + 4.0 * f64::EPSILON * largest(part),
                     )
                 }));
             }
+            left -= examined;
         }
         Ok(true)
     }

@@ -12,6 +12,9 @@ use crate::roots::{RealRoot, real_roots};
 
 /// The largest number of operations of one elimination; that many take some tenths of a second.
 const MAX_WORK: f64 = 2e8;
+/// Larger surfaces are not examined.
+const MAX_SURFACE_DEGREE: u64 = 12;
+const MAX_TERMS: usize = 200;
 /// The largest degree of an eliminant whose roots are isolated.
 const MAX_DEGREE: u64 = 400;
 
@@ -36,6 +39,9 @@ pub(super) enum Pieces {
 /// # Errors
 /// Those of `limits`.
 pub(super) fn bounded_pieces(f: &SparsePolynomial<3>, limits: &Limits) -> Result<Option<Pieces>> {
+    if f.degree() > Some(MAX_SURFACE_DEGREE) || f.len() > MAX_TERMS {
+        return Ok(None);
+    }
     let mut bounds = [[0.0; 2]; 3];
     for (axis, side) in bounds.iter_mut().enumerate() {
         limits.check()?;

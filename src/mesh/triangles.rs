@@ -14,6 +14,8 @@ use crate::shape::ImplicitSurface;
 pub const MAX_MESH_CELLS: usize = 4_000_000;
 /// Edges shorter than this part of a cell are collapsed.
 const COLLAPSED: f64 = 0.35;
+/// The same for the triangles in divided cells, as a part of the cell that was divided.
+const COLLAPSED_FINE: f64 = 0.5;
 /// The largest number of rounds in which edges are split.
 const ROUNDS: usize = 4;
 /// Edges shorter than this part of a cell are not split.
@@ -173,7 +175,9 @@ fn add_factor(
         if parts.len() > MAX_MESH_CELLS {
             return Err(too_many_cells());
         }
-        let (more, others) = marched(field, &fine, &parts);
+        let (mut more, mut others) = tetrahedra::triangles(field, &fine, &parts);
+        // Where the small cells were not needed, the triangles become as large as the others.
+        collapse::collapse(&mut more, &mut others, COLLAPSED_FINE * grid.side);
         let first = u32::try_from(vertices.len()).map_err(|_| Error::limit("2^32 vertices"))?;
         vertices.extend(more);
         triangles.extend(others.into_iter().map(|t| t.map(|v| v + first)));

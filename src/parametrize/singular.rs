@@ -12,6 +12,9 @@ use crate::shape::{ImplicitSurface, SpaceCurve};
 
 /// Two surfaces are intersected only if the product of their degrees is at most this.
 const MAX_DEGREES: u64 = 16;
+/// Larger surfaces are not examined.
+const MAX_SURFACE_DEGREE: u64 = 12;
+const MAX_TERMS: usize = 200;
 
 /// The real singular points of a surface.
 #[derive(Clone, Debug, Default)]
@@ -48,6 +51,9 @@ pub struct SingularLocus {
 /// # Errors
 /// Those of `limits` and of [`factor_space`].
 pub fn singular_locus(f: &SparsePolynomial<3>, limits: &Limits) -> Result<SingularLocus> {
+    if f.degree() > Some(MAX_SURFACE_DEGREE) || f.len() > MAX_TERMS {
+        return Ok(SingularLocus::default());
+    }
     let slopes = (0..3).map(|v| f.derivative(v));
     let mut conditions: Vec<_> = slopes.filter(|slope| !slope.is_empty()).collect();
     conditions.push(f.clone());

@@ -77,6 +77,9 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
                 if mesh.may_be_singular {
                     work.remark(Remark::MayBeSingular);
                 }
+                if !mesh.curves.is_empty() {
+                    work.remark(Remark::SheetsNearCurves(SNAPPED * mesh.cell));
+                }
                 let all = mesh.vertices.iter().chain(mesh.curves.iter().flatten());
                 shown = shown.or_else(|| box_around(all.chain(&mesh.points)));
                 layers.push(SpaceLayer {

@@ -84,6 +84,8 @@ pub enum Remark {
     NotDrawn(String),
     /// It is not proved that all bounded pieces of a surface are in the box of a picture.
     PiecesMayBeOutside,
+    /// Sheets that are nearer to each other than this may have gaps beside a singular curve.
+    SheetsNearCurves(f64),
     /// A surface may have singular points that were not found.
     MayBeSingular,
     /// Points that doubles do not decide are left undecided, because a factor has too many monomials.
