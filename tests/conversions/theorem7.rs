@@ -66,7 +66,7 @@ fn known_curves() {
         ("x*z = y; y*z = x^2", &["0, 0, t", "t^2, t^3, t"]),
         (
             "(x-1)*z = y-1/2; (y-1/2)*z = (x-1)^2",
-            &["1, 1/2, t", "t^2+1, t^3+1/2, t"],
+            &["1, 1/2, t", "t^2 + 1, t^3 + 1/2, t"],
         ),
         // A real component beside a complex one over the same projection
         ("x^2+y^2 = 1+0z; z^3+z = x^2+y^2-1", &["cos(t), sin(t), 0"]),

@@ -30,6 +30,7 @@ use tempfile::TempDir;
 /// The options without a value.
 const FLAGS: [&str; 7] = [
     "positive",
+    "solid",
     "quiet",
     "self",
     "repair",
@@ -243,9 +244,12 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             if let Some(resolution) = words.number("resolution") {
                 options = options.resolution(resolution);
             }
+            options = options.solid(words.one("solid").is_some());
             let mesh = verb::mesh(first(), &options, &work).unwrap();
             let comment = format!("stellate: {}", first().short_name());
-            write_mesh(&mesh, &comment, MeshFormat::Ply, &mut out).unwrap();
+            let extension = words.one("o").unwrap().rsplit('.').next().unwrap();
+            let format = MeshFormat::of_extension(extension).unwrap();
+            write_mesh(&mesh, &comment, format, &mut out).unwrap();
         }
         "plot" => {
             let frame = |b: [f64; 6]| Frame::Space([[b[0], b[1]], [b[2], b[3]], [b[4], b[5]]]);
