@@ -215,8 +215,12 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
             (_, 0) => format!("along {curves}"),
             _ => format!("along {curves} and at {points}"),
         };
+        let gaps = match mesh.has_crossings {
+            true => "; sheets cross there, and triangles may have gaps",
+            false => "",
+        };
         lines.push(format!(
-            "the surface is singular {place}, which an OBJ file holds as lines and points; triangles may have gaps there"
+            "the surface is singular {place}, which an OBJ file holds as lines and points{gaps}"
         ));
     }
     if mesh.may_be_singular {

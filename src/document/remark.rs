@@ -69,7 +69,7 @@ pub fn remark_text(remark: &Remark) -> String {
         ),
         Remark::NotDrawn(reason) => format!("a component of the curve is not drawn: {reason}"),
         Remark::SheetsNearCurves(distance) => format!(
-            "the curves along which the surface is singular are drawn as lines; beside them sheets that are nearer to each other than {distance:.1e} may have gaps"
+            "sheets cross along curves, which are drawn as lines; beside them sheets that are nearer to each other than {distance:.1e} may have gaps"
         ),
         Remark::MayBeSingular => "the surface may have singular points that were not found: isolated points, and curves at which no sheet ends, are not drawn".into(),
         Remark::PiecesMayBeOutside => "a piece of the surface may be outside of the picture".into(),

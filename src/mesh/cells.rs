@@ -87,6 +87,14 @@ impl Grid {
         Ok(cells)
     }
 
+    /// Whether a cell is beside one of the points: whether its middle is nearer than one and a half cells along every axis.
+    pub(super) fn is_beside(&self, cell: &Cell, points: &[[f64; 3]]) -> bool {
+        let middle = self.point(cell.index).map(|x| x + self.side / 2.0);
+        let reach = 1.5 * self.side;
+        let is_near = |p: &[f64; 3]| p.iter().zip(middle).all(|(x, m)| (x - m).abs() < reach);
+        points.iter().any(is_near)
+    }
+
     /// The grid with each cell divided into this many along each axis.
     pub(super) fn divided(&self, parts: u32) -> Self {
         Self {

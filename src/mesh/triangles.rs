@@ -14,8 +14,6 @@ use crate::shape::ImplicitSurface;
 pub const MAX_MESH_CELLS: usize = 4_000_000;
 /// Edges shorter than this part of a cell are collapsed.
 const COLLAPSED: f64 = 0.35;
-/// The same for the triangles in divided cells, as a part of the cell that was divided.
-const COLLAPSED_FINE: f64 = 0.5;
 /// The largest number of rounds in which edges are split.
 const ROUNDS: usize = 4;
 /// Edges shorter than this part of a cell are not split.
@@ -31,9 +29,11 @@ options! {
         resolution: u32 = 64,
         /// Edges are split if the normals at their ends differ by more than this angle, in degrees.
         angle: f64 = 20.0,
-        /// Cells that are not proved to hold a single smooth sheet are divided into this many along each axis, a power of two. If
-        /// it is not 1, the mesh has cracks around these cells, which are small compared with a cell.
-        fine: u32 = 1,
+        /// The points beside which cells that are not proved to hold a single smooth sheet are divided. Around these cells the mesh
+        /// has cracks, which are small compared with a cell.
+        near: Vec<[f64; 3]> = Vec::new(),
+        /// How many parts such cells have along each axis: a power of two.
+        fine: u32 = 4,
     }
 }
 
@@ -62,9 +62,11 @@ pub struct Mesh {
     /// Whether the surface may have singular points in the box. Triangles do not show what it has only there: isolated points, and
     /// curves at which no sheets end.
     pub may_be_singular: bool,
-    /// Curves of singular points that were found, as polylines.
+    /// Curves of singular points that were found, as polylines, without those along which one sheet runs.
     pub curves: Vec<Vec<[f64; 3]>>,
-    /// Single singular points that were found.
+    /// Whether sheets cross along these curves, so that triangles may have gaps beside them.
+    pub has_crossings: bool,
+    /// Isolated points that were found.
     pub points: Vec<[f64; 3]>,
     /// The number of closed pieces that point inward, as the boundary of a solid does where it has a hollow.
     pub inward: usize,
@@ -157,7 +159,7 @@ fn add_factor(
     mesh.may_be_singular |= !grid.is_smooth(field, &cells, limits)?;
     let (cells, open): (Vec<Cell>, Vec<Cell>) = cells
         .into_iter()
-        .partition(|cell| cell.is_regular || options.fine <= 1);
+        .partition(|cell| cell.is_regular || !grid.is_beside(cell, &options.near));
     let (mut vertices, mut triangles) = marched(field, grid, &cells);
     progress(750);
     let cosine = options.angle.to_radians().cos();
@@ -175,9 +177,7 @@ fn add_factor(
         if parts.len() > MAX_MESH_CELLS {
             return Err(too_many_cells());
         }
-        let (mut more, mut others) = tetrahedra::triangles(field, &fine, &parts);
-        // Where the small cells were not needed, the triangles become as large as the others.
-        collapse::collapse(&mut more, &mut others, COLLAPSED_FINE * grid.side);
+        let (more, others) = marched(field, &fine, &parts);
         let first = u32::try_from(vertices.len()).map_err(|_| Error::limit("2^32 vertices"))?;
         vertices.extend(more);
         triangles.extend(others.into_iter().map(|t| t.map(|v| v + first)));

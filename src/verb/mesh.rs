@@ -27,9 +27,9 @@ options! {
         angle: f64 = 20.0,
         /// Whether pieces inside others are turned inward, so that the mesh is the boundary of the solid between them.
         solid: bool = false,
-        /// Cells along singular curves are divided into this many along each axis, a power of two. Then the mesh has cracks around
-        /// these cells.
-        fine: u32 = 1,
+        /// Whether cells along curves in which sheets cross are divided, for pictures. Then the mesh has small cracks around these
+        /// cells.
+        fine: bool = false,
     }
 }
 
@@ -124,17 +124,17 @@ pub(super) fn of_surface(
     };
     work.stage("mesh", || {
         let progress = work.progress("mesh", 1000);
-        let with = |bounds, fine| -> Result<Mesh> {
+        let with = |bounds, near| -> Result<Mesh> {
             let options = MeshOptions::new(bounds)
                 .resolution(options.resolution)
                 .angle(options.angle)
-                .fine(fine);
+                .near(near);
             let mut mesh =
                 mesh_surface(surface, &options, work.bounds(), &|done| progress.set(done))?;
             mesh.held = held;
             Ok(mesh)
         };
-        let once = |bounds| with(bounds, 1);
+        let once = |bounds| with(bounds, Vec::new());
         let mut mesh = once(bounds)?;
         for _ in 0..GROWTHS {
             if !may_grow || mesh.topology().boundary_edges == 0 {
@@ -147,8 +147,8 @@ pub(super) fn of_surface(
             mesh = once(bounds)?;
         }
         let found = singular_parts(&mesh, surface, &bounds, work)?;
-        if options.fine > 1 && !found.curves.is_empty() {
-            mesh = with(bounds, options.fine)?;
+        if options.fine && !found.crossings.is_empty() {
+            mesh = with(bounds, found.crossings.clone())?;
         }
         found.add_to(&mut mesh);
         Ok(mesh)

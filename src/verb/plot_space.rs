@@ -22,9 +22,7 @@ const PATCH_CELLS: u32 = 54;
 const SURFACE_CELLS: u32 = 36;
 const SURFACE_ANGLE: f64 = 30.0;
 
-/// Cells along a singular curve are divided into this many along each axis, and vertices within this many sides of a cell are moved
-/// to the curve.
-const FINE: u32 = 4;
+/// Vertices are moved to a singular curve within this many sides of a cell.
 const SNAPPED: f64 = 0.5;
 
 /// Whether a form is drawn in space.
@@ -48,7 +46,7 @@ pub(super) fn for_pictures(window: Option<Bounds>, cells: Option<u32>) -> Meshin
         .window(window)
         .resolution(cells.unwrap_or(SURFACE_CELLS))
         .angle(SURFACE_ANGLE)
-        .fine(FINE)
+        .fine(true)
 }
 
 /// The scene of several forms, as SVG.
@@ -77,7 +75,7 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
                 if mesh.may_be_singular {
                     work.remark(Remark::MayBeSingular);
                 }
-                if !mesh.curves.is_empty() {
+                if mesh.has_crossings {
                     work.remark(Remark::SheetsNearCurves(SNAPPED * mesh.cell));
                 }
                 let all = mesh.vertices.iter().chain(mesh.curves.iter().flatten());

@@ -1,8 +1,11 @@
 //! The singular curves and points of a surface in a box, for meshes and pictures.
 
+use nalgebra::Vector3;
+
 use super::{Bounds, Work};
 use crate::error::Result;
 use crate::factor::factor_space;
+use crate::intervals::{Field, between, distance};
 use crate::mesh::Mesh;
 use crate::parametrize::{CommonPoint, singular_locus};
 use crate::shape::{ImplicitSurface, SpaceCurve};
@@ -13,18 +16,93 @@ const SAMPLES: u32 = 360;
 const PIECE: f64 = 0.01;
 const HALVINGS: u32 = 12;
 
-/// The singular curves and points of a surface in a box.
+/// The parts of circles and spheres, in sides of a cell, on which signs tell what a singular curve or point is.
+const RADIUS: f64 = 0.25;
+const ROUND: u32 = 24;
+
+/// What triangles do not show of a surface in a box, or not well.
 #[derive(Default)]
 pub(super) struct SingularParts {
-    pub(super) curves: Vec<Vec<[f64; 3]>>,
+    /// Singular curves without those parts along which one sheet runs.
+    curves: Vec<Vec<[f64; 3]>>,
+    /// Points of these curves at which sheets cross.
+    pub(super) crossings: Vec<[f64; 3]>,
+    /// Isolated points.
     points: Vec<[f64; 3]>,
     /// Whether there may be more.
     may_be_more: bool,
 }
 
+/// Directions in all parts of space.
+fn sphere() -> impl Iterator<Item = [f64; 3]> {
+    let steps = -2..=2i8;
+    let all = steps.clone().flat_map(move |i| {
+        let steps = steps.clone();
+        steps
+            .clone()
+            .flat_map(move |j| steps.clone().map(move |k| [i, j, k]))
+    });
+    let outer = all.filter(|d| d.iter().any(|x| x.abs() == 2));
+    outer.map(|d| {
+        let d = d.map(f64::from);
+        let length = distance(d, [0.0; 3]);
+        d.map(|x| x / length)
+    })
+}
+
+/// How often f changes its sign on a small circle around a point, across a direction.
+fn sign_changes(field: &Field, at: [f64; 3], along: [f64; 3], radius: f64) -> usize {
+    let along = Vector3::from(along);
+    let other = if along.x.abs() < 0.6 * along.norm() {
+        Vector3::x()
+    } else {
+        Vector3::y()
+    };
+    let first = along.cross(&other).normalize();
+    let second = along.cross(&first).normalize();
+    let signs: Vec<i8> = (0..ROUND)
+        .map(|k| {
+            // No direction of the circle is one of the axes, along which signs are often 0.
+            let angle = std::f64::consts::TAU * (f64::from(k) + 0.3) / f64::from(ROUND);
+            let step = radius * (angle.cos() * first + angle.sin() * second);
+            field.sign([at[0] + step.x, at[1] + step.y, at[2] + step.z])
+        })
+        .collect();
+    let next = signs.iter().cycle().skip(1);
+    signs.iter().zip(next).filter(|(a, b)| a != b).count()
+}
+
 impl SingularParts {
+    /// Adds those parts of a line along which the surface is not a single sheet: there f changes its sign twice on small circles
+    /// around the line.
+    fn add_line(&mut self, line: &[[f64; 3]], field: &Field, radius: f64) {
+        let mut part: Vec<[f64; 3]> = Vec::new();
+        for pair in line.windows(2) {
+            let middle = between(pair[0], pair[1], 0.5);
+            let along = [0, 1, 2].map(|i| pair[1][i] - pair[0][i]);
+            let changes = sign_changes(field, middle, along, radius);
+            if changes == 2 {
+                if !part.is_empty() {
+                    self.curves.push(std::mem::take(&mut part));
+                }
+                continue;
+            }
+            if changes > 2 {
+                self.crossings.push(middle);
+            }
+            if part.is_empty() {
+                part.push(pair[0]);
+            }
+            part.push(pair[1]);
+        }
+        if !part.is_empty() {
+            self.curves.push(part);
+        }
+    }
+
     pub(super) fn add_to(self, mesh: &mut Mesh) {
         mesh.curves = self.curves;
+        mesh.has_crossings = !self.crossings.is_empty();
         mesh.points = self.points;
         mesh.may_be_singular = self.may_be_more;
     }
@@ -44,11 +122,18 @@ pub(super) fn singular_parts(
     for factor in factor_space(surface.polynomial(), work.bounds())?.factors {
         let found = singular_locus(&factor.polynomial, work.bounds())?;
         parts.may_be_more |= !found.complete;
-        for curve in &found.curves {
-            parts.curves.extend(in_box(curve, bounds));
+        let field = Field::new(&factor.polynomial);
+        let radius = RADIUS * mesh.cell;
+        for line in found.curves.iter().flat_map(|curve| in_box(curve, bounds)) {
+            parts.add_line(&line, &field, radius);
         }
         let points = found.points.iter().map(CommonPoint::near);
-        parts.points.extend(points.filter(|p| is_inside(p, bounds)));
+        let is_isolated = |p: &[f64; 3]| {
+            let signs = sphere().map(|d| field.sign([0, 1, 2].map(|i| p[i] + radius * d[i])));
+            signs.collect::<std::collections::BTreeSet<i8>>().len() == 1
+        };
+        let shown = points.filter(|p| is_inside(p, bounds) && is_isolated(p));
+        parts.points.extend(shown);
     }
     Ok(parts)
 }
@@ -81,7 +166,7 @@ fn in_box(curve: &SpaceCurve, bounds: &Bounds) -> Vec<Vec<[f64; 3]>> {
     for pair in first.windows(2) {
         let mut left = vec![(pair[0], pair[1], 0)];
         while let Some((a, b, halvings)) = left.pop() {
-            let length = crate::intervals::distance(a.1, b.1);
+            let length = distance(a.1, b.1);
             let is_short = length <= PIECE * diagonal;
             if !is_short && halvings < HALVINGS {
                 let middle = sample([a.0[0] + b.0[0], a.0[1] + b.0[1]]);

@@ -28,7 +28,7 @@ use stellate::verb::{
 use tempfile::TempDir;
 
 /// The options without a value.
-const FLAGS: [&str; 7] = [
+const FLAGS: [&str; 8] = [
     "positive",
     "solid",
     "quiet",
