@@ -14,15 +14,18 @@
 
 mod arcs;
 mod boxes;
+mod cells;
 mod chart;
 mod criterion;
 mod curve;
 mod distance;
 mod exact;
+mod exact_foot;
 mod far;
 mod foot;
 mod gap;
 mod guess;
+mod harmonic;
 mod inspector;
 mod known;
 mod patch;
@@ -41,6 +44,7 @@ pub(crate) use criterion::MAX_SECTION_WORK;
 pub use curve::CurveInspector;
 pub(crate) use foot::stationary;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
+pub use harmonic::HarmonicInspector;
 pub use inspector::{InspectOptions, Inspector};
 pub(crate) use known::{PlanePoint, rounding};
 pub use patch::PatchInspector;

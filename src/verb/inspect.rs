@@ -8,15 +8,17 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
+    CircleSection, CurveInspector, HarmonicInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
     PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict, rounding,
 };
 use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::shape::{
-    Form, FourierRadius, ImplicitCurve, ImplicitSurface, Patch, PlaneCurve, SpaceCurve,
+    Form, FourierRadius, HarmonicPair, HarmonicSurface, ImplicitCurve, ImplicitSurface, Patch,
+    PlaneCurve, SpaceCurve,
 };
+use crate::sphere::{Positivity, positivity};
 use crate::witness::{InspectedForm, Proof};
 
 /// The default number of significant digits of distances.
@@ -58,6 +60,8 @@ pub enum Subject {
     SpaceCurve(SpaceCurve),
     /// A patch with its parameters, and the surface of its equation.
     Patch(Patch, ImplicitSurface),
+    /// The surface R(θ, φ).
+    Harmonic(HarmonicSurface),
 }
 
 /// The inspector that compares points with the form.
@@ -71,6 +75,8 @@ enum Against {
     Space(CurveInspector<3>),
     /// The inspector of a patch with its parameters.
     Patch(Box<PatchInspector>),
+    /// The inspector of a harmonic surface.
+    Harmonic(Box<HarmonicInspector>),
 }
 
 /// A form and a tolerance, ready to be compared with points.
@@ -141,6 +147,13 @@ pub fn inspect(
                 let inspector = PatchInspector::new(patch, surface, &asked, limits)?;
                 Against::Patch(Box::new(inspector))
             }
+            Subject::Harmonic(surface) => {
+                let pair = HarmonicPair::new(surface);
+                let found = positivity(surface, &pair, limits)?;
+                let is_positive = matches!(found, Positivity::Positive { .. });
+                let inspector = HarmonicInspector::new(surface, is_positive, &asked, limits)?;
+                Against::Harmonic(Box::new(inspector))
+            }
         })
     })?;
     let sides = match &subject {
@@ -154,7 +167,7 @@ pub fn inspect(
     let is_in_doubles_alone = match &against {
         Against::Equation(inspector) => inspector.is_in_doubles_alone(),
         Against::Patch(inspector) => inspector.is_in_doubles_alone(),
-        Against::Plane(_) | Against::Space(_) => false,
+        Against::Plane(_) | Against::Space(_) | Against::Harmonic(_) => false,
     };
     if is_in_doubles_alone {
         work.remark(Remark::DoublesAlone);
@@ -194,13 +207,12 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
             check_surface(&surface, work)?;
             Subject::Surface(surface)
         }
-        (Form::Harmonic(_), _) => {
-            return Err(Error::Usage(
-                "inspect does not take a harmonic surface yet; its equation, which implicitize writes, is inspected".into(),
-            ));
-        }
+        (Form::Harmonic(surface), 3) => Subject::Harmonic(surface),
         (Form::Intersection(_), _) => return Err(INSPECT.not_this()),
-        (Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_), _) => {
+        (
+            Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_) | Form::Harmonic(_),
+            _,
+        ) => {
             return Err(Error::Usage(
                 "this is a surface: its points are X,Y,Z, such as 0.8,0.6,0".into(),
             ));
@@ -250,6 +262,7 @@ impl InspectionTask {
             Subject::Radius(_)
             | Subject::PlaneCurve(_)
             | Subject::SpaceCurve(_)
+            | Subject::Harmonic(_)
             | Subject::Patch(..) => InspectedForm::Other,
         }
     }
@@ -268,6 +281,7 @@ impl InspectionTask {
             }
             Against::Space(inspector) => inspector.inspect(point),
             Against::Patch(inspector) => inspector.inspect(point),
+            Against::Harmonic(inspector) => inspector.inspect(point),
         }
     }
 
@@ -317,6 +331,7 @@ impl InspectionTask {
             }
             Against::Space(inspector) => inspector.inspect_near(near, exactly),
             Against::Patch(inspector) => inspector.inspect(&exactly()),
+            Against::Harmonic(inspector) => inspector.inspect_near(near, exactly),
         }
     }
 
@@ -342,6 +357,7 @@ impl InspectionTask {
             Subject::Radius(_)
             | Subject::PlaneCurve(_)
             | Subject::SpaceCurve(_)
+            | Subject::Harmonic(_)
             | Subject::Patch(..) => return Ok(Section::NotAsked),
         };
         match found {

@@ -1,7 +1,7 @@
 //! The picture of an inspection: the form, and the points coloured by verdict.
 
 use super::inspect::{InspectionTask, Subject};
-use super::mesh::of_surface;
+use super::mesh::{of_harmonics, of_surface};
 use super::plot::{CELLS, fitting_window, trace};
 use super::plot_options::{Frame, VIEW, plane_window, space_window};
 use super::plot_space::{box_around, for_pictures, joined, mesh_layer};
@@ -28,6 +28,9 @@ const CURVE_POINTS: usize = 1440;
 const CURVE_STEPS: u32 = 1440;
 /// The number of cells along each parameter of a patch.
 const PATCH_CELLS: u32 = 54;
+
+/// The rows of a harmonic surface from pole to pole.
+const SPHERE_ROWS: u32 = 48;
 
 /// The verdicts in the order of their colours; the first colour, red, is for points outside.
 const VERDICTS: [Verdict; 3] = [Verdict::Outside, Verdict::Inside, Verdict::Undecided];
@@ -67,6 +70,10 @@ impl InspectionTask {
                     ..SpaceLayer::default()
                 };
                 in_space_lines(self, layer, points, window, work)
+            }
+            Subject::Harmonic(surface) => {
+                let mesh = of_harmonics(surface, SPHERE_ROWS, work)?;
+                in_space_lines(self, mesh_layer(&mesh), points, window, work)
             }
             Subject::SpaceCurve(curve) => {
                 let layer = SpaceLayer {

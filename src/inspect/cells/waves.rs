@@ -1,0 +1,249 @@
+//! A sum of spherical harmonics as a sum of harmonics of θ and φ, with its derivatives in doubles.
+
+use malachite::Integer;
+use malachite::base::num::basic::traits::{One, Zero};
+use smallvec::SmallVec;
+
+use crate::error::Invariant;
+use crate::exact::Rational;
+use crate::intervals::interval::UNIT;
+use crate::poly::{BinaryForm, TernaryForm, scaled_harmonics};
+use crate::shape::HarmonicPair;
+
+/// The number of coefficients that are summed at once.
+const LANES: usize = 4;
+/// Covers the rounding errors of bounds that are themselves sums and products of at most 2^20 positive doubles.
+pub(super) const ABOVE: f64 = 1.0 + 1e-9;
+/// Orders of derivatives are below this number.
+pub(super) const ORDERS: usize = 6;
+
+/// The cosine and the sine of an angle.
+pub(super) type Turn = [f64; 2];
+
+/// The radius `R(θ, φ) = Σ (a_mn cos mθ + b_mn sin mθ) w_mn(φ)` for m, n ≤ L, where w_mn(φ) is cos nφ for even m and sin nφ for odd
+/// m. Every polynomial on the sphere is such a sum, also at the poles.
+#[derive(Debug)]
+pub(super) struct Waves {
+    degree: usize,
+    /// The coefficients for even and for odd m. A block has those of cos mθ, sin mθ, cos (m + 2)θ and sin (m + 2)θ for each n.
+    blocks: [Vec<[f64; LANES]>; 2],
+    /// The bounds E_k of the lemma at [`Self::derivatives`].
+    errors: [f64; ORDERS],
+    /// The sums Σ (|a_mn| + |b_mn|) (m + n)^k.
+    sizes: [f64; ORDERS],
+}
+
+/// The exact coefficients a_mn and b_mn, as (m, whether it is b, n, coefficient).
+pub(super) type Coefficients = Vec<(usize, bool, usize, Rational)>;
+
+/// The coefficients in the coordinates (x_i, x_j, x_k) for `axes` = [i, j, k]: there, θ is the angle from x_i towards x_j, and φ the angle
+/// from x_k.
+///
+/// A form of degree d is a sum of binary forms in the first two coordinates, of degrees d − k, times the k-th power of the third. On
+/// the sphere a harmonic m of such a form is `(cos φ)^k (sin φ)^(d−k)` times cos mθ or sin mθ.
+pub(super) fn coefficients(pair: &HarmonicPair, axes: [usize; 3]) -> Coefficients {
+    let forms = pair.odd().into_iter().chain([pair.even()]);
+    let mut found = Vec::new();
+    for form in forms.filter(|form| !form.is_zero()) {
+        let degree = form.degree();
+        let terms = form
+            .terms()
+            .map(|(e, c)| (axes.map(|axis| e[axis]), c.clone()));
+        let turned = TernaryForm::from_terms(degree, terms);
+        let waves = power_products(degree);
+        // By m: the sums for cosines and for sines, by n.
+        let mut sums = vec![[vec![Integer::ZERO; degree + 1], vec![Integer::ZERO; degree + 1]]; degree + 1];
+        for (k, row) in turned.rows().iter().enumerate().filter(|(_, row)| !BinaryForm::is_zero(row)) {
+            for (m, a, b) in scaled_harmonics(row) {
+                for (sum, c) in sums[m].iter_mut().zip([a << k, b << k]) {
+                    if c == 0 {
+                        continue;
+                    }
+                    for (sum, wave) in sum.iter_mut().zip(&waves[k]) {
+                        *sum += &c * wave;
+                    }
+                }
+            }
+        }
+        let unit = pair.unit() << (2 * degree);
+        for (m, pair) in sums.into_iter().enumerate() {
+            for (sum, is_sine) in pair.into_iter().zip([false, true]) {
+                let terms = sum.into_iter().enumerate().filter(|(_, c)| *c != 0);
+                found.extend(terms.map(|(n, c)| {
+                    let value = Rational::from_integers(c, unit.clone());
+                    (m, is_sine, n, value.invariant("a denominator is not 0"))
+                }));
+            }
+        }
+    }
+    found
+}
+
+/// For each k the coefficients w_n of `(2 cos φ)^k (2 sin φ)^(d−k) = Σ w_n cos nφ`, or of sines if d − k is odd.
+///
+/// With z = e^(iφ) and j = d − k this is `i^(−j) z^(−d) (z² + 1)^k (z² − 1)^j`.
+fn power_products(degree: usize) -> Vec<Vec<Integer>> {
+    // (w − 1)^d, and each next product is the one before times (w + 1)/(w − 1).
+    let mut product = vec![Integer::ONE];
+    for _ in 0..degree {
+        product.push(Integer::ZERO);
+        for at in (0..product.len()).rev() {
+            let below = at.checked_sub(1).map_or(Integer::ZERO, |at| product[at].clone());
+            product[at] = below - &product[at];
+        }
+    }
+    let mut found = Vec::with_capacity(degree + 1);
+    for k in 0..=degree {
+        let j = degree - k;
+        let sign = if j / 2 % 2 == 1 { -1 } else { 1 };
+        let mut waves = vec![Integer::ZERO; degree + 1];
+        for n in (0..=degree).filter(|n| n % 2 == degree % 2) {
+            let twice = if n == 0 { 1 } else { 2 };
+            waves[n] = &product[usize::midpoint(degree, n)] * Integer::from(sign * twice);
+        }
+        if j % 2 == 1 && degree.is_multiple_of(2) {
+            waves[0] = Integer::ZERO;
+        }
+        found.push(waves);
+        if j == 0 {
+            break;
+        }
+        // Division by w − 1 from the top, then multiplication by w + 1.
+        let mut quotient = vec![Integer::ZERO; degree];
+        let mut carry = Integer::ZERO;
+        for at in (0..degree).rev() {
+            carry += &product[at + 1];
+            quotient[at] = carry.clone();
+        }
+        for at in 0..=degree {
+            let below = at.checked_sub(1).map_or(Integer::ZERO, |at| quotient[at].clone());
+            product[at] = below + quotient.get(at).unwrap_or(&Integer::ZERO);
+        }
+    }
+    found
+}
+
+impl Waves {
+    /// The sum with these coefficients, in units in which the sum of their sizes is at most 1; `scale` converts into units.
+    pub(super) fn new(degree: usize, coefficients: &Coefficients, scale: &Rational) -> Self {
+        let blocks = [0, 1].map(|parity| {
+            let count = if degree < parity { 0 } else { (degree - parity) / LANES + 1 };
+            vec![[0.0; LANES]; count * (degree + 1)]
+        });
+        let mut waves = Self {
+            degree,
+            blocks,
+            errors: [0.0; ORDERS],
+            sizes: [0.0; ORDERS],
+        };
+        for (m, is_sine, n, c) in coefficients {
+            let (m, n) = (*m, *n);
+            let value = (c * scale).to_f64();
+            let (block, lane) = (m / LANES, m % LANES / 2 * 2 + usize::from(*is_sine));
+            waves.blocks[m % 2][block * (degree + 1) + n][lane] = value;
+            let order = as_f64(m + n);
+            let roundings = 8.0 * order + 3.0 * as_f64(degree + 16);
+            let mut size = value.abs();
+            for k in 0..ORDERS {
+                waves.sizes[k] += size;
+                waves.errors[k] += size * roundings * (UNIT * ABOVE);
+                size *= order;
+            }
+        }
+        for list in [&mut waves.errors, &mut waves.sizes] {
+            for bound in list {
+                *bound = *bound * ABOVE + TINY;
+            }
+        }
+        waves
+    }
+
+    /// The bounds E_k of the errors of derivatives of order k.
+    pub(super) fn errors(&self) -> &[f64; ORDERS] {
+        &self.errors
+    }
+
+    /// Bounds of the derivatives of order k.
+    pub(super) fn sizes(&self) -> &[f64; ORDERS] {
+        &self.sizes
+    }
+
+    /// The derivatives ∂^(i+j)R/∂θ^i ∂φ^j for i + j < N, at \[i\]\[j\].
+    ///
+    /// **Lemma 1.** Let the length of each of the pairs `theta` and `phi` be within 4u of 1, for u = `UNIT`. Then each derivative of order
+    /// k is within E_k = Σ (|a_mn| + |b_mn|) (m + n)^k (8(m + n) + 3(L + 16)) u of the exact one at the directions of the pairs.
+    ///
+    /// Proof. The n-th power of a pair as a complex number is a product of n − 1 computed products, each wrong by at most √5 u of its
+    /// size, and its length is within 4nu of 1 besides: all that is less than 8nu. Every product of a coefficient and two waves is
+    /// rounded once for the coefficient, at most five times for the factors m^i n^j, in two products, and in at most L + 1 sums over n
+    /// and L/2 + 8 sums over m: fewer than 3(L + 15) times, and the rest covers the products of these small numbers.
+    ///
+    /// Law: `derivatives_are_those_of_the_radius`.
+    pub(super) fn derivatives<const N: usize>(&self, theta: Turn, phi: Turn) -> [[f64; N]; N] {
+        let of_phi = [0, 1].map(|parity| self.waves_of_phi::<N>(phi, parity));
+        let mut found = [[[0.0; LANES]; N]; N];
+        // The power m of the first pair of a block, and the square by which the next pair is more.
+        let square = times(theta, theta);
+        let fourth = times(square, square);
+        for (parity, start) in [[1.0, 0.0], theta].into_iter().enumerate() {
+            let mut power = start;
+            let blocks = self.blocks[parity].chunks_exact(self.degree + 1);
+            for (block, rows) in blocks.enumerate() {
+                let mut sums = [[0.0; LANES]; N];
+                for (row, wave) in rows.iter().zip(&of_phi[parity]) {
+                    for (sum, wave) in sums.iter_mut().zip(wave) {
+                        for (sum, c) in sum.iter_mut().zip(row) {
+                            *sum += c * wave;
+                        }
+                    }
+                }
+                let next = times(power, square);
+                let m = [0, 2].map(|more| as_f64(LANES * block + parity + more));
+                let mut wave = [power[0], power[1], next[0], next[1]];
+                for i in 0..N {
+                    for j in 0..N - i {
+                        for lane in 0..LANES {
+                            found[i][j][lane] += sums[j][lane] * wave[lane];
+                        }
+                    }
+                    wave = [-m[0] * wave[1], m[0] * wave[0], -m[1] * wave[3], m[1] * wave[2]];
+                }
+                power = times(power, fourth);
+            }
+        }
+        found.map(|row| row.map(|[a, b, c, d]| (a + b) + (c + d)))
+    }
+
+    /// The derivatives of cos nφ, or of sin nφ for odd m, for all n.
+    fn waves_of_phi<const N: usize>(&self, phi: Turn, parity: usize) -> SmallVec<[[f64; N]; 32]> {
+        let mut power = [1.0, 0.0];
+        let mut waves = SmallVec::with_capacity(self.degree + 1);
+        for n in 0..=self.degree {
+            let n = as_f64(n);
+            let [mut value, mut turned] = match parity {
+                0 => [power[0], -power[1]],
+                _ => [power[1], power[0]],
+            };
+            waves.push(std::array::from_fn(|_| {
+                let here = value;
+                (value, turned) = (n * turned, -n * value);
+                here
+            }));
+            power = times(power, phi);
+        }
+        waves
+    }
+}
+
+/// Covers numbers below the range of doubles in sums of numbers of size 1.
+const TINY: f64 = f64::from_bits((1023 - 100) << 52);
+
+/// The product of two complex numbers.
+fn times([a, b]: Turn, [c, d]: Turn) -> Turn {
+    [a * c - b * d, a * d + b * c]
+}
+
+#[expect(clippy::cast_precision_loss, reason = "degrees are small")]
+pub(super) fn as_f64(n: usize) -> f64 {
+    n as f64
+}
