@@ -140,12 +140,13 @@ pub(crate) enum Verb {
   stellate parametrize 'x^2/4 + y^2/9 + z^2 = 1' --theta 30deg
   stellate parametrize '100x^4 + 200x^2y^2 + 100y^4 - 40x^3 - 20x^2y - 40xy^2 - 20y^3 - 96x^2 + 4xy - 99y^2'")]
     Parametrize(Parametrize),
-    /// Fit a Fourier radius (Definition 1) or an elliptic Fourier series to a contour
+    /// Fit a Fourier radius (Definition 1) or an elliptic Fourier series to a contour, or spherical harmonics to a closed mesh
     #[command(after_help = "Examples:
   stellate fit outline.csv --harmonics 39 --decimals 6
   stellate fit silhouette.png --tolerance 1.5 -o radius.json
   stellate fit silhouette.png --model elliptic --distance 2 -o series.json
-  stellate fit wings/*.csv --model elliptic --harmonics 16 -o table.csv")]
+  stellate fit wings/*.csv --model elliptic --harmonics 16 -o table.csv
+  stellate fit particle.stl --degree 12 -o particle.json")]
     Fit(Fit),
     /// Certified points: exact directions, all real roots, each the nearest double
     #[command(after_help = "Examples:
@@ -367,7 +368,8 @@ pub(crate) struct Parametrize {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fit {
-    /// Contours: .csv rows x,y, .npy, .geojson, .svg, or silhouettes .png, .jpg, .bmp; of several files one row each is written
+    /// Contours: .csv rows x,y, .npy, .geojson, .svg, or silhouettes .png, .jpg, .bmp; of several files one row each is written.
+    /// Or a closed mesh .obj, .ply, .stl
     #[arg(required = true, value_name = "CONTOUR")]
     pub(crate) contours: Vec<String>,
     /// All outlines of a picture, an SVG drawing or GeoJSON, largest first, one row each
@@ -376,6 +378,9 @@ pub(crate) struct Fit {
     /// An elliptic series without position, size, rotation, starting point and direction, to compare specimens
     #[arg(long)]
     pub(crate) normal_form: bool,
+    /// Of a mesh: the degree L of the spherical harmonics
+    #[arg(long, value_name = "L", group = "size", value_parser = whole::<usize>(0..=u64::MAX, 12))]
+    pub(crate) degree: Option<usize>,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
     #[command(flatten)]

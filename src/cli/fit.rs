@@ -5,12 +5,24 @@ use stellate::error::{Error, Result};
 use stellate::verb::{self, FittedOutline, Given, OutlineFit, OutlineSeries};
 
 use super::arguments::Fit;
+use super::fit_mesh;
 use super::input;
 use super::output::{check_destination, write_result};
 use super::session::Session;
 
 pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
     check_destination(session)?;
+    if let [argument] = &flags.contours[..]
+        && verb::is_mesh_name(argument)
+    {
+        return fit_mesh::run(argument, flags, session);
+    }
+    if flags.degree.is_some() {
+        return Err(Error::Usage(
+            "--degree is for a closed mesh, one .obj, .ply or .stl file; a contour has --harmonics"
+                .into(),
+        ));
+    }
     let [argument] = &flags.contours[..] else {
         return table(flags, session);
     };

@@ -65,8 +65,8 @@ pub(crate) struct FitFlags {
     /// Number of harmonics N
     #[arg(short = 'n', long, value_name = "N", group = "size", value_parser = whole::<usize>(0..=u64::MAX, 39))]
     pub(crate) harmonics: Option<usize>,
-    /// The fewest harmonics with which the error is at most E: the largest radial error of a radius, or the distance of an
-    /// elliptic series
+    /// The fewest harmonics (the least degree) with which the error is at most E: the largest radial error of a radius, or the
+    /// distance of an elliptic series
     #[arg(long, value_name = "E", group = "size", value_parser = positive)]
     pub(crate) tolerance: Option<Rational>,
     /// The fewest harmonics with which the curve and the outline are certainly at most E apart (Hausdorff distance)
@@ -76,10 +76,10 @@ pub(crate) struct FitFlags {
     #[arg(long, value_name = "P", group = "size", value_parser = positive)]
     pub(crate) power: Option<Rational>,
     /// Where radii are measured from: the centroid where it sees the whole outline, else the middle of the kernel (auto); one of
-    /// these two; the point that sees the most, by search (best); or a point X,Y
+    /// these two; the point that sees the most, by search (best); or a point X,Y (X,Y,Z for a mesh)
     #[arg(
         long,
-        value_name = "auto|centroid|kernel|best|X,Y",
+        value_name = "auto|centroid|kernel|best|X,Y[,Z]",
         default_value = "auto",
         allow_hyphen_values = true,
         value_parser = center

@@ -59,7 +59,7 @@ pub(crate) fn read_all(
 }
 
 /// Refuses to write over a file that is read: an outline would be lost.
-fn refuse_output(argument: &str, session: &Session) -> Result<()> {
+pub(super) fn refuse_output(argument: &str, session: &Session) -> Result<()> {
     let file = |path: &Path| path.canonicalize().ok().filter(|path| path.is_file());
     let read = file(Path::new(argument));
     let written = session.common.output.as_deref().and_then(file);

@@ -6,6 +6,7 @@ mod check;
 mod check_arguments;
 mod describe;
 mod fit;
+mod fit_mesh;
 mod flags;
 mod implicitize;
 mod input;

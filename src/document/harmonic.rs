@@ -12,6 +12,7 @@ use super::{Format, Kind, SCHEMA, write_lines};
 use crate::describe::HarmonicDescription;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
+use crate::fit::MeshFit;
 use crate::notation::Notation;
 use crate::shape::HarmonicSurface;
 use crate::sphere::Positivity;
@@ -59,6 +60,27 @@ pub fn write_harmonic(
             _ => Ok(writeln!(out, "R = {text}")?),
         }
     })
+}
+
+/// Writes the surface of a fit to a mesh; as JSON with its errors, and with the center even if it is the origin.
+///
+/// # Errors
+/// Those of `out`, and those of [`Kind::check`].
+pub fn write_mesh_fit(fit: &MeshFit, format: Format, out: &mut dyn Write) -> Result<()> {
+    if format != Format::Json {
+        return write_harmonic(&fit.surface, format, out);
+    }
+    let mut value = document(&fit.surface);
+    if let Value::Object(fields) = &mut value {
+        let center = fit.surface.center().each_ref().map(ToString::to_string);
+        fields.insert("center".into(), json!(center));
+        fields.insert("max_radial_error".into(), json!(fit.max_radial_error));
+        fields.insert("rms_radial_error".into(), json!(fit.rms_radial_error));
+        fields.insert("outline_star_shaped".into(), json!(fit.is_star_shaped));
+        fields.insert("samples".into(), json!(fit.samples));
+    }
+    write_value(&value, out)?;
+    Ok(writeln!(out)?)
 }
 
 /// The comments of a text: the center, and the bound of what was rounded.

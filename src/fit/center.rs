@@ -27,6 +27,8 @@ pub enum CenterChoice {
     Best,
     /// This point, which must be strictly inside the outline.
     Point([Rational; 2]),
+    /// This point, which is the center of a mesh in space.
+    InSpace([Rational; 3]),
 }
 
 /// The origin of a center.
@@ -67,6 +69,11 @@ impl CenterOrigin {
             }
         }
     }
+}
+
+/// The error for a point in space as the center of an outline.
+fn in_space() -> Error {
+    Error::Usage("--center: the center of an outline in the plane is X,Y, such as 12.5,-3".into())
 }
 
 /// A chosen center, strictly inside the outline.
@@ -116,6 +123,7 @@ impl Center {
                 }
                 (point.clone(), CenterOrigin::Given)
             }
+            CenterChoice::InSpace(_) => return Err(in_space()),
             CenterChoice::Auto => {
                 let (point, origin) = automatic(contour)?;
                 (exactly(point)?, origin)
@@ -185,6 +193,7 @@ impl Center {
     ) -> Result<Self> {
         let (exact, origin) = match choice {
             CenterChoice::Point(point) => (point.clone(), CenterOrigin::Given),
+            CenterChoice::InSpace(_) => return Err(in_space()),
             CenterChoice::Auto | CenterChoice::Centroid => {
                 (exactly(middle(cloud)?)?, CenterOrigin::Cloud)
             }

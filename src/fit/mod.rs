@@ -21,6 +21,7 @@ mod elliptic;
 mod kernel;
 mod least_squares;
 mod measured;
+mod mesh;
 mod normal_form;
 mod options;
 mod radius;
@@ -41,6 +42,7 @@ pub(crate) use distance::{NearPolygon, is_positive_by_values};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub use least_squares::{LeastSquares, MAX_LEAST_SQUARES_HARMONICS, Robust, StandardErrors};
 pub use measured::fit_cloud;
+pub use mesh::{MAX_FIT_DEGREE, MeshFit, MeshFitOptions, MeshFitSize, fit_mesh};
 pub use normal_form::{NormalForm, normal_form};
 pub use options::{
     Estimator, FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES,

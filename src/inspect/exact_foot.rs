@@ -79,7 +79,8 @@ impl ExactSurface {
     fn sign_of_sum(&self, p: &[Rational; 3]) -> i8 {
         let [rational, irrational, square] = self.in_powers(p);
         // ρ^L (ρ + R): all but the power of ρ changes its sign.
-        let power = square.pow(i64::try_from(self.surface.degree().div_ceil(2)).invariant("a degree is small"));
+        let power = square
+            .pow(i64::try_from(self.surface.degree().div_ceil(2)).invariant("a degree is small"));
         let twice = power.invariant("a point that is not the center") * Rational::from(2);
         match self.surface.degree() % 2 {
             0 => sign_of(&-rational, &(twice - irrational), &square),
@@ -176,7 +177,10 @@ impl ExactSurface {
                 return best;
             }
         }
-        let mut exact = near_direction(&direction.map(|x| Rational::try_from(x).unwrap_or_else(|_| Rational::zero())), STEP_BITS[0]);
+        let mut exact = near_direction(
+            &direction.map(|x| Rational::try_from(x).unwrap_or_else(|_| Rational::zero())),
+            STEP_BITS[0],
+        );
         for bits in STEP_BITS {
             direction = exact.each_ref().map(Rational::to_f64);
             if !isolated.holds(&direction) {
@@ -225,7 +229,11 @@ impl Isolated {
     /// A step of Newton's method for half the gradient of the squared distance along the sphere, with the second derivatives in doubles.
     fn step(&self, gradient: &[Rational; 3]) -> [Rational; 3] {
         // Powers of two keep small gradients in the range of doubles.
-        let size = gradient.iter().map(Rational::abs).max().unwrap_or_else(Rational::zero);
+        let size = gradient
+            .iter()
+            .map(Rational::abs)
+            .max()
+            .unwrap_or_else(Rational::zero);
         if size.is_zero() {
             return std::array::from_fn(|_| Rational::zero());
         }
@@ -295,7 +303,10 @@ fn integers(vector: &[Rational; 3]) -> ([Integer; 3], Integer) {
     let (scaled, below) = with_integers(vector);
     let mut list = malachite::base::polynomial::Polynomial::into_coefficients_asc(scaled);
     list.resize(3, Integer::ZERO);
-    (list.try_into().invariant("a vector has three coordinates"), below)
+    (
+        list.try_into().invariant("a vector has three coordinates"),
+        below,
+    )
 }
 
 fn power(x: &Integer, exponent: usize) -> Integer {

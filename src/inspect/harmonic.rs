@@ -78,7 +78,9 @@ impl HarmonicInspector {
         }
         let pair = HarmonicPair::new(surface);
         let is_sphere = surface.degree() == 0;
-        let cells = (!is_sphere).then(|| CellTree::new(surface, &pair)).flatten();
+        let cells = (!is_sphere)
+            .then(|| CellTree::new(surface, &pair))
+            .flatten();
         if cells.is_none() && !is_sphere {
             return Err(Error::limit("a radius within the range of doubles"));
         }
@@ -207,7 +209,9 @@ impl HarmonicInspector {
         sign: Option<i8>,
     ) -> Inspection {
         let level = &self.tolerance * &self.tolerance;
-        let mut distance = found.as_ref().map_or(DistanceBounds::UNKNOWN, |f| f.distance);
+        let mut distance = found
+            .as_ref()
+            .map_or(DistanceBounds::UNKNOWN, |f| f.distance);
         let mut verdict = Verdict::Undecided;
         if sign == Some(0) || self.exact.is_on(point) {
             distance = DistanceBounds::ZERO;
@@ -293,4 +297,3 @@ impl HarmonicInspector {
         }
     }
 }
-

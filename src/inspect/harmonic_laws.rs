@@ -127,9 +127,18 @@ fn exact_answers_at_the_tolerance() {
     let inspector = inspector(&limacon, &q("1/10"));
     let at = |z: &str| inspector.inspect(&[q("0"), q("0"), q(z)]);
     let found = at("2.6");
-    assert_eq!((found.verdict, found.curve, found.sign), (Verdict::Inside, Some(true), Some(1)));
-    assert_eq!(at("2.60000000000000000000000000001").verdict, Verdict::Outside);
-    assert_eq!(at("2.59999999999999999999999999999").verdict, Verdict::Inside);
+    assert_eq!(
+        (found.verdict, found.curve, found.sign),
+        (Verdict::Inside, Some(true), Some(1))
+    );
+    assert_eq!(
+        at("2.60000000000000000000000000001").verdict,
+        Verdict::Outside
+    );
+    assert_eq!(
+        at("2.59999999999999999999999999999").verdict,
+        Verdict::Inside
+    );
     assert_eq!(at("0").sign, Some(-1));
     assert_eq!(at("0").verdict, Verdict::Outside);
     assert!(at("1e40").distance.low > 0.99e40);
@@ -144,7 +153,10 @@ fn spheres_are_exact() {
     assert_eq!(at("3.0000000000000000000001").verdict, Verdict::Outside);
     assert_eq!(at("1").verdict, Verdict::Inside);
     assert_eq!(at("0.9999999999999999999999").verdict, Verdict::Outside);
-    assert_eq!((at("2").sign, at("2").distance), (Some(0), DistanceBounds::ZERO));
+    assert_eq!(
+        (at("2").sign, at("2").distance),
+        (Some(0), DistanceBounds::ZERO)
+    );
     let near = at("2.000000000000000000000000000001").distance;
     assert!(near.low > 0.999e-30 && near.high < 1.001e-30);
     assert_eq!(at("0").sign, Some(-1));

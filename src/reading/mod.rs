@@ -3,6 +3,7 @@
 mod document;
 mod harmonics;
 mod matrix;
+mod mesh;
 mod node;
 mod norm;
 mod superquadric;
@@ -12,6 +13,7 @@ pub use document::read_document;
 pub(crate) use harmonics::layout_of_header;
 pub use harmonics::{HarmonicConvention, HarmonicLayout, ReadHarmonics, read_harmonics};
 pub use matrix::read_coefficients;
+pub use mesh::{MAX_MESH_BYTES, SolidFormat, read_solid};
 pub use norm::Normalization;
 pub(crate) use table::{Table, is_elliptic_header};
 pub use table::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv};

@@ -16,6 +16,7 @@ mod patch;
 mod points;
 mod radial;
 mod repair;
+mod solid;
 mod superquadric;
 mod swept_edge;
 
@@ -38,6 +39,8 @@ pub use patch::{Patch, PatchFunction};
 pub use points::{GivenPoints, PointCloud};
 pub use radial::Radial;
 pub use repair::Removed;
+pub use solid::Solid;
+pub(crate) use solid::{cross, determinant, dot, minus};
 pub use superquadric::{SpaceSuperquadric, Superquadric};
 pub(crate) use swept_edge::SweptEdge;
 

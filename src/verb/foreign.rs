@@ -100,7 +100,7 @@ const ALL: [Foreign; 15] = [
         ],
         beginnings: &[b"ISO-10303-21", b"glTF"],
         what: "a surface in space as a mesh or a CAD model",
-        instead: "a surface is given as an equation or as a patch",
+        instead: "a surface is given as an equation or as a patch; `fit` takes a closed mesh .obj, .ply or .stl and makes one",
     },
     Foreign {
         extensions: &["7z", "bz2", "gz", "rar", "svgz", "tar", "xz", "zip", "zst"],

@@ -8,8 +8,8 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, HarmonicInspector, InspectOptions, Inspection, Inspector, MAX_SECTION_WORK,
-    PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict, rounding,
+    CircleSection, CurveInspector, HarmonicInspector, InspectOptions, Inspection, Inspector,
+    MAX_SECTION_WORK, PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict, rounding,
 };
 use crate::limits::Limits;
 use crate::options::options;
@@ -209,10 +209,7 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
         }
         (Form::Harmonic(surface), 3) => Subject::Harmonic(surface),
         (Form::Intersection(_), _) => return Err(INSPECT.not_this()),
-        (
-            Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_) | Form::Harmonic(_),
-            _,
-        ) => {
+        (Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_) | Form::Harmonic(_), _) => {
             return Err(Error::Usage(
                 "this is a surface: its points are X,Y,Z, such as 0.8,0.6,0".into(),
             ));

@@ -39,6 +39,7 @@ mod describe;
 mod equation;
 mod fact;
 mod fit;
+mod fit_mesh;
 mod foreign;
 mod given;
 mod implicitize;
@@ -71,6 +72,7 @@ pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::{FitReport, FittedOutline, OutlineFit, OutlineSeries, RadialReport, TakenOut, fit};
+pub use fit_mesh::{fit_mesh, is_mesh_name, read_mesh};
 pub use given::{Content, Given, ReadOptions};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,

@@ -53,13 +53,14 @@ pub(crate) fn center(text: &str) -> Read<CenterChoice> {
         "centroid" => Ok(CenterChoice::Centroid),
         "kernel" => Ok(CenterChoice::Kernel),
         "best" => Ok(CenterChoice::Best),
-        _ => exactly(
-            text,
-            "expected auto, centroid, kernel, best or X,Y, such as 12.5,-3",
-        )
-        .map(CenterChoice::Point),
+        _ if fields(text).len() == 3 => exactly(text, CENTER).map(CenterChoice::InSpace),
+        _ => exactly(text, CENTER).map(CenterChoice::Point),
     }
 }
+
+/// What a center is expected to be.
+const CENTER: &str =
+    "expected auto, centroid, kernel, best or X,Y, such as 12.5,-3, or X,Y,Z for a mesh";
 
 /// Reads the columns of x and y of a table.
 pub(crate) fn columns(text: &str) -> Read<Columns> {

@@ -73,7 +73,7 @@ impl<const N: usize> Expansion<N> {
 }
 
 /// A lower bound of −2·`slope`·v + `curvature`·v² for 0 ≤ v ≤ `length`, where `slope` ≥ 0.
-pub(in crate::inspect) fn lowest(slope: f64, curvature: f64, length: f64) -> f64 {
+fn lowest(slope: f64, curvature: f64, length: f64) -> f64 {
     const ROUNDING: f64 = 16.0 * UNIT;
     if curvature * length > slope {
         -(slope * slope / curvature) * (1.0 + ROUNDING)

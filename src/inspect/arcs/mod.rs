@@ -13,7 +13,6 @@ mod waves;
 #[cfg(test)]
 mod laws;
 
-pub(super) use bound::lowest;
 pub(super) use scaled::Waveform;
 pub use search::NearestPoint;
 

@@ -1,6 +1,5 @@
 //! The surface near one of its points, and a lower bound of the distance between a point and a cell.
 
-use super::super::arcs::lowest;
 use super::waves::{ABOVE, Turn, Waves};
 use crate::intervals::interval::UNIT;
 
@@ -80,8 +79,18 @@ impl Expansion {
                 std::array::from_fn(|i| r[0][1] * d[i] + r[0][0] * by_phi[i]),
             ],
             bends: [
-                sum(r[2][0], 2.0 * r[1][0], r[0][0], 0.0, &by_theta, &twice_by_theta, &d),
-                sum(r[1][1], r[1][0], r[0][1], r[0][0], &by_phi, &by_theta, &by_both),
+                sum(
+                    r[2][0],
+                    2.0 * r[1][0],
+                    r[0][0],
+                    0.0,
+                    &by_theta,
+                    &twice_by_theta,
+                    &d,
+                ),
+                sum(
+                    r[1][1], r[1][0], r[0][1], r[0][0], &by_phi, &by_theta, &by_both,
+                ),
                 sum(r[0][2] - r[0][0], 2.0 * r[0][1], 0.0, 0.0, &by_phi, &d, &d),
             ],
         }
@@ -155,9 +164,9 @@ impl Expansion {
         let square = dot(&self.value, &self.value);
         let distance = square.sqrt();
         let (t, b) = self.sizes();
-        let below = [0, 1].map(|i| (self.at[i] - low[i]).max(0.0) + ANGLE);
-        let above = [0, 1].map(|i| (high[i] - self.at[i]).max(0.0) + ANGLE);
-        let r = (below[0].max(above[0]) + below[1].max(above[1])) * ABOVE;
+        let ends = [0, 1].map(|i| [low[i] - self.at[i] - ANGLE, high[i] - self.at[i] + ANGLE]);
+        let reach = ends.map(|[a, b]| a.abs().max(b.abs()));
+        let r = (reach[0] + reach[1]) * ABOVE;
 
         let lost = 4.0 * r * (t * b + third * (distance + r * (t + r * b))) * ABOVE;
         let [first, mixed, second] = self.curvature();
@@ -166,17 +175,9 @@ impl Expansion {
         let curvatures = [first - aside, second - aside];
 
         let error = 8.0 * UNIT * distance * t;
+        let gradient = self.gradient();
         let change: f64 = (0..2)
-            .map(|i| {
-                let along = self.gradient()[i];
-                let (falling, rising) = if along > 0.0 {
-                    (below[i], above[i])
-                } else {
-                    (above[i], below[i])
-                };
-                lowest(along.abs() + error, curvatures[i], falling)
-                    .min(lowest(error, curvatures[i], rising))
-            })
+            .map(|i| lowest(gradient[i], curvatures[i], ends[i]) - 2.0 * error * reach[i])
             .sum();
         let least = square * (1.0 - 8.0 * UNIT) + change * (1.0 + change.signum() * -4.0 * UNIT);
         if least > 0.0 {
@@ -186,6 +187,20 @@ impl Expansion {
             0.0
         }
     }
+}
+
+/// A lower bound of 2·`slope`·v + `curvature`·v² between two ends; each is computed with less than 12 roundings.
+fn lowest(slope: f64, curvature: f64, [low, high]: [f64; 2]) -> f64 {
+    let value = |v: f64| {
+        let (linear, square) = (2.0 * slope * v, curvature * v * v);
+        linear + square - 16.0 * UNIT * (linear.abs() + square.abs())
+    };
+    let least = value(low).min(value(high));
+    let vertex = -slope / curvature;
+    if curvature > 0.0 && low < vertex && vertex < high {
+        return least.min(-(slope * slope / curvature) * (1.0 + 16.0 * UNIT));
+    }
+    least
 }
 
 /// The scalar product.

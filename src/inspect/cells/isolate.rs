@@ -79,7 +79,8 @@ impl CellTree {
             if curvature <= 0.0 {
                 continue;
             }
-            let Some(outside) = self.least_outside(chart, &best, &direction, CAP * half, target) else {
+            let Some(outside) = self.least_outside(chart, &best, &direction, CAP * half, target)
+            else {
                 continue;
             };
             let outside = (Interval::from(outside) - Interval::from(slack)) * self.unit;
@@ -90,7 +91,10 @@ impl CellTree {
                 outside: outside.low().max(0.0),
                 curvature: curvature.low(),
                 radius: CAP * half,
-                along: [in_space([-sp * st, sp * ct, 0.0]), in_space([cp * ct, cp * st, -sp])],
+                along: [
+                    in_space([-sp * st, sp * ct, 0.0]),
+                    in_space([cp * ct, cp * st, -sp]),
+                ],
                 second: best.curvature().map(|c| c * square),
             });
         }
@@ -121,7 +125,9 @@ impl CellTree {
         let changes = 2.0 * r * (6.0 * third * away + 3.0 * slope * bend);
         let [first, mixed, second] = best.curvature();
         let parts = t * t + 2.0 * b * distance;
-        let wrong = 2.0 * slack * bend + 4.0 * (errors.bend * distance + errors.slope * t) + 64.0 * UNIT * parts;
+        let wrong = 2.0 * slack * bend
+            + 4.0 * (errors.bend * distance + errors.slope * t)
+            + 64.0 * UNIT * parts;
         first.min(second) - (mixed.abs() + changes + wrong) * ABOVE
     }
 
@@ -135,7 +141,9 @@ impl CellTree {
         let mut codes = (0..6).filter(|code| {
             let square = Self::square(*code);
             square.chart == rectangle.chart
-                && [rectangle.low, rectangle.high].iter().all(|at| square.holds(at))
+                && [rectangle.low, rectangle.high]
+                    .iter()
+                    .all(|at| square.holds(at))
         });
         codes.next().map(|code| self.node(0, code).third)
     }
@@ -196,7 +204,10 @@ impl CellTree {
     fn direction_of(&self, place: &Place) -> [f64; 3] {
         let [[ct, st], [cp, sp]] = place.middle().map(turn);
         let mut direction = [0.0; 3];
-        for (x, axis) in [sp * ct, sp * st, cp].into_iter().zip(self.charts[place.chart].axes) {
+        for (x, axis) in [sp * ct, sp * st, cp]
+            .into_iter()
+            .zip(self.charts[place.chart].axes)
+        {
             direction[axis] = x;
         }
         direction

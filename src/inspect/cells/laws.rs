@@ -10,8 +10,9 @@ pub(in crate::inspect) fn surface(mean: i64, list: &[(usize, usize, i64)]) -> Ha
     let terms = list.iter().map(|&(l, m, c)| {
         let m = (m % (2 * l + 1)).cast_signed() - l.cast_signed();
         // The harmonics grow like the factorials.
-        let size: i64 = (1..=m.unsigned_abs()).map(|k| (l + k).cast_signed() as i64).product();
-        ((l, m), Rational::from(c) / Rational::from(10 * size))
+        let size = (1..=m.unsigned_abs()).map(|k| Rational::whole(Integer::from(l + k)));
+        let size = size.fold(Rational::from(10), |product, k| product * k);
+        ((l, m), Rational::from(c) / size)
     });
     let mean = ((0, 0), Rational::from(mean));
     HarmonicSurface::new(terms.chain([mean])).invariant("the orders are right")
@@ -20,7 +21,10 @@ pub(in crate::inspect) fn surface(mean: i64, list: &[(usize, usize, i64)]) -> Ha
 /// A rational point of the unit circle.
 fn circle(p: i64, q: i64) -> [Rational; 2] {
     let below = Rational::from(p * p + q * q);
-    [Rational::from(p * p - q * q) / &below, Rational::from(2 * p * q) / below]
+    [
+        Rational::from(p * p - q * q) / &below,
+        Rational::from(2 * p * q) / below,
+    ]
 }
 
 /// The derivatives of cos nα and sin nα of an order.

@@ -94,7 +94,9 @@ impl CellTree {
     pub(super) fn new(surface: &HarmonicSurface, pair: &HarmonicPair) -> Option<Self> {
         let degree = surface.degree();
         let lists = AXES.map(|axes| coefficients(pair, axes));
-        let sums = lists.each_ref().map(|list| list.iter().map(|(.., c)| c.abs()).sum::<Rational>());
+        let sums = lists
+            .each_ref()
+            .map(|list| list.iter().map(|(.., c)| c.abs()).sum::<Rational>());
         let [first, second] = sums;
         let largest = first.max(second);
         if largest.is_zero() {
@@ -161,7 +163,11 @@ impl CellTree {
             levels.push(below.chunks_exact(4).map(Node::joined).collect());
         }
         self.nodes = levels.into_iter().rev().flatten().collect();
-        let band = self.nodes.iter().zip(SQUARES).filter(|(_, (chart, _))| *chart == 0);
+        let band = self
+            .nodes
+            .iter()
+            .zip(SQUARES)
+            .filter(|(_, (chart, _))| *chart == 0);
         self.third_of_band = band.fold(0.0, |third, (node, _)| third.max(node.third));
     }
 
@@ -257,7 +263,8 @@ impl CellTree {
         let [[value, by_phi], [by_theta, _]] = waves.derivatives::<2>(theta, phi);
         // The angles are wrong by at most this; sin φ is at least √½ up to rounding.
         let angle = 2.0 * slack / distance + ANGLE;
-        let steepness = by_phi.abs() + by_theta.abs() + waves.errors()[1] + angle * waves.sizes()[2];
+        let steepness =
+            by_phi.abs() + by_theta.abs() + waves.errors()[1] + angle * waves.sizes()[2];
         let wrong = waves.errors()[0] + 2.0 * steepness * angle;
         Some(Interval::around(value, wrong * ABOVE) * self.unit)
     }
@@ -316,7 +323,12 @@ impl Place {
             }
             part
         };
-        [part(false, false), part(true, false), part(false, true), part(true, true)]
+        [
+            part(false, false),
+            part(true, false),
+            part(false, true),
+            part(true, true),
+        ]
     }
 
     fn holds(&self, at: &[f64; 2]) -> bool {

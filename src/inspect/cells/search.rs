@@ -156,7 +156,14 @@ impl CellTree {
             if piece.level < self.divisions {
                 let children = piece.place.parts().into_iter().enumerate();
                 let children = children.map(|(i, place)| (place, 4 * piece.code + i));
-                self.add(&mut search, &mut waiting, target, piece.level + 1, bound, children);
+                self.add(
+                    &mut search,
+                    &mut waiting,
+                    target,
+                    piece.level + 1,
+                    bound,
+                    children,
+                );
                 continue;
             }
             work += 1;
@@ -171,7 +178,11 @@ impl CellTree {
                 continue;
             }
             let parts = piece.place.parts();
-            waiting.extend(parts.map(|place| Piece { bound, place, ..piece }));
+            waiting.extend(parts.map(|place| Piece {
+                bound,
+                place,
+                ..piece
+            }));
         }
         let slack = Interval::from(slack);
         let low = waiting.iter().fold(search.low, |low, p| low.min(p.bound));
@@ -233,7 +244,12 @@ impl CellTree {
         for (place, code) in places {
             let bound = self.node(level, code).least_square(&target.p).max(least);
             if !search.leaves_out(bound) {
-                waiting.push(Piece { bound, place, level, code });
+                waiting.push(Piece {
+                    bound,
+                    place,
+                    level,
+                    code,
+                });
             }
         }
         waiting[first..].sort_by(|a, b| b.bound.total_cmp(&a.bound));

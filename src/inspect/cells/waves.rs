@@ -52,8 +52,19 @@ pub(super) fn coefficients(pair: &HarmonicPair, axes: [usize; 3]) -> Coefficient
         let turned = TernaryForm::from_terms(degree, terms);
         let waves = power_products(degree);
         // By m: the sums for cosines and for sines, by n.
-        let mut sums = vec![[vec![Integer::ZERO; degree + 1], vec![Integer::ZERO; degree + 1]]; degree + 1];
-        for (k, row) in turned.rows().iter().enumerate().filter(|(_, row)| !BinaryForm::is_zero(row)) {
+        let mut sums = vec![
+            [
+                vec![Integer::ZERO; degree + 1],
+                vec![Integer::ZERO; degree + 1]
+            ];
+            degree + 1
+        ];
+        for (k, row) in turned
+            .rows()
+            .iter()
+            .enumerate()
+            .filter(|(_, row)| !BinaryForm::is_zero(row))
+        {
             for (m, a, b) in scaled_harmonics(row) {
                 for (sum, c) in sums[m].iter_mut().zip([a << k, b << k]) {
                     if c == 0 {
@@ -88,7 +99,9 @@ fn power_products(degree: usize) -> Vec<Vec<Integer>> {
     for _ in 0..degree {
         product.push(Integer::ZERO);
         for at in (0..product.len()).rev() {
-            let below = at.checked_sub(1).map_or(Integer::ZERO, |at| product[at].clone());
+            let below = at
+                .checked_sub(1)
+                .map_or(Integer::ZERO, |at| product[at].clone());
             product[at] = below - &product[at];
         }
     }
@@ -116,7 +129,9 @@ fn power_products(degree: usize) -> Vec<Vec<Integer>> {
             quotient[at] = carry.clone();
         }
         for at in 0..=degree {
-            let below = at.checked_sub(1).map_or(Integer::ZERO, |at| quotient[at].clone());
+            let below = at
+                .checked_sub(1)
+                .map_or(Integer::ZERO, |at| quotient[at].clone());
             product[at] = below + quotient.get(at).unwrap_or(&Integer::ZERO);
         }
     }
@@ -127,7 +142,11 @@ impl Waves {
     /// The sum with these coefficients, in units in which the sum of their sizes is at most 1; `scale` converts into units.
     pub(super) fn new(degree: usize, coefficients: &Coefficients, scale: &Rational) -> Self {
         let blocks = [0, 1].map(|parity| {
-            let count = if degree < parity { 0 } else { (degree - parity) / LANES + 1 };
+            let count = if degree < parity {
+                0
+            } else {
+                (degree - parity) / LANES + 1
+            };
             vec![[0.0; LANES]; count * (degree + 1)]
         });
         let mut waves = Self {
@@ -206,7 +225,12 @@ impl Waves {
                             found[i][j][lane] += sums[j][lane] * wave[lane];
                         }
                     }
-                    wave = [-m[0] * wave[1], m[0] * wave[0], -m[1] * wave[3], m[1] * wave[2]];
+                    wave = [
+                        -m[0] * wave[1],
+                        m[0] * wave[0],
+                        -m[1] * wave[3],
+                        m[1] * wave[2],
+                    ];
                 }
                 power = times(power, fourth);
             }

@@ -1,0 +1,191 @@
+//! Fits to meshes of known surfaces, and meshes that are star-shaped about no point.
+
+use super::*;
+use crate::mesh::mesh_harmonic;
+use proptest::prelude::*;
+
+fn solid_of(surface: &HarmonicSurface, rows: usize) -> Solid {
+    let mesh = mesh_harmonic(surface, rows, &Limits::none(), &|_| {}).unwrap();
+    Solid::new(mesh.vertices.clone(), mesh.triangles.clone(), "mesh").unwrap()
+}
+
+/// A box with the corners (±a, ±b, ±c) less what is cut out.
+fn cube(shift: [f64; 3]) -> Solid {
+    let vertices = (0..8)
+        .map(|k| std::array::from_fn(|i| if k >> i & 1 == 1 { 1.0 } else { -1.0 } + shift[i]));
+    let quads = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let triangles = quads
+        .iter()
+        .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]);
+    Solid::new(vertices.collect(), triangles.collect(), "cube").unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+    #[test]
+    fn least_squares_find_the_surface(
+        list in prop::collection::vec((1usize..5, 0usize..9, -9i64..10), 1..6),
+        shift in [-5i64..5, -5i64..5, -5i64..5],
+    ) {
+        let terms = list.iter().map(|&(l, m, c)| {
+            let m = (m % (2 * l + 1)) as isize - l as isize;
+            let size: i64 = (1..=m.unsigned_abs()).map(|k| (l + k) as i64).product();
+            ((l, m), Rational::from(c) / Rational::from(60 * size))
+        });
+        let center = shift.map(|x| Rational::from(x) / Rational::from(4));
+        let surface = HarmonicSurface::new(terms.chain([((0, 0), Rational::from(3))])).unwrap();
+        let surface = surface.with_center(center.clone());
+        let solid = solid_of(&surface, 24);
+        let options = MeshFitOptions::new(MeshFitSize::Degree(5))
+            .center(CenterChoice::InSpace(center))
+            .estimator(Estimator::LeastSquares);
+        let found = fit_mesh(&solid, &options, &Limits::none()).unwrap();
+        for l in 0..=surface.degree() {
+            for m in -(l as isize)..=l as isize {
+                let exact = surface.coefficient(l, m).to_f64();
+                let near = found.surface.coefficient(l, m).to_f64();
+                prop_assert!((exact - near).abs() < 1e-9, "({l}, {m}): {exact} {near}");
+            }
+        }
+    }
+
+    /// A cube is star-shaped exactly about its inner points.
+    #[test]
+    fn visibility_is_exact(p in [-12i64..13, -12i64..13, -12i64..13]) {
+        let solid = cube([0.0; 3]);
+        let point = p.map(|x| Rational::from(x) / Rational::from(9));
+        let is_inside = p.iter().all(|x| x.abs() < 9);
+        prop_assert_eq!(visible(&solid, &point).is_star_shaped(), is_inside);
+    }
+}
+
+#[test]
+fn quadrature_is_near_the_surface() {
+    let terms = [
+        ((0, 0), 3.into()),
+        ((2, 1), "0.1".parse().unwrap()),
+        ((3, -3), "0.01".parse().unwrap()),
+    ];
+    let surface = HarmonicSurface::new(terms).unwrap();
+    let solid = solid_of(&surface, 70);
+    let options = MeshFitOptions::new(MeshFitSize::Degree(4));
+    let options = options.center(CenterChoice::InSpace([0.into(), 0.into(), 0.into()]));
+    let found = fit_mesh(&solid, &options, &Limits::none()).unwrap();
+    for (l, m, c) in surface.terms() {
+        let near = found.surface.coefficient(l, m).to_f64();
+        assert!((c.to_f64() - near).abs() < 3e-3, "({l}, {m}): {c} {near}");
+    }
+    assert!(found.max_radial_error < 1e-2);
+    let options = MeshFitOptions {
+        size: MeshFitSize::Tolerance(0.02),
+        ..options
+    };
+    let least = fit_mesh(&solid, &options, &Limits::none()).unwrap();
+    assert_eq!(least.surface.degree(), 3);
+}
+
+#[test]
+fn a_cube_is_fitted_about_its_centroid() {
+    let found = fit_mesh(
+        &cube([5.0, 0.0, 1.0]),
+        &MeshFitOptions::new(MeshFitSize::Degree(2)),
+        &Limits::none(),
+    )
+    .unwrap();
+    let center = found.surface.center().each_ref().map(Rational::to_f64);
+    assert!((center[0] - 5.0).abs() < 1e-12 && !found.is_moved);
+}
+
+/// A polygon in the plane of x and y, as a prism between z = 0 and z = 1.
+fn prism(polygon: &[[f64; 2]], cut: &[[u32; 3]]) -> Solid {
+    let n = polygon.len() as u32;
+    let at = |z: f64| polygon.iter().map(move |[x, y]| [*x, *y, z]);
+    let vertices = at(0.0).chain(at(1.0)).collect();
+    let walls = (0..n).flat_map(|i| {
+        let j = (i + 1) % n;
+        [[i, j, j + n], [i, j + n, i + n]]
+    });
+    let floor = cut.iter().map(|[a, b, c]| [*a, *c, *b]);
+    let roof = cut.iter().map(|t| t.map(|v| v + n));
+    Solid::new(vertices, walls.chain(floor).chain(roof).collect(), "prism").unwrap()
+}
+
+#[test]
+fn a_mesh_without_kernel_is_proved_to_have_none() {
+    // A U: from no point both arms are seen.
+    let u = [
+        [0.0, 0.0],
+        [3.0, 0.0],
+        [3.0, 3.0],
+        [2.0, 3.0],
+        [2.0, 1.0],
+        [1.0, 1.0],
+        [1.0, 3.0],
+        [0.0, 3.0],
+    ];
+    let cut = [
+        [0, 5, 6],
+        [0, 6, 7],
+        [0, 1, 5],
+        [1, 4, 5],
+        [1, 2, 4],
+        [2, 3, 4],
+    ];
+    let solid = prism(&u, &cut);
+    assert!(matches!(kernel(&solid), Kernel::Empty(_)));
+    let error = fit_mesh(
+        &solid,
+        &MeshFitOptions::new(MeshFitSize::Degree(2)),
+        &Limits::none(),
+    )
+    .unwrap_err();
+    assert!(error.to_string().contains("not star-shaped"), "{error}");
+}
+
+#[test]
+fn a_kernel_without_the_centroid_is_found() {
+    // An L with long arms: the centroid is outside, and the corner sees everything.
+    let l = [
+        [0.0, 0.0],
+        [9.0, 0.0],
+        [9.0, 1.0],
+        [1.0, 1.0],
+        [1.0, 9.0],
+        [0.0, 9.0],
+    ];
+    let cut = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
+    let found = fit_mesh(
+        &prism(&l, &cut),
+        &MeshFitOptions::new(MeshFitSize::Degree(2)),
+        &Limits::none(),
+    )
+    .unwrap();
+    let [x, y, z] = found.surface.center().each_ref().map(Rational::to_f64);
+    assert!(found.is_moved && [x, y, z].iter().all(|x| 0.0 < *x && *x < 1.0));
+}
+
+#[test]
+fn a_mesh_that_crosses_itself_is_named() {
+    // A prism over a pentagram goes around its middle twice.
+    let star: Vec<[f64; 2]> = (0..5)
+        .map(|k| {
+            let (s, c) = (f64::from(k) * 0.8 * std::f64::consts::PI).sin_cos();
+            [c, s]
+        })
+        .collect();
+    let solid = prism(&star, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    let error = fit_mesh(
+        &solid,
+        &MeshFitOptions::new(MeshFitSize::Degree(2)),
+        &Limits::none(),
+    )
+    .unwrap_err();
+    assert!(error.to_string().contains("crosses itself"), "{error}");
+}

@@ -1,0 +1,57 @@
+//! Fits of closed meshes by sums of spherical harmonics, for the verb `fit`.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::Work;
+use crate::error::{Error, Result};
+use crate::fit::{MeshFit, MeshFitOptions, MeshFitSize, fit_mesh as fit};
+use crate::reading::{MAX_MESH_BYTES, SolidFormat, read_solid};
+use crate::shape::Solid;
+
+/// Whether an argument is the name of a mesh: of an .obj, .ply or .stl file.
+#[must_use]
+pub fn is_mesh_name(argument: &str) -> bool {
+    SolidFormat::of(Path::new(argument)).is_some()
+}
+
+/// Reads a closed mesh from an .obj, .ply or .stl file.
+///
+/// # Errors
+/// [`Error::Io`] for a file that cannot be read; [`Error::Usage`] for another extension; those of [`read_solid`].
+pub fn read_mesh(path: &Path, work: &Work) -> Result<Solid> {
+    let place = path.display().to_string();
+    let format = SolidFormat::of(path)
+        .ok_or_else(|| Error::Usage(format!("{place}: a mesh is an .obj, .ply or .stl file")))?;
+    let unread = |source| Error::Io {
+        path: path.to_owned(),
+        source,
+    };
+    work.stage("read", || {
+        let file = File::open(path).map_err(unread)?;
+        let mut bytes = Vec::new();
+        let most = MAX_MESH_BYTES as u64;
+        let read = file
+            .take(most + 1)
+            .read_to_end(&mut bytes)
+            .map_err(unread)?;
+        if read > MAX_MESH_BYTES {
+            return Err(Error::limit(format!(
+                "a mesh of more than {MAX_MESH_BYTES} bytes"
+            )));
+        }
+        read_solid(&bytes, format, &place)
+    })
+}
+
+/// Fits a sum of spherical harmonics to a closed mesh.
+///
+/// # Errors
+/// Those of [`crate::fit::fit_mesh`]; [`Error::Limit`] if the equation of the sum has a degree above that which the work allows.
+pub fn fit_mesh(solid: &Solid, options: &MeshFitOptions, work: &Work) -> Result<MeshFit> {
+    if let MeshFitSize::Degree(degree) = options.size {
+        work.check_degree(2 * degree + 2)?;
+    }
+    work.stage("fit", || fit(solid, options, work.bounds()))
+}
