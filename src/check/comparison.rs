@@ -29,6 +29,22 @@ pub enum GivenNumber {
         /// The angle, exactly this double.
         theta: f64,
     },
+    /// The coefficient of the spherical harmonic Y(l, m).
+    Harmonic {
+        /// The degree.
+        l: usize,
+        /// The order.
+        m: isize,
+    },
+    /// A radius in space in a row of a file.
+    SpaceRadius {
+        /// The line in the file, counted from 1.
+        line: usize,
+        /// The angle about z, exactly this double.
+        theta: f64,
+        /// The angle from z, exactly this double.
+        phi: f64,
+    },
 }
 
 /// The value of f at a point, computed exactly and then rounded.

@@ -20,6 +20,7 @@ mod radii;
 mod reference;
 mod scale;
 mod series;
+mod spherical;
 mod tables;
 mod unexplained;
 mod vectors;
@@ -35,6 +36,7 @@ pub use points::GivenPoint;
 pub use radii::GivenRadius;
 pub use reference::Reference;
 pub use scale::{Meaning, Scale};
+pub use spherical::{GivenHarmonics, GivenSpaceRadius, SphericalReference};
 pub use vectors::{
     CoefficientVector, InputsOf, PointVector, RadiusVector, TestVectors, VectorInput, test_vectors,
 };
@@ -45,4 +47,4 @@ pub use float_theorem2::FloatTheorem2;
 #[doc(hidden)]
 pub use series::SeriesValues;
 #[doc(hidden)]
-pub use tables::{read_points_csv, read_radii_csv};
+pub use tables::{read_points_csv, read_radii_csv, read_space_radii_csv};

@@ -1,6 +1,6 @@
 //! Reads tables of a float program: points and radii, in which every number is a double, bit for bit.
 
-use super::{GivenPoint, GivenRadius};
+use super::{GivenPoint, GivenRadius, GivenSpaceRadius};
 use crate::error::{Error, Result};
 use crate::language::{Numbers, number_at};
 use crate::reading::Table;
@@ -50,6 +50,28 @@ pub fn read_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenRadius>>
         line,
         theta: row[0],
         r: row[1],
+    };
+    Ok(rows.into_iter().map(radius).collect())
+}
+
+/// Reads radii `theta,phi,r` in rows, with both angles in radians; the header is optional. Numbers are read as in [`read_points_csv`].
+///
+/// ```
+/// use stellate::check::read_space_radii_csv;
+/// let radii = read_space_radii_csv("theta,phi,r\n0.5,1,1.25\n", "radii.csv")?;
+/// assert_eq!((radii[0].line, radii[0].phi, radii[0].r), (2, 1.0, 1.25));
+/// # Ok::<(), stellate::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`read_points_csv`].
+pub fn read_space_radii_csv(text: &str, source_name: &str) -> Result<Vec<GivenSpaceRadius>> {
+    let rows = read_doubles(text, source_name, &["theta", "phi", "r"])?;
+    let radius = |(line, row): (usize, Vec<f64>)| GivenSpaceRadius {
+        line,
+        theta: row[0],
+        phi: row[1],
+        r: row[2],
     };
     Ok(rows.into_iter().map(radius).collect())
 }

@@ -41,14 +41,14 @@ pub(super) fn unexplained(
     };
     if !found.missing.is_empty() {
         let text = format!(
-            "{} of the exact polynomial are not there",
+            "{} of the exact form are not there",
             terms(found.missing.len())
         );
         add("missing terms", text, found.missing.len());
     }
     let extra = found.failures(None).len() - found.missing.len();
     if extra > 0 {
-        let text = format!("{} that the exact polynomial does not have", terms(extra));
+        let text = format!("{} that the exact form does not have", terms(extra));
         add("extra terms", text, extra);
     }
     if is_single(found) {

@@ -141,7 +141,7 @@ fn entry(row: &Row, in_space: bool) -> Entry {
         r#where: place(row, in_space),
         got: format!("{:?}", row.got),
         exact: row.exact.as_ref().map(|q| match row.place {
-            GivenNumber::Term(_) => q.to_string(),
+            GivenNumber::Term(_) | GivenNumber::Harmonic { .. } => q.to_string(),
             _ => shown(q),
         }),
         residual: row.residual.map(|r| Number(r.value)),
@@ -162,9 +162,15 @@ fn mistake_entry(diagnosis: &Diagnosis) -> MistakeEntry<'_> {
 fn what(found: &Comparison) -> &'static str {
     match found.all().next().map(|row| &row.place) {
         Some(GivenNumber::Point { .. }) => "points",
-        Some(GivenNumber::Radius { .. }) => "radii",
+        Some(GivenNumber::Radius { .. } | GivenNumber::SpaceRadius { .. }) => "radii",
         _ => "coefficients",
     }
+}
+
+/// Whether the numbers are coefficients of spherical harmonics.
+fn is_harmonic(found: &Comparison) -> bool {
+    let first = found.all().next().map(|row| &row.place);
+    matches!(first, Some(GivenNumber::Harmonic { .. }))
 }
 
 fn place(row: &Row, in_space: bool) -> String {
@@ -182,6 +188,10 @@ fn place(row: &Row, in_space: bool) -> String {
             }
         }
         GivenNumber::Radius { line, theta } => format!("line {line}: theta = {theta:?}"),
+        GivenNumber::Harmonic { l, m } => format!("Y({l},{m})"),
+        GivenNumber::SpaceRadius { line, theta, phi } => {
+            format!("line {line}: theta = {theta:?}, phi = {phi:?}")
+        }
     }
 }
 
@@ -376,7 +386,9 @@ fn write_table(found: &Comparison, out: &mut dyn Write) -> Result<()> {
             out,
             "line,x,y{z},r,exact_r,digits,ulps,residual,first_order"
         )?,
+        "radii" if in_space => writeln!(out, "line,theta,phi,got,exact,digits,ulps")?,
         "radii" => writeln!(out, "line,theta,got,exact,digits,ulps")?,
+        _ if is_harmonic(found) => writeln!(out, "l,m,got,exact,digits,ulps")?,
         _ => writeln!(out, "i,j{third},got,exact,digits,ulps")?,
     }
     let doubles = |v: &[f64]| {
@@ -397,10 +409,12 @@ fn write_table(found: &Comparison, out: &mut dyn Write) -> Result<()> {
                 format!("{line},{}", doubles(&position[..axes]))
             }
             GivenNumber::Radius { line, theta } => format!("{line},{theta:?}"),
+            GivenNumber::Harmonic { l, m } => format!("{l},{m}"),
+            GivenNumber::SpaceRadius { line, theta, phi } => format!("{line},{theta:?},{phi:?}"),
         };
         let exact = match (&row.exact, &row.place) {
             (Some(exact), _) => shown(exact),
-            (None, GivenNumber::Term(_)) => "0".into(),
+            (None, GivenNumber::Term(_) | GivenNumber::Harmonic { .. }) => "0".into(),
             (None, _) => "nan".into(),
         };
         let off = &row.deviation;

@@ -24,6 +24,22 @@ pub enum Normalization {
     Schmidt,
 }
 
+impl Normalization {
+    /// The factor N with N·Y(l, m) the real harmonic with this normalisation, in doubles.
+    pub(crate) fn factor(self, l: usize, order: usize) -> f64 {
+        let norm = Norm {
+            normalization: self,
+            is_complex: false,
+        };
+        let (square, over_pi) = norm.square(l, order.cast_signed());
+        let square = square.to_f64();
+        match over_pi {
+            true => (square / std::f64::consts::PI).sqrt(),
+            false => square.sqrt(),
+        }
+    }
+}
+
 /// The norms of the harmonics of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Norm {

@@ -6,8 +6,9 @@ use super::equation::{
 use super::fit::{exact_form, fit_quietly};
 use super::{Content, Given, Remark, Work};
 use crate::check::{
-    Comparison, GivenPoint, GivenRadius, InputsOf, Reference, Rung, TestVectors, ladder,
-    read_points_csv, read_radii_csv, test_vectors,
+    Comparison, GivenHarmonics, GivenPoint, GivenRadius, GivenSpaceRadius, InputsOf, Reference,
+    Rung, SphericalReference, TestVectors, ladder, read_points_csv, read_radii_csv,
+    read_space_radii_csv, test_vectors,
 };
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -15,8 +16,12 @@ use crate::fit::FitOptions;
 use crate::language::Numbers;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
-use crate::reading::{read_coefficients, read_document};
-use crate::shape::Form;
+use crate::reading::{
+    HarmonicConvention, HarmonicLayout, layout_of_header, read_coefficients, read_document,
+    read_harmonics,
+};
+use crate::rows::words;
+use crate::shape::{Form, HarmonicSurface};
 
 /// More directions of test vectors than this are refused.
 pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
@@ -31,17 +36,22 @@ pub enum FloatNumbers {
     Points(Vec<GivenPoint>),
     /// Radii in directions.
     Radii(Vec<GivenRadius>),
+    /// Radii in directions of space.
+    SpaceRadii(Vec<GivenSpaceRadius>),
+    /// Coefficients of spherical harmonics, each of them a double.
+    Harmonics(GivenHarmonics),
 }
 
 /// The kind of numbers of a float program, and how they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FloatKind {
-    /// An implicit document, rows `i,j[,k],value`, or a matrix `c[i][j]`.
+    /// An implicit document, rows `i,j[,k],value`, or a matrix `c[i][j]`; for a harmonic surface also rows `l,m,value` or a document of kind
+    /// `spherical`.
     Coefficients,
     /// Rows `x,y[,z]`.
     Points,
-    /// Rows `theta,r`.
+    /// Rows `theta,r`, or `theta,phi,r` for a harmonic surface.
     Radii,
 }
 
@@ -70,6 +80,8 @@ pub struct CheckTask {
     name: String,
     /// Whether the form was given by functions of parameters.
     is_parametric: bool,
+    /// The harmonic surface, if the form is one.
+    spherical: Option<SphericalReference>,
 }
 
 const CHECK: Taken = Taken {
@@ -101,6 +113,10 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
     };
     let form = exact_form(given, &options.fit, work)?.form;
     let is_parametric = matches!(form, Form::PlaneCurve(_) | Form::Patch(_));
+    let spherical = match &form {
+        Form::Harmonic(surface) => Some(SphericalReference::new(surface)),
+        _ => None,
+    };
     let form = match form {
         Form::Superquadric(shape) => Form::Curve(curve_of_superquadric(&shape)?),
         Form::SpaceSuperquadric(shape) => Form::Surface(surface_of_superquadric(&shape)?),
@@ -130,6 +146,7 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         reference,
         name,
         is_parametric,
+        spherical,
     })
 }
 
@@ -149,6 +166,13 @@ impl CheckTask {
         Ok(match kind {
             FloatKind::Coefficients => {
                 let start = text.trim_start_matches('\u{feff}').trim_start();
+                if self.spherical.is_some() && !start.starts_with('{') && is_of_harmonics(start) {
+                    let convention = HarmonicConvention::default();
+                    let layout = Some(HarmonicLayout::Long);
+                    let read =
+                        read_harmonics(text, source_name, layout, &convention, Numbers::F64)?;
+                    return Ok(FloatNumbers::Harmonics(terms_of(&read.surface)));
+                }
                 FloatNumbers::Coefficients(Box::new(if start.starts_with('{') {
                     read_document(text, source_name, Numbers::F64)?
                 } else {
@@ -158,6 +182,9 @@ impl CheckTask {
             FloatKind::Points => {
                 let in_space = self.reference.in_space();
                 FloatNumbers::Points(read_points_csv(text, source_name, in_space)?)
+            }
+            FloatKind::Radii if self.spherical.is_some() => {
+                FloatNumbers::SpaceRadii(read_space_radii_csv(text, source_name)?)
             }
             FloatKind::Radii => FloatNumbers::Radii(read_radii_csv(text, source_name)?),
         })
@@ -174,7 +201,19 @@ impl CheckTask {
         work: &Work,
     ) -> Result<Comparison> {
         match numbers {
+            FloatNumbers::Harmonics(got) => {
+                let spherical = self.spherical(source_name)?;
+                work.stage("check", || Ok(spherical.check_coefficients(got)))
+            }
+            FloatNumbers::SpaceRadii(radii) => {
+                let spherical = self.spherical(source_name)?;
+                work.stage("check", || spherical.check_radii(radii, work.bounds()))
+            }
             FloatNumbers::Coefficients(form) => {
+                if let (Form::Harmonic(surface), Some(spherical)) = (&**form, &self.spherical) {
+                    let got = terms_of(surface);
+                    return work.stage("check", || Ok(spherical.check_coefficients(&got)));
+                }
                 let got = self.coefficients(form, source_name)?;
                 work.stage("check", || Ok(self.reference.check_coefficients(&got)))
             }
@@ -185,6 +224,15 @@ impl CheckTask {
                 work.stage("check", || self.reference.check_radii(radii, work.bounds()))
             }
         }
+    }
+
+    fn spherical(&self, name: &str) -> Result<&SphericalReference> {
+        self.spherical.as_ref().ok_or_else(|| {
+            Error::data(
+                name,
+                "these belong to a harmonic surface, and the reference is none",
+            )
+        })
     }
 
     /// The polynomial whose coefficients a float program gave, about the center of the exact form.
@@ -223,6 +271,24 @@ impl CheckTask {
         }
         Ok(polynomial)
     }
+}
+
+/// Whether a table is one of spherical harmonics: its first row names l and m.
+fn is_of_harmonics(text: &str) -> bool {
+    let mut rows = text.lines().map(str::trim);
+    let first = rows.find(|row| !row.is_empty() && !row.starts_with('#'));
+    let names: Vec<String> = words(first.unwrap_or(""))
+        .map(str::to_ascii_lowercase)
+        .collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    layout_of_header(&names).is_some()
+}
+
+fn terms_of(surface: &HarmonicSurface) -> GivenHarmonics {
+    surface
+        .terms()
+        .map(|(l, m, c)| ((l, m), c.clone()))
+        .collect()
 }
 
 /// Measures how many digits the paper's own algorithm keeps in doubles, for more and more harmonics of a radius.

@@ -9,7 +9,7 @@ use crate::picture::{Chart, Series};
 pub fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart {
     let is_term = matches!(
         found.all().next().map(|row| &row.place),
-        None | Some(GivenNumber::Term(_))
+        None | Some(GivenNumber::Term(_) | GivenNumber::Harmonic { .. })
     );
     let series = |label: &str, rows: &[Row]| Series {
         label: format!("{label}: {}", rows.len()),
@@ -54,9 +54,9 @@ pub fn digits_chart(found: &Comparison, mark: Option<u32>, name: &str) -> Chart 
 )]
 fn across(index: usize, row: &Row) -> f64 {
     match &row.place {
-        GivenNumber::Term(_) => index as f64 + 1.0,
+        GivenNumber::Term(_) | GivenNumber::Harmonic { .. } => index as f64 + 1.0,
         GivenNumber::Point { position, .. } => position[1].atan2(position[0]),
-        GivenNumber::Radius { theta, .. } => *theta,
+        GivenNumber::Radius { theta, .. } | GivenNumber::SpaceRadius { theta, .. } => *theta,
     }
 }
 

@@ -7,7 +7,9 @@ use proptest::prelude::*;
 fn surface() -> HarmonicSurface {
     let mut seed = 1u64;
     let mut next = move || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (seed >> 33) as i64 % 1000 - 500
     };
     let mut terms = vec![((0, 0), Rational::from(10))];
@@ -22,7 +24,10 @@ fn surface() -> HarmonicSurface {
 
 fn coefficients(surface: &HarmonicSurface) -> GivenHarmonics {
     let nearest = |c: &Rational| Rational::try_from(c.to_f64()).unwrap();
-    surface.terms().map(|(l, m, c)| ((l, m), nearest(c))).collect()
+    surface
+        .terms()
+        .map(|(l, m, c)| ((l, m), nearest(c)))
+        .collect()
 }
 
 /// Directions, and the radii of a program there.
@@ -34,7 +39,12 @@ fn radii(surface: &HarmonicSurface, count: usize) -> Vec<GivenSpaceRadius> {
             let theta = (2.399_963_229_728_653 * k as f64) % std::f64::consts::TAU;
             let [t, p] = [theta, phi].map(|x| Rational::try_from(x).unwrap());
             let [low, _] = values.bounds(&t, &p, 100);
-            GivenSpaceRadius { line: k + 1, theta, phi, r: low.to_f64() }
+            GivenSpaceRadius {
+                line: k + 1,
+                theta,
+                phi,
+                r: low.to_f64(),
+            }
         })
         .collect()
 }
@@ -48,9 +58,19 @@ fn right_numbers_pass() {
     let surface = surface();
     let reference = SphericalReference::new(&surface);
     let found = reference.check_coefficients(&coefficients(&surface));
-    assert!(found.passes(None) && found.passes(Some(15)), "{:?}", names(&found));
-    let found = reference.check_radii(&radii(&surface, 60), &Limits::none()).unwrap();
-    assert!(found.passes(None) && found.passes(Some(15)), "{:?}", names(&found));
+    assert!(
+        found.passes(None) && found.passes(Some(15)),
+        "{:?}",
+        names(&found)
+    );
+    let found = reference
+        .check_radii(&radii(&surface, 60), &Limits::none())
+        .unwrap();
+    assert!(
+        found.passes(None) && found.passes(Some(15)),
+        "{:?}",
+        names(&found)
+    );
 }
 
 #[test]
@@ -59,13 +79,35 @@ fn mistakes_with_coefficients_are_named_from_coefficients_and_from_radii() {
     let reference = SphericalReference::new(&surface);
     for mistaken in mistaken_surfaces(&surface) {
         let found = reference.check_coefficients(&coefficients(&mistaken.form));
-        assert!(names(&found).contains(&mistaken.name.as_ref()), "{}: {:?}", mistaken.name, names(&found));
-        let found = reference.check_radii(&radii(&mistaken.form, 40), &Limits::none()).unwrap();
-        assert!(names(&found).contains(&mistaken.name.as_ref()), "{}: {:?}", mistaken.name, names(&found));
+        assert!(
+            names(&found).contains(&mistaken.name.as_ref()),
+            "{}: {:?}",
+            mistaken.name,
+            names(&found)
+        );
+        let found = reference
+            .check_radii(&radii(&mistaken.form, 40), &Limits::none())
+            .unwrap();
+        assert!(
+            names(&found).contains(&mistaken.name.as_ref()),
+            "{}: {:?}",
+            mistaken.name,
+            names(&found)
+        );
     }
-    let scaled = HarmonicSurface::new(surface.terms().map(|(l, m, c)| ((l, m), c * Rational::from(3)))).unwrap();
-    assert_eq!(names(&reference.check_coefficients(&coefficients(&scaled))), ["scale"]);
-    let found = reference.check_radii(&radii(&scaled, 40), &Limits::none()).unwrap();
+    let scaled = HarmonicSurface::new(
+        surface
+            .terms()
+            .map(|(l, m, c)| ((l, m), c * Rational::from(3))),
+    )
+    .unwrap();
+    assert_eq!(
+        names(&reference.check_coefficients(&coefficients(&scaled))),
+        ["scale"]
+    );
+    let found = reference
+        .check_radii(&radii(&scaled, 40), &Limits::none())
+        .unwrap();
     assert_eq!(names(&found), ["scale"]);
 }
 
@@ -77,16 +119,26 @@ fn mistakes_with_angles_are_named() {
     let turned = |change: &dyn Fn(f64, f64) -> [f64; 2]| -> Vec<GivenSpaceRadius> {
         let rows = right.iter().map(|given| {
             let [theta, phi] = change(given.theta, given.phi);
-            GivenSpaceRadius { theta, phi, ..*given }
+            GivenSpaceRadius {
+                theta,
+                phi,
+                ..*given
+            }
         });
         rows.collect()
     };
     let half = std::f64::consts::FRAC_PI_2;
     for (name, rows) in [
-        ("degrees for radians", turned(&|t, p| [t.to_degrees(), p.to_degrees()])),
+        (
+            "degrees for radians",
+            turned(&|t, p| [t.to_degrees(), p.to_degrees()]),
+        ),
         ("theta and phi exchanged", turned(&|t, p| [p, t])),
         ("latitude for colatitude", turned(&|t, p| [t, half - p])),
-        ("degrees for radians, latitude for colatitude", turned(&|t, p| [t.to_degrees(), (half - p).to_degrees()])),
+        (
+            "degrees for radians, latitude for colatitude",
+            turned(&|t, p| [t.to_degrees(), (half - p).to_degrees()]),
+        ),
     ] {
         let found = reference.check_radii(&rows, &Limits::none()).unwrap();
         assert_eq!(names(&found), [name]);
@@ -130,7 +182,15 @@ proptest! {
 #[test]
 fn degrees_that_are_cut_off_are_named() {
     let surface = surface();
-    let left = HarmonicSurface::new(surface.terms().filter(|(l, ..)| *l < 5).map(|(l, m, c)| ((l, m), c.clone()))).unwrap();
-    let found = SphericalReference::new(&surface).check_radii(&radii(&left, 200), &Limits::none()).unwrap();
+    let left = HarmonicSurface::new(
+        surface
+            .terms()
+            .filter(|(l, ..)| *l < 5)
+            .map(|(l, m, c)| ((l, m), c.clone())),
+    )
+    .unwrap();
+    let found = SphericalReference::new(&surface)
+        .check_radii(&radii(&left, 200), &Limits::none())
+        .unwrap();
     assert_eq!(names(&found), ["missing: degrees 5 to 6"]);
 }

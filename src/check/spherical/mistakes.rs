@@ -23,13 +23,14 @@ pub(super) fn mistaken_surfaces(surface: &HarmonicSurface) -> Vec<Mistaken<Harmo
             });
         }
     };
-    let mapped = |f: &dyn Fn(usize, isize) -> (isize, Rational)| -> Vec<((usize, isize), Rational)> {
-        let terms = surface.terms().map(|(l, m, c)| {
-            let (order, factor) = f(l, m);
-            ((l, order), c * factor)
-        });
-        terms.collect()
-    };
+    let mapped =
+        |f: &dyn Fn(usize, isize) -> (isize, Rational)| -> Vec<((usize, isize), Rational)> {
+            let terms = surface.terms().map(|(l, m, c)| {
+                let (order, factor) = f(l, m);
+                ((l, order), c * factor)
+            });
+            terms.collect()
+        };
     let sign = |is_negative: bool| Rational::from(if is_negative { -1 } else { 1 });
     let phase = |m: isize| sign(m % 2 != 0);
     add(
@@ -50,18 +51,34 @@ pub(super) fn mistaken_surfaces(surface: &HarmonicSurface) -> Vec<Mistaken<Harmo
     add(
         "reflected in the origin".into(),
         "R(-d): harmonics of odd degree have the wrong sign".into(),
-        mapped(&|l, _| (0, sign(l % 2 == 1))).into_iter().zip(surface.terms()).map(|(((l, _), c), (_, m, _))| ((l, m), c)).collect(),
+        mapped(&|l, _| (0, sign(l % 2 == 1)))
+            .into_iter()
+            .zip(surface.terms())
+            .map(|(((l, _), c), (_, m, _))| ((l, m), c))
+            .collect(),
     );
     add(
         "z mirrored".into(),
         "R(theta, pi - phi): phi is measured from -z".into(),
         mapped(&|l, m| (m, sign((l + m.unsigned_abs()) % 2 == 1))),
     );
-    for (name, ratio) in [("√2 too much", 2f64.sqrt()), ("√2 too little", 0.5f64.sqrt())] {
+    for (name, ratio) in [
+        ("√2 too much", 2f64.sqrt()),
+        ("√2 too little", 0.5f64.sqrt()),
+    ] {
         add(
             format!("real and complex harmonics: {name}"),
             "the harmonics with m ≠ 0 have a factor √2 between real and complex ones".into(),
-            mapped(&|_, m| (m, if m == 0 { Rational::one() } else { exact(ratio) })),
+            mapped(&|_, m| {
+                (
+                    m,
+                    if m == 0 {
+                        Rational::one()
+                    } else {
+                        exact(ratio)
+                    },
+                )
+            }),
         );
     }
     let norms = [
@@ -71,18 +88,39 @@ pub(super) fn mistaken_surfaces(surface: &HarmonicSurface) -> Vec<Mistaken<Harmo
     ];
     for (name, normalization) in norms {
         for (is_divided, what) in [
-            (true, "the coefficients belong to harmonics with this normalization"),
-            (false, "the harmonics are multiplied by the factor of this normalization, which the coefficients have already"),
+            (
+                true,
+                "the coefficients belong to harmonics with this normalization",
+            ),
+            (
+                false,
+                "the harmonics are multiplied by the factor of this normalization, which the coefficients have already",
+            ),
         ] {
             for with_phase in [false, true] {
                 let factor = |l: usize, m: isize| {
                     let norm = normalization.factor(l, m.unsigned_abs());
                     let factor = if is_divided { 1.0 / norm } else { norm };
                     let factor = exact(factor);
-                    (m, if with_phase { factor * phase(m) } else { factor })
+                    (
+                        m,
+                        if with_phase {
+                            factor * phase(m)
+                        } else {
+                            factor
+                        },
+                    )
                 };
-                let and = if with_phase { " and Condon–Shortley phase" } else { "" };
-                add(format!("normalization: {name}{and}"), what.into(), mapped(&factor));
+                let and = if with_phase {
+                    " and Condon–Shortley phase"
+                } else {
+                    ""
+                };
+                add(
+                    format!("normalization: {name}{and}"),
+                    what.into(),
+                    mapped(&factor),
+                );
             }
         }
     }
@@ -148,14 +186,46 @@ pub(super) fn mistaken_angles(radii: &[GivenSpaceRadius]) -> Vec<Mistaken<Vec<Gi
     let latitude = |[theta, phi]: [f64; 2]| [theta, FRAC_PI_2 - phi];
     type Change<'a> = &'a dyn Fn([f64; 2]) -> [f64; 2];
     let all: [(&str, &str, Change<'_>); 8] = [
-        ("degrees for radians", "the angles are in degrees; radians are meant", &degrees),
-        ("theta and phi exchanged", "theta is the angle about z, from x to y, and phi the one from z", &exchanged),
-        ("latitude for colatitude", "phi is measured from z, not from the plane of x and y", &latitude),
-        ("degrees for radians, theta and phi exchanged", "the angles are in degrees, and theta is the one about z", &|at| exchanged(degrees(at))),
-        ("degrees for radians, latitude for colatitude", "the angles are in degrees, and phi is measured from z", &|at| latitude(degrees(at))),
-        ("theta and phi exchanged, latitude for colatitude", "theta is the angle about z, and phi is measured from z", &|at| latitude(exchanged(at))),
-        ("phi from -z", "phi is measured from z, not from -z", &|[theta, phi]| [theta, PI - phi]),
-        ("theta from y", "theta is measured from x towards y, not from y towards x", &|[theta, phi]| [FRAC_PI_2 - theta, phi]),
+        (
+            "degrees for radians",
+            "the angles are in degrees; radians are meant",
+            &degrees,
+        ),
+        (
+            "theta and phi exchanged",
+            "theta is the angle about z, from x to y, and phi the one from z",
+            &exchanged,
+        ),
+        (
+            "latitude for colatitude",
+            "phi is measured from z, not from the plane of x and y",
+            &latitude,
+        ),
+        (
+            "degrees for radians, theta and phi exchanged",
+            "the angles are in degrees, and theta is the one about z",
+            &|at| exchanged(degrees(at)),
+        ),
+        (
+            "degrees for radians, latitude for colatitude",
+            "the angles are in degrees, and phi is measured from z",
+            &|at| latitude(degrees(at)),
+        ),
+        (
+            "theta and phi exchanged, latitude for colatitude",
+            "theta is the angle about z, and phi is measured from z",
+            &|at| latitude(exchanged(at)),
+        ),
+        (
+            "phi from -z",
+            "phi is measured from z, not from -z",
+            &|[theta, phi]| [theta, PI - phi],
+        ),
+        (
+            "theta from y",
+            "theta is measured from x towards y, not from y towards x",
+            &|[theta, phi]| [FRAC_PI_2 - theta, phi],
+        ),
     ];
     all.into_iter()
         .map(|(name, explanation, change)| Mistaken {
@@ -165,7 +235,11 @@ pub(super) fn mistaken_angles(radii: &[GivenSpaceRadius]) -> Vec<Mistaken<Vec<Gi
                 .iter()
                 .map(|given| {
                     let [theta, phi] = change([given.theta, given.phi]);
-                    GivenSpaceRadius { theta, phi, ..*given }
+                    GivenSpaceRadius {
+                        theta,
+                        phi,
+                        ..*given
+                    }
                 })
                 .collect(),
         })
@@ -173,7 +247,10 @@ pub(super) fn mistaken_angles(radii: &[GivenSpaceRadius]) -> Vec<Mistaken<Vec<Gi
 }
 
 /// A surface times a factor, if the numbers of the float program are nearly that times the exact ones: the middle of their ratios.
-pub(super) fn scaled(surface: &HarmonicSurface, mut ratios: Vec<f64>) -> Option<Mistaken<HarmonicSurface>> {
+pub(super) fn scaled(
+    surface: &HarmonicSurface,
+    mut ratios: Vec<f64>,
+) -> Option<Mistaken<HarmonicSurface>> {
     ratios.retain(|ratio| ratio.is_finite());
     let place = ratios.len().checked_sub(1)? / 2;
     let middle = *ratios.select_nth_unstable_by(place, f64::total_cmp).1;
@@ -186,7 +263,11 @@ pub(super) fn scaled(surface: &HarmonicSurface, mut ratios: Vec<f64>) -> Option<
     let factor = Rational::simplest_between(&near(middle - width)?, &near(middle + width)?);
     let terms = surface.terms().map(|(l, m, c)| ((l, m), c * &factor));
     let form = HarmonicSurface::new(terms).ok()?;
-    let shown = if factor.bits() < 40 { factor.to_string() } else { format!("≈ {middle}") };
+    let shown = if factor.bits() < 40 {
+        factor.to_string()
+    } else {
+        format!("≈ {middle}")
+    };
     Some(Mistaken {
         name: "scale".into(),
         explanation: format!("everything is {shown} times what is right").into(),

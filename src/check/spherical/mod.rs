@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{HarmonicSurface, NormalizedHarmonics, harmonic_norm};
-use mistakes::{mistaken_angles, mistaken_surfaces, missing_name, scaled, without};
+use mistakes::{missing_name, mistaken_angles, mistaken_surfaces, scaled, without};
 use values::SphericalValues;
 
 /// The numbers of bits of the enclosures of a radius, in turn.
@@ -96,14 +96,18 @@ impl SphericalReference {
             Some(compare_coefficients(got, surface))
         });
         if found.diagnoses.is_empty() && !found.missing.is_empty() {
-            let missing: Vec<(usize, isize)> = found.missing.iter().filter_map(harmonic_of).collect();
+            let missing: Vec<(usize, isize)> =
+                found.missing.iter().filter_map(harmonic_of).collect();
             let one = without(&self.surface, &missing);
-            found.diagnoses = diagnose(&found, one, |surface| Some(compare_coefficients(got, surface)));
+            found.diagnoses = diagnose(&found, one, |surface| {
+                Some(compare_coefficients(got, surface))
+            });
             // The name says which, even if other numbers are wrong, too.
             if found.diagnoses.is_empty() {
                 found.diagnoses = unexplained(&found, |_| Rational::one());
                 if let Some(first) = found.diagnoses.first_mut() {
                     first.name = missing_name(&self.surface, &missing).into();
+                    first.explanation = format!("{} harmonics are not there", missing.len()).into();
                 }
                 return found;
             }
@@ -124,9 +128,10 @@ impl SphericalReference {
 
     /// The largest coefficient of a normalised harmonic.
     fn largest(&self) -> f64 {
-        let sizes = self.surface.terms().map(|(l, m, c)| {
-            c.to_f64().abs() / harmonic_norm(l, m.unsigned_abs())
-        });
+        let sizes = self
+            .surface
+            .terms()
+            .map(|(l, m, c)| c.to_f64().abs() / harmonic_norm(l, m.unsigned_abs()));
         sizes.fold(0.0, f64::max)
     }
 
@@ -266,7 +271,11 @@ impl SphericalReference {
             let p: [f64; 3] = std::array::from_fn(|i| t * d[i] - center[i]);
             let rho = p.iter().map(|x| x * x).sum::<f64>().sqrt();
             basis.values(p.map(|x| x / rho), &mut values);
-            rho - coefficients.iter().zip(&values).map(|(c, y)| c * y).sum::<f64>()
+            rho - coefficients
+                .iter()
+                .zip(&values)
+                .map(|(c, y)| c * y)
+                .sum::<f64>()
         };
         let size = coefficients.iter().map(|c| c.abs()).sum::<f64>() * degree.max(1) as f64
             + center.iter().map(|x| x.abs()).sum::<f64>();
@@ -326,8 +335,12 @@ fn compare_coefficients(got: &GivenHarmonics, surface: &HarmonicSurface) -> Comp
         in_space: true,
         ..Comparison::default()
     };
-    let mut exact: GivenHarmonics = surface.terms().map(|(l, m, c)| ((l, m), c.clone())).collect();
-    let normalized = |l: usize, m: isize, c: &Rational| c.to_f64().abs() / harmonic_norm(l, m.unsigned_abs());
+    let mut exact: GivenHarmonics = surface
+        .terms()
+        .map(|(l, m, c)| ((l, m), c.clone()))
+        .collect();
+    let normalized =
+        |l: usize, m: isize, c: &Rational| c.to_f64().abs() / harmonic_norm(l, m.unsigned_abs());
     let sizes = exact.iter().map(|((l, m), c)| normalized(*l, *m, c));
     let largest = sizes.fold(0.0, f64::max);
     for (&(l, m), value) in got {
@@ -426,7 +439,8 @@ fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational
         };
         let difference = nearer(&low - got, &high - got);
         let size = nearer(low.clone(), high.clone());
-        let is_close = |size: &Rational, k: i64| width <= size * &Rational::from_dyadic(1.into(), -k);
+        let is_close =
+            |size: &Rational, k: i64| width <= size * &Rational::from_dyadic(1.into(), -k);
         let is_enough = is_close(&difference, DIFFERENCE_BITS) && is_close(&size, RADIUS_BITS);
         let most = difference + &width;
         let ulps = &most / &unit_in_the_last_place(low.to_f64());

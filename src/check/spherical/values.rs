@@ -10,7 +10,6 @@ use crate::exact::{Rational, cosine_and_sine};
 use crate::poly::with_integers;
 use crate::shape::{HarmonicPair, HarmonicSurface, wave_coefficients};
 
-
 /// A radius as a sum of products of a wave of θ and one of φ, over a common denominator D.
 #[derive(Clone, Debug)]
 pub(super) struct SphericalValues {

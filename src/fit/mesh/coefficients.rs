@@ -2,11 +2,12 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::basis::{Basis, as_f64, gauss_legendre, norm, turns};
+use super::nodes::{as_f64, gauss_legendre, turns};
 use super::rays::Rays;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::shape::{NormalizedHarmonics, harmonic_norm};
 
 /// The least and the largest number of latitudes by default.
 const LATITUDES: [usize; 2] = [64, 512];
@@ -83,7 +84,7 @@ impl Samples {
         degree: usize,
         limits: &Limits,
     ) -> Result<Vec<Deviation>> {
-        let mut basis = Basis::new(degree);
+        let mut basis = NormalizedHarmonics::new(degree);
         let mut values = vec![0.0; coefficients.len()];
         let mut found = vec![Deviation::default(); degree + 1];
         let mut add = |direction: [f64; 3], radius: f64, weight: f64| {
@@ -115,7 +116,7 @@ impl Samples {
 
 /// The means over the sphere of the radius times each harmonic.
 pub(super) fn quadrature(samples: &Samples, degree: usize, limits: &Limits) -> Result<Vec<f64>> {
-    let mut basis = Basis::new(degree);
+    let mut basis = NormalizedHarmonics::new(degree);
     let mut found = vec![0.0; (degree + 1) * (degree + 1)];
     let count = samples.turns.len();
     let rows = samples.radii.chunks(count);
@@ -157,7 +158,7 @@ pub(super) fn least_squares(rays: &Rays<'_>, degree: usize, limits: &Limits) -> 
             weights.len()
         )));
     }
-    let mut basis = Basis::new(degree);
+    let mut basis = NormalizedHarmonics::new(degree);
     let mut values = vec![0.0; count];
     let mut products = DMatrix::<f64>::zeros(count, count);
     let mut sums = DVector::<f64>::zeros(count);
@@ -190,7 +191,7 @@ pub(super) fn unnormalised(
     for l in 0..=degree {
         for (k, c) in coefficients[l * l..(l + 1) * (l + 1)].iter().enumerate() {
             let m = k.cast_signed() - l.cast_signed();
-            let value = Rational::try_from(c * norm(l, m.unsigned_abs()));
+            let value = Rational::try_from(c * harmonic_norm(l, m.unsigned_abs()));
             let value =
                 value.map_err(|_| Error::limit("coefficients within the range of doubles"))?;
             terms.push(((l, m), value));

@@ -1,9 +1,9 @@
 //! Fits of sums of spherical harmonics to closed meshes.
 
-mod basis;
 mod coefficients;
 mod crossing;
 mod kernel;
+mod nodes;
 mod rays;
 mod star;
 
@@ -14,11 +14,13 @@ use crate::options::options;
 use crate::shape::{HarmonicSurface, Solid};
 
 use super::{CenterChoice, Estimator};
-pub use basis::MAX_FIT_DEGREE;
 use coefficients::{Samples, least_squares, quadrature};
 use kernel::{Kernel, kernel};
 use rays::Rays;
 use star::visible;
+
+/// The largest degree of a fit.
+pub const MAX_FIT_DEGREE: usize = 80;
 
 /// The size of a fit to a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -52,7 +52,7 @@ proptest! {
     ) {
         let surface = surface(2, &list);
         let pair = HarmonicPair::new(&surface);
-        let terms = coefficients(&pair, AXES[chart]);
+        let terms = wave_coefficients(&pair, AXES[chart]);
         let size: Rational = terms.iter().map(|(.., c)| c.abs()).sum();
         let waves = Waves::new(surface.degree(), &terms, &Rational::one());
         let (theta, phi) = (circle(p, q), circle(a, b));

@@ -14,7 +14,7 @@ mod waves;
 #[cfg(test)]
 mod laws;
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
@@ -22,12 +22,12 @@ use malachite::base::num::logic::traits::SignificantBits;
 use crate::exact::Rational;
 use crate::intervals::Interval;
 use crate::intervals::interval::UNIT;
-use crate::shape::{HarmonicPair, HarmonicSurface};
+use crate::shape::{HarmonicPair, HarmonicSurface, wave_coefficients};
 
 use expansion::{ANGLE, Errors, Expansion, length, turn};
 pub(super) use isolate::Isolated;
 pub(super) use search::NearestOnSphere;
-use waves::{ABOVE, ORDERS, Waves, as_f64, coefficients};
+use waves::{ABOVE, ORDERS, Waves, as_f64};
 
 /// The coordinates (x_i, x_j, x_k) of the charts; φ is the angle from the last one.
 const AXES: [[usize; 3]; 2] = [[0, 1, 2], [1, 2, 0]];
@@ -93,7 +93,7 @@ impl CellTree {
     /// The cells of a surface; `None` if its radius is 0 everywhere.
     pub(super) fn new(surface: &HarmonicSurface, pair: &HarmonicPair) -> Option<Self> {
         let degree = surface.degree();
-        let lists = AXES.map(|axes| coefficients(pair, axes));
+        let lists = AXES.map(|axes| wave_coefficients(pair, axes));
         let sums = lists
             .each_ref()
             .map(|list| list.iter().map(|(.., c)| c.abs()).sum::<Rational>());
@@ -273,7 +273,10 @@ impl CellTree {
     fn angles(&self, p: &[f64; 3]) -> (usize, [f64; 2]) {
         let chart = usize::from(2.0 * p[2] * p[2] > length(p).powi(2));
         let [x, y, z] = self.charts[chart].axes.map(|axis| p[axis]);
-        (chart, [y.atan2(x), x.hypot(y).atan2(z)])
+        // θ in the range of the squares, from −π/4.
+        let theta = y.atan2(x);
+        let theta = theta + if theta < -FRAC_PI_4 { TAU } else { 0.0 };
+        (chart, [theta, x.hypot(y).atan2(z)])
     }
 }
 

@@ -1,5 +1,8 @@
 //! The nearest point of the surface, by branch and bound over its cells.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
 use smallvec::SmallVec;
 
 use super::super::DistanceBounds;
@@ -37,6 +40,27 @@ struct Piece {
     /// The node that holds the piece: its level and its number.
     level: usize,
     code: usize,
+}
+
+impl PartialEq for Piece {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Piece {}
+
+impl PartialOrd for Piece {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Piece {
+    /// The piece with the least bound comes first out of a heap.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.total_cmp(&self.bound)
+    }
 }
 
 /// What is known of the distance from one point.
@@ -137,7 +161,7 @@ impl CellTree {
             error: self.charts[0].errors.value.max(self.charts[1].errors.value),
         };
         self.go_downhill(&mut search, target);
-        let mut waiting: SmallVec<[Piece; 48]> = SmallVec::new();
+        let mut waiting = BinaryHeap::with_capacity(64);
         let squares = (0..6).map(|code| (Self::square(code), code));
         self.add(&mut search, &mut waiting, target, 0, 0.0, squares);
         let mut work = 0;
@@ -230,17 +254,16 @@ impl CellTree {
         }
     }
 
-    /// Adds pieces that are not left out, the nearest one last.
+    /// Adds pieces that are not left out.
     fn add(
         &self,
         search: &mut Search,
-        waiting: &mut SmallVec<[Piece; 48]>,
+        waiting: &mut BinaryHeap<Piece>,
         target: &Target,
         level: usize,
         least: f64,
         places: impl Iterator<Item = (Place, usize)>,
     ) {
-        let first = waiting.len();
         for (place, code) in places {
             let bound = self.node(level, code).least_square(&target.p).max(least);
             if !search.leaves_out(bound) {
@@ -252,7 +275,6 @@ impl CellTree {
                 });
             }
         }
-        waiting[first..].sort_by(|a, b| b.bound.total_cmp(&a.bound));
     }
 
     /// A lower bound of the squared distance of a piece, by the expansion at the nearest point that was found.
@@ -290,7 +312,7 @@ impl CellTree {
         least.max(0.0) * least
     }
 
-    /// A lower bound of the squared distance of a part of a cell. Newton's method looks for the nearest point of the part, until the bound
+    /// A lower bound of the squared distance of a part of a cell. Newton's method, or a step downhill, looks for the nearest point of the part, until the bound
     /// is large enough.
     pub(super) fn piece(
         &self,
@@ -312,9 +334,7 @@ impl CellTree {
             if bound >= search.enough {
                 break;
             }
-            let Some(step) = expansion.newton_step() else {
-                break;
-            };
+            let step = expansion.descent();
             let next = [0, 1].map(|i| (at[i] + step[i]).clamp(low[i], high[i]));
             let moved = (0..2).map(|i| (next[i] - at[i]).abs());
             if moved.fold(0.0, f64::max) < 1e-3 * (high[0] - low[0]) {

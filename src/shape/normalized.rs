@@ -1,20 +1,16 @@
-//! Normalised spherical harmonics in doubles, and the nodes of their quadrature.
-
-use std::f64::consts::{PI, TAU};
-
-/// The largest degree of a fit.
-pub const MAX_FIT_DEGREE: usize = 80;
+//! Normalised spherical harmonics in doubles.
 
 /// The harmonics of a direction: those of degree l and order m at l² + l + m, with the mean square 1 over the sphere.
-pub(super) struct Basis {
+#[derive(Debug)]
+pub(crate) struct NormalizedHarmonics {
     degree: usize,
     /// The factors of the recurrence `P_l^m = a z P_(l−1)^m − b P_(l−2)^m`, by l and m.
     factors: Vec<[f64; 2]>,
     legendre: Vec<f64>,
 }
 
-impl Basis {
-    pub(super) fn new(degree: usize) -> Self {
+impl NormalizedHarmonics {
+    pub(crate) fn new(degree: usize) -> Self {
         let mut factors = Vec::new();
         for l in 0..=degree {
             for m in 0..=l {
@@ -54,7 +50,7 @@ impl Basis {
     }
 
     /// The Legendre functions at z = cos φ, with (sin φ)^m, by [`Self::at`].
-    pub(super) fn latitude(&mut self, z: f64, sine: f64) -> &[f64] {
+    pub(crate) fn latitude(&mut self, z: f64, sine: f64) -> &[f64] {
         for m in 0..=self.degree {
             let first = Self::at(m, m);
             let start = match m {
@@ -75,7 +71,7 @@ impl Basis {
     }
 
     /// All harmonics in a direction.
-    pub(super) fn values(&mut self, [x, y, z]: [f64; 3], out: &mut [f64]) {
+    pub(crate) fn values(&mut self, [x, y, z]: [f64; 3], out: &mut [f64]) {
         let sine = x.hypot(y);
         let (c, s) = if sine > 0.0 {
             (x / sine, y / sine)
@@ -99,7 +95,7 @@ impl Basis {
 }
 
 /// The factor by which the normalised harmonic is larger than Y(l, m): √((2 − δ)(2l + 1)(l − m)!/(l + m)!).
-pub(super) fn norm(l: usize, order: usize) -> f64 {
+pub(crate) fn harmonic_norm(l: usize, order: usize) -> f64 {
     let mut square = as_f64(2 * l + 1) * if order == 0 { 1.0 } else { 2.0 };
     for k in l - order + 1..=l + order {
         square /= as_f64(k);
@@ -107,42 +103,8 @@ pub(super) fn norm(l: usize, order: usize) -> f64 {
     square.sqrt()
 }
 
-/// The nodes z and the weights of Gauss and Legendre on [−1, 1], by Newton's method; the weights add up to 2.
-pub(super) fn gauss_legendre(count: usize) -> Vec<[f64; 2]> {
-    let n = as_f64(count);
-    let node = |i: usize| {
-        let mut z = (PI * (as_f64(i) + 0.75) / (n + 0.5)).cos();
-        let mut slope = 1.0;
-        for _ in 0..100 {
-            let (mut before, mut last) = (0.0, 1.0);
-            for k in 0..count {
-                let k = as_f64(k);
-                (before, last) = (last, ((2.0 * k + 1.0) * z * last - k * before) / (k + 1.0));
-            }
-            slope = n * (z * last - before) / (z * z - 1.0);
-            let step = last / slope;
-            z -= step;
-            if step.abs() < 1e-15 {
-                break;
-            }
-        }
-        [z, 2.0 / ((1.0 - z * z) * slope * slope)]
-    };
-    (0..count).map(node).collect()
-}
-
-/// The cosines and sines of equal angles.
-pub(super) fn turns(count: usize) -> Vec<[f64; 2]> {
-    (0..count)
-        .map(|j| {
-            let (s, c) = (TAU * as_f64(j) / as_f64(count)).sin_cos();
-            [c, s]
-        })
-        .collect()
-}
-
 #[expect(clippy::cast_precision_loss, reason = "degrees and counts are small")]
-pub(super) fn as_f64(n: usize) -> f64 {
+fn as_f64(n: usize) -> f64 {
     n as f64
 }
 
@@ -163,27 +125,13 @@ mod tests {
             let unit = [20 * p, 20 * q, p * p + q * q - 100].map(|x| Rational::from(x) / &n);
             let near = unit.each_ref().map(Rational::to_f64);
             let mut values = vec![0.0; (l + 1) * (l + 1)];
-            Basis::new(l).values(near, &mut values);
+            NormalizedHarmonics::new(l).values(near, &mut values);
             for m in [order.cast_signed(), -order.cast_signed()] {
                 let surface = HarmonicSurface::new([((l, m), Rational::one())]).unwrap();
-                let exact = HarmonicPair::new(&surface).value(&unit).to_f64() * norm(l, order);
+                let exact = HarmonicPair::new(&surface).value(&unit).to_f64() * harmonic_norm(l, order);
                 let found = values[(l * l + l).checked_add_signed(m).unwrap()];
                 prop_assert!((found - exact).abs() <= 1e-12 * (1.0 + exact.abs()));
             }
-        }
-    }
-
-    #[test]
-    fn quadrature_is_exact_for_polynomials() {
-        let nodes = gauss_legendre(7);
-        for power in 0..14 {
-            let sum: f64 = nodes.iter().map(|[z, w]| w * z.powi(power)).sum();
-            let exact = if power % 2 == 0 {
-                2.0 / f64::from(power + 1)
-            } else {
-                0.0
-            };
-            assert!((sum - exact).abs() < 1e-14, "{power}: {sum}");
         }
     }
 }
