@@ -10,10 +10,12 @@ use std::hint::black_box;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use stellate::exact::Rational;
 use stellate::fit::{ContourKind, FitOptions, FitSize, contour_from_reader, fit, fit_elliptic};
-use stellate::inspect::{CurveInspector, InspectOptions, Inspector, SphereSection, Verdict};
+use stellate::inspect::{
+    CurveInspector, HarmonicInspector, InspectOptions, Inspector, SphereSection, Verdict,
+};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
-use stellate::shape::{Form, ImplicitSurface};
+use stellate::shape::{Form, HarmonicPair, HarmonicSurface, ImplicitSurface};
 
 const POINTS: u32 = 1000;
 
@@ -164,5 +166,60 @@ fn curves(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, inspect, curves);
+/// Points near a harmonic surface of degree L with a coefficient for every harmonic.
+fn harmonics(c: &mut Criterion) {
+    let mut group = c.benchmark_group("inspect_harmonics");
+    group.throughput(Throughput::Elements(u64::from(POINTS)));
+    for degree in [10usize, 20] {
+        let mut terms = vec![((0, 0), Rational::from(10))];
+        for l in 1..=degree {
+            for m in -l.cast_signed()..=l.cast_signed() {
+                let c = (7 * l.cast_signed() + 5 * m).rem_euclid(11) - 5;
+                let size = (1..=m.unsigned_abs()).fold(Rational::from(10), |size, k| {
+                    size * Rational::from(i64::try_from(l + k).unwrap())
+                });
+                let c = Rational::from(i64::try_from(c).unwrap());
+                terms.push((
+                    (l, m),
+                    c / (size * Rational::from(i64::try_from(l).unwrap())),
+                ));
+            }
+        }
+        let surface = HarmonicSurface::new(terms).unwrap();
+        let options = InspectOptions::new("3/10".parse().unwrap());
+        let inspector = HarmonicInspector::new(&surface, true, &options, &Limits::none()).unwrap();
+        let pair = HarmonicPair::new(&surface);
+        let points: Vec<[f64; 3]> = (0..POINTS)
+            .map(|k| {
+                let (p, q) = (i64::from(k % 40) - 20, i64::from(k / 40) - 12);
+                let n = Rational::from(p * p + q * q + 100);
+                let unit = [20 * p, 20 * q, p * p + q * q - 100].map(|x| Rational::from(x) / &n);
+                let r = pair.value(&unit).to_f64() + (7.3 * f64::from(k)).sin();
+                unit.map(|x| x.to_f64() * r)
+            })
+            .collect();
+        let inspect = |p: &[f64; 3]| {
+            inspector.inspect_near(*p, &|| p.map(|x| Rational::try_from(x).unwrap()))
+        };
+        for p in &points {
+            let found = inspect(p);
+            assert!(found.verdict != Verdict::Undecided && found.curve.is_some());
+        }
+        group.bench_with_input(
+            BenchmarkId::new("stellate", degree),
+            &points,
+            |b, points| {
+                b.iter(|| {
+                    points
+                        .iter()
+                        .map(|p| inspect(black_box(p)))
+                        .collect::<Vec<_>>()
+                });
+            },
+        );
+    }
+    group.finish();
+}
+
+criterion_group!(benches, inspect, curves, harmonics);
 criterion_main!(benches);

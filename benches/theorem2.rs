@@ -12,10 +12,12 @@ use malachite::Integer;
 use mimalloc::MiMalloc;
 use stellate::document::{Format, write_implicit};
 use stellate::exact::Rational;
-use stellate::implicitize::{SquaredForm, implicitize_plane, square_away};
+use stellate::implicitize::{SquaredForm, SquaredHarmonics, implicitize_plane, square_away};
 use stellate::limits::Limits;
-use stellate::poly::{BinaryForm, PlanePolynomial, doubled_form_from_harmonics};
-use stellate::shape::FourierRadius;
+use stellate::poly::{
+    BinaryForm, PlanePolynomial, Ring, SparsePolynomial, doubled_form_from_harmonics,
+};
+use stellate::shape::{FourierRadius, HarmonicSurface};
 
 /// As in the program.
 #[global_allocator]
@@ -135,5 +137,103 @@ fn elimination(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, theorem2, writing, elimination);
+/// A radius of degree L whose coefficients are doubles of all 53 bits; harmonics have sizes of about 0.3/l².
+fn particle(degree: usize) -> HarmonicSurface {
+    let mut random = SplitMix(0x9E37_79B9_7F4A_7C15);
+    let mut terms = vec![((0, 0), Rational::one())];
+    for l in 1..=degree {
+        for m in 0..=l {
+            let size = (1..=m).fold(0.3 / (l * l) as f64, |size, k| size / (l + k) as f64);
+            for order in [m.cast_signed(), -m.cast_signed()]
+                .into_iter()
+                .take(1 + m.min(1))
+            {
+                terms.push(((l, order), Rational::try_from(random.double(size)).unwrap()));
+            }
+        }
+    }
+    HarmonicSurface::new(terms).unwrap()
+}
+
+/// The naive twin: solid harmonics by their recurrence, and the formula of Theorem 2, on polynomials as sums of terms.
+fn by_terms(surface: &HarmonicSurface) -> SparsePolynomial<3> {
+    let [x, y, z] = [0, 1, 2].map(SparsePolynomial::<3>::variable);
+    let rho = x.squared().plus(&y.squared()).plus(&z.squared());
+    let power = |k: usize| {
+        (0..k).fold(SparsePolynomial::constant(Rational::one()), |p, _| {
+            p.times(&rho)
+        })
+    };
+    let degree = surface.degree();
+    let whole = |n: usize| Rational::from(i64::try_from(n).unwrap());
+    let mut sums = [SparsePolynomial::zero(), SparsePolynomial::zero()];
+    let mut flat = [
+        SparsePolynomial::constant(Rational::one()),
+        SparsePolynomial::zero(),
+    ];
+    for m in 0..=degree {
+        for (start, order) in flat
+            .iter()
+            .zip([m.cast_signed(), -m.cast_signed()])
+            .take(1 + m.min(1))
+        {
+            let (mut before, mut last) = (SparsePolynomial::zero(), start.clone());
+            for l in m..=degree {
+                let parity = (degree - l) % 2;
+                let lifted = last.times(&power((degree - parity - l) / 2));
+                sums[parity].add_multiple(&lifted, surface.coefficient(l, order));
+                // (l − m + 1) S_(l+1) = (2l + 1) z S_l − (l + m) ρ S_(l−1)
+                let up = z.times(&last).scaled(&whole(2 * l + 1));
+                let down = rho.times(&before).scaled(&whole(l + m));
+                let next = up.minus(&down).scaled(&whole(l - m + 1).recip().unwrap());
+                before = std::mem::replace(&mut last, next);
+            }
+        }
+        // (2m + 1) (x + iy) times the last
+        let [re, im] = &flat;
+        let factor = whole(2 * m + 1);
+        flat = [
+            x.times(re).minus(&y.times(im)).scaled(&factor),
+            x.times(im).plus(&y.times(re)).scaled(&factor),
+        ];
+    }
+    let [a, b] = sums;
+    let f = if degree % 2 == 0 {
+        rho.times(&power(degree / 2).minus(&b).squared())
+            .minus(&a.squared())
+    } else {
+        power(degree.div_ceil(2))
+            .minus(&a)
+            .squared()
+            .minus(&rho.times(&b.squared()))
+    };
+    f.primitive()
+}
+
+fn in_space(c: &mut Criterion) {
+    let mut group = c.benchmark_group("harmonics_to_implicit");
+    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    for degree in [8, 26, 60] {
+        let surface = particle(degree);
+        let ours = SquaredHarmonics::new(&surface).unwrap().expand();
+        // The sum of terms takes minutes for the largest degree; there F vanishes at an exact point.
+        let point: [Rational; 3] = ["2/3", "1/3", "-2/3"].map(|x| x.parse().unwrap());
+        let form = SquaredHarmonics::new(&surface).unwrap();
+        let r = form.pair().value(&point);
+        let at = point.map(|x| &x * &r);
+        assert!(ours.polynomial().evaluate(&at).is_zero());
+        group.bench_with_input(BenchmarkId::new("stellate", degree), &surface, |b, s| {
+            b.iter(|| SquaredHarmonics::new(black_box(s)).unwrap().expand());
+        });
+        if degree == 8 {
+            assert!(ours.polynomial().primitive() == by_terms(&surface));
+            group.bench_with_input(BenchmarkId::new("by_terms", degree), &surface, |b, s| {
+                b.iter(|| by_terms(black_box(s)));
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, theorem2, in_space, writing, elimination);
 criterion_main!(benches);

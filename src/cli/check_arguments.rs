@@ -12,6 +12,7 @@ Examples:
   stellate check 'r = 1 + 1/5*cos(3*t)' --coefficients mine.csv --digits 12
   stellate check outline.csv --harmonics 39 --points mine.csv --plot digits.svg
   stellate check 'r = 1 + 1/5*cos(3*t)' --radii mine.csv --format json
+  stellate check 'R = 2 + Y(1,0)/2' --radii mine.csv
 Numbers of the file are doubles, bit for bit: decimals, or hex floats such as 0x1.8p+1.
 The exit code is 1 if something has fewer than --digits D correct digits. Without --digits it is
 1 if a term is missing, if one is there that is no rounding error, or if a usual mistake is
@@ -41,13 +42,14 @@ pub(crate) struct Check {
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 pub(crate) struct CheckedData {
-    /// The coefficients of a float program: an implicit document, rows i,j[,k],value, or a matrix c[i][j] of rows i and columns j
+    /// The coefficients of a float program: an implicit document, rows i,j[,k],value, or a matrix c[i][j] of rows i and columns j;
+    /// of a harmonic surface also rows l,m,value
     #[arg(long, value_name = "FILE")]
     pub(crate) coefficients: Option<String>,
     /// Points of a float program: rows x,y[,z]
     #[arg(long, value_name = "FILE")]
     pub(crate) points: Option<String>,
-    /// Radii of a float program: rows theta,r
+    /// Radii of a float program: rows theta,r, or theta,phi,r for a harmonic surface
     #[arg(long, value_name = "FILE")]
     pub(crate) radii: Option<String>,
     /// The paper's own algorithm in doubles, for growing N

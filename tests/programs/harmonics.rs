@@ -115,8 +115,8 @@ fn radii_in_rational_directions_are_exact() {
 fn verbs_that_do_not_take_them_say_so() {
     for (arguments, part) in [
         (
-            vec!["inspect", "R = 2", "--tolerance", "1", "--point", "1,0,0"],
-            "does not take a harmonic surface",
+            vec!["inspect", "R = 2", "--tolerance", "1", "--point", "1,0"],
+            "this is a surface",
         ),
         (vec!["describe", "R = 2 + Y(1,2)"], "order"),
         (

@@ -10,6 +10,7 @@ mod cli_session;
 mod documents;
 mod elliptic;
 mod form_mistakes;
+mod harmonic_verbs;
 mod harmonics;
 mod implicitize_cli;
 mod language;

@@ -1,7 +1,9 @@
 //! A sum of spherical harmonics as a sum of harmonics of θ and φ, with its derivatives in doubles.
 
+use pulp::NullaryFnOnce;
 use smallvec::SmallVec;
 
+use crate::bigint::Machine;
 use crate::exact::Rational;
 use crate::intervals::interval::UNIT;
 use crate::shape::WaveCoefficients;
@@ -21,6 +23,7 @@ pub(super) type Turn = [f64; 2];
 #[derive(Debug)]
 pub(super) struct Waves {
     degree: usize,
+    machine: Machine,
     /// The coefficients for even and for odd m. A block has those of cos mθ, sin mθ, cos (m + 2)θ and sin (m + 2)θ for each n.
     blocks: [Vec<[f64; LANES]>; 2],
     /// The bounds E_k of the lemma at [`Self::derivatives`].
@@ -42,6 +45,7 @@ impl Waves {
         });
         let mut waves = Self {
             degree,
+            machine: Machine::this(),
             blocks,
             errors: [0.0; ORDERS],
             sizes: [0.0; ORDERS],
@@ -90,20 +94,57 @@ impl Waves {
     ///
     /// Law: `derivatives_are_those_of_the_radius`.
     pub(super) fn derivatives<const N: usize>(&self, theta: Turn, phi: Turn) -> [[f64; N]; N] {
-        let of_phi = [0, 1].map(|parity| self.waves_of_phi::<N>(phi, parity));
+        self.machine.dispatch(Derivatives::<N> {
+            waves: self,
+            theta,
+            phi,
+        })
+    }
+}
+
+/// The computation of [`Waves::derivatives`], which is compiled for the instructions of the machine.
+struct Derivatives<'a, const N: usize> {
+    waves: &'a Waves,
+    theta: Turn,
+    phi: Turn,
+}
+
+impl<const N: usize> NullaryFnOnce for Derivatives<'_, N> {
+    type Output = [[f64; N]; N];
+
+    #[inline(always)]
+    fn call(self) -> [[f64; N]; N] {
+        let Self { waves, theta, phi } = self;
+        // The derivatives of cos nφ and of sin nφ, for all n.
+        let mut of_phi: [SmallVec<[[f64; N]; 32]>; 2] = [SmallVec::new(), SmallVec::new()];
+        let mut power = [1.0, 0.0];
+        for n in 0..=waves.degree {
+            let n = as_f64(n);
+            let starts = [[power[0], -power[1]], [power[1], power[0]]];
+            for (list, start) in of_phi.iter_mut().zip(starts) {
+                let [mut value, mut turned] = start;
+                let mut row = [0.0; N];
+                for x in &mut row {
+                    *x = value;
+                    (value, turned) = (n * turned, -n * value);
+                }
+                list.push(row);
+            }
+            power = times(power, phi);
+        }
         let mut found = [[[0.0; LANES]; N]; N];
         // The power m of the first pair of a block, and the square by which the next pair is more.
         let square = times(theta, theta);
         let fourth = times(square, square);
         for (parity, start) in [[1.0, 0.0], theta].into_iter().enumerate() {
             let mut power = start;
-            let blocks = self.blocks[parity].chunks_exact(self.degree + 1);
+            let blocks = waves.blocks[parity].chunks_exact(waves.degree + 1);
             for (block, rows) in blocks.enumerate() {
                 let mut sums = [[0.0; LANES]; N];
                 for (row, wave) in rows.iter().zip(&of_phi[parity]) {
-                    for (sum, wave) in sums.iter_mut().zip(wave) {
-                        for (sum, c) in sum.iter_mut().zip(row) {
-                            *sum += c * wave;
+                    for j in 0..N {
+                        for lane in 0..LANES {
+                            sums[j][lane] += row[lane] * wave[j];
                         }
                     }
                 }
@@ -128,36 +169,18 @@ impl Waves {
         }
         found.map(|row| row.map(|[a, b, c, d]| (a + b) + (c + d)))
     }
-
-    /// The derivatives of cos nφ, or of sin nφ for odd m, for all n.
-    fn waves_of_phi<const N: usize>(&self, phi: Turn, parity: usize) -> SmallVec<[[f64; N]; 32]> {
-        let mut power = [1.0, 0.0];
-        let mut waves = SmallVec::with_capacity(self.degree + 1);
-        for n in 0..=self.degree {
-            let n = as_f64(n);
-            let [mut value, mut turned] = match parity {
-                0 => [power[0], -power[1]],
-                _ => [power[1], power[0]],
-            };
-            waves.push(std::array::from_fn(|_| {
-                let here = value;
-                (value, turned) = (n * turned, -n * value);
-                here
-            }));
-            power = times(power, phi);
-        }
-        waves
-    }
 }
 
 /// Covers numbers below the range of doubles in sums of numbers of size 1.
 const TINY: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// The product of two complex numbers.
+#[inline(always)]
 fn times([a, b]: Turn, [c, d]: Turn) -> Turn {
     [a * c - b * d, a * d + b * c]
 }
 
+#[inline(always)]
 #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
 pub(super) fn as_f64(n: usize) -> f64 {
     n as f64

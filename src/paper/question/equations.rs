@@ -6,8 +6,8 @@ use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
 use crate::fit::{ContourKind, FitOptions, FitSize, contour_from_reader, fit_within};
 use crate::implicitize::{
-    PolarFactor, Role, SquaredForm, implicitize_patch, implicitize_plane, implicitize_space_curve,
-    parity_sums, polar_patch, polar_plane, polar_space_curve, square_away,
+    PolarFactor, Role, SquaredForm, SquaredHarmonics, implicitize_patch, implicitize_plane,
+    implicitize_space_curve, parity_sums, polar_patch, polar_plane, polar_space_curve, square_away,
 };
 use crate::limits::Limits;
 use crate::paper::data::example;
@@ -34,6 +34,23 @@ pub(super) fn fourier(subject: &str) -> Result<FourierRadius> {
     }
 }
 
+/// The polynomial of Theorem 2 in space for a sum of spherical harmonics.
+pub(super) fn harmonic(subject: &str) -> Result<SquaredHarmonics> {
+    match form(subject)? {
+        Form::Harmonic(surface) => SquaredHarmonics::new(&surface),
+        _ => Err(wrong_subject(subject, "a sum of spherical harmonics")),
+    }
+}
+
+/// The degrees of the homogeneous parts of the polynomial of a plane curve, or of a sum of spherical harmonics.
+fn degrees_of(subject: &str) -> Result<Vec<usize>> {
+    if let Form::Harmonic(_) = form(subject)? {
+        let surface = harmonic(subject)?.expand();
+        return Ok(surface.by_degree().homogeneous_degrees());
+    }
+    Ok(curve(subject)?.polynomial().homogeneous_degrees())
+}
+
 pub(super) fn equation(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let found: Vec<Equation> = match form(subject)? {
         Form::PlaneCurve(curve) => vec![Equation::from(
@@ -55,6 +72,7 @@ pub(super) fn equation(subject: &str, claimed: &str, limits: &Limits) -> Result<
             None => Vec::new(),
         },
         Form::SpaceSuperquadric(shape) => vec![shape.polynomial()?],
+        Form::Harmonic(_) => vec![harmonic(subject)?.expand().polynomial().clone()],
         _ => vec![Equation::from(curve(subject)?.polynomial())],
     };
     Answer::polynomials(&found, claimed)
@@ -108,14 +126,13 @@ pub(super) fn spurious(subject: &str, claimed: &str, limits: &Limits) -> Result<
 }
 
 pub(super) fn origin(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
-    let multiplicity = curve(subject)?.polynomial().lowest_degree();
+    let multiplicity = degrees_of(subject)?.into_iter().min();
     let multiplicity = multiplicity.invariant("the polynomial of a curve is not 0");
     Ok(Answer::text(multiplicity.to_string(), claimed))
 }
 
 pub(super) fn degrees(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
-    let degrees = curve(subject)?.polynomial().homogeneous_degrees();
-    Ok(Answer::text(joined(degrees), claimed))
+    Ok(Answer::text(joined(degrees_of(subject)?), claimed))
 }
 
 pub(super) fn fitted_degrees(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
@@ -176,6 +193,13 @@ pub(super) fn same(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
 }
 
 pub(super) fn perfect_square(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
+    if let Form::Harmonic(_) = form(subject)? {
+        let found = match harmonic(subject)?.is_perfect_square() {
+            true => "a perfect square",
+            false => "no perfect square",
+        };
+        return Ok(Answer::text(found.into(), claimed));
+    }
     let form = SquaredForm::new(&fourier(subject)?)?;
     let reduced = Equation::from(form.expand().polynomial());
     let full = Equation::from(form.expand_unreduced().polynomial());

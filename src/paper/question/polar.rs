@@ -1,6 +1,6 @@
 //! Questions about polar and spherical forms: §3 of the paper.
 
-use super::equations::{curve, fourier};
+use super::equations::{curve, fourier, harmonic};
 use super::{Answer, form, joined, wrong_subject};
 use crate::document::{Coordinates, Format, write_parametrization, write_surface_parametrization};
 use crate::error::Result;
@@ -8,8 +8,8 @@ use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
 use crate::parametrize::{
     AngleRange, BranchRadius, Parametrization, PolarMethod, SurfaceMethod, SurfaceParametrization,
-    fourier_branches, parametrize, parametrize_intersection, parametrize_space_superquadric,
-    parametrize_superquadric, parametrize_surface,
+    fourier_branches, harmonic_radii, parametrize, parametrize_intersection,
+    parametrize_space_superquadric, parametrize_superquadric, parametrize_surface,
 };
 use crate::roots::RealRoot;
 use crate::shape::Form;
@@ -45,10 +45,21 @@ fn in_the_plane(subject: &str, limits: &Limits) -> Result<Box<Parametrization>> 
 }
 
 pub(super) fn back(subject: &str, claimed: &str, _: &Limits) -> Result<Answer> {
-    let radius = fourier(subject)?;
-    let branches = fourier_branches(&SquaredForm::new(&radius)?.expand())?;
-    let agrees = branches.radii.contains(&fourier(claimed)?);
-    let found = if branches.radii.contains(&radius) {
+    let (agrees, is_back) = match form(subject)? {
+        Form::Harmonic(surface) => {
+            let radii = harmonic_radii(&harmonic(subject)?.expand())?;
+            let Form::Harmonic(claimed) = form(claimed)? else {
+                return Err(wrong_subject(claimed, "a sum of spherical harmonics"));
+            };
+            (radii.contains(&claimed), radii.contains(&surface))
+        }
+        _ => {
+            let radius = fourier(subject)?;
+            let radii = fourier_branches(&SquaredForm::new(&radius)?.expand())?.radii;
+            (radii.contains(&fourier(claimed)?), radii.contains(&radius))
+        }
+    };
+    let found = if is_back {
         "the same coefficients"
     } else {
         "other coefficients"
