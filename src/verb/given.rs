@@ -3,6 +3,8 @@
 use std::io::Read;
 use std::path::Path;
 
+use flate2::read::GzDecoder;
+
 use crate::error::{Error, Result};
 use crate::fit::{
     ContourKind, LeftOut, OutlineOptions, cloud_from_reader, is_geojson, outline_from_reader,
@@ -17,7 +19,9 @@ use crate::reading::{
 use crate::shape::{Contour, Form, PointCloud};
 
 use super::foreign::refuse_name;
-use super::source::{Held, head_of, held, is_a_folder, names_a_file, open, read_limited};
+use super::source::{
+    Held, head_of, held, is_a_folder, names_a_file, open, packed_harmonics, read_limited,
+};
 use super::{Remark, Work};
 
 /// A form or a contour, with the name that messages and legends use for it.
@@ -200,8 +204,13 @@ impl Given {
     /// # Errors
     /// Those of [`Given::from_path`]; [`Error::Usage`] for options of outlines that mean nothing for this input.
     pub fn from_path_with(path: &Path, options: &ReadOptions, work: &Work) -> Result<Self> {
-        refuse_name(path)?;
         let place = path.display().to_string();
+        if let Some(unpacked) = packed_harmonics(path) {
+            let reader = GzDecoder::new(open(path)?);
+            let source = Source::new(reader, Some(&unpacked), &place)?;
+            return source.given(&file_name(path), options, work);
+        }
+        refuse_name(path)?;
         let source = Source::new(open(path)?, Some(path), &place)?;
         source.given(&file_name(path), options, work)
     }

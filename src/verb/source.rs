@@ -1,7 +1,7 @@
 //! What a file or a stream holds: it is recognised by its first bytes and by its name.
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::foreign::{is_foreign, refuse_beginning};
 use crate::error::{Error, Result};
@@ -92,6 +92,14 @@ fn layout_of_name(path: &Path) -> Option<HarmonicLayout> {
         "dat" if stem.contains("anm") => Some(HarmonicLayout::Complex),
         _ => None,
     }
+}
+
+/// The name without `.gz` of a packed file of harmonics, such as `model.sh.gz`.
+pub(super) fn packed_harmonics(path: &Path) -> Option<PathBuf> {
+    let extension = path.extension()?.to_str()?;
+    let unpacked = path.with_extension("");
+    let is_packed = extension.eq_ignore_ascii_case("gz") && layout_of_name(&unpacked).is_some();
+    is_packed.then_some(unpacked)
 }
 
 /// The kind of an outline in binary data.

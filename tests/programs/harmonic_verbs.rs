@@ -102,6 +102,54 @@ fn a_table_of_points_is_decided_entirely() {
 }
 
 #[test]
+fn packed_files_and_first_rows_of_planets_are_read() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path();
+    let rows = "0 0 2.0 0.0\n1 0 0.5 0.0\n1 1 0.25 -0.125\n";
+    fs::write(path.join("a.sh"), rows).unwrap();
+    let planet = format!(" 6378.0, 398600.4, 0.1, 1, 1, 1, 0.0, 0.0\n{rows}");
+    fs::write(path.join("planet.sh"), planet).unwrap();
+    // gzip with one stored block.
+    let length = u16::try_from(rows.len()).unwrap();
+    let mut packed = vec![0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 255, 1];
+    packed.extend(length.to_le_bytes());
+    packed.extend((!length).to_le_bytes());
+    packed.extend(rows.bytes());
+    let cut = packed.clone();
+    packed.extend(crc32(rows.as_bytes()).to_le_bytes());
+    packed.extend(u32::from(length).to_le_bytes());
+    fs::write(path.join("b.sh.gz"), packed).unwrap();
+    fs::write(path.join("cut.sh.gz"), &cut[..30]).unwrap();
+    let first = done_in(path, &["implicitize", "a.sh", "--quiet"], "");
+    for name in ["b.sh.gz", "planet.sh"] {
+        assert_eq!(done_in(path, &["implicitize", name, "--quiet"], ""), first);
+    }
+    let run = run_in(path, &["describe", "cut.sh.gz"], "");
+    assert!(
+        run.code == 2 && run.err.contains("cut.sh.gz"),
+        "{} {}",
+        run.code,
+        run.err
+    );
+}
+
+/// The checksum of gzip.
+fn crc32(bytes: &[u8]) -> u32 {
+    let mut crc = !0u32;
+    for byte in bytes {
+        crc ^= u32::from(*byte);
+        for _ in 0..8 {
+            crc = if crc & 1 == 1 {
+                crc >> 1 ^ 0xEDB8_8320
+            } else {
+                crc >> 1
+            };
+        }
+    }
+    !crc
+}
+
+#[test]
 fn a_mesh_of_a_surface_is_fitted_back() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("r.csv"), table(|_, _| true)).unwrap();
