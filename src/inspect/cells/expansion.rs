@@ -103,7 +103,7 @@ impl Expansion {
     }
 
     /// Half the gradient of the squared distance.
-    fn gradient(&self) -> [f64; 2] {
+    pub(super) fn gradient(&self) -> [f64; 2] {
         self.slopes.each_ref().map(|slope| dot(slope, &self.value))
     }
 

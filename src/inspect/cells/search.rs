@@ -17,6 +17,8 @@ const MOST_PIECES: usize = 4000;
 const SHORTEST: f64 = 1e-8;
 /// The largest number of steps downhill from the direction of the point.
 const FIRST_STEPS: usize = 12;
+/// A step downhill is the last one if it gains this part of the width that is asked for.
+const NEAR: f64 = 0.1;
 /// The largest number of steps of Newton's method on a part.
 const STEPS: usize = 3;
 
@@ -236,7 +238,11 @@ impl CellTree {
             let before = search.high;
             search.found(chart, &expansion);
             let step = expansion.descent().map(|x| x.clamp(-0.3, 0.3));
-            let is_last = search.high >= before || step.iter().all(|x| x.abs() < 1e-9);
+            // What the step gains is within the width that is asked for.
+            let [g, h] = expansion.gradient();
+            let gain = (g * step[0] + h * step[1]).abs();
+            let is_near = gain <= NEAR * search.relative * search.high * search.high;
+            let is_last = search.high >= before || is_near;
             if is_last {
                 break;
             }
