@@ -143,7 +143,7 @@ fn particle(degree: usize) -> HarmonicSurface {
     let mut terms = vec![((0, 0), Rational::one())];
     for l in 1..=degree {
         for m in 0..=l {
-            let size = (1..=m).fold(0.3 / (l * l) as f64, |size, k| size / (l + k) as f64);
+            let size = (1..=m).fold(0.3 / as_f64(l * l), |size, k| size / as_f64(l + k));
             for order in [m.cast_signed(), -m.cast_signed()]
                 .into_iter()
                 .take(1 + m.min(1))
@@ -153,6 +153,10 @@ fn particle(degree: usize) -> HarmonicSurface {
         }
     }
     HarmonicSurface::new(terms).unwrap()
+}
+
+fn as_f64(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap())
 }
 
 /// The naive twin: solid harmonics by their recurrence, and the formula of Theorem 2, on polynomials as sums of terms.

@@ -82,6 +82,7 @@ fn power_products(degree: usize) -> Vec<Vec<Integer>> {
             product[at] = below - &product[at];
         }
     }
+    let zero = Integer::ZERO;
     let mut found = Vec::with_capacity(degree + 1);
     for k in 0..=degree {
         let j = degree - k;
@@ -105,11 +106,9 @@ fn power_products(degree: usize) -> Vec<Vec<Integer>> {
             carry += &product[at + 1];
             quotient[at] = carry.clone();
         }
-        for at in 0..=degree {
-            let below = at
-                .checked_sub(1)
-                .map_or(Integer::ZERO, |at| quotient[at].clone());
-            product[at] = below + quotient.get(at).unwrap_or(&Integer::ZERO);
+        for (at, value) in product.iter_mut().enumerate() {
+            let below = at.checked_sub(1).map_or(&zero, |at| &quotient[at]);
+            *value = below + quotient.get(at).unwrap_or(&zero);
         }
     }
     found

@@ -1,5 +1,7 @@
 //! Each mistake is found from the numbers that a program with it gives.
 
+#![expect(clippy::cast_precision_loss, reason = "the numbers of tests are small")]
+
 use super::*;
 use crate::shape::HarmonicPair;
 use proptest::prelude::*;

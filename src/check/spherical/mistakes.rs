@@ -51,11 +51,7 @@ pub(super) fn mistaken_surfaces(surface: &HarmonicSurface) -> Vec<Mistaken<Harmo
     add(
         "reflected in the origin".into(),
         "R(-d): harmonics of odd degree have the wrong sign".into(),
-        mapped(&|l, _| (0, sign(l % 2 == 1)))
-            .into_iter()
-            .zip(surface.terms())
-            .map(|(((l, _), c), (_, m, _))| ((l, m), c))
-            .collect(),
+        mapped(&|l, m| (m, sign(l % 2 == 1))),
     );
     add(
         "z mirrored".into(),

@@ -58,7 +58,7 @@ pub struct SphericalReference {
 
 /// What a mistake changes.
 enum Changed {
-    Surface(HarmonicSurface),
+    Surface(Box<HarmonicSurface>),
     Angles(Vec<GivenSpaceRadius>),
 }
 
@@ -167,7 +167,7 @@ impl SphericalReference {
         let of_surface = |m: Mistaken<HarmonicSurface>| Mistaken {
             name: m.name,
             explanation: m.explanation,
-            form: Changed::Surface(m.form),
+            form: Changed::Surface(Box::new(m.form)),
         };
         let of_angles = |m: Mistaken<Vec<GivenSpaceRadius>>| Mistaken {
             name: m.name,
@@ -277,7 +277,8 @@ impl SphericalReference {
                 .map(|(c, y)| c * y)
                 .sum::<f64>()
         };
-        let size = coefficients.iter().map(|c| c.abs()).sum::<f64>() * degree.max(1) as f64
+        let size = coefficients.iter().map(|c| c.abs()).sum::<f64>()
+            * f64::from(u32::try_from(degree + 1).unwrap_or(u32::MAX))
             + center.iter().map(|x| x.abs()).sum::<f64>();
         let radius = |given: &GivenSpaceRadius| {
             let ((st, ct), (sp, cp)) = (given.theta.sin_cos(), given.phi.sin_cos());

@@ -105,7 +105,7 @@ fn a_cube_is_fitted_about_its_centroid() {
 
 /// A polygon in the plane of x and y, as a prism between z = 0 and z = 1.
 fn prism(polygon: &[[f64; 2]], cut: &[[u32; 3]]) -> Solid {
-    let n = polygon.len() as u32;
+    let n = u32::try_from(polygon.len()).unwrap();
     let at = |z: f64| polygon.iter().map(move |[x, y]| [*x, *y, z]);
     let vertices = at(0.0).chain(at(1.0)).collect();
     let walls = (0..n).flat_map(|i| {

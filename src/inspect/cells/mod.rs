@@ -129,7 +129,7 @@ impl CellTree {
         };
         tree.fill(rest);
         let unit = scale.recip()?.to_f64();
-        (unit.is_normal() && unit.recip().is_normal()).then(|| Self { unit, ..tree })
+        (unit.is_normal() && unit.recip().is_normal()).then_some(Self { unit, ..tree })
     }
 
     /// The first node of a level.
@@ -357,8 +357,8 @@ impl Node {
     /// A lower bound of the squared distance of a point from the box, of which each coordinate has four roundings.
     fn least_square(&self, p: &[f64; 3]) -> f64 {
         let mut sum = 0.0;
-        for i in 0..3 {
-            let away = (self.low[i] - p[i]).max(p[i] - self.high[i]).max(0.0);
+        for ((low, high), x) in self.low.iter().zip(&self.high).zip(p) {
+            let away = (low - x).max(x - high).max(0.0);
             sum += away * away;
         }
         sum * (1.0 - 8.0 * UNIT)
@@ -367,8 +367,8 @@ impl Node {
     /// An upper bound of the squared distance of a point from the points of the box.
     fn greatest_square(&self, p: &[f64; 3]) -> f64 {
         let mut sum = 0.0;
-        for i in 0..3 {
-            let away = (self.high[i] - p[i]).max(p[i] - self.low[i]);
+        for ((low, high), x) in self.low.iter().zip(&self.high).zip(p) {
+            let away = (high - x).max(x - low);
             sum += away * away;
         }
         sum * (1.0 + 8.0 * UNIT)

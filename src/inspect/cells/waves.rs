@@ -142,19 +142,19 @@ impl<const N: usize> NullaryFnOnce for Derivatives<'_, N> {
             for (block, rows) in blocks.enumerate() {
                 let mut sums = [[0.0; LANES]; N];
                 for (row, wave) in rows.iter().zip(&of_phi[parity]) {
-                    for j in 0..N {
-                        for lane in 0..LANES {
-                            sums[j][lane] += row[lane] * wave[j];
+                    for (sum, wave) in sums.iter_mut().zip(wave) {
+                        for (sum, c) in sum.iter_mut().zip(row) {
+                            *sum += c * wave;
                         }
                     }
                 }
                 let next = times(power, square);
                 let m = [0, 2].map(|more| as_f64(LANES * block + parity + more));
                 let mut wave = [power[0], power[1], next[0], next[1]];
-                for i in 0..N {
-                    for j in 0..N - i {
-                        for lane in 0..LANES {
-                            found[i][j][lane] += sums[j][lane] * wave[lane];
+                for (i, list) in found.iter_mut().enumerate() {
+                    for (found, sum) in list.iter_mut().zip(&sums).take(N - i) {
+                        for ((found, sum), wave) in found.iter_mut().zip(sum).zip(&wave) {
+                            *found += sum * wave;
                         }
                     }
                     wave = [
