@@ -55,6 +55,7 @@
 //! | Lemma 1 (r(θ) as a series) | [`shape::FourierRadius`] |
 //! | Theorem 1, Eq. (1) | [`implicitize::polar_plane`]; the same by a resultant: [`implicitize::implicitize_plane`] |
 //! | Theorem 2, Eqs. (5)–(9), Appendix B | [`implicitize::SquaredForm`] |
+//! | Theorem 2 in space, beyond the paper | [`implicitize::SquaredHarmonics`], and back [`parametrize::harmonic_radii`]; fits to meshes: [`fit::fit_mesh`]; inspection: [`inspect::HarmonicInspector`] |
 //! | Theorem 3, Eqs. (10), (11) | [`implicitize::polar_space_curve`]; all equations: [`implicitize::implicitize_space_curve`] |
 //! | Theorem 4, Eq. (15) | [`implicitize::polar_patch`]; by linear algebra: [`implicitize::implicitize_patch`] |
 //! | Appendix A (cos nθ, sin nθ as forms) | [`poly::BinaryForm`] |

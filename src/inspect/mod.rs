@@ -5,7 +5,8 @@
 //! and [`Inspection::verdict`]), together with certified bounds of the distance.
 //!
 //! A parametric form is compared itself ([`CurveInspector`], [`PatchInspector`]), because the zero set of its equation can have
-//! more points. An equation is compared as its zero set ([`Inspector`]).
+//! more points. An equation is compared as its zero set ([`Inspector`]). A harmonic surface is compared without its equation
+//! ([`HarmonicInspector`]).
 //!
 //! For an equation, doubles with error bounds decide nearly all points: by a Taylor expansion at the foot of the point, or else
 //! by cubes and by patches of the sphere. Exact arithmetic decides the other points: at a refined foot, at rational points, by
