@@ -8,7 +8,7 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::program::{done, done_in, number, run_in};
+use crate::common::program::{done_in, number, run_in};
 
 /// A table of a radius of degree 6, by rows l,m,value; `kept` says which harmonics are there.
 fn table(kept: impl Fn(i64, i64) -> bool) -> String {
@@ -27,21 +27,26 @@ fn table(kept: impl Fn(i64, i64) -> bool) -> String {
 
 #[test]
 fn points_are_inspected_without_the_equation() {
-    let out = done(&[
+    let points = [
+        "0,0,2.6",
+        "0,0,2.600000000000000000000000000001",
+        "0,0,2.5",
+        "0,0,0",
+    ];
+    let mut arguments = vec![
         "inspect",
         "R = 2 + Y(1,0)/2",
         "--tolerance",
         "0.1",
-        "--point",
-        "0,0,2.6",
-        "--point",
-        "0,0,2.600000000000000000000000000001",
-        "--point",
-        "0,0,2.5",
-        "--point",
-        "0,0,0",
         "--quiet",
-    ]);
+    ];
+    for point in points {
+        arguments.extend(["--point", point]);
+    }
+    let run = run_in(Path::new("."), &arguments, "");
+    // Some points are outside.
+    assert_eq!(run.code, 1, "{}", run.err);
+    let out = run.out;
     let rows: Vec<Vec<&str>> = out.lines().map(|row| row.split(',').collect()).collect();
     let verdicts: Vec<[&str; 3]> = rows[1..].iter().map(|r| [r[3], r[4], r[7]]).collect();
     assert_eq!(
@@ -421,7 +426,7 @@ fn angles_and_signs_that_are_wrong_are_named() {
     let changed = |change: &dyn Fn([f64; 3]) -> [f64; 3]| {
         let mut text = String::from("theta,phi,r\n");
         for row in right.lines().skip(1) {
-            let row: Vec<f64> = row.split(',').map(number).collect();
+            let row: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
             let [a, b, c] = change([row[0], row[1], row[2]]);
             text += &format!("{a:?},{b:?},{c:?}\n");
         }
