@@ -202,7 +202,7 @@ fn by_terms(surface: &HarmonicSurface) -> SparsePolynomial<3> {
         ];
     }
     let [a, b] = sums;
-    let f = if degree % 2 == 0 {
+    let f = if degree.is_multiple_of(2) {
         rho.times(&power(degree / 2).minus(&b).squared())
             .minus(&a.squared())
     } else {
