@@ -139,6 +139,7 @@ mod rows;
 pub mod sample;
 pub mod shape;
 pub mod sphere;
+pub mod topology;
 pub mod verb;
 pub mod witness;
 

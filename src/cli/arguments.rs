@@ -124,7 +124,9 @@ pub(crate) enum NumberReading {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     /// Tell what a form is: degree, parts, lemma, star-shapedness, what is certain about it
-    #[command(after_help = "Example:\n  stellate describe 'r = 1 + 1/5*cos(3*t)'")]
+    #[command(after_help = "Examples:
+  stellate describe 'r = 1 + 1/5*cos(3*t)'
+  stellate describe --topology 'y^2 = (x-1)^2*(x-2)'")]
     Describe(Describe),
     /// Turn a Fourier radius, a contour, a parametric curve or a patch into its exact implicit equation (Theorems 1 to 4)
     #[command(after_help = "Examples:
@@ -286,6 +288,10 @@ pub(crate) struct Describe {
     /// What to describe
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
+    /// For plane curves: components and what contains what, exact extents, singular points, asymptotes, and the genus of each
+    /// factor
+    #[arg(long)]
+    pub(crate) topology: bool,
     #[command(flatten)]
     pub(crate) fit: FitFlags,
     #[command(flatten)]

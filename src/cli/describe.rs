@@ -13,7 +13,9 @@ pub(crate) fn run(flags: &Describe, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
     Kind::Description.check(format)?;
-    let options = DescribeOptions::default().fit(input::fit_options(&flags.fit));
+    let options = DescribeOptions::default()
+        .fit(input::fit_options(&flags.fit))
+        .topology(flags.topology);
     let given = input::read_with(&flags.form, &flags.fit, session)?;
     let found = verb::describe(given, &options, &session.work)?;
     write_result(session, |out| {

@@ -8,12 +8,13 @@ use serde_json::Value;
 use super::angles::{Range, ranges_text};
 use super::facts::Annotations;
 use super::json::{parsed, value_of, write_value};
+use super::topology::{NO_GENUS, genus_text, notes as topology_notes, topology_json, write_topology};
 use super::{Format, Kind, SCHEMA, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::error::Result;
 use crate::notation::polynomial_text;
 use crate::shape::{Form, ImplicitSurface};
-use crate::verb::Fact;
+use crate::verb::{CurveTopology, Fact};
 
 /// A factor with a longer text is not printed in the text format.
 const LONGEST_FACTOR: usize = 300;
@@ -48,6 +49,11 @@ struct FactorEntry {
     multiplicity: usize,
     polynomial: Value,
     proof: String,
+    /// The genus, if the topology was asked for; `Some(None)` if it was not found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    genus: Option<Option<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    conjugate_components: Option<usize>,
     #[serde(skip)]
     text: String,
 }
@@ -58,6 +64,8 @@ impl FactorEntry {
             multiplicity: factor.multiplicity,
             polynomial: parsed(&written(&factor.shape, Format::Json)?),
             proof: factor.proof.clone(),
+            genus: None,
+            conjugate_components: None,
             text: String::from_utf8_lossy(&written(&factor.shape, Format::Text)?).into_owned(),
         })
     }
@@ -81,6 +89,22 @@ impl FactorEntry {
     }
 }
 
+impl DescriptionDocument<'_> {
+    /// Adds the genus of each factor, and what the topology leaves open.
+    fn add_genera(&mut self, found: &CurveTopology, digits: u32) {
+        let factors = self.factors.iter_mut().flatten();
+        for (entry, genus) in factors.zip(&found.genera) {
+            entry.genus = Some(genus.map(|g| g.genus));
+            let components = genus.map(|g| g.components);
+            entry.conjugate_components = components.filter(|&n| n > 1);
+        }
+        if found.genera.contains(&None) {
+            self.notes.push(NO_GENUS.into());
+        }
+        self.notes.extend(topology_notes(&found.topology, digits));
+    }
+}
+
 fn written(shape: &Form, format: Format) -> Result<Vec<u8>> {
     let mut text = Vec::new();
     write_form(shape, &[], format, &mut text)?;
@@ -94,22 +118,29 @@ fn written(shape: &Form, format: Format) -> Result<Vec<u8>> {
 pub(crate) fn write_description(
     description: &Description,
     facts: &[Fact],
+    topology: Option<&CurveTopology>,
     digits: u32,
     format: Format,
     out: &mut dyn Write,
 ) -> Result<()> {
     let annotations = Annotations::from(facts);
-    let document = document(description, &annotations.notes, digits)?;
+    let mut document = document(description, &annotations.notes, digits)?;
+    if let Some(topology) = topology {
+        document.add_genera(topology, digits);
+    }
     match format {
         Format::Json => {
             let mut value = value_of(&document);
             for (name, field) in &annotations.fields {
                 value[*name] = field.clone();
             }
+            if let Some(found) = topology {
+                value["topology"] = topology_json(&found.topology, digits);
+            }
             write_value(&value, out)?;
             Ok(writeln!(out)?)
         }
-        Format::Text => write_text(&document, out),
+        Format::Text => write_text(&document, topology, digits, out),
         _ => Err(Kind::Description.refused(format)),
     }
 }
@@ -252,7 +283,12 @@ fn has_negative_radius(f: &FourierDescription) -> bool {
     !crate::parametrize::positive_ranges(&r).is_empty()
 }
 
-fn write_text(d: &DescriptionDocument, out: &mut dyn Write) -> Result<()> {
+fn write_text(
+    d: &DescriptionDocument,
+    topology: Option<&CurveTopology>,
+    digits: u32,
+    out: &mut dyn Write,
+) -> Result<()> {
     let yes_no = |b: bool| if b { "yes" } else { "no" };
     let degrees: Vec<String> = d
         .homogeneous_degrees
@@ -280,17 +316,24 @@ fn write_text(d: &DescriptionDocument, out: &mut dyn Write) -> Result<()> {
     }
     let irreducible = d.irreducible.map_or("not decided", yes_no);
     writeln!(out, "irreducible over Q: {irreducible}")?;
-    for factor in d.factors.iter().flatten() {
+    let genera = topology.map_or(&[][..], |found| &found.genera);
+    for (index, factor) in d.factors.iter().flatten().enumerate() {
         if d.irreducible == Some(true) {
             writeln!(out, "proof: {}", factor.proof)?;
         } else {
             let text = factor.short_text();
+            let genus = genera.get(index);
+            let genus = genus.map_or_else(String::new, |g| format!(", genus {}", genus_text(*g)));
             writeln!(
                 out,
-                "factor: {text}, multiplicity {} ({})",
+                "factor: {text}, multiplicity {}{genus} ({})",
                 factor.multiplicity, factor.proof
             )?;
         }
+    }
+    if let Some(found) = topology {
+        let only = if d.irreducible == Some(true) { genera } else { &[] };
+        write_topology(&found.topology, only, digits, out)?;
     }
     for note in &d.notes {
         writeln!(out, "note: {note}")?;

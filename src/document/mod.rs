@@ -35,6 +35,7 @@ mod schema;
 mod source;
 mod spherical;
 mod superquadric;
+mod topology;
 mod vectors;
 
 use std::io;

@@ -48,9 +48,14 @@ pub fn write_described(
     out: &mut dyn Write,
 ) -> Result<()> {
     match &found.what {
-        DescribedForm::Equation(description) => {
-            write_description(description, &found.facts, digits, format, out)
-        }
+        DescribedForm::Equation(description) => write_description(
+            description,
+            &found.facts,
+            found.topology.as_ref(),
+            digits,
+            format,
+            out,
+        ),
         DescribedForm::Intersection(surfaces) => {
             write_space_curve_description(surfaces, &found.facts, format, out)
         }

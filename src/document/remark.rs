@@ -172,6 +172,7 @@ fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
 pub(super) fn part_text(part: Part) -> &'static str {
     match part {
         Part::Factors => "the factors over Q",
+        Part::Topology => "the topology of the curve",
         Part::BeyondCurve => {
             "what the real zero set has beyond the curve, isolated points among it, and the real tracing index"
         }

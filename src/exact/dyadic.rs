@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{Parity, Pow};
+use malachite::base::num::arithmetic::traits::{Parity, Pow, ShlRound};
+use malachite::base::rounding_modes::RoundingMode;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::Rational;
@@ -141,6 +142,12 @@ impl Dyadic {
     #[must_use]
     pub fn times_integer(&self, n: &Integer) -> Self {
         Self::new(&self.mantissa * n, self.exponent)
+    }
+
+    /// The number in units of 2^−digits, rounded to an integer.
+    pub(crate) fn in_units(&self, digits: u64, mode: RoundingMode) -> Integer {
+        let shift = self.exponent + digits.cast_signed();
+        (&self.mantissa).shl_round(shift, mode).0
     }
 
     /// The power self^k.

@@ -36,6 +36,18 @@ impl PrimeField {
         f
     }
 
+    /// f(x + a) for a list of coefficients of any length, by Horner's rule.
+    pub(crate) fn shifted(&self, mut f: Vec<u64>, a: u64) -> Vec<u64> {
+        if a != 0 {
+            for start in (0..f.len()).rev() {
+                for k in start..f.len().saturating_sub(1) {
+                    f[k] = self.sum(f[k], self.mul(a, f[k + 1]));
+                }
+            }
+        }
+        f
+    }
+
     pub(crate) fn derivative(&self, f: &[u64]) -> Vec<u64> {
         let mut k = 0;
         let terms = f.iter().skip(1).map(|&c| {

@@ -17,7 +17,7 @@ const MAX_WORK: f64 = 3e10;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Weights {
     pub(crate) lowest: usize,
-    pub(crate) step: usize,
+    pub(crate) step: isize,
 }
 
 /// The j-th signed principal subresultant coefficient sRes_j(P, P′) in Z[t] of `P = Σ a_i(t) R^i`, where m = deg P ≥ 1 and 0 ≤
@@ -124,7 +124,9 @@ impl Matrix {
             shifts += shift;
             raised += usize::from(derivative);
         }
-        self.size * weights.lowest + weights.step * (columns + raised - shifts)
+        let steps = (columns + raised - shifts).cast_signed();
+        let degree = (self.size * weights.lowest).cast_signed() + weights.step * steps;
+        usize::try_from(degree).invariant("a coefficient has no negative degree")
     }
 
     /// The bound of Lemma 1 of [`signed_subresultant`], rounded up.

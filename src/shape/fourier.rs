@@ -145,7 +145,7 @@ impl FourierRadius {
     }
 
     /// The series as a function of s = tan(θ/2).
-    fn to_function(&self) -> RationalFunction {
+    pub(crate) fn to_function(&self) -> RationalFunction {
         let n = self.harmonics();
         let (denominator, cos, sin) = self.over_common_denominator();
         let halves = (0..=n).map(|m| (2 * m, &cos[m], &sin[m]));

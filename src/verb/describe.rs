@@ -1,9 +1,12 @@
 //! The verb `describe`: the exact properties of a form.
 
 use super::claims::{claim_description, claim_harmonics};
-use super::equation::{Taken, check_curve, check_surface, squared_harmonics};
+use super::equation::{
+    Taken, check_curve, check_surface, curve_of_superquadric, squared_harmonics,
+};
 use super::fit::exact_form;
 use super::implicitize::{of_patch, of_plane_curve, of_space_curve};
+use super::topology::{CurveTopology, not_a_plane_curve, topology_of};
 use super::{Content, Fact, Given, Part, Work};
 use crate::describe::{Description, HarmonicDescription};
 use crate::error::Result;
@@ -17,6 +20,8 @@ options! {
     DescribeOptions {
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
+        /// Whether the topology of a plane curve is found: components, singular points, asymptotes and genus.
+        topology: bool = false,
     }
 }
 
@@ -28,6 +33,8 @@ pub struct Described {
     pub what: DescribedForm,
     /// Further facts about the form.
     pub facts: Vec<Fact>,
+    /// The topology of the zero set of its equation, if it was asked for and found.
+    pub topology: Option<CurveTopology>,
 }
 
 /// The kinds of forms that are described.
@@ -77,6 +84,19 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
     let fitted = exact_form(given, &options.fit, work)?;
     facts.extend(fitted.report.map(Fact::Fit));
     let form = match fitted.form {
+        form @ (Form::Patch(_)
+        | Form::Surface(_)
+        | Form::SpaceCurve(_)
+        | Form::Intersection(_)
+        | Form::SpaceSuperquadric(_)
+        | Form::Harmonic(_))
+            if options.topology =>
+        {
+            return Err(not_a_plane_curve(&form));
+        }
+        Form::Superquadric(shape) if options.topology => {
+            Form::Curve(curve_of_superquadric(&shape)?)
+        }
         Form::Superquadric(shape) => return Ok(described(DescribedForm::Superquadric(shape))),
         Form::SpaceSuperquadric(shape) => {
             return Ok(described(DescribedForm::SpaceSuperquadric(shape)));
@@ -90,13 +110,21 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
                 claim_harmonics(proof, &what.surface, &form, &what.positivity, work)
             })?;
             let what = DescribedForm::Harmonic(what);
-            return Ok(Described { what, facts });
+            return Ok(Described {
+                what,
+                facts,
+                topology: None,
+            });
         }
         form => work.stage("implicitize", || with_equation(form, &mut facts, work))?,
     };
     if let Form::Intersection(surfaces) = form {
         let what = DescribedForm::Intersection(surfaces);
-        return Ok(Described { what, facts });
+        return Ok(Described {
+            what,
+            facts,
+            topology: None,
+        });
     }
     let description = work.stage("describe", || match &form {
         Form::Fourier(radius) => {
@@ -111,14 +139,27 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
         facts.push(Fact::Missing(Part::Factors));
     }
     work.claim(|proof| claim_description(proof, &form, &description, work))?;
+    let topology = if options.topology {
+        topology_of(&form, &description, work)?
+    } else {
+        None
+    };
+    if options.topology && topology.is_none() {
+        facts.push(Fact::Missing(Part::Topology));
+    }
     let what = DescribedForm::Equation(description);
-    Ok(Described { what, facts })
+    Ok(Described {
+        what,
+        facts,
+        topology,
+    })
 }
 
 fn described(what: DescribedForm) -> Described {
     Described {
         what,
         facts: Vec::new(),
+        topology: None,
     }
 }
 

@@ -60,6 +60,7 @@ mod rows;
 mod sample;
 mod singular;
 mod source;
+mod topology;
 mod work;
 
 pub use arcs::ArcSearch;
@@ -89,6 +90,7 @@ pub use remark::{Part, Remark};
 pub use rows::{KeptPoint, PointRows, PointSource, PointWriter, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};
 pub use source::read_limited;
+pub use topology::CurveTopology;
 use work::Progress;
 pub use work::{DEFAULT_MAX_DEGREE, Missing, Watcher, Work};
 

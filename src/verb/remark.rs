@@ -98,6 +98,8 @@ pub enum Remark {
 pub enum Part {
     /// The factors over Q.
     Factors,
+    /// The topology of a plane curve.
+    Topology,
     /// The real points of the zero set beyond a curve, and the real tracing index.
     BeyondCurve,
     /// A point of the zero set beyond a patch.

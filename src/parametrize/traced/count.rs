@@ -41,7 +41,7 @@ pub(super) fn count_roots(
     // As a polynomial in R, P(α, R²) has half the step, rounded up.
     let doubled = Weights {
         lowest: weights.lowest,
-        step: weights.step.div_ceil(2),
+        step: (weights.step + 1).div_euclid(2),
     };
     let twice = subresultant_signs(&squared, doubled, alpha, limits)?;
     Ok(RootCount {

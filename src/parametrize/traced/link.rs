@@ -30,13 +30,12 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 
 use super::count::{count_roots, zero_multiplicity};
-use super::strictly_between;
-use super::strip::{Strip, range};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, Weights, squarefree_decomposition};
 use crate::roots::{RealRoot, real_roots};
+use crate::topology::{Strip, range, strictly_between};
 
 /// How often the window around an irrational α is narrowed, by at least 8 bits each time, before the search for separators ends.
 /// Several roots that may meet at α or may only come near each other are then left unpaired.
@@ -75,6 +74,8 @@ pub(super) enum Critical<'a> {
 pub(super) struct Context<'a> {
     pub(super) strip: &'a Strip,
     pub(super) weights: Weights,
+    /// The step of the weights.
+    pub(super) step: usize,
     /// The multiplicity of α as a root of the discriminant.
     pub(super) multiplicity: usize,
     pub(super) limits: &'a Limits,
@@ -227,7 +228,7 @@ fn through_irrational(alpha: &RealRoot, cx: &Context<'_>) -> Result<Link> {
                     Some(known) => known,
                     None => {
                         let weights = Weights {
-                            lowest: cx.weights.lowest + zeros * cx.weights.step,
+                            lowest: cx.weights.lowest + zeros * cx.step,
                             ..cx.weights
                         };
                         *count.insert(count_roots(kept, weights, &alpha, cx.limits)?)

@@ -9,7 +9,6 @@ mod count;
 #[cfg(test)]
 mod laws;
 mod link;
-mod strip;
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -19,7 +18,6 @@ use malachite::base::polynomial::Polynomial;
 use branch::Graph;
 pub use branch::{RootArc, RootBranch};
 use link::{Context, Critical, Link};
-use strip::Strip;
 
 use super::angle::ExactAngle;
 use crate::error::{Invariant, Result};
@@ -31,6 +29,7 @@ use crate::poly::{
 };
 use crate::roots::{RealRoot, real_roots, sort_distinct};
 use crate::sample::Direction;
+use crate::topology::{Strip, between, disjoint};
 
 /// The polynomial in R = r^step whose coefficients are forms: `forms[i]` has degree `lowest + i·step`.
 #[derive(Clone, Debug)]
@@ -92,7 +91,7 @@ impl Tracing {
         let strip = Strip::of_slope(&equation.forms);
         let weights = Weights {
             lowest: equation.lowest,
-            step: equation.step,
+            step: equation.step.cast_signed(),
         };
         let top = &equation.forms[equation.forms.len() - 1];
         let low = &equation.forms[0];
@@ -102,12 +101,12 @@ impl Tracing {
         let discriminant = discriminant.invariant("the leading coefficient divides sRes_0");
         let m = equation.forms.len() - 1;
         let degree = (2 * m - 2) * equation.lowest + equation.step * m * (m - 1);
-        let slopes = separated(critical_slopes(&[
+        let slopes = disjoint(critical_slopes(&[
             top.dehomogenized(),
             low.dehomogenized(),
             &discriminant,
         ]));
-        let insides = insides(&slopes);
+        let insides = between(&slopes);
         let at = |t: &Rational| {
             real_roots(&strip.along(t))
                 .iter()
@@ -123,6 +122,7 @@ impl Tracing {
             let cx = Context {
                 strip: &strip,
                 weights,
+                step: equation.step,
                 multiplicity: root_of.map_or(0, |(m, _)| *m),
                 limits,
             };
@@ -142,6 +142,7 @@ impl Tracing {
         let cx = Context {
             strip: &vertical,
             weights,
+            step: equation.step,
             multiplicity: drop,
             limits,
         };
@@ -291,42 +292,4 @@ fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
     }
     sort_distinct(&mut roots);
     roots
-}
-
-/// The roots with disjoint enclosures.
-fn separated(mut roots: Vec<RealRoot>) -> Vec<RealRoot> {
-    for i in 1..roots.len() {
-        let mut bits = 4;
-        while roots[i - 1].enclosure().1 >= roots[i].enclosure().0 {
-            roots[i - 1].refine_to_width(-bits);
-            roots[i].refine_to_width(-bits);
-            bits *= 2;
-        }
-    }
-    roots
-}
-
-/// Rational numbers below, between and above roots with disjoint enclosures.
-fn insides(roots: &[RealRoot]) -> Vec<Rational> {
-    let bounds: Vec<[Rational; 2]> = roots
-        .iter()
-        .map(|r| [r.enclosure().0.to_rational(), r.enclosure().1.to_rational()])
-        .collect();
-    let mut points = Vec::with_capacity(roots.len() + 1);
-    if let (Some([first, _]), Some([_, last])) = (bounds.first(), bounds.last()) {
-        points.push(first.floor() - Rational::one());
-        points.extend(
-            bounds
-                .windows(2)
-                .map(|pair| strictly_between(&pair[0][1], &pair[1][0])),
-        );
-        points.push(last.floor() + Rational::from(2));
-    }
-    points
-}
-
-/// The simplest rational number in the middle half of the interval (low, high).
-fn strictly_between(low: &Rational, high: &Rational) -> Rational {
-    let quarter = (high - low) / Rational::from(4);
-    Rational::simplest_between(&(low + &quarter), &(high - &quarter))
 }

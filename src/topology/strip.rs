@@ -1,29 +1,31 @@
-//! P(t, R) for directions near one direction, as polynomials in R for fixed t and in t for fixed R.
+//! A polynomial P(t, R) as a polynomial in R for fixed t, and in t for fixed R. Either t is the slope of a direction and R a power
+//! of the radius, or t and R are sheared coordinates of the plane.
 
 use malachite::Integer;
+use malachite::base::num::arithmetic::traits::{BinomialCoefficient, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::polynomial::Polynomial;
 
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::poly::{BinaryForm, IntegerPolynomial};
+use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial};
 use crate::roots::constant_sign;
 
-/// P(t, R) = Σ a_i(t) R^i, where t stands for the direction (1, t) or the direction (t, 1).
+/// P(t, R) = Σ a_i(t) R^i.
 #[derive(Clone, Debug)]
-pub(super) struct Strip {
+pub(crate) struct Strip {
     coefficients: Vec<IntegerPolynomial>,
 }
 
 impl Strip {
     /// The polynomial Σ f_i(1, t) R^i.
-    pub(super) fn of_slope(forms: &[BinaryForm]) -> Self {
+    pub(crate) fn of_slope(forms: &[BinaryForm]) -> Self {
         let coefficients = forms.iter().map(|f| f.dehomogenized().clone()).collect();
         Self { coefficients }
     }
 
     /// The polynomial Σ f_i(t, 1) R^i.
-    pub(super) fn of_cotangent(forms: &[BinaryForm]) -> Self {
+    pub(crate) fn of_cotangent(forms: &[BinaryForm]) -> Self {
         let turned = forms.iter().map(|f| {
             let row = (0..=f.degree()).rev().map(|k| f.coefficient(k));
             IntegerPolynomial::from_coefficients_asc(row.collect())
@@ -33,13 +35,40 @@ impl Strip {
         }
     }
 
+    /// D·f(t + shear·R, R), where D is the denominator of f. The degree of a_i is at most deg f − i.
+    pub(crate) fn of_plane(f: &PlanePolynomial, shear: i64) -> Self {
+        let degree = f.degree().unwrap_or(0);
+        let mut rows: Vec<Vec<Integer>> = (0..=degree)
+            .map(|i| vec![Integer::ZERO; degree + 1 - i])
+            .collect();
+        let shear = Integer::from(shear);
+        for ((a, b), c) in f.integer_terms() {
+            for k in 0..=a {
+                let binomial =
+                    Integer::binomial_coefficient(Integer::from(a), Integer::from(k));
+                rows[b + k][a - k] += c * binomial * (&shear).pow(k as u64);
+                if shear == 0 {
+                    break;
+                }
+            }
+        }
+        let polynomials = rows.into_iter();
+        let mut coefficients: Vec<IntegerPolynomial> = polynomials
+            .map(IntegerPolynomial::from_coefficients_asc)
+            .collect();
+        while coefficients.last() == Some(&IntegerPolynomial::ZERO) {
+            coefficients.pop();
+        }
+        Self { coefficients }
+    }
+
     /// The coefficients a_i, ascending in i.
-    pub(super) fn coefficients(&self) -> &[IntegerPolynomial] {
+    pub(crate) fn coefficients(&self) -> &[IntegerPolynomial] {
         &self.coefficients
     }
 
     /// The polynomial P(t, ·) in R, up to a positive factor.
-    pub(super) fn along(&self, t: &Rational) -> IntegerPolynomial {
+    pub(crate) fn along(&self, t: &Rational) -> IntegerPolynomial {
         let (p, q) = (t.numerator(), t.denominator());
         let length = |a: &IntegerPolynomial| a.coefficients_asc().len();
         let longest = self.coefficients.iter().map(length).max().unwrap_or(0);
@@ -60,7 +89,7 @@ impl Strip {
     }
 
     /// The polynomial P(·, r) in t, up to a positive factor.
-    pub(super) fn across(&self, r: &Rational) -> IntegerPolynomial {
+    pub(crate) fn across(&self, r: &Rational) -> IntegerPolynomial {
         let (p, q) = (r.numerator(), r.denominator());
         let mut value = IntegerPolynomial::ZERO;
         let mut q_power = Integer::ONE;
@@ -73,13 +102,13 @@ impl Strip {
     }
 
     /// Whether P(·, r) is proved to have no zero in [low, high].
-    pub(super) fn is_free(&self, r: &Rational, low: &Rational, high: &Rational) -> bool {
+    pub(crate) fn is_free(&self, r: &Rational, low: &Rational, high: &Rational) -> bool {
         constant_sign(&self.across(r), low, high).is_some()
     }
 }
 
 /// Bounds of g on [low, high], by Horner's rule.
-pub(super) fn range(
+pub(crate) fn range(
     g: &IntegerPolynomial,
     low: &Rational,
     high: &Rational,

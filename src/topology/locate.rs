@@ -1,0 +1,87 @@
+//! The exact coordinates of points of a swept curve, which are among the critical values of the coordinates.
+
+use super::extent::{Axis, CriticalValues};
+use super::sweep::Sweep;
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::limits::Limits;
+use crate::roots::{RealRoot, real_roots};
+
+/// The coordinate of a point of the graph, which is one of the critical values.
+pub(super) fn value_at(
+    sweep: &mut Sweep,
+    (fibre, place): (usize, usize),
+    axis: &CriticalValues,
+    limits: &Limits,
+) -> Result<RealRoot> {
+    let shear = Rational::from(sweep.curve.shear);
+    let mut bits = 0;
+    loop {
+        limits.check()?;
+        let here = &sweep.fibres[fibre];
+        let (low, high) = here.value.enclosure();
+        let [mut low, mut high] = [low.to_rational(), high.to_rational()];
+        let point = &here.points[place];
+        match axis.axis {
+            Axis::Y => (low, high) = (point.low.clone(), point.high.clone()),
+            Axis::X => {
+                let mut ends = [&shear * &point.low, &shear * &point.high];
+                ends.sort();
+                low = low + &ends[0];
+                high = high + &ends[1];
+            }
+        }
+        if let Some(value) = axis.only_value_in(&low, &high)? {
+            return Ok(value);
+        }
+        bits = if bits == 0 { 32 } else { 2 * bits };
+        let Sweep { fibres, curve, .. } = sweep;
+        fibres[fibre].value.refine_to_width(-bits);
+        fibres[fibre].refine(&curve.strip, bits, limits)?;
+    }
+}
+
+/// The constant coordinate of a component without points of the graph: a line. It is the value at the inside of its interval.
+pub(super) fn value_on_arc(
+    sweep: &Sweep,
+    (interval, rank): (usize, usize),
+    axis: &CriticalValues,
+) -> Result<RealRoot> {
+    let t = &sweep.insides[interval];
+    let shear = Rational::from(sweep.curve.shear);
+    let mut root = real_roots(&sweep.curve.strip.along(t)).swap_remove(rank);
+    let mut bits = 32;
+    loop {
+        let (a, b) = root.bounds();
+        let (low, high) = match axis.axis {
+            Axis::Y => (a, b),
+            Axis::X => {
+                let mut ends = [t + &(&shear * &a), t + &(&shear * &b)];
+                ends.sort();
+                let [low, high] = ends;
+                (low, high)
+            }
+        };
+        if let Some(value) = axis.only_value_in(&low, &high)? {
+            return Ok(value);
+        }
+        root.refine_to_width(-bits);
+        bits *= 2;
+    }
+}
+
+impl CriticalValues {
+    /// The critical value in [low, high], if there is only one.
+    fn only_value_in(&self, low: &Rational, high: &Rational) -> Result<Option<RealRoot>> {
+        let from = self.values.partition_point(|v| v.cmp_rational(low).is_lt());
+        let to = self.values.partition_point(|v| v.cmp_rational(high).is_le());
+        match to.checked_sub(from) {
+            Some(1) => Ok(Some(self.values[from].clone())),
+            Some(0) | None => Err(Error::internal(
+                "the critical values of a coordinate",
+                "a singular or isolated point has critical coordinates",
+            )),
+            _ => Ok(None),
+        }
+    }
+}
