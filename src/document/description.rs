@@ -8,7 +8,9 @@ use serde_json::Value;
 use super::angles::{Range, ranges_text};
 use super::facts::Annotations;
 use super::json::{parsed, value_of, write_value};
-use super::topology::{NO_GENUS, genus_text, notes as topology_notes, topology_json, write_topology};
+use super::topology::{
+    NO_GENUS, genus_text, notes as topology_notes, topology_json, write_topology,
+};
 use super::{Format, Kind, SCHEMA, write_form};
 use crate::describe::{DescribedFactor, Description, FourierDescription, Method};
 use crate::error::Result;
@@ -332,7 +334,11 @@ fn write_text(
         }
     }
     if let Some(found) = topology {
-        let only = if d.irreducible == Some(true) { genera } else { &[] };
+        let only = if d.irreducible == Some(true) {
+            genera
+        } else {
+            &[]
+        };
         write_topology(&found.topology, only, digits, out)?;
     }
     for note in &d.notes {

@@ -4,6 +4,7 @@ use crate::exact::Rational;
 use crate::fit::{ContourKind, LeftOut};
 use crate::inspect::MAX_EXACT_MONOMIALS;
 use crate::reading::{HarmonicLayout, Normalization, ReadHarmonics};
+use crate::topology::ComponentKind;
 use crate::verb::{Missing, Part, Remark};
 
 /// The sentence for a radius without even harmonics, for which the polynomial of Theorem 2 is a square.
@@ -64,6 +65,11 @@ pub fn remark_text(remark: &Remark) -> String {
             "{rounded} of {total} inputs were no doubles and were rounded; everything follows from the doubles exactly"
         ),
         Remark::NothingToFitTo => "no points were found to fit the picture to: it shows -1,1,-1,1; --window chooses another part".into(),
+        Remark::ComponentsUnknown => "the components of the curve were not found in time: some may be missing in the picture, isolated points and small ovals among them".into(),
+        Remark::DrawnAsDot { at: [x, y], size } => format!(
+            "an oval of size ≈ {size:.3e} about ({x:.6}, {y:.6}) is drawn as a dot; --window shows it larger"
+        ),
+        Remark::OutsideWindow(components) => outside_text(components),
         Remark::PointsNotDrawn { drawn, total } => format!(
             "{drawn} of the {total} points of the cloud are drawn"
         ),
@@ -166,6 +172,37 @@ fn left_out_text(outline: &str, left_out: &LeftOut) -> String {
         ));
     }
     format!("the outline of {outline} leaves out {}", all.join(", "))
+}
+
+/// What is outside of the window of a picture.
+fn outside_text(components: &[(ComponentKind, [[f64; 2]; 2])]) -> String {
+    const MOST: usize = 5;
+    let shown: Vec<String> = components
+        .iter()
+        .take(MOST)
+        .map(|(kind, [x, y])| match kind {
+            ComponentKind::Point => format!("the point ({:.6}, {:.6})", x[0], y[0]),
+            kind => format!(
+                "{} with x in {:.6} to {:.6} and y in {:.6} to {:.6}",
+                if *kind == ComponentKind::Oval {
+                    "an oval"
+                } else {
+                    "an unbounded component"
+                },
+                x[0],
+                x[1],
+                y[0],
+                y[1]
+            ),
+        })
+        .collect();
+    let more = components.len().saturating_sub(MOST);
+    let rest = if more > 0 {
+        format!(", and {more} more")
+    } else {
+        String::new()
+    };
+    format!("outside of the window: {}{rest}", shown.join("; "))
 }
 
 /// The name of a part of an answer.

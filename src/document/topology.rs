@@ -145,9 +145,17 @@ pub(super) fn write_topology(
 ) -> Result<()> {
     writeln!(out, "components: {}", topology.components.len())?;
     for (index, component) in topology.components.iter().enumerate() {
-        writeln!(out, "component {index}: {}", component_text(component, digits))?;
+        writeln!(
+            out,
+            "component {index}: {}",
+            component_text(component, digits)
+        )?;
     }
-    writeln!(out, "real singular points: {}", topology.singular_points.len())?;
+    writeln!(
+        out,
+        "real singular points: {}",
+        topology.singular_points.len()
+    )?;
     for point in &topology.singular_points {
         writeln!(out, "singular point {}", singular_text(point, digits))?;
     }
@@ -163,7 +171,11 @@ fn component_text(component: &Component, digits: u32) -> String {
     if component.kind == ComponentKind::Point
         && let ([Some(x), _], [Some(y), _]) = (x, y)
     {
-        return format!("isolated point ({}, {})", shown(x, digits), shown(y, digits));
+        return format!(
+            "isolated point ({}, {})",
+            shown(x, digits),
+            shown(y, digits)
+        );
     }
     let range = |ends: &[Option<Coordinate>; 2]| {
         let end = |c: &Option<Coordinate>, infinite: &str| {
@@ -254,14 +266,11 @@ pub(super) fn notes(topology: &Topology, digits: u32) -> Vec<String> {
     let undecided = topology.at_infinity.undecided.iter();
     undecided
         .map(|slope| {
-            let direction = match slope {
-                None => "vertical direction".into(),
-                Some(slope) => {
-                    let slope = Coordinate::from(slope.clone());
-                    format!("direction of slope {}", shown(&slope, digits))
-                }
-            };
-            format!("the asymptotes in the {direction} are not decided: the curve is singular there, at infinity")
+            let slope = Coordinate::from(slope.clone());
+            format!(
+                "the asymptotes of slope {} are not decided: the line at infinity touches the curve there, or the point is singular",
+                shown(&slope, digits)
+            )
         })
         .collect()
 }

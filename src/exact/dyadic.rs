@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Parity, Pow, ShlRound};
-use malachite::base::rounding_modes::RoundingMode;
 use malachite::base::num::logic::traits::SignificantBits;
+use malachite::base::rounding_modes::RoundingMode;
 
 use super::Rational;
 use crate::error::Invariant;

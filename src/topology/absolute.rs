@@ -22,12 +22,7 @@ pub(super) fn absolute_factors(curve: &Sheared, prime: u64) -> usize {
         .iter()
         .map(|a| field.residues(a))
         .collect();
-    let f = |i: usize, j: usize| {
-        rows.get(i)
-            .and_then(|row| row.get(j))
-            .copied()
-            .unwrap_or(0)
-    };
+    let f = |i: usize, j: usize| rows.get(i).and_then(|row| row.get(j)).copied().unwrap_or(0);
     // The terms of degree at most n − 1, and of degree at most 2n − 2.
     let monomials = |degree: usize| -> Vec<(usize, usize)> {
         (0..=degree)

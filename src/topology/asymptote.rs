@@ -1,5 +1,6 @@
 //! The asymptotes of a plane curve.
 
+use super::extent::CriticalValues;
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, PlanePolynomial, coefficients};
@@ -23,9 +24,9 @@ pub struct Asymptote {
 pub struct AtInfinity {
     /// The asymptotes, by ascending slopes; vertical ones are last.
     pub asymptotes: Vec<Asymptote>,
-    /// The slopes (`None`: vertical) of real points at infinity at which the asymptotes are not decided, because the line at
-    /// infinity touches the curve there or the point is singular.
-    pub undecided: Vec<Option<RealRoot>>,
+    /// The irrational slopes of real points at infinity at which the asymptotes are not decided, because the line at infinity
+    /// touches the curve there or the point is singular.
+    pub undecided: Vec<RealRoot>,
 }
 
 /// The width of the enclosures of irrational intercepts, as a power of two.
@@ -34,10 +35,11 @@ const INTERCEPT_BITS: i64 = -64;
 /// The asymptotes of the curve f = 0, where f is squarefree.
 ///
 /// With f = Σ f_d: at a simple zero τ of f_n(1, t), the branch approaches y = τx + c with c = −f_(n−1)(1, τ)/f_n′(1, τ). At a multiple
-/// rational zero, f(x, τx + c) is a polynomial in x whose first coefficient that is not 0 is a polynomial in c. If c is a simple real
-/// zero of it, a real branch approaches the line; if that coefficient is constant, there is no asymptote in this direction (the
-/// branches are parabolic).
-pub(super) fn at_infinity(f: &PlanePolynomial) -> AtInfinity {
+/// rational zero, f(x, τx + c) is a polynomial in x whose first coefficient that is not 0 is a polynomial q in c. Branches approach
+/// the lines of the zeros c of q; if q is constant, the branches are parabolic. A branch at a real c is real if, for all large x, some
+/// real y is near τx + c: beyond all critical values of x and all x at which the curve crosses the lines through both ends of an
+/// interval around c, the number of real y between these lines is constant.
+pub(super) fn at_infinity(f: &PlanePolynomial, critical: &[CriticalValues; 2]) -> AtInfinity {
     let mut found = AtInfinity::default();
     let degree = f.degree().invariant("the polynomial is not 0");
     let empty = IntegerPolynomial::ZERO;
@@ -57,10 +59,9 @@ pub(super) fn at_infinity(f: &PlanePolynomial) -> AtInfinity {
         } else {
             match slope.as_rational() {
                 Some(rational) => {
-                    let intercepts = parallel(f, &rational);
-                    found.add(Some(&slope), intercepts);
+                    found.add(f, Some(&slope), &rational, &critical[0]);
                 }
-                None => found.undecided.push(Some(slope)),
+                None => found.undecided.push(slope),
             }
         }
     }
@@ -68,17 +69,27 @@ pub(super) fn at_infinity(f: &PlanePolynomial) -> AtInfinity {
     let lost = degree + 1 - top.coefficients_asc().len();
     if lost > 0 {
         let turned = PlanePolynomial::from_terms(f.terms().map(|((i, j), c)| ((j, i), c)));
-        found.add(None, parallel(&turned, &Rational::zero()));
+        found.add(&turned, None, &Rational::zero(), &critical[1]);
     }
     found
 }
 
 impl AtInfinity {
-    fn add(&mut self, slope: Option<&RealRoot>, intercepts: Vec<RealRoot>) {
-        if intercepts.iter().any(|c| c.multiplicity() > 1) {
-            self.undecided.push(slope.cloned());
-        }
-        for mut c in intercepts.into_iter().filter(|c| c.multiplicity() == 1) {
+    /// Adds the asymptotes of a rational slope.
+    fn add(
+        &mut self,
+        f: &PlanePolynomial,
+        slope: Option<&RealRoot>,
+        tangent: &Rational,
+        critical: &CriticalValues,
+    ) {
+        let rows = parallel(f, tangent);
+        let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
+        let intercepts = first.map_or_else(Vec::new, |row| RealRoot::all_of(row));
+        for mut c in intercepts {
+            if c.multiplicity() > 1 && !has_real_branch(&rows, &c, critical) {
+                continue;
+            }
             let bounds = match c.as_rational() {
                 Some(c) => [c.clone(), c],
                 None => {
@@ -95,9 +106,8 @@ impl AtInfinity {
     }
 }
 
-/// The real zeros c of the first coefficient in x of f(x, τx + c).
-fn parallel(f: &PlanePolynomial, slope: &Rational) -> Vec<RealRoot> {
-    // f(x, (p/q) x + c) with x = q·s: f(q s, p s + c), whose terms are collected by powers of s.
+/// f(x, τx + c), as a list of polynomials in c for the powers of x.
+fn parallel(f: &PlanePolynomial, slope: &Rational) -> Vec<Vec<Rational>> {
     let degree = f.degree().invariant("the polynomial is not 0");
     let mut rows: Vec<Vec<Rational>> = vec![Vec::new(); degree + 1];
     for ((i, j), coefficient) in f.terms() {
@@ -115,11 +125,62 @@ fn parallel(f: &PlanePolynomial, slope: &Rational) -> Vec<RealRoot> {
                 / Rational::from(i64::try_from(k + 1).invariant("small"));
         }
     }
-    let first = rows
-        .iter()
-        .rev()
-        .find(|row| row.iter().any(|c| !c.is_zero()));
-    first.map_or_else(Vec::new, |row| RealRoot::all_of(row))
+    rows
+}
+
+/// Whether a real branch of Σ rows_j(c) x^j = 0 approaches the line of this c as x goes to ∞ or to −∞.
+fn has_real_branch(rows: &[Vec<Rational>], c: &RealRoot, critical: &CriticalValues) -> bool {
+    // An interval with c inside and no other zero of the first coefficient, whose ends are no zeros.
+    let (low, high) = match c.as_rational() {
+        None => c.bounds(),
+        Some(exact) => {
+            let (mut low, mut high) = (&exact - &Rational::one(), &exact + &Rational::one());
+            let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
+            let quarter = Rational::one() / Rational::from(4);
+            let others = first.map_or_else(Vec::new, |row| RealRoot::all_of(row));
+            while others
+                .iter()
+                .filter(|r| r.cmp_rational(&low).is_ge() && r.cmp_rational(&high).is_le())
+                .count()
+                > 1
+            {
+                low = &exact + &((&low - &exact) * &quarter);
+                high = &exact + &((&high - &exact) * &quarter);
+            }
+            (low, high)
+        }
+    };
+    let value = |row: &Vec<Rational>, c: &Rational| {
+        row.iter().rev().fold(Rational::zero(), |v, a| v * c + a)
+    };
+    let crossings = [&low, &high]
+        .map(|c| RealRoot::all_of(&rows.iter().map(|row| value(row, c)).collect::<Vec<_>>()));
+    let all = crossings.iter().flatten().chain(&critical.values);
+    let far = all
+        .map(|root| {
+            let (a, b) = root.bounds();
+            a.abs().max(b.abs())
+        })
+        .max()
+        .unwrap_or_else(Rational::zero);
+    let far = far.floor() + Rational::from(2);
+    [far.clone(), -far].iter().any(|x| {
+        let degree = rows.iter().map(Vec::len).max().unwrap_or(0);
+        // Σ_j rows_j(c) x^j as a polynomial in c
+        let mut at_x = vec![Rational::zero(); degree];
+        for row in rows.iter().rev() {
+            for (k, sum) in at_x.iter_mut().enumerate() {
+                *sum = &*sum * x;
+                if let Some(a) = row.get(k) {
+                    *sum = &*sum + a;
+                }
+            }
+        }
+        let roots = RealRoot::all_of(&at_x);
+        roots
+            .iter()
+            .any(|r| r.cmp_rational(&low).is_gt() && r.cmp_rational(&high).is_lt())
+    })
 }
 
 /// −g(τ)/h(τ) within bounds, for h(τ) ≠ 0.
@@ -127,10 +188,7 @@ fn quotient(g: &IntegerPolynomial, h: &IntegerPolynomial, at: &RealRoot) -> [Rat
     if let Some(t) = at.as_rational() {
         let value = |f: &IntegerPolynomial| {
             let terms = coefficients(f);
-            terms
-                .iter()
-                .rev()
-                .fold(Rational::zero(), |v, c| v * &t + c)
+            terms.iter().rev().fold(Rational::zero(), |v, c| v * &t + c)
         };
         let c = -(value(g) / value(h));
         return [c.clone(), c];
@@ -160,23 +218,35 @@ fn quotient(g: &IntegerPolynomial, h: &IntegerPolynomial, at: &RealRoot) -> [Rat
 
 #[cfg(test)]
 mod tests {
+    use super::super::extent::Axis;
     use super::*;
+    use crate::limits::Limits;
 
-    fn curve(terms: &[((usize, usize), i64)]) -> PlanePolynomial {
-        PlanePolynomial::from_terms(terms.iter().map(|&(e, c)| (e, Rational::from(c))))
+    fn found(terms: &[((usize, usize), i64)]) -> AtInfinity {
+        let terms = terms.iter().map(|&(e, c)| (e, Rational::from(c)));
+        let f = PlanePolynomial::from_terms(terms);
+        let critical =
+            [Axis::X, Axis::Y].map(|axis| CriticalValues::new(&f, axis, &Limits::none()).unwrap());
+        at_infinity(&f, &critical)
     }
 
     #[test]
     fn hyperbolas_and_parabolas() {
         // x y = 1: both axes
-        let found = at_infinity(&curve(&[((1, 1), 1), ((0, 0), -1)]));
-        assert_eq!(found.asymptotes.len(), 2);
-        assert!(found.asymptotes[1].slope.is_none());
-        // y = x²: none, and nothing is undecided
-        let found = at_infinity(&curve(&[((2, 0), 1), ((0, 1), -1)]));
-        assert!(found.asymptotes.is_empty() && found.undecided.is_empty());
+        let lines = found(&[((1, 1), 1), ((0, 0), -1)]).asymptotes;
+        assert_eq!(lines.len(), 2);
+        assert!(lines[1].slope.is_none());
+        // y = x²: none
+        assert!(found(&[((2, 0), 1), ((0, 1), -1)]).asymptotes.is_empty());
         // The folium x³ + y³ = 3xy approaches x + y + 1 = 0.
-        let found = at_infinity(&curve(&[((3, 0), 1), ((0, 3), 1), ((1, 1), -3)]));
-        assert_eq!(found.asymptotes[0].intercept[0], Rational::from(-1));
+        let folium = found(&[((3, 0), 1), ((0, 3), 1), ((1, 1), -3)]);
+        assert_eq!(folium.asymptotes[0].intercept[0], Rational::from(-1));
+        // x² (y² + 1) = 1 has y = ±i as complex asymptotes, and x = 0 twice; no real branch goes to infinity along x.
+        let bell = found(&[((2, 2), 1), ((2, 0), 1), ((0, 0), -1)]);
+        let slopes: Vec<bool> = bell.asymptotes.iter().map(|a| a.slope.is_none()).collect();
+        assert_eq!(slopes, [true]);
+        // x² y² + x² + y² = 0 has no real branch at all.
+        let point = found(&[((2, 2), 1), ((2, 0), 1), ((0, 2), 1)]);
+        assert!(point.asymptotes.is_empty());
     }
 }

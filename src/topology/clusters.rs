@@ -118,10 +118,7 @@ impl Point {
 
     /// The point, or its half if it is too far from 0.
     fn within_unit_disc(self, precision: u64) -> Self {
-        let bits = self
-            .re
-            .significant_bits()
-            .max(self.im.significant_bits());
+        let bits = self.re.significant_bits().max(self.im.significant_bits());
         // |re|, |im| < 2^(precision − 1), so the absolute value is below √½.
         if bits < precision {
             return self;
@@ -162,9 +159,7 @@ impl Scaled {
         let lead_bits = lead.significant_bits().cast_signed();
         let scale = (0..n)
             .filter_map(|j| {
-                let largest = (&polynomial.low[j])
-                    .abs()
-                    .max((&polynomial.high[j]).abs());
+                let largest = (&polynomial.low[j]).abs().max((&polynomial.high[j]).abs());
                 let bits = largest.significant_bits().cast_signed();
                 let k = i64::try_from(n - j).invariant("a degree is small");
                 (largest != 0).then(|| (bits - lead_bits + 1).div_euclid(k) + 1)
@@ -296,15 +291,17 @@ impl Scaled {
             radii.push(degree.log2() + size - product + 1e-3);
         }
         // Two discs can meet only if the distance of their centres is at most twice the larger radius.
-        let apart = |distance: f64, i: usize, j: usize| {
-            distance > radii[i].max(radii[j]) + 1.0 + 1e-3
-        };
+        let apart =
+            |distance: f64, i: usize, j: usize| distance > radii[i].max(radii[j]) + 1.0 + 1e-3;
         let mut group: Vec<usize> = (0..n).collect();
         for i in 0..n {
             for j in 0..i {
                 if !apart(logs[i][j], i, j) && group[i] != group[j] {
                     let (from, to) = (group[i], group[j]);
-                    group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
+                    group
+                        .iter_mut()
+                        .filter(|g| **g == from)
+                        .for_each(|g| *g = to);
                 }
             }
         }

@@ -205,9 +205,8 @@ impl Regions {
         let mut partition = Partition::new(count);
         for (index, fibre) in sweep.fibres.iter().enumerate() {
             for gap in 0..=fibre.points.len() {
-                let [left, right] = [0, 1].map(|side| {
-                    first[index + side] + sweep.arcs_below(index, gap, side)
-                });
+                let [left, right] =
+                    [0, 1].map(|side| first[index + side] + sweep.arcs_below(index, gap, side));
                 partition.join(left, right);
             }
         }

@@ -205,7 +205,9 @@ fn along_line(
             let is_here = roots
                 .get(rank)
                 .is_some_and(|r| r.cmp_rational(&below).is_eq());
-            is_here.then_some(()).invariant("the crossing is a point of the curve");
+            is_here
+                .then_some(())
+                .invariant("the crossing is a point of the curve");
             rank
         } else {
             let [before, after] = ends.each_ref().map(|t| {

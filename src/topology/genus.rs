@@ -64,7 +64,10 @@ impl Genus {
         Ok(None)
     }
 
-    pub(super) fn from_resolution(curve: &Sheared, resolution: &Resolution) -> Result<Option<Self>> {
+    pub(super) fn from_resolution(
+        curve: &Sheared,
+        resolution: &Resolution,
+    ) -> Result<Option<Self>> {
         let n = curve.degree;
         let (Some(infinity), Some(prime)) = (&resolution.infinity, resolution.prime) else {
             return Ok(None);

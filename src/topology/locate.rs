@@ -1,5 +1,6 @@
 //! The exact coordinates of points of a swept curve, which are among the critical values of the coordinates.
 
+use super::components::Pieces;
 use super::extent::{Axis, CriticalValues};
 use super::sweep::Sweep;
 use crate::error::{Error, Result};
@@ -70,11 +71,38 @@ pub(super) fn value_on_arc(
     }
 }
 
+/// About some points of a component, as [`super::Component::some_points`] tells.
+pub(super) fn some_points(sweep: &Sweep, pieces: &Pieces) -> Vec<[f64; 2]> {
+    let shear = Rational::from(sweep.curve.shear);
+    let place = |t: &Rational, r: &Rational| [(t + &(&shear * r)).to_f64(), r.to_f64()];
+    let is_critical = |(fibre, place): &&(usize, usize)| {
+        let point = &sweep.fibres[*fibre].points[*place];
+        point.multiplicity > 1
+    };
+    let mut points: Vec<[f64; 2]> = pieces
+        .points
+        .iter()
+        .filter(is_critical)
+        .map(|&(fibre, index)| {
+            let fibre = &sweep.fibres[fibre];
+            place(&fibre.value.bounds().0, &fibre.points[index].low)
+        })
+        .collect();
+    if let (true, Some(&(interval, rank))) = (points.is_empty(), pieces.arcs.first()) {
+        let t = &sweep.insides[interval];
+        let root = real_roots(&sweep.curve.strip.along(t)).swap_remove(rank);
+        points.push(place(t, &root.bounds().0));
+    }
+    points
+}
+
 impl CriticalValues {
     /// The critical value in [low, high], if there is only one.
     fn only_value_in(&self, low: &Rational, high: &Rational) -> Result<Option<RealRoot>> {
         let from = self.values.partition_point(|v| v.cmp_rational(low).is_lt());
-        let to = self.values.partition_point(|v| v.cmp_rational(high).is_le());
+        let to = self
+            .values
+            .partition_point(|v| v.cmp_rational(high).is_le());
         match to.checked_sub(from) {
             Some(1) => Ok(Some(self.values[from].clone())),
             Some(0) | None => Err(Error::internal(

@@ -18,6 +18,8 @@ mod coordinate;
 mod extent;
 mod fibre;
 mod genus;
+#[cfg(test)]
+mod laws;
 mod locate;
 mod places;
 mod resolution;
@@ -36,7 +38,7 @@ pub(crate) use sweep::{between, disjoint, strictly_between};
 
 use components::Components;
 use extent::{Axis, CriticalValues, Extent, extents};
-use locate::{value_at, value_on_arc};
+use locate::{some_points, value_at, value_on_arc};
 use resolution::Resolution;
 use sweep::{Sheared, Sweep};
 
@@ -61,6 +63,8 @@ pub struct Component {
     pub extent: [[Option<Coordinate>; 2]; 2],
     /// The indices of its singular points.
     pub singular_points: Vec<usize>,
+    /// About the critical points of the component in the direction of the sweep, or about one of its points if there are none.
+    pub some_points: Vec<[f64; 2]>,
 }
 
 /// A real singular point of a plane curve.
@@ -169,6 +173,7 @@ impl Topology {
                 contains: graph.contains[index].clone(),
                 extent,
                 singular_points: Vec::new(),
+                some_points: some_points(&sweep, pieces),
             });
         }
         let mut singular_points = Vec::new();
@@ -201,7 +206,7 @@ impl Topology {
         Ok(Self {
             components,
             singular_points,
-            at_infinity: asymptote::at_infinity(f),
+            at_infinity: asymptote::at_infinity(f, &axes),
         })
     }
 }

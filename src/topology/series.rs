@@ -51,6 +51,7 @@ impl Topology {
                 contains: Vec::new(),
                 extent,
                 singular_points: Vec::new(),
+                some_points: vec![[value(&turned(radius, 0), None)[0].to_f64(), 0.0]],
             });
         }
         if !is_odd {
@@ -83,6 +84,7 @@ impl Topology {
                 contains: Vec::new(),
                 extent: [0, 1].map(|_| [Some(origin()), Some(origin())]),
                 singular_points: Vec::new(),
+                some_points: vec![[0.0, 0.0]],
             });
         }
         if origin_multiplicity > 1 {

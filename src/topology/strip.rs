@@ -44,8 +44,7 @@ impl Strip {
         let shear = Integer::from(shear);
         for ((a, b), c) in f.integer_terms() {
             for k in 0..=a {
-                let binomial =
-                    Integer::binomial_coefficient(Integer::from(a), Integer::from(k));
+                let binomial = Integer::binomial_coefficient(Integer::from(a), Integer::from(k));
                 rows[b + k][a - k] += c * binomial * (&shear).pow(k as u64);
                 if shear == 0 {
                     break;

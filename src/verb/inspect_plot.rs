@@ -2,9 +2,10 @@
 
 use super::inspect::{InspectionTask, Subject};
 use super::mesh::{of_harmonics, of_surface};
-use super::plot::{CELLS, fitting_window, trace};
+use super::plot::{CELLS, fitting_window};
 use super::plot_options::{Frame, VIEW, plane_window, space_window};
 use super::plot_space::{box_around, for_pictures, joined, mesh_layer};
+use super::zero_set::ZeroSet;
 use super::{Bounds, KeptPoint, Work};
 use crate::arcs::{ArcOptions, CurveArc, trace_intersection};
 use crate::error::{Error, Result};
@@ -304,6 +305,10 @@ fn in_plane(
             ..Layer::default()
         });
     }
+    let zero_set = match drawn {
+        Drawn::Traced(curve) => Some(ZeroSet::new(0, (*curve).clone(), work)?),
+        Drawn::Lines(_) => None,
+    };
     let window = match plane_window(window)? {
         Some(window) => window,
         None => {
@@ -312,12 +317,12 @@ fn in_plane(
                 .map(|kept| kept.point)
                 .flat_map(|p| [[p[0] - d, p[1] - d], [p[0] + d, p[1] + d]]);
             let mut seen: Vec<[f64; 2]> = seen.collect();
-            let mut curves = Vec::new();
-            match drawn {
-                Drawn::Traced(curve) => curves.push((0, (*curve).clone())),
-                Drawn::Lines(lines) => seen.extend(lines.iter().flatten()),
+            if let Drawn::Lines(lines) = drawn {
+                seen.extend(lines.iter().flatten());
             }
-            fitting_window(seen, &curves, work)?
+            // The points come first; the curve decides where there are none.
+            let curves = zero_set.as_ref().filter(|_| seen.is_empty());
+            fitting_window(seen, curves, work)?
         }
     };
     let mut figure = Figure {
@@ -327,9 +332,9 @@ fn in_plane(
         layers,
     };
     let shown: Window = figure.shown_window()?;
-    if let Drawn::Traced(curve) = drawn {
+    if let Some(curve) = zero_set {
         work.stage("trace", || {
-            trace(curve, &shown, CELLS, &mut figure.layers[0], work)
+            curve.trace(&shown, CELLS, &mut figure.layers[0], work)
         })?;
     }
     work.stage("draw", || figure.to_svg())

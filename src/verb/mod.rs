@@ -62,6 +62,8 @@ mod singular;
 mod source;
 mod topology;
 mod work;
+#[cfg(feature = "pictures")]
+mod zero_set;
 
 pub use arcs::ArcSearch;
 pub use check::{

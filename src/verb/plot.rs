@@ -4,11 +4,11 @@ use super::equation::{Taken, check_curve};
 use super::fit::{OutlineSeries, fit_cloud_series, fit_series, refuse_fit_options};
 use super::plot_options::{PlotOptions, check_ranges, plane_window, range_of, range_text, width};
 use super::plot_space::{is_in_space, scene};
+use super::zero_set::ZeroSet;
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
-use crate::exact::Rational;
 use crate::implicitize::{SquaredForm, implicitize_plane};
-use crate::picture::{Figure, Layer, Window, extent, isolated_origin, trace_zero_set};
+use crate::picture::{Figure, Layer, Window};
 use crate::shape::{
     Contour, Form, FourierRadius, ImplicitCurve, PlaneCurve, PointCloud, Superquadric,
 };
@@ -95,10 +95,10 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
     };
     let shown = figure.shown_window()?;
     let cells = options.cells.unwrap_or(CELLS);
-    for (index, curve) in curves {
+    for curve in curves {
         work.stage("trace", || {
             let _progress = work.progress("tracing", 1);
-            trace(&curve, &shown, cells, &mut figure.layers[index], work)
+            curve.trace(&shown, cells, &mut figure.layers[curve.layer], work)
         })?;
     }
     work.stage("draw", || figure.to_svg())
@@ -108,8 +108,8 @@ fn plane(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Result<String
 #[derive(Default)]
 struct Drawing {
     layers: Vec<Layer>,
-    /// Implicit curves, each with the layer into which it is traced once the window is known.
-    curves: Vec<(usize, ImplicitCurve)>,
+    /// Implicit curves, which are traced once the window is known.
+    curves: Vec<ZeroSet>,
     /// The points that the window must show.
     seen: Vec<[f64; 2]>,
 }
@@ -154,7 +154,7 @@ impl Drawing {
             Content::Exact(Form::Fourier(radius)) => self.layers.push(series(&radius, &name)),
             Content::Exact(Form::Curve(curve)) => {
                 check_curve(&curve, work)?;
-                self.zero_set(curve, &name);
+                self.zero_set(curve, &name, work)?;
             }
             Content::Exact(Form::Superquadric(shape)) => self.layers.push(superquadric(&shape)),
             Content::Exact(_) => return Err(PLOT.not_this()),
@@ -176,18 +176,19 @@ impl Drawing {
                 Ok(implicitize_plane(&curve, work.bounds())?.curve)
             }
         })?;
-        self.zero_set(curve, name);
-        Ok(())
+        self.zero_set(curve, name, work)
     }
 
     /// Adds a layer into which the zero set will be traced.
-    fn zero_set(&mut self, curve: ImplicitCurve, name: &str) {
+    fn zero_set(&mut self, curve: ImplicitCurve, name: &str, work: &Work) -> Result<()> {
         let degree = curve.polynomial().degree().unwrap_or(0);
         self.layers.push(Layer {
             label: format!("zero set, degree {degree}, {name}"),
             ..Layer::default()
         });
-        self.curves.push((self.layers.len() - 1, curve));
+        let layer = self.layers.len() - 1;
+        self.curves.push(ZeroSet::new(layer, curve, work)?);
+        Ok(())
     }
 }
 
@@ -263,23 +264,16 @@ fn superquadric(shape: &Superquadric) -> Layer {
     }
 }
 
-/// A window around the forms that are bounded by themselves, or else around certified points of the curves.
-pub(super) fn fitting_window(
-    seen: Vec<[f64; 2]>,
-    curves: &[(usize, ImplicitCurve)],
+/// A window around everything that is drawn.
+pub(super) fn fitting_window<'a>(
+    mut seen: Vec<[f64; 2]>,
+    curves: impl IntoIterator<Item = &'a ZeroSet>,
     work: &Work,
 ) -> Result<Window> {
-    let window = match Window::around(seen) {
-        Some(window) => Some(window),
-        None => {
-            let mut points = Vec::new();
-            for (_, curve) in curves {
-                points.extend(extent(curve, work.bounds())?);
-            }
-            Window::around(points)
-        }
-    };
-    if let Some(window) = window.filter(|w| w.size() > 0.0) {
+    for curve in curves {
+        seen.extend(curve.seen(work)?);
+    }
+    if let Some(window) = Window::around(seen).filter(|w| w.size() > 0.0) {
         return Ok(window.padded(0.06));
     }
     work.remark(Remark::NothingToFitTo);
@@ -287,28 +281,4 @@ pub(super) fn fitting_window(
         x: [-1.0, 1.0],
         y: [-1.0, 1.0],
     })
-}
-
-/// Traces a curve into its layer, in the curve's original coordinates.
-pub(super) fn trace(
-    curve: &ImplicitCurve,
-    window: &Window,
-    cells: u32,
-    layer: &mut Layer,
-    work: &Work,
-) -> Result<()> {
-    let [a, b] = curve.center().each_ref().map(Rational::to_f64);
-    let local = Window {
-        x: window.x.map(|v| v - a),
-        y: window.y.map(|v| v - b),
-    };
-    let lines = trace_zero_set(curve.polynomial(), &local, cells, work.bounds())?;
-    layer.lines = lines
-        .into_iter()
-        .map(|line| line.into_iter().map(|[x, y]| [x + a, y + b]).collect())
-        .collect();
-    if isolated_origin(curve.polynomial()) {
-        layer.points.push([a, b]);
-    }
-    Ok(())
 }

@@ -3,6 +3,7 @@
 use crate::exact::Rational;
 use crate::fit::{CenterOrigin, LeftOut};
 use crate::reading::ReadHarmonics;
+use crate::topology::ComponentKind;
 
 /// A remark about the work for the person who waits for it. A remark is not a part of the answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +72,17 @@ pub enum Remark {
         /// The number of all inputs.
         total: usize,
     },
+    /// The components of a curve were not found in time, so some may be missing in the picture.
+    ComponentsUnknown,
+    /// An oval is too small for the picture and is drawn as a dot.
+    DrawnAsDot {
+        /// The middle of the oval.
+        at: [f64; 2],
+        /// The length of the larger side of its extent.
+        size: f64,
+    },
+    /// These components, with their kinds and extents in x and in y, are outside of the window.
+    OutsideWindow(Vec<(ComponentKind, [[f64; 2]; 2])>),
     /// No points were found to fit a picture to.
     NothingToFitTo,
     /// Of a cloud, only some points are drawn.

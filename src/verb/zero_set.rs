@@ -1,0 +1,198 @@
+//! The zero set of a plane curve in a picture: all of its components, or a remark.
+
+use std::time::Duration;
+
+use super::{Remark, Work};
+use crate::error::{Error, Result};
+use crate::exact::Rational;
+use crate::parametrize::born_of_radius;
+use crate::picture::{Layer, Window, extent, isolated_origin, trace_zero_set};
+use crate::shape::ImplicitCurve;
+use crate::topology::{Component, ComponentKind, Topology};
+
+/// The longest time that is spent on the components of a curve before it is drawn without knowing them.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// An oval smaller than this part of the window is marked by a dot.
+const DOT: f64 = 1.0 / 400.0;
+
+/// An oval smaller than this part of the window is traced once more, by a grid of its own.
+const SMALL: f64 = 1.0 / 8.0;
+
+/// The number of cells along a small oval.
+const CELLS_OF_SMALL: u32 = 60;
+
+/// A curve that is to be traced, with what is known of its components.
+pub(super) struct ZeroSet {
+    /// The layer of the figure into which it is traced.
+    pub(super) layer: usize,
+    curve: ImplicitCurve,
+    /// `None` if the components were not found in time.
+    topology: Option<Topology>,
+}
+
+impl ZeroSet {
+    pub(super) fn new(layer: usize, curve: ImplicitCurve, work: &Work) -> Result<Self> {
+        let limits = work.bounds().for_at_most(PATIENCE);
+        let found = work.stage("topology", || {
+            let born = born_of_radius(&curve);
+            match born.as_ref().and_then(|found| found.radii.first()) {
+                Some(radius) => {
+                    let multiplicity = curve.polynomial().lowest_degree().unwrap_or(0);
+                    Topology::of_radius(radius, multiplicity, &limits)
+                }
+                None => Topology::of(curve.polynomial(), &limits),
+            }
+        });
+        let topology = match found {
+            Ok(topology) => Some(topology),
+            Err(Error::Limit { .. }) => {
+                work.remark(Remark::ComponentsUnknown);
+                None
+            }
+            Err(other) => return Err(other),
+        };
+        Ok(Self {
+            layer,
+            curve,
+            topology,
+        })
+    }
+
+    fn center(&self) -> [f64; 2] {
+        self.curve.center().each_ref().map(Rational::to_f64)
+    }
+
+    /// The points that the window should show: the corners of bounded components, the critical points of the others, and for
+    /// these some points in all directions, too.
+    pub(super) fn seen(&self, work: &Work) -> Result<Vec<[f64; 2]>> {
+        let [a, b] = self.center();
+        let mut seen = Vec::new();
+        let components = self.topology.iter().flat_map(|t| &t.components);
+        let mut is_bounded = self.topology.is_some();
+        for component in components {
+            match bounds(component) {
+                Some([x, y]) => seen.extend([[x[0], y[0]], [x[1], y[1]]]),
+                None => {
+                    is_bounded = false;
+                    seen.extend(&component.some_points);
+                }
+            }
+        }
+        for [x, y] in &mut seen {
+            *x += a;
+            *y += b;
+        }
+        if !is_bounded {
+            seen.extend(extent(&self.curve, work.bounds())?);
+        }
+        Ok(seen)
+    }
+
+    /// Traces the curve into its layer, in the curve's original coordinates.
+    pub(super) fn trace(
+        &self,
+        window: &Window,
+        cells: u32,
+        layer: &mut Layer,
+        work: &Work,
+    ) -> Result<()> {
+        let [a, b] = self.center();
+        let local = Window {
+            x: window.x.map(|v| v - a),
+            y: window.y.map(|v| v - b),
+        };
+        let mut lines = trace_zero_set(self.curve.polynomial(), &local, cells, work.bounds())?;
+        let mut points = Vec::new();
+        match &self.topology {
+            None => {
+                if isolated_origin(self.curve.polynomial()) {
+                    points.push([0.0, 0.0]);
+                }
+            }
+            Some(topology) => {
+                let mut outside = Vec::new();
+                for component in &topology.components {
+                    if is_outside(component, &local) {
+                        outside.push(place(component, [a, b]));
+                        continue;
+                    }
+                    let Some(own) = bounds(component) else {
+                        continue;
+                    };
+                    let own = Window {
+                        x: own[0],
+                        y: own[1],
+                    };
+                    let middle = [
+                        f64::midpoint(own.x[0], own.x[1]),
+                        f64::midpoint(own.y[0], own.y[1]),
+                    ];
+                    if component.kind == ComponentKind::Point {
+                        points.push(middle);
+                    } else if own.size() < DOT * local.size() {
+                        points.push(middle);
+                        work.remark(Remark::DrawnAsDot {
+                            at: [middle[0] + a, middle[1] + b],
+                            size: own.size(),
+                        });
+                    } else if own.size() < SMALL * local.size() {
+                        let around = own.padded(0.05);
+                        let more = trace_zero_set(
+                            self.curve.polynomial(),
+                            &around,
+                            CELLS_OF_SMALL,
+                            work.bounds(),
+                        )?;
+                        lines.extend(more);
+                    }
+                }
+                if !outside.is_empty() {
+                    work.remark(Remark::OutsideWindow(outside));
+                }
+            }
+        }
+        let moved = |[x, y]: [f64; 2]| [x + a, y + b];
+        layer.lines = lines
+            .into_iter()
+            .map(|line| line.into_iter().map(moved).collect())
+            .collect();
+        layer.points.extend(points.into_iter().map(moved));
+        Ok(())
+    }
+}
+
+/// The smallest and the largest coordinates, about; `None` if the component is not bounded.
+fn bounds(component: &Component) -> Option<[[f64; 2]; 2]> {
+    let [x, y] = component.extent.each_ref().map(|ends| {
+        let [low, high] = ends.each_ref().map(|c| c.as_ref().map(|c| c.to_f64()));
+        Some([low?, high?])
+    });
+    Some([x?, y?])
+}
+
+/// Whether a component has no point in the window, as its extent shows.
+fn is_outside(component: &Component, window: &Window) -> bool {
+    let sides = [window.x, window.y];
+    component
+        .extent
+        .iter()
+        .zip(sides)
+        .any(|(ends, [from, to])| {
+            let [low, high] = ends.each_ref().map(|c| c.as_ref().map(|c| c.to_f64()));
+            low.is_some_and(|low| low > to) || high.is_some_and(|high| high < from)
+        })
+}
+
+/// The kind and the extent of a component in the original coordinates.
+fn place(component: &Component, center: [f64; 2]) -> (ComponentKind, [[f64; 2]; 2]) {
+    let mut extent = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+    for ((ends, known), moved) in extent.iter_mut().zip(&component.extent).zip(center) {
+        for (end, known) in ends.iter_mut().zip(known) {
+            if let Some(known) = known {
+                *end = known.to_f64() + moved;
+            }
+        }
+    }
+    (component.kind, extent)
+}
