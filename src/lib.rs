@@ -65,6 +65,7 @@
 //! | Theorem 7: intersections as curves | [`parametrize::parametrize_intersection`]; where there is no formula: [`arcs`] |
 //! | superquadrics (Examples 6 and 10, Eqs. (20), (77)) | [`shape::Superquadric`], [`shape::SpaceSuperquadric`] |
 //! | factors (Example 8) | [`factor`] |
+//! | beyond the paper: components, singular points and genus of plane curves | [`topology`] |
 //! | beyond the paper: genus and rational parametrizations | [`parametrize::rational_parametrization`] |
 //! | Lemma 6: branches of any degree, with exact ranges and a Fourier fit | [`parametrize`] ([`parametrize::RootBranch`], [`parametrize::fit_branch`]) |
 //! | Theorem 5 (which lemma applies) | [`describe`] |
@@ -78,7 +79,7 @@
 //! # The order of the modules
 //!
 //! Arithmetic modulo primes, fast integers → [`exact`] numbers → [`poly`]nomials → their real [`roots`] and [`factor`]s → [`shape`]s
-//! → [`implicitize`], [`fit`], [`language`], [`reading`] → [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] →
+//! → [`topology`], [`implicitize`], [`fit`], [`language`], [`reading`] → [`parametrize`], [`sample`], [`mesh`], [`arcs`], [`describe`] →
 //! [`inspect`], [`check`], [`picture`] → [`verb`] → [`document`] → [`paper`] → the command line. A file imports only from modules
 //! that come before its own, and from [`error`] and [`limits`].
 //!

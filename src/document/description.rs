@@ -103,7 +103,9 @@ impl DescriptionDocument<'_> {
         if found.genera.contains(&None) {
             self.notes.push(NO_GENUS.into());
         }
-        self.notes.extend(topology_notes(&found.topology, digits));
+        let topology = found.topology.iter();
+        self.notes
+            .extend(topology.flat_map(|t| topology_notes(t, digits)));
     }
 }
 
@@ -136,8 +138,8 @@ pub(crate) fn write_description(
             for (name, field) in &annotations.fields {
                 value[*name] = field.clone();
             }
-            if let Some(found) = topology {
-                value["topology"] = topology_json(&found.topology, digits);
+            if let Some(found) = topology.and_then(|found| found.topology.as_ref()) {
+                value["topology"] = topology_json(found, digits);
             }
             write_value(&value, out)?;
             Ok(writeln!(out)?)
@@ -339,7 +341,7 @@ fn write_text(
         } else {
             &[]
         };
-        write_topology(&found.topology, only, digits, out)?;
+        write_topology(found.topology.as_ref(), only, digits, out)?;
     }
     for note in &d.notes {
         writeln!(out, "note: {note}")?;

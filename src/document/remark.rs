@@ -210,6 +210,7 @@ pub(super) fn part_text(part: Part) -> &'static str {
     match part {
         Part::Factors => "the factors over Q",
         Part::Topology => "the topology of the curve",
+        Part::Genus => "the genus of a factor",
         Part::BeyondCurve => {
             "what the real zero set has beyond the curve, isolated points among it, and the real tracing index"
         }

@@ -136,13 +136,19 @@ fn trimmed(q: &Rational, digits: u32) -> String {
     }
 }
 
-/// Writes the topology as lines.
+/// Writes the topology and the genus of the only factor as lines.
 pub(super) fn write_topology(
-    topology: &Topology,
+    topology: Option<&Topology>,
     genera: &[Option<Genus>],
     digits: u32,
     out: &mut dyn Write,
 ) -> Result<()> {
+    if let [only] = genera {
+        writeln!(out, "genus: {}", genus_text(*only))?;
+    }
+    let Some(topology) = topology else {
+        return Ok(());
+    };
     writeln!(out, "components: {}", topology.components.len())?;
     for (index, component) in topology.components.iter().enumerate() {
         writeln!(
@@ -159,11 +165,7 @@ pub(super) fn write_topology(
     for point in &topology.singular_points {
         writeln!(out, "singular point {}", singular_text(point, digits))?;
     }
-    write_asymptotes(&topology.at_infinity, digits, out)?;
-    if let [only] = genera {
-        writeln!(out, "genus: {}", genus_text(*only))?;
-    }
-    Ok(())
+    write_asymptotes(&topology.at_infinity, digits, out)
 }
 
 fn component_text(component: &Component, digits: u32) -> String {
@@ -288,7 +290,7 @@ pub(super) fn genus_text(genus: Option<Genus>) -> String {
 }
 
 /// The note for a factor whose genus was not found.
-pub(super) const NO_GENUS: &str = "the genus of a factor is null: no prime below 2^31 was found among those tried for which the branches of all its singular points are rational modulo it";
+pub(super) const NO_GENUS: &str = "the genus of a factor was not found: either a limit was reached, or among the primes that were tried there was none modulo which the branches of all its singular points are rational";
 
 #[cfg(test)]
 mod tests {

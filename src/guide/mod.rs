@@ -7,6 +7,9 @@ pub mod tour {}
 #[doc = include_str!("space.md")]
 pub mod space {}
 
+#[doc = include_str!("topology.md")]
+pub mod topology {}
+
 #[doc = include_str!("inspection.md")]
 pub mod inspection {}
 

@@ -140,13 +140,15 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
     }
     work.claim(|proof| claim_description(proof, &form, &description, work))?;
     let topology = if options.topology {
-        topology_of(&form, &description, work)?
+        let is_rational = facts.iter().any(|f| matches!(f, Fact::Parametric(_)));
+        let found = topology_of(&form, &description, is_rational, work)?;
+        if found.topology.is_none() {
+            facts.push(Fact::Missing(Part::Topology));
+        }
+        Some(found)
     } else {
         None
     };
-    if options.topology && topology.is_none() {
-        facts.push(Fact::Missing(Part::Topology));
-    }
     let what = DescribedForm::Equation(description);
     Ok(Described {
         what,

@@ -112,6 +112,8 @@ pub enum Part {
     Factors,
     /// The topology of a plane curve.
     Topology,
+    /// The genus of a factor.
+    Genus,
     /// The real points of the zero set beyond a curve, and the real tracing index.
     BeyondCurve,
     /// A point of the zero set beyond a patch.

@@ -4,7 +4,6 @@ use super::{Part, Work};
 use crate::describe::Description;
 use crate::error::{Error, Result};
 use crate::limits::Limits;
-use crate::poly::PlanePolynomial;
 use crate::shape::Form;
 use crate::topology::{Genus, Topology};
 
@@ -12,8 +11,8 @@ use crate::topology::{Genus, Topology};
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct CurveTopology {
-    /// The components, singular points and asymptotes.
-    pub topology: Topology,
+    /// The components, singular points and asymptotes; `None` if a limit was reached.
+    pub topology: Option<Topology>,
     /// The genus of each irreducible factor of the description, in the same order; `None` where it was not found.
     pub genera: Vec<Option<Genus>>,
 }
@@ -29,47 +28,43 @@ pub(super) fn not_a_plane_curve(form: &Form) -> Error {
     ))
 }
 
-/// The topology of the curve that is described; `None` if a limit was reached.
+/// The topology of the curve that is described. `is_rational` says that it was given by rational functions of a parameter.
 pub(super) fn topology_of(
     form: &Form,
     description: &Description,
+    is_rational: bool,
     work: &Work,
-) -> Result<Option<CurveTopology>> {
-    let Some(polynomial) = polynomial_of(form) else {
-        return Err(not_a_plane_curve(form));
-    };
-    let description = description.clone();
-    let search = move |limits: &Limits| curve_topology(&polynomial, &description, limits);
-    work.stage("topology", || work.unless_limited(Part::Topology, search))
-}
-
-/// The polynomial of a plane curve; the one of a radius is not needed.
-fn polynomial_of(form: &Form) -> Option<PlanePolynomial> {
-    match form {
-        Form::Fourier(_) => Some(PlanePolynomial::from_terms([])),
-        Form::Curve(curve) => Some(curve.polynomial().clone()),
-        _ => None,
-    }
-}
-
-fn curve_topology(
-    f: &PlanePolynomial,
-    description: &Description,
-    limits: &Limits,
 ) -> Result<CurveTopology> {
-    let topology = match &description.fourier {
-        Some(born) => Topology::of_radius(&born.radius, description.origin_multiplicity, limits)?,
-        None => Topology::of(f, limits)?,
+    let polynomial = match form {
+        Form::Curve(curve) => Some(curve.polynomial().clone()),
+        Form::Fourier(_) => None,
+        _ => return Err(not_a_plane_curve(form)),
     };
-    let factors = description.factors.as_deref().unwrap_or(&[]);
-    let genus = |factor: &crate::describe::DescribedFactor| match &factor.shape {
-        // A curve that is parametrized by a series is rational.
-        _ if description.fourier.is_some() && factors.len() == 1 => Ok(Some(Genus::rational())),
-        Form::Curve(curve) => Genus::of(curve.polynomial(), limits),
-        _ => Ok(None),
+    let born = description.fourier.as_ref();
+    let radius = born.map(|born| (born.radius.clone(), description.origin_multiplicity));
+    let find = move |limits: &Limits| match (radius, polynomial) {
+        (Some((radius, multiplicity)), _) => Topology::of_radius(&radius, multiplicity, limits),
+        (None, Some(polynomial)) => Topology::of(&polynomial, limits),
+        (None, None) => Err(Error::internal(
+            "the topology of a form",
+            "a radius has a description as a radius",
+        )),
     };
-    Ok(CurveTopology {
-        genera: factors.iter().map(genus).collect::<Result<_>>()?,
-        topology,
-    })
+    let topology = work.stage("topology", || work.unless_limited(Part::Topology, find))?;
+    let factors = description.factors.clone().unwrap_or_default();
+    // An irreducible curve with a parametrization by rational functions, or by a series, is rational.
+    let is_rational = (is_rational || born.is_some()) && factors.len() == 1;
+    let mut genera = Vec::with_capacity(factors.len());
+    for factor in factors {
+        genera.push(match factor.shape {
+            _ if is_rational => Some(Genus::rational()),
+            Form::Curve(curve) => {
+                let find = move |limits: &Limits| Genus::of(curve.polynomial(), limits);
+                let found = work.stage("genus", || work.unless_limited(Part::Genus, find))?;
+                found.flatten()
+            }
+            _ => None,
+        });
+    }
+    Ok(CurveTopology { topology, genera })
 }

@@ -1,9 +1,10 @@
 //! The files whose commands are run, in the order in which they build on each other.
 
-pub(crate) const DOCUMENTATION: [&str; 12] = [
+pub(crate) const DOCUMENTATION: [&str; 13] = [
     "README.md",
     "src/guide/tour.md",
     "src/guide/space.md",
+    "src/guide/topology.md",
     "src/guide/inspection.md",
     "src/guide/float-programs.md",
     "src/guide/paper.md",

@@ -26,5 +26,6 @@ mod proofs;
 mod read_back;
 mod spellings;
 mod terminal;
+mod topology;
 mod typed;
 mod verbs;

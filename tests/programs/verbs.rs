@@ -28,7 +28,8 @@ use stellate::verb::{
 use tempfile::TempDir;
 
 /// The options without a value.
-const FLAGS: [&str; 8] = [
+const FLAGS: [&str; 9] = [
+    "topology",
     "positive",
     "solid",
     "quiet",
@@ -203,7 +204,9 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             }
         }
         "describe" => {
-            let options = DescribeOptions::default().fit(words.fit());
+            let options = DescribeOptions::default()
+                .fit(words.fit())
+                .topology(words.one("topology").is_some());
             let found = verb::describe(first(), &options, &work).unwrap();
             write_described(&found, digits, words.format(Format::Text), &mut out).unwrap();
         }
