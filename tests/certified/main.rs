@@ -12,3 +12,4 @@ mod inspect;
 mod inspect_cli;
 mod inspect_forms;
 mod inspect_many;
+mod topology;
