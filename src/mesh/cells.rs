@@ -32,6 +32,8 @@ const OFFSETS: [f64; 3] = [0.387, 0.206, 0.604];
 const PARTS_OF_A_CELL: usize = 600;
 const PARTS_OF_ALL: usize = 100_000;
 const LITTLE_WORK: usize = 600;
+/// At a pinch point two sheets are nearer to each other than a cell up to a few cells beside the curve in which they cross.
+const BESIDE: f64 = 4.0;
 
 /// The largest size of a coordinate.
 fn largest(p: [f64; 3]) -> f64 {
@@ -87,10 +89,10 @@ impl Grid {
         Ok(cells)
     }
 
-    /// Whether a cell is beside one of the points: whether its middle is nearer than one and a half cells along every axis.
+    /// Whether a cell is beside one of the points: whether its middle is nearer than [`BESIDE`] cells along every axis.
     pub(super) fn is_beside(&self, cell: &Cell, points: &[[f64; 3]]) -> bool {
         let middle = self.point(cell.index).map(|x| x + self.side / 2.0);
-        let reach = 1.5 * self.side;
+        let reach = BESIDE * self.side;
         let is_near = |p: &[f64; 3]| p.iter().zip(middle).all(|(x, m)| (x - m).abs() < reach);
         points.iter().any(is_near)
     }
