@@ -294,7 +294,7 @@ fn angles_points_and_boxes_are_asked_for_in_plain_words() {
         ),
         (
             "fit c.csv -n 2 --center 1,2,3",
-            "--center 1,2,3: expected auto, centroid, kernel, best or X,Y",
+            "--center: the center of an outline in the plane is X,Y",
         ),
         (
             "fit c.csv -n 2 --center '0,1;0,2'",
