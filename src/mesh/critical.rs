@@ -34,7 +34,7 @@ pub(super) enum Pieces {
 /// the least and the largest value that it has at common zeros of f, f_u and f_w; if there are none, then no piece is bounded.
 /// Proof. A piece is closed, so on a bounded one v has a largest and a least value. Where f_u or f_w is not 0, the surface is a
 /// graph over a neighbourhood in v and a second coordinate, so v is not extreme there.
-/// Law: `bounded_pieces_are_in_their_box`.
+/// Test: `the_default_box_holds_all_bounded_pieces`.
 ///
 /// # Errors
 /// Those of `limits`.
