@@ -90,16 +90,20 @@ pub(crate) fn greatest_common_divisor<const V: usize>(
     Ok(canonical(&common))
 }
 
-/// The irreducible polynomial of which a plane polynomial is a power.
+/// The product of the irreducible factors of a plane polynomial, each of them once: f divided by the greatest common divisor of f
+/// and its partial derivatives.
 ///
 /// # Errors
 /// Those of `limits`.
 pub(crate) fn squarefree_plane(f: &PlanePolynomial, limits: &Limits) -> Result<PlanePolynomial> {
     let terms = primitive_terms(&SparsePolynomial::<3>::from(f));
-    let Some(&v) = terms.used().first() else {
+    let mut repeated = terms.clone();
+    for &v in &terms.used() {
+        repeated = gcd::gcd(&repeated, &terms.derivative(v), limits)?;
+    }
+    if terms.used().is_empty() {
         return Ok(f.clone());
-    };
-    let repeated = gcd::gcd(&terms, &terms.derivative(v), limits)?;
+    }
     let quotient = terms.divided_by(&repeated).invariant("a gcd divides");
     Ok(canonical::<3>(&quotient)
         .to_plane()

@@ -106,10 +106,11 @@ impl Figure {
             let has_points = !layer.points.is_empty();
             let is_cloud = !layer.cloud.is_empty();
             let has_lines = !layer.lines.is_empty();
-            let remark = if has_points && has_lines {
-                " (dot: its isolated point)"
-            } else {
-                ""
+            let remark = match layer.points.len() {
+                _ if !has_lines => "",
+                0 => "",
+                1 => " (dot: its isolated point)",
+                _ => " (dots: its isolated points)",
             };
             Row {
                 label: format!("{}{remark}", layer.label),

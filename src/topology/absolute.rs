@@ -16,12 +16,7 @@ pub(super) fn absolute_factors(curve: &Sheared, prime: u64) -> usize {
     let n = curve.degree;
     let field = PrimeField::new(prime);
     // f_(ij) is the coefficient of u^j v^i.
-    let rows: Vec<Vec<u64>> = curve
-        .strip
-        .coefficients()
-        .iter()
-        .map(|a| field.residues(a))
-        .collect();
+    let rows = curve.modulo(&field);
     let f = |i: usize, j: usize| rows.get(i).and_then(|row| row.get(j)).copied().unwrap_or(0);
     // The terms of degree at most n − 1, and of degree at most 2n − 2.
     let monomials = |degree: usize| -> Vec<(usize, usize)> {

@@ -1,6 +1,7 @@
 //! The asymptotes of a plane curve.
 
 use super::extent::CriticalValues;
+use super::fibre::narrow;
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, PlanePolynomial, coefficients};
@@ -132,7 +133,21 @@ fn parallel(f: &PlanePolynomial, slope: &Rational) -> Vec<Vec<Rational>> {
 fn has_real_branch(rows: &[Vec<Rational>], c: &RealRoot, critical: &CriticalValues) -> bool {
     // An interval with c inside and no other zero of the first coefficient, whose ends are no zeros.
     let (low, high) = match c.as_rational() {
-        None => c.bounds(),
+        None => {
+            // No end may be another zero.
+            let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
+            let others = first.map_or_else(Vec::new, |row| RealRoot::all_of(row));
+            let mut c = c.clone();
+            loop {
+                let (low, high) = c.bounds();
+                let is_end =
+                    |r: &RealRoot| r.cmp_rational(&low).is_eq() || r.cmp_rational(&high).is_eq();
+                if !others.iter().any(is_end) {
+                    break (low, high);
+                }
+                narrow(&mut c, 4);
+            }
+        }
         Some(exact) => {
             let (mut low, mut high) = (&exact - &Rational::one(), &exact + &Rational::one());
             let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));

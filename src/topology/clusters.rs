@@ -26,6 +26,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 use nalgebra::Complex;
 
+use super::guess::guessed_roots;
 use crate::error::{Error, Invariant};
 use crate::exact::Dyadic;
 
@@ -47,13 +48,18 @@ pub(super) struct Enclosed {
     pub(super) high: Vec<Integer>,
 }
 
-/// Finds the real roots of every polynomial of the enclosure that has `distinct` distinct complex roots. `None` if this number of
-/// fractional bits is not enough.
+/// Finds the real roots of every polynomial of the enclosure that has `distinct` distinct complex roots, in intervals of at most
+/// 2^−`bits`. `None` if this number of fractional bits is not enough.
 pub(super) fn real_clusters(
     polynomial: &Enclosed,
     distinct: usize,
+    bits: i64,
     precision: u64,
 ) -> Option<Vec<RealCluster>> {
+    let is_narrow = |cluster: &RealCluster| {
+        let width = cluster.high.minus(&cluster.low).log2();
+        width.is_none_or(|width| width <= -bits)
+    };
     let scaled = Scaled::new(polynomial, precision);
     let n = scaled.degree();
     let mut z = starts(&scaled);
@@ -62,20 +68,23 @@ pub(super) fn real_clusters(
         // The discs are looked at now and then, because that costs as much as a step.
         if (sweep % 3 == 0 || sweep < 2)
             && let Some(found) = scaled.components(&z, distinct)
+            && found.iter().all(is_narrow)
         {
             return Some(found);
         }
         let mut moved = false;
         for i in 0..n {
-            let step = scaled.weierstrass(&z, i);
-            moved |= step.re != 0 || step.im != 0;
+            let step = scaled.correction(&z, i);
+            moved |= step != Point::zero();
             z[i] = z[i].minus(&step).within_unit_disc(precision);
         }
+        separate(&mut z, precision);
         if !moved {
-            return scaled.components(&z, distinct);
+            break;
         }
     }
-    None
+    let found = scaled.components(&z, distinct)?;
+    found.iter().all(is_narrow).then_some(found)
 }
 
 /// A point of the complex plane in units of 2^−precision.
@@ -105,6 +114,26 @@ impl Point {
             re: self.re >> bits,
             im: self.im >> bits,
         }
+    }
+
+    fn zero() -> Self {
+        Self {
+            re: Integer::ZERO,
+            im: Integer::ZERO,
+        }
+    }
+
+    /// 1/z, rounded down; `None` for 0.
+    fn inverse(&self, precision: u64) -> Option<Self> {
+        let square = self.square();
+        if square == 0 {
+            return None;
+        }
+        let part = |x: &Integer| (x << (2 * precision)) / &square;
+        Some(Self {
+            re: part(&self.re),
+            im: -part(&self.im),
+        })
     }
 
     fn square(&self) -> Integer {
@@ -210,10 +239,7 @@ impl Scaled {
     /// p(z) by Horner's rule. Each product is rounded down in both coordinates, by less than 2 units in absolute value, and
     /// |z| ≤ 1, so the error is below 2n units besides that of the coefficients.
     fn value(&self, z: &Point) -> Point {
-        let mut value = Point {
-            re: Integer::ZERO,
-            im: Integer::ZERO,
-        };
+        let mut value = Point::zero();
         for c in self.coefficients.iter().rev() {
             value = value.times(z).shifted_down(self.precision);
             value.re += c;
@@ -221,49 +247,28 @@ impl Scaled {
         value
     }
 
-    /// W_i, rounded; 0 if two points coincide.
-    fn weierstrass(&self, z: &[Point], i: usize) -> Point {
-        let value = self.value(&z[i]);
-        // The product is `product` · 2^exponent.
-        let mut product = Point {
-            re: Integer::ONE,
-            im: Integer::ZERO,
-        };
-        let mut exponent = 0i64;
+    /// Aberth's correction of the i-th point, p/(p′ − p Σ 1/(z_i − z_j)), rounded. It only moves the points; the discs prove.
+    fn correction(&self, z: &[Point], i: usize) -> Point {
+        let mut value = Point::zero();
+        let mut slope = Point::zero();
+        for c in self.coefficients.iter().rev() {
+            slope = slope.times(&z[i]).shifted_down(self.precision);
+            slope.re += &value.re;
+            slope.im += &value.im;
+            value = value.times(&z[i]).shifted_down(self.precision);
+            value.re += c;
+        }
+        let mut sum = Point::zero();
         for (_, other) in z.iter().enumerate().filter(|(j, _)| *j != i) {
-            product = product.times(&z[i].minus(other));
-            exponent -= self.precision.cast_signed();
-            let bits = product
-                .re
-                .significant_bits()
-                .max(product.im.significant_bits());
-            if bits > self.precision {
-                product = product.shifted_down(bits - self.precision);
-                exponent += (bits - self.precision).cast_signed();
+            if let Some(inverse) = z[i].minus(other).inverse(self.precision) {
+                sum.re += inverse.re;
+                sum.im += inverse.im;
             }
         }
-        let square = product.square();
-        if square == 0 {
-            return Point {
-                re: Integer::ZERO,
-                im: Integer::ZERO,
-            };
-        }
-        let mirrored = Point {
-            re: product.re,
-            im: -product.im,
-        };
-        let above = value.times(&mirrored);
-        let part = |x: Integer| {
-            if exponent <= 0 {
-                (x << exponent.unsigned_abs()) / &square
-            } else {
-                (x >> exponent.unsigned_abs()) / &square
-            }
-        };
-        Point {
-            re: part(above.re),
-            im: part(above.im),
+        let below = slope.minus(&value.times(&sum).shifted_down(self.precision));
+        match below.inverse(self.precision) {
+            Some(inverse) => value.times(&inverse).shifted_down(self.precision),
+            None => Point::zero(),
         }
     }
 
@@ -372,91 +377,39 @@ impl Scaled {
     }
 }
 
-/// First approximations, in doubles: Aberth's method from points on circles whose radii are those of the Newton polygon (Bini).
+/// Moves points that coincide apart, because the discs need distinct points: by about the square root of a unit, as far as the
+/// approximations of a double root are apart.
+fn separate(z: &mut [Point], precision: u64) {
+    for i in 1..z.len() {
+        let mut times = 1u64;
+        while z[..i].contains(&z[i]) {
+            z[i].re += Integer::from(times) << (precision / 2);
+            times += 1;
+        }
+    }
+}
+
+/// First approximations, from doubles.
 fn starts(scaled: &Scaled) -> Vec<Point> {
     let coefficients: Vec<f64> = scaled
         .coefficients
         .iter()
         .map(|c| Dyadic::new(c.clone(), -scaled.precision.cast_signed()).to_f64())
         .collect();
-    let mut z = circles(&coefficients);
-    for _ in 0..100 {
-        let mut largest = 0.0f64;
-        for i in 0..z.len() {
-            let step = aberth(&coefficients, &z, i);
-            if step.norm().is_finite() {
-                z[i] -= step;
-                largest = largest.max(step.norm() / z[i].norm());
-            }
-        }
-        if largest < 1e-14 {
-            break;
-        }
-    }
-    let point = |(i, z): (usize, &Complex<f64>)| {
-        // No two points may coincide.
-        let offset = Integer::from(i + 1) << (scaled.precision - 80);
+    let guesses = guessed_roots(&coefficients);
+    let point = |z: &Complex<f64>| {
         let part = |x: f64| {
             let in_units = Dyadic::from_f64(x).unwrap_or_else(Dyadic::zero);
             in_units.in_units(scaled.precision, RoundingMode::Floor)
         };
         let point = Point {
-            re: part(z.re) + offset,
+            re: part(z.re),
             im: part(z.im),
         };
         point.within_unit_disc(scaled.precision)
     };
-    z.iter().enumerate().map(point).collect()
-}
-
-/// Aberth's correction of the i-th approximation.
-fn aberth(coefficients: &[f64], z: &[Complex<f64>], i: usize) -> Complex<f64> {
-    let zero = Complex::new(0.0, 0.0);
-    let (mut value, mut slope) = (zero, zero);
-    for c in coefficients.iter().rev() {
-        slope = slope * z[i] + value;
-        value = value * z[i] + c;
-    }
-    if value == zero {
-        return zero;
-    }
-    let others = z.iter().enumerate().filter(|(j, _)| *j != i);
-    let sum: Complex<f64> = others.map(|(_, other)| (z[i] - other).inv()).sum();
-    (slope / value - sum).inv()
-}
-
-/// For each edge of the upper convex hull of the points (j, log |c_j|), as many points on a circle as the edge is long.
-fn circles(coefficients: &[f64]) -> Vec<Complex<f64>> {
-    let points: Vec<(f64, f64)> = (0u32..)
-        .zip(coefficients)
-        .filter(|(_, c)| **c != 0.0)
-        .map(|(j, c)| (f64::from(j), c.abs().log2()))
-        .collect();
-    let mut hull: Vec<(f64, f64)> = Vec::new();
-    for point in points {
-        while let [.., a, b] = hull[..]
-            && (b.1 - a.1) * (point.0 - a.0) <= (point.1 - a.1) * (b.0 - a.0)
-        {
-            hull.pop();
-        }
-        hull.push(point);
-    }
-    let mut z = Vec::new();
-    let mut add = |radius: f64, count: f64| {
-        let turn = std::f64::consts::TAU / count;
-        let mut k = 0.25 + 0.1 * hull.len() as f64;
-        for _ in 0..count as usize {
-            z.push(Complex::from_polar(radius, turn * k));
-            k += 1.0;
-        }
-    };
-    if let Some(first) = hull.first() {
-        add(1e-30, first.0);
-    }
-    for pair in hull.windows(2) {
-        let length = pair[1].0 - pair[0].0;
-        add(((pair[0].1 - pair[1].1) / length).exp2(), length);
-    }
+    let mut z: Vec<Point> = guesses.iter().map(point).collect();
+    separate(&mut z, scaled.precision);
     z
 }
 
@@ -502,7 +455,7 @@ mod tests {
         };
         PRECISIONS
             .iter()
-            .find_map(|&bits| real_clusters(&enclosed, distinct, bits))
+            .find_map(|&bits| real_clusters(&enclosed, distinct, 0, bits))
             .unwrap()
     }
 
@@ -547,7 +500,7 @@ mod tests {
             high[0] += Integer::ONE;
             let enclosed = Enclosed { low: f, high };
             for bits in [128, 256] {
-                prop_assert!(real_clusters(&enclosed, 2, bits).is_none());
+                prop_assert!(real_clusters(&enclosed, 2, 0, bits).is_none());
             }
         }
     }

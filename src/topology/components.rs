@@ -1,8 +1,8 @@
 //! The connected components of a curve in the plane, and which of them are inside which.
 //!
 //! Two kinds of pieces are joined: arcs over intervals with the points at their ends, which gives the components; and the cells
-//! between arcs, across the gaps of the fibres, which gives the regions of the plane. A component is inside a bounded component B
-//! if no way from infinity that may cross everything but B reaches it.
+//! between arcs, across the gaps of the fibres, which gives the regions of the plane. A component is inside another one, B, if no way
+//! from infinity that may cross everything but B reaches it. An unbounded component may have bounded loops, too.
 
 use super::sweep::Sweep;
 
@@ -98,11 +98,11 @@ impl Components {
         self.of_arc[interval][rank]
     }
 
-    /// For each component, the bounded ones around it.
+    /// For each component, the ones around it.
     fn insides(&self, regions: &Regions) -> Vec<Vec<usize>> {
         let mut inside = vec![Vec::new(); self.list.len()];
         for (outer, pieces) in self.list.iter().enumerate() {
-            if pieces.kind != ComponentKind::Oval {
+            if pieces.kind == ComponentKind::Point {
                 continue;
             }
             let outside = regions.outside(outer);

@@ -17,7 +17,9 @@ use super::sweep::{Sweep, between, disjoint, distinct_roots, eliminant};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, PlanePolynomial, primitive_part, squarefree_decomposition};
+use crate::poly::{
+    IntegerPolynomial, PlanePolynomial, primitive_part, sign_at, squarefree_decomposition,
+};
 use crate::roots::{RealRoot, real_roots};
 
 /// How many lines are tried in a gap before it is given up; only lines through finitely many points are unfit.
@@ -185,9 +187,11 @@ fn along_line(
         let mut bits = 0;
         let (interval, ends) = loop {
             let (low, high) = root.enclosure();
+            // Another crossing may be exactly at an end.
+            let is_alone = low == high || [low, high].iter().all(|s| sign_at(&on_line, s) != 0);
             let mut ends = [t_of(&low.to_rational()), t_of(&high.to_rational())];
             ends.sort();
-            if let Some(interval) = interval_of(sweep, &ends) {
+            if let Some(interval) = interval_of(sweep, &ends).filter(|_| is_alone) {
                 break (interval, ends);
             }
             if low == high || bits > most_bits {

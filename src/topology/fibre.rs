@@ -11,7 +11,7 @@ use malachite::base::num::arithmetic::traits::ShrRound;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::rounding_modes::RoundingMode;
 
-use super::clusters::{Enclosed, PRECISIONS, real_clusters, too_near};
+use super::clusters::{Enclosed, PRECISIONS, RealCluster, real_clusters, too_near};
 use super::strip::Strip;
 use super::sweep::strictly_between;
 use crate::error::{Invariant, Result};
@@ -181,17 +181,9 @@ fn enclosed_points(
         let digits = 2 * precision.cast_signed();
         alpha.refine_to_width(-digits);
         let polynomial = enclosed(strip, alpha, digits.unsigned_abs());
-        if let Some(found) = real_clusters(&polynomial, distinct, precision) {
-            let narrow_enough = found.iter().all(|c| {
-                let width = c.high.minus(&c.low).log2();
-                width.is_none_or(|width| width <= -bits)
-            });
-            if narrow_enough {
-                return Ok(found
-                    .into_iter()
-                    .map(|c| (c.low, c.high, c.multiplicity))
-                    .collect());
-            }
+        if let Some(found) = real_clusters(&polynomial, distinct, bits, precision) {
+            let place = |c: RealCluster| (c.low, c.high, c.multiplicity);
+            return Ok(found.into_iter().map(place).collect());
         }
     }
     Err(too_near(&alpha.to_decimal(6)))

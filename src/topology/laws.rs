@@ -241,3 +241,23 @@ fn points_one_above_the_other_are_told_apart() {
         .find(|c| c.kind == ComponentKind::Oval);
     assert_eq!(outer.unwrap().contains.len(), 2);
 }
+
+#[test]
+fn factors_without_x_and_bounded_loops_are_not_lost() {
+    let ring = circle(&whole(0), &whole(0), &whole(1));
+    let line = curve(&[((0, 1), 1)]);
+    // y² (x² + y² − 1): the line is found once, with both nodes.
+    let found = topology(&(&(&line * &line) * &ring));
+    assert_eq!(found.components.len(), 1);
+    assert_eq!(found.singular_points.len(), 2);
+    // The loop of an unbounded curve contains a circle.
+    let crossed = curve(&[((3, 0), 1), ((2, 0), 1), ((0, 2), -1)]);
+    let half = Rational::one() / whole(2);
+    let small = circle(&-half, &whole(0), &(Rational::one() / whole(100)));
+    let found = topology(&(&crossed * &small));
+    let outer = found
+        .components
+        .iter()
+        .find(|c| c.kind == ComponentKind::Unbounded);
+    assert_eq!(outer.unwrap().contains.len(), 1);
+}

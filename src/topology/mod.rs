@@ -18,6 +18,7 @@ mod coordinate;
 mod extent;
 mod fibre;
 mod genus;
+mod guess;
 #[cfg(test)]
 mod laws;
 mod locate;
@@ -34,7 +35,7 @@ pub use coordinate::Coordinate;
 pub use genus::Genus;
 pub use singular::{SingularKind, Singularity};
 pub(crate) use strip::{Strip, range};
-pub(crate) use sweep::{between, disjoint, strictly_between};
+pub(crate) use sweep::{between, disjoint, distinct_roots, strictly_between};
 
 use components::Components;
 use extent::{Axis, CriticalValues, Extent, extents};

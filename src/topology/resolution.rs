@@ -110,12 +110,7 @@ impl Resolution {
 
     /// Fills in what this prime shows.
     fn add(&mut self, curve: &Sheared, field: &PrimeField, at_infinity: usize) -> Result<()> {
-        let rows: Vec<Vec<u64>> = curve
-            .strip
-            .coefficients()
-            .iter()
-            .map(|a| field.residues(a))
-            .collect();
+        let rows = curve.modulo(field);
         for conjugates in self.conjugates.iter_mut().filter(|c| c.types.is_none()) {
             let reduced = field.monic(field.reduce(&conjugates.polynomial));
             for alpha in some_roots(field, reduced) {

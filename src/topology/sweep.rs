@@ -13,6 +13,7 @@ use super::strip::Strip;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::modular::PrimeField;
 use crate::poly::{
     IntegerPolynomial, PlanePolynomial, Weights, divide_exactly, signed_subresultant,
     squarefree_decomposition,
@@ -59,6 +60,14 @@ impl Sheared {
             discriminant,
             parts,
         }))
+    }
+}
+
+impl Sheared {
+    /// The coefficients modulo a prime, by powers of R and then of t.
+    pub(super) fn modulo(&self, field: &PrimeField) -> Vec<Vec<u64>> {
+        let coefficients = self.strip.coefficients().iter();
+        coefficients.map(|a| field.residues(a)).collect()
     }
 }
 
@@ -173,7 +182,7 @@ impl Sheared {
 }
 
 /// The distinct real roots of some polynomials, ascending.
-pub(super) fn distinct_roots<'a>(
+pub(crate) fn distinct_roots<'a>(
     polynomials: impl Iterator<Item = &'a IntegerPolynomial>,
 ) -> Vec<RealRoot> {
     let mut roots: Vec<RealRoot> = Vec::new();

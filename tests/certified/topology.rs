@@ -57,3 +57,23 @@ fn classical_curves_have_their_components_singular_points_and_genus() {
     assert!(count >= 60, "{count} curves");
     assert_eq!(wrong, Vec::<String>::new());
 }
+
+#[test]
+fn random_curves_have_the_components_that_another_program_finds() {
+    let table = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/curves/random.tsv");
+    let table = fs::read_to_string(table).unwrap();
+    let (mut count, mut wrong) = (0, Vec::new());
+    for row in table.lines().filter(|line| !line.starts_with('#')) {
+        let (equation, expected) = row.split_once('\t').unwrap();
+        count += 1;
+        let found = Topology::of(&polynomial(equation), &Limits::none()).unwrap();
+        let components = found.components.iter();
+        let components = components.map(|c| format!("{}:{}", c.kind.name(), c.contains.len()));
+        let components = sorted(&components.collect::<Vec<_>>().join(","));
+        if components != sorted(expected) {
+            wrong.push(format!("{equation}: {components:?}, not {expected}"));
+        }
+    }
+    assert!(count >= 400, "{count} curves");
+    assert_eq!(wrong, Vec::<String>::new());
+}

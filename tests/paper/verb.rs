@@ -303,7 +303,7 @@ fn one_statement_in_full() {
 fn statements_are_found_by_their_titles() {
     for (wanted, expected) in [
         ("t2", &["T2"][..]),
-        ("Theorem 2", &["T2", "T2b", "T2f", "T2s"]),
+        ("Theorem 2", &["T2", "T2b", "T2f", "T2s", "T2R"]),
         ("Lemma 1", &["L1"]),
         ("resolvent cubic", &["Eq63"]),
         ("eq 63", &["Eq63"]),

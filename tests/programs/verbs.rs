@@ -10,10 +10,12 @@ use crate::common::documentation::DOCUMENTATION;
 use crate::common::program::run_in;
 use stellate::document::{
     Format, InspectionWriter, MeshFormat, json_schema, write_check, write_described, write_fit,
-    write_fit_table, write_implicitization, write_ladder, write_mesh, write_parametrized,
-    write_sampled, write_vectors,
+    write_fit_table, write_implicitization, write_ladder, write_mesh, write_mesh_fit,
+    write_parametrized, write_sampled, write_vectors,
 };
-use stellate::fit::{CenterChoice, FitModel, FitOptions, FitSize, OutlineOptions};
+use stellate::fit::{
+    CenterChoice, FitModel, FitOptions, FitSize, MeshFitOptions, MeshFitSize, OutlineOptions,
+};
 use stellate::inspect::Verdict;
 use stellate::language::Numbers;
 use stellate::picture::Window;
@@ -179,6 +181,13 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
     let first = || given(folder, &words.forms[0], &words);
     let (digits, mut out) = (words.number("digits").unwrap_or(16), Vec::new());
     match verb {
+        "fit" if verb::is_mesh_name(&words.forms[0]) => {
+            let tolerance = words.fit().tolerance().unwrap();
+            let options = MeshFitOptions::new(MeshFitSize::Tolerance(tolerance));
+            let solid = verb::read_mesh(&folder.join(&words.forms[0]), &work).unwrap();
+            let fit = verb::fit_mesh(&solid, &options, &work).unwrap();
+            write_mesh_fit(&fit, words.format(Format::Text), &mut out).unwrap();
+        }
         "fit" => {
             let is_normal = words.one("normal-form").is_some();
             let options = words.fit();

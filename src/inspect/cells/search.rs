@@ -366,7 +366,7 @@ impl CellTree {
         let least = (level - slack).or_zero().squared().low();
         let greatest = (level + slack).high();
         let mut is_open = false;
-        let mut waiting: SmallVec<[(Place, usize, usize); 48]> = SmallVec::new();
+        let mut waiting: SmallVec<[(Place, usize, usize); 64]> = SmallVec::new();
         let far = |level: usize, code: usize| self.node(level, code).greatest_square(&p);
         let mut squares = [0, 1, 2, 3, 4, 5];
         squares.sort_by(|a, b| far(0, *a).total_cmp(&far(0, *b)));

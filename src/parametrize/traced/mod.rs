@@ -24,12 +24,12 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
-    BinaryForm, IntegerPolynomial, Weights, divide_exactly, polynomial_gcd, primitive_part,
-    signed_subresultant, squarefree_decomposition,
+    BinaryForm, IntegerPolynomial, Weights, divide_exactly, primitive_part, signed_subresultant,
+    squarefree_decomposition,
 };
-use crate::roots::{RealRoot, real_roots, sort_distinct};
+use crate::roots::{RealRoot, real_roots};
 use crate::sample::Direction;
-use crate::topology::{Strip, between, disjoint};
+use crate::topology::{Strip, between, disjoint, distinct_roots};
 
 /// The polynomial in R = r^step whose coefficients are forms: `forms[i]` has degree `lowest + i·step`.
 #[derive(Clone, Debug)]
@@ -281,15 +281,10 @@ impl Tracing {
 /// decompositions make it.
 fn critical_slopes(polynomials: &[&IntegerPolynomial]) -> Vec<RealRoot> {
     let t = IntegerPolynomial::from_coefficients_asc(vec![Integer::ZERO, Integer::ONE]);
-    let mut roots = real_roots(&t);
-    let mut product = t;
-    let parts = polynomials.iter().flat_map(|f| squarefree_decomposition(f));
-    for (_, part) in parts {
-        let common = polynomial_gcd(&product, &part);
-        let new = divide_exactly(&part, &common).unwrap_or(part);
-        roots.extend(real_roots(&new));
-        product *= new;
-    }
-    sort_distinct(&mut roots);
-    roots
+    let parts: Vec<IntegerPolynomial> = polynomials
+        .iter()
+        .flat_map(|f| squarefree_decomposition(f))
+        .map(|(_, part)| part)
+        .collect();
+    distinct_roots(std::iter::once(&t).chain(&parts))
 }
