@@ -65,7 +65,7 @@ pub fn remark_text(remark: &Remark) -> String {
             "{rounded} of {total} inputs were no doubles and were rounded; everything follows from the doubles exactly"
         ),
         Remark::NothingToFitTo => "no points were found to fit the picture to: it shows -1,1,-1,1; --window chooses another part".into(),
-        Remark::ComponentsUnknown => "the components of the curve were not found in time: some may be missing in the picture, isolated points and small ovals among them".into(),
+        Remark::ComponentsUnknown => "the components of the zero set were not found within the limits: some may be missing in the picture, isolated points and small ovals among them".into(),
         Remark::DrawnAsDot { at: [x, y], size } => format!(
             "an oval of size ≈ {size:.3e} about ({x:.6}, {y:.6}) is drawn as a dot; --window shows it larger"
         ),

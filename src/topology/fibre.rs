@@ -14,7 +14,7 @@ use malachite::base::rounding_modes::RoundingMode;
 use super::clusters::{Enclosed, PRECISIONS, RealCluster, real_clusters, too_near};
 use super::strip::Strip;
 use super::sweep::strictly_between;
-use crate::error::{Invariant, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
 use crate::limits::Limits;
 use crate::poly::IntegerPolynomial;
@@ -129,11 +129,15 @@ impl Fibre {
         }
         for point in &self.points {
             for count in point.arcs {
-                assert!(
-                    count % 2 == point.multiplicity % 2 && count <= point.multiplicity,
-                    "internal contradiction: {count} arcs end at a root of multiplicity {}",
-                    point.multiplicity
-                );
+                if count % 2 != point.multiplicity % 2 || count > point.multiplicity {
+                    return Err(Error::internal(
+                        "the points above a critical value",
+                        format!(
+                            "{count} arcs end at a root of multiplicity {}",
+                            point.multiplicity
+                        ),
+                    ));
+                }
             }
         }
         Ok(())

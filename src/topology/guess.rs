@@ -5,6 +5,9 @@ use nalgebra::Complex;
 /// The largest number of steps of Aberth's method.
 const MAX_STEPS: usize = 100;
 
+/// The radius of the circle for roots that are 0.
+const TINY: f64 = 1e-30;
+
 /// Approximations of all roots: Aberth's method from points on circles whose radii are those of the Newton polygon (Bini, *Numerical
 /// computation of polynomial zeros by means of Aberth's method*, Numerical Algorithms 13, 1996).
 pub(super) fn guessed_roots(coefficients: &[f64]) -> Vec<Complex<f64>> {
@@ -43,35 +46,38 @@ fn aberth(coefficients: &[f64], z: &[Complex<f64>], i: usize) -> Complex<f64> {
 
 /// For each edge of the upper convex hull of the points (j, log |c_j|), as many points on a circle as the edge is long.
 fn circles(coefficients: &[f64]) -> Vec<Complex<f64>> {
-    let points: Vec<(f64, f64)> = (0u32..)
+    let points: Vec<(u32, f64)> = (0u32..)
         .zip(coefficients)
         .filter(|(_, c)| **c != 0.0)
-        .map(|(j, c)| (f64::from(j), c.abs().log2()))
+        .map(|(j, c)| (j, c.abs().log2()))
         .collect();
-    let mut hull: Vec<(f64, f64)> = Vec::new();
+    let run = |a: (u32, f64), b: (u32, f64)| f64::from(b.0 - a.0);
+    let mut hull: Vec<(u32, f64)> = Vec::new();
     for point in points {
         while let [.., a, b] = hull[..]
-            && (b.1 - a.1) * (point.0 - a.0) <= (point.1 - a.1) * (b.0 - a.0)
+            && (b.1 - a.1) * run(a, point) <= (point.1 - a.1) * run(a, b)
         {
             hull.pop();
         }
         hull.push(point);
     }
     let mut z = Vec::new();
-    let mut add = |radius: f64, count: f64| {
-        let turn = std::f64::consts::TAU / count;
-        let mut k = 0.25 + 0.1 * hull.len() as f64;
-        for _ in 0..count as usize {
-            z.push(Complex::from_polar(radius, turn * k));
-            k += 1.0;
-        }
+    let mut turned = 0.25;
+    let mut add = |radius: f64, count: u32| {
+        // Every circle is turned a little more, so that no two points are on one ray.
+        turned += 0.1;
+        let points = (0..count).map(|k| {
+            let turn = (f64::from(k) + turned) / f64::from(count);
+            Complex::from_polar(radius, std::f64::consts::TAU * turn)
+        });
+        z.extend(points);
     };
     if let Some(first) = hull.first() {
-        add(1e-30, first.0);
+        add(TINY, first.0);
     }
     for pair in hull.windows(2) {
-        let length = pair[1].0 - pair[0].0;
-        add(((pair[0].1 - pair[1].1) / length).exp2(), length);
+        let slope = (pair[0].1 - pair[1].1) / run(pair[0], pair[1]);
+        add(slope.exp2(), pair[1].0 - pair[0].0);
     }
     z
 }

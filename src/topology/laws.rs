@@ -48,13 +48,13 @@ fn turned(f: &PlanePolynomial, [p, q, r, s]: [i64; 4]) -> PlanePolynomial {
     })
 }
 
-/// Kinds and numbers of components inside, and kinds, multiplicities and Milnor numbers: all that an affine map keeps.
-fn invariants(
-    f: &PlanePolynomial,
-) -> (
+type Invariants = (
     Vec<(&'static str, usize)>,
     Vec<(&'static str, usize, Option<usize>)>,
-) {
+);
+
+/// Kinds and numbers of components inside, and kinds, multiplicities and Milnor numbers: all that an affine map keeps.
+fn invariants(f: &PlanePolynomial) -> Invariants {
     let found = topology(f);
     let mut components: Vec<_> = found
         .components
@@ -165,8 +165,8 @@ proptest! {
                 .singular_points
                 .iter()
                 .map(|p| {
-                    let at = p.at.each_ref().map(|c| (c.to_f64() * 1e6).round());
-                    (at[0] as i64, at[1] as i64, p.singularity.multiplicity, p.singularity.real_half_branches)
+                    let at = p.at.each_ref().map(|c| format!("{}", (c.to_f64() * 1e6).round() + 0.0));
+                    (at, p.singularity.multiplicity, p.singularity.real_half_branches)
                 })
                 .collect();
             points.sort_unstable();

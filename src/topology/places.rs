@@ -82,15 +82,14 @@ pub(super) fn types_above_zero(
     let fibre = trimmed(rows.iter().map(|row| coefficient(row, 0)).collect());
     let mut types = Vec::new();
     for (multiplicity, root) in multiple_roots(field, &fibre)? {
-        let columns: usize = rows.iter().map(Vec::len).max().unwrap_or(0);
-        let width = columns.min(precision);
-        let mut shifted = vec![vec![0; width]; rows.len()];
-        for j in 0..width {
-            let column = rows.iter().map(|row| coefficient(row, j)).collect();
-            for (i, c) in field.shifted(column, root).into_iter().enumerate() {
-                shifted[i][j] = c;
-            }
-        }
+        let width = rows.iter().map(Vec::len).max().unwrap_or(0).min(precision);
+        let columns: Vec<Vec<u64>> = (0..width)
+            .map(|j| rows.iter().map(|row| coefficient(row, j)).collect())
+            .map(|column| field.shifted(column, root))
+            .collect();
+        let shifted = (0..rows.len())
+            .map(|i| columns.iter().map(|column| column[i]).collect())
+            .collect();
         let local = Local {
             rows: shifted,
             precision,
@@ -243,7 +242,7 @@ fn whole(n: usize) -> Rational {
 /// (z, w) with zq − wm = 1, both as small as possible and not negative.
 fn bezout(q: usize, m: usize) -> (usize, usize) {
     let mut w = 0;
-    while (1 + w * m) % q != 0 {
+    while !(1 + w * m).is_multiple_of(q) {
         w += 1;
     }
     ((1 + w * m) / q, w)

@@ -72,7 +72,7 @@ pub enum Remark {
         /// The number of all inputs.
         total: usize,
     },
-    /// The components of a curve were not found in time, so some may be missing in the picture.
+    /// The components of a curve were not found within the limits, so some may be missing in the picture.
     ComponentsUnknown,
     /// An oval is too small for the picture and is drawn as a dot.
     DrawnAsDot {

@@ -1,4 +1,6 @@
-//! Plane curves from the literature: components, real singular points and genus.
+//! Plane curves from the literature: components, real singular points and genus; and random curves against another program.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::fs;
 
