@@ -1,5 +1,7 @@
 //! The topology of plane curves from end to end, and the pictures that leave nothing out.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 
 use serde_json::Value;
