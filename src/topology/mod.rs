@@ -2,11 +2,11 @@
 //! asymptotes and its genus.
 //!
 //! **Method.** The curve is swept by the lines t = const in coordinates in which no line is vertical and no branch tends to infinity
-//! over a finite t ([`sweep`]). Above each critical value the real points are isolated: bounds of all complex roots are narrowed until
-//! they have as many components as there are distinct roots, which subresultants tell ([`clusters`]). Lines between the points,
-//! which the curve does not meet near the critical value, then tell which arcs end at which point ([`fibre`]). The graph of points
-//! and arcs is isotopic to the curve, so nothing is missing ([`components`]). The local structure of singular points and the genus come
-//! from Newton polygons modulo a prime of good reduction ([`places`], [`resolution`], [`genus`]).
+//! over a finite t (`sweep`). Above each critical value the real points are isolated: bounds of all complex roots are narrowed until
+//! they have as many components as there are distinct roots, which subresultants tell (`clusters`). Lines between the points,
+//! which the curve does not meet near the critical value, then tell which arcs end at which point (`fibre`). The graph of points
+//! and arcs is isotopic to the curve, so nothing is missing (`components`). The local structure of singular points and the genus come
+//! from Newton polygons modulo a prime of good reduction (`places`, `resolution`, `genus`).
 //!
 //! Cost: a discriminant of degree n(n − 1), and the isolation of n roots for each of its real zeros.
 

@@ -264,10 +264,22 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
             write_mesh(&mesh, &comment, format, &mut out).unwrap();
         }
         "plot" => {
-            let frame = |b: [f64; 6]| Frame::Space([[b[0], b[1]], [b[2], b[3]], [b[4], b[5]]]);
+            let frame = |text: &str| match text.split(',').count() {
+                4 => {
+                    let [x0, x1, y0, y1] = doubles(text);
+                    Frame::Plane(Window {
+                        x: [x0, x1],
+                        y: [y0, y1],
+                    })
+                }
+                _ => {
+                    let [x0, x1, y0, y1, z0, z1] = doubles(text);
+                    Frame::Space([[x0, x1], [y0, y1], [z0, z1]])
+                }
+            };
             let mut options = PlotOptions::default()
                 .fit(words.fit())
-                .window(words.doubles("window").map(frame))
+                .window(words.one("window").map(frame))
                 .points(words.all("point").iter().map(|p| doubles(p)).collect())
                 .title(words.one("title").unwrap_or("").into());
             if let Some(view) = words.doubles("view") {
