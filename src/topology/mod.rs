@@ -103,7 +103,7 @@ impl Topology {
     /// let f = [((3, 0), 1.into()), ((2, 0), (-1).into()), ((0, 2), (-1).into())];
     /// let topology = Topology::of(&PlanePolynomial::from_terms(f), &Limits::none())?;
     /// let kinds: Vec<ComponentKind> = topology.components.iter().map(|c| c.kind).collect();
-    /// assert_eq!(kinds, [ComponentKind::Point, ComponentKind::Unbounded]);
+    /// assert_eq!(kinds, [ComponentKind::Unbounded, ComponentKind::Point]);
     /// assert_eq!(topology.singular_points[0].singularity.kind().name(), "isolated");
     /// # Ok::<(), stellate::error::Error>(())
     /// ```
