@@ -14,6 +14,12 @@ pub(crate) const MOST_DIGITS: f64 = 17.0;
 /// 2⁵³ > 15.95.
 pub(crate) const DOUBLE_DIGITS: f64 = 15.95;
 
+/// The difference between a double and a number that is only enclosed is known with a relative width of 2^−DIFFERENCE_BITS.
+const DIFFERENCE_BITS: i64 = 20;
+
+/// The number itself is then known with a relative width of 2^−VALUE_BITS.
+const VALUE_BITS: i64 = 64;
+
 /// The distance of a double from an exact value, relative to that value and in units of its last place.
 ///
 /// If the exact value is known as a rational number, the relative distance is exact. If the value is only enclosed, the
@@ -48,6 +54,47 @@ impl Deviation {
             None => None,
         };
         Self { relative, ulps }
+    }
+
+    /// A number that `bounds` encloses in a number of bits, and the deviation of `got` from it. The numbers of bits are tried in
+    /// turn until the deviation is known within 2^−[`DIFFERENCE_BITS`] of itself; after the last one it is what is known then. The
+    /// number is rational only if its enclosure is a point.
+    pub(super) fn enclosed(
+        got: &Rational,
+        bits: impl IntoIterator<Item = u32>,
+        bounds: impl Fn(u32) -> [Rational; 2],
+    ) -> (Rational, Self) {
+        let mut bits = bits.into_iter().peekable();
+        while let Some(now) = bits.next() {
+            let [low, high] = bounds(now);
+            if low == high {
+                let deviation = Self::between(got, &low);
+                return (low, deviation);
+            }
+            let width = &high - &low;
+            let is_close =
+                |size: &Rational, k: i64| width <= size * &Rational::from_dyadic(1.into(), -k);
+            let nearer = |a: Rational, b: Rational| {
+                if a.signum() == b.signum() {
+                    a.abs().min(b.abs())
+                } else {
+                    Rational::zero()
+                }
+            };
+            let difference = nearer(&low - got, &high - got);
+            let size = nearer(low.clone(), high.clone());
+            let is_enough = is_close(&difference, DIFFERENCE_BITS) && is_close(&size, VALUE_BITS);
+            if is_enough || bits.peek().is_none() {
+                let most = difference + width;
+                let ulps = &most / &unit_in_the_last_place(low.to_f64());
+                let deviation = match size.recip() {
+                    Some(inverse) => Self::bounded(most * inverse, ulps.to_f64()),
+                    None => Self::infinite(),
+                };
+                return (low, deviation);
+            }
+        }
+        (Rational::zero(), Self::infinite())
     }
 
     /// The deviation of a number that is exact.

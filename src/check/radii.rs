@@ -1,5 +1,7 @@
 //! Compares radii of a float program, at angles that are doubles, with the certified ones.
 
+use std::iter::successors;
+
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::comparison::{Comparison, GivenNumber, Row};
@@ -18,12 +20,6 @@ use crate::poly::PlanePolynomial;
 
 /// The number of bits in the first enclosure of a radius.
 const FIRST_BITS: u32 = 128;
-
-/// The difference between a given radius and the exact one is enclosed with a relative width of 2^−DIFFERENCE_BITS.
-const DIFFERENCE_BITS: i64 = 20;
-
-/// The exact radius is enclosed with a relative width of 2^−RADIUS_BITS.
-const RADIUS_BITS: i64 = 64;
 
 /// A radius of a float program, and the line of the file that it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -186,7 +182,9 @@ fn compare_with_series(
         .map(|given| {
             limits.check()?;
             let [theta, got] = exact(given);
-            let (radius, deviation) = deviation(&got, |bits| values.bounds(&theta, bits));
+            let bits = successors(Some(FIRST_BITS), |bits| Some(2 * bits));
+            let (radius, deviation) =
+                Deviation::enclosed(&got, bits, |bits| values.bounds(&theta, bits));
             Ok(row(given, Some(radius), deviation))
         })
         .collect();
@@ -199,38 +197,6 @@ fn compare_with_series(
 /// The exact values of the angle and the radius, which are finite doubles.
 fn exact(given: &GivenRadius) -> [Rational; 2] {
     [given.theta, given.r].map(|v| Rational::try_from(v).unwrap_or_default())
-}
-
-/// A number that `bounds` encloses in any number of bits, and the deviation of `got` from it. The number is rational only if
-/// its enclosure is a point.
-fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational, Deviation) {
-    let mut bits = FIRST_BITS;
-    loop {
-        let [low, high] = bounds(bits);
-        if low == high {
-            let deviation = Deviation::between(got, &low);
-            return (low, deviation);
-        }
-        let width = &high - &low;
-        let is_close =
-            |size: &Rational, k: i64| width <= size * &Rational::from_dyadic(1.into(), -k);
-        let nearer = |a: Rational, b: Rational| {
-            if a.signum() == b.signum() {
-                a.abs().min(b.abs())
-            } else {
-                Rational::zero()
-            }
-        };
-        let difference = nearer(&low - got, &high - got);
-        let size = nearer(low.clone(), high.clone());
-        if is_close(&difference, DIFFERENCE_BITS) && is_close(&size, RADIUS_BITS) {
-            let most = difference + width;
-            let ulps = &most / &unit_in_the_last_place(low.to_f64());
-            let deviation = Deviation::bounded(most / size, ulps.to_f64());
-            return (low, deviation);
-        }
-        bits *= 2;
-    }
 }
 
 fn row(given: &GivenRadius, exact: Option<Rational>, deviation: Deviation) -> Row {

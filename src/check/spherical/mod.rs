@@ -10,21 +10,19 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::comparison::{Comparison, GivenNumber, Row};
-use super::deviation::{Deviation, unit_in_the_last_place};
+use super::deviation::Deviation;
 use super::mistakes::{Mistaken, diagnose};
 use super::unexplained::unexplained;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{HarmonicSurface, NormalizedHarmonics, harmonic_norm};
 use mistakes::{missing_name, mistaken_angles, mistaken_surfaces, scaled, without};
 use values::SphericalValues;
 
-/// The numbers of bits of the enclosures of a radius, in turn.
+/// The numbers of bits of the enclosures of a radius, in turn. A radius that is equal up to the last of them is reported with a
+/// deviation of that size.
 const BITS: [u32; 4] = [128, 256, 512, 1024];
-/// A radius is compared within this part, 2^−20, of the difference, and known within 2^−64 of itself.
-const DIFFERENCE_BITS: i64 = 20;
-const RADIUS_BITS: i64 = 64;
 /// Mistakes are tried at this many radii.
 const TRIED: usize = 96;
 /// Harmonics that are missing are sought by at most this many radii for each coefficient.
@@ -278,7 +276,7 @@ impl SphericalReference {
                 .sum::<f64>()
         };
         let size = coefficients.iter().map(|c| c.abs()).sum::<f64>()
-            * f64::from(u32::try_from(degree + 1).unwrap_or(u32::MAX))
+            * f64::from(u32::try_from(degree + 1).invariant("a degree is below 2^32"))
             + center.iter().map(|x| x.abs()).sum::<f64>();
         let radius = |given: &GivenSpaceRadius| {
             let ((st, ct), (sp, cp)) = (given.theta.sin_cos(), given.phi.sin_cos());
@@ -399,7 +397,8 @@ fn compare_radii(
             limits.check()?;
             let exact = |x: f64| Rational::try_from(x).unwrap_or_default();
             let [theta, phi, got] = [given.theta, given.phi, given.r].map(exact);
-            let (radius, deviation) = deviation(&got, |bits| values.bounds(&theta, &phi, bits));
+            let (radius, deviation) =
+                Deviation::enclosed(&got, BITS, |bits| values.bounds(&theta, &phi, bits));
             Ok(Row {
                 place: GivenNumber::SpaceRadius {
                     line: given.line,
@@ -418,44 +417,6 @@ fn compare_radii(
         rows: rows?,
         ..Comparison::default()
     })
-}
-
-/// A number that `bounds` encloses, and a bound of the deviation of `got` from it. A number that `got` equals up to the last of [`BITS`] is
-/// reported with a deviation of that size.
-fn deviation(got: &Rational, bounds: impl Fn(u32) -> [Rational; 2]) -> (Rational, Deviation) {
-    let mut last = (Rational::zero(), Deviation::infinite());
-    for bits in BITS {
-        let [low, high] = bounds(bits);
-        if low == high {
-            let deviation = Deviation::between(got, &low);
-            return (low, deviation);
-        }
-        let width = &high - &low;
-        let nearer = |a: Rational, b: Rational| {
-            if a.signum() == b.signum() {
-                a.abs().min(b.abs())
-            } else {
-                Rational::zero()
-            }
-        };
-        let difference = nearer(&low - got, &high - got);
-        let size = nearer(low.clone(), high.clone());
-        let is_close =
-            |size: &Rational, k: i64| width <= size * &Rational::from_dyadic(1.into(), -k);
-        let is_enough = is_close(&difference, DIFFERENCE_BITS) && is_close(&size, RADIUS_BITS);
-        let most = difference + &width;
-        let ulps = &most / &unit_in_the_last_place(low.to_f64());
-        let relative = size.recip().map(|inverse| most * inverse);
-        let found = match relative {
-            Some(relative) => Deviation::bounded(relative, ulps.to_f64()),
-            None => Deviation::infinite(),
-        };
-        last = (low, found);
-        if is_enough {
-            break;
-        }
-    }
-    last
 }
 
 #[cfg(test)]
