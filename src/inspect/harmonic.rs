@@ -6,7 +6,7 @@ use super::cells::{CellTree, NearestOnSphere};
 use super::exact_foot::ExactSurface;
 use super::known::rounding;
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
 use crate::intervals::rational;
@@ -84,7 +84,7 @@ impl HarmonicInspector {
         if cells.is_none() && !is_sphere {
             return Err(Error::limit("a radius within the range of doubles"));
         }
-        let digits = i32::try_from(options.digits.min(14)).unwrap_or(14);
+        let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
             cells,
             exact: ExactSurface::new(surface, pair),

@@ -35,6 +35,7 @@ mod side;
 mod sphere;
 mod squared_distance;
 mod summary;
+mod tree;
 mod winding;
 
 pub use arcs::NearestPoint;

@@ -19,7 +19,7 @@ pub use search::NearestPoint;
 use polynomials::Polynomials;
 use scaled::Scaled;
 
-use crate::intervals::interval::UNIT;
+use super::tree::Extent;
 
 /// The largest number of harmonics H. The cost of the arcs grows with H²; with so many it is some tenths of a second.
 const MOST_HARMONICS: usize = 512;
@@ -35,13 +35,6 @@ pub(super) struct ArcTree<const N: usize> {
     unit: f64,
     /// The boxes of the nodes: node 1 is the root, the children of node k are 2k and 2k + 1, and node K + j is the arc j of K.
     boxes: Vec<Extent<N>>,
-}
-
-/// A box.
-#[derive(Clone, Copy, Debug)]
-struct Extent<const N: usize> {
-    low: [f64; N],
-    high: [f64; N],
 }
 
 impl<const N: usize> ArcTree<N> {
@@ -71,48 +64,6 @@ impl<const N: usize> ArcTree<N> {
     fn inside(&self, point: [f64; N]) -> Option<[f64; N]> {
         let inside = point.map(|x| x / self.unit);
         inside.iter().all(|x| x.abs() <= FARTHEST).then_some(inside)
-    }
-}
-
-impl<const N: usize> Extent<N> {
-    const EMPTY: Self = Self {
-        low: [f64::INFINITY; N],
-        high: [f64::NEG_INFINITY; N],
-    };
-
-    /// The box about a middle with half its sides. The ends are at most 1 in size, so each is rounded by less than 4·`UNIT`.
-    fn of((middle, half): ([f64; N], [f64; N])) -> Self {
-        Self {
-            low: std::array::from_fn(|i| middle[i] - half[i] - 4.0 * UNIT),
-            high: std::array::from_fn(|i| middle[i] + half[i] + 4.0 * UNIT),
-        }
-    }
-
-    fn joined(&self, other: &Self) -> Self {
-        Self {
-            low: std::array::from_fn(|i| self.low[i].min(other.low[i])),
-            high: std::array::from_fn(|i| self.high[i].max(other.high[i])),
-        }
-    }
-
-    /// A lower bound of the squared distance of a point from the box, of which each coordinate has four roundings.
-    fn least_square(&self, p: &[f64; N]) -> f64 {
-        let mut sum = 0.0;
-        for ((low, high), x) in self.low.iter().zip(&self.high).zip(p) {
-            let away = (low - x).max(x - high).max(0.0);
-            sum += away * away;
-        }
-        sum * (1.0 - 8.0 * UNIT)
-    }
-
-    /// An upper bound of the squared distance of a point from the points of the box.
-    fn greatest_square(&self, p: &[f64; N]) -> f64 {
-        let mut sum = 0.0;
-        for ((low, high), x) in self.low.iter().zip(&self.high).zip(p) {
-            let away = (high - x).max(x - low);
-            sum += away * away;
-        }
-        sum * (1.0 + 8.0 * UNIT)
     }
 }
 

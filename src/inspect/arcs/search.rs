@@ -3,9 +3,9 @@
 use smallvec::SmallVec;
 
 use super::super::DistanceBounds;
+use super::super::tree::Search;
 use super::ArcTree;
 use crate::intervals::Interval;
-use crate::intervals::interval::UNIT;
 
 /// The largest number of pieces of arcs that are searched for one point; then the bounds stay as wide as they are. Only points
 /// from which large parts of the curve are equally far, such as the center of a circle, take more than some tens.
@@ -35,44 +35,6 @@ struct Piece {
     node: usize,
     /// The range of u on an arc.
     ends: [f64; 2],
-}
-
-/// What is known of the distance from one point.
-struct Search {
-    /// The squared distance of the parts that were left out is at least this.
-    low: f64,
-    /// The distance of some point of the curve is at most this.
-    high: f64,
-    /// Where that point is: the arc and u.
-    place: (usize, f64),
-    /// The parts of the curve whose squared distance is at least this are left out.
-    enough: f64,
-    relative: f64,
-    error: f64,
-}
-
-impl Search {
-    /// Takes note of a point of the curve with this computed distance, which is wrong by at most `error`.
-    fn found(&mut self, distance: f64, error: f64, place: (usize, f64)) {
-        let high = distance + error + self.error;
-        if high < self.high {
-            self.high = high;
-            self.place = place;
-            // Bounds cannot be nearer to each other than their rounding errors.
-            let width = (self.relative * high).max(4.0 * self.error + 64.0 * UNIT * high);
-            let enough = (high - width).max(0.0);
-            self.enough = enough * enough;
-        }
-    }
-
-    /// Whether a part with this bound can be left out, which is then done.
-    fn leaves_out(&mut self, bound: f64) -> bool {
-        let is_enough = bound >= self.enough;
-        if is_enough {
-            self.low = self.low.min(bound);
-        }
-        is_enough
-    }
 }
 
 impl<const N: usize> ArcTree<N> {
@@ -154,7 +116,7 @@ impl<const N: usize> ArcTree<N> {
     /// The nearest arc under a node, by the boxes; the others wait. `None` if all are left out.
     fn nearest_arc(
         &self,
-        search: &mut Search,
+        search: &mut Search<(usize, f64)>,
         mut piece: Piece,
         waiting: &mut SmallVec<[Piece; 32]>,
         p: &[f64; N],
@@ -182,7 +144,7 @@ impl<const N: usize> ArcTree<N> {
 
     /// A lower bound of the squared distance from a piece of an arc. Newton's method looks for the nearest point of the piece,
     /// until the bound is large enough.
-    fn piece(&self, search: &mut Search, piece: &Piece, p: &[f64; N]) -> f64 {
+    fn piece(&self, search: &mut Search<(usize, f64)>, piece: &Piece, p: &[f64; N]) -> f64 {
         let arc = piece.node - self.arcs.len();
         let third = self.arcs.third(arc);
         let [low, high] = piece.ends;
@@ -195,7 +157,7 @@ impl<const N: usize> ArcTree<N> {
         let mut bound = 0.0f64;
         for _ in 0..=NEWTON_STEPS {
             let [distance, error] = expansion.distance();
-            search.found(distance, error, (arc, expansion.at));
+            search.found(distance, error, || (arc, expansion.at));
             let least = expansion.least_distance(piece.ends, third) - self.arcs.error();
             bound = bound.max(least.max(0.0) * least);
             if bound >= search.enough {

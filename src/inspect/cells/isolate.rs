@@ -3,7 +3,7 @@
 use smallvec::SmallVec;
 
 use super::expansion::{ANGLE, Expansion, dot, length, turn};
-use super::search::{Search, Target};
+use super::search::{Target, search_about};
 use super::waves::ABOVE;
 use super::{CellTree, NearestOnSphere, Place};
 use crate::intervals::Interval;
@@ -158,7 +158,7 @@ impl CellTree {
         radius: f64,
         target: &Target,
     ) -> Option<f64> {
-        let mut search = Search::about(chart, best, &self.charts[chart].errors);
+        let mut search = search_about(chart, best, &self.charts[chart].errors);
         let mut low = f64::INFINITY;
         let mut waiting: SmallVec<[(Place, usize, usize); 64]> = SmallVec::new();
         waiting.extend((0..6).map(|code| (Self::square(code), 0, code)));
@@ -174,7 +174,7 @@ impl CellTree {
             if 1.0001 * length(&off) + reach <= radius {
                 continue;
             }
-            let mut bound = self.node(level, code).least_square(&target.p);
+            let mut bound = self.node(level, code).extent.least_square(&target.p);
             if bound < search.enough {
                 bound = bound.max(self.bound_by_best(&search, &place, level, code));
             }

@@ -113,7 +113,7 @@ proptest! {
             for level in 0..=tree.divisions {
                 let node = tree.node(level, place.1);
                 for (x, axis) in here.value.into_iter().zip(AXES[chart]) {
-                    prop_assert!(node.low[axis] <= x + 1e-14 && x <= node.high[axis] + 1e-14);
+                    prop_assert!(node.extent.low[axis] <= x + 1e-14 && x <= node.extent.high[axis] + 1e-14);
                 }
                 // A third derivative by differences of second ones, along θ.
                 let step = 1e-4;

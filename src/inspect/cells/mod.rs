@@ -19,6 +19,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
+use super::tree::Extent;
 use crate::exact::Rational;
 use crate::intervals::Interval;
 use crate::intervals::interval::UNIT;
@@ -74,9 +75,8 @@ struct Chart {
 /// A part of the surface.
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    /// The ends of the box, in the coordinates of space.
-    low: [f64; 3],
-    high: [f64; 3],
+    /// The box, in the coordinates of space.
+    extent: Extent<3>,
     /// A bound of |X'''|/6 along all directions of length |v₁| + |v₂| = 1 of the angles.
     third: f64,
 }
@@ -227,8 +227,8 @@ impl CellTree {
         for i in 0..3 {
             let reach = (a[i].abs() * half[0] + b[i].abs() * half[1] + off) * ABOVE;
             let axis = chart.axes[i];
-            node.low[axis] = middle.value[i] - reach;
-            node.high[axis] = middle.value[i] + reach;
+            node.extent.low[axis] = middle.value[i] - reach;
+            node.extent.high[axis] = middle.value[i] + reach;
         }
         node.third = (s3 + 3.0 * s2 + 3.0 * s1 + s0) / 6.0 * ABOVE;
         node
@@ -341,37 +341,15 @@ impl Place {
 
 impl Node {
     const EMPTY: Self = Self {
-        low: [f64::INFINITY; 3],
-        high: [f64::NEG_INFINITY; 3],
+        extent: Extent::EMPTY,
         third: 0.0,
     };
 
     fn joined(parts: &[Self]) -> Self {
         parts.iter().fold(Self::EMPTY, |all, part| Self {
-            low: std::array::from_fn(|i| all.low[i].min(part.low[i])),
-            high: std::array::from_fn(|i| all.high[i].max(part.high[i])),
+            extent: all.extent.joined(&part.extent),
             third: all.third.max(part.third),
         })
-    }
-
-    /// A lower bound of the squared distance of a point from the box, of which each coordinate has four roundings.
-    fn least_square(&self, p: &[f64; 3]) -> f64 {
-        let mut sum = 0.0;
-        for ((low, high), x) in self.low.iter().zip(&self.high).zip(p) {
-            let away = (low - x).max(x - high).max(0.0);
-            sum += away * away;
-        }
-        sum * (1.0 - 8.0 * UNIT)
-    }
-
-    /// An upper bound of the squared distance of a point from the points of the box.
-    fn greatest_square(&self, p: &[f64; 3]) -> f64 {
-        let mut sum = 0.0;
-        for ((low, high), x) in self.low.iter().zip(&self.high).zip(p) {
-            let away = (high - x).max(x - low);
-            sum += away * away;
-        }
-        sum * (1.0 + 8.0 * UNIT)
     }
 }
 

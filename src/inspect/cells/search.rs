@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use smallvec::SmallVec;
 
 use super::super::DistanceBounds;
+use super::super::tree::Search;
 use super::{CellTree, Errors, Expansion, Place};
 use crate::intervals::Interval;
 use crate::intervals::interval::UNIT;
@@ -65,56 +66,28 @@ impl Ord for Piece {
     }
 }
 
-/// What is known of the distance from one point.
-pub(super) struct Search {
-    /// The squared distance of the parts that were left out is at least this.
-    low: f64,
-    /// The distance of some point of the surface is at most this.
-    high: f64,
-    /// The expansion at that point and its chart.
-    best: Option<(usize, Expansion)>,
-    /// The parts whose squared distance is at least this are left out.
-    pub(super) enough: f64,
-    relative: f64,
-    error: f64,
+/// What is known of the distance from one point. The place is the expansion at the nearest point so far, and its chart.
+pub(super) type CellSearch = Search<Option<(usize, Expansion)>>;
+
+/// A search that leaves out what is farther than this point by more than rounding errors, and no more.
+pub(super) fn search_about(chart: usize, best: &Expansion, errors: &Errors) -> CellSearch {
+    let [distance, error] = best.distance();
+    let level = distance + 2.0 * (error + errors.value) + 16.0 * UNIT * distance;
+    Search {
+        low: f64::INFINITY,
+        high: 0.0,
+        place: Some((chart, *best)),
+        enough: level * level,
+        relative: 0.0,
+        error: errors.value,
+    }
 }
 
-impl Search {
-    /// A search that leaves out what is farther than this point by more than rounding errors, and no more.
-    pub(super) fn about(chart: usize, best: &Expansion, errors: &Errors) -> Self {
-        let [distance, error] = best.distance();
-        let level = distance + 2.0 * (error + errors.value) + 16.0 * UNIT * distance;
-        Self {
-            low: f64::INFINITY,
-            high: 0.0,
-            best: Some((chart, *best)),
-            enough: level * level,
-            relative: 0.0,
-            error: errors.value,
-        }
-    }
-
+impl CellSearch {
     /// Takes note of a point of the surface.
-    fn found(&mut self, chart: usize, expansion: &Expansion) {
+    fn reached(&mut self, chart: usize, expansion: &Expansion) {
         let [distance, error] = expansion.distance();
-        let high = distance + error + self.error;
-        if high < self.high {
-            self.high = high;
-            self.best = Some((chart, *expansion));
-            // Bounds cannot be nearer to each other than their rounding errors.
-            let width = (self.relative * high).max(4.0 * self.error + 64.0 * UNIT * high);
-            let enough = (high - width).max(0.0);
-            self.enough = enough * enough;
-        }
-    }
-
-    /// Whether a part with this bound can be left out, which is then done.
-    fn leaves_out(&mut self, bound: f64) -> bool {
-        let is_enough = bound >= self.enough;
-        if is_enough {
-            self.low = self.low.min(bound);
-        }
-        is_enough
+        self.found(distance, error, || Some((chart, *expansion)));
     }
 }
 
@@ -157,7 +130,7 @@ impl CellTree {
         let mut search = Search {
             low: f64::INFINITY,
             high: f64::INFINITY,
-            best: None,
+            place: None,
             enough: f64::INFINITY,
             relative,
             error: self.charts[0].errors.value.max(self.charts[1].errors.value),
@@ -215,7 +188,7 @@ impl CellTree {
         let low = (Interval::from(low).sqrt() - slack).low().max(0.0);
         let high = (Interval::from(search.high) + slack).high();
         let distance = Interval::between(low.min(high), high) * self.unit;
-        let (chart, best) = search.best?;
+        let (chart, best) = search.place?;
         let mut point = [0.0; 3];
         for (i, axis) in self.charts[chart].axes.into_iter().enumerate() {
             point[axis] = (best.value[i] + target.turned[chart][i]) * self.unit;
@@ -231,12 +204,12 @@ impl CellTree {
     }
 
     /// Goes downhill from the direction of the point, for a first upper bound.
-    fn go_downhill(&self, search: &mut Search, target: &Target) {
+    fn go_downhill(&self, search: &mut CellSearch, target: &Target) {
         let (mut chart, mut at) = self.angles(&target.p);
         for _ in 0..FIRST_STEPS {
             let expansion = self.expansion(chart, at, target);
             let before = search.high;
-            search.found(chart, &expansion);
+            search.reached(chart, &expansion);
             let step = expansion.descent().map(|x| x.clamp(-0.3, 0.3));
             // What the step gains is within the width that is asked for.
             let [g, h] = expansion.gradient();
@@ -263,7 +236,7 @@ impl CellTree {
     /// Adds pieces that are not left out.
     fn add(
         &self,
-        search: &mut Search,
+        search: &mut CellSearch,
         waiting: &mut BinaryHeap<Piece>,
         target: &Target,
         level: usize,
@@ -271,7 +244,11 @@ impl CellTree {
         places: impl Iterator<Item = (Place, usize)>,
     ) {
         for (place, code) in places {
-            let bound = self.node(level, code).least_square(&target.p).max(least);
+            let bound = self
+                .node(level, code)
+                .extent
+                .least_square(&target.p)
+                .max(least);
             if !search.leaves_out(bound) {
                 waiting.push(Piece {
                     bound,
@@ -286,12 +263,12 @@ impl CellTree {
     /// A lower bound of the squared distance of a piece, by the expansion at the nearest point that was found.
     pub(super) fn bound_by_best(
         &self,
-        search: &Search,
+        search: &CellSearch,
         place: &Place,
         level: usize,
         code: usize,
     ) -> f64 {
-        let Some((chart, best)) = &search.best else {
+        let Some((chart, best)) = &search.place else {
             return 0.0;
         };
         if *chart != place.chart {
@@ -322,7 +299,7 @@ impl CellTree {
     /// is large enough.
     pub(super) fn piece(
         &self,
-        search: &mut Search,
+        search: &mut CellSearch,
         place: &Place,
         level: usize,
         code: usize,
@@ -334,7 +311,7 @@ impl CellTree {
         let mut bound = 0.0f64;
         for _ in 0..=STEPS {
             let expansion = self.expansion(chart, at, target);
-            search.found(chart, &expansion);
+            search.reached(chart, &expansion);
             let least = expansion.least_distance(low, high, third, &self.charts[chart].errors);
             bound = bound.max(least.max(0.0) * least);
             if bound >= search.enough {
@@ -367,7 +344,7 @@ impl CellTree {
         let greatest = (level + slack).high();
         let mut is_open = false;
         let mut waiting: SmallVec<[(Place, usize, usize); 64]> = SmallVec::new();
-        let far = |level: usize, code: usize| self.node(level, code).greatest_square(&p);
+        let far = |level: usize, code: usize| self.node(level, code).extent.greatest_square(&p);
         let mut squares = [0, 1, 2, 3, 4, 5];
         squares.sort_by(|a, b| far(0, *a).total_cmp(&far(0, *b)));
         waiting.extend(squares.map(|code| (Self::square(code), 0, code)));
