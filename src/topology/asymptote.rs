@@ -1,6 +1,6 @@
 //! The asymptotes of a plane curve.
 
-use super::extent::CriticalValues;
+use super::extent::{CriticalValues, exchanged};
 use super::fibre::narrow;
 use crate::error::Invariant;
 use crate::exact::Rational;
@@ -69,8 +69,7 @@ pub(super) fn at_infinity(f: &PlanePolynomial, critical: &[CriticalValues; 2]) -
     // The vertical direction is a zero of f_n(0, 1).
     let lost = degree + 1 - top.coefficients_asc().len();
     if lost > 0 {
-        let turned = PlanePolynomial::from_terms(f.terms().map(|((i, j), c)| ((j, i), c)));
-        found.add(&turned, None, &Rational::zero(), &critical[1]);
+        found.add(&exchanged(f), None, &Rational::zero(), &critical[1]);
     }
     found
 }
@@ -85,10 +84,9 @@ impl AtInfinity {
         critical: &CriticalValues,
     ) {
         let rows = parallel(f, tangent);
-        let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
-        let intercepts = first.map_or_else(Vec::new, |row| RealRoot::all_of(row));
-        for mut c in intercepts {
-            if c.multiplicity() > 1 && !has_real_branch(&rows, &c, critical) {
+        let intercepts = zeros_of_first(&rows);
+        for mut c in intercepts.clone() {
+            if c.multiplicity() > 1 && !has_real_branch(&rows, &c, &intercepts, critical) {
                 continue;
             }
             let bounds = match c.as_rational() {
@@ -129,20 +127,30 @@ fn parallel(f: &PlanePolynomial, slope: &Rational) -> Vec<Vec<Rational>> {
     rows
 }
 
-/// Whether a real branch of Σ rows_j(c) x^j = 0 approaches the line of this c as x goes to ∞ or to −∞.
-fn has_real_branch(rows: &[Vec<Rational>], c: &RealRoot, critical: &CriticalValues) -> bool {
+/// The real zeros of the coefficient of the highest power of x.
+fn zeros_of_first(rows: &[Vec<Rational>]) -> Vec<RealRoot> {
+    let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
+    first.map_or_else(Vec::new, |row| RealRoot::all_of(row))
+}
+
+/// Whether a real branch of Σ rows_j(c) x^j = 0 approaches the line of this c, one of the zeros of the first coefficient, as x goes
+/// to ∞ or to −∞.
+fn has_real_branch(
+    rows: &[Vec<Rational>],
+    c: &RealRoot,
+    zeros: &[RealRoot],
+    critical: &CriticalValues,
+) -> bool {
     // An interval with c inside and no other zero of the first coefficient, whose ends are no zeros.
     let (low, high) = match c.as_rational() {
         None => {
             // No end may be another zero.
-            let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
-            let others = first.map_or_else(Vec::new, |row| RealRoot::all_of(row));
             let mut c = c.clone();
             loop {
                 let (low, high) = c.bounds();
                 let is_end =
                     |r: &RealRoot| r.cmp_rational(&low).is_eq() || r.cmp_rational(&high).is_eq();
-                if !others.iter().any(is_end) {
+                if !zeros.iter().any(is_end) {
                     break (low, high);
                 }
                 narrow(&mut c, 4);
@@ -150,10 +158,8 @@ fn has_real_branch(rows: &[Vec<Rational>], c: &RealRoot, critical: &CriticalValu
         }
         Some(exact) => {
             let (mut low, mut high) = (&exact - &Rational::one(), &exact + &Rational::one());
-            let first = rows.iter().rfind(|row| row.iter().any(|c| !c.is_zero()));
             let quarter = Rational::one() / Rational::from(4);
-            let others = first.map_or_else(Vec::new, |row| RealRoot::all_of(row));
-            while others
+            while zeros
                 .iter()
                 .filter(|r| r.cmp_rational(&low).is_ge() && r.cmp_rational(&high).is_le())
                 .count()

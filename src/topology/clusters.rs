@@ -21,11 +21,11 @@
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Abs, DivMod};
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 use nalgebra::Complex;
 
+use super::fixed_point::{Point, log2};
 use super::guess::guessed_roots;
 use crate::error::{Error, Invariant};
 use crate::exact::Dyadic;
@@ -85,89 +85,6 @@ pub(super) fn real_clusters(
     }
     let found = scaled.components(&z, distinct)?;
     found.iter().all(is_narrow).then_some(found)
-}
-
-/// A point of the complex plane in units of 2^−precision.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Point {
-    re: Integer,
-    im: Integer,
-}
-
-impl Point {
-    fn minus(&self, other: &Self) -> Self {
-        Self {
-            re: &self.re - &other.re,
-            im: &self.im - &other.im,
-        }
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        Self {
-            re: &self.re * &other.re - &self.im * &other.im,
-            im: &self.re * &other.im + &self.im * &other.re,
-        }
-    }
-
-    fn shifted_down(self, bits: u64) -> Self {
-        Self {
-            re: self.re >> bits,
-            im: self.im >> bits,
-        }
-    }
-
-    fn zero() -> Self {
-        Self {
-            re: Integer::ZERO,
-            im: Integer::ZERO,
-        }
-    }
-
-    /// 1/z, rounded down; `None` for 0.
-    fn inverse(&self, precision: u64) -> Option<Self> {
-        let square = self.square();
-        if square == 0 {
-            return None;
-        }
-        let part = |x: &Integer| (x << (2 * precision)) / &square;
-        Some(Self {
-            re: part(&self.re),
-            im: -part(&self.im),
-        })
-    }
-
-    fn square(&self) -> Integer {
-        &self.re * &self.re + &self.im * &self.im
-    }
-
-    /// The binary logarithm of the absolute value, within 1e−9; −∞ for 0.
-    fn log2(&self) -> f64 {
-        log2(&self.square()) / 2.0
-    }
-
-    /// The point, or its half if it is too far from 0.
-    fn within_unit_disc(self, precision: u64) -> Self {
-        let bits = self.re.significant_bits().max(self.im.significant_bits());
-        // |re|, |im| < 2^(precision − 1), so the absolute value is below √½.
-        if bits < precision {
-            return self;
-        }
-        let excess = bits + 1 - precision;
-        self.shifted_down(excess)
-    }
-}
-
-/// The binary logarithm of a natural number, within 1e−9; −∞ for 0.
-fn log2(n: &Integer) -> f64 {
-    if *n == 0 {
-        return f64::NEG_INFINITY;
-    }
-    let bits = n.significant_bits();
-    let shift = bits.saturating_sub(62);
-    let (top, _) = f64::rounding_from(&(n >> shift), RoundingMode::Nearest);
-    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-    let shift = shift as f64;
-    top.log2() + shift
 }
 
 /// The monic polynomial p(z) = Σ c_j z^j with z = y/2^scale, so that all roots have |z| ≤ 1/2; the coefficients in units of

@@ -74,8 +74,23 @@ impl CriticalValues {
     }
 }
 
+impl From<&Sweep> for CriticalValues {
+    /// The critical values of x on a curve that was swept without a shear: those of the sweep.
+    fn from(sweep: &Sweep) -> Self {
+        Self {
+            axis: Axis::X,
+            values: sweep
+                .fibres
+                .iter()
+                .map(|fibre| fibre.value.clone())
+                .collect(),
+            gaps: sweep.insides.clone(),
+        }
+    }
+}
+
 /// f(y, x).
-fn exchanged(f: &PlanePolynomial) -> PlanePolynomial {
+pub(super) fn exchanged(f: &PlanePolynomial) -> PlanePolynomial {
     PlanePolynomial::from_terms(f.terms().map(|((i, j), c)| ((j, i), c)))
 }
 

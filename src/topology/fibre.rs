@@ -13,7 +13,7 @@ use malachite::base::rounding_modes::RoundingMode;
 
 use super::clusters::{Enclosed, PRECISIONS, RealCluster, real_clusters, too_near};
 use super::strip::Strip;
-use super::sweep::strictly_between;
+use super::sweep::{disjoint, strictly_between};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
 use crate::limits::Limits;
@@ -158,19 +158,11 @@ fn exact_points(g: &IntegerPolynomial, bits: i64) -> Vec<(Dyadic, Dyadic, usize)
     for root in &mut roots {
         root.refine_to_width(-bits);
     }
-    for i in 1..roots.len() {
-        let mut more = bits.max(4);
-        while roots[i - 1].enclosure().1 >= roots[i].enclosure().0 {
-            roots[i - 1].refine_to_width(-more);
-            roots[i].refine_to_width(-more);
-            more *= 2;
-        }
-    }
     let place = |root: &RealRoot| {
         let (low, high) = root.enclosure();
         (low.clone(), high.clone(), root.multiplicity())
     };
-    roots.iter().map(place).collect()
+    disjoint(roots).iter().map(place).collect()
 }
 
 fn enclosed_points(

@@ -15,23 +15,13 @@ pub(super) fn value_at(
     axis: &CriticalValues,
     limits: &Limits,
 ) -> Result<RealRoot> {
-    let shear = Rational::from(sweep.curve.shear);
     let mut bits = 0;
     loop {
         limits.check()?;
         let here = &sweep.fibres[fibre];
-        let (low, high) = here.value.enclosure();
-        let [mut low, mut high] = [low.to_rational(), high.to_rational()];
+        let (low, high) = here.value.bounds();
         let point = &here.points[place];
-        match axis.axis {
-            Axis::Y => (low, high) = (point.low.clone(), point.high.clone()),
-            Axis::X => {
-                let mut ends = [&shear * &point.low, &shear * &point.high];
-                ends.sort();
-                low = low + &ends[0];
-                high = high + &ends[1];
-            }
-        }
+        let [low, high] = axis.range(sweep, [&low, &high], [&point.low, &point.high]);
         if let Some(value) = axis.only_value_in(&low, &high)? {
             return Ok(value);
         }
@@ -49,20 +39,11 @@ pub(super) fn value_on_arc(
     axis: &CriticalValues,
 ) -> Result<RealRoot> {
     let t = &sweep.insides[interval];
-    let shear = Rational::from(sweep.curve.shear);
     let mut root = real_roots(&sweep.curve.strip.along(t)).swap_remove(rank);
     let mut bits = 32;
     loop {
         let (a, b) = root.bounds();
-        let (low, high) = match axis.axis {
-            Axis::Y => (a, b),
-            Axis::X => {
-                let mut ends = [t + &(&shear * &a), t + &(&shear * &b)];
-                ends.sort();
-                let [low, high] = ends;
-                (low, high)
-            }
-        };
+        let [low, high] = axis.range(sweep, [t, t], [&a, &b]);
         if let Some(value) = axis.only_value_in(&low, &high)? {
             return Ok(value);
         }
@@ -97,6 +78,19 @@ pub(super) fn some_points(sweep: &Sweep, pieces: &Pieces) -> Vec<[f64; 2]> {
 }
 
 impl CriticalValues {
+    /// Bounds of the coordinate, x = t + shear·R or y = R, from bounds of t and of R.
+    fn range(&self, sweep: &Sweep, t: [&Rational; 2], r: [&Rational; 2]) -> [Rational; 2] {
+        match self.axis {
+            Axis::Y => r.map(Rational::clone),
+            Axis::X => {
+                let shear = Rational::from(sweep.curve.shear);
+                let mut ends = r.map(|r| &shear * r);
+                ends.sort();
+                [t[0] + &ends[0], t[1] + &ends[1]]
+            }
+        }
+    }
+
     /// The critical value in [low, high], if there is only one.
     fn only_value_in(&self, low: &Rational, high: &Rational) -> Result<Option<RealRoot>> {
         let from = self.values.partition_point(|v| v.cmp_rational(low).is_lt());

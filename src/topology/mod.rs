@@ -17,6 +17,7 @@ mod components;
 mod coordinate;
 mod extent;
 mod fibre;
+mod fixed_point;
 mod genus;
 mod guess;
 #[cfg(test)]
@@ -144,10 +145,11 @@ impl Topology {
     ) -> Result<Self> {
         let mut sweep = Sweep::new(curve, limits)?;
         let graph = Components::new(&sweep);
-        let axes = [
-            CriticalValues::new(f, Axis::X, limits)?,
-            CriticalValues::new(f, Axis::Y, limits)?,
-        ];
+        let in_x = match sweep.curve.shear {
+            0 => CriticalValues::from(&sweep),
+            _ => CriticalValues::new(f, Axis::X, limits)?,
+        };
+        let axes = [in_x, CriticalValues::new(f, Axis::Y, limits)?];
         let [in_x, in_y] = [
             extents(&sweep, &graph, f, &axes[0], limits)?,
             extents(&sweep, &graph, f, &axes[1], limits)?,
