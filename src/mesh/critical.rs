@@ -108,12 +108,12 @@ fn eliminants(
     v: usize,
     limits: &Limits,
 ) -> Result<Option<Vec<IntegerPolynomial>>> {
-    let degree = |k: usize| move |f: &SparsePolynomial<3>| degree_in(f, k);
+    let degree = |k: usize| move |f: &SparsePolynomial<3>| f.degree_in(k);
     let [a, b] = [(v + 1) % 3, (v + 2) % 3];
     let total = |k: usize| system.iter().map(degree(k)).sum::<u32>();
     let (w, u) = if total(a) < total(b) { (a, b) } else { (b, a) };
     let (mut above, mut plane): (Vec<_>, Vec<_>) =
-        system.iter().cloned().partition(|f| degree_in(f, w) > 0);
+        system.iter().cloned().partition(|f| f.degree_in(w) > 0);
     above.sort_by_key(degree(w));
     for (k, f) in above.iter().enumerate() {
         for g in &above[k + 1..] {
@@ -130,13 +130,13 @@ fn eliminants(
         None => return Ok(None),
     };
     let mut found = Vec::new();
-    while degree_in(&rest, u) > 0 {
+    while rest.degree_in(u) > 0 {
         let Some(next) = plane.pop() else {
             return Ok(None);
         };
         let common = greatest_common_divisor(&rest, &next, limits)?;
         let [p, q] = coprime_parts([&rest, &next], limits)?;
-        let free = [&p, &q].into_iter().find(|f| degree_in(f, u) == 0);
+        let free = [&p, &q].into_iter().find(|f| f.degree_in(u) == 0);
         match free {
             Some(free) => found.push(free.clone()),
             None => match cheap_resultant(&p, &q, u, limits)? {
@@ -162,8 +162,4 @@ fn cheap_resultant(
         return Ok(None);
     }
     resultant(f, g, v, limits).map(Some)
-}
-
-fn degree_in(f: &SparsePolynomial<3>, v: usize) -> u32 {
-    f.terms().map(|(e, _)| e[v]).max().unwrap_or(0)
 }

@@ -2,7 +2,7 @@
 
 use malachite::base::num::arithmetic::traits::Lcm;
 
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::intervals::{BoxBounds, Field};
 use crate::limits::Limits;
@@ -69,7 +69,10 @@ pub(super) fn extent(
             return Ok(Extent::Unknown);
         }
     }
-    let power = |k: i32, w: u32| 2f64.powi(k.saturating_mul(i32::try_from(w).unwrap_or(i32::MAX)));
+    let power = |k: i32, w: u32| {
+        let weight = i32::try_from(w).invariant("a weight is a degree");
+        2f64.powi(k.saturating_mul(weight))
+    };
     let is_too_small = |k: i32| {
         let sizes = seen.iter().flat_map(|seen| seen.iter().zip(weights));
         sizes.into_iter().any(|(size, w)| *size > power(k, w))
@@ -324,7 +327,7 @@ mod tests {
             for i in 0..4u32 {
                 for j in 0..4 - i {
                     for k in 0..4 - i - j {
-                        lower.add_term([i, j, k], Rational::from(at.next().unwrap_or(1)));
+                        lower.add_term([i, j, k], Rational::from(at.next().expect("20 coefficients")));
                     }
                 }
             }

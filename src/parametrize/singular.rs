@@ -133,8 +133,7 @@ impl SingularLocus {
     /// Adds a curve if all conditions hold on it, or else the points of it at which they do.
     fn add_along(&mut self, curve: SpaceCurve, conditions: &[SparsePolynomial<3>]) {
         let values = conditions.iter().map(|g| along(g, &curve));
-        let common = values.reduce(|a, b| polynomial_gcd(&a, &b));
-        let common = common.unwrap_or_default();
+        let common = values.fold(IntegerPolynomial::default(), |a, b| polynomial_gcd(&a, &b));
         if common == IntegerPolynomial::default() {
             if !self.curves.contains(&curve) {
                 self.curves.push(curve);

@@ -130,6 +130,12 @@ impl<const V: usize> SparsePolynomial<V> {
         self.terms.keys().next().map(|e| total_degree(&e.0))
     }
 
+    /// The degree in one variable; 0 for the zero polynomial.
+    #[must_use]
+    pub fn degree_in(&self, variable: usize) -> u32 {
+        self.terms().map(|(e, _)| e[variable]).max().unwrap_or(0)
+    }
+
     /// The value, if the polynomial is a constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {

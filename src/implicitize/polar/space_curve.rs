@@ -177,10 +177,9 @@ fn common_components(
     map: &RationalMap,
     limits: &Limits,
 ) -> Result<Vec<[SparsePolynomial<3>; 2]>> {
-    let degree = |f: &SparsePolynomial<3>, v: usize| f.terms().map(|(e, _)| e[v]).max();
     let eliminated = (0..3)
-        .filter(|&v| degree(a, v) > Some(0) && degree(b, v) > Some(0))
-        .min_by_key(|&v| degree(a, v));
+        .filter(|&v| a.degree_in(v) > 0 && b.degree_in(v) > 0)
+        .min_by_key(|&v| a.degree_in(v));
     let projected = match eliminated {
         Some(v) => resultant(a, b, v, limits)?,
         // If there is no common variable to eliminate, b itself cuts out the component.

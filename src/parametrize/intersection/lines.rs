@@ -3,7 +3,7 @@
 use malachite::base::polynomial::Polynomial;
 
 use super::real::{at, univariate};
-use super::{AXES, UnparametrizedComponent, degree_in, linear, others};
+use super::{AXES, UnparametrizedComponent, linear, others};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::factor::factor_univariate;
@@ -130,7 +130,7 @@ fn line(axis: usize, [a, b]: [&Rational; 2]) -> SpaceCurve {
 
 /// The coefficients of the powers of one variable, without those that are 0.
 fn coefficients(f: &SparsePolynomial<3>, axis: usize) -> Vec<SparsePolynomial<3>> {
-    let mut all = vec![SparsePolynomial::zero(); degree_in(f, axis) as usize + 1];
+    let mut all = vec![SparsePolynomial::zero(); f.degree_in(axis) as usize + 1];
     for (e, c) in f.terms() {
         let mut rest = *e;
         rest[axis] = 0;
@@ -147,7 +147,7 @@ fn eliminant(
     [u, w]: [usize; 2],
     limits: &Limits,
 ) -> Result<Option<IntegerPolynomial>> {
-    if let Some(free) = polynomials.iter().find(|f| degree_in(f, w) == 0) {
+    if let Some(free) = polynomials.iter().find(|f| f.degree_in(w) == 0) {
         return Ok(Some(univariate(free, u)));
     }
     for multipliers in MULTIPLIERS {

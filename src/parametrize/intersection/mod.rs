@@ -150,7 +150,7 @@ pub fn parametrize_intersection(
 /// The axes along which the surfaces can be projected, the cheapest first: those whose coordinate has small degrees, of which
 /// at least one is not 0.
 fn axes(pair: [&SparsePolynomial<3>; 2]) -> Vec<usize> {
-    let degrees = |axis: usize| pair.map(|f| degree_in(f, axis));
+    let degrees = |axis: usize| pair.map(|f| f.degree_in(axis));
     let mut axes: Vec<usize> = (0..3).filter(|&axis| degrees(axis) != [0, 0]).collect();
     // z is first among equally cheap axes, so that the projection is a curve in x and y.
     axes.sort_by_key(|&axis| {
@@ -158,10 +158,6 @@ fn axes(pair: [&SparsePolynomial<3>; 2]) -> Vec<usize> {
         (m * n, m + n, 2 - axis)
     });
     axes
-}
-
-fn degree_in(f: &SparsePolynomial<3>, axis: usize) -> u32 {
-    f.terms().map(|(e, _)| e[axis]).max().unwrap_or(0)
 }
 
 /// The names of the coordinates.
@@ -182,7 +178,7 @@ fn along(
     pair: [&SparsePolynomial<3>; 2],
     limits: &Limits,
 ) -> Result<IntersectionParametrization> {
-    let projection = match pair.map(|f| degree_in(f, axis)) {
+    let projection = match pair.map(|f| f.degree_in(axis)) {
         [0, _] => pair[0].clone(),
         [_, 0] => pair[1].clone(),
         _ => resultant(pair[0], pair[1], axis, limits)?,
@@ -349,7 +345,7 @@ fn substituted(f: &SparsePolynomial<3>, axis: usize, curve: &PlaneCurve) -> Spar
     let f = f.primitive();
     // For both coordinates, the products numerator^i · denominator^(d − i) for i = 0 … d.
     let powers = [0, 1].map(|n: usize| {
-        let degree = degree_in(&f, variables[n]);
+        let degree = f.degree_in(variables[n]);
         let function = &curve.coordinates()[n];
         let all = |base: &IntegerPolynomial| {
             let mut list = vec![IntegerPolynomial::one()];

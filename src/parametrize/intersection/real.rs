@@ -40,7 +40,7 @@ pub(super) fn real_part(
     variables: [usize; 2],
     limits: &Limits,
 ) -> Result<RealPart> {
-    let degrees = variables.map(|v| f.terms().map(|(e, _)| e[v]).max().unwrap_or(0));
+    let degrees = variables.map(|v| f.degree_in(v));
     for (v, other) in [(0, 1), (1, 0)] {
         if degrees[other] == 0 {
             // Parallel lines.
@@ -175,7 +175,7 @@ fn between(roots: &[RealRoot]) -> Vec<Rational> {
 /// The polynomial with a number for one of its variables.
 pub(super) fn at(f: &SparsePolynomial<3>, v: usize, value: &Rational) -> SparsePolynomial<3> {
     let powers: Vec<Rational> = {
-        let degree = f.terms().map(|(e, _)| e[v]).max().unwrap_or(0) as usize;
+        let degree = f.degree_in(v) as usize;
         let all = std::iter::successors(Some(Rational::one()), |power| Some(power * value));
         all.take(degree + 1).collect()
     };

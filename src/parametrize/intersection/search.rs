@@ -7,7 +7,7 @@ use malachite::base::polynomial::Polynomial;
 use super::real::{RealPart, at, real_part, univariate};
 use super::{
     AXES, CommonPoint, FiniteComponent, HEIGHT, IntersectionParametrization, PARAMETER,
-    UnparametrizedComponent, degree_in, in_space, lifted, others, projected,
+    UnparametrizedComponent, in_space, lifted, others, projected,
 };
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
@@ -69,7 +69,7 @@ impl Search<'_> {
             RealPart::Curve => {
                 let reason = format!(
                     "its projection is rational, and above every point of it there are {} points, whose {} is no rational function of the parameter",
-                    degree_in(relation, HEIGHT),
+                    relation.degree_in(HEIGHT),
                     AXES[self.result.axis]
                 );
                 self.add_other(projection.clone(), reason);
@@ -217,7 +217,7 @@ pub(crate) fn passes(curve: &SpaceCurve, point: &[Rational; 3]) -> bool {
 
 /// The coefficient of the highest power of the parameter in a relation, as a polynomial in the third coordinate.
 fn leading(relation: &SparsePolynomial<3>) -> IntegerPolynomial {
-    let degree = degree_in(relation, PARAMETER);
+    let degree = relation.degree_in(PARAMETER);
     let terms = relation.terms().filter(|(e, _)| e[PARAMETER] == degree);
     let leading = SparsePolynomial::from_terms(terms.map(|(e, c)| ([0, e[HEIGHT], 0], c.clone())));
     univariate(&leading, HEIGHT)
