@@ -208,7 +208,7 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
         lines.push(format!("{pieces} inward"));
     }
     if !mesh.curves.is_empty() || !mesh.points.is_empty() {
-        let curves = counted(mesh.curves.len(), "curve", "curves");
+        let curves = counted(mesh.curves.len(), "piece of a curve", "pieces of curves");
         let points = counted(mesh.points.len(), "point", "points");
         let place = match (mesh.curves.len(), mesh.points.len()) {
             (0, _) => format!("at {points}"),

@@ -25,6 +25,8 @@ pub(crate) struct Layer {
     pub lines: Vec<Vec<[f64; 2]>>,
     /// Isolated points, which the legend names.
     pub points: Vec<[f64; 2]>,
+    /// The middles of ovals that are too small to be seen, which the legend names.
+    pub ovals: Vec<[f64; 2]>,
     /// Points of a cloud, which have small dots.
     pub cloud: Vec<[f64; 2]>,
     /// Whether the layer is drawn as a pale area.
@@ -89,7 +91,7 @@ impl Figure {
                 let within = |v: f64, [low, high]: [f64; 2]| low <= v && v <= high;
                 within(p[0], frame.window.x) && within(p[1], frame.window.y)
             };
-            let dots = layer.points.iter().filter(shown);
+            let dots = layer.points.iter().chain(&layer.ovals).filter(shown);
             chart.draw_series(dots.map(|&[x, y]| dot((x, y), color(index))))?;
             let cloud = layer.cloud.iter().filter(shown);
             chart.draw_series(cloud.map(|&[x, y]| small_dot((x, y), color(index))))?;
@@ -103,14 +105,17 @@ impl Figure {
         let layers = layers.filter(|(_, layer)| !layer.label.is_empty());
         let row = |(index, layer): (usize, &Layer)| {
             let style = self.style(index);
-            let has_points = !layer.points.is_empty();
+            let has_points = !layer.points.is_empty() || !layer.ovals.is_empty();
             let is_cloud = !layer.cloud.is_empty();
             let has_lines = !layer.lines.is_empty();
-            let remark = match layer.points.len() {
+            let remark = match (layer.points.len(), layer.ovals.len()) {
                 _ if !has_lines => "",
-                0 => "",
-                1 => " (dot: its isolated point)",
-                _ => " (dots: its isolated points)",
+                (0, 0) => "",
+                (1, 0) => " (dot: its isolated point)",
+                (_, 0) => " (dots: its isolated points)",
+                (0, 1) => " (dot: its tiny oval)",
+                (0, _) => " (dots: its tiny ovals)",
+                _ => " (dots: its isolated points and tiny ovals)",
             };
             Row {
                 label: format!("{}{remark}", layer.label),

@@ -104,6 +104,7 @@ impl ZeroSet {
         };
         let mut lines = trace_zero_set(self.curve.polynomial(), &local, cells, work.bounds())?;
         let mut points = Vec::new();
+        let mut ovals = Vec::new();
         match &self.topology {
             None => {
                 if isolated_origin(self.curve.polynomial()) {
@@ -131,7 +132,7 @@ impl ZeroSet {
                     if component.kind == ComponentKind::Point {
                         points.push(middle);
                     } else if own.size() < DOT * local.size() {
-                        points.push(middle);
+                        ovals.push(middle);
                         work.remark(Remark::DrawnAsDot {
                             at: [middle[0] + a, middle[1] + b],
                             size: own.size(),
@@ -158,6 +159,7 @@ impl ZeroSet {
             .map(|line| line.into_iter().map(moved).collect())
             .collect();
         layer.points.extend(points.into_iter().map(moved));
+        layer.ovals.extend(ovals.into_iter().map(moved));
         Ok(())
     }
 }

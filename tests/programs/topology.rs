@@ -164,6 +164,7 @@ fn plots_hold_all_components() {
     assert!(dots(&isolated) > dots(&without));
     let (tiny, note) = plotted("(x^2+y^2-1)*((x-2)^2+y^2-1/1000000000000)", &[]);
     assert!(dots(&tiny) > 0);
+    assert!(tiny.contains("dot: its tiny oval"));
     assert!(note.contains("is drawn as a dot"), "{note}");
 }
 

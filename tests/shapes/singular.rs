@@ -49,7 +49,7 @@ fn meshes_say_what_triangles_do_not_show() {
     };
     let umbrella = mesh("x^2 = y^2*z", "umbrella.obj");
     assert!(
-        umbrella.err.contains("singular along 1 curve,"),
+        umbrella.err.contains("singular along 1 piece of a curve,"),
         "{}",
         umbrella.err
     );
