@@ -1,6 +1,6 @@
 //! `stellate fit`: fits Fourier series to contours.
 
-use stellate::document::{Format, Kind, write_fit, write_fit_table};
+use stellate::document::{Format, Kind, certified_bounds, write_fit, write_fit_table};
 use stellate::error::{Error, Result};
 use stellate::verb::{self, FittedOutline, Given, OutlineFit, OutlineSeries};
 
@@ -132,8 +132,10 @@ fn summary(fit: &OutlineFit) -> String {
     }
     if let Some(found) = &fit.report.distances {
         text.push_str(&format!(
-            "; distance {:.3e} to {:.3e} (Hausdorff, certified), ≈ {:.3e} on average, overlap ≈ {:.4}",
-            found.hausdorff.low, found.hausdorff.high, found.mean, found.overlap
+            "; distance {} (Hausdorff, certified), ≈ {:.3e} on average, overlap ≈ {:.4}",
+            certified_bounds(found.hausdorff.low, found.hausdorff.high),
+            found.mean,
+            found.overlap
         ));
     }
     text

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use stellate::document::{Format, Kind, write_mesh_fit};
+use stellate::document::{Format, Kind, certified_bounds, write_mesh_fit};
 use stellate::error::{Error, Result};
-use stellate::fit::{CenterChoice, Estimator, MeshFit, MeshFitOptions, MeshFitSize};
-use stellate::verb;
+use stellate::fit::{CenterChoice, Estimator, MeshFitOptions, MeshFitSize};
+use stellate::verb::{self, FittedMesh};
 
 use super::arguments::Fit;
 use super::input::{self, refuse_output};
@@ -62,7 +62,8 @@ fn refuse_contour_flags(flags: &Fit) -> Result<()> {
 }
 
 /// A fit in a sentence.
-fn summary(fit: &MeshFit, choice: &CenterChoice) -> String {
+fn summary(found: &FittedMesh, choice: &CenterChoice) -> String {
+    let FittedMesh { fit, distance, .. } = found;
     let center = match choice {
         CenterChoice::Auto if fit.is_moved => {
             "the deepest point of the kernel (the centroid does not see the whole mesh)"
@@ -71,8 +72,12 @@ fn summary(fit: &MeshFit, choice: &CenterChoice) -> String {
         CenterChoice::Kernel | CenterChoice::Best => "the deepest point of the kernel",
         _ => "the given center",
     };
+    let distance = distance.map_or_else(String::new, |found| {
+        let bounds = certified_bounds(found.low, found.high);
+        format!("; distance {bounds} (Hausdorff, certified)")
+    });
     format!(
-        "L = {}, {} directions, radial error ≈ {:.3e} at most, ≈ {:.3e} rms; the mesh is star-shaped about {center}, exactly",
+        "L = {}, {} directions, radial error ≈ {:.3e} at most, ≈ {:.3e} rms{distance}; the mesh is star-shaped about {center}, exactly",
         fit.surface.degree(),
         fit.samples,
         fit.max_radial_error,

@@ -1,6 +1,5 @@
 //! `stellate inspect`: decides whether points are within a tolerance of a form (Theorem 8).
 
-use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
@@ -138,17 +137,7 @@ fn points(flags: &Inspect) -> Result<PointSource> {
             0,
         )?));
     }
-    if Path::new(name).is_dir() {
-        return Err(Error::Usage(format!("--points {name}: that is a folder")));
-    }
-    let failed = |source| Error::Io {
-        path: name.into(),
-        source,
-    };
-    let file = File::open(name).map_err(failed)?;
-    let size = file.metadata().map_err(failed)?.len();
-    let reader = Box::new(BufReader::with_capacity(1 << 16, file));
-    Ok(PointSource::Rows(PointRows::new(reader, name, size)?))
+    Ok(PointSource::Rows(PointRows::open(Path::new(name))?))
 }
 
 /// Sets the exit code: 3 if a point is undecided, otherwise 1 if a point is outside.

@@ -12,11 +12,10 @@ use super::{Format, Kind, SCHEMA, write_lines};
 use crate::describe::HarmonicDescription;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
-use crate::fit::MeshFit;
 use crate::notation::Notation;
 use crate::shape::HarmonicSurface;
 use crate::sphere::Positivity;
-use crate::verb::Fact;
+use crate::verb::{Fact, FittedMesh};
 
 /// Writes `R = Σ c Y(l, m)`, with the center if it is not the origin, and with the bound of the radius if the coefficients were
 /// rounded.
@@ -66,7 +65,8 @@ pub fn write_harmonic(
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
-pub fn write_mesh_fit(fit: &MeshFit, format: Format, out: &mut dyn Write) -> Result<()> {
+pub fn write_mesh_fit(found: &FittedMesh, format: Format, out: &mut dyn Write) -> Result<()> {
+    let FittedMesh { fit, distance } = found;
     if format != Format::Json {
         return write_harmonic(&fit.surface, format, out);
     }
@@ -78,6 +78,12 @@ pub fn write_mesh_fit(fit: &MeshFit, format: Format, out: &mut dyn Write) -> Res
         fields.insert("rms_radial_error".into(), json!(fit.rms_radial_error));
         fields.insert("outline_star_shaped".into(), json!(fit.is_star_shaped));
         fields.insert("samples".into(), json!(fit.samples));
+        if let Some(found) = distance {
+            fields.insert(
+                "distance".into(),
+                json!({"low": found.low, "high": found.high}),
+            );
+        }
     }
     write_value(&value, out)?;
     Ok(writeln!(out)?)

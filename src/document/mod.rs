@@ -5,6 +5,7 @@
 
 mod angles;
 mod arcs;
+mod certified;
 mod check;
 mod description;
 mod display;
@@ -41,6 +42,7 @@ mod vectors;
 use std::io;
 
 pub(crate) use arcs::{arcs_text, write_arcs};
+pub use certified::certified_bounds;
 pub use check::write_check;
 pub(crate) use description::{write_description, write_space_curve_description};
 pub use elliptic::{write_elliptic, write_fit};

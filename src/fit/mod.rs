@@ -42,17 +42,18 @@ pub(crate) use distance::{NearPolygon, is_positive_by_values};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub use least_squares::{LeastSquares, MAX_LEAST_SQUARES_HARMONICS, Robust, StandardErrors};
 pub use measured::fit_cloud;
+pub(crate) use mesh::turns_of_mesh;
 pub use mesh::{MAX_FIT_DEGREE, MeshFit, MeshFitOptions, MeshFitSize, fit_mesh};
 pub use normal_form::{NormalForm, normal_form};
 pub use options::{
     Estimator, FitModel, FitOptions, FitSize, MAX_DECIMALS, MAX_HARMONICS, MAX_SAMPLES,
 };
 pub use radius::ContourRadius;
-pub(crate) use reading::is_geojson;
 pub use reading::{
     Column, Columns, ContourKind, LeftOut, OutlineOptions, cloud_from_reader, contour_from_reader,
     outline_from_reader, outlines_from_reader, read_contour,
 };
+pub(crate) use reading::{is_geojson, rows_of_array};
 
 // Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]

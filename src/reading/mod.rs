@@ -13,6 +13,7 @@ pub use document::read_document;
 pub(crate) use harmonics::layout_of_header;
 pub use harmonics::{HarmonicConvention, HarmonicLayout, ReadHarmonics, read_harmonics};
 pub use matrix::read_coefficients;
+pub(crate) use mesh::rows_of_ply;
 pub use mesh::{MAX_MESH_BYTES, SolidFormat, read_solid};
 pub use norm::Normalization;
 pub(crate) use table::{Table, is_elliptic_header};

@@ -54,6 +54,7 @@ mod plot;
 mod plot_options;
 #[cfg(feature = "pictures")]
 mod plot_space;
+mod point_files;
 mod point_layout;
 mod remark;
 mod rows;
@@ -75,7 +76,7 @@ pub use check_chart::{digits_chart, ladder_chart};
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::{FitReport, FittedOutline, OutlineFit, OutlineSeries, RadialReport, TakenOut, fit};
-pub use fit_mesh::{fit_mesh, is_mesh_name, read_mesh};
+pub use fit_mesh::{FittedMesh, fit_mesh, is_mesh_name, read_mesh};
 pub use given::{Content, Given, ReadOptions};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,

@@ -324,11 +324,7 @@ fn by_library(words: &[String], folder: &Path) -> Vec<u8> {
 fn inspected(words: &Words, given: Given, folder: &Path, out: &mut Vec<u8>) {
     let work = Work::default();
     let points = match words.one("points") {
-        Some(name) => {
-            let file = fs::File::open(folder.join(name)).unwrap();
-            let reader = Box::new(std::io::BufReader::new(file));
-            PointSource::Rows(PointRows::new(reader, name, 0).unwrap())
-        }
+        Some(name) => PointSource::Rows(PointRows::open(&folder.join(name)).unwrap()),
         None => PointSource::Texts(words.all("point").to_vec()),
     };
     let dimension = points.dimension().unwrap();

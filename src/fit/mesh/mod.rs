@@ -177,6 +177,11 @@ fn center(solid: &Solid, choice: &CenterChoice) -> Result<([Rational; 3], bool)>
     }
 }
 
+/// How often a mesh goes around a point.
+pub(crate) fn turns_of_mesh(solid: &Solid, point: &[Rational; 3]) -> i64 {
+    visible(solid, point).turns
+}
+
 fn check_seen(solid: &Solid, point: &[Rational; 3], what: &str) -> Result<()> {
     let seen = visible(solid, point);
     if seen.is_star_shaped() {

@@ -30,6 +30,7 @@ mod viewport;
 pub use columns::{Column, Columns};
 pub(crate) use geojson::is_geojson;
 pub use left_out::LeftOut;
+pub(crate) use numpy::rows_of_array;
 pub use outline_options::OutlineOptions;
 pub use read::{
     ContourKind, cloud_from_reader, contour_from_reader, outline_from_reader, outlines_from_reader,

@@ -160,6 +160,52 @@ pub(super) fn read_array(
     place: &str,
 ) -> Result<GivenPoints> {
     let wrong = |message: String| Error::data(place, message);
+    let (header, data) = checked(bytes, place)?;
+    let (rows, places, weights) = header.layout(options).map_err(wrong)?;
+    if rows > MAX_ROWS {
+        let limit = format!("{place} has more than {MAX_ROWS} rows");
+        return Err(Error::limit(limit));
+    }
+    let element = |row: usize, column: usize| header.element(data, rows, row, column);
+    let column = |column: usize| (0..rows).map(move |row| element(row, column));
+    Ok(GivenPoints {
+        points: (0..rows)
+            .map(|row| places.map(|c| element(row, c)))
+            .collect(),
+        weights: weights.into_iter().flat_map(column).collect(),
+        rows: Vec::new(),
+    })
+}
+
+/// The points of an array of the shape (n, 2) or (n, 3) as rows of text. Each number is written as the shortest decimal that is its double.
+///
+/// # Errors
+/// [`Error::Data`] for another header, another shape, or another length than the shape says.
+pub(crate) fn rows_of_array(bytes: &[u8], place: &str) -> Result<String> {
+    let (header, data) = checked(bytes, place)?;
+    let ([rows, width @ (2 | 3)], false) = (&header.shape[..], header.is_complex()) else {
+        let shape = shape_text(&header.shape);
+        return Err(Error::data(
+            place,
+            format!(
+                "the array has the shape {shape}; points are an array of numbers of shape (n, 2) in the plane or (n, 3)"
+            ),
+        ));
+    };
+    let mut text = String::new();
+    for row in 0..*rows {
+        for column in 0..*width {
+            let end = if column + 1 == *width { '\n' } else { ',' };
+            let value = header.element(data, *rows, row, column);
+            text.push_str(&format!("{value:?}{end}"));
+        }
+    }
+    Ok(text)
+}
+
+/// The header, and as many elements as its shape says.
+fn checked<'a>(bytes: &'a [u8], place: &str) -> Result<(Header, &'a [u8])> {
+    let wrong = |message: String| Error::data(place, message);
     let (header, data) = split(bytes).map_err(wrong)?;
     let header = Header::read(header).map_err(wrong)?;
     let Header { kind, shape, .. } = &header;
@@ -172,29 +218,21 @@ pub(super) fn read_array(
             "an array of shape {shape} has {needed} bytes of elements; the file has {found}"
         )));
     }
-    let (rows, places, weights) = header.layout(options).map_err(wrong)?;
-    if rows > MAX_ROWS {
-        let limit = format!("{place} has more than {MAX_ROWS} rows");
-        return Err(Error::limit(limit));
-    }
-    let part = size / if header.is_complex() { 2 } else { 1 };
-    let at = |index: usize| kind.value(&data[index * part..(index + 1) * part]);
-    let width = data.len() / part / rows.max(1);
-    let element = |row: usize, column: usize| match header.is_fortran && !header.is_complex() {
-        true => at(column * rows + row),
-        false => at(row * width + column),
-    };
-    let column = |column: usize| (0..rows).map(move |row| element(row, column));
-    Ok(GivenPoints {
-        points: (0..rows)
-            .map(|row| places.map(|c| element(row, c)))
-            .collect(),
-        weights: weights.into_iter().flat_map(column).collect(),
-        rows: Vec::new(),
-    })
+    Ok((header, data))
 }
 
 impl Header {
+    /// The number in a row and a column; a complex number is a row of two.
+    fn element(&self, data: &[u8], rows: usize, row: usize, column: usize) -> f64 {
+        let part = self.kind.number.size() / if self.is_complex() { 2 } else { 1 };
+        let width = data.len() / part / rows.max(1);
+        let index = match self.is_fortran && !self.is_complex() {
+            true => column * rows + row,
+            false => row * width + column,
+        };
+        self.kind.value(&data[index * part..(index + 1) * part])
+    }
+
     fn read(text: &str) -> std::result::Result<Self, String> {
         let unreadable = || "the header of the NumPy array is damaged".to_owned();
         let entries = entries.parse(text).map_err(|_| unreadable())?;

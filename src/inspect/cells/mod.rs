@@ -7,6 +7,7 @@
 //! cell, a bound by the second derivatives ([`expansion`]) leaves out the rest, or else the cell is divided.
 
 mod expansion;
+mod flat;
 mod isolate;
 mod search;
 mod waves;
@@ -26,6 +27,7 @@ use crate::intervals::interval::UNIT;
 use crate::shape::{HarmonicPair, HarmonicSurface, wave_coefficients};
 
 use expansion::{ANGLE, Errors, Expansion, length, turn};
+pub(super) use flat::FlatPart;
 pub(super) use isolate::Isolated;
 pub(super) use search::NearestOnSphere;
 use waves::{ABOVE, ORDERS, Waves, as_f64};
@@ -235,7 +237,7 @@ impl CellTree {
     }
 
     /// A point in units of the surface and relative to its center, with a bound of its error; `None` if it is too far away.
-    fn inside(&self, point: [f64; 3], slack: f64) -> Option<([f64; 3], f64)> {
+    pub(super) fn inside(&self, point: [f64; 3], slack: f64) -> Option<([f64; 3], f64)> {
         let mut wrong = Interval::from(slack);
         let mut inside = [0.0; 3];
         for i in 0..3 {

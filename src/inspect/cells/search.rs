@@ -127,6 +127,28 @@ impl CellTree {
     ) -> Option<NearestOnSphere> {
         let (p, slack) = self.inside(near, slack)?;
         let target = &self.target(p);
+        let (search, low) = self.searched(target, relative);
+        let slack = Interval::from(slack);
+        let low = (Interval::from(low).sqrt() - slack).low().max(0.0);
+        let high = (Interval::from(search.high) + slack).high();
+        let distance = Interval::between(low.min(high), high) * self.unit;
+        let (chart, best) = search.place?;
+        let mut point = [0.0; 3];
+        for (i, axis) in self.charts[chart].axes.into_iter().enumerate() {
+            point[axis] = (best.value[i] + target.turned[chart][i]) * self.unit;
+        }
+        Some(NearestOnSphere {
+            distance: DistanceBounds {
+                low: distance.low().max(0.0),
+                high: distance.high(),
+            },
+            point,
+            at: (chart, best.at),
+        })
+    }
+
+    /// What was found of the distance of a point in units of the surface and relative to its center, and a lower bound of its square.
+    pub(super) fn searched(&self, target: &Target, relative: f64) -> (CellSearch, f64) {
         let mut search = Search {
             low: f64::INFINITY,
             high: f64::INFINITY,
@@ -183,24 +205,8 @@ impl CellTree {
                 ..piece
             }));
         }
-        let slack = Interval::from(slack);
         let low = waiting.iter().fold(search.low, |low, p| low.min(p.bound));
-        let low = (Interval::from(low).sqrt() - slack).low().max(0.0);
-        let high = (Interval::from(search.high) + slack).high();
-        let distance = Interval::between(low.min(high), high) * self.unit;
-        let (chart, best) = search.place?;
-        let mut point = [0.0; 3];
-        for (i, axis) in self.charts[chart].axes.into_iter().enumerate() {
-            point[axis] = (best.value[i] + target.turned[chart][i]) * self.unit;
-        }
-        Some(NearestOnSphere {
-            distance: DistanceBounds {
-                low: distance.low().max(0.0),
-                high: distance.high(),
-            },
-            point,
-            at: (chart, best.at),
-        })
+        (search, low)
     }
 
     /// Goes downhill from the direction of the point, for a first upper bound.

@@ -39,6 +39,14 @@ impl SolidFormat {
     }
 }
 
+/// The vertices of a PLY file as rows of text, after a row with the names of their properties.
+///
+/// # Errors
+/// [`Error::Data`] for a file that is damaged or has no vertices.
+pub(crate) fn rows_of_ply(bytes: &[u8], place: &str) -> Result<String> {
+    ply::points(bytes, place)
+}
+
 /// Vertices and triangles as they were read.
 #[derive(Debug, Default)]
 struct Faces {

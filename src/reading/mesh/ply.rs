@@ -180,6 +180,60 @@ pub(super) fn read(bytes: &[u8], place: &str) -> Result<Faces> {
     Ok(found)
 }
 
+/// The vertices as rows of text: the names of their properties, and then a row for each vertex. Each number is the exact value of the
+/// stored one, written as the shortest decimal that is its double. Lists have no column.
+pub(super) fn points(bytes: &[u8], place: &str) -> Result<String> {
+    let (encoding, elements, rest) = header(bytes, place)?;
+    let mut body = Body {
+        rest,
+        encoding,
+        place,
+    };
+    let position = elements.iter().position(|e| e.name == "vertex");
+    let Some(position) = position else {
+        return Err(Error::data(
+            place,
+            "the file has no element `vertex`, whose properties x, y and z are points",
+        ));
+    };
+    for element in &elements[..position] {
+        for _ in 0..element.count {
+            for property in &element.properties {
+                let length = match property.length {
+                    Some(length) => body.whole(length)?,
+                    None => 1,
+                };
+                for _ in 0..length {
+                    body.number(property.number)?;
+                }
+            }
+        }
+    }
+    let vertex = &elements[position];
+    let columns = vertex.properties.iter().filter(|p| p.length.is_none());
+    let names: Vec<&str> = columns.map(|p| p.name.as_str()).collect();
+    let mut text = names.join(",");
+    text.push('\n');
+    for _ in 0..vertex.count {
+        let mut is_first = true;
+        for property in &vertex.properties {
+            let Some(length) = property.length else {
+                if !std::mem::take(&mut is_first) {
+                    text.push(',');
+                }
+                let value = body.number(property.number)?;
+                text.push_str(&format!("{value:?}"));
+                continue;
+            };
+            for _ in 0..body.whole(length)? {
+                body.number(property.number)?;
+            }
+        }
+        text.push('\n');
+    }
+    Ok(text)
+}
+
 /// The encoding, the elements, and what comes after the header.
 fn header<'a>(bytes: &'a [u8], place: &str) -> Result<(Encoding, Vec<Element>, &'a [u8])> {
     let mut rest = bytes;

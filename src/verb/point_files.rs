@@ -1,0 +1,55 @@
+//! Files of points: tables as text, the vertices of PLY files, and NumPy arrays.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Cursor, Read};
+use std::path::Path;
+
+use super::rows::PointRows;
+use crate::error::{Error, Result};
+use crate::fit::rows_of_array;
+use crate::reading::{MAX_MESH_BYTES, rows_of_ply};
+
+impl PointRows {
+    /// The points of a file: of a PLY file its vertices, of a NumPy array (`.npy`) of the shape (n, 2) or (n, 3) its rows, and otherwise the
+    /// rows of a table. A PLY file is read like a table whose first row has the names of the properties of its vertices. Tables are read row
+    /// by row, so they may be longer than the memory; the other files are read at once.
+    ///
+    /// # Errors
+    /// [`Error::Io`] for a file that cannot be read; [`Error::Usage`] for a folder; [`Error::Limit`] for a PLY file or an array of more than
+    /// [`MAX_MESH_BYTES`]; [`Error::Data`] for a damaged file, and for one of which the coordinates are not known.
+    pub fn open(path: &Path) -> Result<Self> {
+        let place = path.display().to_string();
+        if path.is_dir() {
+            return Err(Error::Usage(format!("--points {place}: that is a folder")));
+        }
+        let failed = |source| Error::Io {
+            path: path.to_owned(),
+            source,
+        };
+        let file = File::open(path).map_err(failed)?;
+        let size = file.metadata().map_err(failed)?.len();
+        let extension = path.extension().and_then(|e| e.to_str());
+        let convert = match extension.map(str::to_ascii_lowercase).as_deref() {
+            Some("ply") => rows_of_ply,
+            Some("npy") => rows_of_array,
+            _ => {
+                let reader = BufReader::with_capacity(1 << 16, file);
+                return Self::new(Box::new(reader), &place, size);
+            }
+        };
+        let most = MAX_MESH_BYTES as u64;
+        let mut bytes = Vec::new();
+        file.take(most + 1)
+            .read_to_end(&mut bytes)
+            .map_err(failed)?;
+        if bytes.len() as u64 > most {
+            return Err(Error::limit(format!(
+                "{place} has more than {MAX_MESH_BYTES} bytes"
+            )));
+        }
+        let text = convert(&bytes, &place)?;
+        let size = text.len() as u64;
+        let reader: Box<dyn BufRead> = Box::new(Cursor::new(text));
+        Self::new(reader, &place, size)
+    }
+}
