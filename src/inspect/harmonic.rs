@@ -134,6 +134,14 @@ impl HarmonicInspector {
         self.by_refinement(cells, near, found, &exactly(), sign)
     }
 
+    /// The sign of [`HarmonicInspector::inspect_near`], without the distance if R > 0 is not a constant.
+    pub(crate) fn side(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Option<i8> {
+        match &self.cells {
+            Some(cells) => self.sign(cells, near, 0.0, exactly),
+            None => self.against_sphere(&exactly()).sign,
+        }
+    }
+
     /// The nearest point in doubles, and the verdict if its bounds decide it.
     fn by_cells(
         &self,

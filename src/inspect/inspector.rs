@@ -213,6 +213,31 @@ impl Inspector {
         self.of_point(&Point::new(near, rounding(near), exactly))
     }
 
+    /// The sign of the polynomial at a point of finite doubles, as in [`Inspection::sign`].
+    pub(crate) fn side(&self, point: [f64; 3]) -> i8 {
+        let exactly = self.center.is_some().then(|| {
+            let point = point.map(rational);
+            self.relative(&point).into_owned()
+        });
+        let sign_of = |field: &Field| match &exactly {
+            None => field.sign(match field.is_flat() {
+                true => [point[0], point[1], 0.0],
+                false => point,
+            }),
+            Some(exactly) => {
+                let near = exactly.each_ref().map(Rational::to_f64);
+                let in_doubles = field.sign_near(near, rounding(near));
+                in_doubles.unwrap_or_else(|| field.polynomial().evaluate(exactly).signum())
+            }
+        };
+        let signs = self.factors.iter().zip(&self.multiplicities);
+        let signs = signs.map(|(field, multiplicity)| match multiplicity % 2 {
+            1 => sign_of(field),
+            _ => sign_of(field).abs(),
+        });
+        signs.product()
+    }
+
     /// The point in the coordinates of the polynomial.
     fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
         match &self.center {

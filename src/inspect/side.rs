@@ -40,6 +40,11 @@ impl Sides {
         Ok(Some(Self::Closed(Box::new(Winding::new(curve, limits)?))))
     }
 
+    /// Whether [`Self::sign`] needs no bounds of the distance.
+    pub(crate) fn need_no_distance(&self) -> bool {
+        matches!(self, Self::Radius(_))
+    }
+
     /// −1 inside, 0 on the curve, 1 outside; `distance` holds the distance of the point from the curve.
     pub(crate) fn sign(&self, point: &PlanePoint<'_>, distance: &DistanceBounds) -> i8 {
         if distance.high <= 0.0 {

@@ -1,54 +1,63 @@
-//! The native part of the Python package `stellate`. It takes and returns texts; the package makes Python objects of them.
+//! The native part of the Python package `stellate`. It takes and returns texts and columns of numbers; the package makes Python
+//! objects of them.
 
+mod exceptions;
+mod inspector;
 mod options;
+mod radius;
 mod run;
+mod watch;
 
 use std::ffi::OsString;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 
-use pyo3::create_exception;
-use pyo3::exceptions::{PyException, PyKeyboardInterrupt, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::error::Error;
+use self::exceptions::{InputError, InternalError, LimitReached, StellateError, exception};
+use self::options::Options;
+use self::watch::{Wait, Watch, pool};
 
-create_exception!(_native, StellateError, PyException);
-create_exception!(_native, InputError, StellateError);
-create_exception!(_native, LimitReached, StellateError);
-create_exception!(_native, InternalError, StellateError);
+/// What a verb answers: the document, the remarks about it, the parts of it that are missing because a limit was reached, and the
+/// proof if one was asked for.
+type Answer<'py> = (
+    Bound<'py, PyBytes>,
+    Vec<String>,
+    Option<String>,
+    Option<String>,
+);
 
-/// The exception for an error of the library, with the same message.
-fn exception(error: &Error) -> PyErr {
-    let message = error.to_string();
-    match error {
-        Error::Limit { .. } => LimitReached::new_err(message),
-        Error::Internal { .. } => InternalError::new_err(message),
-        Error::Interrupted => PyKeyboardInterrupt::new_err(message),
-        Error::Io { .. } => PyOSError::new_err(message),
-        _ => InputError::new_err(message),
-    }
-}
-
-/// Runs a verb on forms, each a text or a path, or the text of a document or table with a name for messages. `options` is a JSON
-/// object; `data` is the table that the verb reads besides. The result is what the program would write. Other Python threads run
-/// meanwhile.
+/// Runs a verb on forms: each a text or a path, or the text of a document or table with a name for messages; and the options of how
+/// it is read. `options` is a JSON object; `data` is the table that the verb reads besides. The result is what the program would
+/// write. Other Python threads run meanwhile.
 #[pyfunction]
 fn call<'py>(
     python: Python<'py>,
-    verb: &str,
-    forms: Vec<(String, Option<String>)>,
+    verb: String,
+    forms: Vec<(String, Option<String>, String)>,
     options: &str,
-    data: &[u8],
-) -> PyResult<Bound<'py, PyBytes>> {
-    let run = AssertUnwindSafe(|| run::run(verb, &forms, options, data));
-    // An invariant that does not hold is a panic; nothing that was being changed is used after it.
-    let result = python.detach(|| {
-        catch_unwind(run).unwrap_or_else(|payload| Err(Error::from_panic(payload.as_ref(), None)))
-    });
-    result
-        .map(|bytes| PyBytes::new(python, &bytes))
-        .map_err(|error| exception(&error))
+    data: Vec<u8>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Answer<'py>> {
+    let read = || {
+        let options = Options::read(options)?;
+        let limits = options.limits()?;
+        let pool = pool(options.threads)?;
+        Ok((options, limits, pool))
+    };
+    let (options, limits, pool) = read().map_err(|error| exception(&error))?;
+    let watch = Arc::new(Watch::default());
+    let wait = Wait {
+        python,
+        progress,
+        limits: &limits,
+        watch: &watch,
+    };
+    let (in_work, watched) = (limits.clone(), Arc::clone(&watch));
+    let run = move || run::run(&verb, &forms, &options, data, in_work, watched);
+    let found = wait.for_owned(&pool, run)?;
+    let document = PyBytes::new(python, &found.document);
+    Ok((document, watch.notes(), found.missing, found.proof))
 }
 
 /// Runs the program with these arguments, of which the first is its name, and returns its exit code.
@@ -65,6 +74,8 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("LimitReached", python.get_type::<LimitReached>())?;
     module.add("InternalError", python.get_type::<InternalError>())?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<inspector::Inspector>()?;
+    module.add_class::<radius::Radius>()?;
     module.add_function(wrap_pyfunction!(call, module)?)?;
     module.add_function(wrap_pyfunction!(main, module)?)
 }

@@ -6,27 +6,41 @@ use serde::Deserialize;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::fit::{CenterChoice, Estimator, FitModel, FitOptions, FitSize};
+use crate::fit::{
+    CenterChoice, Estimator, FitModel, FitOptions, FitSize, MeshFitOptions, MeshFitSize,
+    OutlineOptions,
+};
+use crate::language::Numbers;
 use crate::limits::Limits;
+use crate::picture::Window;
+use crate::reading::{HarmonicConvention, Normalization};
 use crate::sample::Direction;
-use crate::verb::{CoordinatesFrom, Work};
+use crate::verb::{
+    ArcSearch, Bounds, CoefficientScale, CoordinatesFrom, Frame, ImplicitizeMethod,
+    ImplicitizeOptions, InspectionOptions, MeshingOptions, PlotOptions, ReadOptions,
+};
 
-/// All options; every function of the package has some of them.
+/// The number of significant digits of distances.
+const DIGITS: u32 = 6;
+
+/// All options of the verbs; every function of the package has some of them.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct Options {
     pub(super) model: Option<String>,
     pub(super) harmonics: Option<usize>,
+    pub(super) degree: Option<usize>,
     pub(super) tolerance: Option<String>,
     pub(super) distance: Option<String>,
     pub(super) power: Option<String>,
-    pub(super) center: Option<[String; 2]>,
+    pub(super) center: Option<Vec<String>>,
     pub(super) center_choice: Option<String>,
     pub(super) samples: Option<usize>,
     pub(super) estimator: Option<String>,
     pub(super) robust: bool,
     pub(super) decimals: Option<u32>,
     pub(super) normal_form: bool,
+    pub(super) topology: bool,
     pub(super) method: Option<String>,
     pub(super) scale: Option<String>,
     pub(super) coordinates: Option<String>,
@@ -37,20 +51,93 @@ pub(super) struct Options {
     pub(super) branch: Option<usize>,
     pub(super) digits: Option<u32>,
     pub(super) reach: Option<f64>,
-    pub(super) dimension: Option<usize>,
+    pub(super) budget: Option<usize>,
     pub(super) kind: Option<String>,
     pub(super) format: Option<String>,
     pub(super) window: Option<Vec<f64>>,
+    pub(super) ranges: Vec<(String, [f64; 2])>,
+    pub(super) view: Option<[f64; 2]>,
     pub(super) title: Option<String>,
+    pub(super) width: Option<u32>,
+    pub(super) cells: Option<u32>,
+    pub(super) points: Vec<[f64; 3]>,
     pub(super) resolution: Option<u32>,
+    pub(super) angle: Option<f64>,
+    pub(super) solid: bool,
     pub(super) complete: bool,
+    pub(super) proof: bool,
     pub(super) time_limit: Option<f64>,
     pub(super) max_degree: Option<usize>,
+    pub(super) threads: Option<usize>,
+}
+
+/// How a form is read.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Reading {
+    numbers: Option<String>,
+    cloud: bool,
+    columns: Option<String>,
+    weights: Option<String>,
+    blob: Option<usize>,
+    threshold: Option<u8>,
+    invert: bool,
+    repair: bool,
+    normalization: Option<String>,
+    condon_shortley: Option<bool>,
+}
+
+/// Reads the options of how a form is read, a JSON object.
+pub(super) fn reading(text: &str) -> Result<ReadOptions> {
+    let given: Reading = object(text)?;
+    let normalization = match given.normalization.as_deref() {
+        None => None,
+        Some("unnormalized") => Some(Normalization::Unnormalized),
+        Some("4pi") => Some(Normalization::FourPi),
+        Some("orthonormal") => Some(Normalization::Orthonormal),
+        Some("schmidt") => Some(Normalization::Schmidt),
+        Some(other) => {
+            let names = "unnormalized, 4pi, orthonormal, schmidt";
+            return Err(none_of("normalization", other, names));
+        }
+    };
+    let mut outline = OutlineOptions::default()
+        .threshold(given.threshold)
+        .invert(given.invert)
+        .columns(given.columns.map(|text| text.parse()).transpose()?)
+        .weights(given.weights.map(|text| text.parse()).transpose()?)
+        .repair(given.repair);
+    match given.blob {
+        None => {}
+        Some(0) => return Err(Error::Usage("blob: outlines are counted from 1".into())),
+        Some(blob) => outline = outline.blob(blob),
+    }
+    Ok(ReadOptions::default()
+        .numbers(numbers(given.numbers.as_deref())?)
+        .cloud(given.cloud)
+        .outline(outline)
+        .harmonics(
+            HarmonicConvention::default()
+                .normalization(normalization)
+                .condon_shortley(given.condon_shortley),
+        ))
+}
+
+fn numbers(name: Option<&str>) -> Result<Numbers> {
+    match name {
+        None | Some("exact") => Ok(Numbers::Exact),
+        Some("f64") => Ok(Numbers::F64),
+        Some(other) => Err(none_of("numbers", other, "exact, f64")),
+    }
+}
+
+fn object<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T> {
+    serde_json::from_str(text).map_err(|error| Error::Usage(format!("options: {error}")))
 }
 
 impl Options {
     pub(super) fn read(text: &str) -> Result<Self> {
-        serde_json::from_str(text).map_err(|error| Error::Usage(format!("options: {error}")))
+        object(text)
     }
 
     /// How a contour becomes a series.
@@ -69,39 +156,178 @@ impl Options {
             let message = "one of harmonics, tolerance, distance and power can be given";
             return Err(Error::Usage(message.into()));
         }
-        let center = match (&self.center, self.center_choice.as_deref()) {
-            (Some([x, y]), _) => CenterChoice::Point([x.parse()?, y.parse()?]),
-            (None, None | Some("auto")) => CenterChoice::Auto,
-            (None, Some("centroid")) => CenterChoice::Centroid,
-            (None, Some("kernel")) => CenterChoice::Kernel,
-            (None, Some("best")) => CenterChoice::Best,
-            (None, Some(other)) => {
-                return Err(none_of(
-                    "center",
-                    other,
-                    "auto, centroid, kernel, best, (x, y)",
-                ));
-            }
-        };
         let model = match self.model.as_deref() {
             None | Some("radius") => FitModel::Radius,
             Some("elliptic") => FitModel::Elliptic,
             Some(other) => return Err(none_of("model", other, "radius, elliptic")),
         };
-        let estimator = match self.estimator.as_deref() {
-            None => None,
-            Some("quadrature") => Some(Estimator::Quadrature),
-            Some("least-squares") => Some(Estimator::LeastSquares),
-            Some(other) => return Err(none_of("estimator", other, "quadrature, least-squares")),
-        };
         Ok(FitOptions::default()
             .model(model)
             .size(sizes.into_iter().next())
-            .center(center)
+            .center(self.center()?)
             .samples(self.samples)
-            .estimator(estimator)
+            .estimator(self.estimator()?)
             .robust(self.robust)
             .decimals(self.decimals))
+    }
+
+    fn center(&self) -> Result<CenterChoice> {
+        let names = "auto, centroid, kernel, best, (x, y), (x, y, z)";
+        Ok(
+            match (self.center.as_deref(), self.center_choice.as_deref()) {
+                (Some([x, y]), _) => CenterChoice::Point([x.parse()?, y.parse()?]),
+                (Some([x, y, z]), _) => CenterChoice::InSpace([x.parse()?, y.parse()?, z.parse()?]),
+                (Some(other), _) => {
+                    let count = format!("{} numbers", other.len());
+                    return Err(none_of("center", &count, names));
+                }
+                (None, None | Some("auto")) => CenterChoice::Auto,
+                (None, Some("centroid")) => CenterChoice::Centroid,
+                (None, Some("kernel")) => CenterChoice::Kernel,
+                (None, Some("best")) => CenterChoice::Best,
+                (None, Some(other)) => return Err(none_of("center", other, names)),
+            },
+        )
+    }
+
+    fn estimator(&self) -> Result<Option<Estimator>> {
+        match self.estimator.as_deref() {
+            None => Ok(None),
+            Some("quadrature") => Ok(Some(Estimator::Quadrature)),
+            Some("least-squares") => Ok(Some(Estimator::LeastSquares)),
+            Some(other) => Err(none_of("estimator", other, "quadrature, least-squares")),
+        }
+    }
+
+    /// How a mesh becomes a sum of spherical harmonics.
+    pub(super) fn mesh_fit(&self) -> Result<MeshFitOptions> {
+        let contours_alone = [
+            ("harmonics", self.harmonics.is_some()),
+            (
+                "model",
+                !matches!(self.model.as_deref(), None | Some("radius")),
+            ),
+            ("distance", self.distance.is_some()),
+            ("power", self.power.is_some()),
+            ("decimals", self.decimals.is_some()),
+            ("robust", self.robust),
+            ("normal_form", self.normal_form),
+            ("proof", self.proof),
+        ];
+        if let Some((name, _)) = contours_alone.iter().find(|(_, given)| *given) {
+            return Err(Error::Usage(format!(
+                "{name} is for contours; the fit of a mesh has degree or tolerance, center, samples and estimator"
+            )));
+        }
+        let size = match (self.degree, number("tolerance", self.tolerance.as_deref())?) {
+            (Some(degree), None) => MeshFitSize::Degree(degree),
+            (None, Some(tolerance)) => MeshFitSize::Tolerance(tolerance.to_f64()),
+            _ => {
+                let message = "the fit of a mesh needs one of degree and tolerance";
+                return Err(Error::Usage(message.into()));
+            }
+        };
+        Ok(MeshFitOptions::new(size)
+            .center(self.center()?)
+            .estimator(self.estimator()?.unwrap_or(Estimator::Quadrature))
+            .samples(self.samples))
+    }
+
+    pub(super) fn implicitize(&self) -> Result<ImplicitizeOptions> {
+        let method = match self.method.as_deref() {
+            None => None,
+            Some("polar") => Some(ImplicitizeMethod::Polar),
+            Some("resultant") => Some(ImplicitizeMethod::Resultant),
+            Some(other) => return Err(none_of("method", other, "polar, resultant")),
+        };
+        let scale = match self.scale.as_deref() {
+            None | Some("integer") => CoefficientScale::Integer,
+            Some("monic") => CoefficientScale::Monic,
+            Some(other) => return Err(none_of("scale", other, "integer, monic")),
+        };
+        Ok(ImplicitizeOptions::default()
+            .fit(self.fit()?)
+            .method(method)
+            .scale(scale)
+            .coordinates(self.coordinates()?))
+    }
+
+    /// How points are inspected; `tolerance` is that of the verdict, and none of the fit.
+    pub(super) fn inspection(&self) -> Result<InspectionOptions> {
+        let fit = Self {
+            model: self.model.clone(),
+            harmonics: self.harmonics,
+            distance: self.distance.clone(),
+            center: self.center.clone(),
+            center_choice: self.center_choice.clone(),
+            ..Self::default()
+        };
+        let mut asked = InspectionOptions::default()
+            .reach(self.reach)
+            .digits(self.digits.unwrap_or(DIGITS))
+            .fit(fit.fit()?);
+        if let Some(budget) = self.budget {
+            asked = asked.budget(budget);
+        }
+        Ok(match number("tolerance", self.tolerance.as_deref())? {
+            Some(tolerance) => asked.tolerance(tolerance),
+            None => asked,
+        })
+    }
+
+    pub(super) fn plot(&self) -> Result<PlotOptions> {
+        Ok(PlotOptions::default()
+            .fit(self.fit()?)
+            .window(self.frame()?)
+            .ranges(self.ranges.clone())
+            .view(self.view)
+            .title(self.title.clone().unwrap_or_default())
+            .width(self.width)
+            .cells(self.cells)
+            .points(self.points.clone()))
+    }
+
+    pub(super) fn meshing(&self) -> Result<MeshingOptions> {
+        let mut asked = MeshingOptions::default()
+            .window(self.bounds()?)
+            .solid(self.solid);
+        if let Some(resolution) = self.resolution {
+            asked = asked.resolution(resolution);
+        }
+        Ok(match self.angle {
+            Some(angle) => asked.angle(angle),
+            None => asked,
+        })
+    }
+
+    pub(super) fn arcs(&self) -> Result<ArcSearch> {
+        Ok(ArcSearch::default()
+            .window(self.bounds()?)
+            .resolution(self.resolution))
+    }
+
+    /// The part of the plane or of space that a picture shows.
+    pub(super) fn frame(&self) -> Result<Option<Frame>> {
+        match self.window.as_deref() {
+            Some([a, b, c, d]) if a < b && c < d => Ok(Some(Frame::Plane(Window {
+                x: [*a, *b],
+                y: [*c, *d],
+            }))),
+            _ => Ok(self.bounds()?.map(Frame::Space)),
+        }
+    }
+
+    fn bounds(&self) -> Result<Option<Bounds>> {
+        match self.window.as_deref() {
+            None => Ok(None),
+            Some([a, b, c, d, e, f]) if a < b && c < d && e < f => {
+                Ok(Some([[*a, *b], [*c, *d], [*e, *f]]))
+            }
+            Some(_) => {
+                let message = "window: four numbers x0 < x1, y0 < y1 in the plane, or six in space";
+                Err(Error::Usage(message.into()))
+            }
+        }
     }
 
     /// The origin of coordinates.
@@ -114,18 +340,13 @@ impl Options {
     }
 
     /// The limits of the work.
-    pub(super) fn work(&self) -> Result<Work> {
-        let mut limits = Limits::none();
-        if let Some(seconds) = self.time_limit {
-            let time = Duration::try_from_secs_f64(seconds);
-            let wrong = |_| Error::Usage(format!("time_limit: {seconds} is no number of seconds"));
-            limits = limits.with_time_limit(time.map_err(wrong)?);
-        }
-        let work = Work::default().limits(limits);
-        Ok(match self.max_degree {
-            Some(degree) => work.max_degree(degree),
-            None => work,
-        })
+    pub(super) fn limits(&self) -> Result<Limits> {
+        let Some(seconds) = self.time_limit else {
+            return Ok(Limits::none());
+        };
+        let time = Duration::try_from_secs_f64(seconds);
+        let wrong = |_| Error::Usage(format!("time_limit: {seconds} is no number of seconds"));
+        Ok(Limits::none().with_time_limit(time.map_err(wrong)?))
     }
 }
 

@@ -8,9 +8,11 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, HarmonicInspector, InspectOptions, Inspection, Inspector,
-    MAX_SECTION_WORK, PatchInspector, PlanePoint, Section, Sides, SphereSection, Verdict, rounding,
+    CircleSection, CurveInspector, DistanceBounds, HarmonicInspector, InspectOptions, Inspection,
+    Inspector, MAX_SECTION_WORK, PatchInspector, PlanePoint, Section, Sides, SphereSection,
+    Verdict, rounding,
 };
+use crate::intervals::rational;
 use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
@@ -329,6 +331,43 @@ impl InspectionTask {
             Against::Space(inspector) => inspector.inspect_near(near, exactly),
             Against::Patch(inspector) => inspector.inspect(&exactly()),
             Against::Harmonic(inspector) => inspector.inspect_near(near, exactly),
+        }
+    }
+
+    /// Inspects the point whose coordinates are these doubles, which are finite; in the plane z is 0.
+    #[must_use]
+    pub fn of_doubles(&self, point: [f64; 3]) -> Inspection {
+        self.point_near(point, &|| point.map(rational))
+    }
+
+    /// The side of the point whose coordinates are these doubles: the sign of [`InspectionTask::of_doubles`], without the
+    /// distance where the side does not need it.
+    ///
+    /// ```
+    /// use stellate::language::Numbers;
+    /// use stellate::verb::{self, Given, InspectionOptions, Work};
+    /// let given = Given::read("r = 1 + cos(3t)/8", Numbers::Exact)?;
+    /// let task = verb::inspect(given, 2, &InspectionOptions::default(), &Work::default())?;
+    /// let sides = [0.0, 1.125, 1.2].map(|x| task.side_of_doubles([x, 0.0, 0.0]));
+    /// assert_eq!(sides, [Some(-1), Some(0), Some(1)]);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn side_of_doubles(&self, point: [f64; 3]) -> Option<i8> {
+        let exactly = || point.map(rational);
+        match (&self.against, &self.sides) {
+            (Against::Equation(inspector), _) => Some(inspector.side(point)),
+            (Against::Harmonic(inspector), _) => inspector.side(point, &exactly),
+            (_, Some(sides)) if sides.need_no_distance() => {
+                let [x, y, _] = point;
+                let of_point = PlanePoint {
+                    near: [x, y],
+                    slack: 0.0,
+                    exactly: &|| [x, y].map(rational),
+                };
+                Some(sides.sign(&of_point, &DistanceBounds::UNKNOWN))
+            }
+            _ => self.of_doubles(point).sign,
         }
     }
 

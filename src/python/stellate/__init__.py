@@ -4,9 +4,11 @@
 >>> curve = stellate.implicitize("r = 1 + cos(t)/5")
 >>> curve.degree, curve.parts
 (4, [4, 3, 2])
+
+Exact numbers are ``int`` and ``fractions.Fraction``; a float that is given is taken exactly, bit for bit. Angles are in radians. Remarks of
+the verbs go to the logger ``stellate``, at the level INFO.
 """
 
-from ._columns import Inspection
 from ._form import Form, form, from_points, from_series, from_terms
 from ._native import (
     InputError,
@@ -15,9 +17,10 @@ from ._native import (
     StellateError,
     __version__,
 )
+from ._options import FitOptions, ReadingOptions, SeriesOptions, WorkOptions
+from ._results import Check, Fit, FitTable, Inspection, Mesh, Samples
 from ._verbs import (
-    Fit,
-    Samples,
+    InspectOptions,
     check,
     describe,
     fit,
@@ -33,14 +36,22 @@ from ._verbs import (
 )
 
 __all__ = [
+    "Check",
     "Fit",
+    "FitOptions",
+    "FitTable",
     "Form",
     "InputError",
+    "InspectOptions",
     "Inspection",
     "InternalError",
     "LimitReached",
+    "Mesh",
+    "ReadingOptions",
     "Samples",
+    "SeriesOptions",
     "StellateError",
+    "WorkOptions",
     "__version__",
     "check",
     "describe",

@@ -3,48 +3,70 @@
 from __future__ import annotations
 
 import json
+import os
+from collections.abc import Mapping
 from fractions import Fraction
 from operator import index
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Sequence, Union, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._columns import Doubles, Inspection, Number, call, exact, inspection, table, value
+from ._call import Number, Progress, Source, call, exact, native_options, tell, value
+from ._options import ReadingOptions, prepared
+from ._points import AXES, Doubles, Points, columns, csv_table
+from ._results import NONE
 
 if TYPE_CHECKING:
     import sympy
+    from typing_extensions import Unpack
 
-FormLike = Union["Form", str, "PathLike[str]", Mapping[Any, Number]]
+FormLike = Union["Form", str, "PathLike[str]", Mapping[Any, Number], "sympy.Expr"]
+# As many inspectors are kept with a form; each has the tables that it needs for fast answers.
+KEPT = 8
 
 
 class Form:
     """A curve or surface: its text, a document, or the rows of an outline.
 
-    Two forms are equal if their documents are. The exact numbers of a form are ``int`` or ``fractions.Fraction``.
+    The exact numbers of a form are ``int`` or ``fractions.Fraction``.
+
+    Two forms are equal if they are of one kind, have the same exact data and the same center. Equations are F = 0, so they are equal up to
+    a constant factor of F; a curve and a radius that describe the same points are different forms. Equal forms have equal hashes.
 
     >>> import stellate
     >>> circle = stellate.form("x^2 + y^2 = 1/4")
     >>> circle.terms
     {(2, 0): 1, (0, 2): 1, (0, 0): Fraction(-1, 4)}
+    >>> circle == stellate.form("4x^2 + 4y^2 = 1")
+    True
     """
 
-    __slots__ = ("_document", "source")
+    __slots__ = ("_document", "_inspectors", "_key", "_radius", "place", "reading", "text")
 
-    source: tuple[str, str | None]
-    _document: dict[str, Any] | None
+    def __init__(self, text: str, place: str | None = None, reading: dict[str, Any] | None = None) -> None:
+        #: A text of the input language or a path, or the content of a document or table.
+        self.text = text
+        #: The name of that content in messages; None for a text or a path.
+        self.place = place
+        #: How the form is read.
+        self.reading = reading or {}
+        self._document: dict[str, Any] | None = None
+        self._key: tuple[Any, ...] | None = None
+        self._radius: _native.Radius | None = None
+        self._inspectors: dict[tuple[str, int], _native.Inspector] = {}
 
-    def __init__(self, text: str, place: str | None = None) -> None:
-        self.source = (text, place)
-        self._document = None
+    def source(self, reading: dict[str, Any] | None = None) -> Source:
+        """The form as the native functions take it, with further options of how it is read."""
+        return (self.text, self.place, json.dumps({**self.reading, **(reading or {})}))
 
     @property
     def document(self) -> dict[str, Any]:
         """The JSON document of the form, with exact numbers as texts."""
         if self._document is None:
-            self._document = json.loads(call("form", [self.source]))
+            self._document = json.loads(call("form", [self.source()]))
         return self._document
 
     def to_json(self) -> str:
@@ -53,7 +75,7 @@ class Form:
 
     @property
     def kind(self) -> str:
-        """The kind of the document: implicit, fourier, parametric, spherical, …"""
+        """The kind of the document: implicit, intersection, fourier, spherical, parametric, superquadric; or contour."""
         return str(self.document["kind"])
 
     def _implicit(self) -> dict[str, Any]:
@@ -63,13 +85,15 @@ class Form:
             )
         return self.document
 
+    def _series(self, name: str) -> list[int | Fraction]:
+        if self.kind != "fourier":
+            raise _native.InputError(f"this form is of the kind {self.kind}, and has no cos and sin")
+        return [value(text) for text in self.document[name]]
+
     @property
     def terms(self) -> dict[tuple[int, ...], int | Fraction]:
         """The terms of an equation: exponents and coefficients."""
-        return {
-            tuple(term["exponents"]): value(term["coefficient"])
-            for term in self._implicit()["terms"]
-        }
+        return _terms(self._implicit())
 
     @property
     def degree(self) -> int:
@@ -84,133 +108,249 @@ class Form:
     @property
     def cos(self) -> list[int | Fraction]:
         """The coefficients of the cosines of a Fourier radius, from 0 to N."""
-        return [value(text) for text in self.document["cos"]]
+        return self._series("cos")
 
     @property
     def sin(self) -> list[int | Fraction]:
         """The coefficients of the sines of a Fourier radius, from 0 to N."""
-        return [value(text) for text in self.document["sin"]]
+        return self._series("sin")
 
-    def sympy(self) -> sympy.Expr:
-        """The polynomial of an equation, or the radius of a Fourier form in the symbol theta, as a SymPy expression."""
-        import sympy
+    @property
+    def coefficients(self) -> dict[tuple[int, int], int | Fraction]:
+        """The coefficients of a harmonic surface, by (l, m), for unnormalised harmonics without the Condon–Shortley phase."""
+        if self.kind != "spherical":
+            raise _native.InputError(f"this form is of the kind {self.kind}, and has no coefficients (l, m)")
+        return {
+            (int(entry["l"]), int(entry["m"])): value(entry["value"])
+            for entry in self.document["coefficients"]
+        }
 
-        def rational(number: int | Fraction) -> sympy.Rational:
-            return sympy.Rational(number.numerator, number.denominator)
+    @property
+    def center(self) -> tuple[int | Fraction, ...] | None:
+        """The origin of the form's coordinates in the contour's own; None if they are the same."""
+        found = self.document.get("center")
+        return None if found is None else tuple(value(text) for text in found)
 
-        if self.kind == "fourier":
-            theta = sympy.Symbol("theta")
-            waves = [
-                rational(a) * sympy.cos(n * theta) + rational(b) * sympy.sin(n * theta)
-                for n, (a, b) in enumerate(zip(self.cos, self.sin))
-            ]
-            return sympy.Add(*waves)
-        symbols = sympy.symbols(self._implicit()["variables"])
-        products = [
-            sympy.Mul(rational(c), *(s**e for s, e in zip(symbols, exponents)))
-            for exponents, c in self.terms.items()
-        ]
-        return sympy.Add(*products)
+    def sympy(self) -> sympy.Basic:
+        """The form as a SymPy expression.
+
+        Of an equation its polynomial F; of a Fourier radius r in the symbol ``theta``, of a harmonic surface R in ``theta`` and ``phi``; of
+        a parametric form a ``Tuple`` of the coordinates, of an intersection one of the polynomials; of a superquadric its F.
+
+        Raises
+        ------
+        ImportError
+            If SymPy is not installed.
+        InputError
+            For a contour.
+        """
+        from ._symbols import to_sympy
+
+        return to_sympy(self)
 
     def latex(self) -> str:
-        """The form in LaTeX."""
-        if self.kind == "fourier":
-            names = [(r"\cos", self.cos), (r"\sin", self.sin)]
-            parts = [
-                (c, "" if n == 0 else rf" {name} {n if n > 1 else ''}\theta")
-                for n in range(len(self.cos))
-                for name, list_ in names
-                if (c := list_[n])
-            ]
-            return "r = " + _sum(parts)
-        variables = self._implicit()["variables"]
-        parts = [
-            (c, "".join(f" {v}" + (f"^{{{e}}}" if e > 1 else "") for v, e in zip(variables, key) if e))
-            for key, c in self.terms.items()
-        ]
-        return _sum(parts) + " = 0"
+        """The form in LaTeX: an equation, or one for each coordinate or surface, with line breaks between them."""
+        from ._symbols import to_latex
 
-    def _repr_latex_(self) -> str:
-        return f"${self.latex()}$"
+        return to_latex(self)
+
+    def _repr_latex_(self) -> str | None:
+        if self.kind == "contour":
+            return None
+        text = self.latex()
+        return rf"$\displaystyle \begin{{gathered}} {text} \end{{gathered}}$" if r"\\" in text else f"${text}$"
 
     def _repr_svg_(self) -> str:
-        return call("plot", [self.source], format="svg").decode()
+        return call("plot", [self.source()], format="svg").decode()
 
-    def radius(self, theta: npt.ArrayLike) -> Doubles:
-        """The radius r(θ) of a Fourier form at angles in radians, in doubles (approximate)."""
-        angles = np.asarray(theta, dtype=np.float64)
-        data = json.dumps(angles.ravel().tolist()).encode()
-        found = json.loads(call("radius", [self.source], data))
-        return np.asarray(found, dtype=np.float64).reshape(angles.shape)
+    def radius(self, theta: npt.ArrayLike, phi: npt.ArrayLike | None = None) -> Doubles:
+        """The radius in directions, in double precision, from the origin of the form's own coordinates.
 
-    def _inspected(self, points: npt.ArrayLike) -> Inspection:
-        data = table(points, ("x", "y", "z"))
-        return inspection(call("inspect", [self.source], data, tolerance="1").decode())
+        Parameters
+        ----------
+        theta, phi : array_like of float, in radians
+            The angle from +x towards +y and, for a surface, that from +z; they are broadcast against each other.
 
-    def sign(self, points: npt.ArrayLike) -> npt.NDArray[np.int8]:
-        """The side of each point, exactly: −1 inside, 0 on the form, 1 outside. Open curves and space curves have no sides."""
-        sign = self._inspected(points).sign
-        if np.ma.is_masked(sign):
+        Returns
+        -------
+        ndarray of float64
+            Of the shape of the angles. Of a Fourier radius r(θ), approximate: about 16 digits of the largest coefficient. Of a harmonic
+            surface R(θ, φ), of equations and superquadrics the outermost r > 0, each the double nearest to the exact radius in the rational
+            direction nearest to the angles; NaN where there is none.
+
+        Raises
+        ------
+        InputError
+            For contours and parametric forms, and for angles that are not finite.
+
+        >>> import stellate
+        >>> stellate.form("r = 2 + cos(t)").radius([0.0]).tolist()
+        [3.0]
+        >>> float(stellate.form("x^2 + y^2 = 4x").radius(0.0))
+        4.0
+        """
+        if self._radius is None:
+            self._radius = _native.Radius(self.source())
+        angles = [np.asarray(theta, dtype=np.float64)]
+        if phi is not None:
+            angles = list(np.broadcast_arrays(angles[0], np.asarray(phi, dtype=np.float64)))
+        flat = [angle.reshape(-1) for angle in angles]
+        found = self._radius.at(flat[0], flat[1] if phi is not None else None)
+        return cast(Doubles, found.reshape(angles[0].shape)[()])
+
+    def _inspector(
+        self, dimension: int, options: str, reading: dict[str, Any], progress: Progress | None
+    ) -> _native.Inspector:
+        """The inspector with these options, which is kept. One that may never be over is made once."""
+        source = self.source(reading)
+        key = (source[2] + options, dimension)
+        known = self._inspectors.get(key)
+        if known is None or known.is_over:
+            known = _native.Inspector(source, options, dimension, progress)
+            tell(known.notes)
+            if '"time_limit"' in options:
+                return known
+            while len(self._inspectors) >= KEPT:
+                del self._inspectors[next(iter(self._inspectors))]
+            self._inspectors[key] = known
+        return known
+
+    def sign(self, points: Points, *, progress: Progress | None = None) -> npt.NDArray[np.int8]:
+        """The side of each point, exactly.
+
+        Parameters
+        ----------
+        points : array_like of float64, shape (…, 2) or (…, 3), or an Arrow table with columns x, y and z
+            In original coordinates; each double is taken exactly.
+
+        Returns
+        -------
+        ndarray of int8, shape (…)
+            −1 inside, 0 on the form, 1 outside. Of an equation, the sign of its polynomial with a positive first term.
+
+        Raises
+        ------
+        InputError
+            For open curves and space curves, which have no sides; for points that are not finite, by their row.
+
+        >>> import stellate
+        >>> stellate.form("r = 1 + cos(3*t)/8").sign([[0, 0], [1.125, 0], [2, 0]])
+        array([-1,  0,  1], dtype=int8)
+        """
+        axes, shape, _ = columns(points)
+        found = self._inspector(len(axes), "{}", {}, progress).sign(axes, progress)
+        if (found == NONE).any():
             raise _native.InputError(
                 "a point has no side: this form is no closed curve or surface, or it is not decided"
             )
-        return sign.filled()
+        return cast("npt.NDArray[np.int8]", found.reshape(shape)[()])
 
-    def distance(self, points: npt.ArrayLike) -> tuple[Doubles, Doubles]:
-        """Certified lower and upper bounds of the distance of each point."""
-        found = self._inspected(points)
-        return found.distance_low, found.distance_high
+    def distance(
+        self, points: Points, *, digits: int = 6, progress: Progress | None = None
+    ) -> tuple[Doubles, Doubles]:
+        """Certified bounds of the distance of each point from the form.
+
+        Parameters
+        ----------
+        points : array_like of float64, shape (…, 2) or (…, 3), or an Arrow table with columns x, y and z
+        digits : int
+            The significant digits that the bounds should determine.
+
+        Returns
+        -------
+        low, high : ndarray of float64, shape (…)
+
+        >>> import stellate
+        >>> low, high = stellate.form("x^2 + y^2 = 4").distance([0, 5])
+        >>> bool(low <= 3 <= high and high - low < 1e-5)
+        True
+        """
+        axes, shape, _ = columns(points)
+        options = native_options({"digits": digits})
+        found = self._inspector(len(axes), options, {}, progress).inspect(axes, progress)
+        low, high = (cast(Doubles, bound.reshape(shape)[()]) for bound in found[2:4])
+        return low, high
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Form) and self._key() == other._key()
+        return isinstance(other, Form) and self._identity() == other._identity()
 
     def __hash__(self) -> int:
-        return hash(self._key())
+        return hash(self._identity())
 
-    def _key(self) -> str:
-        document = self.document
-        if document["kind"] == "contour":
-            return repr(self.source)
-        left_out = ("notes", "schema")
-        return json.dumps({k: v for k, v in document.items() if k not in left_out}, sort_keys=True)
+    def _identity(self) -> tuple[Any, ...]:
+        """What makes a form equal to another."""
+        if self._key is None:
+            document = self.document
+            is_contour = document["kind"] == "contour"
+            self._key = ("contour", *self.source()) if is_contour else _identity(document)
+        return self._key
 
-    def __reduce__(self) -> tuple[type[Form], tuple[str, str | None]]:
-        return (Form, self.source)
+    def __reduce__(self) -> tuple[type[Form], tuple[str, str | None, dict[str, Any]]]:
+        # A file may be elsewhere, or another one, where this is read again.
+        if self.place is None and os.path.exists(self.text) and self.kind != "contour":
+            return (Form, (self.to_json(), os.path.basename(self.text), {}))
+        return (Form, (self.text, self.place, self.reading))
 
     def __repr__(self) -> str:
-        text, place = self.source
-        return f"stellate.form({text!r})" if place is None else f"<stellate form from {place}>"
+        return f"stellate.form({self.text!r})" if self.place is None else f"<stellate form from {self.place}>"
 
 
-def _sum(parts: Sequence[tuple[int | Fraction, str]]) -> str:
-    text = ""
-    for c, factor in parts:
-        size = abs(Fraction(c))
-        number = str(size) if size.denominator == 1 else rf"\frac{{{size.numerator}}}{{{size.denominator}}}"
-        if size == 1 and factor:
-            number = ""
-        sign = "-" if c < 0 else "+"
-        text += f" {sign} {number}{factor}" if text else f"{'-' if c < 0 else ''}{number}{factor}"
-    return text.replace("  ", " ").strip() or "0"
+def _terms(document: dict[str, Any]) -> dict[tuple[int, ...], int | Fraction]:
+    return {tuple(term["exponents"]): value(term["coefficient"]) for term in document["terms"]}
 
 
-def form(given: FormLike) -> Form:
-    """A form from a text, a path, or the terms of a polynomial.
+def _identity(document: dict[str, Any]) -> tuple[Any, ...]:
+    kind = document["kind"]
+    center = tuple(Fraction(c) for c in document.get("center", ()))
+    placed = (kind, center if any(center) else ())
+    if kind == "implicit":
+        terms = sorted(_terms(document).items(), reverse=True)
+        first = Fraction(terms[0][1]) if terms else Fraction(1)
+        monic = tuple((exponents, c / first) for exponents, c in terms)
+        return (*placed, len(document["variables"]), monic)
+    if kind == "intersection":
+        return (*placed, tuple(_identity(surface) for surface in document["surfaces"]))
+    if kind == "fourier":
+        pairs = [(Fraction(a), Fraction(b)) for a, b in zip(document["cos"], document["sin"])]
+        while len(pairs) > 1 and not any(pairs[-1]):
+            pairs.pop()
+        return (*placed, tuple(pairs))
+    if kind == "spherical":
+        values = {(c["l"], c["m"]): Fraction(c["value"]) for c in document["coefficients"]}
+        return (*placed, tuple(sorted((k, v) for k, v in values.items() if v)))
+    names = ("parameters", "coordinates", "dimension", "a", "e", "level")
+    return (*placed, json.dumps({k: document[k] for k in names if k in document}, sort_keys=True))
+
+
+def form(given: FormLike, **reading: Unpack[ReadingOptions]) -> Form:
+    """A form from a text, a path, a document, the terms of a polynomial, or a SymPy expression in x, y and z.
+
+    Options
+    -------
+    numbers, columns, weights, cloud, blob, threshold, invert, repair, normalization, condon_shortley
+        How it is read, as in ``stellate fit --help``.
+
+    Raises
+    ------
+    InputError
+        For another type. A text is read when the form is first used.
 
     >>> import stellate
     >>> stellate.form({(4, 0): 1, (2, 0): -1, (0, 2): 1}).degree
     4
     """
+    how = prepared(dict(reading), ReadingOptions).reading
     if isinstance(given, Form):
-        return given
+        return Form(given.text, given.place, {**given.reading, **how}) if how else given
     if isinstance(given, Mapping):
         return from_terms(given)
     if isinstance(given, PathLike):
-        return Form(str(given))
+        return Form(os.fspath(given), None, how)
     if isinstance(given, str):
-        return Form(given, "document") if given.lstrip().startswith("{") else Form(given)
+        is_document = given.lstrip().startswith("{")
+        return Form(given, "document" if is_document else None, how)
     if type(given).__module__.startswith("sympy"):
-        return Form(str(given))
+        return Form(str(given), None, how)
     raise _native.InputError(f"a form is a text, a path or terms, not {type(given).__name__}")
 
 
@@ -224,37 +364,45 @@ def from_terms(terms: Mapping[Any, Number]) -> Form:
                 f"terms: exponents are two or three integers that are not negative, not {exponents}"
             )
         powers = [f"*{v}^{index(e)}" for v, e in zip(names, exponents) if e]
-        parts.append(f"({_finite(c)})" + "".join(powers))
+        parts.append(f"({exact(c)})" + "".join(powers))
     if not parts:
         raise _native.InputError("terms: a polynomial has at least one term")
     three = any(len(key) == 3 for key in terms)
     return Form(" + ".join(parts) + (" + 0*z" if three else "") + " = 0")
 
 
-def _finite(number: Number) -> str:
-    """The text of a number that is not infinite and not NaN."""
-    try:
-        return exact(number)
-    except (ValueError, OverflowError) as error:
-        raise _native.InputError(f"{number} is not a number") from error
-
-
 def from_series(cos: Sequence[Number], sin: Sequence[Number] | None = None) -> Form:
-    """The Fourier radius ``r = cos[0] + Σ cos[n] cos nθ + sin[n] sin nθ``; ``sin[0]`` is not used.
+    """The Fourier radius ``r = cos[0] + Σ cos[n] cos nθ + sin[n] sin nθ``.
+
+    Raises
+    ------
+    InputError
+        For a ``sin[0]`` that is not 0, since it belongs to nothing.
 
     >>> import stellate
     >>> stellate.from_series([1, 0, "1/5"]).cos
     [1, 0, Fraction(1, 5)]
     """
-    size = max(len(cos), len(sin or ()))
+    sin = [] if sin is None else sin
+    size = max(len(cos), len(sin))
     if size == 0:
         raise _native.InputError("a series has at least the mean, cos[0]")
-    padded = [[*map(_finite, list_ or ()), *["0"] * (size - len(list_ or ()))] for list_ in (cos, sin)]
-    padded[1][0] = "0"
+    padded = [[*map(exact, list_), *["0"] * (size - len(list_))] for list_ in (cos, sin)]
+    if value(padded[1][0]) != 0:
+        raise _native.InputError(
+            f"sin[0] is {padded[1][0]}, but there is no sine of the order 0: sin[n] belongs to sin nθ"
+        )
     document = {"schema": "stellate/1", "kind": "fourier", "cos": padded[0], "sin": padded[1]}
     return Form(json.dumps(document), "series")
 
 
-def from_points(points: npt.ArrayLike) -> Form:
-    """The outline with these vertices in order: an array of shape (n, 2)."""
-    return Form(table(points, ("x", "y")).decode(), "points.csv")
+def from_points(points: Points, **reading: Unpack[ReadingOptions]) -> Form:
+    """The outline with these vertices in order: an array of shape (n, 2), or an Arrow table with columns x and y.
+
+    With ``cloud=True``, points in no order.
+    """
+    axes, shape, _ = columns(points)
+    if len(axes) != 2 or len(shape) != 1:
+        raise _native.InputError(f"points: an outline is an array of shape (n, 2), not {(*shape, len(axes))}")
+    how = prepared(dict(reading), ReadingOptions).reading
+    return Form(csv_table(axes, AXES).decode(), "points.csv", how)

@@ -1,0 +1,265 @@
+//! Forms that are compared with columns of coordinates.
+
+use std::sync::Arc;
+
+use numpy::ndarray::ArrayView1;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use super::exceptions::{InputError, exception};
+use super::options::{Options, reading};
+use super::run::given;
+use super::watch::{Wait, Watch, guarded, pool};
+use crate::error::{Error, Result};
+use crate::inspect::{Inspection, Verdict};
+use crate::limits::Limits;
+use crate::verb::{self, InspectionTask, Watcher, Work};
+
+/// The number of points between two reports of progress.
+const CHUNK: usize = 1 << 15;
+/// The number of points that one thread takes at a time, at least.
+const SHARE: usize = 64;
+/// This many points are answered at once: to hand them to another thread would take longer.
+const FEW: usize = 4;
+
+/// The codes of verdicts: their places in the list of names in the package.
+fn code(verdict: Verdict) -> i8 {
+    match verdict {
+        Verdict::Inside => 0,
+        Verdict::Outside => 1,
+        Verdict::Undecided => 2,
+    }
+}
+
+/// What stands for an answer that there is not, in columns of −1, 0 and 1.
+const NONE: i8 = 2;
+
+/// A form and a tolerance, ready to be compared with any number of points.
+#[pyclass(frozen, module = "stellate._native")]
+#[derive(Debug)]
+pub(super) struct Inspector {
+    task: InspectionTask,
+    limits: Limits,
+    threads: Option<usize>,
+    notes: Vec<String>,
+}
+
+/// The coordinates of points, one column for each axis.
+struct Columns<'a> {
+    axes: Vec<ArrayView1<'a, f64>>,
+}
+
+impl Columns<'_> {
+    fn len(&self) -> usize {
+        self.axes[0].len()
+    }
+
+    /// A point; in the plane z is 0.
+    fn point(&self, k: usize) -> Result<[f64; 3]> {
+        let mut point = [0.0; 3];
+        for (coordinate, axis) in point.iter_mut().zip(&self.axes) {
+            *coordinate = axis[k];
+        }
+        match point.iter().all(|x| x.is_finite()) {
+            true => Ok(point),
+            false => Err(Error::Data {
+                place: format!("points, row {k}"),
+                message: "coordinates are finite numbers; rows are counted from 0".into(),
+            }),
+        }
+    }
+}
+
+/// The columns of inspections.
+#[derive(Default)]
+struct Found {
+    verdict: Vec<i8>,
+    curve: Vec<i8>,
+    low: Vec<f64>,
+    high: Vec<f64>,
+    sign: Vec<i8>,
+}
+
+impl Found {
+    fn add(&mut self, found: &Inspection) {
+        self.verdict.push(code(found.verdict));
+        self.curve.push(found.curve.map_or(NONE, i8::from));
+        self.low.push(found.distance.low);
+        self.high.push(found.distance.high);
+        self.sign.push(found.sign.unwrap_or(NONE));
+    }
+}
+
+type Answer<'py> = (
+    Bound<'py, PyArray1<i8>>,
+    Bound<'py, PyArray1<i8>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<i8>>,
+);
+
+#[pymethods]
+impl Inspector {
+    /// The inspector of a form, given as for `call`, for points with two or three coordinates.
+    #[new]
+    fn new(
+        python: Python<'_>,
+        form: (String, Option<String>, String),
+        options: &str,
+        dimension: usize,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let read = || {
+            let options = Options::read(options)?;
+            let limits = options.limits()?;
+            let pool = pool(options.threads)?;
+            Ok((options, limits, pool))
+        };
+        let (options, limits, pool) = read().map_err(|error| exception(&error))?;
+        let watch = Arc::new(Watch::default());
+        let wait = Wait {
+            python,
+            progress,
+            limits: &limits,
+            watch: &watch,
+        };
+        let threads = options.threads;
+        let (in_work, watched) = (limits.clone(), Arc::clone(&watch));
+        let task = wait.for_owned(&pool, move || {
+            let mut work = Work::default().limits(in_work).watched_by(watched);
+            if let Some(degree) = options.max_degree {
+                work = work.max_degree(degree);
+            }
+            let given = given(&form, &reading(&form.2)?, &work)?;
+            verb::inspect(given, dimension, &options.inspection()?, &work)
+        })?;
+        Ok(Self {
+            task,
+            limits,
+            threads,
+            notes: watch.notes(),
+        })
+    }
+
+    /// The remarks about the form.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.notes.clone()
+    }
+
+    /// Whether this can be asked no more, because its work was interrupted.
+    #[getter]
+    fn is_over(&self) -> bool {
+        self.limits.check().is_err()
+    }
+
+    /// The verdicts (0 inside, 1 outside, 2 undecided), the criterion of Theorem 8 (1 true, 0 false, 2 undecided), the bounds of the
+    /// distances, and the signs (2 for none) of points with these columns of coordinates.
+    fn inspect<'py>(
+        &self,
+        python: Python<'py>,
+        columns: Vec<PyReadonlyArray1<'py, f64>>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Answer<'py>> {
+        let columns = self.columns(&columns)?;
+        let mut found = Found::default();
+        self.each(
+            python,
+            progress,
+            &columns,
+            |point| self.task.of_doubles(point),
+            |inspection| found.add(&inspection),
+        )?;
+        Ok((
+            found.verdict.into_pyarray(python),
+            found.curve.into_pyarray(python),
+            found.low.into_pyarray(python),
+            found.high.into_pyarray(python),
+            found.sign.into_pyarray(python),
+        ))
+    }
+
+    /// The sides of points with these columns of coordinates: −1, 0, 1, or 2 where there is none.
+    fn sign<'py>(
+        &self,
+        python: Python<'py>,
+        columns: Vec<PyReadonlyArray1<'py, f64>>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArray1<i8>>> {
+        let columns = self.columns(&columns)?;
+        let mut signs = Vec::with_capacity(columns.len());
+        self.each(
+            python,
+            progress,
+            &columns,
+            |point| self.task.side_of_doubles(point),
+            |sign| signs.push(sign.unwrap_or(NONE)),
+        )?;
+        Ok(signs.into_pyarray(python))
+    }
+}
+
+impl Inspector {
+    fn columns<'a>(&self, columns: &'a [PyReadonlyArray1<'_, f64>]) -> PyResult<Columns<'a>> {
+        let axes: Vec<_> = columns.iter().map(PyReadonlyArray1::as_array).collect();
+        let is_right = axes.len() == self.task.dimension()
+            && axes.iter().all(|axis| axis.len() == axes[0].len());
+        match is_right {
+            true => Ok(Columns { axes }),
+            false => Err(InputError::new_err(format!(
+                "points: {} columns of one length are expected",
+                self.task.dimension()
+            ))),
+        }
+    }
+
+    /// Answers for every point, in their order. The answers are handed over some thousands at a time.
+    fn each<T: Send>(
+        &self,
+        python: Python<'_>,
+        progress: Option<&Bound<'_, PyAny>>,
+        columns: &Columns<'_>,
+        answer: impl Fn([f64; 3]) -> T + Sync,
+        mut take: impl FnMut(T) + Send,
+    ) -> PyResult<()> {
+        let one = |k: usize| {
+            let point = columns.point(k)?;
+            self.limits.check()?;
+            let found = answer(point);
+            // An answer that a limit has ended is none.
+            self.limits.check()?;
+            Ok(found)
+        };
+        let count = columns.len();
+        if count <= FEW {
+            let found =
+                python.detach(|| guarded(|| (0..count).map(one).collect::<Result<Vec<_>>>()));
+            let found = found.map_err(|error| exception(&error))?;
+            found.into_iter().for_each(take);
+            return Ok(());
+        }
+        let watch = Watch::default();
+        let pool = pool(self.threads).map_err(|error| exception(&error))?;
+        let wait = Wait {
+            python,
+            progress,
+            limits: &self.limits,
+            watch: &watch,
+        };
+        wait.for_borrowed(&pool, || {
+            for start in (0..count).step_by(CHUNK) {
+                watch.progress("inspecting", start as u64, count as u64);
+                let end = count.min(start + CHUNK);
+                let found: Result<Vec<T>> = (start..end)
+                    .into_par_iter()
+                    .with_min_len(SHARE)
+                    .map(one)
+                    .collect();
+                found?.into_iter().for_each(&mut take);
+            }
+            watch.progress("inspecting", count as u64, count as u64);
+            Ok(())
+        })
+    }
+}

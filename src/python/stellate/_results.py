@@ -1,0 +1,358 @@
+"""What verbs answer: columns of NumPy, which are tables of Arrow, too."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Iterator, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from ._points import Doubles, any_column
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+    from ._form import Form
+
+    # NumPy imports its module of masked arrays when it is first used.
+    Signs = np.ma.MaskedArray[Any, np.dtype[np.int8]]
+    Flags = np.ma.MaskedArray[Any, np.dtype[np.bool_]]
+
+Codes = npt.NDArray[np.int8]
+VERDICTS = ("inside", "outside", "undecided")
+# What stands for an answer that there is not, in native columns of −1, 0 and 1.
+NONE = 2
+
+
+class Table:
+    """Columns that Arrow can read, by ``to_arrow()`` or by its PyCapsule interface. They need pyarrow."""
+
+    def to_arrow(self) -> pa.Table:
+        """The columns as a ``pyarrow.Table``; those of numbers are not copied."""
+        raise NotImplementedError
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
+
+class Inspection(Table):
+    """The certified answers for points, one element for each.
+
+    Attributes
+    ----------
+    verdict : ndarray of str
+        ``"inside"`` for a distance of at most the tolerance, else ``"outside"``, exactly; ``"undecided"`` if ``budget`` was too small.
+    curve : masked array of bool
+        The paper's criterion: whether the form meets the sphere about the point whose radius is the tolerance. Masked: undecided.
+    distance_low, distance_high : ndarray of float64
+        Certified bounds of the distance, in the units of the form.
+    sign : masked array of int8
+        −1 inside, 0 on the form, 1 outside. Masked where a point has no side: for open curves and space curves.
+    row : ndarray of int64
+        The numbers of the points, from 0; some are missing only with ``skip_bad=True``.
+    """
+
+    __slots__ = ("_codes", "_curve", "_sign", "_kept", "_shape", "distance_low", "distance_high", "row")
+
+    def __init__(
+        self,
+        found: tuple[Codes, Codes, Doubles, Doubles, Codes],
+        shape: tuple[int, ...],
+        row: npt.NDArray[np.int64],
+        kept: pa.Table | None,
+    ) -> None:
+        codes, curve, low, high, sign = (column.reshape(shape) for column in found)
+        self._codes, self._curve, self._sign = codes, curve, sign
+        self.distance_low: Doubles = low
+        self.distance_high: Doubles = high
+        self.row = row
+        self._kept = kept
+        self._shape = shape
+
+    @property
+    def verdict(self) -> npt.NDArray[np.str_]:
+        return np.array(VERDICTS)[self._codes]
+
+    @property
+    def inside(self) -> npt.NDArray[np.bool_]:
+        """Whether the verdict is ``"inside"``."""
+        return np.equal(self._codes, 0)
+
+    @property
+    def curve(self) -> Flags:
+        return np.ma.MaskedArray(self._curve == 1, mask=self._curve == NONE)
+
+    @property
+    def sign(self) -> Signs:
+        return np.ma.MaskedArray(self._sign, mask=self._sign == NONE)
+
+    def __len__(self) -> int:
+        return self._codes.size
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{(self._codes == k).sum()} {name}" for k, name in enumerate(VERDICTS))
+        return f"<stellate inspection: {counts}>"
+
+    def to_arrow(self) -> pa.Table:
+        """The columns ``verdict, curve, distance_low, distance_high, sign``; with ``keep=True`` behind those of the points."""
+        import pyarrow
+
+        def flat(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+            return array.reshape(-1)
+
+        names = pyarrow.DictionaryArray.from_arrays(pyarrow.array(flat(self._codes)), list(VERDICTS))
+        columns = {
+            "verdict": names.dictionary_decode(),
+            "curve": pyarrow.array(flat(self._curve == 1), mask=flat(self._curve == NONE)),
+            "distance_low": pyarrow.array(flat(self.distance_low)),
+            "distance_high": pyarrow.array(flat(self.distance_high)),
+            "sign": pyarrow.array(flat(self._sign), mask=flat(self._sign == NONE)),
+        }
+        if self._kept is None:
+            return pyarrow.table(columns)
+        table = self._kept
+        if len(self.row) < table.num_rows:
+            table = table.take(pyarrow.array(self.row))
+        for name, column in columns.items():
+            table = table.append_column(name, column)
+        return table
+
+
+class Samples(Table):
+    """Certified points, one element for each.
+
+    Attributes
+    ----------
+    branch : ndarray of int64
+        The number of the point among those of its direction; of an intersection, the number of the arc.
+    theta, phi : ndarray of float64, in radians
+        The nominal angles; ``phi`` only in space.
+    r, x, y, z : ndarray of float64
+        The doubles nearest to the exact radius and coordinates; ``z`` only in space.
+    multiplicity : ndarray of int64
+    columns : dict of ndarray
+        All columns, by their names in the program's table, without the exact directions. Of an intersection there are
+        ``arc, point, x, y, z, bound, residual1, residual2``: each point is within ``bound`` of the curve.
+    center : tuple of int or Fraction, or None
+        The origin of the coordinates, if it is not (0, 0).
+    """
+
+    def __init__(self, text: str) -> None:
+        from ._points import rows_of
+
+        rows = rows_of(text)
+        first = text.split("\n", 1)[0]
+        self.center: tuple[Fraction, ...] | None = None
+        if first.startswith("# center"):
+            self.center = tuple(Fraction(c) for c in first.split()[2:])
+        header = next(line for line in text.split("\n") if not line.startswith("#")).split(",")
+        self._axes = [name for name in ("u", "v", "w") if name in header]
+        self._exact = [[row[axis] for axis in self._axes] for row in rows]
+        whole = ("branch", "multiplicity", "arc", "point")
+        self.columns: dict[str, npt.NDArray[Any]] = {
+            name: np.array([row[name] for row in rows], dtype=np.str_).astype(
+                np.int64 if name in whole else np.float64
+            )
+            for name in header
+            if name not in self._axes
+        }
+
+    @property
+    def directions(self) -> list[tuple[Fraction, ...]]:
+        """The exact unit vectors of the directions, one for each point."""
+        return [tuple(map(Fraction, row)) for row in self._exact]
+
+    @property
+    def branch(self) -> npt.NDArray[np.int64]:
+        return self.columns["branch" if "branch" in self.columns else "arc"]
+
+    @property
+    def multiplicity(self) -> npt.NDArray[np.int64]:
+        return self.columns["multiplicity"]
+
+    @property
+    def theta(self) -> Doubles:
+        return self.columns["theta"]
+
+    @property
+    def phi(self) -> Doubles | None:
+        return self.columns.get("phi")
+
+    @property
+    def r(self) -> Doubles:
+        return self.columns["r"]
+
+    @property
+    def x(self) -> Doubles:
+        return self.columns["x"]
+
+    @property
+    def y(self) -> Doubles:
+        return self.columns["y"]
+
+    @property
+    def z(self) -> Doubles | None:
+        return self.columns.get("z")
+
+    def __len__(self) -> int:
+        return self.x.size
+
+    def __repr__(self) -> str:
+        return f"<stellate samples: {len(self)} points, {', '.join(self.columns)}>"
+
+    def to_arrow(self) -> pa.Table:
+        """The columns; exact directions are texts ``u, v`` and in space ``w``."""
+        import pyarrow
+
+        exact = {
+            axis: pyarrow.array([row[k] for row in self._exact], pyarrow.string())
+            for k, axis in enumerate(self._axes)
+        }
+        return pyarrow.table({**self.columns, **exact})
+
+
+class Check(Table, Mapping[str, Any]):
+    """How far the numbers of a float program are from the exact ones: a mapping, the document of the kind ``check``.
+
+    Attributes
+    ----------
+    columns : dict of ndarray
+        One element for each number that was compared, with the names of the program's table: ``got``, ``exact``, ``digits``, ``ulps``, …
+    """
+
+    def __init__(self, document: dict[str, Any], table: str) -> None:
+        from ._points import rows_of
+
+        self._document = document
+        rows = rows_of(table)
+        header = table.split("\n", 1)[0].split(",")
+        self.columns = {name: any_column([row[name] for row in rows]) for name in header if name}
+
+    @property
+    def passes(self) -> bool | None:
+        """Whether everything has the ``digits`` that were asked for; None if none were."""
+        return self._document.get("passes")
+
+    @property
+    def mistakes(self) -> list[dict[str, Any]]:
+        """The mistakes that were recognised."""
+        return list(self._document.get("mistakes", ()))
+
+    def __getitem__(self, name: str) -> Any:
+        return self._document[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._document)
+
+    def __len__(self) -> int:
+        return len(self._document)
+
+    def __repr__(self) -> str:
+        worst = (self._document.get("worst") or {}).get("digits")
+        return f"<stellate check: {self['compared']} compared, worst digits {worst}, {len(self.mistakes)} mistakes>"
+
+    def to_arrow(self) -> pa.Table:
+        """One row for each number that was compared."""
+        import pyarrow
+
+        return pyarrow.table({k: v.tolist() if v.dtype.kind == "U" else v for k, v in self.columns.items()})
+
+
+class Mesh(Table):
+    """Triangles of a surface.
+
+    Attributes
+    ----------
+    vertices : ndarray of float64, shape (n, 3)
+        Each has a certified zero near it; how near, the logger ``stellate`` is told.
+    normals : ndarray of float32, shape (n, 3)
+    triangles : ndarray of uint32, shape (m, 3)
+        The indices of the vertices of each triangle, counter-clockwise from outside.
+    """
+
+    def __init__(self, ply: bytes) -> None:
+        head, _, body = ply.partition(b"end_header\n")
+        counts = {
+            line.split()[1]: int(line.split()[2])
+            for line in head.decode().splitlines()
+            if line.startswith("element")
+        }
+        points = np.frombuffer(body, dtype=[("p", "<f8", 3), ("n", "<f4", 3)], count=counts["vertex"])
+        faces = np.frombuffer(
+            body, dtype=[("k", "u1"), ("v", "<u4", 3)], count=counts["face"], offset=points.nbytes
+        )
+        self.vertices: Doubles = np.ascontiguousarray(points["p"])
+        self.normals: npt.NDArray[np.float32] = np.ascontiguousarray(points["n"])
+        self.triangles: npt.NDArray[np.uint32] = np.ascontiguousarray(faces["v"])
+
+    def __repr__(self) -> str:
+        return f"<stellate mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+
+    def to_arrow(self) -> pa.Table:
+        """The vertices and normals: ``x, y, z, nx, ny, nz``."""
+        import pyarrow
+
+        names = ("x", "y", "z", "nx", "ny", "nz")
+        columns = [*self.vertices.T, *self.normals.T]
+        return pyarrow.table({name: np.ascontiguousarray(c) for name, c in zip(names, columns)})
+
+
+class Fit:
+    """A series that was fitted to an outline or a mesh.
+
+    Attributes
+    ----------
+    form : Form
+        The Fourier radius, the elliptic series or the harmonic surface; its coefficients are exact.
+    document : dict
+        What the program writes, with all errors.
+    """
+
+    def __init__(self, form: Form, document: dict[str, Any]) -> None:
+        self.form = form
+        self.document = document
+
+    @property
+    def max_radial_error(self) -> float | None:
+        """The largest radial error at the samples (approximate); None for an elliptic series."""
+        error = self.document.get("max_radial_error")
+        return None if error is None else float(error)
+
+    @property
+    def distance(self) -> tuple[float, float] | None:
+        """Certified bounds of the Hausdorff distance between the outline and the curve; None for a mesh."""
+        found = self.document.get("distance")
+        return None if found is None else (float(found["low"]), float(found["high"]))
+
+    def __repr__(self) -> str:
+        return f"<stellate fit: {self.form.kind}, max_radial_error {self.max_radial_error}, distance {self.distance}>"
+
+
+class FitTable(Table):
+    """The fits of several outlines.
+
+    Attributes
+    ----------
+    columns : dict of ndarray
+        One element for each outline, with the names of the program's table: ``file, blob, model, harmonics, degree, …`` and the
+        coefficients.
+    """
+
+    def __init__(self, text: str) -> None:
+        from ._points import rows_of
+
+        rows = rows_of(text)
+        self.columns = {name: any_column([row[name] for row in rows]) for name in rows[0]}
+
+    def __len__(self) -> int:
+        return len(self.columns["file"])
+
+    def __repr__(self) -> str:
+        return f"<stellate fits of {len(self)} outlines>"
+
+    def to_arrow(self) -> pa.Table:
+        """One row for each outline."""
+        import pyarrow
+
+        return pyarrow.table({k: v.tolist() if v.dtype.kind == "U" else v for k, v in self.columns.items()})
