@@ -28,6 +28,9 @@ pub mod proofs {}
 #[doc = include_str!("python.md")]
 pub mod python {}
 
+#[doc = include_str!("clusters.md")]
+pub mod clusters {}
+
 #[doc = include_str!("glossary.md")]
 pub mod glossary {}
 

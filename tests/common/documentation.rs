@@ -1,6 +1,6 @@
 //! The files whose commands are run, in the order in which they build on each other.
 
-pub(crate) const DOCUMENTATION: [&str; 13] = [
+pub(crate) const DOCUMENTATION: [&str; 14] = [
     "README.md",
     "src/guide/tour.md",
     "src/guide/space.md",
@@ -11,6 +11,7 @@ pub(crate) const DOCUMENTATION: [&str; 13] = [
     "src/guide/results.md",
     "src/guide/proofs.md",
     "src/guide/python.md",
+    "src/guide/clusters.md",
     "src/guide/glossary.md",
     "src/guide/performance.md",
     "src/guide/contributing.md",

@@ -25,6 +25,7 @@ mod option_spellings;
 mod outlines;
 mod point_files;
 mod proofs;
+mod python;
 mod read_back;
 mod spellings;
 mod terminal;

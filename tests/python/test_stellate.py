@@ -93,7 +93,76 @@ def test_inspection_and_check():
     right = stellate.check("x^2 + y^2 = 1", coefficients={(2, 0): 1.0, (0, 2): 1.0, (0, 0): -1.0})
     assert right["missing"] == [] and right["mistakes"] == []
     wrong = stellate.check("x^2 + y^2 = 1", coefficients={(2, 0): 1.0, (0, 0): -1.0})
-    assert wrong["missing"]
+    assert wrong["missing"] and len(wrong.columns["digits"]) == wrong["compared"]
+    # Harmonic surfaces: by (l, m), and radii in directions of two angles.
+    surface = "R = 2 + Y(1,0)/2 + Y(2,-1)/7"
+    values = {(0, 0): 2.0, (1, 0): 0.5, (2, -1): 1 / 7}
+    assert stellate.check(surface, coefficients=values, digits=12).passes
+    flipped = stellate.check(surface, coefficients={**values, (2, -1): -1 / 7})
+    assert flipped.mistakes
+    theta, phi = np.meshgrid(np.linspace(0, 6, 8), np.linspace(0.1, 3, 8))
+    radii = stellate.form(surface).radius(theta, phi)
+    rows = np.column_stack([theta.ravel(), phi.ravel(), radii.ravel()])
+    assert stellate.check(surface, radii=rows, digits=12).passes
+    with pytest.raises(stellate.InputError, match="keys"):
+        stellate.check(surface, coefficients={(1,): 2.0})
+    with pytest.raises(stellate.InputError, match="one of"):
+        stellate.check(surface)
+    ladder = stellate.check("r = 1 + cos(3*t)/5", itself=True)
+    assert len(ladder.columns) >= 3
+
+
+def test_fits_of_many_kinds(tmp_path):
+    butterfly = ROOT / "paper-examples/e02-butterfly"
+    table = stellate.fit(butterfly / "butterfly.png", 5, all=True)
+    assert len(table) == 1 and table.columns["harmonics"].tolist() == [5]
+    several = stellate.fit([butterfly / "butterfly.csv", butterfly / "butterfly.png"], 2, all=True)
+    assert several.columns["blob"].tolist() == [1, 1]
+    angles = np.linspace(0, 2 * np.pi, 300, endpoint=False)
+    ring = np.column_stack([2 * np.cos(angles), np.sin(angles)])
+    shuffled = np.random.default_rng(1).permutation(ring)
+    assert stellate.fit(shuffled, 4, cloud=True).form.kind == "fourier"
+    path = tmp_path / "weighted.csv"
+    rows = "".join(f"{x!r},{y!r},1\n" for x, y in ring.tolist())
+    path.write_text("x,y,w\n" + rows)
+    assert stellate.fit(path, 4, weights="w").form.kind == "fourier"
+    assert stellate.fit(path, 4, columns=(1, 2)).form == stellate.fit(ring, 4).form
+    stellate.mesh("R = 2 + Y(1,0)/2", tmp_path / "egg.ply", resolution=16)
+    egg = stellate.fit(tmp_path / "egg.ply", degree=3)
+    assert egg.form.kind == "spherical" and abs(float(egg.form.coefficients[1, 0]) - 0.5) < 0.05
+    with pytest.raises(stellate.InputError, match="degree or tolerance"):
+        stellate.fit(tmp_path / "egg.ply", 3, degree=3)
+    with pytest.raises(stellate.InputError, match="closed mesh"):
+        stellate.fit(ring, degree=3)
+    crossing = np.array([[0, 0], [4, 0], [4, 3], [0, 3], [-0.2, 2.9], [0.2, 2.8], [0, 2.5]])
+    spur = np.vstack([crossing, [[0.1, 2.7], [-0.1, 2.75]]])
+    with pytest.raises(stellate.InputError):
+        stellate.fit(spur, 4, "elliptic")
+    assert stellate.fit(spur, 4, "elliptic", repair=True).form.kind == "parametric"
+
+
+def test_the_options_of_the_program():
+    found = stellate.describe("y^2 = (x-1)^2*(x-2)", topology=True)["topology"]
+    assert [point["kind"] for point in found["singular_points"]] == ["isolated"]
+    arcs = stellate.sample("x^2 + y^2 = 1; z = y^5", resolution=32)
+    assert arcs.z is not None and np.allclose(arcs.z, arcs.y**5, atol=1e-12)
+    svg = stellate.plot("x = t; y = t^2", range={"t": (-1, 2)}, width=400, title="parabola")
+    assert b"parabola" in svg
+    stellate.plot("x^2 + y^2 + z^2 = 1", view=(10, 60), cells=12, point=[(0, 0, 1)])
+    small = stellate.mesh("x^2 + y^2 + z^2 = 1", resolution=12, window=(-2, 2, -2, 2, -2, 2), angle=90)
+    assert len(small.vertices) > 50 and small.to_arrow().num_rows == len(small.vertices)
+
+
+def test_what_an_inspection_writes_beside(tmp_path):
+    points = np.random.default_rng(1).normal(size=(50, 3))
+    found = stellate.inspect(
+        "x^2 + y^2 + z^2 = 1", points, "1/10", plot=tmp_path / "a.svg",
+        report=tmp_path / "report", cloud=tmp_path / "a.ply",
+    )  # fmt: skip
+    assert len(found) == 50
+    assert (tmp_path / "a.svg").read_text().startswith("<svg")
+    assert "Summary" in (tmp_path / "report/index.html").read_text()
+    assert b"element vertex 50" in (tmp_path / "a.ply").read_bytes()
 
 
 def test_errors_are_exceptions():
@@ -136,10 +205,15 @@ def test_the_program_is_there():
 
 
 def test_examples_in_the_docstrings():
-    from stellate import _form, _verbs
+    pytest.importorskip("pyarrow")
+    from stellate import _form, _verbs, batches
 
-    for module in (stellate, _form, _verbs):
-        assert doctest.testmod(module).failed == 0
+    tried = 0
+    for module in (stellate, _form, _verbs, batches):
+        result = doctest.testmod(module)
+        assert result.failed == 0
+        tried += result.attempted
+    assert tried >= 25
 
 
 def test_the_guide(tmp_path, monkeypatch):

@@ -17,7 +17,7 @@ from ._native import (
     StellateError,
     __version__,
 )
-from ._options import FitOptions, ReadingOptions, SeriesOptions, WorkOptions
+from ._options import CommonOptions, FitOptions, ReadingOptions, SeriesOptions
 from ._results import Check, Fit, FitTable, Inspection, Mesh, Samples
 from ._verbs import (
     InspectOptions,
@@ -37,6 +37,7 @@ from ._verbs import (
 
 __all__ = [
     "Check",
+    "CommonOptions",
     "Fit",
     "FitOptions",
     "FitTable",
@@ -51,7 +52,6 @@ __all__ = [
     "Samples",
     "SeriesOptions",
     "StellateError",
-    "WorkOptions",
     "__version__",
     "check",
     "describe",

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from operator import index
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Sequence, Union, cast
+from typing import TYPE_CHECKING, Any, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -196,7 +196,7 @@ class Form:
             angles = list(np.broadcast_arrays(angles[0], np.asarray(phi, dtype=np.float64)))
         flat = [angle.reshape(-1) for angle in angles]
         found = self._radius.at(flat[0], flat[1] if phi is not None else None)
-        return cast(Doubles, found.reshape(angles[0].shape)[()])
+        return found.reshape(angles[0].shape)[()]
 
     def _inspector(
         self, dimension: int, options: str, reading: dict[str, Any], progress: Progress | None
@@ -243,7 +243,7 @@ class Form:
             raise _native.InputError(
                 "a point has no side: this form is no closed curve or surface, or it is not decided"
             )
-        return cast("npt.NDArray[np.int8]", found.reshape(shape)[()])
+        return found.reshape(shape)[()]
 
     def distance(
         self, points: Points, *, digits: int = 6, progress: Progress | None = None
@@ -268,7 +268,7 @@ class Form:
         axes, shape, _ = columns(points)
         options = native_options({"digits": digits})
         found = self._inspector(len(axes), options, {}, progress).inspect(axes, progress)
-        low, high = (cast(Doubles, bound.reshape(shape)[()]) for bound in found[2:4])
+        low, high = (bound.reshape(shape)[()] for bound in found[2:4])
         return low, high
 
     def __eq__(self, other: object) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Literal, NamedTuple, Sequence, TypedDict, Union
 
 from ._call import Number, Progress, exact
@@ -10,11 +9,11 @@ from ._call import Number, Progress, exact
 Center = Union[Literal["auto", "centroid", "kernel", "best"], Sequence[Number]]
 
 
-class ReadingOptions(TypedDict, total=False):
-    """How a form is read.
+class OutlineOptions(TypedDict, total=False):
+    """How a form is read, and an outline found in a file.
 
     ``numbers``: ``"exact"`` takes decimals as written, ``"f64"`` as the nearest double. ``columns``: of a table, those of x and y, by name
-    or by number from 1. ``weights``: of a table, the column of 1/σ². ``cloud``: its points are in no order. ``blob``: of a picture, which
+    or by number from 1. ``weights``: of a table, the column of 1/σ². ``blob``: of a picture, which
     outline, from 1 by size; ``threshold`` (0 to 254) and ``invert``: its colours. ``repair``: mend an outline that touches itself.
     ``normalization`` (``"unnormalized"``, ``"4pi"``, ``"orthonormal"``, ``"schmidt"``) and ``condon_shortley``: of a file of spherical
     harmonics.
@@ -23,7 +22,6 @@ class ReadingOptions(TypedDict, total=False):
     numbers: Literal["exact", "f64"]
     columns: str | Sequence[str | int]
     weights: str | int
-    cloud: bool
     blob: int
     threshold: int | None
     invert: bool
@@ -32,21 +30,30 @@ class ReadingOptions(TypedDict, total=False):
     condon_shortley: bool
 
 
-class WorkOptions(ReadingOptions, total=False):
+class ReadingOptions(OutlineOptions, total=False):
+    """How a form is read. ``cloud``: the points of a table are in no order."""
+
+    cloud: bool
+
+
+class WorkOptions(TypedDict, total=False):
     """What may bound the work, and who is told of it.
 
     ``time_limit``: seconds. ``max_degree``: of a polynomial. ``threads``: by default one per core. ``progress``: called as
-    ``progress(what, done, total)``. ``proof``: a file for everything that the result claims, with witnesses.
+    ``progress(what, done, total)``, some twenty times a second at most.
     """
 
     time_limit: float | None
     max_degree: int | None
     threads: int | None
     progress: Progress | None
-    proof: str | os.PathLike[str] | None
 
 
-class SeriesOptions(WorkOptions, total=False):
+class CommonOptions(OutlineOptions, WorkOptions, total=False):
+    """The options of every verb, where they mean something."""
+
+
+class SeriesOptions(ReadingOptions, WorkOptions, total=False):
     """How a contour becomes a series; ``harmonics`` apart.
 
     ``model``: ``"radius"`` or ``"elliptic"``. ``tolerance``, ``distance``, ``power``: the fewest harmonics with an error, a certified

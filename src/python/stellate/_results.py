@@ -62,10 +62,10 @@ class Inspection(Table):
         row: npt.NDArray[np.int64],
         kept: pa.Table | None,
     ) -> None:
-        codes, curve, low, high, sign = (column.reshape(shape) for column in found)
-        self._codes, self._curve, self._sign = codes, curve, sign
-        self.distance_low: Doubles = low
-        self.distance_high: Doubles = high
+        codes, curve, low, high, sign = found
+        self._codes, self._curve, self._sign = (c.reshape(shape) for c in (codes, curve, sign))
+        self.distance_low: Doubles = low.reshape(shape)
+        self.distance_high: Doubles = high.reshape(shape)
         self.row = row
         self._kept = kept
         self._shape = shape
@@ -205,11 +205,11 @@ class Samples(Table):
         """The columns; exact directions are texts ``u, v`` and in space ``w``."""
         import pyarrow
 
-        exact = {
-            axis: pyarrow.array([row[k] for row in self._exact], pyarrow.string())
-            for k, axis in enumerate(self._axes)
-        }
-        return pyarrow.table({**self.columns, **exact})
+        table = pyarrow.table(self.columns)
+        for k, axis in enumerate(self._axes):
+            texts = pyarrow.array([row[k] for row in self._exact], pyarrow.string())
+            table = table.append_column(axis, texts)
+        return table
 
 
 class Check(Table, Mapping[str, Any]):

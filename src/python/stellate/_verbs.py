@@ -13,7 +13,7 @@ import numpy.typing as npt
 from ._call import Number, Source, call, exact, native_options, write
 from ._form import Form, FormLike, form, from_points
 from ._native import InputError
-from ._options import Center, FitOptions, Prepared, SeriesOptions, WorkOptions, prepared
+from ._options import Center, CommonOptions, FitOptions, Prepared, SeriesOptions, prepared
 from ._points import AXES, Points, columns, csv_table, good_rows
 from ._results import Check, Fit, FitTable, Inspection, Mesh, Samples
 
@@ -25,7 +25,7 @@ Angles = Union[float, str, Sequence[Union[float, str]], npt.NDArray[np.float64]]
 MESHES = (".obj", ".ply", ".stl")
 
 
-class InspectOptions(WorkOptions, total=False):
+class InspectOptions(CommonOptions, total=False):
     """How a contour becomes the form that points are compared with."""
 
     model: Literal["radius", "elliptic"]
@@ -44,7 +44,12 @@ def _json(verb: str, given: FormLike, options: Prepared, **more: Any) -> dict[st
 
 
 def describe(
-    given: FormLike, *, topology: bool = False, digits: int | None = None, **options: Unpack[FitOptions]
+    given: FormLike,
+    *,
+    topology: bool = False,
+    digits: int | None = None,
+    proof: Path | None = None,
+    **options: Unpack[FitOptions],
 ) -> dict[str, Any]:
     """What a form is, and what is certain about it: the document of the kind ``description``.
 
@@ -55,6 +60,8 @@ def describe(
         For plane curves: components and what contains what, exact extents, singular points, asymptotes, and the genus of each factor.
     digits : int
         The decimals of algebraic numbers; 16 by default.
+    proof : path
+        A file for everything that the result claims, with witnesses that `verify` checks.
     **options
         See `FitOptions`.
 
@@ -65,7 +72,8 @@ def describe(
     >>> [piece["kind"] for piece in found["components"]]
     ['oval', 'unbounded']
     """
-    return _json("describe", given, prepared(dict(options), FitOptions), topology=topology, digits=digits)
+    return _json("describe", given, prepared(dict(options), FitOptions),
+                 topology=topology, digits=digits, proof=proof)  # fmt: skip
 
 
 def implicitize(
@@ -74,6 +82,7 @@ def implicitize(
     method: Literal["polar", "resultant"] | None = None,
     scale: Literal["integer", "monic"] = "integer",
     coordinates: Literal["center", "original"] = "center",
+    proof: Path | None = None,
     **options: Unpack[FitOptions],
 ) -> Form:
     """The exact equation of a form (Theorems 1 to 4).
@@ -88,6 +97,8 @@ def implicitize(
         Coprime integers with the first term positive, or first coefficient 1.
     coordinates : {"center", "original"}
         Relative to the center of a fit, or the contour's own.
+    proof : path
+        A file for everything that the result claims, with witnesses that `verify` checks.
     **options
         See `FitOptions`.
 
@@ -101,8 +112,11 @@ def implicitize(
     {(4, 0): 1, (2, 0): -1, (0, 2): 1}
     """
     asked = prepared(dict(options), FitOptions)
-    more = dict(method=method, scale=scale, coordinates=coordinates)
-    return Form(call("implicitize", _of(given, asked), **asked.verb, **more).decode(), "implicitize")
+    text = call(
+        "implicitize", _of(given, asked), method=method, scale=scale, coordinates=coordinates, proof=proof,
+        **asked.verb,
+    ).decode()  # fmt: skip
+    return Form(text, "implicitize")
 
 
 def parametrize(
@@ -114,6 +128,7 @@ def parametrize(
     window: Sequence[float] | None = None,
     resolution: int | None = None,
     digits: int | None = None,
+    proof: Path | None = None,
     **options: Unpack[FitOptions],
 ) -> dict[str, Any]:
     """The radii r(θ) or R(θ, φ) of a form (Lemmas 2 to 10): the document of the kind ``parametric``.
@@ -131,6 +146,8 @@ def parametrize(
         For an intersection: the box (six numbers) in which the curve is followed, and the least number of steps along it.
     digits : int
         The decimals of the ends of ranges; 16 by default.
+    proof : path
+        A file for everything that the result claims, with witnesses that `verify` checks.
     **options
         See `FitOptions`.
 
@@ -140,7 +157,7 @@ def parametrize(
     """
     return _json(
         "parametrize", given, prepared(dict(options), FitOptions), thetas=_angles(theta), phis=_angles(phi),
-        branch=branch, window=_floats(window), resolution=resolution, digits=digits,
+        branch=branch, window=_floats(window), resolution=resolution, digits=digits, proof=proof,
     )  # fmt: skip
 
 
@@ -148,7 +165,7 @@ def parametrize(
 def fit(
     given: FormLike | Points, harmonics: int | None = ..., model: Literal["radius", "elliptic"] = ...,
     *, degree: int | None = ..., normal_form: bool = ..., all: Literal[False] = ...,
-    **options: Unpack[SeriesOptions],
+    proof: Path | None = ..., **options: Unpack[SeriesOptions],
 ) -> Fit: ...  # fmt: skip
 
 
@@ -156,7 +173,8 @@ def fit(
 def fit(
     given: FormLike | Points | Sequence[Path], harmonics: int | None = ...,
     model: Literal["radius", "elliptic"] = ...,
-    *, all: Literal[True], normal_form: bool = ..., **options: Unpack[SeriesOptions],
+    *, all: Literal[True], normal_form: bool = ...,
+    proof: Path | None = ..., **options: Unpack[SeriesOptions],
 ) -> FitTable: ...  # fmt: skip
 
 
@@ -168,6 +186,7 @@ def fit(
     degree: int | None = None,
     normal_form: bool = False,
     all: bool = False,
+    proof: Path | None = None,
     **options: Unpack[SeriesOptions],
 ) -> Fit | FitTable:
     """A Fourier radius (``model="radius"``) or an elliptic series (``"elliptic"``) of an outline, or a harmonic surface of a closed mesh.
@@ -185,6 +204,8 @@ def fit(
         An elliptic series without position, size, rotation, starting point and direction.
     all : bool
         All outlines of a picture, a drawing or GeoJSON, largest first, and of all files of a list: then a `FitTable` is returned.
+    proof : path
+        A file for everything that the result claims, with witnesses that `verify` checks.
     **options
         See `SeriesOptions`.
 
@@ -207,10 +228,10 @@ def fit(
     if all:
         several = given if isinstance(given, (list, tuple)) else [given]
         sources = [_outline(one).source(asked.reading) for one in several]
-        return FitTable(call("fit_all", sources, **verb).decode())
+        return FitTable(call("fit_all", sources, proof=proof, **verb).decode())
     if is_mesh and asked.reading:
         raise InputError(f"{', '.join(asked.reading)}: options of contours; this is a mesh")
-    text = call("fit", [_outline(given).source(asked.reading)], degree=degree, **verb).decode()
+    text = call("fit", [_outline(given).source(asked.reading)], degree=degree, proof=proof, **verb).decode()
     return Fit(Form(text, "fit"), json.loads(text))
 
 
@@ -239,6 +260,7 @@ def sample(
     positive: bool = False,
     window: Sequence[float] | None = None,
     resolution: int | None = None,
+    proof: Path | None = None,
     **options: Unpack[FitOptions],
 ) -> Samples:
     """All real points of a form in exact directions: each coordinate is the nearest double, and their number is proved.
@@ -255,6 +277,8 @@ def sample(
         Only points with r > 0.
     window, resolution
         For an intersection: the box (six numbers) in which the curve is followed, and the least number of steps along it.
+    proof : path
+        A file for everything that the result claims, with witnesses that `verify` checks.
     **options
         See `FitOptions`.
 
@@ -266,7 +290,7 @@ def sample(
     text = call(
         "sample", _of(given, asked), directions=directions, thetas=_angles(theta), phis=_angles(phi),
         coordinates=coordinates, positive=positive, window=_floats(window), resolution=resolution,
-        **asked.verb,
+        proof=proof, **asked.verb,
     ).decode()  # fmt: skip
     return Samples(text)
 
@@ -286,6 +310,7 @@ def inspect(
     report: Path | None = None,
     cloud: Path | None = None,
     window: Sequence[float] | None = None,
+    proof: Path | None = None,
     **options: Unpack[InspectOptions],
 ) -> Inspection:
     """Whether points are within a tolerance of a form, exactly (Theorem 8), and certified bounds of their distances.
@@ -316,8 +341,10 @@ def inspect(
         A picture (.svg, .png), a folder for a report, a cloud of coloured points (.ply).
     window : sequence of float
         The part of the plane or of space that is drawn.
+    proof : path
+        A file for everything that the result claims, with witnesses that `verify` checks.
     **options
-        ``model``, ``harmonics``, ``distance``, ``center`` and those of `WorkOptions`.
+        ``model``, ``harmonics``, ``distance``, ``center`` and those of `CommonOptions`.
 
     Raises
     ------
@@ -338,7 +365,7 @@ def inspect(
         if not good.all():
             axes, row = [axis[good] for axis in axes], row[good]
             shape = row.shape
-    progress, proof = asked.verb.pop("progress", None), asked.verb.pop("proof", None)
+    progress = asked.verb.pop("progress", None)
     verb = dict(asked.verb, tolerance=exact(tolerance), reach=reach, digits=digits, budget=budget)
     found = form(given)
     inspector = found._inspector(len(axes), native_options(verb), asked.reading, progress)
@@ -537,7 +564,7 @@ def mesh(
     resolution: int = 64,
     angle: float = 20.0,
     solid: bool = False,
-    **options: Unpack[WorkOptions],
+    **options: Unpack[CommonOptions],
 ) -> Mesh:
     """Triangles of a surface: every sheet, with certified vertices.
 
@@ -555,13 +582,13 @@ def mesh(
     solid : bool
         Turn closed pieces inside others inward.
     **options
-        See `WorkOptions`.
+        See `CommonOptions`.
 
     >>> import stellate
     >>> stellate.mesh("x^2 + y^2 + z^2 = 1", resolution=8).triangles.shape[1]
     3
     """
-    asked = prepared(dict(options), WorkOptions)
+    asked = prepared(dict(options), CommonOptions)
     more = dict(window=_floats(window), resolution=resolution, angle=angle, solid=solid, **asked.verb)
     if output is not None and _extension(output) != "ply":
         write(output, call("mesh", _of(given, asked), format=_extension(output) or "none", **more))

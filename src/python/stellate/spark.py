@@ -1,0 +1,54 @@
+"""Inspection on Apache Spark."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Sequence
+
+from ._call import Number
+from ._form import FormLike
+from ._points import AXES
+from .batches import ANSWERS, Inspect
+
+if TYPE_CHECKING:
+    from pyspark.sql import DataFrame
+
+
+def inspect(
+    df: DataFrame,
+    form: FormLike,
+    tolerance: Number,
+    columns: Sequence[str] = AXES,
+    **options: Any,
+) -> DataFrame:
+    """The rows of a data frame with ``verdict, curve, distance_low, distance_high`` and ``sign`` behind their columns.
+
+    It is ``DataFrame.mapInArrow`` of `stellate.batches.Inspect`, so the verdicts are those of the program, for any partitioning. Every worker
+    needs this package and pyarrow.
+
+    Parameters
+    ----------
+    df : pyspark.sql.DataFrame
+    form : form, text or path
+        A path is read on the driver.
+    tolerance : number or text
+        Exactly: ``"0.1"`` is a tenth.
+    columns : sequence of str
+        Those of the coordinates; the third may be missing.
+    **options
+        Those of `stellate.batches.Inspect`.
+
+    Returns
+    -------
+    pyspark.sql.DataFrame
+        Lazily, as everything in Spark.
+    """
+    from pyspark.sql.types import StructType
+
+    taken = [name for name in df.columns if name in ANSWERS]
+    if taken:
+        raise ValueError(f"the data frame has a column {taken[0]!r} already, which would be an answer's")
+    stage = Inspect(form, tolerance, columns, **options)
+    schema = StructType(list(df.schema.fields))
+    for name, kind in ANSWERS.items():
+        schema = schema.add(name, kind)
+    return df.mapInArrow(stage.batches, schema)
