@@ -106,7 +106,7 @@ def test_radii_of_every_kind():
 
 def test_reading_options_belong_to_a_form(tmp_path):
     path = tmp_path / "C.sh"
-    path.write_text("0 0 1 0\n1 0 0.1 0\n")
+    path.write_text("0 0 1 0\n1 0 0.1 0\n1 1 0 0\n")
     named = stellate.form(path, normalization="unnormalized")
     assert named.coefficients == {(0, 0): 1, (1, 0): Fraction(1, 10)}
     assert stellate.form(path).coefficients != named.coefficients

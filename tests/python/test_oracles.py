@@ -29,7 +29,7 @@ def series(rng, order):
 
 
 def monic(terms):
-    first = terms[max(terms)]
+    first = Fraction(terms[max(terms)])
     return {exponents: c / first for exponents, c in terms.items()}
 
 

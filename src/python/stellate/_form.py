@@ -58,6 +58,13 @@ class Form:
         self._radius: _native.Radius | None = None
         self._inspectors: dict[tuple[str, int], _native.Inspector] = {}
 
+    @classmethod
+    def of_document(cls, text: str, place: str) -> Form:
+        """The form of a document that a verb has written, with all that it says."""
+        form = cls(text, place)
+        form._document = json.loads(text)
+        return form
+
     def source(self, reading: dict[str, Any] | None = None) -> Source:
         """The form as the native functions take it, with further options of how it is read."""
         return (self.text, self.place, json.dumps({**self.reading, **(reading or {})}))

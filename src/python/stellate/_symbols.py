@@ -37,7 +37,7 @@ def to_sympy(form: Form) -> sympy.Basic:
         (second,) = rest
         return (sizes[0] ** second + sizes[1] ** second) ** (first / second) + sizes[2] ** first - level
     lines = [line.partition("#")[0].strip() for line in _written(form, "sympy")]
-    found = [sympy.sympify(line) for line in lines if line]
+    found = [sympy.Tuple(*e) if isinstance(e, tuple) else e for e in map(sympy.sympify, filter(None, lines))]
     return found[0] if len(found) == 1 else sympy.Tuple(*found)
 
 

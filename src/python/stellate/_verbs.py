@@ -69,7 +69,7 @@ def describe(
     >>> stellate.describe("x^4 - x^2 + y^2 = 0")["homogeneous_degrees"]
     [4, 2]
     >>> found = stellate.describe("y^2 = x^3 - x", topology=True)["topology"]
-    >>> [piece["kind"] for piece in found["components"]]
+    >>> sorted(piece["kind"] for piece in found["components"])
     ['oval', 'unbounded']
     """
     return _json("describe", given, prepared(dict(options), FitOptions),
@@ -116,7 +116,7 @@ def implicitize(
         "implicitize", _of(given, asked), method=method, scale=scale, coordinates=coordinates, proof=proof,
         **asked.verb,
     ).decode()  # fmt: skip
-    return Form(text, "implicitize")
+    return Form.of_document(text, "implicitize")
 
 
 def parametrize(
@@ -232,7 +232,8 @@ def fit(
     if is_mesh and asked.reading:
         raise InputError(f"{', '.join(asked.reading)}: options of contours; this is a mesh")
     text = call("fit", [_outline(given).source(asked.reading)], degree=degree, proof=proof, **verb).decode()
-    return Fit(Form(text, "fit"), json.loads(text))
+    found = Form.of_document(text, "fit")
+    return Fit(found, found.document)
 
 
 def _outline(given: Any) -> Form:
