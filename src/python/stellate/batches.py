@@ -19,13 +19,13 @@ from ._verbs import InspectOptions, fit, inspect
 if TYPE_CHECKING:
     import pyarrow as pa
 
-#: The columns that are appended, with their types in SQL.
+#: The columns that are appended, with the names of their types in Spark.
 ANSWERS = {
     "verdict": "string",
     "curve": "boolean",
     "distance_low": "double",
     "distance_high": "double",
-    "sign": "tinyint",
+    "sign": "byte",
 }
 
 

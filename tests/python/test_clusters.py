@@ -1,4 +1,5 @@
-"""Inspection on Spark with two worker processes. It is run with STELLATE_SPARK=1, where pyspark, pyarrow and Java are installed."""
+"""Inspection on Spark with two worker processes, and on Dask and Ray. It is run with STELLATE_CLUSTERS=1, where these and Java are
+installed."""
 
 import os
 import shutil
@@ -13,7 +14,7 @@ import pytest
 import stellate
 
 pytestmark = pytest.mark.skipif(
-    not os.environ.get("STELLATE_SPARK"), reason="Spark is started with STELLATE_SPARK=1"
+    not os.environ.get("STELLATE_CLUSTERS"), reason="clusters are started with STELLATE_CLUSTERS=1"
 )
 TORUS = "(x^2 + y^2 + z^2 + 3)^2 = 16*(x^2 + y^2)"
 ROWS = 120_000
@@ -26,6 +27,8 @@ def spark():
         pytest.skip("Spark needs Java")
     from pyspark.sql import SparkSession
 
+    # The two workers are on this machine, whatever network it has.
+    os.environ.setdefault("SPARK_LOCAL_IP", "127.0.0.1")
     session = (
         SparkSession.builder.master("local-cluster[2,1,1024]")
         .config("spark.ui.enabled", "false")
@@ -148,10 +151,33 @@ def test_a_killed_worker_loses_and_doubles_nothing(spark, points, tmp_path):
     assert same_bytes(out, answers.to_arrow())
 
 
-def test_the_example_of_the_guide(spark, points, tmp_path, monkeypatch):
+def run_example(of, points, folder, monkeypatch, **names):
+    """Runs an example of the guide on the points, and compares its answers."""
     text = (Path(__file__).resolve().parents[2] / "src/guide/clusters.md").read_text()
-    block = next(b.split("```")[0] for b in text.split("```python\n")[1:] if "stellate.spark" in b)
-    shutil.copy(points[0], tmp_path / "measured.parquet")
-    monkeypatch.chdir(tmp_path)
-    exec(block, {"spark": spark})
-    assert read(tmp_path / "verdicts.parquet").num_rows == ROWS
+    (block,) = (b.split("```")[0] for b in text.split("```python\n")[1:] if of in b)
+    shutil.copy(points[0], folder / "measured.parquet")
+    monkeypatch.chdir(folder)
+    exec(block, names)
+    (out,) = folder.glob("verdicts*.parquet")
+    found = read(out)
+    assert found.column_names == points[1].column_names
+    for name in found.column_names:
+        assert found.column(name).to_pylist() == points[1].column(name).to_pylist()
+
+
+def test_the_example_of_spark(spark, points, tmp_path, monkeypatch):
+    run_example("stellate.spark", points, tmp_path, monkeypatch, spark=spark)
+
+
+def test_the_example_of_dask(points, tmp_path, monkeypatch):
+    pytest.importorskip("dask.dataframe")
+    run_example("dask.dataframe", points, tmp_path, monkeypatch)
+
+
+def test_the_example_of_ray(points, tmp_path, monkeypatch):
+    ray = pytest.importorskip("ray")
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
+    try:
+        run_example("ray.data", points, tmp_path, monkeypatch)
+    finally:
+        ray.shutdown()
