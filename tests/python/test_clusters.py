@@ -2,6 +2,7 @@
 installed."""
 
 import os
+import re
 import shutil
 import signal
 import threading
@@ -48,7 +49,12 @@ def points(tmp_path_factory):
     import pyarrow.parquet
 
     rng = np.random.default_rng(8)
-    columns = {axis: np.round(rng.normal(scale=1.5, size=ROWS), 3) for axis in "xyz"}
+    u, v = rng.uniform(0, 2 * np.pi, (2, ROWS))
+    tube = 1 + rng.normal(scale=0.08, size=ROWS)
+    # Some points are far away, and take longer.
+    tube[::100] = rng.uniform(0, 3, ROWS // 100)
+    places = ((2 + tube * np.cos(v)) * np.cos(u), (2 + tube * np.cos(v)) * np.sin(u), tube * np.sin(v))
+    columns = {axis: np.round(place, 4) for axis, place in zip("xyz", places)}
     table = pyarrow.table({"id": np.arange(ROWS), **columns})
     path = tmp_path_factory.mktemp("points") / "points.parquet"
     pyarrow.parquet.write_table(table, path, row_group_size=10_000)
@@ -157,7 +163,8 @@ def run_example(of, points, folder, monkeypatch, **names):
     (block,) = (b.split("```")[0] for b in text.split("```python\n")[1:] if of in b)
     shutil.copy(points[0], folder / "measured.parquet")
     monkeypatch.chdir(folder)
-    exec(block, names)
+    # The processes of a cluster have folders of their own.
+    exec(re.sub(r'"(\w[-\w]*\.parquet)"', rf'"{folder}/\1"', block), names)
     (out,) = folder.glob("verdicts*.parquet")
     found = read(out)
     assert found.column_names == points[1].column_names
