@@ -139,6 +139,17 @@ def test_a_forked_process_has_threads_of_its_own():
     subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=True, timeout=60)
 
 
+def test_an_import_takes_nothing_that_is_not_used():
+    code = (
+        "import sys, numpy\nbefore = set(sys.modules)\nimport stellate\n"
+        "print(*sorted(name.split('.')[0] for name in set(sys.modules) - before))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    imported = set(run.stdout.split())
+    assert "stellate" in imported
+    assert not imported & {"pyarrow", "sympy", "pandas", "pyspark", "csv", "dataclasses", "logging"}
+
+
 def test_remarks_are_logged(caplog):
     with caplog.at_level(logging.INFO, logger="stellate"):
         stellate.inspect("x^2 + y^2 = 1", [[0, 0]], 1)
