@@ -126,6 +126,14 @@ def test_fits_of_many_kinds(tmp_path):
     rows = "".join(f"{x!r},{y!r},1\n" for x, y in ring.tolist())
     path.write_text("x,y,w\n" + rows)
     assert stellate.fit(path, 4, weights="w").form.kind == "fourier"
+    heavy = np.where(ring[:, 0] > 0, 9.0, 1.0)
+    squashed = ring * np.random.default_rng(2).uniform(0.9, 1.1, (300, 1))
+    by_array = stellate.fit(squashed, 4, weights=heavy).form
+    path.write_text("x,y,w\n" + "".join(f"{x!r},{y!r},{w!r}\n" for (x, y), w in zip(squashed.tolist(), heavy.tolist())))
+    assert by_array == stellate.fit(path, 4, weights="w").form != stellate.fit(squashed, 4).form
+    with pytest.raises(stellate.InputError, match="one for each"):
+        stellate.fit(ring, 4, weights=[1.0])
+    path.write_text("x,y,w\n" + rows)
     assert stellate.fit(path, 4, columns=(1, 2)).form == stellate.fit(ring, 4).form
     stellate.mesh("R = 2 + Y(1,0)/2", tmp_path / "egg.ply", resolution=16)
     egg = stellate.fit(tmp_path / "egg.ply", degree=3, center=(0, 0, 0))

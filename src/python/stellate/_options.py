@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Literal, NamedTuple, Sequence, TypedDict, Union
 
+import numpy.typing as npt
+
 from ._call import Number, Progress, exact
 
 Center = Union[Literal["auto", "centroid", "kernel", "best"], Sequence[Number]]
@@ -13,7 +15,7 @@ class OutlineOptions(TypedDict, total=False):
     """How a form is read, and an outline found in a file.
 
     ``numbers``: ``"exact"`` takes decimals as written, ``"f64"`` as the nearest double. ``columns``: of a table, those of x and y, by name
-    or by number from 1. ``weights``: of a table, the column of 1/σ². ``blob``: of a picture, which
+    or by number from 1. ``weights``: of a table, the column of 1/σ²; of an array of points in `fit`, an array. ``blob``: of a picture, which
     outline, from 1 by size; ``threshold`` (0 to 254) and ``invert``: its colours. ``repair``: mend an outline that touches itself.
     ``normalization`` (``"unnormalized"``, ``"4pi"``, ``"orthonormal"``, ``"schmidt"``) and ``condon_shortley``: of a file of spherical
     harmonics.
@@ -21,7 +23,7 @@ class OutlineOptions(TypedDict, total=False):
 
     numbers: Literal["exact", "f64"]
     columns: str | Sequence[str | int]
-    weights: str | int
+    weights: str | int | npt.ArrayLike
     blob: int
     threshold: int | None
     invert: bool

@@ -215,6 +215,10 @@ def fit(
     >>> stellate.implicitize(found.form).degree
     2
     """
+    weights = options.get("weights")
+    if weights is not None and not isinstance(weights, (str, int)):
+        given = _weighted(given, weights)
+        options["weights"] = "weight"
     asked = prepared(dict(options), SeriesOptions)
     verb = dict(asked.verb, normal_form=normal_form, model=model)
     is_name = isinstance(given, (str, PathLike))
@@ -234,6 +238,15 @@ def fit(
     text = call("fit", [_outline(given).source(asked.reading)], degree=degree, proof=proof, **verb).decode()
     found = Form.of_document(text, "fit")
     return Fit(found, found.document)
+
+
+def _weighted(points: Any, weights: npt.ArrayLike) -> Form:
+    """The outline with these vertices, each with a weight in a column of that name."""
+    axes, _, _ = columns(points)
+    column = np.asarray(weights, dtype=np.float64)
+    if len(axes) != 2 or column.shape != axes[0].shape:
+        raise InputError(f"weights: one for each of {axes[0].size} points is expected, not an array of shape {column.shape}")
+    return Form(csv_table([*axes, column], ("x", "y", "weight")).decode(), "points.csv")
 
 
 def _outline(given: Any) -> Form:
