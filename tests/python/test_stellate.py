@@ -213,10 +213,10 @@ def test_the_program_is_there():
 
 def test_examples_in_the_docstrings():
     pytest.importorskip("pyarrow")
-    from stellate import _form, _verbs, batches
+    from stellate import _check, _form, _inspect, _verbs, batches
 
     tried = 0
-    for module in (stellate, _form, _verbs, batches):
+    for module in (stellate, _check, _form, _inspect, _verbs, batches):
         result = doctest.testmod(module)
         assert result.failed == 0
         tried += result.attempted

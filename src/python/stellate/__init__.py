@@ -9,7 +9,9 @@ Exact numbers are ``int`` and ``fractions.Fraction``; a float that is given is t
 the verbs go to the logger ``stellate``, at the level INFO.
 """
 
+from ._check import check
 from ._form import Form, form, from_points, from_series, from_terms
+from ._inspect import InspectOptions, inspect
 from ._native import (
     InputError,
     InternalError,
@@ -20,12 +22,9 @@ from ._native import (
 from ._options import CommonOptions, FitOptions, ReadingOptions, SeriesOptions
 from ._results import Check, Fit, FitTable, Inspection, Mesh, Samples
 from ._verbs import (
-    InspectOptions,
-    check,
     describe,
     fit,
     implicitize,
-    inspect,
     mesh,
     parametrize,
     plot,

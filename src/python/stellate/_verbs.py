@@ -10,36 +10,23 @@ from typing import TYPE_CHECKING, Any, Literal, Mapping, Sequence, Union, overlo
 import numpy as np
 import numpy.typing as npt
 
-from ._call import Number, Source, call, exact, native_options, write
+from ._call import call, write
 from ._form import Form, FormLike, form, from_points
+from ._given import Path, extension, floats, sources_of
 from ._native import InputError
-from ._options import Center, CommonOptions, FitOptions, Prepared, SeriesOptions, prepared
-from ._points import AXES, Points, columns, csv_table, good_rows
-from ._results import Check, Fit, FitTable, Inspection, Mesh, Samples
+from ._options import CommonOptions, FitOptions, Prepared, SeriesOptions, prepared
+from ._points import Points, columns, csv_table
+from ._results import Fit, FitTable, Mesh, Samples
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-Path = Union[str, "PathLike[str]"]
 Angles = Union[float, str, Sequence[Union[float, str]], npt.NDArray[np.float64]]
 MESHES = (".obj", ".ply", ".stl")
 
 
-class InspectOptions(CommonOptions, total=False):
-    """How a contour becomes the form that points are compared with."""
-
-    model: Literal["radius", "elliptic"]
-    harmonics: int | None
-    distance: Number | None
-    center: Center
-
-
-def _of(given: FormLike, options: Prepared) -> list[Source]:
-    return [form(given).source(options.reading)]
-
-
 def _json(verb: str, given: FormLike, options: Prepared, **more: Any) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(call(verb, _of(given, options), **options.verb, **more))
+    found: dict[str, Any] = json.loads(call(verb, sources_of(given, options), **options.verb, **more))
     return found
 
 
@@ -113,7 +100,7 @@ def implicitize(
     """
     asked = prepared(dict(options), FitOptions)
     text = call(
-        "implicitize", _of(given, asked), method=method, scale=scale, coordinates=coordinates, proof=proof,
+        "implicitize", sources_of(given, asked), method=method, scale=scale, coordinates=coordinates, proof=proof,
         **asked.verb,
     ).decode()  # fmt: skip
     return Form.of_document(text, "implicitize")
@@ -157,7 +144,7 @@ def parametrize(
     """
     return _json(
         "parametrize", given, prepared(dict(options), FitOptions), thetas=_angles(theta), phis=_angles(phi),
-        branch=branch, window=_floats(window), resolution=resolution, digits=digits, proof=proof,
+        branch=branch, window=floats(window), resolution=resolution, digits=digits, proof=proof,
     )  # fmt: skip
 
 
@@ -260,10 +247,6 @@ def _angles(angles: Angles) -> list[str]:
     return [angle if isinstance(angle, str) else repr(float(angle)) for angle in angles]  # type: ignore[union-attr]
 
 
-def _floats(numbers: Sequence[float] | None) -> list[float] | None:
-    return None if numbers is None else [float(number) for number in numbers]
-
-
 def sample(
     given: FormLike,
     directions: int | None = None,
@@ -302,201 +285,11 @@ def sample(
     """
     asked = prepared(dict(options), FitOptions)
     text = call(
-        "sample", _of(given, asked), directions=directions, thetas=_angles(theta), phis=_angles(phi),
-        coordinates=coordinates, positive=positive, window=_floats(window), resolution=resolution,
+        "sample", sources_of(given, asked), directions=directions, thetas=_angles(theta), phis=_angles(phi),
+        coordinates=coordinates, positive=positive, window=floats(window), resolution=resolution,
         proof=proof, **asked.verb,
     ).decode()  # fmt: skip
     return Samples(text)
-
-
-def inspect(
-    given: FormLike,
-    points: Points,
-    tolerance: Number,
-    *,
-    names: Sequence[str] = AXES,
-    reach: float | None = None,
-    digits: int = 6,
-    budget: int = 50_000,
-    keep: bool = False,
-    skip_bad: bool = False,
-    plot: Path | None = None,
-    report: Path | None = None,
-    cloud: Path | None = None,
-    window: Sequence[float] | None = None,
-    proof: Path | None = None,
-    **options: Unpack[InspectOptions],
-) -> Inspection:
-    """Whether points are within a tolerance of a form, exactly (Theorem 8), and certified bounds of their distances.
-
-    The form is kept ready for the next call with the same form object and options.
-
-    Parameters
-    ----------
-    given : form, text or path
-        A surface, or a curve of the plane (for points in space a cylinder) or of space.
-    points : array_like of float64, shape (…, 2) or (…, 3), or a table with Arrow's PyCapsule interface
-        Each double is taken exactly. Arrays and Arrow columns of doubles are read in place.
-    tolerance : number or text
-        The largest distance that is inside, exactly: ``"0.1"`` is a tenth, ``0.1`` the double.
-    names : sequence of str
-        Of a table: the columns of the coordinates; the third may be missing.
-    reach : float
-        Distances are looked for up to here; by default until the nearest point is found.
-    digits : int
-        The significant digits of the distances.
-    budget : int
-        Cubes that may be divided for one point before it is undecided.
-    keep : bool
-        ``to_arrow()`` begins with the columns of the table of points.
-    skip_bad : bool
-        Leave points out that are missing or not finite, instead of refusing the first.
-    plot, report, cloud : path
-        A picture (.svg, .png), a folder for a report, a cloud of coloured points (.ply).
-    window : sequence of float
-        The part of the plane or of space that is drawn.
-    proof : path
-        A file for everything that the result claims, with witnesses that `verify` checks.
-    **options
-        ``model``, ``harmonics``, ``distance``, ``center`` and those of `CommonOptions`.
-
-    Raises
-    ------
-    InputError
-        For a form without points to compare with, or a point that is not finite, by its row from 0.
-
-    >>> import stellate
-    >>> stellate.inspect("x^2 + y^2 = 1", [[1, 0], [3, 0]], tolerance=1).verdict.tolist()
-    ['inside', 'outside']
-    """
-    asked = prepared(dict(options), InspectOptions)
-    axes, shape, table = columns(points, names)
-    if keep and table is None:
-        raise InputError("keep is for tables; an array has no other columns")
-    row = np.arange(axes[0].size)
-    if skip_bad:
-        good = good_rows(axes)
-        if not good.all():
-            axes, row = [axis[good] for axis in axes], row[good]
-            shape = row.shape
-    progress = asked.verb.pop("progress", None)
-    verb = dict(asked.verb, tolerance=exact(tolerance), reach=reach, digits=digits, budget=budget)
-    found = form(given)
-    inspector = found._inspector(len(axes), native_options(verb), asked.reading, progress)
-    answers = inspector.inspect(axes, progress)
-    _draw(found.source(asked.reading), csv_table(axes, AXES) if plot or report or cloud or proof else b"",
-          dict(verb, window=_floats(window)), plot, report, cloud, proof)  # fmt: skip
-    return Inspection(answers, shape, row, table if keep else None)
-
-
-def _draw(
-    source: Source, rows: bytes, verb: dict[str, Any],
-    plot: Path | None, report: Path | None, cloud: Path | None, proof: Path | None,
-) -> None:  # fmt: skip
-    """Writes what is asked for beside the columns of an inspection."""
-    if plot is not None:
-        write(plot, call("inspect", [source], rows, kind="plot", format=_extension(plot), **verb))
-    if report is not None:
-        page = call("inspect", [source], rows, kind="report", **verb)
-        os.makedirs(report, exist_ok=True)
-        write(os.path.join(report, "index.html"), page)
-    if cloud is not None:
-        if _extension(cloud) != "ply":
-            raise InputError(f"cloud {os.fspath(cloud)}: a cloud of points is a .ply file")
-        write(cloud, call("inspect", [source], rows, kind="cloud", **verb))
-    if proof is not None:
-        call("inspect", [source], rows, proof=proof, **verb)
-
-
-def _extension(path: Path) -> str:
-    return os.path.splitext(os.fspath(path))[1].lstrip(".").lower()
-
-
-def check(
-    reference: FormLike,
-    *,
-    coefficients: Mapping[tuple[int, ...], float] | npt.ArrayLike | Path | None = None,
-    points: npt.ArrayLike | Path | None = None,
-    radii: npt.ArrayLike | Path | None = None,
-    itself: bool = False,
-    digits: int | None = None,
-    plot: Path | None = None,
-    **options: Unpack[FitOptions],
-) -> Check:
-    """How far the numbers of a float program are from the exact ones, and which usual mistakes explain it.
-
-    Parameters
-    ----------
-    reference : form, text or path
-        What is right.
-    coefficients : mapping, array or path
-        Values by exponents (i, j) or (i, j, k), or by (l, m) if the reference is a harmonic surface; or a matrix ``c[i, j]``.
-    points : array of shape (n, 2) or (n, 3), or path
-    radii : array of shape (n, 2), or (n, 3) for a harmonic surface, or path
-        Rows θ, r or θ, φ, r; angles in radians.
-    itself : bool
-        Instead of these: the paper's own algorithm in doubles, for growing N (``--self``).
-    digits : int
-        The correct digits that everything must have, for ``passes``.
-    plot : path
-        A picture of the digits, .svg or .png.
-    **options
-        See `FitOptions`.
-
-    Returns
-    -------
-    Check
-        A mapping: the document, with ``mistakes, missing, extra, worst, median_digits, …``; and columns.
-
-    >>> import stellate
-    >>> found = stellate.check("R = 2 + Y(1,0)/2", coefficients={(0, 0): 2.0, (1, 0): 0.5}, digits=12)
-    >>> found.passes, found["missing"]
-    (True, [])
-    """
-    asked = prepared(dict(options), FitOptions)
-    sources = _of(reference, asked)
-    given: list[tuple[str, Any]] = [
-        (name, numbers)
-        for name, numbers in (("coefficients", coefficients), ("points", points), ("radii", radii))
-        if numbers is not None
-    ]
-    if itself:
-        given.append(("self", None))
-    if len(given) != 1:
-        raise InputError("check needs one of coefficients, points and radii, or itself")
-    (kind, numbers), = given  # fmt: skip
-    if isinstance(numbers, Mapping):
-        data = _coefficient_rows(numbers, form(reference).kind == "spherical")
-    elif isinstance(numbers, (str, PathLike)):
-        with open(numbers, "rb") as file:
-            data = file.read()
-    elif kind == "coefficients":
-        matrix = np.asarray(numbers, dtype=np.float64)
-        if matrix.ndim != 2:
-            raise InputError(f"coefficients: a matrix c[i, j] is expected, not an array of shape {matrix.shape}")
-        data = "".join(",".join(map(repr, row)) + "\n" for row in matrix.tolist()).encode()
-    elif kind == "self":
-        data = b""
-    else:
-        axes, _, _ = columns(numbers)
-        names = AXES if kind == "points" else ("theta", "phi", "r") if len(axes) == 3 else ("theta", "r")
-        data = csv_table(axes, names)
-    verb = dict(asked.verb, kind=kind, digits=digits)
-    if plot is not None:
-        write(plot, call("check", sources, data, format=_extension(plot) or "none", **verb))
-    found = json.loads(call("check", sources, data, **verb))
-    return Check(found["document"], found["table"])
-
-
-def _coefficient_rows(numbers: Mapping[tuple[int, ...], float], is_spherical: bool) -> bytes:
-    sizes = {len(key) for key in numbers}
-    if sizes not in ({2}, {3}):
-        raise InputError("coefficients: the keys are exponents (i, j) or (i, j, k), or (l, m)")
-    (size,) = sizes
-    names = ("l", "m") if is_spherical and size == 2 else ("i", "j", "k")[:size]
-    rows = [",".join([*names, "value"])]
-    rows.extend(",".join([*map(str, key), repr(float(c))]) for key, c in numbers.items())
-    return ("\n".join(rows) + "\n").encode()
 
 
 def vectors(
@@ -560,10 +353,10 @@ def plot(
         raise InputError("plot needs a form")
     asked = prepared(dict(options), FitOptions)
     picture = call(
-        "plot", [form(f).source(asked.reading) for f in forms], format="svg" if output is None else _extension(output),
-        title=title, window=_floats(window), view=_floats(view), width=width, cells=cells,
+        "plot", [form(f).source(asked.reading) for f in forms], format="svg" if output is None else extension(output),
+        title=title, window=floats(window), view=floats(view), width=width, cells=cells,
         ranges=[(name, [float(a), float(b)]) for name, (a, b) in (range or {}).items()],
-        points=[_floats(p) for p in point], **asked.verb,
+        points=[floats(p) for p in point], **asked.verb,
     )  # fmt: skip
     if output is not None:
         write(output, picture)
@@ -603,11 +396,11 @@ def mesh(
     3
     """
     asked = prepared(dict(options), CommonOptions)
-    more = dict(window=_floats(window), resolution=resolution, angle=angle, solid=solid, **asked.verb)
-    if output is not None and _extension(output) != "ply":
-        write(output, call("mesh", _of(given, asked), format=_extension(output) or "none", **more))
-    ply = call("mesh", _of(given, asked), format="ply", **more)
-    if output is not None and _extension(output) == "ply":
+    more = dict(window=floats(window), resolution=resolution, angle=angle, solid=solid, **asked.verb)
+    if output is not None and extension(output) != "ply":
+        write(output, call("mesh", sources_of(given, asked), format=extension(output) or "none", **more))
+    ply = call("mesh", sources_of(given, asked), format="ply", **more)
+    if output is not None and extension(output) == "ply":
         write(output, ply)
     return Mesh(ply)
 

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
 from ._call import Number, exact
 from ._form import FormLike, form
+from ._inspect import InspectOptions, inspect
 from ._points import AXES
-from ._verbs import InspectOptions, fit, inspect
+from ._verbs import fit
 
 if TYPE_CHECKING:
     import pyarrow as pa
