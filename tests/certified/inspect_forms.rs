@@ -221,3 +221,30 @@ proptest! {
         }
     }
 }
+
+/// Forms with sides, and the numbers of coordinates of their points.
+const SIDED: [(&str, usize); 10] = [
+    ("r = 2 + cos(5*t)/3", 2),
+    ("r = 2 + cos(5*t)/3", 3),
+    ("r = 1/2 + cos(3*t)", 2),
+    ("x = cos(t); y = sin(2*t)", 2),
+    ("x = (1-t^2)/(1+t^2); y = 2*t/(1+t^2)", 2),
+    ("y^2 = x^3 - x", 2),
+    ("(x^2 + y^2 - 1)^2*(x - y)", 3),
+    ("superquadric 2d a=1,2 e=1/2", 2),
+    ("R = 2 + Y(3,1)/9", 3),
+    ("x^2 + y^2*z + z^3 = 1", 3),
+];
+
+proptest! {
+    #[test]
+    fn sides_are_those_of_inspections(k in 0..SIDED.len(), at in prop::array::uniform3(-24i32..=24)) {
+        let (form, dimension) = SIDED[k];
+        let task = task(form, dimension, "1");
+        let mut point = at.map(|n| f64::from(n) / 8.0);
+        point[2] *= f64::from(dimension == 3);
+        let side = task.side_of_doubles(point);
+        prop_assert!(side.is_some());
+        prop_assert_eq!(side, task.of_doubles(point).sign);
+    }
+}
