@@ -108,7 +108,9 @@ impl Wait<'_, '_> {
             let signals = self.python.check_signals();
             if let Err(error) = signals.and_then(|()| self.tell(&mut told)) {
                 self.limits.cancellation().store(true, Ordering::SeqCst);
-                self.receive(receiver, GRACE)?;
+                if self.receive(receiver, GRACE)?.is_none() {
+                    leave_threads();
+                }
                 return Err(error);
             }
             let is_late = self.limits.time_left() == Some(Duration::ZERO);
@@ -118,6 +120,7 @@ impl Wait<'_, '_> {
                     None => {
                         let late = self.limits.check();
                         self.limits.cancellation().store(true, Ordering::SeqCst);
+                        leave_threads();
                         Err(exception(&late.err().unwrap_or(Error::Interrupted)))
                     }
                 };
@@ -169,10 +172,18 @@ pub(super) fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     outcome.unwrap_or_else(|payload| Err(Error::from_panic(payload.as_ref(), None)))
 }
 
+/// Lets the next work start threads of its own, because work that was left still has those of now. They end after it.
+fn leave_threads() {
+    let process = std::process::id();
+    locked(&POOLS).retain(|pool| pool.process != process);
+}
+
+/// The pools of threads of this process, and of those that it was forked from, whose threads it does not have.
+static POOLS: Mutex<Vec<Pool>> = Mutex::new(Vec::new());
+
 /// The threads of this process: as many as there are cores, or `threads`. A process that was forked does not have the threads of
 /// its parent, and gets its own.
 pub(super) fn pool(threads: Option<usize>) -> Result<Arc<ThreadPool>> {
-    static POOLS: Mutex<Vec<Pool>> = Mutex::new(Vec::new());
     match threads {
         Some(0) => {
             let message = "threads: at least one thread is needed";
@@ -206,7 +217,7 @@ pub(super) fn pool(threads: Option<usize>) -> Result<Arc<ThreadPool>> {
     Ok(built)
 }
 
-/// The threads of a process.
+/// The threads of a process; `asked` is the number that was asked for.
 struct Pool {
     process: u32,
     asked: Option<usize>,
