@@ -40,6 +40,8 @@ mod numbers;
 mod outlines;
 #[path = "campaign/parametric.rs"]
 mod parametric;
+#[path = "campaign/proofs.rs"]
+mod proofs;
 #[path = "campaign/rays.rs"]
 mod rays;
 #[path = "campaign/roots.rs"]
@@ -92,6 +94,7 @@ fn kinds() -> Vec<Kind> {
         Kind::new("inspect-plane", Heavy, 3, inspection::plane),
         Kind::new("inspect-space", Heavy, 3, inspection::space),
         Kind::new("check-digits", Heavy, 3, angles::check_digits),
+        Kind::new("proofs", Heavy, 20, proofs::of_commands),
     ]
 }
 

@@ -9,7 +9,7 @@ use super::json::parsed;
 use crate::error::{Error, Invariant, Result};
 
 /// The kinds of documents, and the text with the definitions that each adds.
-const KINDS: [(&str, &str); 14] = [
+const KINDS: [(&str, &str); 15] = [
     ("arcs", include_str!("schema/arcs.json")),
     ("check", include_str!("schema/check.json")),
     ("description", include_str!("schema/description.json")),
@@ -20,6 +20,7 @@ const KINDS: [(&str, &str); 14] = [
     ("intersection", include_str!("schema/intersection.json")),
     ("paper", include_str!("schema/paper.json")),
     ("parametric", include_str!("schema/parametric.json")),
+    ("proof", include_str!("schema/proof.json")),
     ("samples", include_str!("schema/samples.json")),
     ("spherical", include_str!("schema/spherical.json")),
     ("superquadric", include_str!("schema/superquadric.json")),

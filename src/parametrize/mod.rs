@@ -33,6 +33,7 @@ pub use intersection::{
     parametrize_intersection,
 };
 pub use meridian::{DirectionAnswer, MeridianBranch};
+pub(crate) use parametrization::critical_slopes;
 pub use parametrization::{Branch, BranchRadius, Parametrization, PolarMethod, parametrize};
 pub(crate) use ranges::is_full_circle;
 pub use ranges::{is_positive, positive_ranges};

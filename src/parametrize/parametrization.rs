@@ -17,7 +17,7 @@ use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial};
-use crate::roots::real_roots;
+use crate::roots::{RealRoot, real_roots};
 use crate::sample::Direction;
 use crate::shape::{Form, FourierRadius, ImplicitCurve};
 
@@ -260,6 +260,30 @@ fn equation(f: &PlanePolynomial, step: usize) -> Equation {
         lowest,
         step,
     }
+}
+
+/// The slopes of all directions but the vertical one in which a root λ of f(λ cos θ, λ sin θ) may be multiple, 0 or infinite, besides
+/// the root 0 that all directions have; and 0. The polynomial must be irreducible. `None` for a form, whose zeros are straight lines,
+/// and where a discriminant would be large.
+///
+/// # Errors
+/// Those of `limits`.
+pub(crate) fn critical_slopes(
+    f: &PlanePolynomial,
+    limits: &Limits,
+) -> Result<Option<Vec<RealRoot>>> {
+    const MOST_DEGREE: usize = 40;
+    const MOST_DEGREE_IN_R: usize = 12;
+    let degrees = f.homogeneous_degrees();
+    let step = degrees.windows(2).fold(0, |g: usize, w| g.gcd(w[0] - w[1]));
+    if step == 0 || degrees[0] > MOST_DEGREE {
+        return Ok(None);
+    }
+    let equation = equation(f, step);
+    if equation.forms.len() > MOST_DEGREE_IN_R + 1 {
+        return Ok(None);
+    }
+    equation.critical_slopes(limits).map(Some)
 }
 
 /// Adds the branches of a factor of degree more than four in r^step, each as a root.

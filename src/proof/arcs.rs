@@ -5,7 +5,9 @@ use std::cell::OnceCell;
 use num_bigint::BigInt;
 
 use super::bernstein::on_unit_interval;
-use super::univariate::{Coefficients, shift_by_one, shrink};
+use super::numbers::Exact;
+use super::one_sign::sign_on_cube;
+use super::univariate::{Coefficients, add_multiple, shift_by_one, shrink, substitute};
 
 /// The halves of arcs of higher levels are not kept.
 const KEPT_LEVELS: u32 = 8;
@@ -52,16 +54,38 @@ impl Arc {
         self.on_arc.iter().map(sum).collect()
     }
 
-    /// Calls the function for the two halves.
-    pub(super) fn try_halves<E>(&self, visit: impl FnMut(&Self) -> Result<(), E>) -> Result<(), E> {
-        if self.level < KEPT_LEVELS {
-            self.halves
-                .get_or_init(|| Box::new(self.halved()))
-                .iter()
-                .try_for_each(visit)
-        } else {
-            self.halved().iter().try_for_each(visit)
+    /// The sign on the closed arc of the sum of the four polynomials with these weights; 0 if the coefficients about this parameter,
+    /// from 0 to 1, do not show it (T6).
+    pub(super) fn sign_about(&self, at: &Exact, weights: &[BigInt]) -> i64 {
+        let mut sum = Coefficients::new();
+        for (polynomial, weight) in self.polynomials.iter().zip(weights) {
+            add_multiple(&mut sum, weight, polynomial);
         }
+        // The arc is within the parameters at + v for v from −1 to 1.
+        substitute(&mut sum, at, &Exact::one());
+        sign_on_cube(sum.iter().enumerate().map(|(k, c)| ([k, 0, 0], c)))
+    }
+
+    /// Calls the function for the two halves, with those of the parameters that are in them.
+    pub(super) fn try_halves<E>(
+        &self,
+        parameters: &[Exact],
+        mut visit: impl FnMut(&Self, &[Exact]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let fresh;
+        let halves = if self.level < KEPT_LEVELS {
+            self.halves.get_or_init(|| Box::new(self.halved()))
+        } else {
+            fresh = self.halved();
+            &fresh
+        };
+        let two = Exact::integer(2);
+        for (half, start) in halves.iter().zip([Exact::zero(), Exact::one()]) {
+            let moved = parameters.iter().map(|t| &(t * &two) - &start);
+            let inside: Vec<_> = moved.filter(Exact::is_in_unit_interval).collect();
+            visit(half, &inside)?;
+        }
+        Ok(())
     }
 
     /// The arcs with the parameters t/2 and (1 + t)/2, times a power of 2.

@@ -2,6 +2,7 @@
 
 use num_bigint::BigInt;
 
+use super::clock;
 use super::json::{LONGEST_LIST, Value};
 use super::numbers::{Exact, common_denominator, is_zero, sign};
 use super::refusal::{Checked, Refusal, need};
@@ -44,6 +45,7 @@ pub(super) fn intervals(value: &Value, from: &End, to: &End) -> Checked<Vec<Inte
 /// Positive multiples of the coefficients of p on the interval, by one common factor. The formal degree of p is one less than
 /// the length of its list.
 pub(super) fn coefficients_on(p: &[BigInt], interval: &Interval) -> Checked<Coefficients> {
+    clock::need_time()?;
     let mut p = p.to_vec();
     match (&interval.from, &interval.to) {
         (End::At(a), End::At(b)) => {

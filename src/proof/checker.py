@@ -1,49 +1,43 @@
 #!/usr/bin/env python3
 """Checks a proof file of stellate.   Usage: checker.py [--complete] FILE
-The page about proof files defines the format, and has a theorem for every claim: T1 to T8. All decisions are
-made with whole numbers and fractions; a float is only ever a number that was read.
+The page about proof files defines the format, and has a theorem for every claim: T1 to T8. No float decides.
 Exit code 0: every claim with a witness holds (--complete: and all have one). 1: one does not. 2: no proof."""
-import functools, json, math, operator, re, sys
+import functools, json, math, operator, re, signal, sys
 from fractions import Fraction
 from itertools import accumulate
-FILE, DIGITS, LARGEST, DEGREE, ITEMS = 1 << 27, 20000, 1 << 31, 512, 100000     # the limits of the page; also
-WORK, CELLS, BOX = 30000000, 100000, 300000  # for pairs of terms, cells of a cover, coefficients on a cube
-ZERO, ONE = Fraction(0), Fraction(1)
+FILE, DIGITS, LARGEST, DEGREE, ITEMS = 1 << 27, 20000, 1 << 31, 512, 100000     # the limits of the page
+WORK, CELLS, BOX, SECONDS, ZERO, ONE = 10 ** 10, 100000, 300000, 600, Fraction(0), Fraction(1)
 if hasattr(sys, "set_int_max_str_digits"): sys.set_int_max_str_digits(4 * DIGITS)
-class Refused(Exception): """The reason why a claim or a file is not accepted."""
-def refuse(why): raise Refused(ascii(why)[1:200].rstrip("'"))
+def refuse(why): raise ValueError(ascii(why)[1:200].rstrip("'"))
 def need(condition, why): return condition or refuse(why)
-# ------------------------------------------------------------------------------------- reading values
 def unique(pairs): return dict(pairs) if len(dict(pairs)) == len(pairs) else refuse("a field is given twice")
-def small(token): return refuse("-0 is not used") if token == "-0" else integer(int(token), -LARGEST)
+def small(token): return refuse("-0 is not used") if token == "-0" else integer(int(token[:12]), -LARGEST)
 def fields(given, required, optional=""):  # The values in this order; None: an optional one is missing
     required, optional = required.split(), optional.split()
     known = type(given) is dict and set(required) <= set(given) <= set(required + optional)
     need(known, "these fields are expected: " + ", ".join(required + optional))
     need(all(given.get(name, 0) is not None for name in optional), "an optional field is null")
     return [given.get(name) for name in required + optional]
-def rational(text):
-    need(type(text) is str and len(text) <= DIGITS, "an exact number is a string of limited length")
-    pattern = r"0|-?[1-9][0-9]*(/[1-9][0-9]*)?"
-    return Fraction(text) if re.fullmatch(pattern, text) else refuse("no exact number: " + text[:40])
+def rational(text, longest=DIGITS // 10):
+    need(type(text) is str and len(text) <= longest, "an exact number is a string of limited length")
+    known = re.fullmatch(r"0|-?[1-9][0-9]*(/[1-9][0-9]*)?", text)
+    return Fraction(text) if known else refuse("no exact number: " + text[:40])
+def coefficient(text): return rational(text, DIGITS)
 def integer(given, low=0, high=LARGEST):
     return given if type(given) is int and low <= given <= high else refuse("no integer %d..%d" % (low, high))
 def double(text):
-    pattern = r"-?(inf|[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,4})?)"
-    need(re.fullmatch(pattern, text), "no double: " + text[:40])
+    need(re.fullmatch(r"-?(inf|[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,4})?)", text), "no double")
     return float(text) if "inf" in text or math.isfinite(float(text)) else refuse("this is written inf")
 def array(given, read=lambda v: v, low=0, high=ITEMS):
     need(type(given) is list and low <= len(given) <= high, "no list of %d..%d elements" % (low, high))
     return [read(v) for v in given]
 def vector(given, n): return array(given, rational, n, n)
-def unit(given, n):
-    return vector(given, n) if sum(v * v for v in vector(given, n)) == 1 else refuse("no unit vector")
+def unit(given, n): return vector(given, n) if sum(v * v for v in vector(given, n)) == 1 else refuse("no unit vector")
 def ascending(given, start=None, end=None):  # The breakpoints between the given ends; None is infinity
     points = [start] + array(given, rational) + [end]
     need(all(None in (a, b) or a < b for a, b in zip(points, points[1:])), "the breakpoints must ascend")
     return points
-# -------------------------------------------- polynomials in one variable: lists of integers, ascending
-def integers(values):  # The values times their positive common denominator
+def integers(values):  # The values times their positive common denominator. Polynomials in x are lists, ascending
     d = math.lcm(*(v.denominator for v in values))
     return [int(v * d) for v in values]
 def trimmed(p): return p[:max((i + 1 for i, c in enumerate(p) if c), default=0)]
@@ -62,18 +56,17 @@ def shifted(p, a):  # p(x + a) for an integer a: with x = a y this is p(a (y + 1
 def sign(x): return (x > 0) - (x < 0)
 def sign_at(p, q, end=1):  # The sign of p(q); None stands for far out, at the right end or the left end (-1)
     if q is None: return sign(p[-1]) * (end if len(p) % 2 == 0 else 1)
-    total, scale = 0, 1
-    for c in reversed(p): total, scale = total * q.numerator + c * scale, scale * q.denominator
-    return sign(total)
-def bernstein(p, a, b):  # T1: the coefficients of p on [a, b] up to a positive factor; None is infinity
-    n = len(p) - 1
-    if a is None:
-        need(b is not None or n == 0, "at least one breakpoint is needed")
-        return bernstein([c * (-1) ** i for i, c in enumerate(p)], ZERO if b is None else -b, None)[::-1]
-    d = math.lcm(a.denominator, 1 if b is None else b.denominator)
+    n, d = q.numerator, q.denominator
+    return sign(functools.reduce(lambda v, c: (v[0] * n + c * v[1], v[1] * d), p[::-1], (0, 1))[0])
+def linear(p, a, b):  # p(a + b v) in v, times a positive integer that depends on len(p), a and b only
+    d, n = math.lcm(a.denominator, b.denominator), len(p) - 1
     p = shifted([c * s for c, s in zip(p, powers(d, n)[::-1])], int(a * d))
-    if b is None: return p
-    return shifted([c * s for c, s in zip(p, powers(int((b - a) * d), n))][::-1], 1)[::-1]
+    return [c * s for c, s in zip(p, powers(int(b * d), n))]
+def bernstein(p, a, b):  # T1: the coefficients of p on [a, b] up to a positive factor; None is infinity
+    if a is None:
+        need(b is not None or len(p) == 1, "at least one breakpoint is needed")
+        return bernstein([c * (-1) ** i for i, c in enumerate(p)], ZERO if b is None else -b, None)[::-1]
+    return linear(p, a, ONE) if b is None else shifted(linear(p, a, b - a)[::-1], 1)[::-1]
 def variations(coefficients):
     signs = [c > 0 for c in coefficients if c]
     return sum(map(operator.ne, signs, signs[1:]))
@@ -81,17 +74,16 @@ def isolated(p, points):  # T1: the pieces (a, b, sign of p at a) that have one 
     found = []
     for a, b in zip(points, points[1:]):
         c = bernstein(p, a, b)
-        need(c[0] and c[-1], "an end of the piece from %s to %s is a root" % (a, b))
-        need(variations(c) <= 1, "%d sign changes in the piece from %s to %s" % (variations(c), a, b))
+        need(c[0] and c[-1] and variations(c) <= 1, "an end is a root, or there are several, from %s to %s" % (a, b))
         if variations(c): found.append((a, b, sign(c[0])))
     return found
-# ------------------------------------- polynomials in several variables: {tuple of exponents: integer}
-def plus(f, g, factor=1):
+def plus(f, g, factor=1):  # Polynomials in several variables are {tuple of exponents: integer}
     out = dict(f)
     for e, c in g.items(): out[e] = out.get(e, 0) + factor * c
     return {e: c for e, c in out.items() if c}
 def product(f, g):
-    need(len(f) * len(g) <= WORK, "this expansion is longer than the limit")
+    bits = sum(max(map(int.bit_length, h.values()), default=0) for h in (f, g))
+    need(len(f) * len(g) * (bits + 300) <= WORK, "this expansion is longer than the limit")
     out = {}
     for e, a in f.items():
         for h, b in g.items():
@@ -117,35 +109,27 @@ def along(f, d):  # f(s d) as a polynomial in s of formal degree deg f, times a 
     return out
 def value(f, point): return Fraction(sum(along(f, point)), integers(point + [ONE])[-1] ** degree(f))
 def substituted(f, axis, a, b):  # f with a + b v for the variable v of this axis, times a positive integer
-    d, n, rows, out = math.lcm(a.denominator, b.denominator), degree_in(f, axis), {}, {}
-    high, scale = powers(d, n)[::-1], powers(int(b * d), n)
+    n, rows = degree_in(f, axis), {}
     for e, c in f.items(): rows.setdefault(e[:axis] + e[axis + 1:], [0] * (n + 1))[e[axis]] = c
-    for e, row in rows.items():
-        for i, c in enumerate(shifted([c * s for c, s in zip(row, high)], int(a * d))):
-            if c: out[e[:axis] + (i,) + e[axis:]] = c * scale[i]
-    return {e: c for e, c in out.items() if c}
+    return {e[:axis] + (i,) + e[axis:]: c for e, row in rows.items() for i, c in enumerate(linear(row, a, b)) if c}
 def moved(f, point, factor=ONE):  # f(point + factor v) as a polynomial in v, times a positive integer
     for axis, v in enumerate(point): f = substituted(f, axis, v, factor)
     return f
-# ---------------------------------------------------------------------------------------------- forms
 RHO = {2: {(2, 0): 1, (0, 2): 1}, 3: {(2, 0, 0): 1, (0, 2, 0): 1, (0, 0, 2): 1}}
 C, S, MINUS_C, MINUS_S = [1, 0, -1], [0, 2, 0], [-1, 0, 1], [0, -2, 0]        # C + i S = (1 + i t)^2
 QUARTERS = [(C, S), (MINUS_S, C), (MINUS_C, MINUS_S), (S, MINUS_C)]           # the parts of i^q (1 + i t)^2
 def read_terms(given, variables):  # A polynomial: its integer terms, and their common denominator
     out = {}
-    for exponents, coefficient in array(given, lambda t: fields(t, "exponents coefficient")):
+    for exponents, c in array(given, lambda t: fields(t, "exponents coefficient")):
         e = tuple(array(exponents, lambda v: integer(v, 0, DEGREE), variables, variables))
         need(sum(e) <= DEGREE and e not in out, "the degree is above the limit, or a term is given twice")
-        out[e] = rational(coefficient) or refuse("a coefficient is zero")
+        out[e] = coefficient(c) or refuse("a coefficient is zero")
     d = math.lcm(*(c.denominator for c in out.values()))
     return {e: int(c * d) for e, c in out.items()}, d
 def multiple_angle(n):  # cos nt and sin nt as forms in cos t, sin t: real and imaginary part of (c + i s)^n
-    def half(odd): return {(n - k, k): math.comb(n, k) * (-1) ** (k // 2) for k in range(odd, n + 1, 2)}
-    return half(0), half(1)
+    return [{(n - k, k): math.comb(n, k) * (-1) ** (k // 2) for k in range(odd, n + 1, 2)} for odd in (0, 1)]
 def read_center(given, n): return [ZERO] * n if given is None else vector(given, n)
-class Form:
-    """implicit: `terms` over `denominator`. fourier, spherical: `parts`, the solid harmonics by degree, over
-    `scale`, and `center`. parametric: `coordinates`, pairs of polynomials in the generators."""
+class Form:  # terms over denominator; or parts, harmonics by degree, over scale; or coordinates, fractions
     def __init__(self, given):
         self.kind = given["kind"]
         need(self.kind in ("implicit", "fourier", "spherical", "parametric"), "unknown kind of form")
@@ -157,7 +141,7 @@ class Form:
         self.degree = degree(need(self.terms, "there is no term"))
     def fourier(self, given):
         _, cos, sin, center = fields(given, "kind cos sin", "center")
-        cos, sin = (array(v, rational, 1, DEGREE) for v in (cos, sin))
+        cos, sin = (array(v, coefficient, 1, DEGREE) for v in (cos, sin))
         need(len(cos) == len(sin) and sin[0] == 0, "cos and sin have the same length, and sin[0] is 0")
         self.n, self.top, self.center = 2, len(cos) - 1, read_center(center, 2)
         *whole, self.scale = integers(cos + sin + [ONE])
@@ -169,7 +153,7 @@ class Form:
         for l, m, v in array(coefficients, lambda c: fields(c, "l m value")):
             key = integer(l, 0, self.top), integer(m, -l, l)
             need(key not in numbers, "a coefficient is given twice")
-            numbers[key] = rational(v) / 2 ** l
+            numbers[key] = coefficient(v) / 2 ** l
         self.scale = math.lcm(*(v.denominator for v in numbers.values()))
         self.parts = [{} for _ in range(self.top + 1)]
         for (l, m), v in numbers.items():
@@ -219,7 +203,7 @@ class Form:
         w = functools.reduce(times, [[1, 0, 1]] * (self.top + 1), [self.scale])
         x, y = (times(self.quarter(q), u) for u in QUARTERS[q])
         return added(times(x, x), times(y, y)), times(x, w), times(y, w), times(w, w)
-    @functools.lru_cache(None)
+    @functools.lru_cache(1024)
     def arc(self, q, j, level):  # T6: the coefficients of these four for t in [j, j + 1]/2^level, in columns
         a, b = Fraction(j, 2 ** level), Fraction(j + 1, 2 ** level)
         return list(zip(*(bernstein(p, a, b) for p in self.squares(q))))
@@ -232,7 +216,6 @@ class Proof:
     def form(self, index, *kinds):
         known = integer(index) < len(self.forms) and self.forms[index].kind in kinds
         return self.forms[index] if known else refuse("there is no such form: " + ", ".join(kinds))
-# ---------------------------------------------------------------------- T1: the roots in a direction
 def root_count(proof, statement, witness):
     index, d, order, roots, center = fields(statement, "form direction order_at_zero roots", "center")
     breakpoints, parts = fields(witness, "breakpoints", "parts")
@@ -259,7 +242,7 @@ def root_count(proof, statement, witness):
         for c, u, x in numbers: need_nearest(x, c, u, lambda q: root_side(simple, *piece, q))
 def read_part(given):
     m, q = fields(given, "multiplicity coefficients")
-    return integer(m, 1, DEGREE), integers(array(q, rational, 2, DEGREE + 1))
+    return integer(m, 1, DEGREE), integers(array(q, coefficient, 2, DEGREE + 1))
 def root_side(p, a, b, at_a, q):  # The sign of root - q; p has one root in (a, b), this sign at a
     return 1 if a is not None and q <= a else -1 if b is not None and q >= b else sign_at(p, q) * at_a
 def exact(x): return Fraction(2) ** 1024 * sign(x) if math.isinf(x) else Fraction(x)
@@ -268,9 +251,8 @@ def need_nearest(x, c, u, side):  # No double is nearer than x to c + u root; si
         if neighbour != x:                             # an infinite x has only one neighbour
             rest = (exact(x) + exact(neighbour)) / 2 - c
             need((side(rest / u) * sign(u) if u else -sign(rest)) * below >= 0, "%r is not nearest" % x)
-# ---------------------------------------------- T2, T3, T4: identities, which are checked by expanding
-def series_equation(proof, statement, _): same_as_series(proof, *fields(statement, "form radius coordinates"))
-def same_as_series(proof, index, radius, coordinates):  # T2; returns the form of the radius
+def series_equation(proof, given, _): same_as_series(proof, *fields(given, "form radius coordinates", "square"))
+def same_as_series(proof, index, radius, coordinates, square=None):  # T2; returns the form of the radius
     form, series = proof.form(index, "implicit"), proof.form(radius, "fourier", "spherical")
     need(coordinates in ("center", "original") and form.n == series.n, "bad coordinates or dimension")
     n, rho, pair = series.n, RHO[series.n], series.pair()
@@ -279,25 +261,25 @@ def same_as_series(proof, index, radius, coordinates):  # T2; returns the form o
     f, g = product(odd, odd), product(even, even)
     f = plus(f, product(rho, g), -1) if series.top % 2 else plus(product(rho, f), g, -1)
     if coordinates == "original": f = moved(f, [-c for c in series.center])
-    need(proportional(form.terms, f), "the polynomial is not that of the series")
+    need(square is None or square is True, "square is true, or missing")
+    need(proportional(power(form.terms, 2 if square else 1, n), f), "the polynomial is not that of the series")
     return series
 def identity(proof, statement, _):  # T3
     indices, curve = fields(statement, "equations curve")
     curve = proof.form(curve, "parametric")
-    one = {(0,) * curve.generators: 1}
     for form in array(indices, lambda i: proof.form(i, "implicit"), 1, 8):
         need(form.n == len(curve.coordinates), "the equation and the curve have different dimensions")
         tables, total = [], {}
         for axis, pair in enumerate(curve.coordinates):              # above^i below^(top - i), for every i
             top = degree_in(form.terms, axis)
-            ups, downs = (list(accumulate([p] * top, curve.times, initial=one)) for p in pair)
-            tables.append(list(map(curve.times, ups, downs[::-1])))
+            up, down = (list(accumulate([p] * top, curve.times, initial={(0,) * curve.generators: 1})) for p in pair)
+            tables.append(list(map(curve.times, up, down[::-1])))
         for e, c in form.terms.items():
             total = plus(total, functools.reduce(curve.times, map(operator.getitem, tables, e)), c)
         need(not total, "the equation does not vanish on the curve")
 def factorization(proof, statement, _):
     index, constant, factors = fields(statement, "form constant factors")
-    form, c, seen = proof.form(index, "implicit"), rational(constant), []
+    form, c, seen = proof.form(index, "implicit"), coefficient(constant), []
     whole = {(0,) * form.n: 1}
     for i, m in array(factors, lambda v: fields(v, "form multiplicity"), 1, DEGREE):
         factor = proof.form(i, "implicit")
@@ -308,10 +290,9 @@ def factorization(proof, statement, _):
             whole, c = product(whole, factor.terms), c / factor.denominator
     need(plus({}, whole, c * form.denominator) == form.terms, "the product is another polynomial")
 def irreducible(proof, statement, witness):  # T4
-    [index] = fields(statement, "form")
-    form = proof.form(index, "implicit")
+    form = proof.form(*fields(statement, "form"), "implicit")
     if "radius" in witness:
-        series = same_as_series(proof, index, *fields(witness, "radius coordinates"))
+        series = same_as_series(proof, statement["form"], *fields(witness, "radius coordinates"))
         return need(series.parts[-1] and series.pair()[series.top % 2], "the last harmonic or even part is 0")
     point, direction, p = fields(witness, "point direction prime")
     need(form.degree and all(integer(p, 2) % k for k in range(2, math.isqrt(p) + 1)), "%s is no prime" % p)
@@ -334,15 +315,13 @@ def irreducible_modulo(f, p):  # T4: a factor of degree d, at most half that of 
         while b: a, b = b, rest(a, monic(b))
         if len(a) > 1: return False
     return True
-# -------------------------------------------------- T5, T6: signs on the circle, the sphere and the ball
 def covered(cells, depth, decided, halves):  # Every cell falls into decided ones by `depth` divisions at most
     stack, count, depth = [(cell, 0) for cell in cells], 0, integer(depth, 0, 200)
     while stack:
         (cell, level), count = stack.pop(), count + 1
         if not decided(cell, level):
-            need(level < depth, "a cell of the cover is undecided")
             stack += [(half, level + 1) for half in halves(cell)]
-        need(count <= CELLS, "the cover has too many cells")
+            need(level < depth and count + len(stack) <= CELLS, "a cell is undecided, or there are too many cells")
 def cube(f, n, depth, decided):  # The same on [-1, 1]^n, where f on the cell is moved to [-1, 1]^n as well
     def halves(cell):
         pieces = [(cell[0], ())]
@@ -351,13 +330,11 @@ def cube(f, n, depth, decided):  # The same on [-1, 1]^n, where f on the cell is
                       for g, c in pieces for s in (-1, 1)]
         return pieces
     covered([(f, (0,) * n)], depth, lambda cell, level: decided(*cell, level), halves)
-def reach(center, level, s):  # The smallest (s = -1) or largest (s = 1) squared distance of the cell from 0
-    return Fraction(sum(max(abs(c) + s, 0) ** 2 for c in center), 4 ** level)
+def reach(c, level, s): return Fraction(sum(max(abs(v) + s, 0) ** 2 for v in c), 4 ** level)  # |v|^2: s = -1 least
 def positive_radius(proof, statement, witness):  # T5
     index, positive = fields(statement, "form positive")
     form = proof.form(index, "fourier", "spherical")
-    if positive is False:
-        return need(sum(form.radius(unit(*fields(witness, "direction"), form.n))) <= 0, "r > 0 there")
+    if positive is False: return need(sum(form.radius(unit(*fields(witness, "direction"), form.n))) <= 0, "r > 0")
     need(positive is True and sum(form.radius([ONE] + [ZERO] * (form.n - 1))) > 0, "r <= 0 on the x axis")
     if form.kind == "fourier":
         quarters = array(*fields(witness, "quarters"), lambda v: ascending(v, ZERO, ONE), 4, 4)
@@ -372,9 +349,17 @@ def nonzero_radius(f, center, level):  # T5: whether |A| > |B| |d| or |B| |d| > 
     a_low, b_low = (2 * abs(f.get((0, 0, odd), 0)) - v for odd, v in enumerate((a, b)))        # lower bounds
     far, near = 1 + reach(center, level, 1), 1 + reach(center, level, -1)
     return a_low > 0 and a_low ** 2 > far * b ** 2 or b_low > 0 and b_low ** 2 * near > a ** 2
+def sign_on_cube(f, n):  # T6: the sign of f on [-1, 1]^n if its coefficients show it: f has a term c + m v^2 + l v
+    c, slope, bend = f.get((0,) * n, 0), [0] * n, [0] * n                              # bend is 2 m
+    for e, v in f.items():
+        axes = [i for i in range(n) if e[i]][:2]
+        for i in axes: bend[i] += 2 * sign(c) * v if max(e) == sum(e) == 2 else -2 * abs(v) // len(axes)
+        if sum(e) == 1: slope[axes[0]], bend[axes[0]] = abs(v), bend[axes[0]] + 2 * abs(v)
+    lost = (Fraction(l * l, 2 * m) if l < m else l - Fraction(m, 2) for l, m in zip(slope, bend))
+    return sign(c) if abs(c) > sum(lost) else 0
 def distance(proof, statement, witness):  # T6
     index, point, relation, bound = fields(statement, "form point relation bound")
-    form, d = proof.form(index, "implicit", "fourier"), rational(bound)
+    form, d = proof.form(index, "implicit", "fourier", "spherical"), rational(bound)
     p, near, sphere = vector(point, form.n), relation in ("at-most", "meets"), relation in ("meets", "misses")
     need(d >= 0 and (near or sphere or relation == "more-than"), "unknown relation, or a negative bound")
     def excess(q): return sum((u - v) ** 2 for u, v in zip(p, q)) - d * d
@@ -383,22 +368,38 @@ def distance(proof, statement, witness):  # T6
         need(all(excess(q) == 0 or excess(q) < 0 and not sphere for q in ends), "an end is elsewhere")
         need(value(form.terms, ends[0]) * value(form.terms, ends[1]) <= 0, "the signs at the ends are equal")
     elif near:
-        found = array(*fields(witness, "directions"), lambda v: excess(form.point(unit(v, 2))), 1, 2)
+        found = array(*fields(witness, "directions"), lambda v: excess(form.point(unit(v, form.n))), 1, 2)
         need(min(found) <= 0 and (max(found) >= 0 or not sphere), "the points are elsewhere")
     elif form.kind == "implicit":
+        depth, extra = fields(witness, "depth", "multipliers")
+        weights = [ZERO] + ([] if extra is None else array(extra, rational, 1, 8))
+        lens = {tuple(int(i == j) for i in range(form.n)): 2 * v for j, v in enumerate(p)}     # d^2 - |x - p|^2
+        lens = plus(plus(lens, RHO[form.n], -1), {(0,) * form.n: d * d - sum(v * v for v in p)})
         def decided(f, center, level):
+            parts = ({e[:-1]: c for e, c in f.items() if e[-1] == k} for k in range(len(weights)))
+            signs = (sign_on_cube(g, form.n) for g in parts)
             outside = reach(center, level, -1) > 1 or sphere and reach(center, level, 1) < 1
-            return outside or 2 * abs(f.get((0,) * form.n, 0)) > sum(map(abs, f.values()))
-        need(math.prod(degree_in(form.terms, axis) + 1 for axis in range(form.n)) <= BOX, "f is too large")
-        cube(moved(form.terms, p, d), form.n, *fields(witness, "depth"), decided)
+            return outside or any(s and (sphere or m * s >= 0) for m, s in zip(weights, signs))
+        need(math.prod(max(degree_in(form.terms, k), 2) + 1 for k in range(form.n)) <= BOX, "f is too large")
+        both = {}
+        for k, m in enumerate(weights):                                             # f - m (d^2 - |x - p|^2)
+            h = plus(form.terms, lens, -m * form.denominator)
+            both.update(zip([e + (k,) for e in h], integers(list(h.values()))))
+        cube(moved(both, p, d), form.n, depth, decided)
     else:
         u, v = map(operator.sub, p, form.center)
         weights = integers([ONE, -2 * u, -2 * v, u * u + v * v - d * d])                # of |C - p|^2 - d^2
+        depth, near = fields(witness, "depth", "near")
+        near = [] if near is None else array(near, rational, 1, 8)
+        def on(columns): return [sum(map(operator.mul, weights, column)) for column in columns]
+        def about(q, t, w): return linear(on(zip(*form.squares(q))), t, w)           # for |parameter - t| <= w
         def decided(cell, level):
-            c = [sum(map(operator.mul, weights, column)) for column in form.arc(*cell, level)]
-            return c[0] and c[-1] and not variations(c) and (c[0] > 0 or sphere)
-        def halves(cell): return [(cell[0], 2 * cell[1]), (cell[0], 2 * cell[1] + 1)]
-        covered([(q, 0) for q in range(4)], *fields(witness, "depth"), decided, halves)
+            (q, j), w, c = cell, Fraction(1, 2 ** level), on(form.arc(*cell, level))
+            here = (about(q, u - q, w) for u in near if j * w <= u - q <= (j + 1) * w)
+            bowls = (sign_on_cube(dict(zip(zip(range(BOX)), p)), 1) for p in here)
+            seen = variations(c) == 0 or variations(c) == 2 and any(bowls)
+            return seen and c[0] * c[-1] > 0 and (c[0] > 0 or sphere)
+        covered([(q, 0) for q in range(4)], depth, decided, lambda v: [(v[0], 2 * v[1] + i) for i in (0, 1)])
 def side(proof, statement, _):
     index, point, given = fields(statement, "form point sign")
     form = proof.form(index, "implicit", "fourier", "spherical")
@@ -410,7 +411,6 @@ def side(proof, statement, _):
         larger = sign(b * b * sum(v * v for v in p) - a * a)
         found = sign(a) if larger < 0 else sign(b) if larger > 0 or a * b > 0 else 0
     need(integer(given, -1, 1) == found, "the sign is %d" % found)
-# ----------------------------------------------- T7: the number of roots in sectors of directions
 def constant_roots(f, directions, points):  # The numbers of roots x < 0 and x > 0 of f(x, s), for all s
     n, m, counts = degree_in(f, 0), degree_in(f, 1), [0, 0]
     for a, b in zip(points, points[1:]):
@@ -465,14 +465,15 @@ def fit_error(proof, statement, witness):  # T8
     for given, of_all in ((largest, max), (rms, lambda squares: Fraction(sum(squares), len(errors)))):
         low, high = (v * scale for v in vector(given, 2))
         need(0 <= low <= high and low ** 2 <= of_all(lows) and of_all(highs) <= high ** 2, "another error")
-# ------------------------------------------------------------------------------------------ the claims
 CHECKS = {check.__name__.replace("_", "-"): check for check in (root_count, series_equation, identity, side,
           factorization, irreducible, positive_radius, distance, sectors, fit_error)}
 EXPANDED = ("series-equation", "identity", "factorization", "side")
 UNPROVED = ("topology", "closed-form", "ranges", "hausdorff-distance", "overlap", "tracing-index", "genus",
             "minimal-degree", "star-shaped-outline", "real-image")
+def late(*_): signal.alarm(1) or refuse("the check takes longer than ten minutes")
 def main(arguments):
     counts, seen, refused = {}, {}, 0
+    if hasattr(signal, "alarm"): signal.signal(signal.SIGALRM, late), signal.alarm(SECONDS)
     try:
         need(arguments, "usage: checker.py [--complete] FILE")
         with open(arguments[-1], "rb") as file: text = file.read(FILE + 1)

@@ -7,7 +7,7 @@ use super::forms::Forms;
 use super::json::{Claim, LONGEST_LIST, Value, beginning, parse};
 use super::refusal::{Checked, Refusal, need};
 use super::{
-    distance, factorization, fit_error, identity, irreducible, positive_radius, root_count,
+    clock, distance, factorization, fit_error, identity, irreducible, positive_radius, root_count,
     sectors, series_equation, side,
 };
 
@@ -84,6 +84,7 @@ pub struct Report {
 /// Refuses a text that is no proof at all: it is longer than [`LONGEST_DOCUMENT`], no JSON, of another schema or kind, or has a
 /// form that is not valid. A claim that does not hold is no error of this function, but a part of the report.
 pub fn check(text: &str, complete: bool) -> Result<Report, Refusal> {
+    clock::start();
     need(
         text.len() <= LONGEST_DOCUMENT,
         "the document is longer than 2^27 bytes",

@@ -2,8 +2,10 @@
 
 use num_bigint::{BigInt, BigUint};
 
-use super::json::Claim;
+use super::clock;
+use super::json::{Claim, Fields};
 use super::numbers::power_of_two;
+use super::one_sign::sign_on_cube;
 use super::refusal::{Checked, Refusal, need};
 use super::sparse::Sparse;
 use super::univariate::{Coefficients, shift, shrink};
@@ -25,14 +27,18 @@ pub(super) struct Budget {
 impl Budget {
     /// Reads the witness `{"depth": n}`.
     pub(super) fn read(claim: &Claim<'_>) -> Checked<Self> {
-        let depth = claim
-            .witness(&["depth"], &[])?
-            .get("depth", |value| value.count(DEEPEST))?;
+        Self::of(&claim.witness(&["depth"], &[])?)
+    }
+
+    /// Reads the field `depth` of a witness.
+    pub(super) fn of(witness: &Fields<'_>) -> Checked<Self> {
+        let depth = witness.get("depth", |value| value.count(DEEPEST))?;
         Ok(Self { depth, cells: 0 })
     }
 
     pub(super) fn enter_cell(&mut self) -> Checked<()> {
         self.cells += 1;
+        clock::need_time()?;
         need(
             self.cells <= MOST_CELLS,
             "the cover has more than 100 000 cells",
@@ -53,6 +59,15 @@ pub(super) struct Dense {
 }
 
 impl Dense {
+    /// Refuses a polynomial that is too large for a cover.
+    pub(super) fn need_small(f: &Sparse, dimension: usize) -> Checked<()> {
+        let sizes = (0..dimension).map(|axis| f.degree_in(axis).max(2) as usize + 1);
+        need(
+            sizes.product::<usize>() <= MOST_COEFFICIENTS,
+            "a polynomial on a cube has more than 300 000 coefficients",
+        )
+    }
+
     /// The polynomial with formal degrees one less than the lengths, which are at least the degrees.
     pub(super) fn new(f: &Sparse, lengths: &[usize]) -> Checked<Self> {
         let size = lengths
@@ -100,6 +115,19 @@ impl Dense {
             }
         }
         result
+    }
+
+    /// The sign on the whole cube; 0 if the coefficients do not show it.
+    pub(super) fn sign(&self) -> i64 {
+        let lengths = &self.lengths;
+        sign_on_cube(self.coefficients.iter().enumerate().map(|(mut index, c)| {
+            let mut exponents = [0; 3];
+            for (exponent, length) in exponents.iter_mut().zip(lengths).rev() {
+                *exponent = index % length;
+                index /= length;
+            }
+            (exponents, c)
+        }))
     }
 
     /// The absolute value of the constant coefficient, and the sum of those of all others.

@@ -9,7 +9,11 @@ use super::json::{Claim, Value};
 use super::numbers::{Exact, common_denominator, sign, squared_distance, unit_vector, vector};
 use super::refusal::{Checked, Refusal, need};
 use super::series::{Harmonics, Series, length_polynomial, quarter_direction};
+use super::sparse::Sparse;
 use super::univariate::{power, product, variations};
+
+/// The largest number of multipliers, or of places, of a cover.
+const MOST_MULTIPLIERS: usize = 8;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Relation {
@@ -43,13 +47,13 @@ pub(super) fn check(forms: &Forms, claim: &Claim<'_>) -> Checked<()> {
     match locus {
         Locus::Implicit(form) if has_points => check_segment(form, &ball, claim),
         Locus::Implicit(form) => check_cube(form, &ball, claim),
+        Locus::Series(radius) if has_points => check_directions(radius, &ball, claim),
         Locus::Series(Series {
             harmonics: Harmonics::Space { .. },
             ..
         }) => Err(Refusal::new(
-            "distances from a spherical form are not claimed",
+            "that a surface keeps a distance has no witness for a spherical form",
         )),
-        Locus::Series(radius) if has_points => check_directions(radius, &ball, claim),
         Locus::Series(radius) => check_arcs(radius, &ball, claim),
     }
 }
@@ -90,13 +94,14 @@ fn check_segment(form: &Implicit, ball: &Ball, claim: &Claim<'_>) -> Checked<()>
     )
 }
 
-/// A curve has the points of one or two directions, and its points have all distances between those of the two.
+/// A curve or surface has the points of one or two directions, and points with all distances between those of the two.
 fn check_directions(radius: &Series, ball: &Ball, claim: &Claim<'_>) -> Checked<()> {
     let sides = claim
         .witness(&["directions"], &[])?
         .get("directions", |list| {
             list.list(1..=2, |direction| {
-                Ok(ball.side(&radius.point(&unit_vector(direction, 2)?)?))
+                let direction = unit_vector(direction, radius.dimension())?;
+                Ok(ball.side(&radius.point(&direction)?))
             })
         })?;
     need(
@@ -109,37 +114,73 @@ fn check_directions(radius: &Series, ball: &Ball, claim: &Claim<'_>) -> Checked<
     )
 }
 
-/// A polynomial on the cube about a ball has no zero in the cells that contain points of the ball, or of its sphere.
+/// A polynomial on the cube about a ball has no zero in the cells that contain points of the ball, or of its sphere: the polynomial
+/// f itself, or f − μ·(d² − |x − p|²) for one of the multipliers, has one sign there, and the second one that of μ if the inside of
+/// the ball matters.
 fn check_cube(form: &Implicit, ball: &Ball, claim: &Claim<'_>) -> Checked<()> {
-    let mut budget = Budget::read(claim)?;
-    let lengths: Vec<_> = (0..form.dimension)
-        .map(|axis| form.terms.degree_in(axis) as usize + 1)
-        .collect();
-    // The limit of the size is checked before the polynomial is moved, since it has fewer terms before.
-    Dense::new(&form.terms, &lengths)?;
-    let mut moved = form.terms.clone();
-    for (axis, coordinate) in ball.center.iter().enumerate() {
-        moved = moved.substituted(axis, coordinate, &ball.radius);
-    }
-    let whole = Cell::whole_cube(vec![Dense::new(&moved, &lengths)?], form.dimension);
+    let witness = claim.witness(&["depth"], &["multipliers"])?;
+    let mut budget = Budget::of(&witness)?;
+    let multipliers = witness.optional("multipliers", |list| {
+        list.list(1..=MOST_MULTIPLIERS, Exact::read)
+    })?;
+    let mut multipliers = multipliers.unwrap_or_default();
+    multipliers.push(Exact::zero());
+    Dense::need_small(&form.terms, form.dimension)?;
+    let on_cube = |multiplier: &Exact| {
+        let mut moved = raised(form, ball, multiplier);
+        for (axis, coordinate) in ball.center.iter().enumerate() {
+            moved = moved.substituted(axis, coordinate, &ball.radius);
+        }
+        let lengths: Vec<_> = (0..form.dimension)
+            .map(|axis| moved.degree_in(axis) as usize + 1)
+            .collect();
+        Dense::new(&moved, &lengths)
+    };
+    let polynomials = multipliers.iter().map(on_cube).collect::<Checked<_>>()?;
+    let sphere = ball.relation == Relation::Misses;
+    let whole = Cell::whole_cube(polynomials, form.dimension);
     whole.cover(&mut budget, &|cell| {
         let unit = cell.unit();
         let outside = cell.nearest_square() > unit;
-        let inside = ball.relation == Relation::Misses && cell.farthest_square() < unit;
-        outside || inside || cell.polynomials.iter().all(has_no_zero)
+        let inside = sphere && cell.farthest_square() < unit;
+        let mut pairs = cell.polynomials.iter().zip(&multipliers);
+        let decides = |(f, multiplier): (&Dense, &Exact)| {
+            let sign = f.sign();
+            sign != 0 && (sphere || multiplier.sign() * sign >= 0)
+        };
+        outside || inside || pairs.any(decides)
     })
 }
 
-/// On [−1, 1]^n all terms but the constant one are at most as large as their coefficients.
-fn has_no_zero(f: &Dense) -> bool {
-    let (constant, rest) = f.constant_and_rest();
-    constant > rest
+/// f − μ·(d² − |x − p|²) with integer coefficients, times a positive number.
+fn raised(form: &Implicit, ball: &Ball, multiplier: &Exact) -> Sparse {
+    let two = Exact::integer(2);
+    let mut values: Vec<_> = ball.center.iter().map(|c| c * &two).collect();
+    let origin = vec![Exact::zero(); form.dimension];
+    values.push(&ball.radius.squared() - &squared_distance(&ball.center, &origin));
+    let (values, common) = common_denominator(&values);
+    let mut lens = Sparse::default();
+    for (axis, c) in values.iter().enumerate() {
+        let mut exponents = [0; 4];
+        if axis < form.dimension {
+            exponents[axis] = 1;
+        }
+        lens.add_term(exponents, c.clone());
+    }
+    lens.add_multiple(&-&common, &Sparse::squared_radius(form.dimension));
+    let mut result = Sparse::default();
+    result.add_multiple(&(multiplier.denominator() * &common), &form.terms);
+    result.add_multiple(&-(multiplier.numerator() * &form.denominator), &lens);
+    result
 }
 
 /// The difference of the squares of the distance and the bound has no zero on a curve, and is positive if nothing of the curve
 /// may be in the ball.
 fn check_arcs(radius: &Series, ball: &Ball, claim: &Claim<'_>) -> Checked<()> {
-    let mut budget = Budget::read(claim)?;
+    let witness = claim.witness(&["depth"], &["near"])?;
+    let mut budget = Budget::of(&witness)?;
+    let near = witness.optional("near", |list| list.list(1..=MOST_MULTIPLIERS, Exact::read))?;
+    let near = near.unwrap_or_default();
     // With the curve (X, Y)/W about its center and (u, v) from there to p, the numerator of |C − p|² − d² over W² is
     // (X² + Y²) − 2u·X·W − 2v·Y·W + (u² + v² − d²)·W².
     let offset: Vec<_> = ball
@@ -157,13 +198,18 @@ fn check_arcs(radius: &Series, ball: &Ball, claim: &Claim<'_>) -> Checked<()> {
     let quarters = radius
         .quarters
         .get_or_init(|| (0..4).map(|q| whole_quarter(radius, q)).collect());
-    quarters
-        .iter()
-        .try_for_each(|quarter| cover_arc(quarter, &weights, ball.relation, &mut budget))
+    // The number q + t stands for the parameter t in the quarter q.
+    for (index, quarter) in (0_i64..).zip(quarters) {
+        let parameters = near.iter().map(|place| place - &Exact::integer(index));
+        let here: Vec<_> = parameters.filter(Exact::is_in_unit_interval).collect();
+        cover_arc(quarter, &here, &weights, ball.relation, &mut budget)?;
+    }
+    Ok(())
 }
 
 fn cover_arc(
     arc: &Arc,
+    near: &[Exact],
     weights: &[BigInt],
     relation: Relation,
     budget: &mut Budget,
@@ -176,11 +222,18 @@ fn cover_arc(
         [-1, -1] => relation == Relation::Misses,
         _ => false,
     };
-    if decided && variations(&coefficients) == 0 {
+    let seen = match variations(&coefficients) {
+        0 => decided,
+        2 => decided && near.iter().any(|at| arc.sign_about(at, weights) != 0),
+        _ => false,
+    };
+    if seen {
         return Ok(());
     }
     budget.may_halve(arc.level())?;
-    arc.try_halves(|half| cover_arc(half, weights, relation, budget))
+    arc.try_halves(near, |half, near| {
+        cover_arc(half, near, weights, relation, budget)
+    })
 }
 
 /// X² + Y², X·W, Y·W and W² on a quarter, where W = (1 + t²)^(N + 1)·scale and X + i Y = (1 + t²)^N·r·scale·z with

@@ -10,7 +10,7 @@ pub(super) fn check(forms: &Forms, claim: &Claim<'_>) -> Checked<()> {
     claim.expansion()?;
     let fields = claim.statement(&["form", "constant", "factors"], &[])?;
     let form = fields.get("form", |index| forms.implicit(index))?;
-    let constant = fields.get("constant", Exact::read)?;
+    let constant = fields.get("constant", Exact::read_coefficient)?;
     let factors = fields.get("factors", |list| {
         let mut before: Vec<&Implicit> = Vec::new();
         list.list(1..=MOST_PARTS, |factor| {

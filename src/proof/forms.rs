@@ -134,7 +134,7 @@ fn read_terms(value: &Value, generators: usize) -> Checked<(Sparse, BigInt)> {
     let terms = value.list(0..=LONGEST_LIST, |term| {
         let fields = term.fields(&["exponents", "coefficient"], &[])?;
         let exponents = fields.get("exponents", |list| read_exponents(list, generators))?;
-        let coefficient = fields.get("coefficient", Exact::read)?;
+        let coefficient = fields.get("coefficient", Exact::read_coefficient)?;
         need(!coefficient.is_zero(), "a coefficient is 0")?;
         need(seen.insert(exponents), "a term is given twice")?;
         Ok((exponents, coefficient))
@@ -185,9 +185,13 @@ fn read_center(fields: &Fields<'_>, dimension: usize) -> Checked<Vec<Exact>> {
 }
 
 fn read_fourier(fields: &Fields<'_>) -> Checked<Series> {
-    let mut all = fields.get("cos", |value| value.list(1..=MOST_PARTS, Exact::read))?;
+    let mut all = fields.get("cos", |value| {
+        value.list(1..=MOST_PARTS, Exact::read_coefficient)
+    })?;
     let length = all.len();
-    let sin = fields.get("sin", |value| value.list(length..=length, Exact::read))?;
+    let sin = fields.get("sin", |value| {
+        value.list(length..=length, Exact::read_coefficient)
+    })?;
     need(sin.first().is_some_and(Exact::is_zero), "sin[0] is not 0")?;
     all.extend(sin);
     let (mut cos, scale) = common_denominator(&all);
@@ -208,7 +212,7 @@ fn read_spherical(fields: &Fields<'_>) -> Checked<Series> {
             let l = fields.get("l", |value| value.count(degree))?;
             let m = fields.get("m", |value| value.integer(-i64::from(l)..=i64::from(l)))?;
             need(seen.insert((l, m)), "a coefficient is given twice")?;
-            Ok((l, m, fields.get("value", Exact::read)?))
+            Ok((l, m, fields.get("value", Exact::read_coefficient)?))
         })
     })?;
     let values: Vec<_> = terms.iter().map(|(_, _, value)| value.clone()).collect();

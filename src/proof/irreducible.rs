@@ -22,7 +22,7 @@ pub(super) fn check(forms: &Forms, claim: &Claim<'_>) -> Checked<()> {
 /// The equation of a radius whose last harmonic and whose even part are not zero is irreducible.
 fn check_radius(forms: &Forms, form: &Implicit, claim: &Claim<'_>) -> Checked<()> {
     let fields = claim.witness(&["radius", "coordinates"], &[])?;
-    let (series, parity) = need_same(forms, form, &fields)?;
+    let (series, parity) = need_same(forms, form, 1, &fields)?;
     let even = if series.top() % 2 == 0 {
         &parity.same
     } else {

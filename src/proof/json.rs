@@ -242,6 +242,9 @@ impl<'de> Visitor<'de> for ValueVisitor {
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Value, A::Error> {
         let mut elements = Vec::new();
         while let Some(element) = list.next_element()? {
+            if elements.len() == LONGEST_LIST {
+                return Err(A::Error::custom("a list has more than 100 000 elements"));
+            }
             elements.push(element);
         }
         Ok(Value::List(elements))

@@ -6,6 +6,7 @@
 mod arcs;
 mod bernstein;
 mod checker;
+mod clock;
 mod cover;
 mod distance;
 mod factorization;
@@ -16,6 +17,7 @@ mod irreducible;
 mod json;
 mod modular;
 mod numbers;
+mod one_sign;
 mod parametric;
 mod positive_radius;
 mod refusal;

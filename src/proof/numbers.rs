@@ -8,8 +8,10 @@ use num_bigint::{BigInt, BigUint, Sign};
 use super::json::{Value, beginning};
 use super::refusal::{Checked, Refusal, need};
 
-/// The largest number of characters of an exact number.
-const LONGEST_NUMBER: usize = 20_000;
+/// The largest number of characters of a coefficient of a form or a part.
+const LONGEST_COEFFICIENT: usize = 20_000;
+/// The largest number of characters of any other exact number. Polynomials of high degrees are evaluated at these numbers.
+const LONGEST_NUMBER: usize = 2_000;
 /// The largest number of digits of a double on either side of the point, and of its exponent.
 const DOUBLE_DIGITS: usize = 400;
 const EXPONENT_DIGITS: usize = 4;
@@ -71,6 +73,11 @@ impl Exact {
         self.sign() == 0
     }
 
+    /// Whether this is a number from 0 to 1.
+    pub(super) fn is_in_unit_interval(&self) -> bool {
+        self.sign() >= 0 && self.numerator <= self.denominator
+    }
+
     pub(super) fn squared(&self) -> Self {
         self * self
     }
@@ -83,13 +90,22 @@ impl Exact {
         )
     }
 
-    /// Reads `0`, `p` or `p/q`.
+    /// Reads `0`, `p` or `p/q`, a number that is no coefficient.
     pub(super) fn read(value: &Value) -> Checked<Self> {
+        Self::read_within(value, LONGEST_NUMBER)
+    }
+
+    /// Reads a coefficient of a form or a part.
+    pub(super) fn read_coefficient(value: &Value) -> Checked<Self> {
+        Self::read_within(value, LONGEST_COEFFICIENT)
+    }
+
+    fn read_within(value: &Value, longest: usize) -> Checked<Self> {
         let text = value.text()?;
         let fault = || Refusal::new(format!("{} is no exact number", beginning(text)));
         need(
-            text.len() <= LONGEST_NUMBER,
-            "an exact number has at most 20 000 characters",
+            text.len() <= longest,
+            &format!("an exact number has at most {longest} characters here"),
         )?;
         if text == "0" {
             return Ok(Self::zero());

@@ -111,7 +111,7 @@ fn read_part(value: &Value) -> Checked<Part> {
     let multiplicity = fields.get("multiplicity", |value| value.count(HIGHEST_DEGREE))?;
     need(multiplicity > 0, "a multiplicity is at least 1")?;
     let coefficients = fields.get("coefficients", |value| {
-        value.list(2..=MOST_PARTS + 1, Exact::read)
+        value.list(2..=MOST_PARTS + 1, Exact::read_coefficient)
     })?;
     let (coefficients, _) = common_denominator(&coefficients);
     need(

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 
 use super::forms::{Forms, Implicit};
-use super::json::{Claim, Fields};
+use super::json::{Claim, Fields, Value};
 use super::numbers::Exact;
 use super::refusal::{Checked, Refusal, need};
 use super::series::{Parity, Series};
@@ -11,16 +11,21 @@ use super::sparse::Sparse;
 
 pub(super) fn check(forms: &Forms, claim: &Claim<'_>) -> Checked<()> {
     claim.expansion()?;
-    let fields = claim.statement(&["form", "radius", "coordinates"], &[])?;
+    let fields = claim.statement(&["form", "radius", "coordinates"], &["square"])?;
     let form = fields.get("form", |index| forms.implicit(index))?;
-    need_same(forms, form, &fields).map(|_| ())
+    let square = fields.optional("square", |value| {
+        need(*value == Value::Truth(true), "square is true, or missing")
+    })?;
+    let exponent = if square.is_some() { 2 } else { 1 };
+    need_same(forms, form, exponent, &fields).map(|_| ())
 }
 
-/// Needs the form to be the equation of the radius in the fields `radius` and `coordinates`, and returns the radius with its
+/// Needs the power of the form with this exponent to be the equation of the radius in the fields `radius` and `coordinates`, and returns the radius with its
 /// parts A and B.
 pub(super) fn need_same<'a>(
     forms: &'a Forms,
     form: &Implicit,
+    exponent: u32,
     fields: &Fields<'_>,
 ) -> Checked<(&'a Series, Parity)> {
     let series = fields.get("radius", |index| forms.series(index))?;
@@ -40,7 +45,7 @@ pub(super) fn need_same<'a>(
         equation = equation.about(&back);
     }
     need(
-        form.terms.is_proportional_to(&equation),
+        form.terms.power(exponent)?.is_proportional_to(&equation),
         "the polynomial is not the equation of the radius",
     )?;
     Ok((series, parity))

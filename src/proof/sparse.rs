@@ -5,6 +5,7 @@ use std::collections::btree_map::Entry;
 
 use num_bigint::BigInt;
 
+use super::clock;
 use super::numbers::{Exact, common_denominator, greatest_common_divisor, is_zero, powers, sign};
 use super::refusal::{Checked, need};
 use super::univariate::{Coefficients, shrink, substitute};
@@ -12,8 +13,9 @@ use super::univariate::{Coefficients, shrink, substitute};
 /// The exponents of the variables; those of missing variables are 0. Four generators are enough: two angles have two each.
 pub(super) type Exponents = [u32; 4];
 
-/// The largest number of pairs of terms in one product.
-const LARGEST_PRODUCT: usize = 30_000_000;
+/// The largest cost of one product: the number of pairs of terms, times the largest number of bits in each factor and this number.
+const LARGEST_PRODUCT: u64 = 10_000_000_000;
+const BITS_OF_A_TERM: u64 = 300;
 
 /// A polynomial in up to four variables. No coefficient is 0.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -71,10 +73,13 @@ impl Sparse {
     }
 
     pub(super) fn times(&self, other: &Self) -> Checked<Self> {
+        let pairs = (self.terms.len() as u64).saturating_mul(other.terms.len() as u64);
+        let bits = self.largest_bits() + other.largest_bits() + BITS_OF_A_TERM;
         need(
-            self.terms.len().saturating_mul(other.terms.len()) <= LARGEST_PRODUCT,
-            "a product has more pairs of terms than the limit",
+            pairs.saturating_mul(bits) <= LARGEST_PRODUCT,
+            "this expansion is longer than the limit",
         )?;
+        clock::need_time()?;
         let mut sums: BTreeMap<Exponents, BigInt> = BTreeMap::new();
         for (e, a) in &self.terms {
             for (h, b) in &other.terms {
@@ -97,6 +102,11 @@ impl Sparse {
     /// The total degree; 0 for the zero polynomial.
     pub(super) fn degree(&self) -> u32 {
         self.terms.keys().map(total).max().unwrap_or(0)
+    }
+
+    /// The number of bits of the largest coefficient.
+    fn largest_bits(&self) -> u64 {
+        self.terms.values().map(BigInt::bits).max().unwrap_or(0)
     }
 
     /// The lowest total degree of a term; 0 for the zero polynomial.

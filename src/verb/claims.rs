@@ -1,14 +1,21 @@
 //! The claims of the verbs for proof files: everything that an output says of a form.
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use serde_json::json;
 
 use super::Work;
+use super::topology::CurveTopology;
 use crate::describe::Description;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
+use crate::factor::factor_plane;
 use crate::fit::Distances;
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
-use crate::parametrize::{BranchRadius, Parametrization, Rationality};
+use crate::parametrize::{
+    BranchRadius, IntersectionParametrization, Parametrization, Rationality,
+    SurfaceParametrization, born_of_radius, critical_slopes,
+};
+use crate::poly::PlanePolynomial;
 use crate::sample::{HomogeneousParts, SampledRay, UnitVector};
 use crate::shape::{Form, FourierRadius, HarmonicSurface, ImplicitSurface, Parameter, PlaneCurve};
 use crate::sphere::Positivity;
@@ -51,8 +58,7 @@ pub(super) fn claim_description(
     let Some(factors) = &description.factors else {
         return Ok(());
     };
-    let mut indices = Vec::new();
-    let mut product = Rational::one();
+    let mut entered = Vec::new();
     for factor in factors {
         let (index, first) = match &factor.shape {
             Form::Curve(curve) => {
@@ -73,11 +79,8 @@ pub(super) fn claim_description(
             }
             _ => return Ok(()),
         };
-        indices.push((index, factor.multiplicity));
         let first = first.invariant("a factor is not 0");
-        for _ in 0..factor.multiplicity {
-            product = &product * &first;
-        }
+        entered.push((index, factor.multiplicity, first));
     }
     let (whole, first) = match form {
         Form::Curve(curve) => (
@@ -88,8 +91,49 @@ pub(super) fn claim_description(
         _ => return Ok(()),
     };
     let first = first.invariant("a polynomial with factors is not 0");
-    witness::factors(proof, whole, &(&first / &product), &indices);
+    claim_product(proof, whole, &first, &entered);
     Ok(())
+}
+
+/// Claims that a polynomial with this first coefficient is a product of factors, given by their indices, multiplicities and first
+/// coefficients.
+fn claim_product(
+    proof: &mut Proof,
+    whole: Option<usize>,
+    first: &Rational,
+    factors: &[(Option<usize>, usize, Rational)],
+) {
+    let mut product = Rational::one();
+    for (_, multiplicity, first) in factors {
+        for _ in 0..*multiplicity {
+            product = &product * first;
+        }
+    }
+    let indices: Vec<_> = factors.iter().map(|(index, m, _)| (*index, *m)).collect();
+    witness::factors(proof, whole, &(first / &product), &indices);
+}
+
+/// Claims what is found of the components of a curve and of the genus of its factors, without witnesses.
+pub(super) fn claim_topology(proof: &mut Proof, form: &Form, found: &CurveTopology) {
+    let form = match form {
+        Form::Curve(curve) => curve_form(proof, curve.polynomial()),
+        Form::Fourier(radius) => radius_form(proof, radius),
+        _ => None,
+    };
+    if let Some(topology) = &found.topology {
+        let statement = json!({
+            "form": form,
+            "components": topology.components.len(),
+            "singular_points": topology.singular_points.len(),
+        });
+        witness::unproved(proof, "topology", &statement);
+    }
+    for (factor, genus) in found.genera.iter().enumerate() {
+        if genus.is_some() {
+            let statement = json!({ "form": form, "factor": factor });
+            witness::unproved(proof, "genus", &statement);
+        }
+    }
 }
 
 fn first_of(surface: &ImplicitSurface) -> Option<Rational> {
@@ -134,9 +178,15 @@ pub(super) fn claim_equation(
         }
         Form::PlaneCurve(_) | Form::SpaceCurve(_) | Form::Patch(_) => {
             witness::identity(proof, &indices, &degrees, form);
-            witness::unproved(proof, "tracing-index", &indices);
-            witness::unproved(proof, "real-image", &indices);
+            let statement = json!({ "equations": indices });
+            witness::unproved(proof, "tracing-index", &statement);
+            witness::unproved(proof, "real-image", &statement);
         }
+        Form::Superquadric(_) | Form::SpaceSuperquadric(_) => {
+            let statement = json!({ "equations": indices, "curve": null });
+            witness::unproved(proof, "identity", &statement);
+        }
+        // An equation is written as it was given.
         _ => return Ok(()),
     }
     match found {
@@ -163,56 +213,164 @@ fn surface_forms(
     surfaces.iter().map(of).unzip()
 }
 
-/// Claims the radii and the rational parametrizations of a curve, and names what has no witness.
-pub(super) fn claim_branches(proof: &mut Proof, found: &Parametrization) {
-    let Form::Curve(curve) = &found.of else {
-        return;
+/// Claims the factors of a curve, its radii, in which directions they are real, and its rational parametrizations.
+pub(super) fn claim_branches(
+    proof: &mut Proof,
+    found: &Parametrization,
+    work: &Work,
+) -> Result<()> {
+    let factors = match &found.of {
+        // The equation of a series is irreducible, or the square of an irreducible polynomial.
+        Form::Curve(curve) if born_of_radius(curve).is_some() => vec![curve.polynomial().clone()],
+        Form::Curve(curve) => claim_factors(proof, curve.polynomial(), work)?,
+        _ => Vec::new(),
     };
-    let form = curve_form(proof, curve.polynomial());
-    let degree = curve.polynomial().degree().into_iter();
-    let degrees: Vec<usize> = degree.collect();
-    let is_irreducible = found.branches.iter().all(|branch| branch.factor == 0);
+    let forms: Vec<_> = factors.iter().map(|f| curve_form(proof, f)).collect();
     for (index, branch) in found.branches.iter().enumerate() {
+        let factor = forms.get(branch.factor).copied().flatten();
+        let statement = json!({ "form": factor, "branch": index });
         match &branch.radius {
-            BranchRadius::Fourier(radius) if is_irreducible => {
-                let is_square = SquaredForm::new(radius).is_ok_and(|f| f.is_perfect_square());
+            BranchRadius::Fourier(radius) if branch.factor < forms.len() => {
+                let is_square = SquaredForm::new(radius)?.is_perfect_square();
                 let series = radius_form(proof, radius);
-                witness::of_radius(proof, form, series, is_square, "center");
+                witness::of_radius(proof, factor, series, is_square, "center");
             }
-            _ => witness::unproved_branch(proof, "closed-form", form, index),
+            _ => witness::unproved(proof, "closed-form", &statement),
         }
-        witness::unproved_branch(proof, "ranges", form, index);
+        witness::unproved(proof, "ranges", &statement);
+    }
+    for f in &factors {
+        if let Some(slopes) = critical_slopes(f, work.bounds())? {
+            witness::sectors(proof, f, &slopes, work.bounds())?;
+        }
     }
     for rational in &found.rational {
-        if let (true, Rationality::Parametrized(curve)) = (is_irreducible, &rational.rationality) {
+        if let (Some(f), Rationality::Parametrized(curve)) =
+            (factors.get(rational.factor), &rational.rationality)
+        {
             let coordinates = [curve.x.clone(), curve.y.clone()];
             let traced = PlaneCurve::new(Parameter::number("t"), coordinates);
-            witness::identity(proof, &[form], &degrees, &Form::PlaneCurve(traced));
+            let degree: Vec<usize> = f.degree().into_iter().collect();
+            let form = forms[rational.factor];
+            witness::identity(proof, &[form], &degree, &Form::PlaneCurve(traced));
+        }
+    }
+    Ok(())
+}
+
+/// Claims the factors of a polynomial, and that they are irreducible, unless it is irreducible itself.
+fn claim_factors(
+    proof: &mut Proof,
+    f: &PlanePolynomial,
+    work: &Work,
+) -> Result<Vec<PlanePolynomial>> {
+    let factors = factor_plane(f, work.bounds())?.factors;
+    let whole = curve_form(proof, f);
+    let mut entered = Vec::new();
+    for factor in &factors {
+        let index = curve_form(proof, &factor.polynomial);
+        witness::irreducible(proof, index, &factor.polynomial, work.bounds())?;
+        let first = factor.polynomial.first_coefficient();
+        let first = first.invariant("a factor is not 0");
+        entered.push((index, factor.multiplicity, first));
+    }
+    let first = f.first_coefficient();
+    let first = first.invariant("a polynomial with factors is not 0");
+    claim_product(proof, whole, &first, &entered);
+    Ok(factors
+        .into_iter()
+        .map(|factor| factor.polynomial)
+        .collect())
+}
+
+/// Claims that sums of spherical harmonics are radii of a surface, which is about the origin.
+pub(super) fn claim_harmonic_radii(
+    proof: &mut Proof,
+    surface: &ImplicitSurface,
+    radii: &[HarmonicSurface],
+) -> Result<()> {
+    let form = surface_form(proof, surface.polynomial());
+    for radius in radii {
+        let is_square = SquaredHarmonics::new(radius)?.is_perfect_square();
+        let series = harmonic_form(proof, radius);
+        witness::of_radius(proof, form, series, is_square, "center");
+    }
+    Ok(())
+}
+
+/// Claims the branches of a surface, without witnesses.
+pub(super) fn claim_surface_branches(
+    proof: &mut Proof,
+    found: &SurfaceParametrization,
+    is_asked_for_ranges: bool,
+) {
+    let form = match &found.of {
+        Form::Surface(surface) => surface_form(proof, surface.polynomial()),
+        _ => None,
+    };
+    for branch in 0..found.branches.len() {
+        let statement = json!({ "form": form, "branch": branch });
+        witness::unproved(proof, "closed-form", &statement);
+        if is_asked_for_ranges {
+            witness::unproved(proof, "ranges", &statement);
         }
     }
 }
 
-/// Claims what is reported of a fit: of a radius, whether it is positive, if that is known, and its largest error; and the
-/// distances from the outline.
+/// Claims that curves are components of the intersection of surfaces, and, without a witness, that there are no others.
+pub(super) fn claim_intersection(
+    proof: &mut Proof,
+    surfaces: &[ImplicitSurface],
+    found: &IntersectionParametrization,
+) {
+    let (indices, degrees) = surface_forms(proof, surfaces);
+    let degrees: Vec<usize> = degrees.into_iter().flatten().collect();
+    for curve in &found.curves {
+        let form = Form::SpaceCurve(curve.clone());
+        witness::identity(proof, &indices, &degrees, &form);
+    }
+    let statement = json!({ "equations": indices, "curves": found.curves.len() });
+    witness::unproved(proof, "real-image", &statement);
+}
+
+/// What a fit says of a radius.
+pub(super) struct FittedRadius<'a> {
+    pub(super) radius: &'a FourierRadius,
+    /// Whether r > 0 for every angle, if that is known.
+    pub(super) is_positive: Option<bool>,
+    /// The points that were fitted, or the vertices of the outline.
+    pub(super) points: &'a [[f64; 2]],
+    /// The largest error and the root of the mean square.
+    pub(super) errors: [f64; 2],
+    /// Whether these are the errors at the points, all of which count alike.
+    pub(super) is_at_points: bool,
+}
+
+/// Claims what is reported of a fit: of a radius, whether it is positive, and its errors; and the distances from the outline.
 pub(super) fn claim_fit(
     proof: &mut Proof,
-    radius: Option<(&FourierRadius, Option<bool>, f64)>,
+    fitted: Option<&FittedRadius<'_>>,
     distances: Option<&Distances>,
 ) {
-    if let Some((radius, is_positive, error)) = radius {
-        if let Some(is_positive) = is_positive {
-            witness::positive_radius(proof, radius, is_positive);
+    if let Some(fitted) = fitted {
+        if let Some(is_positive) = fitted.is_positive {
+            witness::positive_radius(proof, fitted.radius, is_positive);
         }
-        witness::unproved_number(proof, "fit-error", "max", error);
+        let stated = fitted.is_at_points.then_some(fitted.errors);
+        witness::fit_error(proof, fitted.radius, fitted.points, stated);
+        if !fitted.is_at_points {
+            // The largest error in more directions than those of the points.
+            let [max, rms] = fitted.errors.map(|error| error.to_string());
+            witness::unproved(proof, "fit-error", &json!({ "max": max, "rms": rms }));
+        }
     }
     if let Some(distances) = distances {
-        witness::unproved_number(
-            proof,
-            "hausdorff-distance",
-            "high",
-            distances.hausdorff.high,
-        );
-        witness::unproved_number(proof, "overlap", "overlap", distances.overlap);
+        let [low, high] =
+            [distances.hausdorff.low, distances.hausdorff.high].map(|d| d.to_string());
+        let statement = json!({ "low": low, "high": high });
+        witness::unproved(proof, "hausdorff-distance", &statement);
+        let statement = json!({ "overlap": distances.overlap.to_string() });
+        witness::unproved(proof, "overlap", &statement);
     }
 }
 

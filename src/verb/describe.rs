@@ -1,6 +1,6 @@
 //! The verb `describe`: the exact properties of a form.
 
-use super::claims::{claim_description, claim_harmonics};
+use super::claims::{claim_description, claim_equation, claim_harmonics, claim_topology};
 use super::equation::{
     Taken, check_curve, check_surface, curve_of_superquadric, squared_harmonics,
 };
@@ -145,6 +145,10 @@ pub fn describe(given: Given, options: &DescribeOptions, work: &Work) -> Result<
         if found.topology.is_none() {
             facts.push(Fact::Missing(Part::Topology));
         }
+        work.claim(|proof| {
+            claim_topology(proof, &form, &found);
+            Ok(())
+        })?;
         Some(found)
     } else {
         None
@@ -189,6 +193,7 @@ fn with_equation(form: Form, facts: &mut Vec<Fact>, work: &Work) -> Result<Form>
         Form::Patch(patch) => of_patch(patch, false, work)?,
         _ => return Ok(form),
     };
+    work.claim(|proof| claim_equation(proof, &form, &found.form, "center", work))?;
     facts.push(Fact::Parametric(form));
     facts.extend(found.facts);
     Ok(found.form)

@@ -1,6 +1,6 @@
 //! Fits of contours by Fourier series, for the verb `fit` and for every verb that takes a contour.
 
-use super::claims::claim_fit;
+use super::claims::{FittedRadius, claim_fit};
 use super::{Content, Given, Remark, Work};
 use crate::error::{Error, Result};
 use crate::fit::{
@@ -194,8 +194,13 @@ impl OutlineSeries {
 pub fn fit(given: Given, options: &FitOptions, work: &Work) -> Result<OutlineFit> {
     let name = given.short_name();
     let (series, mut report);
+    // The points about which claims are made, and whether the errors in the report are theirs, each counting alike.
+    let mut claimed = (Vec::new(), false);
     match given.into_content() {
         Content::Contour(contour) => {
+            if work.proves() {
+                claimed.0 = contour.points().to_vec();
+            }
             series = fit_series(&contour, options, work)?;
             report = series.report();
             report.distances = work.stage("distance", || {
@@ -206,6 +211,9 @@ pub fn fit(given: Given, options: &FitOptions, work: &Work) -> Result<OutlineFit
             }
         }
         Content::Cloud(cloud) => {
+            if work.proves() {
+                claimed = (cloud.points().to_vec(), cloud.weights().is_empty());
+            }
             series = fit_cloud_series(&cloud, options, work)?;
             report = series.report();
         }
@@ -219,14 +227,17 @@ pub fn fit(given: Given, options: &FitOptions, work: &Work) -> Result<OutlineFit
         radial.star_shaped = is_positive_radius(&fit.radius, work)?;
     }
     work.claim(|proof| {
-        let radius = match &series {
-            OutlineSeries::Radius(fit) => {
-                let is_positive = report.radial.as_ref().and_then(|radial| radial.star_shaped);
-                Some((&fit.radius, is_positive, fit.max_radial_error))
-            }
+        let fitted = match &series {
+            OutlineSeries::Radius(fit) => Some(FittedRadius {
+                radius: &fit.radius,
+                is_positive: report.radial.as_ref().and_then(|radial| radial.star_shaped),
+                points: &claimed.0,
+                errors: [fit.max_radial_error, fit.rms_radial_error],
+                is_at_points: claimed.1,
+            }),
             OutlineSeries::Elliptic(_) => None,
         };
-        claim_fit(proof, radius, report.distances.as_ref());
+        claim_fit(proof, fitted.as_ref(), report.distances.as_ref());
         Ok(())
     })?;
     Ok(OutlineFit { series, report })

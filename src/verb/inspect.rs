@@ -254,15 +254,15 @@ impl InspectionTask {
         match &self.subject {
             Subject::Surface(surface) => InspectedForm::of_surface(surface, proof),
             Subject::Curve(curve) => InspectedForm::of_curve(curve, proof),
-            // Distances from a cylinder over a radius are not claimed.
+            // Distances from a cylinder over a radius have no witness.
             Subject::Radius(radius) if self.dimension == 2 => {
                 InspectedForm::of_radius(radius, proof)
             }
+            Subject::Harmonic(surface) => InspectedForm::of_harmonics(surface, proof),
             Subject::Radius(_)
             | Subject::PlaneCurve(_)
             | Subject::SpaceCurve(_)
-            | Subject::Harmonic(_)
-            | Subject::Patch(..) => InspectedForm::Other,
+            | Subject::Patch(..) => InspectedForm::Other(None),
         }
     }
 

@@ -1,7 +1,9 @@
 //! The verb `parametrize`: r(θ) for plane curves, R(θ, φ) for surfaces, and coordinates for intersections.
 
 use super::arcs::{ArcSearch, arcs_of_others, refuse_arcs};
-use super::claims::claim_branches;
+use super::claims::{
+    claim_branches, claim_harmonic_radii, claim_intersection, claim_surface_branches,
+};
 use super::equation::{Taken, check_curve, check_surface, squared_harmonics, through_equation};
 use super::fit::{exact_form, refuse_contour_options};
 use super::{Content, Given, Remark, Work};
@@ -138,7 +140,8 @@ pub fn parametrize(
         let others = radii
             .into_iter()
             .filter(|radius| !radius.has_same_radii(surface));
-        let radii = std::iter::once(surface.clone()).chain(others).collect();
+        let radii: Vec<_> = std::iter::once(surface.clone()).chain(others).collect();
+        work.claim(|proof| claim_harmonic_radii(proof, &equation.expand(), &radii))?;
         return Ok(Parametrized::Harmonics(radii));
     }
     let form = through_equation(fitted.form, work)?;
@@ -153,6 +156,7 @@ pub fn parametrize(
             let radii = work.stage("parametrize", || harmonic_radii(surface))?;
             if !radii.is_empty() {
                 refuse_harmonics_options(options)?;
+                work.claim(|proof| claim_harmonic_radii(proof, surface, &radii))?;
                 return Ok(Parametrized::Harmonics(radii));
             }
         }
@@ -165,8 +169,13 @@ pub fn parametrize(
                 "--theta and --phi ask where R is real; that of a superquadric is real and positive in every direction".into(),
             ));
         }
+        let spherical = parametrize_space_superquadric(shape);
+        work.claim(|proof| {
+            claim_surface_branches(proof, &spherical, false);
+            Ok(())
+        })?;
         return Ok(Parametrized::Surface {
-            spherical: parametrize_space_superquadric(shape),
+            spherical,
             meridians: Vec::new(),
             directions: Vec::new(),
         });
@@ -189,10 +198,7 @@ pub fn parametrize(
         _ => Err(PARAMETRIZE.not_this()),
     })?;
     let fit = branch_fit(options, is_exact, &polar, work)?;
-    work.claim(|proof| {
-        claim_branches(proof, &polar);
-        Ok(())
-    })?;
+    work.claim(|proof| claim_branches(proof, &polar, work))?;
     Ok(Parametrized::Curve { polar, fit })
 }
 
@@ -283,6 +289,10 @@ fn of_surface(
         });
         Ok((Vec::new(), answers.collect()))
     })?;
+    work.claim(|proof| {
+        claim_surface_branches(proof, &spherical, !thetas.is_empty());
+        Ok(())
+    })?;
     Ok(Parametrized::Surface {
         spherical,
         meridians,
@@ -298,6 +308,10 @@ fn intersection(
 ) -> Result<Parametrized> {
     let found = work.stage("parametrize", || {
         parametrize_intersection(surfaces, work.bounds())
+    })?;
+    work.claim(|proof| {
+        claim_intersection(proof, surfaces, &found);
+        Ok(())
     })?;
     let has_arcs = options.with_arcs && surfaces.len() == 2;
     if found.curves.is_empty() && !has_arcs && !found.others.is_empty() {

@@ -23,6 +23,16 @@ pub(super) enum End {
     Above,
 }
 
+impl End {
+    /// The end, if it is finite.
+    pub(super) fn rational(&self) -> Option<Rational> {
+        match self {
+            Self::At(end) => Some(end.clone()),
+            Self::Below | Self::Above => None,
+        }
+    }
+}
+
 /// A squarefree polynomial, of a formal degree at least its degree and not 0 at 0, and enclosures of its real roots in ascending order.
 pub(super) struct Roots<'a> {
     /// The coefficients, ascending, as many as the formal degree says.
@@ -122,34 +132,35 @@ impl Roots<'_> {
     fn changes(&self, from: &End, to: &End) -> usize {
         match (from, to) {
             (End::Below, End::Above) if self.coefficients.len() > 1 => usize::MAX,
-            _ => sign_changes(self.on(from, to).iter().map(integer_sign)),
+            _ => sign_changes(on(self.coefficients, from, to).iter().map(integer_sign)),
         }
     }
+}
 
-    /// The coefficients on the interval, in the order of the interval or against it.
-    fn on(&self, from: &End, to: &End) -> Vec<Integer> {
-        let mut f = self.coefficients.to_vec();
-        match (from, to) {
-            (End::At(a), End::At(b)) => {
-                let width = b - a;
-                let common = a.denominator() * width.denominator();
-                let over = |q: &Rational| q.numerator() * (&common).div_exact(q.denominator());
-                let (start, width) = (over(a), over(&width));
-                scale_down(&mut f, &common);
-                shift(&mut f, &start);
-                stretch(&mut f, &width);
-                f.reverse();
-                shift(&mut f, &Integer::ONE);
-            }
-            (End::At(a), _) => shift_rational(&mut f, a),
-            (_, End::At(b)) => {
-                shift_rational(&mut f, b);
-                negate_odd(&mut f);
-            }
-            (End::Below | End::Above, _) => {}
+/// The coefficients on an interval (T1), in the order of the interval or against it, times positive numbers that depend only on
+/// the interval and the formal degree.
+pub(super) fn on(coefficients: &[Integer], from: &End, to: &End) -> Vec<Integer> {
+    let mut f = coefficients.to_vec();
+    match (from, to) {
+        (End::At(a), End::At(b)) => {
+            let width = b - a;
+            let common = a.denominator() * width.denominator();
+            let over = |q: &Rational| q.numerator() * (&common).div_exact(q.denominator());
+            let (start, width) = (over(a), over(&width));
+            scale_down(&mut f, &common);
+            shift(&mut f, &start);
+            stretch(&mut f, &width);
+            f.reverse();
+            shift(&mut f, &Integer::ONE);
         }
-        f
+        (End::At(a), _) => shift_rational(&mut f, a),
+        (_, End::At(b)) => {
+            shift_rational(&mut f, b);
+            negate_odd(&mut f);
+        }
+        (End::Below | End::Above, _) => {}
     }
+    f
 }
 
 /// A power of two above all positive roots of a polynomial whose coefficients have a change of sign.
@@ -183,7 +194,7 @@ fn stretch(f: &mut [Integer], w: &Integer) {
 }
 
 /// f(x + by), of the same formal degree.
-fn shift(f: &mut Vec<Integer>, by: &Integer) {
+pub(super) fn shift(f: &mut Vec<Integer>, by: &Integer) {
     if *by == 0 {
         return;
     }

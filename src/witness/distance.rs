@@ -1,18 +1,17 @@
 //! Claims about the distance of points from an equation or a radius, and about their side (T6).
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use serde_json::{Value, json};
 
-use super::forms::{curve_form, radius_form, surface_form, texts};
+use super::forms::{curve_form, harmonic_form, radius_form, surface_form, texts};
 use super::proof::{Proof, by_expansion};
-use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::inspect::{Inspection, Verdict, stationary};
 use crate::intervals::{Field, distance};
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::sample::{Direction, SpaceDirection, UnitVector};
-use crate::shape::{FourierRadius, ImplicitCurve, ImplicitSurface};
+use crate::shape::{FourierRadius, HarmonicSurface, ImplicitCurve, ImplicitSurface};
 
 /// The number of angles at which a radius is evaluated to find its nearest and its farthest point.
 const ANGLES: usize = 4096;
@@ -22,6 +21,10 @@ const RAYS: usize = 96;
 const BEYOND: f64 = 1.5;
 /// The number of steps along one ray.
 const STEPS: u32 = 48;
+/// The number of feet from which covers get their multipliers.
+const MOST_FEET: usize = 4;
+/// Points are among the nearest ones up to this ratio of their distances.
+const NEARLY: f64 = 1.1;
 /// The largest numbers of halvings of the covers of a cube in 2 and 3 dimensions, and of arcs. About a point at which the form nearly
 /// touches a ball, the cells of a cover are as many as 2^(1/2) or 2 to this power.
 const DEPTHS: [u32; 2] = [28, 12];
@@ -34,8 +37,8 @@ pub(crate) enum InspectedForm {
     Equation(Option<usize>, Box<Equation>),
     /// A radius, and its points in doubles.
     Radius(Option<usize>, FourierRadius, Vec<[f64; 2]>),
-    /// A form about which proof files have no claims.
-    Other,
+    /// A form whose distances have no witness: the index of a sum of spherical harmonics, whose sides have one, or of none.
+    Other(Option<usize>),
 }
 
 /// The polynomial of a plane curve or of a surface. In the plane z is 0.
@@ -69,6 +72,10 @@ impl InspectedForm {
             center: std::array::from_fn(|_| Rational::zero()),
         };
         Self::Equation(surface_form(proof, &primitive), Box::new(equation))
+    }
+
+    pub(crate) fn of_harmonics(surface: &HarmonicSurface, proof: &mut Proof) -> Self {
+        Self::Other(harmonic_form(proof, surface))
     }
 
     pub(crate) fn of_radius(radius: &FourierRadius, proof: &mut Proof) -> Self {
@@ -129,12 +136,19 @@ pub(crate) fn inspected_point(
                 NearestOfRadius::of(radius, points, point)
             });
         }
-        InspectedForm::Other => {
-            let statement =
-                json!({ "point": texts(point), "verdict": format!("{:?}", found.verdict) });
-            proof.claim("distance", &statement, None);
+        InspectedForm::Other(index) => {
+            claim_all(proof, *index, &point[..], asked, found.sign, |_| NoWitness);
         }
     }
+}
+
+/// A simple rational number near the given one.
+fn short(value: f64) -> Option<Rational> {
+    /// An error of this relative size moves the least value of f − μ·(d² − |x − p|²) by its square.
+    const ERROR: f64 = 1e-9;
+    let ends = [value * (1.0 - ERROR), value * (1.0 + ERROR)];
+    let [low, high] = [exact(ends[0].min(ends[1]))?, exact(ends[0].max(ends[1]))?];
+    (low < high).then(|| Rational::simplest_between(&low, &high))
 }
 
 fn exact(bound: f64) -> Option<Rational> {
@@ -153,7 +167,7 @@ fn claim_all<N: Witnesses>(
     let nearest = form.map(|_| nearest(bounds.fold(0.0, f64::max)));
     for (relation, bound) in asked {
         let witness = nearest.as_ref().and_then(|nearest| match relation {
-            "more-than" | "misses" => Some(json!({ "depth": nearest.depth() })),
+            "more-than" | "misses" => nearest.cover(),
             _ => nearest.witness(&bound, relation == "meets"),
         });
         let statement = json!({
@@ -172,11 +186,24 @@ fn claim_all<N: Witnesses>(
 
 /// The nearest point of a form, approximately, from which witnesses are made.
 trait Witnesses {
-    /// The largest number of halvings of a cover.
-    fn depth(&self) -> u32;
+    /// The rule of a cover that excludes points of the form.
+    fn cover(&self) -> Option<Value>;
 
     /// A witness that a point of the form is within the bound, or at exactly this distance.
     fn witness(&self, bound: &Rational, exactly: bool) -> Option<Value>;
+}
+
+/// There are no witnesses for the distances of this form.
+struct NoWitness;
+
+impl Witnesses for NoWitness {
+    fn cover(&self) -> Option<Value> {
+        None
+    }
+
+    fn witness(&self, _: &Rational, _: bool) -> Option<Value> {
+        None
+    }
 }
 
 /// The nearest zero of a polynomial to a point: its direction and its distance in doubles.
@@ -184,6 +211,8 @@ struct Nearest<'a> {
     equation: &'a Equation,
     point: &'a [Rational; 3],
     foot: Option<([f64; 3], f64)>,
+    /// The multipliers of Lagrange at the nearest feet.
+    multipliers: Vec<Rational>,
 }
 
 impl<'a> Nearest<'a> {
@@ -194,21 +223,38 @@ impl<'a> Nearest<'a> {
             let t = first_zero(&equation.field, from, direction, reach * BEYOND)?;
             Some((direction, t))
         });
-        let nearest = zeros.min_by(|(_, a), (_, b)| a.total_cmp(b));
-        // The normal at the nearest zero goes through the point.
-        let foot = nearest.map(|(direction, t)| {
+        let mut zeros: Vec<([f64; 3], f64)> = zeros.collect();
+        zeros.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        // The normals at the nearest zeros go through the point.
+        let mut feet: Vec<([f64; 3], f64)> = Vec::new();
+        for (direction, t) in &zeros {
             let start = std::array::from_fn(|k| from[k] + t * direction[k]);
-            let polished = stationary(&equation.field, from, start).and_then(|q| {
-                let length = distance(from, q);
-                let away = std::array::from_fn(|k| (q[k] - from[k]) / length);
-                (length.is_normal() && length <= t).then_some((away, length))
-            });
-            polished.unwrap_or((direction, t))
+            let Some(q) = stationary(&equation.field, from, start) else {
+                continue;
+            };
+            let length = distance(from, q);
+            let is_known = |(other, _): &([f64; 3], f64)| distance(*other, q) < 1e-3 * length;
+            if length.is_normal() && length <= *t && !feet.iter().any(is_known) {
+                feet.push((q, length));
+            }
+            if feet.len() == MOST_FEET {
+                break;
+            }
+        }
+        feet.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        let multipliers = feet.iter().filter_map(|(q, length)| {
+            let slope = equation.field.gradient(*q);
+            let along: f64 = (0..3).map(|k| slope[k] * (q[k] - from[k])).sum();
+            short(-along / (2.0 * length * length))
         });
+        let away = |(q, length): &([f64; 3], f64)| {
+            (std::array::from_fn(|k| (q[k] - from[k]) / length), *length)
+        };
         Self {
             equation,
             point,
-            foot,
+            multipliers: multipliers.collect(),
+            foot: feet.first().map(away).or(zeros.first().copied()),
         }
     }
 
@@ -218,8 +264,12 @@ impl<'a> Nearest<'a> {
 }
 
 impl Witnesses for Nearest<'_> {
-    fn depth(&self) -> u32 {
-        DEPTHS[self.equation.dimension - 2]
+    fn cover(&self) -> Option<Value> {
+        let mut witness = json!({ "depth": DEPTHS[self.equation.dimension - 2] });
+        if !self.multipliers.is_empty() {
+            witness["multipliers"] = texts(&self.multipliers);
+        }
+        Some(witness)
     }
 
     fn witness(&self, bound: &Rational, exactly: bool) -> Option<Value> {
@@ -332,30 +382,24 @@ fn first_zero(field: &Field, from: [f64; 3], direction: [f64; 3], reach: f64) ->
 struct NearestOfRadius {
     nearest: [Rational; 2],
     farthest: [Rational; 2],
+    /// Numbers q + t for the angles qπ/2 + 2 atan t of the nearest points.
+    places: Vec<Rational>,
 }
 
 impl NearestOfRadius {
     fn of(radius: &FourierRadius, points: &[[f64; 2]], point: &[Rational; 3]) -> Self {
         let [x, y, _] = point.each_ref().map(Rational::to_f64);
         let distance = |[a, b]: [f64; 2]| (a - x).hypot(b - y);
-        let extreme = |sign: f64| {
-            let values: Vec<f64> = points.iter().map(|point| sign * distance(*point)).collect();
-            let best = (0..values.len()).min_by(|&i, &j| values[i].total_cmp(&values[j]));
-            let best = real(best.invariant("a radius is drawn with points"));
-            // The golden section between the neighbours.
-            let ratio = 0.618_033_988_749_895;
-            let value = |k: f64| sign * distance(point_of_radius(radius, angle(k)));
-            let (mut low, mut high) = (best - 1.0, best + 1.0);
-            for _ in 0..60 {
-                let a = high - ratio * (high - low);
-                let b = low + ratio * (high - low);
-                if value(a) < value(b) {
-                    high = b;
-                } else {
-                    low = a;
-                }
-            }
-            let theta = angle(f64::midpoint(low, high));
+        let at = |k: f64| distance(point_of_radius(radius, angle(k)));
+        let values: Vec<f64> = points.iter().map(|point| distance(*point)).collect();
+        let negative: Vec<f64> = values.iter().map(|value| -value).collect();
+        let [mut lowest, highest] = [&values, &negative].map(|values| minima(values));
+        let least = values[lowest[0]];
+        lowest.retain(|&k| values[k] <= least * NEARLY || values[k].is_nan());
+        lowest.truncate(MOST_FEET);
+        let lowest: Vec<f64> = lowest.into_iter().map(|k| angle(narrowed(k, at))).collect();
+        let highest = angle(narrowed(highest[0], |k| -at(k)));
+        let direction = |theta: f64| {
             // Where the nearest point is in the direction of an axis, it may be at exactly the distance that is claimed.
             let degrees = theta.to_degrees();
             let whole = Rational::try_from(degrees.round()).ok();
@@ -365,15 +409,64 @@ impl NearestOfRadius {
             }
         };
         Self {
-            nearest: extreme(1.0),
-            farthest: extreme(-1.0),
+            nearest: direction(lowest[0]),
+            farthest: direction(highest),
+            places: lowest.iter().filter_map(|theta| place(*theta)).collect(),
         }
     }
 }
 
+/// The indices of the local minima of values around a circle, the least first; 0 if no values can be compared.
+fn minima(values: &[f64]) -> Vec<usize> {
+    let count = values.len();
+    let is_low = |&k: &usize| {
+        values[k] <= values[(k + 1) % count] && values[k] <= values[(k + count - 1) % count]
+    };
+    let mut found: Vec<usize> = (0..count).filter(is_low).collect();
+    found.sort_by(|&i, &j| values[i].total_cmp(&values[j]));
+    if found.is_empty() {
+        found.push(0);
+    }
+    found
+}
+
+/// Where the function has its minimum between the neighbours of an index: the golden section.
+fn narrowed(index: usize, value: impl Fn(f64) -> f64) -> f64 {
+    let ratio = 0.618_033_988_749_895;
+    let (mut low, mut high) = (real(index) - 1.0, real(index) + 1.0);
+    for _ in 0..60 {
+        let a = high - ratio * (high - low);
+        let b = low + ratio * (high - low);
+        if value(a) < value(b) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    f64::midpoint(low, high)
+}
+
+/// A simple number q + t near that of an angle.
+fn place(theta: f64) -> Option<Rational> {
+    /// An error of this size moves the least value of the squared distance by its square.
+    const ERROR: f64 = 1e-9;
+    let turn = theta.rem_euclid(TAU) / FRAC_PI_2;
+    let quarter = turn.floor().min(3.0);
+    let parameter = ((turn - quarter) * FRAC_PI_4).tan();
+    let ends = [parameter - ERROR, parameter + ERROR].map(|t| exact(quarter + t.clamp(0.0, 1.0)));
+    let [Some(low), Some(high)] = ends else {
+        return None;
+    };
+    (low < high).then(|| Rational::simplest_between(&low, &high))
+}
+
 impl Witnesses for NearestOfRadius {
-    fn depth(&self) -> u32 {
-        DEPTH_OF_ARCS
+    fn cover(&self) -> Option<Value> {
+        let mut witness = json!({ "depth": DEPTH_OF_ARCS });
+        if !self.places.is_empty() {
+            witness["near"] = texts(&self.places);
+        }
+        Some(witness)
     }
 
     fn witness(&self, _: &Rational, exactly: bool) -> Option<Value> {

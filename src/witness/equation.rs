@@ -15,8 +15,8 @@ use crate::shape::Form;
 const MOST_PRODUCTS: usize = 30_000_000;
 
 /// Claims that the polynomial of the index `form` is that of Theorem 2 for the radius of the index `series`, in coordinates about its center or in the
-/// original ones: `series-equation`; and that it is irreducible. If the polynomial
-/// of the theorem is a square, the first is claimed without a witness, and the second is not claimed here.
+/// original ones: `series-equation`; and that it is irreducible. If the polynomial of the theorem is the square of this one, the
+/// second is not claimed here.
 pub(crate) fn of_radius(
     proof: &mut Proof,
     form: Option<usize>,
@@ -25,18 +25,18 @@ pub(crate) fn of_radius(
     coordinates: &'static str,
 ) {
     let both = form.is_some() && series.is_some();
-    let statement = json!({ "form": form, "radius": series, "coordinates": coordinates });
+    let mut statement = json!({ "form": form, "radius": series, "coordinates": coordinates });
     if is_square {
-        // The polynomial of the theorem is the square of the polynomial in the output.
-        let statement = json!({ "form": form, "radius": series, "square": true });
-        proof.claim("series-equation", &statement, None);
-        return;
+        statement["square"] = json!(true);
     }
     proof.claim(
         "series-equation",
         &statement,
         both.then(by_expansion).flatten(),
     );
+    if is_square {
+        return;
+    }
     let witness = json!({ "radius": series, "coordinates": coordinates });
     proof.claim(
         "irreducible",
@@ -122,22 +122,7 @@ pub(crate) fn factors(
     );
 }
 
-/// Makes a claim about equations that has no witness in proof files.
-pub(crate) fn unproved(proof: &mut Proof, name: &'static str, equations: &[Option<usize>]) {
-    proof.claim(name, &json!({ "equations": equations }), None);
-}
-
-/// Makes a claim about a branch of a curve that has no witness.
-pub(crate) fn unproved_branch(
-    proof: &mut Proof,
-    name: &'static str,
-    form: Option<usize>,
-    branch: usize,
-) {
-    proof.claim(name, &json!({ "form": form, "branch": branch }), None);
-}
-
-/// Makes a claim about a number that has no witness.
-pub(crate) fn unproved_number(proof: &mut Proof, name: &'static str, of: &str, number: f64) {
-    proof.claim(name, &json!({ of: number.to_string() }), None);
+/// Makes a claim that has no witness.
+pub(crate) fn unproved(proof: &mut Proof, name: &'static str, statement: &Value) {
+    proof.claim(name, statement, None);
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::proof::Proof;
+use super::proof::{LONGEST_NUMBER, Proof};
 use crate::exact::Rational;
 use crate::poly::{PlanePolynomial, RationalFunction, SparsePolynomial};
 use crate::shape::{Form, FourierRadius, HarmonicSurface, Patch};
@@ -40,7 +40,7 @@ fn implicit(proof: &mut Proof, variables: &[&str], terms: Vec<Value>) -> Option<
 
 /// The index of a Fourier radius with its center; `None` beyond the limits of the format.
 pub(crate) fn radius_form(proof: &mut Proof, radius: &FourierRadius) -> Option<usize> {
-    if radius.harmonics() > MOST_HARMONICS {
+    if radius.harmonics() > MOST_HARMONICS || !is_short(radius.center()) {
         return None;
     }
     let mut form = json!({
@@ -56,7 +56,7 @@ pub(crate) fn radius_form(proof: &mut Proof, radius: &FourierRadius) -> Option<u
 
 /// The index of a sum of spherical harmonics with its center; `None` beyond the limits of the format.
 pub(crate) fn harmonic_form(proof: &mut Proof, surface: &HarmonicSurface) -> Option<usize> {
-    if surface.degree() > MOST_SPHERICAL {
+    if surface.degree() > MOST_SPHERICAL || !is_short(surface.center()) {
         return None;
     }
     let coefficients: Vec<Value> = surface
@@ -120,6 +120,11 @@ fn of_patch(patch: &Patch) -> Value {
 
 fn term(exponents: &[u64], coefficient: &Rational) -> Value {
     json!({ "exponents": exponents, "coefficient": coefficient.to_string() })
+}
+
+/// Whether all coordinates are as short as a proof file needs them.
+fn is_short(point: &[Rational]) -> bool {
+    point.iter().all(|c| c.to_string().len() <= LONGEST_NUMBER)
 }
 
 /// Exact numbers as a list of texts.

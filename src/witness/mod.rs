@@ -6,17 +6,19 @@
 mod breakpoints;
 mod distance;
 mod equation;
+mod fit;
 mod forms;
 mod line;
 mod positive;
 mod proof;
 mod rays;
+mod sectors;
 
 pub(crate) use distance::{InspectedForm, inspected_point};
-pub(crate) use equation::{
-    factors, identity, irreducible, of_radius, unproved, unproved_branch, unproved_number,
-};
+pub(crate) use equation::{factors, identity, irreducible, of_radius, unproved};
+pub(crate) use fit::fit_error;
 pub(crate) use forms::{curve_form, harmonic_form, radius_form, surface_form};
 pub(crate) use positive::{positive_radius, positive_sphere};
 pub use proof::Proof;
 pub(crate) use rays::ray;
+pub(crate) use sectors::sectors;

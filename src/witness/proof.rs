@@ -7,6 +7,9 @@ use serde_json::{Value, json};
 use crate::error::{Error, Result};
 use crate::proof::{LONGEST_DOCUMENT, check};
 
+/// The largest number of characters of a number in a proof file that is no coefficient.
+pub(super) const LONGEST_NUMBER: usize = 2_000;
+
 /// Everything that an output claims, each claim with its witness or without one.
 ///
 /// ```
@@ -37,12 +40,26 @@ pub(crate) struct Claim {
 }
 
 impl Claim {
+    /// A claim with a number that is too long for a proof file has no witness.
     pub(super) fn new(name: &'static str, statement: &Value, witness: Option<Value>) -> Self {
+        let is_short = has_short_numbers(statement);
         Self {
             name,
             statement: statement.to_string(),
-            witness,
+            witness: witness.filter(|witness| is_short && has_short_numbers(witness)),
         }
+    }
+}
+
+/// Whether all numbers but coefficients are as short as a proof file needs them.
+fn has_short_numbers(value: &Value) -> bool {
+    match value {
+        Value::String(text) => text.len() <= LONGEST_NUMBER,
+        Value::Array(elements) => elements.iter().all(has_short_numbers),
+        Value::Object(fields) => fields.iter().all(|(name, field)| {
+            name == "coefficients" || name == "constant" || has_short_numbers(field)
+        }),
+        Value::Null | Value::Bool(_) | Value::Number(_) => true,
     }
 }
 
@@ -102,7 +119,7 @@ impl Proof {
     }
 
     /// The proof after the checker has accepted it. A claim has no witness after this if its cover is too long; nor has a claim
-    /// about a distance, if its witness, which was found in doubles, is not good enough.
+    /// about a distance or the errors of a fit, if its witness, which was found in doubles, is not good enough.
     ///
     /// # Errors
     /// [`Error::Limit`] if the document is longer than [`LONGEST_DOCUMENT`]; [`Error::Internal`] if the checker refuses a claim.
@@ -119,7 +136,7 @@ impl Proof {
             // These witnesses are rules for covers, or were found in doubles.
             let witness = claim.witness.as_ref();
             let is_cover = witness.is_some_and(|witness| witness.get("depth").is_some());
-            if !is_cover && claim.name != "distance" {
+            if !is_cover && !["distance", "fit-error"].contains(&claim.name) {
                 return Err(Error::internal(
                     format!("claim {} of the proof ({})", refused.index, refused.name),
                     format!("it holds: {}", refused.refusal),

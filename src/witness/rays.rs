@@ -97,7 +97,7 @@ fn restricted_witness(along: &[(usize, Integer)]) -> Option<Value> {
 }
 
 /// Enclosures of distinct roots, ascending, that have gaps between them.
-fn apart(mut roots: Vec<RealRoot>) -> Vec<(Rational, Rational)> {
+pub(super) fn apart(mut roots: Vec<RealRoot>) -> Vec<(Rational, Rational)> {
     let mut exponent = 0;
     loop {
         let bounds: Vec<_> = roots.iter().map(RealRoot::bounds).collect();

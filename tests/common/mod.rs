@@ -8,6 +8,7 @@ pub(crate) mod float_program;
 pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;
 pub(crate) mod program;
+pub(crate) mod proofs;
 pub(crate) mod random;
 pub(crate) mod schemas;
 pub(crate) mod sturm;

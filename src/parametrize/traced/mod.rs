@@ -40,6 +40,39 @@ pub(super) struct Equation {
 }
 
 impl Equation {
+    /// The slopes, ascending, of all directions but the vertical one in which a root R may be multiple, 0 or infinite, and 0. The
+    /// equation must have no repeated factors and a degree of at least 1 in R.
+    ///
+    /// # Errors
+    /// Those of [`signed_subresultant`].
+    pub(super) fn critical_slopes(&self, limits: &Limits) -> Result<Vec<RealRoot>> {
+        let [low, .., top] = self.forms.as_slice() else {
+            return Ok(Vec::new());
+        };
+        let outer = [low.dehomogenized(), top.dehomogenized()];
+        if self.forms.len() == 2 {
+            return Ok(critical_slopes(&outer));
+        }
+        let discriminant = self.discriminant(&Strip::of_slope(&self.forms), limits)?;
+        Ok(critical_slopes(&[outer[0], outer[1], &discriminant]))
+    }
+
+    fn weights(&self) -> Weights {
+        Weights {
+            lowest: self.lowest,
+            step: self.step.cast_signed(),
+        }
+    }
+
+    /// The discriminant with respect to R at (1, t), up to its sign; the strip is that of the slope.
+    fn discriminant(&self, strip: &Strip, limits: &Limits) -> Result<IntegerPolynomial> {
+        let eliminant = signed_subresultant(strip.coefficients(), 0, self.weights(), limits)?;
+        // sRes_0 = ± a_m · discriminant
+        let top = &self.forms[self.forms.len() - 1];
+        let discriminant = divide_exactly(&eliminant, top.dehomogenized());
+        Ok(discriminant.invariant("the leading coefficient divides sRes_0"))
+    }
+
     /// P in an exact direction, ascending in R and up to a positive factor.
     fn along(&self, direction: &Direction) -> IntegerPolynomial {
         let (u, v, w) = direction.integers();
@@ -89,16 +122,10 @@ impl Tracing {
     /// Those of [`signed_subresultant`].
     pub(super) fn new(equation: Equation, limits: &Limits) -> Result<Self> {
         let strip = Strip::of_slope(&equation.forms);
-        let weights = Weights {
-            lowest: equation.lowest,
-            step: equation.step.cast_signed(),
-        };
+        let weights = equation.weights();
         let top = &equation.forms[equation.forms.len() - 1];
         let low = &equation.forms[0];
-        let eliminant = signed_subresultant(strip.coefficients(), 0, weights, limits)?;
-        // sRes_0 = ± a_m · discriminant
-        let discriminant = divide_exactly(&eliminant, top.dehomogenized());
-        let discriminant = discriminant.invariant("the leading coefficient divides sRes_0");
+        let discriminant = equation.discriminant(&strip, limits)?;
         let m = equation.forms.len() - 1;
         let degree = (2 * m - 2) * equation.lowest + equation.step * m * (m - 1);
         let slopes = disjoint(critical_slopes(&[

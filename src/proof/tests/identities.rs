@@ -115,3 +115,24 @@ fn the_square_of_an_odd_radius_is_not_irreducible() {
         r#"{"method":"expansion"}"#,
     ));
 }
+
+#[test]
+fn the_polynomial_of_the_theorem_may_be_a_square() {
+    // r = cos θ: T = (ρ − x)².
+    let radius = r#"{"kind":"fourier","cos":["0","1"],"sin":["0","0"]}"#;
+    let circle = r#"{"kind":"implicit","variables":["x","y"],"terms":[{"exponents":[2,0],"coefficient":"1"},
+        {"exponents":[0,2],"coefficient":"1"},{"exponents":[1,0],"coefficient":"-1"}]}"#;
+    let text = document(
+        &[circle, radius],
+        "series-equation",
+        r#"{"form":0,"radius":1,"coordinates":"center","square":true}"#,
+        r#"{"method":"expansion"}"#,
+    );
+    let changes = [
+        (r#","square":true"#, "", ""),
+        (r#""square":true"#, r#""square":1"#, "statement.square"),
+        (r#""square":true"#, r#""square":false"#, "statement.square"),
+        (r#""-1""#, r#""-2""#, ""),
+    ];
+    assert_each_matters(&text, &changes);
+}

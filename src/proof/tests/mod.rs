@@ -16,6 +16,8 @@ const ROUND: &str = r#"{"kind":"fourier","cos":["1/2"],"sin":["0"],"center":["1"
 const MOVED_CIRCLE: &str = r#"{"kind":"implicit","variables":["x","y"],"terms":[{"exponents":[2,0],"coefficient":"1"},
     {"exponents":[0,2],"coefficient":"1"},{"exponents":[1,0],"coefficient":"-2"},{"exponents":[0,0],"coefficient":"3/4"}]}"#;
 const EGG: &str = r#"{"kind":"fourier","cos":["3","1"],"sin":["0","0"]}"#;
+/// r = 2 + 6/5 cos θ + 9/10 sin θ: the point nearest to the origin is (−2/5, −3/10), where tan ((θ − π)/2) is 1/3.
+const EGG_AROUND: &str = r#"{"kind":"fourier","cos":["2","6/5"],"sin":["0","9/10"]}"#;
 const BALL: &str = r#"{"kind":"spherical","degree":1,"coefficients":[{"l":0,"m":0,"value":"3"},{"l":1,"m":-1,"value":"1"}]}"#;
 const ANGLE: &str = r#"{"kind":"parametric","parameters":["angle"],"coordinates":[
     {"numerator":[{"exponents":[1,0],"coefficient":"1/2"}],"denominator":[{"exponents":[0,0],"coefficient":"1"}]},

@@ -1,8 +1,8 @@
 //! Claims about the signs of polynomials and radii: distances, sides, sectors, errors.
 
 use super::{
-    BALL, CIRCLE, EGG, ROUND, assert_accepted, assert_each_matters, assert_refused, distance,
-    document,
+    BALL, CIRCLE, EGG, EGG_AROUND, ROUND, assert_accepted, assert_each_matters, assert_refused,
+    distance, document,
 };
 
 #[test]
@@ -109,6 +109,79 @@ fn the_distance_from_a_radius_is_enclosed() {
     );
     let misses = about("misses", "8/5", r#"{"depth":9}"#);
     assert_each_matters(&misses, &[("misses", "more-than", ""), ("8/5", "1", "")]);
+}
+
+/// A distance just below the true one, 1/2.
+const NEARLY: &str = "499999999999999999/1000000000000000000";
+
+#[test]
+fn multipliers_tell_distances_apart_that_are_nearly_equal() {
+    let witness = r#"{"depth":3,"multipliers":["1000000001/1000000000"]}"#;
+    let far = distance("more-than", NEARLY, witness);
+    let changes = [
+        (NEARLY, "1/2", ""),
+        (r#""1000000001"#, r#""-1000000001"#, ""),
+        (r#","multipliers":["1000000001/1000000000"]"#, "", ""),
+        (r#"["1000000001/1000000000"]"#, "[]", "witness.multipliers"),
+    ];
+    assert_each_matters(&far, &changes);
+    let inside = distance("misses", NEARLY, witness);
+    assert_each_matters(&inside, &[(NEARLY, "1/2", ""), (NEARLY, "1", "")]);
+}
+
+#[test]
+fn a_place_tells_distances_from_a_radius_apart_that_are_nearly_equal() {
+    let statement =
+        format!(r#"{{"form":0,"point":["0","0"],"relation":"more-than","bound":"{NEARLY}"}}"#);
+    let witness = r#"{"depth":6,"near":["2333333334/1000000000"]}"#;
+    let text = document(&[EGG_AROUND], "distance", &statement, witness);
+    let changes = [
+        (NEARLY, "1/2", ""),
+        (r#""2333333334"#, r#""1333333334"#, ""),
+        (r#","near":["2333333334/1000000000"]"#, "", ""),
+        (r#"["2333333334/1000000000"]"#, r#""2""#, "witness.near"),
+    ];
+    assert_each_matters(&text, &changes);
+}
+
+#[test]
+fn a_sphere_has_points_within_a_distance() {
+    // R(0, 0, 1) = 3 and R(0, −1, 0) = 2.
+    let statement = |relation: &str, bound: &str| {
+        format!(r#"{{"form":0,"point":["0","0","0"],"relation":"{relation}","bound":"{bound}"}}"#)
+    };
+    let near = document(
+        &[BALL],
+        "distance",
+        &statement("at-most", "2"),
+        r#"{"directions":[["0","-1","0"]]}"#,
+    );
+    assert_each_matters(
+        &near,
+        &[
+            (r#""-1""#, r#""1""#, ""),
+            (
+                r#"["0","-1","0"]"#,
+                r#"["0","-1"]"#,
+                "witness.directions[0]",
+            ),
+            (r#""bound":"2""#, r#""bound":"19/10""#, ""),
+        ],
+    );
+    let meets = document(
+        &[BALL],
+        "distance",
+        &statement("meets", "5/2"),
+        r#"{"directions":[["0","-1","0"],["0","0","1"]]}"#,
+    );
+    assert_each_matters(&meets, &[(r#","0","1"]"#, r#","-1","0"]"#, "")]);
+    let far = document(
+        &[BALL],
+        "distance",
+        &statement("more-than", "1"),
+        r#"{"depth":9}"#,
+    );
+    assert_refused(&far, "");
 }
 
 #[test]
