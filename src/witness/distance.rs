@@ -8,7 +8,7 @@ use super::forms::{curve_form, harmonic_form, radius_form, surface_form, texts};
 use super::proof::{Proof, by_expansion};
 use crate::exact::Rational;
 use crate::inspect::{Inspection, Verdict, stationary};
-use crate::intervals::{Field, distance};
+use crate::intervals::{Field, distance, rationals};
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::sample::{Direction, SpaceDirection, UnitVector};
 use crate::shape::{FourierRadius, HarmonicSurface, ImplicitCurve, ImplicitSurface};
@@ -243,8 +243,9 @@ impl<'a> Nearest<'a> {
         }
         feet.sort_by(|(_, a), (_, b)| a.total_cmp(b));
         let multipliers = feet.iter().filter_map(|(q, length)| {
-            let slope = equation.field.gradient(*q);
-            let along: f64 = (0..3).map(|k| slope[k] * (q[k] - from[k])).sum();
+            // In doubles the field has another scale than the polynomial.
+            let (_, slope) = equation.field.exact_value_and_gradient(&rationals(*q));
+            let along: f64 = (0..3).map(|k| slope[k].to_f64() * (q[k] - from[k])).sum();
             short(-along / (2.0 * length * length))
         });
         let away = |(q, length): &([f64; 3], f64)| {

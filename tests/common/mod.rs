@@ -12,6 +12,7 @@ pub(crate) mod proofs;
 pub(crate) mod random;
 pub(crate) mod schemas;
 pub(crate) mod sturm;
+pub(crate) mod wrong_proofs;
 
 use proptest::prelude::*;
 use stellate::exact::Rational;

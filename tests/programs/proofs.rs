@@ -163,8 +163,8 @@ const PROVED: [(&[&str], usize, usize); 19] = [
     (&["describe", "x^4 - x^2 + y^2", "--topology"], 4, 2),
     // The true ranges, which no scan finds; the formulas and the very ends have no witness.
     (&["parametrize", "x^3 + y^3 = 3*x*y"], 6, 2),
-    (&["parametrize", "(x^2 + y^2 - 1)*(x^3 - y^2)"], 9, 4),
-    (&["parametrize", "R = 2 + Y(1,0)/3"], 1, 0),
+    (&["parametrize", "(x^2 + y^2 - 1)*(x^3 - y^2)"], 12, 4),
+    (&["parametrize", "R = 2 + Y(1,0)/3"], 3, 0),
     (&["parametrize", "x^2 + y^2 = 1; z = y^5"], 2, 1),
     (
         &[
