@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import signal
+import sys
 import threading
 import time
 from pathlib import Path
@@ -30,6 +31,8 @@ def spark():
 
     # The two workers are on this machine, whatever network it has.
     os.environ.setdefault("SPARK_LOCAL_IP", "127.0.0.1")
+    # Their Python is the one that has the packages.
+    os.environ["PYSPARK_PYTHON"] = os.environ["PYSPARK_DRIVER_PYTHON"] = sys.executable
     session = (
         SparkSession.builder.master("local-cluster[2,1,1024]")
         .config("spark.ui.enabled", "false")
