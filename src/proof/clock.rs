@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
-use super::refusal::{Checked, need};
+use super::refusal::{Checked, need_within_limit};
 
 /// A claim that is not decided after this time, counted from the beginning of the document, is refused.
 const LONGEST: Duration = Duration::from_secs(600);
@@ -21,5 +21,5 @@ pub(super) fn start() {
 /// Refuses after [`LONGEST`].
 pub(super) fn need_time() -> Checked<()> {
     let is_in_time = START.get().is_none_or(|start| start.elapsed() <= LONGEST);
-    need(is_in_time, "the check takes longer than ten minutes")
+    need_within_limit(is_in_time, "the check takes longer than ten minutes")
 }

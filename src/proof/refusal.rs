@@ -8,6 +8,8 @@ pub struct Refusal {
     /// The steps of the path, the innermost one first.
     steps: Vec<Step>,
     reason: String,
+    /// Whether the check was given up at a limit of the format.
+    is_limit: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +25,14 @@ impl Refusal {
         Self {
             steps: Vec::new(),
             reason: reason.into(),
+            is_limit: false,
         }
+    }
+
+    /// Whether the check was given up at a limit of work or time: what is claimed may be true.
+    #[must_use]
+    pub fn is_limit(&self) -> bool {
+        self.is_limit
     }
 
     /// The same fault, seen from the object around the field.
@@ -78,4 +87,12 @@ pub(super) fn need(condition: bool, reason: &str) -> Checked<()> {
     } else {
         Err(Refusal::new(reason))
     }
+}
+
+/// Refuses for the given reason, which is a limit of work or time, unless the condition holds.
+pub(super) fn need_within_limit(condition: bool, reason: &str) -> Checked<()> {
+    need(condition, reason).map_err(|refusal| Refusal {
+        is_limit: true,
+        ..refusal
+    })
 }

@@ -7,7 +7,7 @@ use num_bigint::BigInt;
 
 use super::clock;
 use super::numbers::{Exact, common_denominator, greatest_common_divisor, is_zero, powers, sign};
-use super::refusal::{Checked, need};
+use super::refusal::{Checked, need_within_limit};
 use super::univariate::{Coefficients, shrink, substitute};
 
 /// The exponents of the variables; those of missing variables are 0. Four generators are enough: two angles have two each.
@@ -75,7 +75,7 @@ impl Sparse {
     pub(super) fn times(&self, other: &Self) -> Checked<Self> {
         let pairs = (self.terms.len() as u64).saturating_mul(other.terms.len() as u64);
         let bits = self.largest_bits() + other.largest_bits() + BITS_OF_A_TERM;
-        need(
+        need_within_limit(
             pairs.saturating_mul(bits) <= LARGEST_PRODUCT,
             "this expansion is longer than the limit",
         )?;

@@ -118,7 +118,7 @@ impl Proof {
         )
     }
 
-    /// The proof after the checker has accepted it. A claim has no witness after this if its cover is too long; nor has a claim
+    /// The proof after the checker has accepted it. A claim has no witness after this if its check is too long; nor has a claim
     /// about a distance or the errors of a fit, if its witness, which was found in doubles, is not good enough.
     ///
     /// # Errors
@@ -133,10 +133,13 @@ impl Proof {
         })?;
         for refused in &report.refused {
             let claim = &mut self.claims[refused.index];
-            // These witnesses are rules for covers, or were found in doubles.
+            // These witnesses are rules for covers, or were found in doubles, or the check is too long.
             let witness = claim.witness.as_ref();
             let is_cover = witness.is_some_and(|witness| witness.get("depth").is_some());
-            if !is_cover && !["distance", "fit-error"].contains(&claim.name) {
+            let may_fail = is_cover
+                || ["distance", "fit-error"].contains(&claim.name)
+                || refused.refusal.is_limit();
+            if !may_fail {
                 return Err(Error::internal(
                     format!("claim {} of the proof ({})", refused.index, refused.name),
                     format!("it holds: {}", refused.refusal),

@@ -70,7 +70,7 @@ fn the_distance_from_an_implicit_curve_is_enclosed() {
         &[
             ("9/20", "1/2", ""),
             ("9/20", "-9/20", ""),
-            (r#""depth":6"#, r#""depth":0"#, ""),
+            (r#""depth":6"#, r#""depth":201"#, "witness.depth"),
         ],
     );
     let misses = distance("misses", "2", r#"{"depth":6}"#);
@@ -117,7 +117,12 @@ const NEARLY: &str = "499999999999999999/1000000000000000000";
 #[test]
 fn multipliers_tell_distances_apart_that_are_nearly_equal() {
     let witness = r#"{"depth":3,"multipliers":["1000000001/1000000000"]}"#;
-    let far = distance("more-than", NEARLY, witness);
+    // The nearest point, (3/10, 2/5), is inside the cube.
+    let about = |relation: &str| {
+        let text = distance(relation, NEARLY, witness);
+        text.replace(r#"["1","0"]"#, r#"["3/5","4/5"]"#)
+    };
+    let far = about("more-than");
     let changes = [
         (NEARLY, "1/2", ""),
         (r#""1000000001"#, r#""-1000000001"#, ""),
@@ -125,7 +130,7 @@ fn multipliers_tell_distances_apart_that_are_nearly_equal() {
         (r#"["1000000001/1000000000"]"#, "[]", "witness.multipliers"),
     ];
     assert_each_matters(&far, &changes);
-    let inside = distance("misses", NEARLY, witness);
+    let inside = about("misses");
     assert_each_matters(&inside, &[(NEARLY, "1/2", ""), (NEARLY, "1", "")]);
 }
 
