@@ -436,6 +436,10 @@ fn a_bound_contradicts_another_one(case: &mut Case, words: &mut SplitMix) -> Opt
         .collect();
     let chosen = index(words, bounds.len().max(1));
     case.claim["statement"]["bound"] = bounds.get(chosen)?.clone();
+    // A checker would divide the cover of a false claim up to the limit.
+    if let Some(depth) = case.claim["witness"].get_mut("depth") {
+        *depth = json!(6);
+    }
     Some(())
 }
 
