@@ -8,7 +8,7 @@ use super::forms::{curve_form, harmonic_form, radius_form, surface_form, texts};
 use super::proof::{Proof, by_expansion};
 use crate::exact::Rational;
 use crate::inspect::{Inspection, Verdict, stationary};
-use crate::intervals::{Field, distance, rationals};
+use crate::intervals::{Field, distance};
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::sample::{Direction, SpaceDirection, UnitVector};
 use crate::shape::{FourierRadius, HarmonicSurface, ImplicitCurve, ImplicitSurface};
@@ -45,9 +45,28 @@ pub(crate) enum InspectedForm {
 #[derive(Debug)]
 pub(crate) struct Equation {
     field: Field,
+    /// The polynomial is this multiple of that of the field.
+    scale: f64,
     dimension: usize,
     /// The origin of the polynomial's coordinates.
     center: [Rational; 3],
+}
+
+impl Equation {
+    fn new(polynomial: &SparsePolynomial<3>, dimension: usize, center: [Rational; 3]) -> Self {
+        let field = Field::new(polynomial);
+        let [own, of_field] = [polynomial, field.polynomial()].map(|f| f.terms().next());
+        let scale = match (own, of_field) {
+            (Some((_, c)), Some((_, d))) => (c / d).to_f64(),
+            _ => 1.0,
+        };
+        Self {
+            field,
+            scale,
+            dimension,
+            center,
+        }
+    }
 }
 
 impl InspectedForm {
@@ -55,22 +74,16 @@ impl InspectedForm {
     pub(crate) fn of_curve(curve: &ImplicitCurve, proof: &mut Proof) -> Self {
         let primitive: PlanePolynomial = curve.polynomial().primitive();
         let [a, b] = curve.center().clone();
-        let equation = Equation {
-            field: Field::new(&SparsePolynomial::from(&primitive)),
-            dimension: 2,
-            center: [a, b, Rational::zero()],
-        };
+        let in_space = SparsePolynomial::from(&primitive);
+        let equation = Equation::new(&in_space, 2, [a, b, Rational::zero()]);
         Self::Equation(curve_form(proof, &primitive), Box::new(equation))
     }
 
     /// As [`Self::of_curve`].
     pub(crate) fn of_surface(surface: &ImplicitSurface, proof: &mut Proof) -> Self {
         let primitive = surface.polynomial().primitive();
-        let equation = Equation {
-            field: Field::new(&primitive),
-            dimension: 3,
-            center: std::array::from_fn(|_| Rational::zero()),
-        };
+        let origin = std::array::from_fn(|_| Rational::zero());
+        let equation = Equation::new(&primitive, 3, origin);
         Self::Equation(surface_form(proof, &primitive), Box::new(equation))
     }
 
@@ -243,10 +256,9 @@ impl<'a> Nearest<'a> {
         }
         feet.sort_by(|(_, a), (_, b)| a.total_cmp(b));
         let multipliers = feet.iter().filter_map(|(q, length)| {
-            // In doubles the field has another scale than the polynomial.
-            let (_, slope) = equation.field.exact_value_and_gradient(&rationals(*q));
-            let along: f64 = (0..3).map(|k| slope[k].to_f64() * (q[k] - from[k])).sum();
-            short(-along / (2.0 * length * length))
+            let slope = equation.field.gradient(*q);
+            let along: f64 = (0..3).map(|k| slope[k] * (q[k] - from[k])).sum();
+            short(-along / (2.0 * length * length) * equation.scale)
         });
         let away = |(q, length): &([f64; 3], f64)| {
             (std::array::from_fn(|k| (q[k] - from[k]) / length), *length)
