@@ -17,13 +17,13 @@ from . import _native
 from ._call import Number, Progress, Source, call, exact, native_options, tell, value
 from ._options import ReadingOptions, prepared
 from ._points import AXES, Doubles, Points, columns, csv_table
-from ._results import NONE
+from ._results import NONE, Fit
 
 if TYPE_CHECKING:
     import sympy
     from typing_extensions import Unpack
 
-FormLike = Union["Form", str, "PathLike[str]", Mapping[Any, Number], "sympy.Expr"]
+FormLike = Union["Form", str, "PathLike[str]", Mapping[Any, Number], Fit, "sympy.Expr"]
 # As many inspectors are kept with a form; each has the tables that it needs for fast answers.
 KEPT = 8
 
@@ -330,7 +330,7 @@ def _identity(document: dict[str, Any]) -> tuple[Any, ...]:
 
 
 def form(given: FormLike, **reading: Unpack[ReadingOptions]) -> Form:
-    """A form from a text, a path, a document, the terms of a polynomial, or a SymPy expression in x, y and z.
+    """A form from a text, a path, a document, the terms of a polynomial, a fit, or a SymPy expression in x, y and z.
 
     Options
     -------
@@ -347,6 +347,8 @@ def form(given: FormLike, **reading: Unpack[ReadingOptions]) -> Form:
     4
     """
     how = prepared(dict(reading), ReadingOptions).reading
+    if isinstance(given, Fit):
+        given = given.form
     if isinstance(given, Form):
         return Form(given.text, given.place, {**given.reading, **how}) if how else given
     if isinstance(given, Mapping):
