@@ -1,5 +1,6 @@
 //! Forms are read from the contents of files: JSON documents, tables of coefficients, and formulas.
 
+mod bytes;
 mod document;
 mod harmonics;
 mod matrix;
@@ -9,6 +10,7 @@ mod norm;
 mod superquadric;
 mod table;
 
+pub(crate) use bytes::bytes_within;
 pub use document::read_document;
 pub(crate) use harmonics::layout_of_header;
 pub use harmonics::{HarmonicConvention, HarmonicLayout, ReadHarmonics, read_harmonics};

@@ -1,14 +1,13 @@
 //! Fits of closed meshes by sums of spherical harmonics, for the verb `fit`.
 
 use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use super::Work;
 use crate::error::{Error, Result};
 use crate::fit::{MeshFit, MeshFitOptions, MeshFitSize, fit_mesh as fit};
 use crate::inspect::{DistanceBounds, mesh_distance};
-use crate::reading::{MAX_MESH_BYTES, SolidFormat, read_solid};
+use crate::reading::{MAX_MESH_BYTES, SolidFormat, bytes_within, read_solid};
 use crate::shape::Solid;
 
 /// Whether an argument is the name of a mesh: of an .obj, .ply or .stl file.
@@ -25,23 +24,13 @@ pub fn read_mesh(path: &Path, work: &Work) -> Result<Solid> {
     let place = path.display().to_string();
     let format = SolidFormat::of(path)
         .ok_or_else(|| Error::Usage(format!("{place}: a mesh is an .obj, .ply or .stl file")))?;
-    let unread = |source| Error::Io {
-        path: path.to_owned(),
-        source,
-    };
     work.stage("read", || {
-        let file = File::open(path).map_err(unread)?;
-        let mut bytes = Vec::new();
-        let most = MAX_MESH_BYTES as u64;
-        let read = file
-            .take(most + 1)
-            .read_to_end(&mut bytes)
-            .map_err(unread)?;
-        if read > MAX_MESH_BYTES {
-            return Err(Error::limit(format!(
-                "a mesh of more than {MAX_MESH_BYTES} bytes"
-            )));
-        }
+        let file = File::open(path).map_err(|source| Error::Io {
+            path: path.to_owned(),
+            source,
+        })?;
+        let bytes = bytes_within(file, MAX_MESH_BYTES as u64, &place)?
+            .ok_or_else(|| Error::limit(format!("a mesh of more than {MAX_MESH_BYTES} bytes")))?;
         read_solid(&bytes, format, &place)
     })
 }

@@ -1,13 +1,13 @@
 //! Files of points: tables as text, the vertices of PLY files, and NumPy arrays.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, Cursor, Read};
+use std::io::{BufRead, BufReader, Cursor};
 use std::path::Path;
 
 use super::rows::PointRows;
 use crate::error::{Error, Result};
 use crate::fit::rows_of_array;
-use crate::reading::{MAX_MESH_BYTES, rows_of_ply};
+use crate::reading::{MAX_MESH_BYTES, bytes_within, rows_of_ply};
 
 impl PointRows {
     /// The points of a file: of a PLY file its vertices, of a NumPy array (`.npy`) of the shape (n, 2) or (n, 3) its rows, and otherwise the
@@ -37,16 +37,8 @@ impl PointRows {
                 return Self::new(Box::new(reader), &place, size);
             }
         };
-        let most = MAX_MESH_BYTES as u64;
-        let mut bytes = Vec::new();
-        file.take(most + 1)
-            .read_to_end(&mut bytes)
-            .map_err(failed)?;
-        if bytes.len() as u64 > most {
-            return Err(Error::limit(format!(
-                "{place} has more than {MAX_MESH_BYTES} bytes"
-            )));
-        }
+        let bytes = bytes_within(file, MAX_MESH_BYTES as u64, &place)?
+            .ok_or_else(|| Error::limit(format!("{place} has more than {MAX_MESH_BYTES} bytes")))?;
         let text = convert(&bytes, &place)?;
         let size = text.len() as u64;
         let reader: Box<dyn BufRead> = Box::new(Cursor::new(text));

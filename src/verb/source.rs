@@ -7,7 +7,7 @@ use super::foreign::{is_foreign, refuse_beginning};
 use crate::error::{Error, Result};
 use crate::fit::ContourKind;
 use crate::language::MAX_TEXT_BYTES;
-use crate::reading::{HarmonicLayout, is_elliptic_header, layout_of_header};
+use crate::reading::{HarmonicLayout, bytes_within, is_elliptic_header, layout_of_header};
 use crate::rows::{double, words};
 
 /// The number of bytes by which a file is recognised.
@@ -213,21 +213,9 @@ pub(super) fn is_a_folder(path: &Path) -> Error {
 /// # Errors
 /// [`Error::Io`] if reading fails, [`Error::Limit`] if the text is longer, [`Error::Data`] if it is not UTF-8.
 pub fn read_limited(source: impl Read, place: &str) -> Result<String> {
-    let failed = |source| Error::Io {
-        path: place.into(),
-        source,
-    };
     let limit = MAX_TEXT_BYTES as u64;
-    let mut bytes = Vec::new();
-    source
-        .take(limit + 1)
-        .read_to_end(&mut bytes)
-        .map_err(failed)?;
-    if bytes.len() as u64 > limit {
-        return Err(Error::limit(format!(
-            "{place}: a text has at most {limit} bytes"
-        )));
-    }
+    let bytes = bytes_within(source, limit, place)?
+        .ok_or_else(|| Error::limit(format!("{place}: a text has at most {limit} bytes")))?;
     refuse_utf16(&bytes, place)?;
     String::from_utf8(bytes).map_err(|e| {
         let byte = e.utf8_error().valid_up_to() + 1;

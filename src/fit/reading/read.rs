@@ -14,6 +14,7 @@ use super::rows::read_rows;
 use super::silhouette::Silhouette;
 use super::{LeftOut, OutlineOptions};
 use crate::error::{Error, Result};
+use crate::reading::bytes_within;
 use crate::shape::{Contour, GivenPoints, PointCloud};
 
 /// The largest number of bytes that are read from one file.
@@ -306,17 +307,7 @@ impl Outlines {
 
 /// All bytes of a source that has at most `most`.
 fn bytes(reader: impl Read, most: u64, place: &str) -> Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let mut limited = reader.take(most + 1);
-    let read = limited.read_to_end(&mut bytes);
-    read.map_err(|source| Error::Io {
-        path: place.into(),
-        source,
-    })?;
-    match limited.limit() {
-        0 => Err(too_long(place, most)),
-        _ => Ok(bytes),
-    }
+    bytes_within(reader, most, place)?.ok_or_else(|| too_long(place, most))
 }
 
 fn text(reader: impl Read, place: &str) -> Result<String> {

@@ -113,6 +113,17 @@ impl<'a> Body<'a> {
         })
     }
 
+    /// The number of a property; `None` for a list, which is passed over.
+    fn single(&mut self, property: &Property) -> Result<Option<f64>> {
+        let Some(length) = property.length else {
+            return self.number(property.number).map(Some);
+        };
+        for _ in 0..self.whole(length)? {
+            self.number(property.number)?;
+        }
+        Ok(None)
+    }
+
     /// A count or an index.
     #[expect(
         clippy::cast_possible_truncation,
@@ -199,13 +210,7 @@ pub(super) fn points(bytes: &[u8], place: &str) -> Result<String> {
     for element in &elements[..position] {
         for _ in 0..element.count {
             for property in &element.properties {
-                let length = match property.length {
-                    Some(length) => body.whole(length)?,
-                    None => 1,
-                };
-                for _ in 0..length {
-                    body.number(property.number)?;
-                }
+                body.single(property)?;
             }
         }
     }
@@ -217,16 +222,11 @@ pub(super) fn points(bytes: &[u8], place: &str) -> Result<String> {
     for _ in 0..vertex.count {
         let mut is_first = true;
         for property in &vertex.properties {
-            let Some(length) = property.length else {
+            if let Some(value) = body.single(property)? {
                 if !std::mem::take(&mut is_first) {
                     text.push(',');
                 }
-                let value = body.number(property.number)?;
                 text.push_str(&format!("{value:?}"));
-                continue;
-            };
-            for _ in 0..body.whole(length)? {
-                body.number(property.number)?;
             }
         }
         text.push('\n');
