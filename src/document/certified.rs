@@ -1,5 +1,6 @@
 //! Certified bounds for people: few digits, rounded outward.
 
+use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// The digits that are shown.
@@ -24,10 +25,11 @@ fn rounded(value: f64, is_upward: bool) -> String {
         return "0".into();
     }
     let text = format!("{value:.*e}", DIGITS - 1);
-    let (Ok(shown), Ok(exact)) = (text.parse::<Rational>(), Rational::try_from(value)) else {
+    let Ok(exact) = Rational::try_from(value) else {
         // Infinities have no digits.
         return value.to_string();
     };
+    let shown: Rational = text.parse().invariant("a decimal is a number");
     let is_right = if is_upward {
         shown >= exact
     } else {
@@ -37,18 +39,12 @@ fn rounded(value: f64, is_upward: bool) -> String {
         return text;
     }
     // One unit of the last digit farther.
-    let exponent = text.split('e').nth(1).and_then(|e| e.parse::<i32>().ok());
-    let Some(exponent) = exponent else {
-        return value.to_string();
-    };
-    let digits: String = text
-        .chars()
-        .take_while(|c| *c != 'e')
-        .filter(char::is_ascii_digit)
-        .collect();
-    let Ok(mantissa) = digits.parse::<u32>() else {
-        return value.to_string();
-    };
+    let (digits, exponent) = text.split_once('e').invariant("the text has an exponent");
+    let exponent: i32 = exponent.parse().invariant("an exponent is short");
+    let mantissa: u32 = digits
+        .replace('.', "")
+        .parse()
+        .invariant("the digits are a number");
     let (mantissa, exponent) = match (is_upward, mantissa) {
         (true, 9999) => (1000, exponent + 1),
         (true, m) => (m + 1, exponent),

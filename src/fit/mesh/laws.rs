@@ -4,13 +4,14 @@ use super::*;
 use crate::mesh::mesh_harmonic;
 use proptest::prelude::*;
 
-fn solid_of(surface: &HarmonicSurface, rows: usize) -> Solid {
+/// The mesh of a harmonic surface, with this number of rows of directions.
+pub(crate) fn solid_of(surface: &HarmonicSurface, rows: usize) -> Solid {
     let mesh = mesh_harmonic(surface, rows, &Limits::none(), &|_| {}).unwrap();
     Solid::new(mesh.vertices.clone(), mesh.triangles.clone(), "mesh").unwrap()
 }
 
-/// A box with the corners (±a, ±b, ±c) less what is cut out.
-fn cube(shift: [f64; 3]) -> Solid {
+/// The cube with the corners (±1, ±1, ±1), moved.
+pub(crate) fn cube(shift: [f64; 3]) -> Solid {
     let vertices = (0..8)
         .map(|k| std::array::from_fn(|i| if k >> i & 1 == 1 { 1.0 } else { -1.0 } + shift[i]));
     let quads = [

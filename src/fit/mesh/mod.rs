@@ -228,4 +228,4 @@ fn deepest(solid: &Solid) -> Result<[f64; 3]> {
 }
 
 #[cfg(test)]
-mod laws;
+pub(crate) mod laws;

@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use super::CellTree;
 use super::expansion::{ANGLE, Expansion, dot, length};
 use super::waves::ABOVE;
-use super::{CellTree, Chart};
 use crate::intervals::interval::UNIT;
+use crate::shape::minus;
 
 /// A part of the surface, near a triangle. All lengths are in units of the surface, and points are relative to its center.
 #[derive(Clone, Copy, Debug)]
@@ -53,14 +54,12 @@ impl CellTree {
     /// At the angles u + v with |v₁| + |v₂| ≤ r the surface is within ½|X''|r² + Mr³ of X(u) + X'(u)v by Taylor's formula, with the largest
     /// length |X''| of a bend at u and the bound M of |X'''|/6. The errors of the expansion are those of [`super::Errors::within`].
     pub(in crate::inspect) fn flat_part(&self, triangle: &[[f64; 3]; 3]) -> Option<FlatPart> {
-        let [p, q, r] = triangle;
-        let middle = [0, 1, 2].map(|i| (p[i] + q[i] + r[i]) / 3.0);
+        let middle = middle(triangle);
         let (chart_index, at) = self.angles(&middle);
         let chart = &self.charts[chart_index];
         let mut offsets = [[0.0; 2]; 3];
         for (offset, corner) in offsets.iter_mut().zip(triangle) {
-            let [x, y, z] = chart.axes.map(|axis| corner[axis]);
-            let angles = [y.atan2(x), x.hypot(y).atan2(z)];
+            let angles = chart.angles(corner);
             let off = [0, 1].map(|i| angles[i] - at[i]);
             *offset = [off[0] - TAU * (off[0] / TAU).round(), off[1]];
         }
@@ -80,19 +79,13 @@ impl CellTree {
         let (slope, bend) = expansion.sizes();
         let third = self.third_everywhere(chart_index);
         let rounding = 32.0 * UNIT * (length(&expansion.value) + slope * r);
-        let in_space = |value: [f64; 3]| {
-            let mut point = [0.0; 3];
-            for (axis, x) in chart.axes.into_iter().zip(value) {
-                point[axis] = x;
-            }
-            point
-        };
         let [a, b] = expansion.slopes;
-        let corners = offsets
-            .map(|[s, t]| in_space([0, 1, 2].map(|i| expansion.value[i] + s * a[i] + t * b[i])));
+        let corners = offsets.map(|[s, t]| {
+            chart.in_space([0, 1, 2].map(|i| expansion.value[i] + s * a[i] + t * b[i]))
+        });
         let off = slope * bulge + r * r * (bend + third * r);
         Some(FlatPart {
-            middle: in_space(expansion.value),
+            middle: chart.in_space(expansion.value),
             wrong: (chart.errors.value + rounding) * ABOVE,
             corners,
             off: (off + chart.errors.within(r) + rounding) * ABOVE,
@@ -113,25 +106,20 @@ impl CellTree {
         corners: &[[f64; 3]; 3],
         relative: f64,
     ) -> TriangleDistance {
-        let [p, q, r] = corners;
-        let middle = [0, 1, 2].map(|i| (p[i] + q[i] + r[i]) / 3.0);
+        let middle = middle(corners);
         let target = self.target(middle);
         let (search, least) = self.searched(&target, relative);
         let low = (least.max(0.0).sqrt() * (1.0 - 4.0 * UNIT)).min(search.high);
         let size = corners.iter().map(length).fold(0.0, f64::max);
         let rounding = 64.0 * UNIT * size;
-        let from_middle = |corner: &[f64; 3]| [0, 1, 2].map(|i| corner[i] - middle[i]);
-        let way = corners
-            .iter()
-            .map(|c| length(&from_middle(c)))
-            .fold(0.0, f64::max);
+        let off = corners.map(|corner| minus(corner, middle));
+        let way = off.iter().map(length).fold(0.0, f64::max);
         let by_way = search.high + way + rounding;
         let by_plane = search.place.map_or(f64::INFINITY, |(chart, best)| {
-            let Chart { axes, errors, .. } = &self.charts[chart];
+            let found_in = &self.charts[chart];
             let (mut reach, mut height) = (0.0f64, 0.0f64);
-            for corner in corners {
-                let away = from_middle(corner);
-                let w: [f64; 3] = std::array::from_fn(|i| away[axes[i]] - best.value[i]);
+            for off in &off {
+                let w = minus(found_in.turned(off), best.value);
                 let (v, rest) = along(&best.slopes, &w);
                 reach = reach.max(v[0].abs() + v[1].abs());
                 height = height.max(length(&rest));
@@ -140,13 +128,18 @@ impl CellTree {
             let (slope, bend) = best.sizes();
             let third = self.third_everywhere(chart);
             let rounding = rounding + 32.0 * UNIT * (slope * r + length(&best.value));
-            (height + r * r * (bend + third * r) + errors.within(r) + rounding) * ABOVE
+            (height + r * r * (bend + third * r) + found_in.errors.within(r) + rounding) * ABOVE
         });
         TriangleDistance {
             low: (low - rounding).max(0.0),
             high: by_way.min(by_plane),
         }
     }
+}
+
+/// The middle of a triangle.
+fn middle([p, q, r]: &[[f64; 3]; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| (p[i] + q[i] + r[i]) / 3.0)
 }
 
 /// Coefficients v for which `w` is near v₁a + v₂b, and what remains of it.

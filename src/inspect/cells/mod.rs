@@ -274,11 +274,32 @@ impl CellTree {
     /// The chart and the angles of the direction of a point.
     fn angles(&self, p: &[f64; 3]) -> (usize, [f64; 2]) {
         let chart = usize::from(2.0 * p[2] * p[2] > length(p).powi(2));
-        let [x, y, z] = self.charts[chart].axes.map(|axis| p[axis]);
+        let [theta, phi] = self.charts[chart].angles(p);
         // θ in the range of the squares, from −π/4.
-        let theta = y.atan2(x);
         let theta = theta + if theta < -FRAC_PI_4 { TAU } else { 0.0 };
-        (chart, [theta, x.hypot(y).atan2(z)])
+        (chart, [theta, phi])
+    }
+}
+
+impl Chart {
+    /// A vector of space in the coordinates of the chart.
+    fn turned(&self, p: &[f64; 3]) -> [f64; 3] {
+        self.axes.map(|axis| p[axis])
+    }
+
+    /// A vector in the coordinates of the chart, in those of space.
+    fn in_space(&self, v: [f64; 3]) -> [f64; 3] {
+        let mut p = [0.0; 3];
+        for (axis, x) in self.axes.into_iter().zip(v) {
+            p[axis] = x;
+        }
+        p
+    }
+
+    /// The angles of the direction of a vector of space, θ from −π to π.
+    fn angles(&self, p: &[f64; 3]) -> [f64; 2] {
+        let [x, y, z] = self.turned(p);
+        [y.atan2(x), x.hypot(y).atan2(z)]
     }
 }
 

@@ -101,7 +101,7 @@ impl CellTree {
     pub(super) fn target(&self, p: [f64; 3]) -> Target {
         Target {
             p,
-            turned: [0, 1].map(|chart| self.charts[chart].axes.map(|axis| p[axis])),
+            turned: self.charts.each_ref().map(|chart| chart.turned(&p)),
         }
     }
 
@@ -133,10 +133,8 @@ impl CellTree {
         let high = (Interval::from(search.high) + slack).high();
         let distance = Interval::between(low.min(high), high) * self.unit;
         let (chart, best) = search.place?;
-        let mut point = [0.0; 3];
-        for (i, axis) in self.charts[chart].axes.into_iter().enumerate() {
-            point[axis] = (best.value[i] + target.turned[chart][i]) * self.unit;
-        }
+        let turned = [0, 1, 2].map(|i| (best.value[i] + target.turned[chart][i]) * self.unit);
+        let point = self.charts[chart].in_space(turned);
         Some(NearestOnSphere {
             distance: DistanceBounds {
                 low: distance.low().max(0.0),
@@ -228,12 +226,8 @@ impl CellTree {
             at = [0, 1].map(|i| at[i] + step[i]);
             // In the other chart, if the direction is too far from the equator of this one.
             if (at[1] - std::f64::consts::FRAC_PI_2).abs() > 1.0 {
-                let mut direction = [0.0; 3];
                 let ([st, ct], [sp, cp]) = (sine_and_cosine(at[0]), sine_and_cosine(at[1]));
-                let d = [sp * ct, sp * st, cp];
-                for (i, axis) in self.charts[chart].axes.into_iter().enumerate() {
-                    direction[axis] = d[i];
-                }
+                let direction = self.charts[chart].in_space([sp * ct, sp * st, cp]);
                 (chart, at) = self.angles(&direction);
             }
         }

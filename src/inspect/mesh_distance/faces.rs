@@ -2,6 +2,7 @@
 
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
+use crate::error::Invariant;
 use crate::intervals::interval::UNIT;
 use crate::shape::{cross, dot, minus};
 
@@ -84,7 +85,7 @@ impl Face {
             dot(off, off)
         };
         let best = all.min_by(|a, b| far(a).total_cmp(&far(b)));
-        best.unwrap_or(a)
+        best.invariant("a triangle has edges")
     }
 }
 

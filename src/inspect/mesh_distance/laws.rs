@@ -2,31 +2,8 @@
 
 use super::*;
 use crate::exact::Rational;
-use crate::mesh::mesh_harmonic;
+use crate::fit::{cube_of_test as cube, solid_of_test as solid_of};
 use proptest::prelude::*;
-
-fn solid_of(surface: &HarmonicSurface, rows: usize) -> Solid {
-    let mesh = mesh_harmonic(surface, rows, &Limits::none(), &|_| {}).unwrap();
-    Solid::new(mesh.vertices.clone(), mesh.triangles.clone(), "mesh").unwrap()
-}
-
-/// The cube with the corners (±1, ±1, ±1), moved.
-fn cube(shift: [f64; 3]) -> Solid {
-    let vertices = (0..8)
-        .map(|k| std::array::from_fn(|i| if k >> i & 1 == 1 { 1.0 } else { -1.0 } + shift[i]));
-    let quads = [
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-    ];
-    let triangles = quads
-        .iter()
-        .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]);
-    Solid::new(vertices.collect(), triangles.collect(), "cube").unwrap()
-}
 
 fn surface(terms: &[((usize, isize), f64)], center: [f64; 3]) -> HarmonicSurface {
     let exact = |x: f64| Rational::try_from(x).unwrap();
@@ -98,8 +75,8 @@ proptest! {
         let distance = |p: &[f64; 3], q: &[f64; 3]| (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>();
         let mesh: Vec<[f64; 3]> = (0..solid.triangles().len()).flat_map(|k| {
             let [a, b, c] = solid.corners(k);
-            (0..=12).flat_map(move |i| (0..=12 - i).map(move |j| {
-                let (s, t) = (f64::from(i) / 12.0, f64::from(j) / 12.0);
+            (0..=8).flat_map(move |i| (0..=8 - i).map(move |j| {
+                let (s, t) = (f64::from(i) / 8.0, f64::from(j) / 8.0);
                 [0, 1, 2].map(|x| a[x] + s * (b[x] - a[x]) + t * (c[x] - a[x]))
             }))
         }).collect();

@@ -12,11 +12,11 @@ use rayon::prelude::*;
 
 use super::DistanceBounds;
 use super::cells::{CellTree, FlatPart};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::fit::turns_of_mesh;
 use crate::intervals::interval::UNIT;
 use crate::limits::Limits;
-use crate::shape::{HarmonicPair, HarmonicSurface, Solid};
+use crate::shape::{HarmonicPair, HarmonicSurface, Solid, dot, minus};
 use faces::{Face, Faces};
 
 /// The bounds are this close together, relative to the lower one, …
@@ -172,12 +172,12 @@ impl Face {
     /// The two halves on both sides of the middle of the longest edge.
     fn halves(&self) -> [Self; 2] {
         let corners = self.0;
-        let square = |i: usize| -> f64 {
-            let [p, q] = [corners[i], corners[(i + 1) % 3]];
-            (0..3).map(|k| (p[k] - q[k]).powi(2)).sum()
+        let square = |i: usize| {
+            let edge = minus(corners[(i + 1) % 3], corners[i]);
+            dot(edge, edge)
         };
         let longest = (0..3).max_by(|a, b| square(*a).total_cmp(&square(*b)));
-        let i = longest.unwrap_or(0);
+        let i = longest.invariant("a triangle has edges");
         let [p, q, r] = [0, 1, 2].map(|k| corners[(i + k) % 3]);
         let middle = std::array::from_fn(|k| f64::midpoint(p[k], q[k]));
         [Self([p, middle, r]), Self([middle, q, r])]
