@@ -241,7 +241,9 @@ impl Chart {
             let has = |wanted: i64| row.iter().any(|c| sign(c) == wanted);
             match (has(1), has(-1)) {
                 (true, true) => {
-                    let last = signs.last().copied().unwrap_or(1);
+                    let last = signs.last().copied();
+                    let last =
+                        last.ok_or_else(|| Refusal::new("the first coefficient has both signs"))?;
                     signs.extend([last, -last]);
                 }
                 (true, false) => signs.push(1),

@@ -198,7 +198,8 @@ impl FourierRadius {
         series(&cos, &sin, theta)
     }
 
-    fn to_doubles(&self) -> (Vec<f64>, Vec<f64>) {
+    /// The coefficients of the cosines and the sines, in doubles.
+    pub(crate) fn to_doubles(&self) -> (Vec<f64>, Vec<f64>) {
         let doubles = |v: &[Rational]| v.iter().map(Rational::to_f64).collect();
         (doubles(&self.cos), doubles(&self.sin))
     }
@@ -209,7 +210,7 @@ impl FourierRadius {
     clippy::cast_precision_loss,
     reason = "the number of harmonics is small"
 )]
-pub(super) fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
+pub(crate) fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
     let terms = cos.iter().zip(sin).enumerate().map(|(n, (a, b))| {
         let (s, c) = (n as f64 * theta).sin_cos();
         a * c + b * s

@@ -30,6 +30,7 @@ pub(crate) use drawn::{CurveInDoubles, PatchInDoubles};
 pub use elliptic::EllipticSeries;
 pub(crate) use elliptic::harmonics_of_curve;
 pub use fourier::FourierRadius;
+pub(crate) use fourier::series;
 pub use harmonic::{HarmonicSurface, MAX_HARMONIC_DEGREE};
 pub use harmonic_pair::HarmonicPair;
 pub(crate) use harmonic_pair::rho_power_in_space;

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::forms::{curve_form, harmonic_form, radius_form, surface_form, texts};
 use super::proof::{Proof, by_expansion};
+use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::inspect::{Inspection, Verdict, stationary};
 use crate::intervals::{Field, distance};
@@ -56,10 +57,11 @@ impl Equation {
     fn new(polynomial: &SparsePolynomial<3>, dimension: usize, center: [Rational; 3]) -> Self {
         let field = Field::new(polynomial);
         let [own, of_field] = [polynomial, field.polynomial()].map(|f| f.terms().next());
-        let scale = match (own, of_field) {
-            (Some((_, c)), Some((_, d))) => (c / d).to_f64(),
-            _ => 1.0,
-        };
+        let [c, d] = [own, of_field].map(|first| {
+            let (_, c) = first.invariant("the polynomial of an equation is not 0");
+            c
+        });
+        let scale = (c / d).to_f64();
         Self {
             field,
             scale,

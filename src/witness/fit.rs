@@ -5,7 +5,7 @@ use serde_json::json;
 use super::forms::{radius_form, texts};
 use super::proof::Proof;
 use crate::exact::Rational;
-use crate::shape::FourierRadius;
+use crate::shape::{FourierRadius, series};
 
 /// Square roots are enclosed to this many bits after the point.
 const BITS: u32 = 100;
@@ -29,9 +29,10 @@ pub(crate) fn fit_error(
         return;
     }
     let (mut max, mut squares, mut largest) = (0.0_f64, 0.0, 0.0_f64);
+    let (cos, sin) = radius.to_doubles();
     for [x, y] in offsets() {
         let rho = x.hypot(y);
-        let error = (radius.approximate(y.atan2(x)) - rho).abs();
+        let error = (series(&cos, &sin, y.atan2(x)) - rho).abs();
         max = max.max(error);
         squares += error * error;
         largest = largest.max(rho);

@@ -10,7 +10,7 @@ use super::breakpoints::{End, Roots, on, shift};
 use super::forms::{curve_form, texts};
 use super::proof::Proof;
 use super::rays::apart;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, integer_sign, negate_odd};
@@ -105,8 +105,10 @@ fn angles([low, high]: &[Rational; 2]) -> [Rational; 2] {
     let middle = Rational::from(if *high <= Rational::from(2) { 1 } else { 3 });
     let unit = ten_to(15);
     let two = Rational::from(2);
-    let angle =
-        |s: &Rational| Rational::try_from((s - &middle).to_f64().atan()).unwrap_or_default();
+    let angle = |s: &Rational| {
+        let near = (s - &middle).to_f64().atan();
+        Rational::try_from(near).invariant("an arc tangent is finite")
+    };
     [
         &((&angle(low) * &unit).floor() - &two) / &unit,
         &((&angle(high) * &unit).floor() + &(&two + &Rational::one())) / &unit,
@@ -252,7 +254,8 @@ impl Chart {
             }
             match (has_plus, has_minus) {
                 (true, true) => {
-                    let last = signs.last().copied().unwrap_or(1);
+                    let last = signs.last().copied();
+                    let last = last.invariant("the first coefficient has one sign");
                     signs.extend([last, -last]);
                 }
                 (true, false) => signs.push(1),
