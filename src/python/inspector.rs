@@ -1,7 +1,5 @@
 //! Forms that are compared with columns of coordinates.
 
-use std::sync::Arc;
-
 use numpy::ndarray::ArrayView1;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -10,7 +8,7 @@ use rayon::prelude::*;
 use super::exceptions::{InputError, exception};
 use super::options::{Options, reading};
 use super::run::given;
-use super::watch::{Wait, Watch, guarded, pool};
+use super::watch::{Wait, Watch, guarded, pool, with_options};
 use crate::error::{Error, Result};
 use crate::inspect::{Inspection, Verdict};
 use crate::limits::Limits;
@@ -110,35 +108,17 @@ impl Inspector {
         dimension: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let read = || {
-            let options = Options::read(options)?;
-            let limits = options.limits()?;
-            let pool = pool(options.threads)?;
-            Ok((options, limits, pool))
-        };
-        let (options, limits, pool) = read().map_err(|error| exception(&error))?;
-        let watch = Arc::new(Watch::default());
-        let wait = Wait {
-            python,
-            progress,
-            limits: &limits,
-            watch: &watch,
-        };
-        let threads = options.threads;
-        let (in_work, watched) = (limits.clone(), Arc::clone(&watch));
-        let task = wait.for_owned(&pool, move || {
-            let mut work = Work::default().limits(in_work).watched_by(watched);
-            if let Some(degree) = options.max_degree {
-                work = work.max_degree(degree);
-            }
+        let made = move |options: Options, work: Work| {
             let given = given(&form, &reading(&form.2)?, &work)?;
-            verb::inspect(given, dimension, &options.inspection()?, &work)
-        })?;
+            let task = verb::inspect(given, dimension, &options.inspection()?, &work)?;
+            Ok((task, work.bounds().clone(), options.threads))
+        };
+        let ((task, limits, threads), notes) = with_options(python, progress, options, made)?;
         Ok(Self {
             task,
             limits,
             threads,
-            notes: watch.notes(),
+            notes,
         })
     }
 

@@ -9,14 +9,13 @@ mod run;
 mod watch;
 
 use std::ffi::OsString;
-use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use self::exceptions::{InputError, InternalError, LimitReached, StellateError, exception};
+use self::exceptions::{InputError, InternalError, LimitReached, StellateError};
 use self::options::Options;
-use self::watch::{Wait, Watch, pool};
+use self::watch::with_options;
 
 /// What a verb answers: the document, the remarks about it, the parts of it that are missing because a limit was reached, and the
 /// proof if one was asked for.
@@ -39,25 +38,10 @@ fn call<'py>(
     data: Vec<u8>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Answer<'py>> {
-    let read = || {
-        let options = Options::read(options)?;
-        let limits = options.limits()?;
-        let pool = pool(options.threads)?;
-        Ok((options, limits, pool))
-    };
-    let (options, limits, pool) = read().map_err(|error| exception(&error))?;
-    let watch = Arc::new(Watch::default());
-    let wait = Wait {
-        python,
-        progress,
-        limits: &limits,
-        watch: &watch,
-    };
-    let (in_work, watched) = (limits.clone(), Arc::clone(&watch));
-    let run = move || run::run(&verb, &forms, &options, data, in_work, watched);
-    let found = wait.for_owned(&pool, run)?;
+    let run = move |options: Options, work| run::run(&verb, &forms, &options, data, work);
+    let (found, notes) = with_options(python, progress, options, run)?;
     let document = PyBytes::new(python, &found.document);
-    Ok((document, watch.notes(), found.missing, found.proof))
+    Ok((document, notes, found.missing, found.proof))
 }
 
 /// Runs the program with these arguments, of which the first is its name, and returns its exit code.

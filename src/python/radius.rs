@@ -1,5 +1,7 @@
 //! Radii of forms at columns of angles.
 
+use std::f64::consts::FRAC_PI_2;
+
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -9,11 +11,10 @@ use super::options::reading;
 use super::run::given;
 use super::watch::{Wait, Watch, pool};
 use crate::error::{Error, Result};
-use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::sample::{Direction, Ray, RaySolver, SpaceDirection, UnitVector, solve_radial};
 use crate::shape::{
-    Form, HarmonicPair, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric,
+    Form, HarmonicPair, ImplicitCurve, ImplicitSurface, SpaceSuperquadric, Superquadric, series,
 };
 use crate::verb::{Content, Work};
 
@@ -85,11 +86,14 @@ impl Radius {
             limits: &limits,
             watch: &watch,
         };
+        // The angle φ of the plane.
+        let phi_of = |k: usize| phi.map_or(FRAC_PI_2, |phi| phi[k]);
+        let radius = self.measured.solver();
         let radii: Vec<f64> = wait.for_borrowed(&pool, || {
             let each = (0..theta.len()).into_par_iter().with_min_len(SHARE);
             let each = each.map(|k| {
                 limits.check()?;
-                self.measured.at(theta[k], phi.map(|phi| phi[k]))
+                radius(theta[k], phi_of(k))
             });
             each.collect()
         })?;
@@ -101,8 +105,8 @@ fn measured(form: &(String, Option<String>, String)) -> Result<Measured> {
     let given = given(form, &reading(&form.2)?, &Work::default())?;
     Ok(match given.into_content() {
         Content::Exact(Form::Fourier(radius)) => {
-            let doubles = |list: &[Rational]| list.iter().map(Rational::to_f64).collect();
-            Measured::Series([doubles(radius.cosines()), doubles(radius.sines())])
+            let (cos, sin) = radius.to_doubles();
+            Measured::Series([cos, sin])
         }
         Content::Exact(Form::Curve(curve)) => Measured::Curve(curve),
         Content::Exact(Form::Superquadric(shape)) => Measured::Superquadric(shape),
@@ -116,37 +120,44 @@ fn measured(form: &(String, Option<String>, String)) -> Result<Measured> {
     })
 }
 
-impl Measured {
-    fn at(&self, theta: f64, phi: Option<f64>) -> Result<f64> {
-        let plane = Direction::from_radians(theta);
-        let in_space = |phi: Option<f64>| {
-            let phi = Direction::from_radians(phi.unwrap_or(std::f64::consts::FRAC_PI_2));
-            SpaceDirection::new(plane.clone(), phi)
-        };
-        Ok(match self {
-            Self::Series([cos, sin]) => series(cos, sin, theta),
-            Self::Curve(curve) => outermost(&RaySolver::new(curve.polynomial()).solve(&plane)),
-            Self::Superquadric(shape) => outermost(&solve_radial(shape, &plane)?),
-            Self::Surface(surface) => {
-                outermost(&RaySolver::new(surface.by_degree()).solve(&in_space(phi)))
-            }
-            Self::SpaceSuperquadric(shape) => outermost(&solve_radial(shape, &in_space(phi))?),
-            Self::Harmonic(pair) => pair.value(&in_space(phi).components()).to_f64(),
-        })
-    }
+/// The direction with the angles θ and φ.
+fn space(theta: f64, phi: f64) -> SpaceDirection {
+    let [theta, phi] = [theta, phi].map(Direction::from_radians);
+    SpaceDirection::new(theta, phi)
 }
 
-/// a0 + Σ a_n cos nθ + b_n sin nθ
-#[expect(
-    clippy::cast_precision_loss,
-    reason = "the number of harmonics is small"
-)]
-fn series(cos: &[f64], sin: &[f64], theta: f64) -> f64 {
-    let terms = cos.iter().zip(sin).enumerate().map(|(n, (a, b))| {
-        let (s, c) = (n as f64 * theta).sin_cos();
-        a * c + b * s
-    });
-    terms.sum()
+/// The radius at θ and φ; in the plane φ is not used.
+type Solver<'a> = Box<dyn Fn(f64, f64) -> Result<f64> + Sync + 'a>;
+
+impl Measured {
+    /// The radii at any number of angles: what the angles have in common is computed once.
+    fn solver(&self) -> Solver<'_> {
+        match self {
+            Self::Series([cos, sin]) => Box::new(|theta, _| Ok(series(cos, sin, theta))),
+            Self::Curve(curve) => {
+                let solver = RaySolver::new(curve.polynomial());
+                Box::new(move |theta, _| {
+                    Ok(outermost(&solver.solve(&Direction::from_radians(theta))))
+                })
+            }
+            Self::Superquadric(shape) => Box::new(move |theta, _| {
+                Ok(outermost(&solve_radial(
+                    shape,
+                    &Direction::from_radians(theta),
+                )?))
+            }),
+            Self::Surface(surface) => {
+                let solver = RaySolver::new(surface.by_degree());
+                Box::new(move |theta, phi| Ok(outermost(&solver.solve(&space(theta, phi)))))
+            }
+            Self::SpaceSuperquadric(shape) => {
+                Box::new(move |theta, phi| Ok(outermost(&solve_radial(shape, &space(theta, phi))?)))
+            }
+            Self::Harmonic(pair) => {
+                Box::new(move |theta, phi| Ok(pair.value(&space(theta, phi).components()).to_f64()))
+            }
+        }
+    }
 }
 
 /// The largest radius of the points on a ray: NaN if there is none with r > 0, and ∞ if the whole ray belongs to the form.

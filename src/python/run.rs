@@ -1,12 +1,10 @@
 //! Calls of the verbs: the same functions that the command line calls.
 
 use std::io::Cursor;
-use std::sync::Arc;
 
 use serde_json::json;
 
 use super::options::{Options, directions, none_of, reading};
-use super::watch::Watch;
 use crate::document::{
     Format, InspectionWriter, MeshFormat, ReportHead, json_schema, missing_text, write_check,
     write_described, write_fit, write_fit_table, write_form, write_implicitization,
@@ -15,7 +13,6 @@ use crate::document::{
 };
 use crate::error::{Error, Result};
 use crate::language::Numbers;
-use crate::limits::Limits;
 use crate::verb::{
     self, CheckOptions, Content, DescribeOptions, FigureFormat, FittedOutline, FloatKind, Given,
     OutlineFit, ParametrizeOptions, PointRows, PointSource, ReadOptions, ReadingOptions,
@@ -52,13 +49,8 @@ pub(super) fn run(
     forms: &[Source],
     options: &Options,
     data: Vec<u8>,
-    limits: Limits,
-    watch: Arc<Watch>,
+    mut work: Work,
 ) -> Result<Written> {
-    let mut work = Work::default().limits(limits).watched_by(watch);
-    if let Some(degree) = options.max_degree {
-        work = work.max_degree(degree);
-    }
     if options.proof {
         work = work.with_proof();
     }

@@ -10,10 +10,11 @@ use pyo3::prelude::*;
 use rayon::ThreadPool;
 
 use super::exceptions::exception;
+use super::options::Options;
 use crate::document::remark_text;
 use crate::error::{Error, Result};
 use crate::limits::Limits;
-use crate::verb::{Remark, Watcher};
+use crate::verb::{Remark, Watcher, Work};
 
 /// The time between two looks at signals and progress.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -163,6 +164,37 @@ impl Wait<'_, '_> {
         }
         Ok(())
     }
+}
+
+/// The result of a verb's work with these options, a JSON object, and the remarks about it.
+pub(super) fn with_options<T: Send + 'static>(
+    python: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    options: &str,
+    run: impl FnOnce(Options, Work) -> Result<T> + Send + 'static,
+) -> PyResult<(T, Vec<String>)> {
+    let read = || {
+        let options = Options::read(options)?;
+        let limits = options.limits()?;
+        let pool = pool(options.threads)?;
+        Ok((options, limits, pool))
+    };
+    let (options, limits, pool) = read().map_err(|error| exception(&error))?;
+    let watch = Arc::new(Watch::default());
+    let wait = Wait {
+        python,
+        progress,
+        limits: &limits,
+        watch: &watch,
+    };
+    let mut work = Work::default()
+        .limits(limits.clone())
+        .watched_by(watch.clone());
+    if let Some(degree) = options.max_degree {
+        work = work.max_degree(degree);
+    }
+    let found = wait.for_owned(&pool, move || run(options, work))?;
+    Ok((found, watch.notes()))
 }
 
 /// The result of work; a broken invariant is an error.

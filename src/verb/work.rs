@@ -179,7 +179,7 @@ impl Work {
     }
 
     /// The limits, for the modules that compute.
-    pub(super) fn bounds(&self) -> &Limits {
+    pub(crate) fn bounds(&self) -> &Limits {
         &self.limits
     }
 

@@ -237,7 +237,7 @@ def _weighted(points: Any, weights: npt.ArrayLike) -> Form:
 
 
 def _outline(given: Any) -> Form:
-    is_form = isinstance(given, (Form, str, PathLike, Mapping)) or type(given).__module__.startswith("sympy")
+    is_form = isinstance(given, (Form, Fit, str, PathLike, Mapping)) or type(given).__module__.startswith("sympy")
     return form(given) if is_form else from_points(given)
 
 
