@@ -180,18 +180,13 @@ impl Equation {
     }
 }
 
-/// Directions of length 1 with rational coordinates.
-fn directions(count: i64) -> impl Iterator<Item = [BigRational; 3]> {
+/// Vectors of integers, with their lengths, which are integers, too.
+fn vectors(count: i64) -> impl Iterator<Item = ([BigInt; 3], BigInt)> {
     (0..count).map(|k| {
-        let [s, t] = [(37 * k + 5) % 83 - 41, (53 * k + 11) % 79 - 39]
-            .map(|n| BigRational::new(n.into(), 17.into()));
-        let square = &s * &s + &t * &t;
-        let below = rational(1) + &square;
-        [
-            rational(2) * s / &below,
-            rational(2) * t / &below,
-            (rational(1) - square) / below,
-        ]
+        let [s, t] = [(37 * k + 5) % 83 - 41, (53 * k + 11) % 79 - 39];
+        let square = s * s + t * t;
+        let vector = [2 * 17 * s, 2 * 17 * t, 17 * 17 - square];
+        (vector.map(BigInt::from), (17 * 17 + square).into())
     })
 }
 
@@ -205,17 +200,15 @@ fn check_signs(file: &str, coefficients: &Coefficients, count: i64) {
         "",
     );
     let equation = Equation::read(&text);
-    for direction in directions(count) {
+    for (vector, length) in vectors(count) {
+        let direction = vector
+            .each_ref()
+            .map(|x| BigRational::new(x.clone(), length.clone()));
         let r = radius(coefficients, &direction);
         let at = |sign: i64| {
             let moved = &r * (rational(1) + BigRational::new(sign.into(), BigInt::one() << 56));
             let dyadic = (moved * rational(BigInt::one() << BITS)).to_integer();
-            let point = direction.each_ref().map(|x| x * rational(dyadic.clone()));
-            let below = point
-                .iter()
-                .fold(BigInt::one(), |all, x| common_multiple(&all, x.denom()));
-            let numerators = point.map(|x| (x * rational(below.clone())).to_integer());
-            equation.sign(&numerators, &(below << BITS))
+            equation.sign(&vector.each_ref().map(|x| x * &dyadic), &(&length << BITS))
         };
         let signs = [at(-1), at(1)];
         assert!(
@@ -223,18 +216,6 @@ fn check_signs(file: &str, coefficients: &Coefficients, count: i64) {
             "{file} {direction:?}: {signs:?}"
         );
     }
-}
-
-/// The least common multiple.
-fn common_multiple(a: &BigInt, b: &BigInt) -> BigInt {
-    let gcd = {
-        let (mut p, mut q) = (a.clone(), b.clone());
-        while !q.is_zero() {
-            (p, q) = (q.clone(), p % q);
-        }
-        p
-    };
-    a / gcd * b
 }
 
 #[test]
@@ -421,24 +402,27 @@ fn a_particle_is_fitted_back() {
     }
 }
 
-/// As [`radius`], in doubles.
+/// P_lm(cos φ)/sin^m φ in doubles.
 #[expect(clippy::cast_precision_loss, reason = "degrees are small")]
+fn legendre(l: usize, m: usize, z: f64) -> f64 {
+    let (mut below, mut here) = (0.0, (1..=m).map(|k| (2 * k - 1) as f64).product::<f64>());
+    for n in m + 1..=l {
+        let next = (2 * n - 1) as f64 * z * here - (n + m - 1) as f64 * below;
+        (below, here) = (here, next / (n - m) as f64);
+    }
+    here
+}
+
+/// As [`radius`], in doubles.
 fn radius_in_doubles(coefficients: &[(usize, usize, [f64; 2])], [x, y, z]: [f64; 3]) -> f64 {
-    let mut sum = 0.0;
-    for (l, m, [c, s]) in coefficients {
-        let (mut below, mut here) = (0.0, (1..=*m).map(|k| (2 * k - 1) as f64).product::<f64>());
-        for n in m + 1..=*l {
-            let next =
-                ((2 * n - 1) as f64 * z * here - (n + m - 1) as f64 * below) / (n - m) as f64;
-            (below, here) = (here, next);
-        }
+    let terms = coefficients.iter().map(|(l, m, [c, s])| {
         let mut turn = [1.0, 0.0];
         for _ in 0..*m {
             turn = [turn[0] * x - turn[1] * y, turn[0] * y + turn[1] * x];
         }
-        sum += here * (c * turn[0] + s * turn[1]);
-    }
-    sum
+        legendre(*l, *m, z) * (c * turn[0] + s * turn[1])
+    });
+    terms.sum()
 }
 
 fn to_f64(q: &BigRational) -> f64 {
@@ -447,20 +431,12 @@ fn to_f64(q: &BigRational) -> f64 {
 }
 
 /// The largest value of |P_lm(cos φ)|, up to a part in thousands.
-#[expect(clippy::cast_precision_loss, reason = "degrees are small")]
 fn largest_legendre(l: usize, m: usize) -> f64 {
+    let power = i32::try_from(m).unwrap();
     let value = |k: u32| {
         let z = f64::from(k) / 2000.0 - 1.0;
         let sine = (1.0 - z * z).max(0.0).sqrt();
-        let mut below = 0.0;
-        let mut here: f64 = (1..=m).map(|k| sine * (2 * k - 1) as f64).product();
-        for n in m + 1..=l {
-            (below, here) = (
-                here,
-                ((2 * n - 1) as f64 * z * here - (n + m - 1) as f64 * below) / (n - m) as f64,
-            );
-        }
-        here.abs()
+        (sine.powi(power) * legendre(l, m, z)).abs()
     };
     (0..=4000).map(value).fold(0.0, f64::max)
 }
