@@ -4,6 +4,7 @@
 
 mod binomials;
 mod columns;
+mod content;
 mod decimal;
 mod flat;
 mod form_size;
@@ -17,6 +18,7 @@ pub(crate) use binomials::binomials;
 pub(crate) use columns::{
     Columns, DIGIT_BITS, Sums, digits, digits_for, digits_of_bits, halves_of_product,
 };
+pub(crate) use content::content;
 pub(crate) use decimal::{Decimal, append_decimal};
 pub(crate) use flat::{FlatPolynomial, Target};
 pub(crate) use form_size::{FormSize, form_bits};

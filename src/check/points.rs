@@ -11,7 +11,7 @@ use super::mistakes::diagnose;
 use super::nearest::nearest_to_one;
 use super::reference::Reference;
 use super::unexplained::unexplained;
-use crate::error::{Invariant, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
@@ -27,6 +27,19 @@ pub struct GivenPoint {
     pub line: usize,
     /// The coordinates x, y and z; z is 0 in the plane.
     pub position: [f64; 3],
+}
+
+/// Checks that the numbers of a line are finite.
+///
+/// # Errors
+/// [`Error::Usage`] with the line if one of them is not.
+pub(super) fn check_finite<const N: usize>(line: usize, numbers: [(&str, f64); N]) -> Result<()> {
+    match numbers.iter().find(|(_, number)| !number.is_finite()) {
+        Some((name, number)) => Err(Error::Usage(format!(
+            "line {line}: {name} is {number}; expected a finite number"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// A polynomial f and its gradient, ready for exact values.
@@ -56,8 +69,12 @@ impl Reference {
     /// ```
     ///
     /// # Errors
-    /// Those of `limits`.
+    /// [`Error::Usage`] for a coordinate that is not finite; those of `limits`.
     pub fn check_points(&self, points: &[GivenPoint], limits: &Limits) -> Result<Comparison> {
+        for point in points {
+            let [x, y, z] = point.position;
+            check_finite(point.line, [("x", x), ("y", y), ("z", z)])?;
+        }
         let mut found = compare(points, self.polynomial(), limits)?;
         found.in_space = self.in_space();
         let step = points.len().div_ceil(ROWS_FOR_DIAGNOSIS).max(1);

@@ -8,11 +8,11 @@ use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::{Deviation, unit_in_the_last_place};
 use super::enclosed_ray::EnclosedRays;
 use super::mistakes::{Mistaken, diagnose, mistaken_radii};
-use super::points::ROWS_FOR_DIAGNOSIS;
+use super::points::{ROWS_FOR_DIAGNOSIS, check_finite};
 use super::reference::Reference;
 use super::series::SeriesValues;
 use super::unexplained::unexplained;
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::limits::Limits;
@@ -52,9 +52,12 @@ impl Reference {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Hypothesis`] for a surface; [`Error::Limit`] if the roots of a polynomial cannot be separated; those of
+    /// [`Error::Usage`] for a number that is not finite; [`Error::Hypothesis`] for a surface; [`Error::Limit`] if the roots of a polynomial cannot be separated; those of
     /// `limits`.
     pub fn check_radii(&self, radii: &[GivenRadius], limits: &Limits) -> Result<Comparison> {
+        for given in radii {
+            check_finite(given.line, [("theta", given.theta), ("r", given.r)])?;
+        }
         let Some(radius) = self.given_radius() else {
             return self.compare_with_polynomial(radii, limits);
         };
@@ -196,7 +199,7 @@ fn compare_with_series(
 
 /// The exact values of the angle and the radius, which are finite doubles.
 fn exact(given: &GivenRadius) -> [Rational; 2] {
-    [given.theta, given.r].map(|v| Rational::try_from(v).unwrap_or_default())
+    [given.theta, given.r].map(|v| Rational::try_from(v).invariant("radii have been checked"))
 }
 
 fn row(given: &GivenRadius, exact: Option<Rational>, deviation: Deviation) -> Row {

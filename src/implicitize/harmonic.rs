@@ -3,8 +3,7 @@
 use malachite::Integer;
 
 use crate::error::{Error, Result};
-use crate::exact::Rational;
-use crate::poly::{Ring, SparsePolynomial, TernaryForm};
+use crate::poly::{Ring, SpacePolynomial, TernaryForm};
 use crate::shape::{HarmonicPair, HarmonicSurface, ImplicitSurface, rho_power_in_space};
 
 /// The implicit polynomial F of a harmonic surface of degree L, stored as its [`HarmonicPair`]. F is expanded only on request.
@@ -80,7 +79,7 @@ impl SquaredHarmonics {
         let degree = self.pair.degree();
         if degree > 0 && self.is_perfect_square() {
             // L is odd here: G = ρ^((L+1)/2) − odd.
-            let top = rho_power_in_space(degree.div_ceil(2)).scaled(self.pair.unit());
+            let top = rho_power_in_space(degree.div_ceil(2), self.pair.unit());
             let odd = self.pair.odd().map(|odd| odd.scaled(&Integer::from(-1)));
             return surface(std::iter::once(top).chain(odd));
         }
@@ -91,17 +90,16 @@ impl SquaredHarmonics {
     #[must_use]
     pub fn expand_unreduced(&self) -> ImplicitSurface {
         let (degree, unit) = (self.pair.degree(), self.pair.unit());
-        let top = rho_power_in_space(degree + 1).scaled(&(unit * unit));
-        let times_rho =
-            |form: TernaryForm, power: usize| (0..power).fold(form, |form, _| form.times_rho());
+        let top = rho_power_in_space(degree + 1, &(unit * unit));
         let is_even = usize::from(degree.is_multiple_of(2));
-        let middle = self
-            .pair
-            .odd()
-            .map(|odd| times_rho(odd.scaled(&(unit * Integer::from(-2))), degree / 2 + 1));
-        let even = times_rho(self.pair.even().squared_densely(), 1 - is_even);
+        let middle = self.pair.odd().map(|odd| {
+            let scaled = odd.scaled(&(unit * Integer::from(-2)));
+            scaled.times_rho_power(degree / 2 + 1)
+        });
+        let even = self.pair.even().squared_densely();
+        let even = even.times_rho_power(1 - is_even);
         let low = match self.pair.odd() {
-            Some(odd) => times_rho(odd.squared_densely(), is_even).minus(&even),
+            Some(odd) => odd.squared_densely().times_rho_power(is_even).minus(&even),
             None => even.scaled(&Integer::from(-1)),
         };
         surface([top].into_iter().chain(middle).chain([low]))
@@ -110,34 +108,23 @@ impl SquaredHarmonics {
 
 /// The surface on which the sum of the parts is 0, with coprime coefficients.
 fn surface(parts: impl Iterator<Item = TernaryForm>) -> ImplicitSurface {
-    let parts: Vec<TernaryForm> = parts.collect();
-    let content = parts.iter().map(TernaryForm::content);
-    let content = content.fold(Integer::from(0), |gcd, c| gcd_of(&gcd, &c));
-    let mut polynomial = SparsePolynomial::zero();
-    for part in &parts {
-        let primitive = part.div_exact(&content);
-        polynomial.add_multiple(&SparsePolynomial::from(&primitive), &Rational::one());
-    }
-    ImplicitSurface::new(polynomial)
-}
-
-fn gcd_of(a: &Integer, b: &Integer) -> Integer {
-    use malachite::base::num::arithmetic::traits::Gcd;
-    Integer::from(a.unsigned_abs_ref().gcd(b.unsigned_abs_ref()))
+    ImplicitSurface::of_parts(SpacePolynomial::primitive(parts))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::implicitize::square_away;
-    use crate::poly::HomogeneousPolynomial;
+    use crate::poly::{HomogeneousPolynomial, SparsePolynomial};
     use proptest::prelude::*;
 
     /// The slow twin: the formulas of [`square_away`] on ternary forms.
     fn by_formulas(f: &SquaredHarmonics) -> SparsePolynomial<3> {
         let unit = TernaryForm::constant(f.pair.unit().clone());
         let (odd, even) = (f.pair.odd(), f.pair.even());
-        let parts = square_away(f.pair.degree(), &unit, rho_power_in_space, odd, even);
+        let rho_power = |power| rho_power_in_space(power, &Integer::from(1));
+        let parts = square_away(f.pair.degree(), &unit, rho_power, odd, even);
         let mut sum = SparsePolynomial::from(&parts.top);
         sum.add_multiple(&SparsePolynomial::from(&parts.low), &Rational::one());
         if let Some(middle) = &parts.middle {

@@ -85,7 +85,7 @@ fn sums(surface: &ImplicitSurface) -> Option<(Integer, Vec<TernaryForm>, Option<
     let is_zero = odd.is_zero();
     let square = match (l % 2, is_zero) {
         (0, true) => four_low,
-        (0, false) => odd.squared_densely().times_rho().plus(&four_low),
+        (0, false) => odd.squared_densely().times_rho_power(1).plus(&four_low),
         (_, true) => four_low.divided_by_rho()?,
         (_, false) => odd.squared_densely().plus(&four_low).divided_by_rho()?,
     };

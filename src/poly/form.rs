@@ -116,6 +116,11 @@ impl BinaryForm {
             .unwrap_or(Integer::ZERO)
     }
 
+    /// The coefficients of y⁰, y¹, … up to the last one that is not 0.
+    pub(crate) fn into_coefficients(self) -> Vec<Integer> {
+        self.in_t.into_coefficients_asc()
+    }
+
     /// The d + 1 coefficients; the k-th is that of `x^(d−k) y^k`.
     #[must_use]
     pub fn coefficients(&self) -> Vec<BigInt> {
@@ -131,6 +136,12 @@ impl BinaryForm {
             .iter()
             .enumerate()
             .filter(|(_, c)| **c != 0)
+    }
+
+    /// The terms of [`Self::terms`], moved.
+    pub(crate) fn into_terms(self) -> impl Iterator<Item = (usize, Integer)> {
+        let coefficients = self.in_t.into_coefficients_asc().into_iter();
+        coefficients.enumerate().filter(|(_, c)| *c != 0)
     }
 
     /// The gcd of the coefficients; 0 for the zero form.

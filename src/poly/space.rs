@@ -8,6 +8,9 @@ use malachite::base::num::basic::traits::One;
 
 use super::ternary_terms::{multiply_by_power, on_meridian, value};
 use super::{BinaryForm, PlanePolynomial, SparsePolynomial, TernaryForm};
+use crate::bigint::content;
+use crate::error::Invariant;
+use crate::exact::Rational;
 
 /// A polynomial in x, y and z, stored as its non-zero homogeneous parts over one common denominator: `f = (1/D) Σ_d f_d`. It
 /// corresponds to [`PlanePolynomial`].
@@ -22,6 +25,31 @@ pub struct SpacePolynomial {
 }
 
 impl SpacePolynomial {
+    /// The polynomial with coprime integer coefficients that is a positive multiple of the sum of forms of different degrees.
+    ///
+    /// # Panics
+    /// If two forms have the same degree.
+    pub(crate) fn primitive(forms: impl IntoIterator<Item = TernaryForm>) -> Self {
+        let mut parts: BTreeMap<usize, Vec<([usize; 3], Integer)>> = BTreeMap::new();
+        for form in forms.into_iter().filter(|form| !form.is_zero()) {
+            let degree = form.degree();
+            let before = parts.insert(degree, form.into_terms().collect());
+            assert!(
+                before.is_none(),
+                "a polynomial has one part of degree {degree}"
+            );
+        }
+        let coefficients = || parts.values().flatten().map(|(_, c)| c);
+        let content = content(coefficients());
+        for (_, c) in parts.values_mut().flatten() {
+            content.divide(c);
+        }
+        Self {
+            parts,
+            denominator: Integer::ONE,
+        }
+    }
+
     /// The largest total degree; `None` for the zero polynomial.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
@@ -109,10 +137,23 @@ impl From<&SparsePolynomial<3>> for SpacePolynomial {
     }
 }
 
+impl From<&SpacePolynomial> for SparsePolynomial<3> {
+    fn from(f: &SpacePolynomial) -> Self {
+        let exponent = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
+        let terms = f.parts().flat_map(|(_, terms)| terms);
+        Self::from_terms(terms.map(|(e, c)| {
+            let quotient = Rational::from_integers(c.clone(), f.denominator.clone());
+            (
+                e.map(exponent),
+                quotient.invariant("a denominator is not 0"),
+            )
+        }))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Rational;
     use proptest::prelude::*;
 
     fn sparse() -> impl Strategy<Value = SparsePolynomial<3>> {
@@ -129,6 +170,11 @@ mod tests {
         #[test]
         fn parts_have_the_values_of_the_polynomial(f in sparse(), at in prop::array::uniform3(-9i64..10)) {
             let parts = SpacePolynomial::from(&f);
+            prop_assert_eq!(&SparsePolynomial::from(&parts), &f);
+            let forms = parts.homogeneous_degrees().into_iter().map(|d| parts.part(d));
+            let primitive = SpacePolynomial::primitive(forms);
+            prop_assert_eq!(&primitive, &SpacePolynomial::from(&SparsePolynomial::from(&primitive)));
+            prop_assert_eq!(SparsePolynomial::from(&primitive).primitive(), f.primitive());
             let at = at.map(Integer::from);
             let sum = parts.values_at(&at).map(|(_, value)| value).sum::<Integer>();
             let value = f.evaluate(&at.each_ref().map(Rational::whole));

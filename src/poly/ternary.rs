@@ -94,15 +94,14 @@ impl TernaryForm {
 
     /// The non-zero terms as ([i, j, k], coefficient of x^i y^j z^k), in canonical order.
     pub(crate) fn terms(&self) -> impl Iterator<Item = ([usize; 3], &Integer)> {
+        let rows = self.rows.iter().map(BinaryForm::terms);
+        in_canonical_order(self.degree(), rows)
+    }
+
+    /// The terms of [`Self::terms`], moved.
+    pub(crate) fn into_terms(self) -> impl Iterator<Item = ([usize; 3], Integer)> {
         let degree = self.degree();
-        let mut terms: Vec<([usize; 3], &Integer)> = self
-            .rows
-            .iter()
-            .enumerate()
-            .flat_map(|(k, row)| row.terms().map(move |(j, c)| ([degree - k - j, j, k], c)))
-            .collect();
-        terms.sort_by_key(|(exponents, _)| std::cmp::Reverse(*exponents));
-        terms.into_iter()
+        in_canonical_order(degree, self.rows.into_iter().map(BinaryForm::into_terms))
     }
 
     /// The gcd of the coefficients; 0 for the zero form.
@@ -123,20 +122,34 @@ impl TernaryForm {
         self.each(|row| row.scaled(factor))
     }
 
-    /// The product `(x² + y² + z²) f`, by two additions for each coefficient.
-    pub(crate) fn times_rho(&self) -> Self {
-        let degree = self.degree() + 2;
-        let row = |j: usize| {
-            let flat = self.rows.get(j).map(BinaryForm::times_rho);
-            let above = j.checked_sub(2).map(|k| &self.rows[k]);
-            match (flat, above) {
-                (Some(flat), Some(above)) => flat.plus(above),
-                (Some(flat), None) => flat,
-                (None, Some(above)) => above.clone(),
-                (None, None) => BinaryForm::zero(degree - j),
+    /// The product `(x² + y² + z²)^power f`, by two additions in place for each coefficient of each of the products by x² + y² + z².
+    pub(crate) fn times_rho_power(self, power: usize) -> Self {
+        let first = self.degree();
+        let last = first + 2 * power;
+        let rows = self.rows.into_iter().map(BinaryForm::into_coefficients);
+        let mut rows: Vec<Vec<Integer>> = rows.collect();
+        rows.resize(last + 1, Vec::new());
+        for (k, row) in rows.iter_mut().enumerate() {
+            row.resize(last - k + 1, Integer::ZERO);
+        }
+        for degree in (first + 2..=last).step_by(2) {
+            // From above, so that what is added is still that of the form before.
+            for k in (0..=degree).rev() {
+                let (below, row) = rows.split_at_mut(k);
+                let row = &mut row[0][..=degree - k];
+                for j in (2..row.len()).rev() {
+                    let (low, high) = row.split_at_mut(j);
+                    high[0] += &low[j - 2];
+                }
+                if k >= 2 {
+                    for (c, flat) in row.iter_mut().zip(&below[k - 2]) {
+                        *c += flat;
+                    }
+                }
             }
-        };
-        Self::from_rows((0..=degree).map(row).collect())
+        }
+        let rows = rows.into_iter().map(BinaryForm::from_coefficients);
+        Self::from_rows(rows.collect())
     }
 
     /// The square of a form without many zeros, as one square of a univariate polynomial (Kronecker's substitution): at x = 1
@@ -274,6 +287,24 @@ impl TernaryForm {
     }
 }
 
+/// The terms ([i, j, k], c) in descending lexicographic order of their exponents, from the terms (j, c) of every power of z,
+/// ascending in k.
+fn in_canonical_order<C>(
+    degree: usize,
+    rows: impl Iterator<Item = impl Iterator<Item = (usize, C)>>,
+) -> impl Iterator<Item = ([usize; 3], C)> {
+    // For one power of x the exponents of y descend while those of z ascend.
+    let mut columns: Vec<Vec<([usize; 3], C)>> = Vec::new();
+    columns.resize_with(degree + 1, Vec::new);
+    for (k, row) in rows.enumerate() {
+        for (j, c) in row {
+            let i = degree - k - j;
+            columns[i].push(([i, j, k], c));
+        }
+    }
+    columns.into_iter().rev().flatten()
+}
+
 impl From<&TernaryForm> for SparsePolynomial<3> {
     fn from(form: &TernaryForm) -> Self {
         let exponent = |e: usize| u32::try_from(e).invariant("degrees are below 2^32");
@@ -341,8 +372,11 @@ mod tests {
             prop_assert_eq!(f.squared_densely(), f.times(&f));
             let root = f.squared_densely().square_root();
             prop_assert!(root.as_ref() == Some(&f) || root == Some(f.scaled(&Integer::from(-1))));
-            prop_assert!(f.is_zero() || g.is_zero() || f.times(&f).times_rho().square_root().is_none());
-            prop_assert_eq!(g.times_rho(), g.times(&TernaryForm::rho()));
+            prop_assert!(f.is_zero() || g.is_zero() || f.times(&f).times_rho_power(1).square_root().is_none());
+            let powers = std::iter::successors(Some(g.clone()), |g| Some(g.times(&TernaryForm::rho())));
+            for (power, product) in powers.enumerate().take(4) {
+                prop_assert_eq!(g.clone().times_rho_power(power), product);
+            }
             prop_assert_eq!(sparse(&f.plus(&h)), sparse(&f).plus(&sparse(&h)));
             prop_assert_eq!(sparse(&f.minus(&h)), sparse(&f).minus(&sparse(&h)));
             let value = sparse(&f).evaluate(&at.map(Rational::from));

@@ -2,10 +2,11 @@
 
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Pow;
-use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
 
 use super::HarmonicSurface;
+use crate::bigint::binomials;
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::poly::{
@@ -174,13 +175,17 @@ fn shift(p: &mut [Integer]) {
     }
 }
 
-/// `(x² + y² + z²)^power`, by its trinomial coefficients.
-pub(crate) fn rho_power_in_space(power: usize) -> TernaryForm {
-    let mut form = TernaryForm::from_rows(vec![BinaryForm::from_coefficients(vec![Integer::ONE])]);
-    for _ in 0..power {
-        form = form.times_rho();
+/// `factor · (x² + y² + z²)^power`, from the powers of x² + y² by the binomial theorem.
+pub(crate) fn rho_power_in_space(power: usize, factor: &Integer) -> TernaryForm {
+    let mut rows = Vec::with_capacity(2 * power + 1);
+    for (e, binomial) in binomials(power).into_iter().enumerate() {
+        let flat = BinaryForm::rho_power(power - e);
+        rows.push(flat.scaled(&(binomial * factor)));
+        if e < power {
+            rows.push(BinaryForm::zero(2 * (power - e) - 1));
+        }
     }
-    form
+    TernaryForm::from_rows(rows)
 }
 
 #[cfg(test)]

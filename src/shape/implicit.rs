@@ -1,5 +1,7 @@
 //! Implicit curves and surfaces: zero sets of exact polynomials.
 
+use std::sync::OnceLock;
+
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
@@ -84,12 +86,21 @@ impl ImplicitCurve {
     }
 }
 
-/// The surface `f(x, y, z) = 0`, with f both by its terms and by its homogeneous parts.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The surface `f(x, y, z) = 0`, with f by its homogeneous parts, and by its terms if they are asked for.
+#[derive(Clone, Debug)]
 pub struct ImplicitSurface {
-    polynomial: SparsePolynomial<3>,
+    polynomial: OnceLock<SparsePolynomial<3>>,
     by_degree: SpacePolynomial,
 }
+
+impl PartialEq for ImplicitSurface {
+    /// Whether the polynomials are equal.
+    fn eq(&self, other: &Self) -> bool {
+        self.by_degree == other.by_degree
+    }
+}
+
+impl Eq for ImplicitSurface {}
 
 impl ImplicitSurface {
     /// The zero set of `polynomial`.
@@ -97,15 +108,25 @@ impl ImplicitSurface {
     pub fn new(polynomial: SparsePolynomial<3>) -> Self {
         let by_degree = SpacePolynomial::from(&polynomial);
         Self {
-            polynomial,
+            polynomial: polynomial.into(),
             by_degree,
         }
     }
 
-    /// The polynomial f.
+    /// The zero set of a polynomial that is given by its homogeneous parts.
+    #[must_use]
+    pub fn of_parts(by_degree: SpacePolynomial) -> Self {
+        Self {
+            polynomial: OnceLock::new(),
+            by_degree,
+        }
+    }
+
+    /// The polynomial f by its terms.
     #[must_use]
     pub fn polynomial(&self) -> &SparsePolynomial<3> {
-        &self.polynomial
+        self.polynomial
+            .get_or_init(|| SparsePolynomial::from(&self.by_degree))
     }
 
     /// The polynomial f by its homogeneous parts.
@@ -130,7 +151,7 @@ impl ImplicitSurface {
     /// [`Error::Usage`] for a point that is not finite.
     pub fn bounds_at(&self, point: [f64; 3]) -> Result<[f64; 2]> {
         let [x, y, z] = point.map(finite);
-        Ok(bounds(&self.polynomial.evaluate(&[x?, y?, z?])))
+        Ok(bounds(&self.polynomial().evaluate(&[x?, y?, z?])))
     }
 }
 

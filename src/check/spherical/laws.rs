@@ -196,3 +196,50 @@ fn degrees_that_are_cut_off_are_named() {
         .unwrap();
     assert_eq!(names(&found), ["missing: degrees 5 to 6"]);
 }
+
+/// A number that is not finite is an error, with its line.
+#[test]
+fn numbers_must_be_finite() {
+    let surface = HarmonicSurface::new([((0, 0), 2.into()), ((1, 0), 1.into())]).unwrap();
+    let reference = SphericalReference::new(&surface);
+    let right = GivenSpaceRadius {
+        line: 1,
+        theta: 0.0,
+        phi: 0.0,
+        r: 3.0,
+    };
+    for (wrong, name) in [
+        (
+            GivenSpaceRadius {
+                line: 7,
+                theta: f64::NAN,
+                ..right
+            },
+            "theta is NaN",
+        ),
+        (
+            GivenSpaceRadius {
+                line: 7,
+                phi: f64::INFINITY,
+                ..right
+            },
+            "phi is inf",
+        ),
+        (
+            GivenSpaceRadius {
+                line: 7,
+                r: f64::NAN,
+                ..right
+            },
+            "r is NaN",
+        ),
+    ] {
+        let refused = reference
+            .check_radii(&[right, wrong], &Limits::none())
+            .unwrap_err();
+        assert!(
+            refused.to_string().contains(&format!("line 7: {name}")),
+            "{refused}"
+        );
+    }
+}

@@ -12,6 +12,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::Deviation;
 use super::mistakes::{Mistaken, diagnose};
+use super::points::check_finite;
 use super::unexplained::unexplained;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
@@ -147,8 +148,12 @@ impl SphericalReference {
     /// ```
     ///
     /// # Errors
-    /// Those of `limits`.
+    /// [`Error::Usage`](crate::error::Error::Usage) for a number that is not finite; those of `limits`.
     pub fn check_radii(&self, radii: &[GivenSpaceRadius], limits: &Limits) -> Result<Comparison> {
+        for given in radii {
+            let numbers = [("theta", given.theta), ("phi", given.phi), ("r", given.r)];
+            check_finite(given.line, numbers)?;
+        }
         let values = SphericalValues::new(&self.surface);
         let mut found = compare_radii(radii, &values, limits)?;
         let step = radii.len().div_ceil(TRIED).max(1);
@@ -395,7 +400,7 @@ fn compare_radii(
         .par_iter()
         .map(|given| {
             limits.check()?;
-            let exact = |x: f64| Rational::try_from(x).unwrap_or_default();
+            let exact = |x: f64| Rational::try_from(x).invariant("radii have been checked");
             let [theta, phi, got] = [given.theta, given.phi, given.r].map(exact);
             let (radius, deviation) =
                 Deviation::enclosed(&got, BITS, |bits| values.bounds(&theta, &phi, bits));
