@@ -125,6 +125,20 @@ pub(super) fn decide(
     None
 }
 
+/// The squares of bounds of the distance from p, by the expansion at the refined foot near `start`; f has the given sign at p. The
+/// result is `None` if the expansion does not bound the distance from both sides or a limit is reached.
+pub(super) fn enclose(
+    field: &Field,
+    p: &[Rational; 3],
+    start: [f64; 3],
+    sign: i8,
+    limits: &Limits,
+) -> Option<[Rational; 2]> {
+    let q = refined_foot(field, p, &start.map(rational), LEVELS[0], limits)?;
+    let (low, high) = squared_bounds(field, p, &q, sign, None);
+    Some([low?, high?])
+}
+
 /// The foot near q to `bits` bits after the point, that is the solution of q + ν∇f(q) = p, f(q) = 0. Newton's method uses the
 /// inverse of the derivatives in doubles, and exact residuals.
 fn refined_foot(

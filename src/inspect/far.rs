@@ -31,6 +31,9 @@ impl Inspector {
         let is_near = |known: &PartialInspection, best: f64| {
             known.bounds.low < best * (1.0 - self.goal.relative)
         };
+        for (known, field) in parts.iter_mut().zip(self.factors()) {
+            self.by_refined_foot(field, at(field), known);
+        }
         let best = high(parts);
         if parts.iter().all(|known| !is_near(known, best)) && best.is_finite() {
             return;

@@ -3,14 +3,13 @@
 use std::borrow::Cow;
 
 use super::distance::{Goal, nearest};
-use super::exact::{self, Answer};
 use super::foot::{approach, enclose};
 use super::known::{PartialInspection, Point, rounding};
 use super::{DistanceBounds, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::{factor_plane, factor_space};
-use crate::intervals::{Field, Interval, distance, dot, rational};
+use crate::intervals::{Field, Interval, dot, rational};
 use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
@@ -26,9 +25,6 @@ pub(crate) const MAX_EXACT_MONOMIALS: usize = 1000;
 /// The number of cubes is calibrated for a dense polynomial of degree 6, whose expansion takes this many operations; more
 /// expensive polynomials get proportionally fewer cubes.
 const CUBE_WORK: usize = 84 * 18;
-/// Points nearer to the surface than this part of the reach are not left to doubles.
-const NEARLY_ON: f64 = 1e-6;
-
 options! {
     /// How points are inspected.
     InspectOptions of {
@@ -391,15 +387,9 @@ impl Inspector {
             known.inside = Some(true);
             return;
         }
-        // If doubles determine the distance except for rounding, the exact expansion determines the rest.
-        let bounds = known.bounds;
-        let is_on = |q: [f64; 3]| distance(q, p.near) < NEARLY_ON * self.goal.reach;
-        let is_nearly_known = bounds.low > 0.9 * bounds.high || known.foot.is_some_and(is_on);
-        if let Some(start) = known
-            .foot
-            .filter(|_| is_nearly_known && self.is_exact_possible(field))
-        {
+        if let Some(start) = self.foot_of_nearly_known(field, p, known) {
             self.by_exact_foot(field, p, start, sign, known);
+            self.by_refined_foot(field, p, known);
             if known.inside.is_some() && self.is_close(&known.bounds) {
                 return;
             }
@@ -433,45 +423,8 @@ impl Inspector {
 
     /// Whether exact expansions are possible. They have as many coefficients as f has monomials, with longer and longer
     /// numbers.
-    fn is_exact_possible(&self, field: &Field) -> bool {
+    pub(super) fn is_exact_possible(&self, field: &Field) -> bool {
         field.monomials() <= MAX_EXACT_MONOMIALS && self.limits.check().is_ok()
-    }
-
-    /// Decides by the exact expansion at the foot.
-    fn by_exact_foot(
-        &self,
-        field: &Field,
-        p: &Point,
-        start: [f64; 3],
-        sign: i8,
-        known: &mut PartialInspection,
-    ) {
-        let root = |square: &Rational| Interval::from(square).or_zero().sqrt().low();
-        let found = exact::decide(
-            field,
-            p.exactly(),
-            &self.tolerance,
-            start,
-            sign,
-            None,
-            &self.limits,
-        );
-        match found {
-            Some(Answer::Outside { low }) => {
-                known.inside = Some(false);
-                known.bounds.low = known.bounds.low.max(root(&low).max(self.around[0]));
-            }
-            Some(Answer::Inside {
-                low,
-                high,
-                touches,
-                foot,
-            }) => {
-                known.has_zero(*foot, touches, &high, self.around[1]);
-                known.bounds.low = known.bounds.low.max(root(&low));
-            }
-            None => {}
-        }
     }
 }
 

@@ -32,6 +32,7 @@ mod known;
 mod mesh_distance;
 mod patch;
 mod proof;
+mod refine;
 mod side;
 mod sphere;
 mod squared_distance;
