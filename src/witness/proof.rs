@@ -9,6 +9,8 @@ use crate::proof::{LONGEST_DOCUMENT, check};
 
 /// The largest number of characters of a number in a proof file that is no coefficient.
 pub(super) const LONGEST_NUMBER: usize = 2_000;
+/// The largest number of bytes of a witness.
+const LONGEST_WITNESS: usize = 2_000_000;
 
 /// Everything that an output claims, each claim with its witness or without one.
 ///
@@ -40,13 +42,16 @@ pub(crate) struct Claim {
 }
 
 impl Claim {
-    /// A claim with a number that is too long for a proof file has no witness.
+    /// A claim with a number that is too long for a proof file, or with a longer witness than [`LONGEST_WITNESS`], has no witness.
     pub(super) fn new(name: &'static str, statement: &Value, witness: Option<Value>) -> Self {
         let is_short = has_short_numbers(statement);
+        let fits = |witness: &Value| {
+            has_short_numbers(witness) && witness.to_string().len() <= LONGEST_WITNESS
+        };
         Self {
             name,
             statement: statement.to_string(),
-            witness: witness.filter(|witness| is_short && has_short_numbers(witness)),
+            witness: witness.filter(|witness| is_short && fits(witness)),
         }
     }
 }
@@ -154,4 +159,29 @@ impl Proof {
 /// The witness of claims that are checked by expansion.
 pub(super) fn by_expansion() -> Option<Value> {
     Some(json!({ "method": "expansion" }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_witnesses_are_left_out() {
+        let of = |count: usize| json!({ "breakpoints": vec!["1/2"; count] });
+        // A breakpoint takes six bytes with its comma.
+        for (count, is_kept) in [
+            (LONGEST_WITNESS / 6 - 10, true),
+            (LONGEST_WITNESS / 6 + 1, false),
+        ] {
+            let claim = Claim::new("root-count", &json!({ "form": 0 }), Some(of(count)));
+            assert_eq!(claim.witness.is_some(), is_kept, "{count}");
+        }
+        let long = "1".repeat(LONGEST_NUMBER + 1);
+        let claim = Claim::new(
+            "root-count",
+            &json!({ "form": 0 }),
+            Some(json!({ "breakpoints": [long] })),
+        );
+        assert!(claim.witness.is_none());
+    }
 }
