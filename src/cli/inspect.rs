@@ -3,6 +3,8 @@
 use std::io::BufReader;
 use std::path::Path;
 
+#[cfg(feature = "columnar")]
+use stellate::document::ColumnWriter;
 use stellate::document::{
     Format, InspectionWriter, ReportHead, summary_text, write_inspection_cloud,
     write_inspection_report,
@@ -11,8 +13,8 @@ use stellate::error::{Error, Result};
 use stellate::exact::Rational;
 use stellate::inspect::InspectionSummary;
 use stellate::verb::{
-    self, FigureFormat, InspectionOptions, InspectionTask, KeptPoint, PointRows, PointSource,
-    ReadingOptions,
+    self, ColumnFormat, FigureFormat, InspectionOptions, InspectionTask, KeptPoint, PointRows,
+    PointSource, ReadingOptions,
 };
 
 use super::flags::FitFlags;
@@ -41,6 +43,7 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     if let Some(folder) = &flags.report {
         check_folder("--report", folder)?;
     }
+    let columns = column_format(session)?;
     let options = options(flags, session);
     let points = points(flags)?;
     let dimension = points.dimension()?;
@@ -58,7 +61,7 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
         .keep(figure.is_some() || flags.cloud.is_some() || flags.report.is_some())
         .with_ranges(format != Format::Csv)
         .streamed(session.common.output.is_none());
-    let (summary, kept) = write_all(&task, points, &reading, &writer, session)?;
+    let (summary, kept) = write_all(&task, points, &reading, &writer, columns, session)?;
     let number = match flags.points {
         Some(_) => "row",
         None => "point",
@@ -158,17 +161,42 @@ fn finish(summary: &InspectionSummary, flags: &Inspect, session: &mut Session) -
     Ok(())
 }
 
+/// The kind of file of columns that the name of the output means.
+fn column_format(session: &Session) -> Result<Option<ColumnFormat>> {
+    let Some(path) = &session.common.output else {
+        return Ok(None);
+    };
+    let columns = ColumnFormat::of(path)?;
+    match session.common.format {
+        Some(format) if columns.is_some() && format != Format::Csv => Err(Error::Usage(format!(
+            "-o {} means a file of columns; leave --format out",
+            path.display()
+        ))),
+        _ => Ok(columns),
+    }
+}
+
 /// Writes the verdicts as they are found. Points are returned only if `reading` says that they are kept.
 fn write_all(
     task: &InspectionTask,
     points: PointSource,
     reading: &ReadingOptions,
     writer: &InspectionWriter,
+    columns: Option<ColumnFormat>,
     session: &Session,
 ) -> Result<(InspectionSummary, Vec<KeptPoint>)> {
     let mut found = (InspectionSummary::default(), Vec::new());
     write_result(session, |out| {
-        found = task.all(points, reading, writer, out, &session.work)?;
+        found = match columns {
+            #[cfg(feature = "columnar")]
+            Some(format) => {
+                let mut file = ColumnWriter::new(format, points.types(), out);
+                let found = task.all(points, reading, writer, &mut file, &session.work)?;
+                file.finish()?;
+                found
+            }
+            _ => task.all(points, reading, writer, out, &session.work)?,
+        };
         Ok(())
     })?;
     Ok(found)

@@ -23,7 +23,7 @@ pub(crate) struct Inspect {
     #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true, value_parser = point)]
     pub(crate) point: Vec<String>,
     /// Rows x,y[,z] of any number, from a file or standard input; the header is optional. Also the vertices of a .ply file and a NumPy
-    /// array (.npy) of the shape (n, 2) or (n, 3)
+    /// array (.npy) of the shape (n, 2) or (n, 3); with the feature columnar .parquet and .arrow
     #[arg(long, value_name = "FILE|-", conflicts_with = "point")]
     pub(crate) points: Option<String>,
     /// Distances are looked for up to here [default: until the nearest point is found]

@@ -7,6 +7,8 @@ mod angles;
 mod arcs;
 mod certified;
 mod check;
+#[cfg(feature = "columnar")]
+mod columns;
 mod description;
 mod display;
 mod elliptic;
@@ -44,6 +46,8 @@ use std::io;
 pub(crate) use arcs::{arcs_text, write_arcs};
 pub use certified::certified_bounds;
 pub use check::write_check;
+#[cfg(feature = "columnar")]
+pub use columns::ColumnWriter;
 pub(crate) use description::{write_description, write_space_curve_description};
 pub use elliptic::{write_elliptic, write_fit};
 pub use fit_table::write_fit_table;

@@ -35,6 +35,8 @@ mod check;
 #[cfg(feature = "pictures")]
 mod check_chart;
 mod claims;
+#[cfg(feature = "columnar")]
+mod columns;
 mod describe;
 mod equation;
 mod fact;
@@ -73,6 +75,8 @@ pub use check::{
 };
 #[cfg(feature = "pictures")]
 pub use check_chart::{digits_chart, ladder_chart};
+#[cfg(feature = "columnar")]
+pub use columns::ColumnTypes;
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::{FitReport, FittedOutline, OutlineFit, OutlineSeries, RadialReport, TakenOut, fit};
@@ -89,6 +93,7 @@ pub use parametrize::{InDirection, OnMeridian, ParametrizeOptions, Parametrized,
 pub use plot::plot;
 #[cfg(feature = "pictures")]
 pub use plot_options::{FigureFormat, Frame, PlotOptions};
+pub use point_files::ColumnFormat;
 pub use remark::{Part, Remark};
 pub use rows::{KeptPoint, PointRows, PointSource, PointWriter, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};

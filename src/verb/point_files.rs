@@ -9,10 +9,43 @@ use crate::error::{Error, Result};
 use crate::fit::rows_of_array;
 use crate::reading::{MAX_MESH_BYTES, bytes_within, rows_of_ply};
 
+/// The kinds of files that store their rows by columns. They need the feature `columnar`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ColumnFormat {
+    /// Apache Parquet: `.parquet`.
+    Parquet,
+    /// Arrow's formats for files and for streams: `.arrow`, `.arrows`, `.feather` or `.ipc`.
+    Arrow,
+}
+
+impl ColumnFormat {
+    /// The format of a file by its name; `None` for any other file.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] without the feature `columnar`.
+    pub fn of(path: &Path) -> Result<Option<Self>> {
+        let extension = path.extension().and_then(|e| e.to_str());
+        let format = match extension.map(str::to_ascii_lowercase).as_deref() {
+            Some("parquet") => Self::Parquet,
+            Some("arrow" | "arrows" | "feather" | "ipc") => Self::Arrow,
+            _ => return Ok(None),
+        };
+        if cfg!(feature = "columnar") {
+            return Ok(Some(format));
+        }
+        Err(Error::Usage(format!(
+            "{}: this program was built without Parquet and Arrow; build it with --features columnar, or use a .csv file",
+            path.display()
+        )))
+    }
+}
+
 impl PointRows {
     /// The points of a file: of a PLY file its vertices, of a NumPy array (`.npy`) of the shape (n, 2) or (n, 3) its rows, and otherwise the
-    /// rows of a table. A PLY file is read like a table whose first row has the names of the properties of its vertices. Tables are read row
-    /// by row, so they may be longer than the memory; the other files are read at once.
+    /// rows of a table. A PLY file is read like a table whose first row has the names of the properties of its vertices, and so are Parquet
+    /// and Arrow files (with the feature `columnar`). Tables and files of columns are read piece by piece, so they may be longer than the
+    /// memory; the other files are read at once.
     ///
     /// # Errors
     /// [`Error::Io`] for a file that cannot be read; [`Error::Usage`] for a folder; [`Error::Limit`] for a PLY file or an array of more than
@@ -22,12 +55,22 @@ impl PointRows {
         if path.is_dir() {
             return Err(Error::Usage(format!("--points {place}: that is a folder")));
         }
+        #[cfg_attr(
+            not(feature = "columnar"),
+            expect(unused_variables, reason = "an error without the feature")
+        )]
+        let format = ColumnFormat::of(path)?;
         let failed = |source| Error::Io {
             path: path.to_owned(),
             source,
         };
         let file = File::open(path).map_err(failed)?;
         let size = file.metadata().map_err(failed)?.len();
+        #[cfg(feature = "columnar")]
+        if let Some(format) = format {
+            let (reader, types) = super::columns::rows_of_columns(file, format, &place)?;
+            return Ok(Self::new(reader, &place, 0)?.with_types(types));
+        }
         let extension = path.extension().and_then(|e| e.to_str());
         let convert = match extension.map(str::to_ascii_lowercase).as_deref() {
             Some("ply") => rows_of_ply,

@@ -52,6 +52,9 @@ pub struct PointRows {
     size: u64,
     layout: PointLayout,
     reader: Box<dyn BufRead>,
+    /// The types of the columns of a file that stores them.
+    #[cfg(feature = "columnar")]
+    types: Option<super::ColumnTypes>,
 }
 
 options! {
@@ -136,7 +139,17 @@ impl PointRows {
             size,
             layout,
             reader,
+            #[cfg(feature = "columnar")]
+            types: None,
         })
+    }
+
+    #[cfg(feature = "columnar")]
+    pub(super) fn with_types(self, types: super::ColumnTypes) -> Self {
+        Self {
+            types: Some(types),
+            ..self
+        }
     }
 }
 
@@ -179,6 +192,16 @@ impl PointSource {
         match self {
             Self::Texts(_) => Vec::new(),
             Self::Rows(rows) => rows.layout.other_names().map(str::to_owned).collect(),
+        }
+    }
+
+    /// The types of the columns of a Parquet or Arrow file.
+    #[cfg(feature = "columnar")]
+    #[must_use]
+    pub fn types(&self) -> Option<super::ColumnTypes> {
+        match self {
+            Self::Texts(_) => None,
+            Self::Rows(rows) => rows.types.clone(),
         }
     }
 

@@ -7,6 +7,7 @@ mod bad_input;
 mod centers;
 mod cli;
 mod cli_session;
+mod column_files;
 mod documents;
 mod elliptic;
 mod form_mistakes;
