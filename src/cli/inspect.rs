@@ -55,10 +55,14 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     if flags.keep {
         writer = writer.keeping(points.other_names());
     }
+    if flags.feet {
+        writer = writer.with_feet();
+    }
     let reading = ReadingOptions::default()
         .numbers(session.numbers())
         .skip_bad(flags.skip_bad)
         .keep(figure.is_some() || flags.cloud.is_some() || flags.report.is_some())
+        .feet(flags.feet)
         .with_ranges(format != Format::Csv)
         .streamed(session.common.output.is_none());
     let (summary, kept) = write_all(&task, points, &reading, &writer, columns, session)?;
@@ -69,8 +73,7 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     session.note(&summary_text(&summary, number));
     if let Some(path) = &flags.cloud {
         let mut bytes = Vec::new();
-        let comment = format!("stellate inspect, tolerance {}", task.tolerance());
-        write_inspection_cloud(&kept, &comment, &mut bytes)?;
+        write_inspection_cloud(&kept, task.zone(), &mut bytes)?;
         write_beside(path, &bytes, session)?;
     }
     if let (Some(path), Some(figure)) = (plot, figure) {
@@ -80,7 +83,7 @@ pub(crate) fn run(flags: &Inspect, session: &mut Session) -> Result<()> {
     }
     if let Some(folder) = &flags.report {
         let map = task.picture(&kept, flags.window, &session.work)?;
-        let mut head = ReportHead::new(form, task.tolerance().clone());
+        let mut head = ReportHead::new(form, task.zone().clone());
         head.number = number;
         head.command = command();
         head.date = today();
@@ -114,8 +117,11 @@ fn options(flags: &Inspect, session: &Session) -> InspectionOptions {
         center: flags.center.clone(),
         ..FitFlags::default()
     };
+    let [lower, upper] = flags.tolerance.limits();
     InspectionOptions::default()
-        .tolerance(flags.tolerance.clone())
+        .tolerance(upper.clone())
+        .lower(Some(lower.clone()))
+        .uncertainty(flags.uncertainty.clone().unwrap_or_else(Rational::zero))
         .reach(flags.reach.as_ref().map(Rational::to_f64))
         .digits(session.common.digits.unwrap_or(DIGITS))
         .budget(flags.budget)
@@ -143,7 +149,7 @@ fn points(flags: &Inspect) -> Result<PointSource> {
     Ok(PointSource::Rows(PointRows::open(Path::new(name))?))
 }
 
-/// Sets the exit code: 3 if a point is undecided, otherwise 1 if a point is outside.
+/// Sets the exit code: 3 if a point is undecided, otherwise 1 if a point is outside or uncertain.
 fn finish(summary: &InspectionSummary, flags: &Inspect, session: &mut Session) -> Result<()> {
     if summary.undecided > 0 {
         return Err(Error::Limit {
@@ -155,7 +161,7 @@ fn finish(summary: &InspectionSummary, flags: &Inspect, session: &mut Session) -
             ),
         });
     }
-    if summary.outside > 0 {
+    if summary.outside > 0 || summary.uncertain.is_some_and(|count| count > 0) {
         session.answer_no();
     }
     Ok(())

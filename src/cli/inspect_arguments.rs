@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use stellate::exact::Rational;
 use stellate::fit::CenterChoice;
+use stellate::inspect::ToleranceZone;
 use stellate::verb::Frame;
 
 use super::flags::{ModelFlag, OutlineFlags, ProofFlag};
-use super::values::{center, frame, point, positive, whole};
+use super::values::{center, frame, point, positive, tolerance, whole};
 
 #[derive(Debug, Args)]
 pub(crate) struct Inspect {
@@ -16,9 +17,14 @@ pub(crate) struct Inspect {
     /// its zero set, any other form for itself
     #[arg(allow_hyphen_values = true)]
     pub(crate) form: String,
-    /// The largest distance that is inside, exactly as written: 0.1 is one tenth
-    #[arg(long, value_name = "D", value_parser = positive)]
-    pub(crate) tolerance: Rational,
+    /// The largest distance that is inside, exactly as written: 0.1 is one tenth; or two limits of the signed distance,
+    /// LOW ≤ 0 ≤ HIGH, which is negative inside a form with sides, such as -0.02,0.05
+    #[arg(long, value_name = "D|LOW,HIGH", allow_hyphen_values = true, value_parser = tolerance)]
+    pub(crate) tolerance: ToleranceZone,
+    /// The true point is at most this far from the measured one: a point is inside, or outside, if that is so wherever the true
+    /// point may be, and otherwise uncertain
+    #[arg(long, value_name = "U", value_parser = positive)]
+    pub(crate) uncertainty: Option<Rational>,
     /// A point; may be repeated
     #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true, value_parser = point)]
     pub(crate) point: Vec<String>,
@@ -32,6 +38,9 @@ pub(crate) struct Inspect {
     /// Carry the other columns of the table along, such as ids and units
     #[arg(long)]
     pub(crate) keep: bool,
+    /// Add the nearest point of the form, the normal there and bounds of the signed distance
+    #[arg(long)]
+    pub(crate) feet: bool,
     /// Count rows that are no points instead of stopping at the first
     #[arg(long)]
     pub(crate) skip_bad: bool,

@@ -11,9 +11,9 @@ use super::json::{Number, text_of, write_value};
 use super::remark::counted;
 use super::{Format, Kind, SCHEMA};
 use crate::error::Result;
-use crate::exact::Rational;
 use crate::inspect::{
-    CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section, Verdict,
+    CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section, ToleranceZone,
+    Verdict,
 };
 use crate::verb::{KeptPoint, PointWriter};
 
@@ -21,17 +21,27 @@ use crate::verb::{KeptPoint, PointWriter};
 #[must_use]
 pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
     let mut line = format!(
-        "{}: {} inside, {} outside, {} undecided",
+        "{}: {} inside, {} outside, ",
         counted(summary.points(), "point", "points"),
         summary.inside,
         summary.outside,
-        summary.undecided
     );
+    if let Some(uncertain) = summary.uncertain {
+        let _ = write!(line, "{uncertain} uncertain, ");
+    }
+    let _ = write!(line, "{} undecided", summary.undecided);
     if summary.enclosed > 0 {
         let _ = write!(
             line,
             "; {} inside whose sphere misses the surface: a whole piece of it is in the ball",
             summary.enclosed
+        );
+    }
+    if summary.without_foot > 0 {
+        let _ = write!(
+            line,
+            "; of {} no foot was found that passes the check",
+            counted(summary.without_foot, "point", "points")
         );
     }
     if summary.bad > 0 {
@@ -57,6 +67,14 @@ pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
     line
 }
 
+/// The words for a zone: its tolerance or limits, and the uncertainty of the points if they have one.
+pub(super) fn zone_text(zone: &ToleranceZone) -> String {
+    match zone.is_uncertain() {
+        false => format!("tolerance {zone}"),
+        true => format!("tolerance {zone}, uncertainty {}", zone.uncertainty()),
+    }
+}
+
 /// Writes the inspected points one after the other.
 #[derive(Clone, Debug)]
 pub struct InspectionWriter {
@@ -65,13 +83,34 @@ pub struct InspectionWriter {
     digits: u32,
     /// The names of the columns that are carried along.
     kept: Option<Vec<String>>,
+    /// Whether the feet are written.
+    with_feet: bool,
 }
 
 #[derive(Serialize)]
 struct Head<'a> {
     schema: &'static str,
     kind: &'static str,
-    tolerance: &'a str,
+    tolerance: Limits,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uncertainty: Option<&'a str>,
+}
+
+/// A tolerance, or two limits.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Limits {
+    One(String),
+    Two([String; 2]),
+}
+
+impl From<&ToleranceZone> for Limits {
+    fn from(zone: &ToleranceZone) -> Self {
+        match zone.tolerance() {
+            Some(tolerance) => Self::One(tolerance.to_string()),
+            None => Self::Two(zone.limits().map(ToString::to_string)),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -86,15 +125,46 @@ struct Entry<'a> {
     distance_high: Number,
     sign: Option<i8>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    foot: Option<FootEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     ranges: Option<Vec<Range>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     kept: Option<BTreeMap<&'a str, &'a str>>,
+}
+
+/// The coordinates of a foot, of the normal, and the bounds of the signed distance.
+struct FootParts {
+    point: Option<Vec<f64>>,
+    normal: Option<Vec<f64>>,
+    signed: Option<[f64; 2]>,
+}
+
+#[derive(Serialize)]
+struct FootEntry {
+    point: Option<Vec<Number>>,
+    normal: Option<Vec<Number>>,
+    signed_low: Option<Number>,
+    signed_high: Option<Number>,
+}
+
+impl From<FootParts> for FootEntry {
+    fn from(parts: FootParts) -> Self {
+        let numbers = |values: Vec<f64>| values.into_iter().map(Number).collect();
+        Self {
+            point: parts.point.map(numbers),
+            normal: parts.normal.map(numbers),
+            signed_low: parts.signed.map(|[low, _]| Number(low)),
+            signed_high: parts.signed.map(|[_, high]| Number(high)),
+        }
+    }
 }
 
 #[derive(Serialize)]
 struct Tail {
     inside: usize,
     outside: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uncertain: Option<usize>,
     undecided: usize,
     enclosed: usize,
     bad: usize,
@@ -148,6 +218,7 @@ impl From<&InspectionSummary> for Tail {
         Self {
             inside: summary.inside,
             outside: summary.outside,
+            uncertain: summary.uncertain,
             undecided: summary.undecided,
             enclosed: summary.enclosed,
             bad: summary.bad,
@@ -177,6 +248,7 @@ impl InspectionWriter {
             dimension,
             digits,
             kept: None,
+            with_feet: false,
         })
     }
 
@@ -186,6 +258,50 @@ impl InspectionWriter {
         Self {
             kept: Some(names.into_iter().collect()),
             ..self
+        }
+    }
+
+    /// Writes the feet: the nearest point of the form, the normal there, and bounds of the signed distance, in columns behind the
+    /// sign in CSV, in `foot` in JSON.
+    #[must_use]
+    pub fn with_feet(self) -> Self {
+        Self {
+            with_feet: true,
+            ..self
+        }
+    }
+
+    /// The names of the columns of feet.
+    fn foot_names(&self) -> Vec<String> {
+        let axes = &["x", "y", "z"][..self.dimension];
+        let names = ["foot", "normal"].into_iter();
+        let names = names.flat_map(|name| axes.iter().map(move |axis| format!("{name}_{axis}")));
+        names
+            .chain(["signed_low", "signed_high"].map(str::to_owned))
+            .collect()
+    }
+
+    /// The fields of a foot.
+    fn foot_fields(&self, point: &InspectedPoint<'_>) -> Vec<String> {
+        let parts = self.foot_of(point);
+        let fields = |values: Option<Vec<f64>>, count: usize| match values {
+            Some(values) => values.into_iter().map(|x| format!("{x:?}")).collect(),
+            None => vec![String::new(); count],
+        };
+        let mut all = fields(parts.point, self.dimension);
+        all.extend(fields(parts.normal, self.dimension));
+        all.extend(fields(parts.signed.map(Vec::from), 2));
+        all
+    }
+
+    fn foot_of(&self, point: &InspectedPoint<'_>) -> FootParts {
+        // −0 is 0.
+        let parts = |v: [f64; 3]| v[..self.dimension].iter().map(|x| x + 0.0).collect();
+        let signed = point.inspection.signed_distance();
+        FootParts {
+            point: point.foot.map(|foot| parts(foot.point)),
+            normal: point.foot.and_then(|foot| foot.normal).map(parts),
+            signed: signed.map(|bounds| bounds.map(|x| x + 0.0)),
         }
     }
 
@@ -208,13 +324,15 @@ impl InspectionWriter {
 }
 
 impl PointWriter for InspectionWriter {
-    fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> Result<()> {
+    fn begin(&self, zone: &ToleranceZone, out: &mut dyn Write) -> Result<()> {
         match self.format {
             Format::Json => {
+                let uncertainty = zone.uncertainty().to_string();
                 let head = Head {
                     schema: SCHEMA,
                     kind: "inspection",
-                    tolerance: &tolerance.to_string(),
+                    tolerance: Limits::from(zone),
+                    uncertainty: zone.is_uncertain().then_some(&uncertainty),
                 };
                 let head = text_of(&head);
                 Ok(write!(out, "{},\"points\":[", head.trim_end_matches('}'))?)
@@ -223,6 +341,10 @@ impl PointWriter for InspectionWriter {
             _ => {
                 let axes = if self.dimension == 2 { "x,y" } else { "x,y,z" };
                 write!(out, "{axes},verdict,curve,distance_low,distance_high,sign")?;
+                if self.with_feet {
+                    let names = self.foot_names();
+                    Self::write_fields(names.iter().map(String::as_str), out)?;
+                }
                 let names = self.kept.iter().flatten().map(String::as_str);
                 Self::write_fields(names, out)?;
                 Ok(writeln!(out)?)
@@ -257,6 +379,7 @@ impl PointWriter for InspectionWriter {
                     distance_low: Number(low),
                     distance_high: Number(high),
                     sign: found.sign,
+                    foot: self.with_feet.then(|| self.foot_of(point).into()),
                     ranges: match &point.section {
                         Section::At(list) => Some(ranges(list, self.digits)),
                         Section::NotAsked | Section::TooLong => None,
@@ -287,6 +410,17 @@ impl PointWriter for InspectionWriter {
                 } else {
                     "sphere"
                 };
+                if let Some(foot) = point.foot.filter(|_| self.with_feet) {
+                    let list = |v: &[f64; 3]| {
+                        let parts = v[..self.dimension].iter().map(|x| format!("{:?}", x + 0.0));
+                        parts.collect::<Vec<_>>().join(", ")
+                    };
+                    write!(out, "  its foot is about ({})", list(&foot.point))?;
+                    match &foot.normal {
+                        Some(normal) => writeln!(out, ", with the normal ({})", list(normal))?,
+                        None => writeln!(out)?,
+                    }
+                }
                 match found.curve {
                     Some(true) => writeln!(out, "  the {round} about it meets the form")?,
                     Some(false) => writeln!(out, "  the {round} about it does not meet the form")?,
@@ -315,6 +449,10 @@ impl PointWriter for InspectionWriter {
                 if let Some(sign) = found.sign {
                     write!(out, "{sign}")?;
                 }
+                if self.with_feet {
+                    let fields = self.foot_fields(point);
+                    Self::write_fields(fields.iter().map(String::as_str), out)?;
+                }
                 if self.kept.is_some() {
                     Self::write_fields(point.others.iter().copied(), out)?;
                 }
@@ -333,18 +471,19 @@ impl PointWriter for InspectionWriter {
 }
 
 /// Writes points as a binary PLY cloud with the properties `distance_low` and `distance_high` and with the colour of the
-/// verdict: green for inside, red for outside, grey for undecided.
+/// verdict: green for inside, red for outside, blue for uncertain, grey for undecided.
 ///
 /// # Errors
 /// Those of `out`.
 pub fn write_inspection_cloud(
     points: &[KeptPoint],
-    comment: &str,
+    zone: &ToleranceZone,
     out: &mut dyn Write,
 ) -> Result<()> {
     write!(
         out,
-        "ply\nformat binary_little_endian 1.0\ncomment {comment}\nelement vertex {}\n",
+        "ply\nformat binary_little_endian 1.0\ncomment stellate inspect, {}\nelement vertex {}\n",
+        zone_text(zone),
         points.len()
     )?;
     for name in ["x", "y", "z", "distance_low", "distance_high"] {
@@ -363,6 +502,7 @@ pub fn write_inspection_cloud(
         out.write_all(&match found.verdict {
             Verdict::Inside => [0, 120, 90],
             Verdict::Outside => [213, 94, 0],
+            Verdict::Uncertain => [0, 114, 178],
             Verdict::Undecided => [120, 120, 120],
         })?;
     }

@@ -2,12 +2,13 @@
 
 use std::io::Write;
 
+use super::inspection::zone_text;
 use super::json::{Number, text_of};
 use super::remark::counted;
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::html::{begin_page, end_page, escaped, write_picture};
-use crate::inspect::{CLASSES, InspectionSummary, RowDistance};
+use crate::inspect::{CLASSES, InspectionSummary, RowDistance, ToleranceZone};
 use crate::verb::KeptPoint;
 
 /// The number of points in the table of the worst ones.
@@ -19,8 +20,8 @@ const WORST: usize = 20;
 pub struct ReportHead {
     /// The form, as it was given.
     pub form: String,
-    /// The tolerance.
-    pub tolerance: Rational,
+    /// The tolerance zone.
+    pub zone: ToleranceZone,
     /// The name of a point's number, such as `row`.
     pub number: &'static str,
     /// The command that makes the report.
@@ -30,12 +31,12 @@ pub struct ReportHead {
 }
 
 impl ReportHead {
-    /// A report about this form with this tolerance, without a command and a day.
+    /// A report about this form with this tolerance zone, without a command and a day.
     #[must_use]
-    pub fn new(form: impl Into<String>, tolerance: Rational) -> Self {
+    pub fn new(form: impl Into<String>, zone: ToleranceZone) -> Self {
         Self {
             form: form.into(),
-            tolerance,
+            zone,
             number: "point",
             command: String::new(),
             date: String::new(),
@@ -69,10 +70,10 @@ pub fn write_inspection_report(
     begin_page("Report of an inspection", "To the summary", out)?;
     writeln!(
         out,
-        "<header>\n<h1>Report of an inspection</h1>\n<p>{} compared with <code>{form}</code>, tolerance {}; computed by stellate {}\
+        "<header>\n<h1>Report of an inspection</h1>\n<p>{} compared with <code>{form}</code>, {}; computed by stellate {}\
          {}.</p>\n</header>\n<main id=\"content\">",
         counted(summary.points(), "point", "points"),
-        escaped(&head.tolerance.to_string()),
+        escaped(&zone_text(&head.zone)),
         env!("CARGO_PKG_VERSION"),
         match head.date.as_str() {
             "" => String::new(),
@@ -87,16 +88,17 @@ pub fn write_inspection_report(
         out,
     )?;
     writeln!(out, "</figure>\n</section>")?;
-    write_histogram(summary, out)?;
+    write_histogram(&head.zone, summary, out)?;
     write_worst(head, points, out)?;
     section("certified", "What is certified", out)?;
     writeln!(
         out,
-        "<ul>\n<li>Every verdict is exact: a point is inside if its distance is at most the tolerance, for the coordinates as they \
+        "<ul>\n<li>Every verdict is exact: a point is inside if {}, for the coordinates as they \
          are written and the exact numbers of the form. {}</li>\n\
          <li>Every distance is enclosed by proved bounds. The sign is exact: −1 inside the form, 1 outside, 0 on it.</li>\n\
          <li>Means and the classes of the histogram are computed from the middles of these bounds, in doubles: they are \
          approximate.</li>\n</ul>\n</section>",
+        meaning(&head.zone),
         match summary.undecided {
             0 => "No point is undecided.".to_owned(),
             n => format!(
@@ -115,6 +117,22 @@ pub fn write_inspection_report(
     }
     writeln!(out, "</main>")?;
     Ok(end_page(out)?)
+}
+
+/// What it means that a point is inside.
+fn meaning(zone: &ToleranceZone) -> String {
+    let mut meaning = match zone.tolerance() {
+        Some(_) => "its distance is at most the tolerance".to_owned(),
+        None => format!("its signed distance is from {zone}"),
+    };
+    if zone.is_uncertain() {
+        meaning += &format!(
+            " wherever the true point is within the uncertainty {} of the measured one; it is outside if that is so nowhere, and \
+             otherwise uncertain",
+            zone.uncertainty()
+        );
+    }
+    escaped(&meaning)
 }
 
 fn section(id: &str, title: &str, out: &mut dyn Write) -> Result<()> {
@@ -146,6 +164,9 @@ fn write_summary(
         ("undecided", summary.undecided.to_string()),
         ("rows that are no points", summary.bad.to_string()),
     ];
+    if let Some(uncertain) = summary.uncertain {
+        rows.insert(2, ("uncertain", uncertain.to_string()));
+    }
     rows.extend(summary.nearest.as_ref().map(|at| ("nearest", bounds(at))));
     rows.extend(summary.farthest.as_ref().map(|at| ("farthest", bounds(at))));
     if let Some([mean, rms, signed]) = summary.means() {
@@ -170,21 +191,48 @@ fn shown(value: f64) -> String {
 }
 
 /// Writes the classes of the signed distances as a table with bars.
-fn write_histogram(summary: &InspectionSummary, out: &mut dyn Write) -> Result<()> {
+fn write_histogram(
+    zone: &ToleranceZone,
+    summary: &InspectionSummary,
+    out: &mut dyn Write,
+) -> Result<()> {
     section("histogram", "Signed distances", out)?;
     writeln!(
         out,
-        "<p>Negative is inside the form; the classes are parts of the tolerance D.</p>\n<table class=\"bars\">"
+        "<p>Negative is inside the form; {}.</p>\n<table class=\"bars\">",
+        match zone.tolerance() {
+            Some(_) => "the classes are parts of the tolerance D",
+            None => "the classes are parts of the range between the limits",
+        }
     )?;
     let histogram = &summary.histogram;
-    let ends = |k: usize| {
-        let end = |k: usize| 2.0 * as_f64(k) / 10.0 - 1.0;
-        format!("{:.1} D to {:.1} D", end(k), end(k + 1))
+    let limits = zone.limits().map(Rational::to_f64);
+    let is_single = zone.tolerance().is_some();
+    let ends = |k: usize| match is_single {
+        true => {
+            let end = |k: usize| 2.0 * as_f64(k) / 10.0 - 1.0;
+            format!("{:.1} D to {:.1} D", end(k), end(k + 1))
+        }
+        false => {
+            let [low, high] = zone.limits();
+            let end = |k: usize| {
+                let part = Rational::whole(k) / Rational::whole(CLASSES);
+                (low + &((high - low) * part)).to_f64()
+            };
+            format!("{} to {}", shown(end(k)), shown(end(k + 1)))
+        }
+    };
+    let [below, above] = match is_single {
+        true => ["below −D".to_owned(), "above D".to_owned()],
+        false => [
+            format!("below {}", shown(limits[0])),
+            format!("above {}", shown(limits[1])),
+        ],
     };
     let within = (0..CLASSES).map(|k| (ends(k), histogram.within[k]));
-    let classes: Vec<(String, usize)> = std::iter::once(("below −D".into(), histogram.below))
+    let classes: Vec<(String, usize)> = std::iter::once((below, histogram.below))
         .chain(within)
-        .chain([("above D".into(), histogram.above)])
+        .chain([(above, histogram.above)])
         .collect();
     let most = classes.iter().fold(1, |most, (_, n)| most.max(*n));
     for (name, n) in classes {

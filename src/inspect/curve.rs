@@ -1,6 +1,8 @@
 //! Inspection of points against a parametric curve. The curve itself is compared, not the zero set of its equation, which can
 //! have more points.
 
+use std::sync::Arc;
+
 use malachite::Integer;
 use malachite::base::num::logic::traits::SignificantBits;
 
@@ -17,6 +19,9 @@ use crate::intervals::Interval;
 use crate::limits::Limits;
 use crate::poly::RationalFunction;
 use crate::shape::{EllipticSeries, FourierRadius, ParametricCurve, harmonics_of_curve};
+
+/// The squared distance of a point of the curve, and its parameter s, `None` for ∞.
+type Nearby = (Rational, Option<Dyadic>);
 
 #[cfg(test)]
 #[path = "curve_laws.rs"]
@@ -49,13 +54,15 @@ const TURNS: usize = 12;
 /// If the coordinates are finite Fourier series, doubles with error bounds decide nearly all points, in about a microsecond
 /// each: by branch and bound over arcs of the curve. The exact way remains for points that are on the curve or at the
 /// tolerance, within about 10^−15 of the curve's size, and for distances that are not determined to the requested digits.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct CurveInspector<const N: usize> {
     /// The arcs of the curve in original coordinates, if these are finite Fourier series.
-    arcs: Option<ArcTree<N>>,
-    forms: DistanceForms<N>,
-    guess: Guess<N>,
-    starts: Vec<(f64, [f64; N])>,
+    arcs: Option<Arc<ArcTree<N>>>,
+    forms: Arc<DistanceForms<N>>,
+    /// The coordinates relative to the center.
+    coordinates: Arc<[RationalFunction; N]>,
+    guess: Arc<Guess<N>>,
+    starts: Arc<[(f64, [f64; N])]>,
     size: f64,
     center: [Rational; N],
     tolerance: Rational,
@@ -119,12 +126,7 @@ impl<const N: usize> CurveInspector<N> {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        if options.tolerance.signum() <= 0 {
-            return Err(Error::Usage(format!(
-                "the tolerance {}: expected a positive number, such as 0.1",
-                options.tolerance
-            )));
-        }
+        check_tolerance(&options.tolerance)?;
         let guess = match &series {
             Some(series) => Guess::of_series(series, &center),
             None => Guess::of_functions(curve),
@@ -145,16 +147,32 @@ impl<const N: usize> CurveInspector<N> {
         sizes.sort_by(f64::total_cmp);
         let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
-            arcs: series.and_then(|series| ArcTree::new(&series)),
-            forms: DistanceForms::new(curve),
-            guess,
+            arcs: series
+                .and_then(|series| ArcTree::new(&series))
+                .map(Arc::new),
+            forms: Arc::new(DistanceForms::new(curve)),
+            coordinates: Arc::new(curve.coordinates().clone()),
+            guess: Arc::new(guess),
             size: sizes[sizes.len() / 2],
-            starts,
+            starts: starts.into(),
             center,
             tolerance: options.tolerance.clone(),
             around: Interval::narrowest(&options.tolerance),
             relative: 0.1f64.powi(digits),
             limits: limits.clone(),
+        })
+    }
+
+    /// The inspector of the same curve with another tolerance; what was computed for the curve is shared.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a tolerance that is not positive.
+    pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
+        check_tolerance(tolerance)?;
+        Ok(Self {
+            tolerance: tolerance.clone(),
+            around: Interval::narrowest(tolerance),
+            ..self.clone()
         })
     }
 
@@ -200,7 +218,7 @@ impl<const N: usize> CurveInspector<N> {
     /// ```
     #[must_use]
     pub fn inspect_near(&self, near: [f64; N], exactly: &dyn Fn() -> [Rational; N]) -> Inspection {
-        let arcs = self.arcs.as_ref();
+        let arcs = self.arcs.as_deref();
         let found = arcs.and_then(|arcs| self.by_arcs(arcs, near, rounding(near)));
         found.unwrap_or_else(|| self.inspect(&exactly()))
     }
@@ -263,7 +281,7 @@ impl<const N: usize> CurveInspector<N> {
         let level = &self.tolerance * &self.tolerance;
         let near = point.each_ref().map(Rational::to_f64);
         let start = known.map_or_else(|| self.nearest_start(&near), |known| known.at);
-        let (nearest, mut bounds) = self.bounds(start, &near, &distance);
+        let ((nearest, _), mut bounds) = self.bounds(start, &near, &distance);
         if let Some(NearestPoint { distance, .. }) = known {
             bounds.low = bounds.low.max(distance.low);
             bounds.high = bounds.high.min(distance.high);
@@ -299,19 +317,18 @@ impl<const N: usize> CurveInspector<N> {
         self.forms.is_unbounded || distance.against(level) == Against::Meets
     }
 
-    /// The squared distance of some point of the curve, and bounds of the distance of the nearest one.
-    /// The search begins at the angle `start`.
+    /// The nearest point that was found, and bounds of the distance of the nearest one. The search begins at the angle `start`.
     fn bounds(
         &self,
         start: f64,
         point: &[f64; N],
         distance: &SquaredDistance,
-    ) -> (Rational, DistanceBounds) {
+    ) -> (Nearby, DistanceBounds) {
         let mut best = self.descend(start, point, distance);
         let relative = SHARE * self.relative;
-        let mut high = upper_root(&best);
+        let mut high = upper_root(&best.0);
         if high <= NEARLY_ON * self.size && distance.against(&Rational::zero()) == Against::Meets {
-            return (Rational::zero(), DistanceBounds::ZERO);
+            return ((Rational::zero(), best.1), DistanceBounds::ZERO);
         }
         for _ in 0..TURNS {
             let low = high * (1.0 - relative);
@@ -327,12 +344,12 @@ impl<const N: usize> CurveInspector<N> {
             let mut is_nearer = false;
             for s in distance.crossings(&level) {
                 let next = self.descend(2.0 * s.atan(), point, distance);
-                if next < best {
+                if next.0 < best.0 {
                     best = next;
                     is_nearer = true;
                 }
             }
-            high = upper_root(&best);
+            high = upper_root(&best.0);
             if !is_nearer {
                 break;
             }
@@ -369,9 +386,8 @@ impl<const N: usize> CurveInspector<N> {
         *angle
     }
 
-    /// The exact squared distance of a point of the curve that is, in doubles, a local minimum of the distance near the given
-    /// angle.
-    fn descend(&self, angle: f64, point: &[f64; N], distance: &SquaredDistance) -> Rational {
+    /// A point of the curve that is, in doubles, a local minimum of the distance near the given angle.
+    fn descend(&self, angle: f64, point: &[f64; N], distance: &SquaredDistance) -> Nearby {
         let step = std::f64::consts::TAU / part(self.starts.len(), 1);
         let squared = |angle: f64| squared_in_doubles(&self.guess.at(angle), point);
         let golden = (5f64.sqrt() - 1.0) / 2.0;
@@ -391,7 +407,7 @@ impl<const N: usize> CurveInspector<N> {
         }
         let s = (f64::midpoint(low, high) / 2.0).tan();
         let Some(mut s) = Dyadic::from_f64(s) else {
-            return distance.at_infinity().unwrap_or_else(huge);
+            return (distance.at_infinity().unwrap_or_else(huge), None);
         };
         let mut best = distance.at(&s).unwrap_or_else(huge);
         let near = |squared: &Rational| squared.to_f64() <= (NEARLY_ON * self.size).powi(2);
@@ -402,13 +418,54 @@ impl<const N: usize> CurveInspector<N> {
             let Some(next) = distance.newton_step(&s) else {
                 break;
             };
-            s = cut(&next);
-            match distance.at(&s) {
-                Some(value) if value < best => best = value,
+            let next = cut(&next);
+            match distance.at(&next) {
+                Some(value) if value < best => (s, best) = (next, value),
                 _ => break,
             }
         }
-        best
+        (best, Some(s))
+    }
+
+    pub(super) fn center(&self) -> &[Rational; N] {
+        &self.center
+    }
+
+    /// The size of the curve, about.
+    pub(crate) fn size(&self) -> f64 {
+        self.size
+    }
+
+    pub(super) fn guess(&self) -> &Guess<N> {
+        &self.guess
+    }
+
+    pub(super) fn coordinates(&self) -> &[RationalFunction; N] {
+        &self.coordinates
+    }
+
+    /// The squared distance from a point, relative to the center, as a function of s, and the parameter of the nearest point that
+    /// is found; `None` is s = ∞. The search begins at an angle, if there is one.
+    pub(super) fn best_parameter(
+        &self,
+        point: &[Rational; N],
+        start: Option<f64>,
+    ) -> (SquaredDistance, Option<Dyadic>) {
+        let distance = self.forms.to_point(point);
+        let near = point.each_ref().map(Rational::to_f64);
+        let start = start.unwrap_or_else(|| self.nearest_start(&near));
+        let ((_, found), _) = self.bounds(start, &near, &distance);
+        (distance, found)
+    }
+}
+
+/// Refuses a tolerance that is not positive.
+pub(super) fn check_tolerance(tolerance: &Rational) -> Result<()> {
+    match tolerance.signum() {
+        1 => Ok(()),
+        _ => Err(Error::Usage(format!(
+            "the tolerance {tolerance}: expected a positive number, such as 0.1"
+        ))),
     }
 }
 
@@ -431,7 +488,7 @@ fn huge() -> Rational {
 }
 
 /// The number rounded to [`STEP_BITS`] bits after the leading one.
-fn cut(q: &Rational) -> Dyadic {
+pub(super) fn cut(q: &Rational) -> Dyadic {
     let bits = |n: Integer| n.significant_bits().cast_signed();
     let exponent = bits(q.numerator()) - bits(q.denominator()) - STEP_BITS;
     let unit = Dyadic::new(Integer::from(1), -exponent).to_rational();

@@ -33,6 +33,8 @@ pub(super) struct Nearby {
     pub(super) bounds: DistanceBounds,
     /// All zeros within the tolerance are in these cubes. The list is empty if the bounds decide whether there are any.
     pub(super) left: Vec<Cube>,
+    /// Places near the nearest zero, without certificate.
+    pub(super) near: Vec<[f64; 3]>,
 }
 
 /// A cube that may hold zeros.
@@ -95,6 +97,7 @@ pub(super) fn nearest(
         sign,
         goal,
         high: known.high,
+        best: None,
         heap: BinaryHeap::new(),
         budget: goal.cubes,
     };
@@ -106,12 +109,14 @@ pub(super) fn nearest(
     };
     search.heap.push(root);
     let low = search.best_first().max(known.low);
+    let first = search.heap.peek().map(|cube| cube.middle);
     let mut found = Nearby {
         bounds: DistanceBounds {
             low: low.min(search.high),
             high: search.high,
         },
         left: Vec::new(),
+        near: search.best.into_iter().chain(first).collect(),
     };
     if found.bounds.low <= goal.tolerance && goal.tolerance < found.bounds.high {
         found.left = search.all_left();
@@ -126,6 +131,8 @@ struct DistanceSearch<'a> {
     sign: i8,
     goal: Goal,
     high: f64,
+    /// The place from which the upper bound comes.
+    best: Option<[f64; 3]>,
     heap: BinaryHeap<Cube>,
     budget: usize,
 }
@@ -174,12 +181,16 @@ impl DistanceSearch<'_> {
         let away = separation(self.p, cube.middle).high();
         if away < self.high && self.field.sign(cube.middle) != self.sign {
             self.high = away;
+            self.best = Some(cube.middle);
         }
         if let Some(q) = approach(self.field, self.p, cube.middle, FOOT_GOAL)
             && distance(self.p, q) < self.high
         {
             let found = enclose(self.field, self.p, q, self.sign).high;
-            self.high = self.high.min(found);
+            if found < self.high {
+                self.high = found;
+                self.best = Some(q);
+            }
         }
     }
 

@@ -141,7 +141,7 @@ pub(super) fn enclose(
 
 /// The foot near q to `bits` bits after the point, that is the solution of q + ν∇f(q) = p, f(q) = 0. Newton's method uses the
 /// inverse of the derivatives in doubles, and exact residuals.
-fn refined_foot(
+pub(super) fn refined_foot(
     field: &Field,
     p: &[Rational; 3],
     start: &[Rational; 3],

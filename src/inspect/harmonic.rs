@@ -1,10 +1,13 @@
 //! Inspection of points against a harmonic surface. The surface itself is compared, without its equation, which can have more points.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use super::cells::{CellTree, NearestOnSphere};
+use super::curve::check_tolerance;
 use super::exact_foot::ExactSurface;
 use super::known::rounding;
+use super::nearest::{FootCandidate, unit};
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -26,11 +29,11 @@ const SHARE: f64 = 0.25;
 /// to the surface that doubles do not give enough digits of the distance, the nearest point is refined in exact arithmetic: that decides
 /// all points but those whose distance is the tolerance up to some 10^−60 of it and whose nearest point is not in a simple rational
 /// direction.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct HarmonicInspector {
     /// `None` for a sphere about the center, whose distances are known exactly, and for sizes beyond doubles.
-    cells: Option<CellTree>,
-    exact: ExactSurface,
+    cells: Option<Arc<CellTree>>,
+    exact: Arc<ExactSurface>,
     /// Whether R > 0 everywhere, so that the surface has an inside.
     is_positive: bool,
     tolerance: Rational,
@@ -65,12 +68,7 @@ impl HarmonicInspector {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        if options.tolerance.signum() <= 0 {
-            return Err(Error::Usage(format!(
-                "the tolerance {}: expected a positive number, such as 0.1",
-                options.tolerance
-            )));
-        }
+        check_tolerance(&options.tolerance)?;
         if surface.is_zero() {
             return Err(Error::Usage(
                 "R is 0 in every direction: the surface is a single point".into(),
@@ -86,14 +84,32 @@ impl HarmonicInspector {
         }
         let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
-            cells,
-            exact: ExactSurface::new(surface, pair),
+            cells: cells.map(Arc::new),
+            exact: Arc::new(ExactSurface::new(surface, pair)),
             is_positive,
             tolerance: options.tolerance.clone(),
             around: Interval::narrowest(&options.tolerance),
             relative: 0.1f64.powi(digits),
             limits: limits.clone(),
         })
+    }
+
+    /// The inspector of the same surface with another tolerance; what was computed for the surface is shared.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a tolerance that is not positive.
+    pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
+        check_tolerance(tolerance)?;
+        Ok(Self {
+            tolerance: tolerance.clone(),
+            around: Interval::narrowest(tolerance),
+            ..self.clone()
+        })
+    }
+
+    /// Whether the surface has an inside: whether R > 0 is known everywhere.
+    pub(crate) fn has_sides(&self) -> bool {
+        self.is_positive
     }
 
     /// Inspects a point.
@@ -142,6 +158,24 @@ impl HarmonicInspector {
         }
     }
 
+    /// The foot of a point; the normal points away from the center.
+    pub(crate) fn foot(&self, point: &[Rational; 3]) -> Option<FootCandidate> {
+        let center = self.exact.center();
+        let (near, normal) = match &self.cells {
+            Some(cells) => cells.foot(point.each_ref().map(Rational::to_f64))?,
+            None => {
+                let offsets: [Rational; 3] = std::array::from_fn(|i| &point[i] - &center[i]);
+                // From the center all directions are equally near.
+                let outward =
+                    unit(offsets.each_ref().map(Rational::to_f64)).unwrap_or([1.0, 0.0, 0.0]);
+                let radius = self.exact.mean().abs().to_f64();
+                (outward.map(|x| radius * x), Some(outward))
+            }
+        };
+        let point = std::array::from_fn(|i| (rational(near[i]) + &center[i]).to_f64());
+        Some(FootCandidate::on_form(point, normal))
+    }
+
     /// The nearest point in doubles, and the verdict if its bounds decide it.
     fn by_cells(
         &self,
@@ -177,7 +211,7 @@ impl HarmonicInspector {
     ) -> Option<bool> {
         match verdict {
             Verdict::Outside => Some(false),
-            Verdict::Undecided => None,
+            Verdict::Uncertain | Verdict::Undecided => None,
             Verdict::Inside => cells.goes_beyond(near, slack, self.around).or_else(|| {
                 let level = &self.tolerance * &self.tolerance;
                 self.exact.goes_beyond(&exactly(), &level).then_some(true)

@@ -1,6 +1,7 @@
 //! Inspection of points against one surface or plane curve. Each point is decided by the cheapest rule that can.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use super::distance::{Goal, nearest};
 use super::foot::{approach, enclose};
@@ -51,15 +52,15 @@ pub(super) enum Kind {
 }
 
 /// A surface or plane curve with a tolerance, ready to be compared with points.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Inspector {
     pub(super) kind: Kind,
     /// The center of a plane curve, which is the origin of its polynomial's coordinates, unless it is (0, 0).
     center: Option<[Rational; 2]>,
     /// The irreducible factors. They change sign at their zeros, which a repeated factor does not.
-    factors: Vec<Field>,
+    factors: Arc<[Field]>,
     /// The multiplicities of the factors.
-    multiplicities: Vec<usize>,
+    multiplicities: Arc<[usize]>,
     pub(super) tolerance: Rational,
     /// Doubles below and above the tolerance.
     pub(super) around: [f64; 2],
@@ -128,37 +129,22 @@ impl Inspector {
         if factors.is_empty() {
             return Err(Error::Usage("a constant has no surface".into()));
         }
-        let tolerance = options.tolerance.to_f64();
-        if options.tolerance.signum() <= 0 || !tolerance.is_normal() {
-            return Err(Error::Usage(format!(
-                "the tolerance {}: expected a positive number, such as 0.1",
-                options.tolerance
-            )));
-        }
+        let around = doubles_about(&options.tolerance)?;
         if let Some(reach) = options.reach.filter(|reach| !reach.is_finite()) {
             return Err(Error::Usage(format!(
                 "the reach {reach}: expected a finite number, such as 10"
             )));
         }
-        let reach = options.reach.unwrap_or(0.0);
-        let is_exact = Rational::try_from(tolerance).is_ok_and(|d| d == options.tolerance);
-        let around = if is_exact {
-            [tolerance; 2]
-        } else {
-            [tolerance.next_down(), tolerance.next_up()]
-        };
-        Ok(Self {
+        let mut inspector = Self {
             kind,
             center: None,
             factors: factors.iter().map(|(f, _)| Field::new(f)).collect(),
             multiplicities: factors.iter().map(|(_, m)| *m).collect(),
             tolerance: options.tolerance.clone(),
             around,
-            asked: options.reach.map(|reach| reach.max(around[1])),
+            asked: options.reach,
             goal: Goal {
-                // A slightly larger radius, so that a zero beyond it is outside for every slack of a point. Any margin is
-                // sound.
-                reach: reach.max(around[1] * (1.0 + 1e-9)),
+                reach: 0.0,
                 tolerance: around[1],
                 relative: 0.1f64
                     .powi(i32::try_from(options.digits.min(20)).invariant("20 is small"))
@@ -166,7 +152,33 @@ impl Inspector {
                 cubes: options.cubes,
             },
             limits: limits.clone(),
-        })
+        };
+        inspector.extend_reach();
+        Ok(inspector)
+    }
+
+    /// The inspector of the same zero set with another tolerance; its factors are shared.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a tolerance that is not positive.
+    pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
+        let around = doubles_about(tolerance)?;
+        let mut inspector = Self {
+            tolerance: tolerance.clone(),
+            around,
+            ..self.clone()
+        };
+        inspector.goal.tolerance = around[1];
+        inspector.extend_reach();
+        Ok(inspector)
+    }
+
+    /// Makes the search radius at least the tolerance.
+    fn extend_reach(&mut self) {
+        let tolerance = self.around[1];
+        self.asked = self.asked.map(|reach| reach.max(tolerance));
+        // A slightly larger radius, so that a zero beyond it is outside for every slack of a point. Any margin is sound.
+        self.goal.reach = self.asked.unwrap_or(0.0).max(tolerance * (1.0 + 1e-9));
     }
 
     /// Whether a factor has too many monomials for exact expansions (more than 1000, divisors included).
@@ -226,7 +238,7 @@ impl Inspector {
                 in_doubles.unwrap_or_else(|| field.polynomial().evaluate(exactly).signum())
             }
         };
-        let signs = self.factors.iter().zip(&self.multiplicities);
+        let signs = self.factors.iter().zip(&*self.multiplicities);
         let signs = signs.map(|(field, multiplicity)| match multiplicity % 2 {
             1 => sign_of(field),
             _ => sign_of(field).abs(),
@@ -235,7 +247,7 @@ impl Inspector {
     }
 
     /// The point in the coordinates of the polynomial.
-    fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
+    pub(super) fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
         match &self.center {
             None => Cow::Borrowed(point),
             Some([a, b]) => {
@@ -265,7 +277,7 @@ impl Inspector {
         for known in &parts {
             all.verdict = match (all.verdict, known.inside) {
                 (Verdict::Inside, _) | (_, Some(true)) => Verdict::Inside,
-                (Verdict::Undecided, _) | (_, None) => Verdict::Undecided,
+                (Verdict::Uncertain | Verdict::Undecided, _) | (_, None) => Verdict::Undecided,
                 (Verdict::Outside, Some(false)) => Verdict::Outside,
             };
             all.curve = match (all.curve, known.curve) {
@@ -278,7 +290,7 @@ impl Inspector {
             self.far(&mut parts, at);
         }
         for ((known, field), multiplicity) in
-            parts.iter().zip(&self.factors).zip(&self.multiplicities)
+            parts.iter().zip(&*self.factors).zip(&*self.multiplicities)
         {
             all.distance.low = all.distance.low.min(known.bounds.low);
             all.distance.high = all.distance.high.min(known.bounds.high);
@@ -415,6 +427,10 @@ impl Inspector {
         &self.factors
     }
 
+    pub(super) fn multiplicities(&self) -> &[usize] {
+        &self.multiplicities
+    }
+
     /// The number of cubes that may be divided for a factor.
     pub(super) fn cubes_for(&self, field: &Field) -> usize {
         let all = self.goal.cubes;
@@ -426,6 +442,21 @@ impl Inspector {
     pub(super) fn is_exact_possible(&self, field: &Field) -> bool {
         field.monomials() <= MAX_EXACT_MONOMIALS && self.limits.check().is_ok()
     }
+}
+
+/// Doubles below and above a tolerance; both are the tolerance itself if it is a double.
+fn doubles_about(tolerance: &Rational) -> Result<[f64; 2]> {
+    let near = tolerance.to_f64();
+    if tolerance.signum() <= 0 || !near.is_normal() {
+        return Err(Error::Usage(format!(
+            "the tolerance {tolerance}: expected a positive number, such as 0.1"
+        )));
+    }
+    let is_exact = Rational::try_from(near).is_ok_and(|d| d == *tolerance);
+    Ok(match is_exact {
+        true => [near; 2],
+        false => [near.next_down(), near.next_up()],
+    })
 }
 
 /// The sign of a polynomial at a point whose distance from its zeros is known within these bounds.

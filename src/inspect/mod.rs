@@ -30,6 +30,7 @@ mod harmonic;
 mod inspector;
 mod known;
 mod mesh_distance;
+mod nearest;
 mod patch;
 mod proof;
 mod refine;
@@ -39,6 +40,7 @@ mod squared_distance;
 mod summary;
 mod tree;
 mod winding;
+mod zone;
 
 pub use arcs::NearestPoint;
 #[cfg(feature = "pictures")]
@@ -52,9 +54,15 @@ pub(crate) use inspector::MAX_EXACT_MONOMIALS;
 pub use inspector::{InspectOptions, Inspector};
 pub(crate) use known::{PlanePoint, rounding};
 pub use mesh_distance::mesh_distance;
+pub use nearest::Foot;
+pub(crate) use nearest::{FootCandidate, unit};
 pub use patch::PatchInspector;
 pub(crate) use side::Sides;
-pub use summary::{CLASSES, Histogram, InspectedPoint, InspectionSummary, RowDistance, Section};
+pub use summary::{
+    CLASSES, Histogram, HistogramRange, InspectedPoint, InspectionSummary, RowDistance, Section,
+};
+pub use zone::ToleranceZone;
+pub(crate) use zone::{DecidedDistance, is_within};
 
 use std::fmt;
 
@@ -88,31 +96,34 @@ impl DistanceBounds {
         match verdict {
             Verdict::Inside => self.high = self.high.min(tolerance.high()),
             Verdict::Outside => self.low = self.low.max(tolerance.low()),
-            Verdict::Undecided => {}
+            Verdict::Uncertain | Verdict::Undecided => {}
         }
         self.low = self.low.min(self.high);
         self
     }
 }
 
-/// Whether the distance is at most the tolerance.
+/// Whether the distance is at most the tolerance, or the signed distance between the limits of a [`ToleranceZone`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The distance is at most the tolerance.
+    /// The distance is at most the tolerance; of a measured point, that of every point within its uncertainty.
     Inside,
-    /// The distance is larger than the tolerance.
+    /// The distance is larger than the tolerance; of a measured point, that of every point within its uncertainty.
     Outside,
+    /// The uncertainty of the measured point leaves both open.
+    Uncertain,
     /// The allowed amount of work was not enough to decide.
     Undecided,
 }
 
 impl Verdict {
-    /// The name in documents: `inside`, `outside` or `undecided`.
+    /// The name in documents: `inside`, `outside`, `uncertain` or `undecided`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Inside => "inside",
             Self::Outside => "outside",
+            Self::Uncertain => "uncertain",
             Self::Undecided => "undecided",
         }
     }
@@ -129,10 +140,10 @@ impl fmt::Display for Verdict {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Inspection {
-    /// Whether the distance is at most the tolerance, exactly.
+    /// Whether the distance is at most the tolerance, or within the tolerance zone, exactly.
     pub verdict: Verdict,
     /// The exact answer to the paper's criterion: whether the surface has a real point on the sphere (for a plane curve, the
-    /// circle) whose radius is the tolerance. `None` if it is undecided.
+    /// circle) whose radius is the tolerance (of the point's side). `None` if it is undecided.
     pub curve: Option<bool>,
     /// Bounds of the distance.
     pub distance: DistanceBounds,
@@ -145,6 +156,17 @@ pub struct Inspection {
 }
 
 impl Inspection {
+    /// Bounds of the signed distance, which is negative inside; `None` without a sign.
+    #[must_use]
+    pub fn signed_distance(&self) -> Option<[f64; 2]> {
+        let DistanceBounds { low, high } = self.distance;
+        self.sign.map(|sign| match sign {
+            0 => [0.0, 0.0],
+            1.. => [low, high],
+            _ => [-high, -low],
+        })
+    }
+
     /// The answers for a point of which nothing is known.
     const UNKNOWN: Self = Self {
         verdict: Verdict::Undecided,

@@ -1,6 +1,8 @@
 //! Inspection of points against a patch. The patch itself is compared, not the zero set of its equation, which can have more
 //! points.
 
+use std::sync::Arc;
+
 use super::boxes::PatchBoxes;
 use super::squared_distance::{squared_in_doubles, upper_root};
 use super::{DistanceBounds, InspectOptions, Inspection, Inspector, Verdict};
@@ -25,16 +27,22 @@ const PARTS: [f64; 5] = [0.999, 0.98, 0.9, 0.5, 0.1];
 /// A point that is farther than the tolerance from the zero set of the equation is outside. Otherwise a point of the patch
 /// within the tolerance is searched in doubles and proved exactly. If there is none, boxes of the parameters may prove that the
 /// point is outside; if they do not, it is undecided.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct PatchInspector {
     zero_set: Inspector,
+    shape: Arc<Shape>,
+    tolerance: Rational,
+    budget: usize,
+}
+
+/// What does not depend on the tolerance.
+#[derive(Debug)]
+struct Shape {
     patch: Patch,
     doubles: PatchInDoubles,
     boxes: PatchBoxes,
     /// The angles τ of the starting points, where s = tan(τ/2), and the points of the patch there.
     starts: Vec<([f64; 2], [f64; 3])>,
-    tolerance: Rational,
-    budget: usize,
 }
 
 impl PatchInspector {
@@ -53,18 +61,32 @@ impl PatchInspector {
             std::f64::consts::TAU * turn - std::f64::consts::PI
         };
         let pairs = (0..STARTS).flat_map(|i| (0..STARTS).map(move |j| [angle(i), angle(j)]));
-        let mut inspector = Self {
+        let doubles = patch.in_doubles();
+        let starts = pairs.filter_map(|at| Some((at, point_near(&doubles, at)?)));
+        let starts = starts.collect();
+        Ok(Self {
             zero_set: Inspector::surface(surface, options, limits)?,
-            patch: patch.clone(),
-            doubles: patch.in_doubles(),
-            boxes: PatchBoxes::new(patch),
-            starts: Vec::new(),
+            shape: Arc::new(Shape {
+                patch: patch.clone(),
+                boxes: PatchBoxes::new(patch),
+                starts,
+                doubles,
+            }),
             tolerance: options.tolerance.clone(),
             budget: options.cubes,
-        };
-        let starts = pairs.filter_map(|at| Some((at, inspector.near(at)?)));
-        inspector.starts = starts.collect();
-        Ok(inspector)
+        })
+    }
+
+    /// The inspector of the same patch with another tolerance; what was computed for the patch is shared.
+    ///
+    /// # Errors
+    /// [`crate::error::Error::Usage`] for a tolerance that is not positive.
+    pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
+        Ok(Self {
+            zero_set: self.zero_set.with_tolerance(tolerance)?,
+            tolerance: tolerance.clone(),
+            ..self.clone()
+        })
     }
 
     /// Whether the equation has a factor that is too large for exact expansions; see [`Inspector::is_in_doubles_alone`].
@@ -86,7 +108,10 @@ impl PatchInspector {
         let verdict = if is_inside {
             Verdict::Inside
         } else if of_zero_set.verdict == Verdict::Outside
-            || self.boxes.are_farther(&around, tolerance, self.budget)
+            || self
+                .shape
+                .boxes
+                .are_farther(&around, tolerance, self.budget)
         {
             Verdict::Outside
         } else {
@@ -110,11 +135,11 @@ impl PatchInspector {
     /// point outside.
     fn goes_out(&self, point: &[Rational; 3], level: &Rational) -> bool {
         let center = point.each_ref().map(Rational::to_f64);
-        let farthest = self.starts.iter().max_by(|(_, a), (_, b)| {
+        let farthest = self.shape.starts.iter().max_by(|(_, a), (_, b)| {
             squared_in_doubles(a, &center).total_cmp(&squared_in_doubles(b, &center))
         });
         let exact = farthest.and_then(|(at, _)| self.exactly(*at, point));
-        self.boxes.is_connected && exact.is_some_and(|squared| squared >= *level)
+        self.shape.boxes.is_connected && exact.is_some_and(|squared| squared >= *level)
     }
 
     /// A lower bound of the distance: the larger one of the bound for the zero set and the bound that the boxes prove.
@@ -124,7 +149,9 @@ impl PatchInspector {
         }
         let proved = |part: &f64| {
             let radius = Interval::from(part * high);
-            self.boxes.are_farther(around, radius, self.budget / 10)
+            self.shape
+                .boxes
+                .are_farther(around, radius, self.budget / 10)
         };
         let parts = PARTS.iter().filter(|part| **part * high > known);
         let best = parts.copied().find(|part| proved(part));
@@ -132,18 +159,14 @@ impl PatchInspector {
     }
 
     /// The point of the patch at two angles, in doubles.
-    fn near(&self, at: [f64; 2]) -> Option<[f64; 3]> {
-        let ratio = |angle: f64| {
-            let (sin, cos) = (angle / 2.0).sin_cos();
-            [sin, cos]
-        };
-        self.doubles.at(at.map(ratio))
+    pub(super) fn near(&self, at: [f64; 2]) -> Option<[f64; 3]> {
+        point_near(&self.shape.doubles, at)
     }
 
     /// The exact squared distance between a point and the point of the patch at two angles.
     fn exactly(&self, at: [f64; 2], point: &[Rational; 3]) -> Option<Rational> {
         let [s, t] = at.map(|angle| Rational::try_from((angle / 2.0).tan()).ok());
-        let q = self.patch.point(&[s?, t?])?;
+        let q = self.shape.patch.point(&[s?, t?])?;
         let differences = q.iter().zip(point).map(|(a, b)| a - b);
         Some(differences.fold(Rational::zero(), |sum, d| sum + &d * &d))
     }
@@ -151,18 +174,34 @@ impl PatchInspector {
     /// The squared distance of the nearest point of the patch that is found.
     fn nearest(&self, point: &[Rational; 3]) -> Option<Rational> {
         let center = point.each_ref().map(Rational::to_f64);
-        let mut starts: Vec<&([f64; 2], [f64; 3])> = self.starts.iter().collect();
+        let ends = self.lowest(&center).into_iter();
+        ends.filter_map(|at| self.exactly(at, point)).min()
+    }
+
+    /// The angles of the nearest point of the patch that is found.
+    pub(super) fn nearest_angles(&self, center: &[f64; 3]) -> Option<[f64; 2]> {
+        let far = |at: &[f64; 2]| {
+            let point = self.near(*at);
+            point.map_or(f64::INFINITY, |point| squared_in_doubles(&point, center))
+        };
+        let ends = self.lowest(center).into_iter();
+        ends.min_by(|a, b| far(a).total_cmp(&far(b)))
+    }
+
+    /// The angles of local minima of the distance.
+    fn lowest(&self, center: &[f64; 3]) -> Vec<[f64; 2]> {
+        let mut starts: Vec<&([f64; 2], [f64; 3])> = self.shape.starts.iter().collect();
         let count = FOLLOWED.min(starts.len());
         let order = |a: &&([f64; 2], [f64; 3]), b: &&([f64; 2], [f64; 3])| {
-            squared_in_doubles(&a.1, &center).total_cmp(&squared_in_doubles(&b.1, &center))
+            squared_in_doubles(&a.1, center).total_cmp(&squared_in_doubles(&b.1, center))
         };
         if count < starts.len() {
             starts.select_nth_unstable_by(count, order);
         }
         let ends = starts[..count]
             .iter()
-            .map(|(at, _)| self.downhill(*at, &center));
-        ends.filter_map(|at| self.exactly(at, point)).min()
+            .map(|(at, _)| self.downhill(*at, center));
+        ends.collect()
     }
 
     /// A local minimum of the distance, in doubles, by damped steps of the methods of Gauss and Newton from two angles.
@@ -215,4 +254,13 @@ impl PatchInspector {
         }
         at
     }
+}
+
+/// The point of a patch at two angles, in doubles.
+fn point_near(doubles: &PatchInDoubles, at: [f64; 2]) -> Option<[f64; 3]> {
+    let ratio = |angle: f64| {
+        let (sin, cos) = (angle / 2.0).sin_cos();
+        [sin, cos]
+    };
+    doubles.at(at.map(ratio))
 }

@@ -1,6 +1,6 @@
 //! Inspected points, and the numbers of points with each verdict.
 
-use super::{DistanceBounds, Inspection, Verdict};
+use super::{DistanceBounds, Foot, Inspection, ToleranceZone, Verdict};
 use crate::parametrize::AngleRange;
 
 /// A point as it was given, with the result of its inspection.
@@ -15,6 +15,8 @@ pub struct InspectedPoint<'a> {
     pub inspection: Inspection,
     /// The section of Theorem 8 about the point.
     pub section: Section,
+    /// The nearest point of the form, if feet were requested and one was found.
+    pub foot: Option<Foot>,
 }
 
 /// The angles at which the sphere or circle about a point meets the form.
@@ -38,29 +40,58 @@ pub struct RowDistance {
     pub distance: DistanceBounds,
 }
 
-/// The number of classes of a [`Histogram`] within the tolerance, on both sides together.
+/// The number of classes of a [`Histogram`] between the limits.
 pub const CLASSES: usize = 10;
 
-/// How many points have a signed distance s from the form, in parts of the tolerance D: negative inside, positive outside, and
-/// positive for a form without sides.
+/// How many points have a signed distance s from the form, in classes of equal length from LOW to HIGH, which are −D and D for a
+/// single tolerance D. The distance is negative inside, positive outside, and positive for a form without sides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Histogram {
-    /// The number of points with s < −D.
+    /// The number of points with s < LOW.
     pub below: usize,
-    /// The numbers with −D + 2Dk/10 ≤ s < −D + 2D(k + 1)/10, for k = 0 … 9; s = D belongs to the last one.
+    /// The numbers with LOW + wk ≤ s < LOW + w(k + 1) for w = (HIGH − LOW)/10 and k = 0 … 9; s = HIGH belongs to the last one.
     pub within: [usize; CLASSES],
-    /// The number of points with s > D.
+    /// The number of points with s > HIGH.
     pub above: usize,
+}
+
+/// The limits of a tolerance zone in doubles, for a histogram.
+#[derive(Clone, Copy, Debug)]
+pub struct HistogramRange {
+    middle: f64,
+    /// Half the difference of the limits.
+    half: f64,
+    is_uncertain: bool,
+}
+
+impl HistogramRange {
+    /// The range of a zone.
+    #[must_use]
+    pub fn of(zone: &ToleranceZone) -> Self {
+        let [low, high] = zone.limits();
+        Self {
+            middle: (low + high).to_f64() / 2.0,
+            half: (high - low).to_f64() / 2.0,
+            is_uncertain: zone.is_uncertain(),
+        }
+    }
+
+    /// The place of a signed distance: −1 is the lower limit, and 1 the upper one.
+    fn place(&self, signed: f64) -> f64 {
+        (signed - self.middle) / self.half
+    }
 }
 
 /// The numbers of points with each verdict, and their distances.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct InspectionSummary {
-    /// The number of points within the tolerance.
+    /// The number of points within the tolerance zone.
     pub inside: usize,
-    /// The number of points farther away than the tolerance.
+    /// The number of points outside of it.
     pub outside: usize,
+    /// The number of points whose uncertainty leaves both open; `None` if the points have no uncertainty.
+    pub uncertain: Option<usize>,
     /// The number of points for which neither was proved.
     pub undecided: usize,
     /// The number of points that are inside although the sphere about the point misses the surface: a whole piece of the
@@ -68,6 +99,8 @@ pub struct InspectionSummary {
     pub enclosed: usize,
     /// The number of rows that are no points and were skipped.
     pub bad: usize,
+    /// The number of points whose foot was requested and not found.
+    pub without_foot: usize,
     /// The point with the smallest upper bound of the distance.
     pub nearest: Option<RowDistance>,
     /// The point with the largest lower bound of the distance.
@@ -83,11 +116,16 @@ pub struct InspectionSummary {
 }
 
 impl InspectionSummary {
-    /// Counts a point; `tolerance` is the double nearest to the tolerance.
-    pub fn add(&mut self, row: usize, found: &Inspection, tolerance: f64) {
+    /// Counts a point.
+    pub fn add(&mut self, row: usize, found: &Inspection, range: &HistogramRange) {
+        if range.is_uncertain {
+            let count = self.uncertain.get_or_insert(0);
+            *count += usize::from(found.verdict == Verdict::Uncertain);
+        }
         match found.verdict {
             Verdict::Inside => self.inside += 1,
             Verdict::Outside => self.outside += 1,
+            Verdict::Uncertain => {}
             Verdict::Undecided => self.undecided += 1,
         }
         if found.verdict == Verdict::Inside && found.curve == Some(false) {
@@ -103,7 +141,7 @@ impl InspectionSummary {
             for (sum, value) in self.sums.iter_mut().zip([middle, middle * middle, signed]) {
                 *sum += value;
             }
-            self.histogram.add(signed / tolerance, found.verdict);
+            self.histogram.add(signed, range, found.verdict);
         }
     }
 
@@ -126,8 +164,12 @@ impl InspectionSummary {
         self.inside += later.inside;
         self.outside += later.outside;
         self.undecided += later.undecided;
+        if let Some(more) = later.uncertain {
+            *self.uncertain.get_or_insert(0) += more;
+        }
         self.enclosed += later.enclosed;
         self.bad += later.bad;
+        self.without_foot += later.without_foot;
         if later.nearest.is_some() {
             self.take(later.nearest, later.farthest, later.largest);
         }
@@ -141,7 +183,7 @@ impl InspectionSummary {
     /// The number of points.
     #[must_use]
     pub fn points(&self) -> usize {
-        self.inside + self.outside + self.undecided
+        self.inside + self.outside + self.uncertain.unwrap_or(0) + self.undecided
     }
 
     /// The mean of the distances, the root of the mean of their squares, and the mean of the signed distances; approximate, and of
@@ -156,14 +198,15 @@ impl InspectionSummary {
 }
 
 impl Histogram {
-    /// Counts a signed distance, in parts of the tolerance.
-    fn add(&mut self, part: f64, verdict: Verdict) {
+    /// Counts a signed distance.
+    fn add(&mut self, signed: f64, range: &HistogramRange, verdict: Verdict) {
+        let part = range.place(signed);
         // The verdict is exact, and the quotient is not.
         let part = match verdict {
             Verdict::Inside => part.clamp(-1.0, 1.0),
-            Verdict::Outside if part < 0.0 => f64::NEG_INFINITY,
+            Verdict::Outside if signed < 0.0 => f64::NEG_INFINITY,
             Verdict::Outside => f64::INFINITY,
-            Verdict::Undecided => part,
+            Verdict::Uncertain | Verdict::Undecided => part,
         };
         if part < -1.0 {
             self.below += 1;
@@ -207,12 +250,13 @@ mod tests {
 
     #[test]
     fn distances_are_summed_up() {
+        let range = HistogramRange::of(&"1".parse().unwrap());
         let mut first = InspectionSummary::default();
-        first.add(1, &found(Verdict::Inside, 0.5, Some(-1)), 1.0);
-        first.add(2, &found(Verdict::Outside, 3.0, Some(1)), 1.0);
+        first.add(1, &found(Verdict::Inside, 0.5, Some(-1)), &range);
+        first.add(2, &found(Verdict::Outside, 3.0, Some(1)), &range);
         let mut later = InspectionSummary::default();
-        later.add(3, &found(Verdict::Inside, 1.0, Some(1)), 1.0);
-        later.add(4, &found(Verdict::Outside, 2.0, Some(-1)), 1.0);
+        later.add(3, &found(Verdict::Inside, 1.0, Some(1)), &range);
+        later.add(4, &found(Verdict::Outside, 2.0, Some(-1)), &range);
         first.join(&later);
         let rows = [first.nearest, first.farthest].map(|at| at.unwrap().row);
         assert_eq!((rows, first.largest), ([1, 2], 3.0));
@@ -223,5 +267,29 @@ mod tests {
         assert_eq!((histogram.below, histogram.above), (1, 1));
         assert_eq!(histogram.within, [0, 0, 1, 0, 0, 0, 0, 0, 0, 1]);
         assert_eq!(InspectionSummary::default().means(), None);
+    }
+
+    #[test]
+    fn classes_go_from_limit_to_limit() {
+        let zone: ToleranceZone = "-1,4".parse().unwrap();
+        let zone = zone.with_uncertainty("1/4".parse().unwrap()).unwrap();
+        let range = HistogramRange::of(&zone);
+        let mut found_all = InspectionSummary::default();
+        let points = [
+            (Verdict::Inside, 0.6, Some(-1)),
+            (Verdict::Inside, 0.1, Some(1)),
+            (Verdict::Uncertain, 4.0, Some(1)),
+            (Verdict::Uncertain, 4.1, Some(1)),
+            (Verdict::Outside, 1.5, Some(-1)),
+            (Verdict::Outside, 4.5, Some(1)),
+            (Verdict::Undecided, 3.0, Some(1)),
+        ];
+        for (row, (verdict, distance, sign)) in (1..).zip(points) {
+            found_all.add(row, &found(verdict, distance, sign), &range);
+        }
+        let histogram = found_all.histogram;
+        assert_eq!((histogram.below, histogram.above), (1, 2));
+        assert_eq!(histogram.within, [1, 0, 1, 0, 0, 0, 0, 0, 1, 1]);
+        assert_eq!((found_all.uncertain, found_all.points()), (Some(2), 7));
     }
 }

@@ -10,7 +10,8 @@ use super::options::{Options, reading};
 use super::run::given;
 use super::watch::{Wait, Watch, guarded, pool, with_options};
 use crate::error::{Error, Result};
-use crate::inspect::{Inspection, Verdict};
+use crate::inspect::{Foot, Inspection, Verdict};
+use crate::intervals::rationals;
 use crate::limits::Limits;
 use crate::verb::{self, InspectionTask, Watcher, Work};
 
@@ -27,6 +28,7 @@ fn code(verdict: Verdict) -> i8 {
         Verdict::Inside => 0,
         Verdict::Outside => 1,
         Verdict::Undecided => 2,
+        Verdict::Uncertain => 3,
     }
 }
 
@@ -89,12 +91,54 @@ impl Found {
     }
 }
 
+impl Found {
+    fn into_arrays(self, python: Python<'_>) -> Answer<'_> {
+        (
+            self.verdict.into_pyarray(python),
+            self.curve.into_pyarray(python),
+            self.low.into_pyarray(python),
+            self.high.into_pyarray(python),
+            self.sign.into_pyarray(python),
+        )
+    }
+}
+
 type Answer<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray1<i8>>,
+);
+
+/// The columns of feet: the coordinates of the points and the normals, one after the other, and the bounds of the signed distances.
+/// What there is not is NaN.
+#[derive(Default)]
+struct FoundFeet {
+    point: Vec<f64>,
+    normal: Vec<f64>,
+    low: Vec<f64>,
+    high: Vec<f64>,
+}
+
+impl FoundFeet {
+    fn add(&mut self, inspection: &Inspection, foot: Option<Foot>, dimension: usize) {
+        let none = [f64::NAN; 3];
+        let point = foot.map_or(none, |foot| foot.point);
+        let normal = foot.and_then(|foot| foot.normal).unwrap_or(none);
+        self.point.extend(&point[..dimension]);
+        self.normal.extend(&normal[..dimension]);
+        let [low, high] = inspection.signed_distance().unwrap_or([f64::NAN; 2]);
+        self.low.push(low);
+        self.high.push(high);
+    }
+}
+
+type Feet<'py> = (
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<f64>>,
 );
 
 #[pymethods]
@@ -134,7 +178,7 @@ impl Inspector {
         self.limits.check().is_err()
     }
 
-    /// The verdicts (0 inside, 1 outside, 2 undecided), the criterion of Theorem 8 (1 true, 0 false, 2 undecided), the bounds of the
+    /// The verdicts (0 inside, 1 outside, 2 undecided, 3 uncertain), the criterion of Theorem 8 (1 true, 0 false, 2 undecided), the bounds of the
     /// distances, and the signs (2 for none) of points with these columns of coordinates.
     fn inspect<'py>(
         &self,
@@ -151,13 +195,41 @@ impl Inspector {
             |point| self.task.of_doubles(point),
             |inspection| found.add(&inspection),
         )?;
-        Ok((
-            found.verdict.into_pyarray(python),
-            found.curve.into_pyarray(python),
-            found.low.into_pyarray(python),
-            found.high.into_pyarray(python),
-            found.sign.into_pyarray(python),
-        ))
+        Ok(found.into_arrays(python))
+    }
+
+    /// The same, and the feet, the normals and the bounds of the signed distances; NaN stands for what there is not.
+    fn inspect_with_feet<'py>(
+        &self,
+        python: Python<'py>,
+        columns: Vec<PyReadonlyArray1<'py, f64>>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Answer<'py>, Feet<'py>)> {
+        let columns = self.columns(&columns)?;
+        let dimension = self.task.dimension();
+        let mut found = Found::default();
+        let mut feet = FoundFeet::default();
+        self.each(
+            python,
+            progress,
+            &columns,
+            |point| {
+                let inspection = self.task.of_doubles(point);
+                let foot = self.task.foot(&rationals(point), &inspection);
+                (inspection, foot)
+            },
+            |(inspection, foot)| {
+                found.add(&inspection);
+                feet.add(&inspection, foot, dimension);
+            },
+        )?;
+        let feet = (
+            feet.point.into_pyarray(python),
+            feet.normal.into_pyarray(python),
+            feet.low.into_pyarray(python),
+            feet.high.into_pyarray(python),
+        );
+        Ok((found.into_arrays(python), feet))
     }
 
     /// The sides of points with these columns of coordinates: −1, 0, 1, or 2 where there is none.

@@ -31,6 +31,8 @@ pub(super) struct Options {
     pub(super) harmonics: Option<usize>,
     pub(super) degree: Option<usize>,
     pub(super) tolerance: Option<String>,
+    pub(super) lower: Option<String>,
+    pub(super) uncertainty: Option<String>,
     pub(super) distance: Option<String>,
     pub(super) power: Option<String>,
     pub(super) center: Option<Vec<String>>,
@@ -268,6 +270,10 @@ impl Options {
             .fit(fit.fit()?);
         if let Some(budget) = self.budget {
             asked = asked.budget(budget);
+        }
+        asked = asked.lower(number("tolerance", self.lower.as_deref())?);
+        if let Some(uncertainty) = number("uncertainty", self.uncertainty.as_deref())? {
+            asked = asked.uncertainty(uncertainty);
         }
         Ok(match number("tolerance", self.tolerance.as_deref())? {
             Some(tolerance) => asked.tolerance(tolerance),

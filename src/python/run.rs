@@ -266,12 +266,11 @@ impl Call<'_> {
             None => {}
             Some("plot") => out = self.figure()?.bytes(picture()?)?,
             Some("cloud") => {
-                let comment = format!("stellate inspect, tolerance {}", task.tolerance());
                 out.clear();
-                write_inspection_cloud(&kept, &comment, &mut out)?;
+                write_inspection_cloud(&kept, task.zone(), &mut out)?;
             }
             Some("report") => {
-                let mut head = ReportHead::new(name, task.tolerance().clone());
+                let mut head = ReportHead::new(name, task.zone().clone());
                 head.number = "row";
                 out.clear();
                 write_inspection_report(&head, &summary, &kept, &picture()?, &mut out)?;

@@ -1,5 +1,8 @@
 //! The verb `inspect`: points are compared with a form, by Theorem 8.
 
+use std::sync::Arc;
+
+use super::against::{Against, AgainstPlaneCurve, AskedPoint, Level};
 use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
 use super::fit::{exact_form, is_positive_radius};
 use super::{Given, Remark, Work};
@@ -8,9 +11,8 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, DistanceBounds, HarmonicInspector, InspectOptions, Inspection,
-    Inspector, MAX_SECTION_WORK, PatchInspector, PlanePoint, Section, Sides, SphereSection,
-    Verdict, rounding,
+    CircleSection, CurveInspector, DecidedDistance, HarmonicInspector, InspectOptions, Inspection,
+    Inspector, MAX_SECTION_WORK, PatchInspector, Section, Sides, SphereSection, ToleranceZone,
 };
 use crate::intervals::rational;
 use crate::limits::Limits;
@@ -31,8 +33,14 @@ const BUDGET: usize = 50_000;
 options! {
     /// How points are inspected.
     InspectionOptions {
-        /// The tolerance: a point at this distance or less is inside.
+        /// The tolerance: a point at this distance or less is inside. With a lower limit, it is the upper limit of the signed distance,
+        /// which may be 0.
         tolerance: Rational = Rational::one(),
+        /// The lower limit of the signed distance, at most 0; by default the negative tolerance. A point inside the form has a
+        /// negative signed distance, so the form must have sides, unless the limit is the negative tolerance.
+        lower: Option<Rational> = None,
+        /// The uncertainty of the points: the true point is at most this far from the measured one; see [`ToleranceZone`].
+        uncertainty: Rational = Rational::zero(),
         /// The search radius for the nearest point of the form; at least the tolerance. If no point of the form is within it,
         /// the lower bound of the distance is this radius and the upper bound is infinite. By default the search goes on until the
         /// nearest point is found.
@@ -66,31 +74,17 @@ pub enum Subject {
     Harmonic(HarmonicSurface),
 }
 
-/// The inspector that compares points with the form.
-#[derive(Debug)]
-enum Against {
-    /// The inspector of an equation.
-    Equation(Inspector),
-    /// The inspector of a plane curve with its parameter; points in space are compared with the cylinder over it.
-    Plane(CurveInspector<2>),
-    /// The inspector of a space curve with its parameter.
-    Space(CurveInspector<3>),
-    /// The inspector of a patch with its parameters.
-    Patch(Box<PatchInspector>),
-    /// The inspector of a harmonic surface.
-    Harmonic(Box<HarmonicInspector>),
-}
-
 /// A form and a tolerance, ready to be compared with points.
 #[derive(Debug)]
 pub struct InspectionTask {
     subject: Subject,
-    against: Against,
-    /// The sides of a closed plane curve that is not an equation.
-    sides: Option<Sides>,
+    /// The inspector with the tolerance of a point on the form.
+    pub(super) against: Against,
+    /// The inspectors for the other distances that the zone asks about.
+    pub(super) levels: Vec<Level>,
     /// The number of coordinates of a point, 2 or 3.
     dimension: usize,
-    tolerance: Rational,
+    zone: ToleranceZone,
     limits: Limits,
 }
 
@@ -116,32 +110,40 @@ const INSPECT: Taken = Taken {
 /// ```
 ///
 /// # Errors
-/// Those of the fit and of the equation; [`Error::Usage`] for a form that is neither a surface nor a plane curve, and those of
-/// [`Inspector`].
+/// Those of the fit and of the equation; [`Error::Usage`] for a form that is neither a surface nor a plane curve, for two different
+/// limits and a form without sides, and those of [`ToleranceZone`] and [`Inspector`].
 pub fn inspect(
     given: Given,
     dimension: usize,
     options: &InspectionOptions,
     work: &Work,
 ) -> Result<InspectionTask> {
+    let zone = match &options.lower {
+        None => ToleranceZone::within(options.tolerance.clone())?,
+        Some(lower) => ToleranceZone::new(lower.clone(), options.tolerance.clone())?,
+    };
+    let zone = zone.with_uncertainty(options.uncertainty.clone())?;
     let subject = subject(given, dimension, &options.fit, work)?;
-    let asked = InspectOptions::new(options.tolerance.clone())
+    let asked = InspectOptions::new(zone.tolerance_of_side(None))
         .reach(options.reach)
         .digits(options.digits)
         .cubes(options.budget);
     let limits = work.bounds();
-    let against = work.stage("factor", || {
+    let plane = |curve| {
+        Against::Plane(AgainstPlaneCurve {
+            curve,
+            sides: None,
+            is_cylinder: dimension == 3,
+        })
+    };
+    let mut against = work.stage("factor", || {
         Ok(match &subject {
             Subject::Surface(surface) => {
                 Against::Equation(Inspector::surface(surface, &asked, limits)?)
             }
             Subject::Curve(curve) => Against::Equation(Inspector::plane(curve, &asked, limits)?),
-            Subject::Radius(radius) => {
-                Against::Plane(CurveInspector::radius(radius, &asked, limits)?)
-            }
-            Subject::PlaneCurve(curve) => {
-                Against::Plane(CurveInspector::new(curve, &asked, limits)?)
-            }
+            Subject::Radius(radius) => plane(CurveInspector::radius(radius, &asked, limits)?),
+            Subject::PlaneCurve(curve) => plane(CurveInspector::new(curve, &asked, limits)?),
             Subject::SpaceCurve(curve) => {
                 Against::Space(CurveInspector::new(curve, &asked, limits)?)
             }
@@ -166,20 +168,27 @@ pub fn inspect(
         Subject::PlaneCurve(curve) => Sides::of_curve(curve, limits)?,
         _ => None,
     };
-    let is_in_doubles_alone = match &against {
-        Against::Equation(inspector) => inspector.is_in_doubles_alone(),
-        Against::Patch(inspector) => inspector.is_in_doubles_alone(),
-        Against::Plane(_) | Against::Space(_) | Against::Harmonic(_) => false,
-    };
-    if is_in_doubles_alone {
+    if let Against::Plane(plane) = &mut against {
+        plane.sides = sides.map(Arc::new);
+    }
+    if zone.tolerance().is_none() && !against.has_sides() {
+        return Err(Error::Usage(format!(
+            "this form has no inside and no outside: it takes one tolerance, such as {}, instead of the limits {zone}",
+            zone.limits()[1].max(&-zone.limits()[0].clone())
+        )));
+    }
+    if against.is_in_doubles_alone() {
         work.remark(Remark::DoublesAlone);
     }
+    if zone.is_used_up() {
+        work.remark(Remark::ZoneUsedUp);
+    }
     Ok(InspectionTask {
+        levels: Level::others(&zone, &against)?,
         subject,
         against,
-        sides,
         dimension,
-        tolerance: options.tolerance.clone(),
+        zone,
         limits: limits.clone(),
     })
 }
@@ -243,10 +252,10 @@ impl InspectionTask {
         self.dimension
     }
 
-    /// The tolerance.
+    /// The tolerance zone.
     #[must_use]
-    pub fn tolerance(&self) -> &Rational {
-        &self.tolerance
+    pub fn zone(&self) -> &ToleranceZone {
+        &self.zone
     }
 
     /// The form for claims about points.
@@ -269,75 +278,27 @@ impl InspectionTask {
     /// Inspects a point, given in original coordinates; in the plane z is 0.
     #[must_use]
     pub fn point(&self, point: &[Rational; 3]) -> Inspection {
-        match &self.against {
-            Against::Equation(inspector) => inspector.inspect(point),
-            Against::Plane(inspector) => {
-                let [x, y, _] = point;
-                let flat = [x.clone(), y.clone()];
-                let near = flat.each_ref().map(Rational::to_f64);
-                let found = inspector.inspect(&flat);
-                self.of_plane(found, near, &|| flat.clone())
-            }
-            Against::Space(inspector) => inspector.inspect(point),
-            Against::Patch(inspector) => inspector.inspect(point),
-            Against::Harmonic(inspector) => inspector.inspect(point),
-        }
-    }
-
-    /// The answers for a point, from those for its projection against a plane curve.
-    fn of_plane(
-        &self,
-        found: Inspection,
-        near: [f64; 2],
-        exactly: &dyn Fn() -> [Rational; 2],
-    ) -> Inspection {
-        let sign = self.sides.as_ref().map(|sides| {
-            let point = PlanePoint {
-                near,
-                slack: rounding(near),
-                exactly,
-            };
-            sides.sign(&point, &found.distance)
-        });
-        let curve = match self.dimension {
-            2 => found.curve,
-            // The sphere meets the cylinder exactly if the distance of the point from it is at most the tolerance.
-            _ => Some(found.verdict == Verdict::Inside),
-        };
-        Inspection {
-            curve,
-            sign,
-            ..found
-        }
+        self.judged(&|against| against.point(point), None)
     }
 
     /// Inspects a point whose nearest doubles are `near`. Its exact coordinates are computed only if they are needed.
     pub(super) fn point_near(
         &self,
-        near: [f64; 3],
-        exactly: &dyn Fn() -> [Rational; 3],
+        point: AskedPoint<'_>,
+        decided: Option<&mut Vec<DecidedDistance>>,
     ) -> Inspection {
-        match &self.against {
-            Against::Equation(inspector) => inspector.inspect_near(near, exactly),
-            Against::Plane(inspector) => {
-                let [x, y, _] = near;
-                let flat = || {
-                    let [x, y, _] = exactly();
-                    [x, y]
-                };
-                let found = inspector.inspect_near([x, y], &flat);
-                self.of_plane(found, [x, y], &flat)
-            }
-            Against::Space(inspector) => inspector.inspect_near(near, exactly),
-            Against::Patch(inspector) => inspector.inspect(&exactly()),
-            Against::Harmonic(inspector) => inspector.inspect_near(near, exactly),
-        }
+        self.judged(&|against| against.near(point), decided)
     }
 
     /// Inspects the point whose coordinates are these doubles, which are finite; in the plane z is 0.
     #[must_use]
     pub fn of_doubles(&self, point: [f64; 3]) -> Inspection {
-        self.point_near(point, &|| point.map(rational))
+        let exactly = || point.map(rational);
+        let asked = AskedPoint {
+            near: point,
+            exactly: &exactly,
+        };
+        self.point_near(asked, None)
     }
 
     /// The side of the point whose coordinates are these doubles: the sign of [`InspectionTask::of_doubles`], without the
@@ -354,31 +315,26 @@ impl InspectionTask {
     /// ```
     #[must_use]
     pub fn side_of_doubles(&self, point: [f64; 3]) -> Option<i8> {
-        let exactly = || point.map(rational);
-        match (&self.against, &self.sides) {
-            (Against::Equation(inspector), _) => Some(inspector.side(point)),
-            (Against::Harmonic(inspector), _) => inspector.side(point, &exactly),
-            (_, Some(sides)) if sides.need_no_distance() => {
-                let [x, y, _] = point;
-                let of_point = PlanePoint {
-                    near: [x, y],
-                    slack: 0.0,
-                    exactly: &|| [x, y].map(rational),
-                };
-                Some(sides.sign(&of_point, &DistanceBounds::UNKNOWN))
-            }
-            _ => self.of_doubles(point).sign,
-        }
+        let quick = self.against.quick_side(point);
+        quick.unwrap_or_else(|| self.of_doubles(point).sign)
     }
 
-    /// The angles at which the section of Theorem 8 about a point is real.
+    /// The angles at which the section of Theorem 8 about a point is real, for the tolerance of the point's side.
     ///
     /// # Errors
     /// [`Error::Interrupted`].
     pub fn section(&self, point: &[Rational; 3]) -> Result<Section> {
+        let sign = match self.zone.tolerance() {
+            Some(_) => None,
+            None => self.point(point).sign,
+        };
+        let tolerance = &self.zone.tolerance_of_side(sign);
+        if tolerance.is_zero() {
+            return Ok(Section::NotAsked);
+        }
         let found = match &self.subject {
             Subject::Surface(surface) => {
-                let section = SphereSection::new(surface.polynomial(), point, &self.tolerance);
+                let section = SphereSection::new(surface.polynomial(), point, tolerance);
                 if section.work() > MAX_SECTION_WORK {
                     return Ok(Section::TooLong);
                 }
@@ -388,7 +344,7 @@ impl InspectionTask {
                 let polynomial = SparsePolynomial::from(curve.polynomial());
                 let ([x, y, z], [a, b]) = (point, curve.center());
                 let point = [x - a, y - b, z.clone()];
-                Ok(CircleSection::new(&polynomial, &point, &self.tolerance).theta_ranges())
+                Ok(CircleSection::new(&polynomial, &point, tolerance).theta_ranges())
             }
             Subject::Radius(_)
             | Subject::PlaneCurve(_)

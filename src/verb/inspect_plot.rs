@@ -10,7 +10,7 @@ use super::{Bounds, KeptPoint, Work};
 use crate::arcs::{ArcOptions, CurveArc, trace_intersection};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::inspect::{Verdict, sphere_about};
+use crate::inspect::{ToleranceZone, Verdict, sphere_about};
 use crate::mesh::mesh_bounds;
 use crate::picture::{Figure, Layer, Scene, SpaceLayer, WIDTH, Window};
 use crate::shape::{ImplicitCurve, ImplicitSurface};
@@ -35,6 +35,12 @@ const SPHERE_ROWS: u32 = 48;
 
 /// The verdicts in the order of their colours; the first colour, red, is for points outside.
 const VERDICTS: [Verdict; 3] = [Verdict::Outside, Verdict::Inside, Verdict::Undecided];
+
+/// The verdicts of a zone; points without an uncertainty are never uncertain.
+fn verdicts(zone: &ToleranceZone) -> impl Iterator<Item = Verdict> {
+    let more = zone.is_uncertain().then_some(Verdict::Uncertain);
+    VERDICTS.into_iter().chain(more)
+}
 
 impl InspectionTask {
     /// Draws the form and the points by their verdicts as SVG, in the given window or in a window around all points.
@@ -115,7 +121,7 @@ fn walls(lines: &[Vec<[f64; 2]>], points: &[KeptPoint]) -> SpaceLayer {
 fn dots(
     points: &[KeptPoint],
     verdict: Verdict,
-    tolerance: &Rational,
+    zone: &ToleranceZone,
 ) -> Option<(String, Vec<[f64; 3]>)> {
     let all = || {
         points
@@ -126,8 +132,15 @@ fn dots(
     let step = count.div_ceil(MAX_DOTS).max(1);
     let shown: Vec<[f64; 3]> = all().step_by(step).map(|kept| kept.point).collect();
     let what = match verdict {
-        Verdict::Inside => format!("inside: within {tolerance}"),
-        Verdict::Outside => format!("outside: farther than {tolerance}"),
+        Verdict::Inside => match zone.tolerance() {
+            Some(tolerance) => format!("inside: within {tolerance}"),
+            None => format!("inside: signed distance {zone}"),
+        },
+        Verdict::Outside => match zone.tolerance() {
+            Some(tolerance) => format!("outside: farther than {tolerance}"),
+            None => format!("outside: signed distance not {zone}"),
+        },
+        Verdict::Uncertain => format!("uncertain: known within {}", zone.uncertainty()),
         Verdict::Undecided => "undecided".into(),
     };
     let part = if shown.len() < count {
@@ -160,15 +173,19 @@ fn in_space_surface(
         ..mesh_layer(&mesh)
     };
     let mut section = SpaceLayer {
-        label: format!(
-            "the surface at the distance {} from a point",
-            task.tolerance()
-        ),
+        label: match task.zone().tolerance() {
+            Some(tolerance) => format!("the surface at the distance {tolerance} from a point"),
+            None => "the surface at the tolerance of its side from a point".into(),
+        },
         ..SpaceLayer::default()
     };
     if points.len() <= FEW {
-        for KeptPoint { point: p, .. } in points {
-            let lines = section_lines(surface, *p, task.tolerance(), work)?;
+        for kept in points {
+            let tolerance = task.zone().tolerance_of_side(kept.inspection.sign);
+            if tolerance.is_zero() {
+                continue;
+            }
+            let lines = section_lines(surface, kept.point, &tolerance, work)?;
             section.lines.extend(lines);
         }
     }
@@ -197,9 +214,15 @@ fn in_space_lines(
     scene(task, body, points, SpaceLayer::default(), shown, work)
 }
 
+/// The larger one of the tolerances of the sides.
+fn largest_tolerance(task: &InspectionTask) -> f64 {
+    let [low, high] = task.zone().limits().map(Rational::to_f64);
+    high.max(-low)
+}
+
 /// A box around the points, with room for the tolerance.
 fn around(task: &InspectionTask, points: &[KeptPoint]) -> Option<Bounds> {
-    let d = task.tolerance().to_f64();
+    let d = largest_tolerance(task);
     box_around(points.iter().map(|kept| &kept.point))
         .map(|b| b.map(|[low, high]| [low - 2.0 * d, high + 2.0 * d]))
 }
@@ -214,8 +237,8 @@ fn scene(
     work: &Work,
 ) -> Result<String> {
     let mut layers = vec![body];
-    for verdict in VERDICTS {
-        let (label, points) = dots(points, verdict, task.tolerance()).unwrap_or_default();
+    for verdict in verdicts(task.zone()) {
+        let (label, points) = dots(points, verdict, task.zone()).unwrap_or_default();
         layers.push(SpaceLayer {
             label,
             points,
@@ -266,8 +289,8 @@ fn in_plane(
     window: Option<Frame>,
     work: &Work,
 ) -> Result<String> {
-    let tolerance = task.tolerance();
-    let d = tolerance.to_f64();
+    let zone = task.zone();
+    let d = largest_tolerance(task);
     let flat = |p: &[f64; 3]| [p[0], p[1]];
     let mut layers = vec![match drawn {
         Drawn::Traced(curve) => Layer {
@@ -283,8 +306,8 @@ fn in_plane(
             ..Layer::default()
         },
     }];
-    for verdict in VERDICTS {
-        let (label, points) = dots(points, verdict, tolerance).unwrap_or_default();
+    for verdict in verdicts(zone) {
+        let (label, points) = dots(points, verdict, zone).unwrap_or_default();
         layers.push(Layer {
             label,
             points: points.iter().map(flat).collect(),
@@ -292,7 +315,9 @@ fn in_plane(
         });
     }
     if points.len() <= FEW {
-        let circle = |KeptPoint { point: p, .. }: &KeptPoint| -> Vec<[f64; 2]> {
+        let circle = |kept: &KeptPoint| -> Vec<[f64; 2]> {
+            let p = kept.point;
+            let d = zone.tolerance_of_side(kept.inspection.sign).to_f64();
             let angles =
                 (0..=CIRCLE).map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(CIRCLE));
             angles
@@ -300,7 +325,10 @@ fn in_plane(
                 .collect()
         };
         layers.push(Layer {
-            label: format!("the distance {tolerance} from a point"),
+            label: match zone.tolerance() {
+                Some(tolerance) => format!("the distance {tolerance} from a point"),
+                None => "the tolerance of its side from a point".into(),
+            },
             lines: points.iter().map(circle).collect(),
             ..Layer::default()
         });

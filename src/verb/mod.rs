@@ -30,6 +30,7 @@
 //! # Ok::<(), stellate::error::Error>(())
 //! ```
 
+mod against;
 mod arcs;
 mod check;
 #[cfg(feature = "pictures")]
@@ -40,6 +41,7 @@ mod columns;
 mod describe;
 mod equation;
 mod fact;
+mod feet;
 mod fit;
 mod fit_mesh;
 mod foreign;
@@ -48,6 +50,7 @@ mod implicitize;
 mod inspect;
 #[cfg(feature = "pictures")]
 mod inspect_plot;
+mod judged;
 mod mesh;
 mod parametrize;
 #[cfg(feature = "pictures")]

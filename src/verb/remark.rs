@@ -100,6 +100,8 @@ pub enum Remark {
     SheetsNearCurves(f64),
     /// A surface may have singular points that were not found.
     MayBeSingular,
+    /// No point is inside, because the uncertainty of the points takes up the tolerance zone.
+    ZoneUsedUp,
     /// Points that doubles do not decide are left undecided, because a factor has too many monomials.
     DoublesAlone,
 }

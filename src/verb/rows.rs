@@ -5,16 +5,19 @@ use std::io::{BufRead, Write};
 use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSlice;
 
+use super::against::AskedPoint;
 use super::inspect::InspectionTask;
 use super::point_layout::{PointLayout, Row, coordinate};
 use super::{Progress, Work};
 use crate::error::{Error, Result};
-use crate::exact::Rational;
-use crate::inspect::{InspectedPoint, Inspection, InspectionSummary, Section};
+use crate::inspect::{
+    DecidedDistance, HistogramRange, InspectedPoint, Inspection, InspectionSummary, Section,
+    ToleranceZone,
+};
 use crate::language::Numbers;
 use crate::options::options;
 use crate::rows::{RowReader, fields, row_error};
-use crate::witness::{InspectedForm, inspected_point};
+use crate::witness::{ClaimedPoint, InspectedForm, inspected_point};
 
 /// The number of rows that are in memory at a time.
 const CHUNK: usize = 1 << 15;
@@ -68,6 +71,8 @@ options! {
         keep: bool = false,
         /// Whether the angle ranges of the sections are computed, if there are only a few points that are given one by one.
         with_ranges: bool = false,
+        /// Whether the nearest point of the form is found for every point.
+        feet: bool = false,
         /// Whether the output before a row that is not a point remains; the message then says how many points that are.
         streamed: bool = false,
     }
@@ -79,7 +84,7 @@ pub trait PointWriter: Sync {
     ///
     /// # Errors
     /// Those of `out`.
-    fn begin(&self, tolerance: &Rational, out: &mut dyn Write) -> Result<()>;
+    fn begin(&self, zone: &ToleranceZone, out: &mut dyn Write) -> Result<()>;
 
     /// The text between two points.
     fn between(&self) -> &[u8];
@@ -234,11 +239,23 @@ impl InspectionTask {
         row: &'r Row<'r>,
         written: &'r [&'r str],
         with_ranges: bool,
+        reading: &ReadingOptions,
+        decided: Option<&mut Vec<DecidedDistance>>,
     ) -> Result<InspectedPoint<'r>> {
+        let asked = AskedPoint {
+            near: row.near,
+            exactly: &|| row.exactly(),
+        };
+        let inspection = self.point_near(asked, decided);
+        let foot = match reading.feet {
+            true => self.foot(&row.exactly(), &inspection),
+            false => None,
+        };
         Ok(InspectedPoint {
             written,
             others: &row.others,
-            inspection: self.point_near(row.near, &|| row.exactly()),
+            inspection,
+            foot,
             section: if with_ranges {
                 self.section(&row.exactly())?
             } else {
@@ -304,7 +321,7 @@ impl InspectionTask {
             PointSource::Rows(rows) => batch.rows(rows, &progress, out)?,
         }
         if batch.summary.points() == 0 {
-            writer.begin(self.tolerance(), out)?;
+            writer.begin(self.zone(), out)?;
         }
         writer.end(&batch.summary, out)?;
         Ok((batch.summary, batch.kept))
@@ -330,8 +347,8 @@ struct Share {
     text: Vec<u8>,
     summary: InspectionSummary,
     kept: Vec<KeptPoint>,
-    /// The exact points about which claims are made, and their inspections.
-    claimed: Vec<([Rational; 3], Inspection)>,
+    /// The answers about which claims are made.
+    claimed: Vec<ClaimedPoint>,
     /// The first row that is not a point, with its number and the reason; the rows after it are not inspected.
     wrong: Option<(usize, String)>,
 }
@@ -389,9 +406,9 @@ impl Batch<'_> {
             self.summary.join(&share.summary);
             if let Some(form) = &self.claimed {
                 self.work.claim(|proof| {
-                    for (point, inspection) in &share.claimed {
+                    for claimed in &share.claimed {
                         self.work.bounds().check()?;
-                        inspected_point(proof, form, point, self.task.tolerance(), inspection);
+                        inspected_point(proof, form, claimed);
                     }
                     Ok(())
                 })?;
@@ -417,7 +434,7 @@ impl Batch<'_> {
             return Ok(());
         }
         match self.summary.points() {
-            0 => self.writer.begin(self.task.tolerance(), out)?,
+            0 => self.writer.begin(self.task.zone(), out)?,
             _ => out.write_all(self.writer.between())?,
         }
         Ok(out.write_all(&share.text)?)
@@ -435,7 +452,8 @@ impl Batch<'_> {
 
     fn share(&self, rows: &[(usize, String)]) -> Result<Share> {
         let mut share = Share::default();
-        let tolerance = self.task.tolerance().to_f64();
+        let zone = self.task.zone();
+        let range = HistogramRange::of(zone);
         for (number, text) in rows {
             self.work.bounds().check()?;
             let row = match self.layout.row(text, self.reading.numbers) {
@@ -451,16 +469,28 @@ impl Batch<'_> {
             };
             let written = row.fields.each_ref().map(|field| &**field);
             let written = &written[..self.layout.dimension()];
-            let point = self.task.inspected(&row, written, self.with_ranges)?;
+            let mut decided = Vec::new();
+            let asked = self.claimed.is_some().then_some(&mut decided);
+            let point =
+                self.task
+                    .inspected(&row, written, self.with_ranges, self.reading, asked)?;
             // An inspection that a limit has ended has no verdict.
             self.work.bounds().check()?;
             if share.summary.points() > 0 {
                 share.text.extend(self.writer.between());
             }
             self.writer.point(&point, &mut share.text)?;
-            share.summary.add(*number, &point.inspection, tolerance);
+            if self.reading.feet && point.foot.is_none() {
+                share.summary.without_foot += 1;
+            }
+            share.summary.add(*number, &point.inspection, &range);
             if self.claimed.is_some() {
-                share.claimed.push((row.exactly(), point.inspection));
+                share.claimed.push(ClaimedPoint {
+                    point: row.exactly(),
+                    tolerance: zone.tolerance_of_side(point.inspection.sign),
+                    inspection: point.inspection,
+                    decided,
+                });
             }
             if self.reading.keep {
                 share.kept.push(KeptPoint {

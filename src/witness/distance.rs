@@ -8,7 +8,7 @@ use super::forms::{curve_form, harmonic_form, radius_form, surface_form, texts};
 use super::proof::{Proof, by_expansion};
 use crate::error::Invariant;
 use crate::exact::Rational;
-use crate::inspect::{Inspection, Verdict, stationary};
+use crate::inspect::{DecidedDistance, Inspection, stationary};
 use crate::intervals::{Field, distance};
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::sample::{Direction, SpaceDirection, UnitVector};
@@ -114,21 +114,39 @@ fn point_of_radius(radius: &FourierRadius, theta: f64) -> [f64; 2] {
     [center[0] + r * theta.cos(), center[1] + r * theta.sin()]
 }
 
+/// The answers for a point, about which claims are made.
+#[derive(Debug)]
+pub(crate) struct ClaimedPoint {
+    /// The exact point.
+    pub(crate) point: [Rational; 3],
+    /// The radius of the criterion of Theorem 8: the tolerance of the point's side.
+    pub(crate) tolerance: Rational,
+    /// The answers.
+    pub(crate) inspection: Inspection,
+    /// What was decided about the distance for the verdict. Together with the side it implies the verdict.
+    pub(crate) decided: Vec<DecidedDistance>,
+}
+
 /// Claims the answers for one point: `distance` for the verdict, for the criterion of Theorem 8 and for the bounds, and `side`.
-pub(crate) fn inspected_point(
-    proof: &mut Proof,
-    form: &InspectedForm,
-    point: &[Rational; 3],
-    tolerance: &Rational,
-    found: &Inspection,
-) {
-    let mut asked: Vec<(&'static str, Rational)> = Vec::new();
-    match found.verdict {
-        Verdict::Inside => asked.push(("at-most", tolerance.clone())),
-        Verdict::Outside => asked.push(("more-than", tolerance.clone())),
-        Verdict::Undecided => {}
-    }
-    match found.curve {
+pub(crate) fn inspected_point(proof: &mut Proof, form: &InspectedForm, claimed: &ClaimedPoint) {
+    let ClaimedPoint {
+        point,
+        tolerance,
+        inspection: found,
+        decided,
+    } = claimed;
+    let decided = decided.iter().map(|decided| {
+        let relation = if decided.is_within {
+            "at-most"
+        } else {
+            "more-than"
+        };
+        (relation, decided.distance.clone())
+    });
+    let mut asked: Vec<(&'static str, Rational)> = decided.collect();
+    // On a side whose tolerance is 0, the side of the point says it all.
+    let criterion = found.curve.filter(|_| !tolerance.is_zero());
+    match criterion {
         Some(true) => asked.push(("meets", tolerance.clone())),
         Some(false) => asked.push(("misses", tolerance.clone())),
         None => {}

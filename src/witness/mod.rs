@@ -14,7 +14,7 @@ mod proof;
 mod rays;
 mod sectors;
 
-pub(crate) use distance::{InspectedForm, inspected_point};
+pub(crate) use distance::{ClaimedPoint, InspectedForm, inspected_point};
 pub(crate) use equation::{factors, identity, irreducible, of_radius, unproved};
 pub(crate) use fit::fit_error;
 pub(crate) use forms::{curve_form, harmonic_form, radius_form, surface_form};

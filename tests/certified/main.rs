@@ -10,6 +10,8 @@ mod check_mistakes;
 mod check_numpy;
 mod inspect;
 mod inspect_cli;
+mod inspect_feet;
 mod inspect_forms;
 mod inspect_many;
+mod inspect_zones;
 mod topology;

@@ -16,6 +16,7 @@ mod harmonic_verbs;
 mod harmonics;
 mod hostile_proofs;
 mod implicitize_cli;
+mod inspect_options;
 mod language;
 mod language_parameters;
 mod least_squares;

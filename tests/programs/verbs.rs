@@ -16,7 +16,7 @@ use stellate::document::{
 use stellate::fit::{
     CenterChoice, FitModel, FitOptions, FitSize, MeshFitOptions, MeshFitSize, OutlineOptions,
 };
-use stellate::inspect::Verdict;
+use stellate::inspect::{ToleranceZone, Verdict};
 use stellate::language::Numbers;
 use stellate::picture::Window;
 use stellate::sample::Direction;
@@ -30,7 +30,8 @@ use stellate::verb::{
 use tempfile::TempDir;
 
 /// The options without a value.
-const FLAGS: [&str; 9] = [
+const FLAGS: [&str; 10] = [
+    "feet",
     "topology",
     "positive",
     "solid",
@@ -328,14 +329,27 @@ fn inspected(words: &Words, given: Given, folder: &Path, out: &mut Vec<u8>) {
         None => PointSource::Texts(words.all("point").to_vec()),
     };
     let dimension = points.dimension().unwrap();
-    let options = InspectionOptions::default().tolerance(words.number("tolerance").unwrap());
+    let zone: ToleranceZone = words.number("tolerance").unwrap();
+    let [low, high] = zone.limits().map(Clone::clone);
+    let mut options = InspectionOptions::default()
+        .tolerance(high)
+        .lower(Some(low));
+    if let Some(uncertainty) = words.number("uncertainty") {
+        options = options.uncertainty(uncertainty);
+    }
     let task = verb::inspect(given, dimension, &options, &work).unwrap();
     let format = words.format(Format::Csv);
     let mut writer = InspectionWriter::new(format, dimension, 16).unwrap();
     if words.one("keep").is_some() {
         writer = writer.keeping(points.other_names());
     }
-    let reading = ReadingOptions::default().with_ranges(format != Format::Csv);
+    let with_feet = words.one("feet").is_some();
+    if with_feet {
+        writer = writer.with_feet();
+    }
+    let reading = ReadingOptions::default()
+        .feet(with_feet)
+        .with_ranges(format != Format::Csv);
     task.all(points, &reading, &writer, out, &work).unwrap();
 }
 

@@ -3,11 +3,12 @@
 
 use stellate::exact::Rational;
 use stellate::fit::{CenterChoice, Column, Columns};
+use stellate::inspect::ToleranceZone;
 use stellate::picture::Window;
 use stellate::verb::{Bounds, Frame};
 
 use super::Read;
-use super::number::{advice, number};
+use super::number::{advice, number, positive};
 
 /// The fields of a list.
 pub(super) fn fields(text: &str) -> Vec<&str> {
@@ -73,6 +74,30 @@ pub(crate) fn columns(text: &str) -> Read<Columns> {
 pub(crate) fn column(text: &str) -> Read<Column> {
     text.parse()
         .map_err(|_| "expected a name or a number from 1, such as 3 or weight".into())
+}
+
+/// Reads a tolerance, or two limits of the signed distance.
+pub(crate) fn tolerance(text: &str) -> Read<ToleranceZone> {
+    let expected = "expected a tolerance such as 0.1, or two limits LOW ≤ 0 ≤ HIGH of the signed distance, not both 0, such as -0.02,0.05";
+    if fields(text).len() < 2 {
+        let tolerance = positive(text)?;
+        return ToleranceZone::within(tolerance).map_err(|error| error.to_string());
+    }
+    // 0,1 may be the number 0.1 as well; -1,2 cannot be a tolerance.
+    let is_negative = |text: &str| number(text).is_some_and(|low| low.signum() < 0);
+    if !is_negative(fields(text)[0])
+        && let Some(advice) = advice(text)
+    {
+        let limits = text.replacen(',', ";", 1);
+        return Err(match limits.parse::<ToleranceZone>() {
+            Ok(zone) => {
+                format!("{advice}; the limits {zone} are written with a semicolon: {limits}")
+            }
+            Err(_) => advice,
+        });
+    }
+    let [low, high] = exactly(text, expected)?;
+    ToleranceZone::new(low, high).map_err(|_| expected.into())
 }
 
 /// Reads a point that is inspected. Its coordinates remain texts, which are read exactly later.

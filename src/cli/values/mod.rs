@@ -7,7 +7,9 @@ mod number;
 mod time;
 
 pub(crate) use angle::{Angle, angle, degrees, range, view};
-pub(crate) use list::{center, column, columns, frame, marked_point, point, space_window};
+pub(crate) use list::{
+    center, column, columns, frame, marked_point, point, space_window, tolerance,
+};
 pub(crate) use number::{positive, whole};
 pub(crate) use time::time;
 

@@ -8,6 +8,7 @@
 
 mod expansion;
 mod flat;
+mod foot;
 mod isolate;
 mod search;
 mod waves;

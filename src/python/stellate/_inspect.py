@@ -31,8 +31,10 @@ class InspectOptions(CommonOptions, total=False):
 def inspect(
     given: FormLike,
     points: Points,
-    tolerance: Number,
+    tolerance: Number | tuple[Number, Number],
     *,
+    uncertainty: Number | None = None,
+    feet: bool = False,
     names: Sequence[str] = AXES,
     reach: float | None = None,
     digits: int = 6,
@@ -56,8 +58,13 @@ def inspect(
         A surface, or a curve of the plane (for points in space a cylinder) or of space.
     points : array_like of float64, shape (…, 2) or (…, 3), or a table with Arrow's PyCapsule interface
         Each double is taken exactly. Arrays and Arrow columns of doubles are read in place.
-    tolerance : number or text
-        The largest distance that is inside, exactly: ``"0.1"`` is a tenth, ``0.1`` the double.
+    tolerance : number or text, or a pair of them
+        The largest distance that is inside, exactly: ``"0.1"`` is a tenth, ``0.1`` the double. Two limits ``(low, high)`` with
+        low ≤ 0 ≤ high are those of the signed distance, which is negative inside a form with sides.
+    uncertainty : number or text
+        The true point is at most this far from the measured one: points for which the verdict depends on it are uncertain.
+    feet : bool
+        Find the nearest point of the form, the normal there and bounds of the signed distance, too.
     names : sequence of str
         Of a table: the columns of the coordinates; the third may be missing.
     reach : float
@@ -99,13 +106,26 @@ def inspect(
             axes, row = [axis[good] for axis in axes], row[good]
             shape = row.shape
     progress = asked.verb.pop("progress", None)
-    verb = dict(asked.verb, tolerance=exact(tolerance), reach=reach, digits=digits, budget=budget)
+    limits = _limits(tolerance)
+    if uncertainty is not None:
+        limits["uncertainty"] = exact(uncertainty)
+    verb = dict(asked.verb, **limits, reach=reach, digits=digits, budget=budget)
     found = form(given)
     inspector = found._inspector(len(axes), native_options(verb), asked.reading, progress)
-    answers = inspector.inspect(axes, progress)
+    answers, at = inspector.inspect_with_feet(axes, progress) if feet else (inspector.inspect(axes, progress), None)
     _draw(found.source(asked.reading), csv_table(axes, AXES) if plot or report or cloud or proof else b"",
           dict(verb, window=floats(window)), plot, report, cloud, proof)  # fmt: skip
-    return Inspection(answers, shape, row, table if keep else None)
+    return Inspection(answers, shape, row, table if keep else None, at)
+
+
+def _limits(tolerance: Number | tuple[Number, Number]) -> dict[str, Any]:
+    """The options for a tolerance, or for two limits."""
+    if not isinstance(tolerance, (tuple, list)):
+        return {"tolerance": exact(tolerance)}
+    if len(tolerance) != 2:
+        raise InputError("tolerance: one number, or a pair (low, high) of limits of the signed distance")
+    low, high = (exact(limit) for limit in tolerance)
+    return {"lower": low, "tolerance": high}
 
 
 def _draw(

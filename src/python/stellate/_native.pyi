@@ -38,6 +38,12 @@ class Inspector:
     def inspect(
         self, columns: Sequence[_Doubles], progress: _Progress
     ) -> tuple[_Codes, _Codes, _Doubles, _Doubles, _Codes]: ...
+    def inspect_with_feet(
+        self, columns: Sequence[_Doubles], progress: _Progress
+    ) -> tuple[
+        tuple[_Codes, _Codes, _Doubles, _Doubles, _Codes],
+        tuple[_Doubles, _Doubles, _Doubles, _Doubles],
+    ]: ...
     def sign(self, columns: Sequence[_Doubles], progress: _Progress) -> _Codes: ...
 
 class Radius:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     Flags = np.ma.MaskedArray[Any, np.dtype[np.bool_]]
 
 Codes = npt.NDArray[np.int8]
-VERDICTS = ("inside", "outside", "undecided")
+VERDICTS = ("inside", "outside", "undecided", "uncertain")
 # What stands for an answer that there is not, in native columns of −1, 0 and 1.
 NONE = 2
 
@@ -42,18 +42,26 @@ class Inspection(Table):
     Attributes
     ----------
     verdict : ndarray of str
-        ``"inside"`` for a distance of at most the tolerance, else ``"outside"``, exactly; ``"undecided"`` if ``budget`` was too small.
+        ``"inside"`` for a distance of at most the tolerance, or a signed distance within the limits, else ``"outside"``, exactly;
+        ``"uncertain"`` if that depends on where the true point is; ``"undecided"`` if ``budget`` was too small.
     curve : masked array of bool
         The paper's criterion: whether the form meets the sphere about the point whose radius is the tolerance. Masked: undecided.
     distance_low, distance_high : ndarray of float64
         Certified bounds of the distance, in the units of the form.
     sign : masked array of int8
         −1 inside, 0 on the form, 1 outside. Masked where a point has no side: for open curves and space curves.
+    foot, normal : ndarray of float64, shape (…, 2) or (…, 3), or None
+        With ``feet=True``: the nearest point of the form, and the unit normal of the form there, approximately; NaN where there is none.
+    signed_low, signed_high : ndarray of float64, or None
+        With ``feet=True``: certified bounds of the signed distance; NaN where a point has no side.
     row : ndarray of int64
         The numbers of the points, from 0; some are missing only with ``skip_bad=True``.
     """
 
-    __slots__ = ("_codes", "_curve", "_sign", "_kept", "_shape", "distance_low", "distance_high", "row")
+    __slots__ = (
+        "_codes", "_curve", "_sign", "_kept", "_shape", "distance_low", "distance_high", "row",
+        "foot", "normal", "signed_low", "signed_high",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -61,6 +69,7 @@ class Inspection(Table):
         shape: tuple[int, ...],
         row: npt.NDArray[np.int64],
         kept: pa.Table | None,
+        feet: tuple[Doubles, Doubles, Doubles, Doubles] | None = None,
     ) -> None:
         codes, curve, low, high, sign = found
         self._codes, self._curve, self._sign = (c.reshape(shape) for c in (codes, curve, sign))
@@ -69,6 +78,14 @@ class Inspection(Table):
         self.row = row
         self._kept = kept
         self._shape = shape
+        self.foot: Doubles | None = None
+        self.normal: Doubles | None = None
+        self.signed_low: Doubles | None = None
+        self.signed_high: Doubles | None = None
+        if feet is not None:
+            foot, normal, signed_low, signed_high = feet
+            self.foot, self.normal = (v.reshape(*shape, v.size // max(codes.size, 1)) for v in (foot, normal))
+            self.signed_low, self.signed_high = (v.reshape(shape) for v in (signed_low, signed_high))
 
     @property
     def verdict(self) -> npt.NDArray[np.str_]:
@@ -91,11 +108,13 @@ class Inspection(Table):
         return self._codes.size
 
     def __repr__(self) -> str:
-        counts = ", ".join(f"{(self._codes == k).sum()} {name}" for k, name in enumerate(VERDICTS))
-        return f"<stellate inspection: {counts}>"
+        counts = [(name, (self._codes == k).sum()) for k, name in enumerate(VERDICTS)]
+        shown = ", ".join(f"{count} {name}" for name, count in counts if count or name != "uncertain")
+        return f"<stellate inspection: {shown}>"
 
     def to_arrow(self) -> pa.Table:
-        """The columns ``verdict, curve, distance_low, distance_high, sign``; with ``keep=True`` behind those of the points."""
+        """The columns ``verdict, curve, distance_low, distance_high, sign``, and with ``feet=True`` those of the feet as in the program's
+        table, null where there is none; with ``keep=True`` behind those of the points."""
         import pyarrow
 
         def flat(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
@@ -109,6 +128,13 @@ class Inspection(Table):
             "distance_high": pyarrow.array(flat(self.distance_high)),
             "sign": pyarrow.array(flat(self._sign), mask=flat(self._sign == NONE)),
         }
+        for name, vectors in (("foot", self.foot), ("normal", self.normal)):
+            if vectors is not None:
+                for k, axis in enumerate("xyz"[: vectors.shape[-1]]):
+                    columns[f"{name}_{axis}"] = pyarrow.array(flat(vectors[..., k]), from_pandas=True)
+        for name, bounds in (("signed_low", self.signed_low), ("signed_high", self.signed_high)):
+            if bounds is not None:
+                columns[name] = pyarrow.array(flat(bounds), from_pandas=True)
         if self._kept is None:
             return pyarrow.table(columns)
         table = self._kept

@@ -1,0 +1,271 @@
+//! The foot of a point on the zero set of an equation.
+
+use super::{FootCandidate, SINGULAR, largest, unit};
+use crate::exact::Rational;
+use crate::inspect::distance::{Goal, nearest};
+use crate::inspect::exact::{critical_point, rational_zero, refined_foot};
+use crate::inspect::foot::{approach, stationary};
+use crate::inspect::inspector::Inspector;
+use crate::inspect::{DistanceBounds, Inspection};
+use crate::intervals::{Field, Interval, distance, dot, rational, rationals};
+
+/// A foot in doubles is refined exactly if the error of f moves it by more than this part of its size.
+const ROUNDING: f64 = 4e-16;
+/// A foot is on the surface, but for rounding, up to this part of its size.
+const NEARLY: f64 = 2e-15;
+/// The number of bits after the point of a refined foot, for a size of 1.
+const BITS: i64 = 128;
+/// A singular point is looked for among the simplest fractions within these parts of the size.
+const SIMPLE: [f64; 2] = [1e-9, 1e-5];
+/// The largest number of steps with exact values.
+const EXACT_STEPS: usize = 40;
+/// The precision of a foot that is approached in tangent planes.
+const APPROACHED: f64 = 1e-15;
+
+impl Inspector {
+    /// The foot of a point, given in original coordinates, with what was found for it.
+    pub(crate) fn foot(&self, point: &[Rational; 3], found: &Inspection) -> Option<super::Foot> {
+        let own = &*self.relative(point);
+        let from = own.each_ref().map(Rational::to_f64);
+        let bounds = &found.distance;
+        if !bounds.high.is_finite() || from.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let best = self
+            .by_starts(own, from, bounds, |field, p| self.start(field, p))
+            .or_else(|| {
+                self.by_starts(own, from, bounds, |field, p| {
+                    self.starts_by_cubes(field, p, bounds)
+                })
+            })?;
+        // Back to original coordinates.
+        let offset: [Rational; 3] = std::array::from_fn(|i| &point[i] - &own[i]);
+        let moved = std::array::from_fn(|i| (rational(best.foot.point[i]) + &offset[i]).to_f64());
+        let mut candidate = best;
+        if offset.iter().any(|x| !x.is_zero()) {
+            candidate.foot.point = moved;
+        }
+        candidate.checked(point.each_ref().map(Rational::to_f64), bounds)
+    }
+
+    /// The nearest one of the feet from the starting points for each factor.
+    fn by_starts(
+        &self,
+        point: &[Rational; 3],
+        from: [f64; 3],
+        bounds: &DistanceBounds,
+        starts: impl Fn(&Field, [f64; 3]) -> Vec<[f64; 3]>,
+    ) -> Option<FootCandidate> {
+        let mut best: Option<(f64, FootCandidate)> = None;
+        for (k, field) in self.factors().iter().enumerate() {
+            // A cylinder is inspected in the plane of x and y.
+            let mut p = from;
+            let mut exactly = point.clone();
+            if field.is_flat() {
+                p[2] = 0.0;
+                exactly[2] = Rational::zero();
+            }
+            for start in starts(field, p) {
+                for mut candidate in self.candidates(k, &exactly, p, start) {
+                    if field.is_flat() {
+                        candidate.foot.point[2] = from[2];
+                    }
+                    let length = distance(candidate.foot.point, from);
+                    if candidate.checked(from, bounds).is_some()
+                        && best.as_ref().is_none_or(|(least, _)| length < *least)
+                    {
+                        best = Some((length, candidate));
+                    }
+                }
+            }
+        }
+        best.map(|(_, candidate)| candidate)
+    }
+
+    fn start(&self, field: &Field, p: [f64; 3]) -> Vec<[f64; 3]> {
+        let size = largest(&p);
+        let near = approach(field, p, p, APPROACHED)
+            .or_else(|| approach(field, p, p, 1e-9))
+            .or_else(|| stationary(field, p, p));
+        // The point itself, if it is on the surface.
+        let is_on = |q: &[f64; 3]| distance(*q, p) <= ROUNDING * size;
+        match near {
+            Some(q) if !is_on(&q) => vec![q],
+            Some(q) => vec![q, p],
+            None => vec![p],
+        }
+    }
+
+    /// Places near the nearest zeros, by a search of cubes.
+    fn starts_by_cubes(
+        &self,
+        field: &Field,
+        p: [f64; 3],
+        bounds: &DistanceBounds,
+    ) -> Vec<[f64; 3]> {
+        let reach = (Interval::from(bounds.high) * (1.0 + 1e-6)).high();
+        let goal = Goal {
+            reach: reach.max(f64::MIN_POSITIVE),
+            tolerance: 0.0,
+            relative: self.goal.relative,
+            cubes: self.cubes_for(field),
+        };
+        let known = DistanceBounds {
+            low: (Interval::from(bounds.low) * (1.0 - 1e-6)).or_zero().low(),
+            high: f64::INFINITY,
+        };
+        nearest(field, p, field.sign(p), known, goal, &self.limits).near
+    }
+
+    /// The feet that are found from a starting point: regular ones, or else a singular one.
+    fn candidates(
+        &self,
+        factor: usize,
+        exactly: &[Rational; 3],
+        p: [f64; 3],
+        start: [f64; 3],
+    ) -> Vec<FootCandidate> {
+        let field = &self.factors()[factor];
+        let in_doubles = stationary(field, p, start);
+        let approached = approach(field, p, start, APPROACHED);
+        let mut found = Vec::new();
+        for q in in_doubles.into_iter().chain(approached).chain([start]) {
+            if let Some(candidate) = self.regular(factor, exactly, q) {
+                found.push(candidate);
+                if candidate.off <= NEARLY * largest(&q).max(largest(&p)) {
+                    return found;
+                }
+            }
+        }
+        // Where doubles lose all digits of f, exact values do not.
+        if self.is_exact_possible(field)
+            && let Some(q) = approach_exactly(field, exactly, start)
+        {
+            found.extend(self.regular(factor, exactly, q));
+        }
+        found.extend(singular(field, p, start));
+        found
+    }
+
+    /// A foot near q at which the gradient is not 0.
+    fn regular(
+        &self,
+        factor: usize,
+        exactly: &[Rational; 3],
+        q: [f64; 3],
+    ) -> Option<FootCandidate> {
+        let field = &self.factors()[factor];
+        let p = exactly.each_ref().map(Rational::to_f64);
+        let size = largest(&q).max(largest(&p)).max(f64::MIN_POSITIVE);
+        let mut q = q;
+        let (mut gradient, mut off) = gradient_and_off(field, q)?;
+        if off > ROUNDING * size && self.is_exact_possible(field) {
+            // 2^exponent is about the size.
+            let exponent = size.log2().clamp(-900.0, 900.0).ceil();
+            #[expect(clippy::cast_possible_truncation, reason = "at most 900 in size")]
+            let bits = BITS - exponent as i64;
+            let refined = refined_foot(field, exactly, &rationals(q), bits.max(16), &self.limits);
+            if let Some(refined) = refined {
+                q = refined.each_ref().map(Rational::to_f64);
+                (gradient, off) = gradient_and_off(field, q)?;
+            }
+        }
+        let bend = field.local(q).hessian().amax();
+        let steepness = dot(gradient, gradient).sqrt();
+        if steepness.is_nan() || steepness <= SINGULAR * bend * size {
+            return None;
+        }
+        let normal = self
+            .outward(factor, q)
+            .and_then(|sign| unit(gradient.map(|g| sign * g)));
+        let foot = super::Foot { point: q, normal };
+        Some(FootCandidate { foot, off })
+    }
+
+    /// 1 or −1 if the polynomial grows along the gradient of a factor or against it; `None` if it does neither: the factor is repeated an
+    /// even number of times, or another one vanishes there, too.
+    fn outward(&self, factor: usize, q: [f64; 3]) -> Option<f64> {
+        let mut sign = 1.0;
+        for (k, (field, multiplicity)) in
+            self.factors().iter().zip(self.multiplicities()).enumerate()
+        {
+            match (k == factor, multiplicity % 2) {
+                (true, 0) => return None,
+                (true, _) => {}
+                (false, odd) => {
+                    let mut q = q;
+                    if field.is_flat() {
+                        q[2] = 0.0;
+                    }
+                    let value = field.value(q);
+                    let slope = field.gradient(q);
+                    if value.abs() <= super::SLACK * largest(&q) * dot(slope, slope).sqrt() {
+                        return None;
+                    }
+                    if odd == 1 {
+                        sign *= value.signum();
+                    }
+                }
+            }
+        }
+        Some(sign)
+    }
+}
+
+/// A foot near `start`, by steps to the nearest points in tangent planes, or else by those of Newton's method, with exact values of f and
+/// its gradient at doubles.
+fn approach_exactly(field: &Field, p: &[Rational; 3], start: [f64; 3]) -> Option<[f64; 3]> {
+    let mut q = start;
+    let mut last = f64::INFINITY;
+    for step in 0..EXACT_STEPS {
+        let at = rationals(q);
+        let (value, gradient) = field.exact_value_and_gradient(&at);
+        let square: Rational = gradient.iter().map(|g| g * g).sum();
+        let back: [Rational; 3] = std::array::from_fn(|i| &p[i] - &at[i]);
+        let along: Rational = gradient.iter().zip(&back).map(|(g, b)| g * b).sum();
+        let weight = (value + along) * square.recip()?;
+        let next = std::array::from_fn(|i| (&p[i] - &(&weight * &gradient[i])).to_f64());
+        let moved = distance(next, q);
+        // Far from the surface the steps may become longer.
+        if !moved.is_finite() || step > 2 && moved >= last {
+            return (moved <= NEARLY * largest(&q)).then_some(q);
+        }
+        (q, last) = (next, moved);
+    }
+    Some(q)
+}
+
+/// The gradient of f, and about the distance of a point from the zeros of f, both by exact values.
+fn gradient_and_off(field: &Field, q: [f64; 3]) -> Option<([f64; 3], f64)> {
+    let (value, gradient) = field.exact_value_and_gradient(&rationals(q));
+    let gradient = gradient.each_ref().map(Rational::to_f64);
+    let off = value.abs().to_f64() / dot(gradient, gradient).sqrt();
+    off.is_finite().then_some((gradient, off))
+}
+
+/// A zero near a point at which the gradient is 0, too.
+fn singular(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<FootCandidate> {
+    let near = critical_point(field, start).unwrap_or(start);
+    let size = largest(&p).max(largest(&start));
+    for q in [near, start] {
+        for width in SIMPLE {
+            let width = rational(width * size);
+            if width.is_zero() {
+                continue;
+            }
+            if let Some(zero) = rational_zero(field, &rationals(q), &width) {
+                return Some(FootCandidate::on_form(zero.map(|x| x.to_f64()), None));
+            }
+        }
+    }
+    // |f| ≈ |H| t²/2 at the distance t of a zero. The value is exact, because doubles would cancel.
+    let bend = field.local(near).hessian().amax();
+    let off = (2.0 * field.exact_value(near).abs().to_f64() / bend).sqrt();
+    off.is_finite().then_some(FootCandidate {
+        foot: super::Foot {
+            point: near,
+            normal: None,
+        },
+        off,
+    })
+}

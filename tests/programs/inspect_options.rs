@@ -1,0 +1,362 @@
+//! Limits of the signed distance, uncertainties and feet on the command line.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::json;
+use tempfile::TempDir;
+
+use crate::common::program::{Run, json, run_in};
+
+/// Points at the signed distances −2, −1, −0.02, 0, 0.05, 0.06 and 1 from the circle of radius 5.
+const POINTS: &str =
+    "x,y,id\n1.8,2.4,a\n2.4,3.2,b\n2.988,3.984,c\n3,4,d\n3.03,4.04,e\n3.036,4.048,f\n3.6,4.8,g\n";
+
+fn inspect(folder: &Path, form: &str, more: &str) -> Run {
+    fs::write(folder.join("p.csv"), POINTS).unwrap();
+    let words = more.split_whitespace();
+    let arguments = ["inspect", form, "--points", "p.csv"]
+        .into_iter()
+        .chain(words);
+    run_in(folder, &arguments.collect::<Vec<_>>(), "")
+}
+
+fn verdicts(run: &Run) -> Vec<&str> {
+    run.out
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').nth(2).unwrap())
+        .collect()
+}
+
+const FORMS: [&str; 3] = ["x^2 + y^2 = 25", "r = 5", "x = 5*cos(t); y = 5*sin(t)"];
+
+#[test]
+fn two_limits_decide_by_the_signed_distance() {
+    let folder = TempDir::new().unwrap();
+    for form in FORMS {
+        let run = inspect(folder.path(), form, "--tolerance=-0.02,0.05");
+        let [inside, outside] = ["inside", "outside"];
+        assert_eq!(
+            verdicts(&run),
+            [outside, outside, inside, inside, inside, outside, outside]
+        );
+        assert_eq!(run.code, 1);
+        assert!(
+            run.err
+                .contains("7 points: 3 inside, 4 outside, 0 undecided"),
+            "{}",
+            run.err
+        );
+        // The value may be a word of its own, and a limit may be 0.
+        let run = inspect(folder.path(), form, "--tolerance -1,0");
+        assert_eq!(
+            verdicts(&run),
+            [outside, inside, inside, inside, outside, outside, outside]
+        );
+        let criterion: Vec<&str> = run
+            .out
+            .lines()
+            .skip(1)
+            .map(|row| row.split(',').nth(3).unwrap())
+            .collect();
+        assert_eq!(
+            criterion,
+            ["false", "true", "true", "true", "false", "false", "false"]
+        );
+        let run = inspect(folder.path(), form, "--tolerance=0;1");
+        assert_eq!(
+            verdicts(&run)[2..],
+            [outside, inside, inside, inside, inside]
+        );
+        let [one, two] =
+            ["--tolerance 1", "--tolerance=-1,1"].map(|t| inspect(folder.path(), form, t));
+        assert_eq!((one.out, one.err, one.code), (two.out, two.err, two.code));
+    }
+}
+
+#[test]
+fn the_document_says_what_was_asked() {
+    let folder = TempDir::new().unwrap();
+    let run = inspect(
+        folder.path(),
+        "r = 5",
+        "--tolerance=-0.02,0.05 --format json",
+    );
+    let document = json(&run.out);
+    assert_eq!(document["tolerance"], json!(["-1/50", "1/20"]));
+    assert!(document.get("uncertainty").is_none());
+    let histogram = &document["summary"]["histogram"];
+    assert_eq!(
+        (histogram["below"].clone(), histogram["above"].clone()),
+        (json!(2), json!(2))
+    );
+    assert_eq!(histogram["within"], json!([1, 0, 1, 0, 0, 0, 0, 0, 0, 1]));
+    let run = inspect(
+        folder.path(),
+        "r = 5",
+        "--tolerance 1 --uncertainty 0.01 --format json",
+    );
+    let document = json(&run.out);
+    assert_eq!(
+        (
+            document["tolerance"].clone(),
+            document["uncertainty"].clone()
+        ),
+        (json!("1"), json!("1/100"))
+    );
+    assert_eq!(document["summary"]["uncertain"], 2);
+    assert_eq!(document["points"][1]["verdict"], "uncertain");
+}
+
+#[test]
+fn uncertain_points_do_not_conform() {
+    let folder = TempDir::new().unwrap();
+    for form in FORMS {
+        let run = inspect(folder.path(), form, "--tolerance 1 --uncertainty 1/20");
+        assert_eq!(
+            verdicts(&run),
+            [
+                "outside",
+                "uncertain",
+                "inside",
+                "inside",
+                "inside",
+                "inside",
+                "uncertain"
+            ]
+        );
+        assert!(
+            run.err
+                .contains("7 points: 4 inside, 1 outside, 2 uncertain, 0 undecided"),
+            "{}",
+            run.err
+        );
+        assert_eq!(run.code, 1);
+        // No point is outside, but one is not proved to be inside.
+        let arguments = [
+            "inspect",
+            form,
+            "--tolerance",
+            "1",
+            "--uncertainty",
+            "0.1",
+            "--point",
+            "3.6,4.8",
+        ];
+        let run = run_in(folder.path(), &arguments, "");
+        assert_eq!((run.code, verdicts(&run)), (1, vec!["uncertain"]));
+        // The inner zone of one-sided limits begins on the outer side.
+        let run = inspect(folder.path(), form, "--tolerance 0,0.06 --uncertainty 0.01");
+        assert_eq!(
+            verdicts(&run),
+            [
+                "outside",
+                "outside",
+                "outside",
+                "uncertain",
+                "inside",
+                "uncertain",
+                "outside"
+            ]
+        );
+        let run = inspect(folder.path(), form, "--tolerance 1 --uncertainty 2");
+        assert!(
+            run.err.contains(
+                "note: the uncertainty takes up the tolerance: no point can be proved to be inside"
+            ),
+            "{}",
+            run.err
+        );
+        assert!(!verdicts(&run).contains(&"inside"));
+    }
+}
+
+#[test]
+fn feet_stand_behind_the_sign_and_before_kept_columns() {
+    let folder = TempDir::new().unwrap();
+    for form in FORMS {
+        let run = inspect(folder.path(), form, "--tolerance 1 --feet --keep");
+        let mut rows = run
+            .out
+            .lines()
+            .map(|row| row.split(',').collect::<Vec<_>>());
+        assert_eq!(
+            rows.next().unwrap().join(","),
+            "x,y,verdict,curve,distance_low,distance_high,sign,foot_x,foot_y,normal_x,normal_y,signed_low,signed_high,id"
+        );
+        for (row, (id, signed)) in rows.zip([
+            ("a", -2.0),
+            ("b", -1.0),
+            ("c", -0.02),
+            ("d", 0.0),
+            ("e", 0.05),
+            ("f", 0.06),
+            ("g", 1.0),
+        ]) {
+            let numbers: Vec<f64> = row[7..13].iter().map(|x| x.parse().unwrap()).collect();
+            for (found, expected) in numbers.iter().zip([3.0, 4.0, 0.6, 0.8]) {
+                assert!((found - expected).abs() < 4e-15, "{row:?}");
+            }
+            assert!(
+                numbers[4] <= signed && signed <= numbers[5] && numbers[5] - numbers[4] < 1e-5,
+                "{row:?}"
+            );
+            assert_eq!(row[13], id);
+        }
+    }
+    // Without sides there is no sign, and in space a curve has no normal.
+    let run = run_in(
+        folder.path(),
+        &[
+            "inspect",
+            "x = 3*cos(t); y = 3*sin(t); z = 0",
+            "--tolerance",
+            "1",
+            "--point",
+            "4,0,0",
+            "--feet",
+        ],
+        "",
+    );
+    let row = run.out.lines().nth(1).unwrap();
+    let fields: Vec<&str> = row.split(',').collect();
+    assert_eq!(
+        (fields.len(), &fields[8..9], &fields[11..]),
+        (16, &["3.0"][..], &["", "", "", "", ""][..]),
+        "{row}"
+    );
+    let arguments = [
+        "inspect",
+        "R = 3",
+        "--tolerance",
+        "1",
+        "--point",
+        "0,0,4",
+        "--feet",
+    ];
+    let document = run_in(
+        folder.path(),
+        &[&arguments[..], &["--format", "json"]].concat(),
+        "",
+    );
+    let document = json(&document.out);
+    assert_eq!(
+        document["points"][0]["foot"]["point"],
+        json!([0.0, 0.0, 3.0])
+    );
+    assert_eq!(
+        document["points"][0]["foot"]["normal"],
+        json!([0.0, 0.0, 1.0])
+    );
+    let text = run_in(
+        folder.path(),
+        &[&arguments[..], &["--format", "text"]].concat(),
+        "",
+    );
+    assert!(
+        text.out
+            .contains("its foot is about (0.0, 0.0, 3.0), with the normal (0.0, 0.0, 1.0)"),
+        "{}",
+        text.out
+    );
+}
+
+#[test]
+fn a_foot_that_is_not_found_is_counted() {
+    let folder = TempDir::new().unwrap();
+    let run = inspect(
+        folder.path(),
+        "r = 5",
+        "--tolerance 0.01 --reach 1.5 --feet",
+    );
+    // The bounds of the distance of the first point are not known either, but its side is.
+    let first = run.out.lines().nth(1).unwrap();
+    assert!(run.code == 1 && !first.contains("NaN"), "{first}");
+    let run = inspect(
+        folder.path(),
+        "x^2 + y^2 = 25",
+        "--tolerance 0.01 --reach 1.5 --feet",
+    );
+    let first = run.out.lines().nth(1).unwrap();
+    assert!(first.contains(",-1,,,,,-inf,-1.9999"), "{first}");
+    assert!(
+        run.err
+            .contains("of 1 point no foot was found that passes the check"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
+fn reports_clouds_and_pictures_know_the_limits() {
+    let folder = TempDir::new().unwrap();
+    let run = inspect(
+        folder.path(),
+        "r = 5",
+        "--tolerance=-1,0.1 --uncertainty 0.04 --report r --cloud c.ply --plot p.svg -o v.csv",
+    );
+    assert_eq!(run.code, 1, "{}", run.err);
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    let page = String::from_utf8(read("r/index.html")).unwrap();
+    for text in [
+        "tolerance -1 to 1/10, uncertainty 1/25",
+        "<th scope=\"row\">uncertain</th><td>1</td>",
+        "signed distance is from -1 to 1/10 wherever",
+        "<th scope=\"row\">below −1.0</th><td class=\"number\">1</td>",
+        "<th scope=\"row\">−0.01 to 0.1</th>",
+        "<th scope=\"row\">above 0.1</th>",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    let svg = String::from_utf8(read("p.svg")).unwrap();
+    for text in [
+        "inside: signed distance -1 to 1/10",
+        "outside: signed distance not",
+        "uncertain: known within 1/25",
+        "the tolerance of its side",
+    ] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let cloud = read("c.ply");
+    let head = b"ply\nformat binary_little_endian 1.0\ncomment stellate inspect, tolerance -1 to 1/10, uncertainty 1/25\n";
+    assert!(cloud.starts_with(head));
+    // The second point is uncertain, and blue: 43 bytes for each point.
+    let from_end = |k: usize| &cloud[cloud.len() - 43 * (7 - k) + 40..][..3];
+    assert_eq!(
+        (from_end(0), from_end(1), from_end(2)),
+        (&[213, 94, 0][..], &[0, 114, 178][..], &[0, 120, 90][..])
+    );
+}
+
+#[test]
+fn what_was_decided_can_be_verified() {
+    let folder = TempDir::new().unwrap();
+    for (form, options) in [
+        ("r = 5", "--tolerance=-0.02,0.05"),
+        ("x^2 + y^2 = 25", "--tolerance=-1,0"),
+        ("x^2 + y^2 = 25", "--tolerance 1 --uncertainty 1/20"),
+        ("r = 5", "--tolerance 0,0.06 --uncertainty 0.01"),
+    ] {
+        let run = inspect(
+            folder.path(),
+            form,
+            &format!("{options} --proof proof.json"),
+        );
+        assert!(run.err.contains("note: proof: "), "{}", run.err);
+        let verified = run_in(folder.path(), &["verify", "proof.json"], "");
+        assert_eq!(verified.code, 0, "{}", verified.out);
+    }
+    // The claims are about the distances that the verdicts compare with.
+    let text = fs::read_to_string(folder.path().join("proof.json")).unwrap();
+    for bound in [
+        "\"bound\":\"1/20\"",
+        "\"bound\":\"1/100\"",
+        "\"bound\":\"7/100\"",
+    ] {
+        assert!(text.contains(bound), "{bound}");
+    }
+    assert!(text.contains("\"claim\":\"side\""));
+}
