@@ -251,11 +251,21 @@ fn as_f64(k: usize) -> f64 {
     k as f64
 }
 
-/// Writes the points that are farthest away.
+/// Writes the points that are farthest away, or beyond their limits by the most.
 fn write_worst(head: &ReportHead, points: &[KeptPoint], out: &mut dyn Write) -> Result<()> {
     let mut order: Vec<usize> = (0..points.len()).collect();
-    let low = |k: usize| points[k].inspection.distance.low;
-    order.sort_by(|&a, &b| low(b).total_cmp(&low(a)));
+    let limits = head.zone.limits().map(Rational::to_f64);
+    // The distance, or by how much it is more than the tolerance of the point's side.
+    let excess = |k: usize| {
+        let found = &points[k].inspection;
+        let allowed = match (head.zone.tolerance(), found.sign) {
+            (Some(_), _) => 0.0,
+            (None, Some(-1)) => -limits[0],
+            (None, _) => limits[1],
+        };
+        found.distance.low - allowed
+    };
+    order.sort_by(|&a, &b| excess(b).total_cmp(&excess(a)));
     order.truncate(WORST);
     if order.is_empty() {
         return Ok(());

@@ -27,6 +27,8 @@ pub struct ToleranceZone {
     low: Rational,
     high: Rational,
     uncertainty: Rational,
+    /// Whether the limits are −D and D.
+    is_single: bool,
 }
 
 /// What is asked of the distance d of a point on one side of a form.
@@ -68,6 +70,7 @@ impl ToleranceZone {
             )));
         }
         Ok(Self {
+            is_single: low == -high.clone(),
             low,
             high,
             uncertainty: Rational::zero(),
@@ -124,7 +127,7 @@ impl ToleranceZone {
     /// The tolerance D, if the limits are −D and D.
     #[must_use]
     pub fn tolerance(&self) -> Option<&Rational> {
-        (self.low == -self.high.clone()).then_some(&self.high)
+        self.is_single.then_some(&self.high)
     }
 
     /// The tolerance of the side of a point with this sign: −LOW inside, HIGH outside. On the form, and where the side is not known,

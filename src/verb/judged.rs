@@ -19,7 +19,6 @@ impl InspectionTask {
     ) -> Inspection {
         let zone = self.zone();
         let mut found = ask(&self.against);
-        let base = zone.tolerance_of_side(None);
         let mut decide = |distance: &Rational, is_within: bool| {
             if let Some(decided) = &mut decided {
                 decided.push(DecidedDistance {
@@ -34,11 +33,12 @@ impl InspectionTask {
             Verdict::Uncertain | Verdict::Undecided => None,
         };
         if zone.tolerance().is_some() && !zone.is_uncertain() {
-            if let Some(is_within) = of_base {
-                decide(&base, is_within);
+            if let (Some(is_within), Some(tolerance)) = (of_base, zone.tolerance()) {
+                decide(tolerance, is_within);
             }
             return found;
         }
+        let base = zone.tolerance_of_side(None);
         let sign = found.sign;
         let is_on = match (sign, found.distance) {
             (Some(sign), _) => Some(sign == 0),

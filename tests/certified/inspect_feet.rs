@@ -191,6 +191,22 @@ fn doubles_need_not_keep_a_digit_of_the_polynomial() {
             "{found:?}"
         );
     }
+    // The same ellipse there and about the origin, where doubles are good enough.
+    let far = task("((x - 1000000)/2)^2 + (y - 2000000)^2 = 4", 2);
+    let near = task("x^2/4 + y^2 = 4", 2);
+    for p in [[6.0, 5.0, 0.0], [1.0, -0.5, 0.0], [-3.0, 9.0, 0.0]] {
+        let expected = foot_of(&near, p).unwrap();
+        let moved = [1e6, 2e6, 0.0];
+        let found = foot_of(&far, along(p, 1.0, moved)).unwrap();
+        assert!(
+            length(minus(minus(found.point, moved), expected.point)) < 2e-9,
+            "{p:?} {found:?}"
+        );
+        assert!(
+            length(minus(found.normal.unwrap(), expected.normal.unwrap())) < 2e-9,
+            "{p:?}"
+        );
+    }
 }
 
 #[test]

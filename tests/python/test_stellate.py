@@ -160,6 +160,31 @@ def test_the_options_of_the_program():
     assert len(small.vertices) > 50 and small.to_arrow().num_rows == len(small.vertices)
 
 
+def test_limits_uncertainties_and_feet():
+    points = [[2.4, 3.2], [2.97, 3.96], [3.03, 4.04], [3.6, 4.8]]
+    for form in ("x^2 + y^2 = 25", "r = 5", "x = 5*cos(t); y = 5*sin(t)"):
+        found = stellate.inspect(form, points, ("-0.06", "0.02"), feet=True)
+        assert found.verdict.tolist() == ["outside", "inside", "outside", "outside"]
+        assert np.allclose(found.foot, [[3, 4]] * 4, rtol=0, atol=1e-14)
+        assert np.allclose(found.normal, [[0.6, 0.8]] * 4, rtol=0, atol=1e-14)
+        signed = np.array([-1, -0.05, 0.05, 1])
+        assert (found.signed_low <= signed + 1e-15).all() and (signed - 1e-15 <= found.signed_high).all()
+        table = found.to_arrow()
+        assert table.column_names[5:] == ["foot_x", "foot_y", "normal_x", "normal_y", "signed_low", "signed_high"]
+        uncertain = stellate.inspect(form, points, "0.5", uncertainty="0.48")
+        assert uncertain.verdict.tolist() == ["outside", "uncertain", "uncertain", "outside"]
+        assert repr(uncertain) == "<stellate inspection: 0 inside, 2 outside, 0 undecided, 2 uncertain>"
+        assert uncertain.foot is None and uncertain.signed_low is None
+    one = stellate.inspect("R = 3", [2.0, -4.0, 4.0], 1, feet=True)
+    assert one.foot.shape == (3,) and np.allclose(one.foot, [1, -2, 2])
+    space = stellate.inspect("x = 3*cos(t); y = 3*sin(t); z = 0", [[4, 0, 0]], 1, feet=True)
+    assert np.isnan(space.normal).all() and np.isnan(space.signed_low).all()
+    assert space.to_arrow().column("normal_x").null_count == 1
+    for wrong in [(1, 2), (0, 0), (-1, 0, 1)]:
+        with pytest.raises(stellate.InputError):
+            stellate.inspect("r = 5", points, wrong)
+
+
 def test_what_an_inspection_writes_beside(tmp_path):
     points = np.random.default_rng(1).normal(size=(50, 3))
     found = stellate.inspect(

@@ -1,10 +1,12 @@
 //! The foot of a point on the zero set of an equation.
 
+use nalgebra::Vector4;
+
 use super::{FootCandidate, SINGULAR, largest, unit};
 use crate::exact::Rational;
 use crate::inspect::distance::{Goal, nearest};
 use crate::inspect::exact::{critical_point, rational_zero, refined_foot};
-use crate::inspect::foot::{approach, stationary};
+use crate::inspect::foot::{approach, lagrange, stationary};
 use crate::inspect::inspector::Inspector;
 use crate::inspect::{DistanceBounds, Inspection};
 use crate::intervals::{Field, Interval, distance, dot, rational, rationals};
@@ -19,6 +21,8 @@ const BITS: i64 = 128;
 const SIMPLE: [f64; 2] = [1e-9, 1e-5];
 /// The largest number of steps with exact values.
 const EXACT_STEPS: usize = 40;
+/// The largest number of steps of Newton's method with exact derivatives.
+const EXACT_NEWTON_STEPS: usize = 12;
 /// The precision of a foot that is approached in tangent planes.
 const APPROACHED: f64 = 1e-15;
 
@@ -66,7 +70,7 @@ impl Inspector {
                 exactly[2] = Rational::zero();
             }
             for start in starts(field, p) {
-                for mut candidate in self.candidates(k, &exactly, p, start) {
+                if let Some(mut candidate) = self.candidate(k, &exactly, p, start) {
                     if field.is_flat() {
                         candidate.foot.point[2] = from[2];
                     }
@@ -117,34 +121,49 @@ impl Inspector {
         nearest(field, p, field.sign(p), known, goal, &self.limits).near
     }
 
-    /// The feet that are found from a starting point: regular ones, or else a singular one.
-    fn candidates(
+    /// The foot that is found from a starting point: a regular one, or else one at a singular point. Of several, it is the one that is
+    /// on the surface most exactly.
+    fn candidate(
         &self,
         factor: usize,
         exactly: &[Rational; 3],
         p: [f64; 3],
         start: [f64; 3],
-    ) -> Vec<FootCandidate> {
+    ) -> Option<FootCandidate> {
         let field = &self.factors()[factor];
-        let in_doubles = stationary(field, p, start);
-        let approached = approach(field, p, start, APPROACHED);
-        let mut found = Vec::new();
-        for q in in_doubles.into_iter().chain(approached).chain([start]) {
-            if let Some(candidate) = self.regular(factor, exactly, q) {
-                found.push(candidate);
-                if candidate.off <= NEARLY * largest(&q).max(largest(&p)) {
+        let mut best: Option<FootCandidate> = None;
+        let mut take = |candidate: Option<FootCandidate>| {
+            if let Some(candidate) = candidate
+                && best.is_none_or(|best| candidate.off < best.off)
+            {
+                best = Some(candidate);
+            }
+            let size = best.map_or(0.0, |best| largest(&best.foot.point).max(largest(&p)));
+            best.filter(|best| best.off <= NEARLY * size)
+        };
+        let in_doubles = [
+            stationary(field, p, start),
+            approach(field, p, start, APPROACHED),
+            Some(start),
+        ];
+        for q in in_doubles.into_iter().flatten() {
+            let found = take(self.regular(factor, exactly, q));
+            if found.is_some() {
+                return found;
+            }
+        }
+        if self.is_exact_possible(field) {
+            // Where doubles lose all digits of f, exact values do not.
+            for way in [approach_exactly, stationary_exactly] {
+                let q = way(field, exactly, start);
+                let found = take(q.and_then(|q| self.regular(factor, exactly, q)));
+                if found.is_some() {
                     return found;
                 }
             }
         }
-        // Where doubles lose all digits of f, exact values do not.
-        if self.is_exact_possible(field)
-            && let Some(q) = approach_exactly(field, exactly, start)
-        {
-            found.extend(self.regular(factor, exactly, q));
-        }
-        found.extend(singular(field, p, start));
-        found
+        take(singular(field, p, start));
+        best
     }
 
     /// A foot near q at which the gradient is not 0.
@@ -233,6 +252,32 @@ fn approach_exactly(field: &Field, p: &[Rational; 3], start: [f64; 3]) -> Option
         (q, last) = (next, moved);
     }
     Some(q)
+}
+
+/// A foot near `start`, as [`stationary`] finds it, with exact values of f and its derivatives at doubles.
+fn stationary_exactly(field: &Field, p: &[Rational; 3], start: [f64; 3]) -> Option<[f64; 3]> {
+    let mut q = start;
+    for _ in 0..EXACT_NEWTON_STEPS {
+        let at = rationals(q);
+        let (value, gradient) = field.exact_value_and_gradient(&at);
+        let square: Rational = gradient.iter().map(|g| g * g).sum();
+        let back: [Rational; 3] = std::array::from_fn(|i| &p[i] - &at[i]);
+        let along: Rational = gradient.iter().zip(&back).map(|(g, b)| g * b).sum();
+        let nu = along * square.recip()?;
+        let [a, b, c] = [0, 1, 2].map(|i| (&back[i] - &(&nu * &gradient[i])).to_f64());
+        let inverse = lagrange(&field.exact_local(&at), nu.to_f64()).try_inverse()?;
+        let step = inverse * Vector4::new(a, b, c, value.to_f64());
+        let next = [0, 1, 2].map(|i| q[i] - step[i]);
+        let moved = distance(next, q);
+        if !moved.is_finite() {
+            return None;
+        }
+        q = next;
+        if moved <= NEARLY * largest(&q) {
+            return Some(q);
+        }
+    }
+    None
 }
 
 /// The gradient of f, and about the distance of a point from the zeros of f, both by exact values.

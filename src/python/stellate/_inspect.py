@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Literal, Sequence
+from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
 import numpy as np
 
@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+#: A tolerance, or limits (low, high) of the signed distance.
+Tolerance = Union[Number, "tuple[Number, Number]"]
+
+
 class InspectOptions(CommonOptions, total=False):
     """How a contour becomes the form that points are compared with."""
 
@@ -31,7 +35,7 @@ class InspectOptions(CommonOptions, total=False):
 def inspect(
     given: FormLike,
     points: Points,
-    tolerance: Number | tuple[Number, Number],
+    tolerance: Tolerance,
     *,
     uncertainty: Number | None = None,
     feet: bool = False,
@@ -118,7 +122,7 @@ def inspect(
     return Inspection(answers, shape, row, table if keep else None, at)
 
 
-def _limits(tolerance: Number | tuple[Number, Number]) -> dict[str, Any]:
+def _limits(tolerance: Tolerance) -> dict[str, Any]:
     """The options for a tolerance, or for two limits."""
     if not isinstance(tolerance, (tuple, list)):
         return {"tolerance": exact(tolerance)}

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
-from ._call import Number, exact
+from ._call import exact
 from ._form import FormLike, form
-from ._inspect import InspectOptions, inspect
+from ._inspect import InspectOptions, Tolerance, inspect
 from ._points import AXES
 from ._verbs import fit
 
@@ -40,7 +40,7 @@ class Inspect:
     Parameters
     ----------
     given : form, text or path
-    tolerance : number or text
+    tolerance : number or text, or a pair of them
         Exactly; see `stellate.inspect`.
     columns : sequence of str
         Those of the coordinates; the third may be missing.
@@ -53,7 +53,7 @@ class Inspect:
     def __init__(
         self,
         given: FormLike,
-        tolerance: Number,
+        tolerance: Tolerance,
         columns: Sequence[str] = AXES,
         *,
         reach: float | None = None,
@@ -70,7 +70,8 @@ class Inspect:
             self.options = {k: v for k, v in self.options.items() if k not in InspectOptions.__annotations__}
             self.options["threads"] = how["threads"]
         self.document = found.to_json()
-        self.tolerance = exact(tolerance)
+        is_pair = isinstance(tolerance, (tuple, list))
+        self.tolerance: Tolerance = tuple(map(exact, tolerance)) if is_pair else exact(tolerance)
         self.columns = tuple(columns)
         self.skip_bad = skip_bad
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Sequence
 
-from ._call import Number
 from ._form import FormLike
+from ._inspect import Tolerance
 from ._points import AXES
 from .batches import ANSWERS, Inspect
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def inspect(
     df: DataFrame,
     form: FormLike,
-    tolerance: Number,
+    tolerance: Tolerance,
     columns: Sequence[str] = AXES,
     **options: Any,
 ) -> DataFrame:
@@ -30,7 +30,7 @@ def inspect(
     df : pyspark.sql.DataFrame
     form : form, text or path
         A path is read on the driver.
-    tolerance : number or text
+    tolerance : number or text, or a pair of limits
         Exactly: ``"0.1"`` is a tenth.
     columns : sequence of str
         Those of the coordinates; the third may be missing.
@@ -44,11 +44,16 @@ def inspect(
     """
     from pyspark.sql.types import StructType
 
-    taken = [name for name in df.columns if name in ANSWERS]
+    answers = dict(ANSWERS)
+    if options.get("feet"):
+        axes = [axis for axis, column in zip("xyz", columns) if column in df.columns]
+        feet = [f"{name}_{axis}" for name in ("foot", "normal") for axis in axes]
+        answers.update(dict.fromkeys([*feet, "signed_low", "signed_high"], "double"))
+    taken = [name for name in df.columns if name in answers]
     if taken:
         raise ValueError(f"the data frame has a column {taken[0]!r} already, which would be an answer's")
     stage = Inspect(form, tolerance, columns, **options)
     schema = StructType(list(df.schema.fields))
-    for name, kind in ANSWERS.items():
+    for name, kind in answers.items():
         schema = schema.add(name, kind)
     return df.mapInArrow(stage.batches, schema)
