@@ -329,7 +329,11 @@ fn in_plane(
                 Some(tolerance) => format!("the distance {tolerance} from a point"),
                 None => "the tolerance of its side from a point".into(),
             },
-            lines: points.iter().map(circle).collect(),
+            lines: points
+                .iter()
+                .filter(|kept| !zone.tolerance_of_side(kept.inspection.sign).is_zero())
+                .map(circle)
+                .collect(),
             ..Layer::default()
         });
     }

@@ -138,6 +138,9 @@ fn singular_points_have_no_normal() {
         ("x^3 = y^2", [-1.0, 0.0, 0.0]),
         ("x^2 + y^2 = x^3", [-1.0, 0.0, 0.0]),
         ("x^2*(x + 1) = y^2", [0.0, 0.0, 0.0]),
+        // An isolated point at which all second derivatives are 0, from itself and from beside it.
+        ("(x^2 + y^2)^2 = x^5", [0.0, 0.0, 0.0]),
+        ("(x^2 + y^2)^2 = x^5", [0.01, 0.0, 0.0]),
         ("x = t^2; y = t^3", [-1.0, 0.0, 0.0]),
     ] {
         assert_foot(form, 2, p, [0.0; 3], None, true);

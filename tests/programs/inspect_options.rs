@@ -360,3 +360,107 @@ fn what_was_decided_can_be_verified() {
     }
     assert!(text.contains("\"claim\":\"side\""));
 }
+
+#[test]
+fn wrong_limits_are_refused_in_plain_words() {
+    let refused = |form: &str, tolerance: &str| {
+        let point = ["inspect", form, "--point", "1,0", "--tolerance", tolerance];
+        let run = run_in(Path::new("."), &point, "");
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{tolerance}");
+        run.err
+    };
+    let circle = "x^2 + y^2 = 1";
+    for tolerance in [
+        "0.1,0.2", "-2,-1", "0;0", "0.0,0", "0.2;-0.1", "-1,2,3", "-1;;2",
+    ] {
+        let said = refused(circle, tolerance);
+        assert!(
+            said.starts_with(&format!("stellate: --tolerance {tolerance}: ")),
+            "{said}"
+        );
+        assert!(
+            said.contains(
+                "two limits LOW ≤ 0 ≤ HIGH of the signed distance, not both 0, such as -0.02,0.05"
+            ),
+            "{said}"
+        );
+    }
+    let said = refused(circle, "-x,1");
+    assert!(said.contains("\"-x\" is not a number"), "{said}");
+    // 0,1 and -0,1 are read as 0.1 in many countries.
+    for tolerance in ["0,1", "-0,1"] {
+        let said = refused(circle, tolerance);
+        assert!(
+            said.contains("decimals are written with a point: "),
+            "{said}"
+        );
+        assert!(
+            said.contains("the limits 0 to 1 are written with a semicolon: "),
+            "{said}"
+        );
+    }
+    let said = refused("x = t; y = t^2", "-0.1,0.2");
+    assert!(said.contains("no inside and no outside: it takes one tolerance, such as 1/5, instead of the limits -1/10 to 1/5"), "{said}");
+    for uncertainty in ["0", "-1", "x"] {
+        let words = [
+            "inspect",
+            circle,
+            "--point",
+            "1,0",
+            "--tolerance",
+            "1",
+            "--uncertainty",
+            uncertainty,
+        ];
+        let run = run_in(Path::new("."), &words, "");
+        assert_eq!(run.code, 2);
+        assert!(
+            run.err.contains(&format!(
+                "--uncertainty {uncertainty}: expected a number greater than 0"
+            )),
+            "{}",
+            run.err
+        );
+    }
+}
+
+#[test]
+fn an_undecided_point_stays_undecided() {
+    // The distance of the origin is 1. Without cubes it is not decided whether it is at most 0.9.
+    let run = |more: &[&str]| {
+        let words = [
+            "inspect",
+            "x^4 + y^4 + z^4 = 1",
+            "--point",
+            "0,0,0",
+            "--budget",
+            "0",
+        ];
+        run_in(Path::new("."), &[&words[..], more].concat(), "")
+    };
+    let verdict = |run: &Run| {
+        run.out
+            .lines()
+            .nth(1)
+            .unwrap()
+            .split(',')
+            .nth(3)
+            .unwrap()
+            .to_owned()
+    };
+    for more in [
+        &["--tolerance", "0.9"][..],
+        &["--tolerance=-0.9,0.5"],
+        &["--tolerance", "0.9", "--uncertainty", "0.01"],
+    ] {
+        let run = run(more);
+        assert_eq!(
+            (run.code, verdict(&run).as_str()),
+            (3, "undecided"),
+            "{more:?}"
+        );
+    }
+    // The side alone decides this one.
+    let run = run(&["--tolerance", "0;0.5"]);
+    assert_eq!((run.code, verdict(&run).as_str()), (1, "outside"));
+}

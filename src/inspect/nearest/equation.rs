@@ -305,7 +305,11 @@ fn singular(field: &Field, p: [f64; 3], start: [f64; 3]) -> Option<FootCandidate
     }
     // |f| ≈ |H| t²/2 at the distance t of a zero. The value is exact, because doubles would cancel.
     let bend = field.local(near).hessian().amax();
-    let off = (2.0 * field.exact_value(near).abs().to_f64() / bend).sqrt();
+    let value = field.exact_value(near).abs().to_f64();
+    let off = match value > 0.0 {
+        true => (2.0 * value / bend).sqrt(),
+        false => 0.0,
+    };
     off.is_finite().then_some(FootCandidate {
         foot: super::Foot {
             point: near,

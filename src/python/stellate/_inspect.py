@@ -124,12 +124,20 @@ def inspect(
 
 def _limits(tolerance: Tolerance) -> dict[str, Any]:
     """The options for a tolerance, or for two limits."""
+    texts = exact_tolerance(tolerance)
+    if isinstance(texts, str):
+        return {"tolerance": texts}
+    return {"lower": texts[0], "tolerance": texts[1]}
+
+
+def exact_tolerance(tolerance: Tolerance) -> str | tuple[str, str]:
+    """The text of a tolerance, or those of two limits."""
     if not isinstance(tolerance, (tuple, list)):
-        return {"tolerance": exact(tolerance)}
+        return exact(tolerance)
     if len(tolerance) != 2:
         raise InputError("tolerance: one number, or a pair (low, high) of limits of the signed distance")
-    low, high = (exact(limit) for limit in tolerance)
-    return {"lower": low, "tolerance": high}
+    low, high = tolerance
+    return exact(low), exact(high)
 
 
 def _draw(

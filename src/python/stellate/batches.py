@@ -11,9 +11,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
-from ._call import exact
 from ._form import FormLike, form
-from ._inspect import InspectOptions, Tolerance, inspect
+from ._inspect import InspectOptions, Tolerance, exact_tolerance, inspect
 from ._points import AXES
 from ._verbs import fit
 
@@ -70,8 +69,7 @@ class Inspect:
             self.options = {k: v for k, v in self.options.items() if k not in InspectOptions.__annotations__}
             self.options["threads"] = how["threads"]
         self.document = found.to_json()
-        is_pair = isinstance(tolerance, (tuple, list))
-        self.tolerance: Tolerance = tuple(map(exact, tolerance)) if is_pair else exact(tolerance)
+        self.tolerance: Tolerance = exact_tolerance(tolerance)
         self.columns = tuple(columns)
         self.skip_bad = skip_bad
 
