@@ -161,8 +161,9 @@ pub(crate) enum Verb {
   stellate inspect 'x^2 + y^2 = 1' --tolerance 0.1 --point 0.8,0.6,0 --format text
   stellate inspect '(x^2+y^2+z^2+3)^2 = 16*(x^2+y^2)' --tolerance 1/100 --points measured.csv -o verdicts.csv
   stellate inspect 'x^4 + y^4 + z^4 = 1' --tolerance 0.01 --points - --plot deviations.png
+  stellate inspect part.csv --harmonics 20 --tolerance=-0.02,0.05 --uncertainty 0.004 --points probed.csv --feet
 
-Exit code: 0 if all points are inside, 1 if one is outside, 3 if one is undecided.")]
+Exit code: 0 if all points are inside, 1 if one is outside or uncertain, 3 if one is undecided.")]
     Inspect(Inspect),
     /// Triangles of a surface as OBJ, PLY or STL: every sheet, certified vertices
     #[command(after_help = "Examples:
