@@ -7,6 +7,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::angles::{Range, ranges, ranges_text};
+use super::feet::{FootEntry, FootParts, foot_names, foot_text};
 use super::json::{Number, text_of, write_value};
 use super::remark::counted;
 use super::{Format, Kind, SCHEMA};
@@ -132,33 +133,6 @@ struct Entry<'a> {
     kept: Option<BTreeMap<&'a str, &'a str>>,
 }
 
-/// The coordinates of a foot, of the normal, and the bounds of the signed distance.
-struct FootParts {
-    point: Option<Vec<f64>>,
-    normal: Option<Vec<f64>>,
-    signed: Option<[f64; 2]>,
-}
-
-#[derive(Serialize)]
-struct FootEntry {
-    point: Option<Vec<Number>>,
-    normal: Option<Vec<Number>>,
-    signed_low: Option<Number>,
-    signed_high: Option<Number>,
-}
-
-impl From<FootParts> for FootEntry {
-    fn from(parts: FootParts) -> Self {
-        let numbers = |values: Vec<f64>| values.into_iter().map(Number).collect();
-        Self {
-            point: parts.point.map(numbers),
-            normal: parts.normal.map(numbers),
-            signed_low: parts.signed.map(|[low, _]| Number(low)),
-            signed_high: parts.signed.map(|[_, high]| Number(high)),
-        }
-    }
-}
-
 #[derive(Serialize)]
 struct Tail {
     inside: usize,
@@ -271,40 +245,6 @@ impl InspectionWriter {
         }
     }
 
-    /// The names of the columns of feet.
-    fn foot_names(&self) -> Vec<String> {
-        let axes = &["x", "y", "z"][..self.dimension];
-        let names = ["foot", "normal"].into_iter();
-        let names = names.flat_map(|name| axes.iter().map(move |axis| format!("{name}_{axis}")));
-        names
-            .chain(["signed_low", "signed_high"].map(str::to_owned))
-            .collect()
-    }
-
-    /// The fields of a foot.
-    fn foot_fields(&self, point: &InspectedPoint<'_>) -> Vec<String> {
-        let parts = self.foot_of(point);
-        let fields = |values: Option<Vec<f64>>, count: usize| match values {
-            Some(values) => values.into_iter().map(|x| format!("{x:?}")).collect(),
-            None => vec![String::new(); count],
-        };
-        let mut all = fields(parts.point, self.dimension);
-        all.extend(fields(parts.normal, self.dimension));
-        all.extend(fields(parts.signed.map(Vec::from), 2));
-        all
-    }
-
-    fn foot_of(&self, point: &InspectedPoint<'_>) -> FootParts {
-        // −0 is 0.
-        let parts = |v: [f64; 3]| v[..self.dimension].iter().map(|x| x + 0.0).collect();
-        let signed = point.inspection.signed_distance();
-        FootParts {
-            point: point.foot.map(|foot| parts(foot.point)),
-            normal: point.foot.and_then(|foot| foot.normal).map(parts),
-            signed: signed.map(|bounds| bounds.map(|x| x + 0.0)),
-        }
-    }
-
     /// Writes fields of CSV, each behind a comma.
     fn write_fields<'f>(fields: impl Iterator<Item = &'f str>, out: &mut dyn Write) -> Result<()> {
         for field in fields {
@@ -342,7 +282,7 @@ impl PointWriter for InspectionWriter {
                 let axes = if self.dimension == 2 { "x,y" } else { "x,y,z" };
                 write!(out, "{axes},verdict,curve,distance_low,distance_high,sign")?;
                 if self.with_feet {
-                    let names = self.foot_names();
+                    let names = foot_names(self.dimension);
                     Self::write_fields(names.iter().map(String::as_str), out)?;
                 }
                 let names = self.kept.iter().flatten().map(String::as_str);
@@ -379,7 +319,9 @@ impl PointWriter for InspectionWriter {
                     distance_low: Number(low),
                     distance_high: Number(high),
                     sign: found.sign,
-                    foot: self.with_feet.then(|| self.foot_of(point).into()),
+                    foot: self
+                        .with_feet
+                        .then(|| FootParts::of(point, self.dimension).into()),
                     ranges: match &point.section {
                         Section::At(list) => Some(ranges(list, self.digits)),
                         Section::NotAsked | Section::TooLong => None,
@@ -411,15 +353,7 @@ impl PointWriter for InspectionWriter {
                     "sphere"
                 };
                 if let Some(foot) = point.foot.filter(|_| self.with_feet) {
-                    let list = |v: &[f64; 3]| {
-                        let parts = v[..self.dimension].iter().map(|x| format!("{:?}", x + 0.0));
-                        parts.collect::<Vec<_>>().join(", ")
-                    };
-                    write!(out, "  its foot is about ({})", list(&foot.point))?;
-                    match &foot.normal {
-                        Some(normal) => writeln!(out, ", with the normal ({})", list(normal))?,
-                        None => writeln!(out)?,
-                    }
+                    writeln!(out, "  {}", foot_text(&foot, self.dimension))?;
                 }
                 match found.curve {
                     Some(true) => writeln!(out, "  the {round} about it meets the form")?,
@@ -450,7 +384,7 @@ impl PointWriter for InspectionWriter {
                     write!(out, "{sign}")?;
                 }
                 if self.with_feet {
-                    let fields = self.foot_fields(point);
+                    let fields = FootParts::of(point, self.dimension).fields(self.dimension);
                     Self::write_fields(fields.iter().map(String::as_str), out)?;
                 }
                 if self.kept.is_some() {

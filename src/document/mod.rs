@@ -14,6 +14,7 @@ mod display;
 mod elliptic;
 mod expression;
 mod facts;
+mod feet;
 mod fit_report;
 mod fit_table;
 mod fourier;

@@ -80,6 +80,7 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::MayBeSingular => "the surface may have singular points that were not found: isolated points, and curves at which no sheet ends, are not drawn".into(),
         Remark::PiecesMayBeOutside => "a piece of the surface may be outside of the picture".into(),
         Remark::ZoneUsedUp => "the uncertainty takes up the tolerance: no point can be proved to be inside".into(),
+        Remark::ZoneIsPoint => "the uncertainty takes up the tolerance: no point can be proved to be inside that is not exactly in the middle of the zone".into(),
         Remark::DoublesAlone => format!(
             "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
         ),

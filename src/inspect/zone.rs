@@ -142,10 +142,12 @@ impl ToleranceZone {
         }
     }
 
-    /// Whether no point at all is inside, because the uncertainty takes up all of the zone.
+    /// The width of the inner zone LOW + U … HIGH − U. If it is less than 0, no point is inside; if it is 0, at most a point exactly in the
+    /// middle.
     #[must_use]
-    pub fn is_used_up(&self) -> bool {
-        &self.low + &self.uncertainty > &self.high - &self.uncertainty
+    pub fn inner_width(&self) -> Rational {
+        let twice = &self.uncertainty + &self.uncertainty;
+        &self.high - &self.low - twice
     }
 
     fn side(&self, sign: i8) -> SideOfZone {
@@ -307,8 +309,11 @@ mod tests {
 
     #[test]
     fn an_uncertainty_that_takes_up_the_zone_leaves_nothing_inside() {
-        assert!(zone(-2, 2, 3).is_used_up() && !zone(-2, 2, 2).is_used_up());
-        assert!(zone(0, 4, 3).is_used_up() && !zone(0, 4, 1).is_used_up());
+        let width = |low, high, u| zone(low, high, u).inner_width();
+        assert_eq!(
+            [width(-2, 2, 3), width(-2, 2, 2), width(0, 4, 1)],
+            [-2, 0, 2].map(Rational::from)
+        );
         // The middle of what is left is the form itself.
         assert_eq!(of(&zone(-2, 2, 2), &0.into()), Verdict::Inside);
         assert_eq!(of(&zone(-2, 2, 2), &1.into()), Verdict::Uncertain);

@@ -180,8 +180,10 @@ pub fn inspect(
     if against.is_in_doubles_alone() {
         work.remark(Remark::DoublesAlone);
     }
-    if zone.is_used_up() {
-        work.remark(Remark::ZoneUsedUp);
+    match zone.inner_width().signum() {
+        -1 => work.remark(Remark::ZoneUsedUp),
+        0 => work.remark(Remark::ZoneIsPoint),
+        _ => {}
     }
     Ok(InspectionTask {
         levels: Level::others(&zone, &against)?,

@@ -102,6 +102,8 @@ pub enum Remark {
     MayBeSingular,
     /// No point is inside, because the uncertainty of the points takes up the tolerance zone.
     ZoneUsedUp,
+    /// At most points exactly in the middle of the tolerance zone are inside, because the uncertainty of the points takes up the rest.
+    ZoneIsPoint,
     /// Points that doubles do not decide are left undecided, because a factor has too many monomials.
     DoublesAlone,
 }

@@ -171,6 +171,19 @@ fn uncertain_points_do_not_conform() {
             run.err
         );
         assert!(!verdicts(&run).contains(&"inside"));
+        // Only the point on the form has nothing but points within the tolerance about it.
+        let run = inspect(folder.path(), form, "--tolerance 1 --uncertainty 1");
+        assert!(
+            run.err
+                .contains("that is not exactly in the middle of the zone"),
+            "{}",
+            run.err
+        );
+        let inside: Vec<bool> = verdicts(&run)
+            .iter()
+            .map(|verdict| *verdict == "inside")
+            .collect();
+        assert_eq!(inside, [false, false, false, true, false, false, false]);
     }
 }
 
