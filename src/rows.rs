@@ -127,7 +127,7 @@ pub(crate) fn fields_between(row: &str, separator: char) -> impl Iterator<Item =
     let split = std::iter::from_fn(move || {
         let text = rest?;
         let quoted = text.trim_start().strip_prefix('"');
-        let closed = quoted.and_then(|inner| Some(inner.get(inner.find('"')? + 1..)?.len()));
+        let closed = quoted.and_then(|inner| Some(behind_quote(inner)?.len()));
         let from = closed.map_or(0, |behind| text.len() - behind);
         let end = text[from..].find(separator).map(|at| from + at);
         rest = end.map(|end| &text[end + separator.len_utf8()..]);
@@ -140,6 +140,17 @@ pub(crate) fn fields_between(row: &str, separator: char) -> impl Iterator<Item =
             .and_then(|rest| rest.strip_suffix('"'))
             .map_or(field, str::trim)
     })
+}
+
+/// What is behind the quotation mark that closes a field; within the field, the mark is doubled.
+fn behind_quote(mut inner: &str) -> Option<&str> {
+    loop {
+        let behind = &inner[inner.find('"')? + 1..];
+        match behind.strip_prefix('"') {
+            Some(rest) => inner = rest,
+            None => return Some(behind),
+        }
+    }
 }
 
 /// How the fields of a row are separated.

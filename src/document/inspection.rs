@@ -38,6 +38,20 @@ pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
             summary.enclosed
         );
     }
+    if summary.few_digits > 0 {
+        let _ = write!(
+            line,
+            "; the distance of {} is known to fewer digits than --digits says",
+            counted(summary.few_digits, "point", "points")
+        );
+    }
+    if summary.not_found > 0 {
+        let _ = write!(
+            line,
+            "; of {} no nearest point was found",
+            counted(summary.not_found, "point", "points")
+        );
+    }
     if summary.without_foot > 0 {
         let _ = write!(
             line,

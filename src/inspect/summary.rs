@@ -99,6 +99,10 @@ pub struct InspectionSummary {
     pub enclosed: usize,
     /// The number of rows that are no points and were skipped.
     pub bad: usize,
+    /// The number of points of which no nearest point of the form was found, within the reach if there is one.
+    pub not_found: usize,
+    /// The number of points whose distance is known to fewer digits than requested.
+    pub few_digits: usize,
     /// The number of points whose foot was requested and not found.
     pub without_foot: usize,
     /// The point with the smallest upper bound of the distance.
@@ -169,6 +173,8 @@ impl InspectionSummary {
         }
         self.enclosed += later.enclosed;
         self.bad += later.bad;
+        self.not_found += later.not_found;
+        self.few_digits += later.few_digits;
         self.without_foot += later.without_foot;
         if later.nearest.is_some() {
             self.take(later.nearest, later.farthest, later.largest);

@@ -85,6 +85,7 @@ pub struct InspectionTask {
     /// The number of coordinates of a point, 2 or 3.
     dimension: usize,
     zone: ToleranceZone,
+    digits: u32,
     limits: Limits,
 }
 
@@ -191,6 +192,7 @@ pub fn inspect(
         against,
         dimension,
         zone,
+        digits: options.digits,
         limits: limits.clone(),
     })
 }
@@ -258,6 +260,11 @@ impl InspectionTask {
     #[must_use]
     pub fn zone(&self) -> &ToleranceZone {
         &self.zone
+    }
+
+    /// The number of significant digits that the bounds of a distance should determine.
+    pub(super) fn digits(&self) -> i32 {
+        i32::try_from(self.digits).unwrap_or(i32::MAX)
     }
 
     /// The form for claims about points.

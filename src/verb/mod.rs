@@ -61,6 +61,7 @@ mod plot_options;
 mod plot_space;
 mod point_files;
 mod point_layout;
+mod point_source;
 mod remark;
 mod rows;
 mod sample;
@@ -97,8 +98,9 @@ pub use plot::plot;
 #[cfg(feature = "pictures")]
 pub use plot_options::{FigureFormat, Frame, PlotOptions};
 pub use point_files::ColumnFormat;
+pub use point_source::{PointRows, PointSource};
 pub use remark::{Part, Remark};
-pub use rows::{KeptPoint, PointRows, PointSource, PointWriter, ReadingOptions};
+pub use rows::{KeptPoint, PointWriter, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};
 pub use source::read_limited;
 pub use topology::CurveTopology;

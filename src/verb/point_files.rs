@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor};
 use std::path::Path;
 
-use super::rows::PointRows;
+use super::point_source::PointRows;
 use crate::error::{Error, Result};
 use crate::fit::rows_of_array;
 use crate::reading::{MAX_MESH_BYTES, bytes_within, rows_of_ply};

@@ -112,7 +112,11 @@ impl PointLayout {
         }
         let mut row = Row {
             fields: [Cow::Borrowed(""), Cow::Borrowed(""), Cow::Borrowed("")],
-            others: self.others.iter().map(|(k, _)| fields[*k]).collect(),
+            others: self
+                .others
+                .iter()
+                .map(|(k, _)| plain_text(fields[*k]))
+                .collect(),
             dimension: self.dimension,
             numbers,
             near: [0.0; 3],
@@ -136,12 +140,20 @@ impl PointLayout {
     }
 }
 
+/// The text of a field in which quotation marks are doubled.
+fn plain_text(field: &str) -> Cow<'_, str> {
+    match field.contains("\"\"") {
+        true => Cow::Owned(field.replace("\"\"", "\"")),
+        false => Cow::Borrowed(field),
+    }
+}
+
 /// A row with the texts of its fields.
 pub(super) struct Row<'a> {
     /// The coordinates as they are written, with a decimal point.
     pub(super) fields: [Cow<'a, str>; 3],
     /// The fields of the other columns.
-    pub(super) others: Vec<&'a str>,
+    pub(super) others: Vec<Cow<'a, str>>,
     dimension: usize,
     numbers: Numbers,
     /// The nearest doubles of the coordinates; z is 0 in the plane.
@@ -187,7 +199,7 @@ mod tests {
     fn read(header: Option<&str>, row: &str) -> Result<(Vec<f64>, Vec<String>), String> {
         let layout = PointLayout::of(header, row)?;
         let row = layout.row(row, Numbers::Exact)?;
-        let others = row.others.iter().map(|&o| o.to_owned()).collect();
+        let others = row.others.iter().map(|o| o.to_string()).collect();
         Ok((row.near[..layout.dimension()].to_vec(), others))
     }
 

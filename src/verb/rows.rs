@@ -1,13 +1,14 @@
 //! The points of an inspection, read one by one or from a table of any length, in bounded memory and in parallel.
 
-use std::io::{BufRead, Write};
+use std::io::Write;
 
 use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSlice;
 
 use super::against::AskedPoint;
 use super::inspect::InspectionTask;
-use super::point_layout::{PointLayout, Row, coordinate};
+use super::point_layout::{PointLayout, Row};
+use super::point_source::{PointRows, PointSource};
 use super::{Progress, Work};
 use crate::error::{Error, Result};
 use crate::inspect::{
@@ -16,15 +17,13 @@ use crate::inspect::{
 };
 use crate::language::Numbers;
 use crate::options::options;
-use crate::rows::{RowReader, fields, row_error};
+use crate::rows::{RowReader, row_error};
 use crate::witness::{ClaimedPoint, InspectedForm, inspected_point};
 
 /// The number of rows that are in memory at a time.
 const CHUNK: usize = 1 << 15;
 /// The number of rows that one thread takes at a time.
 const SHARE: usize = 64;
-/// The sections are computed for at most this many points.
-const FEW: usize = 16;
 /// The largest number of points that are kept.
 const MAX_KEPT: usize = 10_000_000;
 
@@ -37,27 +36,6 @@ pub struct KeptPoint {
     pub point: [f64; 3],
     /// Its inspection.
     pub inspection: Inspection,
-}
-
-/// The source of the points of an inspection.
-#[non_exhaustive]
-pub enum PointSource {
-    /// Points that are given one by one, each as a text `x,y` or `x,y,z`.
-    Texts(Vec<String>),
-    /// A table with rows `x,y` or `x,y,z`; the header is optional. If it names x and y, and z in space, the columns may be in any
-    /// order, and others beside them.
-    Rows(PointRows),
-}
-
-/// A table of points, read up to its first row.
-pub struct PointRows {
-    place: String,
-    size: u64,
-    layout: PointLayout,
-    reader: Box<dyn BufRead>,
-    /// The types of the columns of a file that stores them.
-    #[cfg(feature = "columnar")]
-    types: Option<super::ColumnTypes>,
 }
 
 options! {
@@ -102,142 +80,11 @@ pub trait PointWriter: Sync {
     fn end(&self, summary: &InspectionSummary, out: &mut dyn Write) -> Result<()>;
 }
 
-impl std::fmt::Debug for PointSource {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Texts(texts) => f.debug_tuple("Texts").field(texts).finish(),
-            Self::Rows(rows) => f.debug_tuple("Rows").field(rows).finish(),
-        }
-    }
-}
-
-impl std::fmt::Debug for PointRows {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("PointRows")
-            .field("place", &self.place)
-            .field("layout", &self.layout)
-            .finish_non_exhaustive()
-    }
-}
-
-impl PointRows {
-    /// A table from a reader. `place` names it in messages; `size` is about its number of bytes, or 0 if that is not known.
-    ///
-    /// # Errors
-    /// [`Error::Io`] if reading fails; [`Error::Data`] if it is not known which of the columns are coordinates.
-    pub fn new(mut reader: Box<dyn BufRead>, place: &str, size: u64) -> Result<Self> {
-        let buffer = reader.fill_buf().map_err(|source| Error::Io {
-            path: place.into(),
-            source,
-        })?;
-        let mut rows = RowReader::new(buffer, place, "x,y,z");
-        // A row that is longer than the buffer is refused later.
-        let first = rows.next_row().ok().flatten();
-        let first = first.map(|(number, row)| (number, row.to_owned()));
-        let layout = match first {
-            Some((number, first)) => PointLayout::of(rows.header(), &first)
-                .map_err(|message| row_error(place, number, message))?,
-            None => PointLayout::plain(3),
-        };
-        Ok(Self {
-            place: place.into(),
-            size,
-            layout,
-            reader,
-            #[cfg(feature = "columnar")]
-            types: None,
-        })
-    }
-
-    #[cfg(feature = "columnar")]
-    pub(super) fn with_types(self, types: super::ColumnTypes) -> Self {
-        Self {
-            types: Some(types),
-            ..self
-        }
-    }
-}
-
-impl PointSource {
-    /// The number of coordinates: 2 or 3.
-    ///
-    /// # Errors
-    /// [`Error::Usage`] for texts with another number of coordinates, with different numbers, or with what is not a number.
-    pub fn dimension(&self) -> Result<usize> {
-        match self {
-            Self::Texts(points) => {
-                let count = points.first().map_or(3, |text| fields(text).count());
-                let wrong = points
-                    .iter()
-                    .find(|text| fields(text).count() != count || !(2..=3).contains(&count));
-                match wrong {
-                    Some(text) => Err(Error::Usage(format!(
-                        "--point {text}: expected X,Y,Z, such as 0.8,0.6,0, or X,Y for a plane curve, the same for all points"
-                    ))),
-                    None => points
-                        .iter()
-                        .try_for_each(|text| check_numbers(text))
-                        .map(|()| count),
-                }
-            }
-            Self::Rows(rows) => Ok(rows.layout.dimension()),
-        }
-    }
-
-    fn layout(&self) -> Result<PointLayout> {
-        match self {
-            Self::Texts(_) => Ok(PointLayout::plain(self.dimension()?)),
-            Self::Rows(rows) => Ok(rows.layout.clone()),
-        }
-    }
-
-    /// The names of the columns of a table that are no coordinates.
-    #[must_use]
-    pub fn other_names(&self) -> Vec<String> {
-        match self {
-            Self::Texts(_) => Vec::new(),
-            Self::Rows(rows) => rows.layout.other_names().map(str::to_owned).collect(),
-        }
-    }
-
-    /// The types of the columns of a Parquet or Arrow file.
-    #[cfg(feature = "columnar")]
-    #[must_use]
-    pub fn types(&self) -> Option<super::ColumnTypes> {
-        match self {
-            Self::Texts(_) => None,
-            Self::Rows(rows) => rows.types.clone(),
-        }
-    }
-
-    /// Whether there are so few points that each of them may have its section.
-    #[must_use]
-    pub fn are_few(&self) -> bool {
-        matches!(self, Self::Texts(points) if points.len() <= FEW)
-    }
-
-    /// The size that progress is measured against: a number of points, or a number of bytes.
-    fn size(&self) -> u64 {
-        match self {
-            Self::Texts(points) => points.len() as u64,
-            Self::Rows(rows) => rows.size,
-        }
-    }
-}
-
-/// Refuses the text of a point with a coordinate that is no number.
-fn check_numbers(text: &str) -> Result<()> {
-    match fields(text).find_map(|field| coordinate(field).err()) {
-        Some(message) => Err(Error::Usage(format!("--point {text}: {message}"))),
-        None => Ok(()),
-    }
-}
-
 impl InspectionTask {
     fn inspected<'r>(
         &self,
         row: &'r Row<'r>,
-        written: &'r [&'r str],
+        [written, others]: [&'r [&'r str]; 2],
         with_ranges: bool,
         reading: &ReadingOptions,
         decided: Option<&mut Vec<DecidedDistance>>,
@@ -253,7 +100,7 @@ impl InspectionTask {
         };
         Ok(InspectedPoint {
             written,
-            others: &row.others,
+            others,
             inspection,
             foot,
             section: if with_ranges {
@@ -454,6 +301,8 @@ impl Batch<'_> {
         let mut share = Share::default();
         let zone = self.task.zone();
         let range = HistogramRange::of(zone);
+        // Bounds are rounded outward.
+        let known = 1.001 * 0.1f64.powi(self.task.digits());
         for (number, text) in rows {
             self.work.bounds().check()?;
             let row = match self.layout.row(text, self.reading.numbers) {
@@ -468,12 +317,13 @@ impl Batch<'_> {
                 }
             };
             let written = row.fields.each_ref().map(|field| &**field);
-            let written = &written[..self.layout.dimension()];
+            let others: Vec<&str> = row.others.iter().map(|field| &**field).collect();
+            let texts = [&written[..self.layout.dimension()], &others];
             let mut decided = Vec::new();
             let asked = self.claimed.is_some().then_some(&mut decided);
-            let point =
-                self.task
-                    .inspected(&row, written, self.with_ranges, self.reading, asked)?;
+            let point = self
+                .task
+                .inspected(&row, texts, self.with_ranges, self.reading, asked)?;
             // An inspection that a limit has ended has no verdict.
             self.work.bounds().check()?;
             if share.summary.points() > 0 {
@@ -484,6 +334,12 @@ impl Batch<'_> {
                 share.summary.without_foot += 1;
             }
             share.summary.add(*number, &point.inspection, &range);
+            let distance = point.inspection.distance;
+            if distance.high.is_infinite() {
+                share.summary.not_found += 1;
+            } else if distance.high - distance.low > known * distance.high {
+                share.summary.few_digits += 1;
+            }
             if self.claimed.is_some() {
                 share.claimed.push(ClaimedPoint {
                     point: row.exactly(),

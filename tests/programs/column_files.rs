@@ -1,6 +1,9 @@
 //! Points from Parquet and Arrow files, and verdicts to them. Most of this needs `cargo test --features columnar`.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![cfg_attr(
+    feature = "columnar",
+    expect(clippy::unwrap_used, reason = "a test fails by panicking")
+)]
 
 use std::fs;
 

@@ -142,3 +142,65 @@ fn rows_of_arrays_are_points() {
         assert!(run.code == 2 && run.err.contains(message), "{}", run.err);
     }
 }
+
+/// Fields with separators and quotation marks are carried along as they are.
+#[test]
+fn quoted_fields_are_carried_along() {
+    let folder = TempDir::new().unwrap();
+    let text = "x,y,note,id\n1,0,\"a, \"\"b, c\"\"\",7\n0,1,\"\"\"d\"\"\",8\n0,2,plain,9\n";
+    fs::write(folder.path().join("p.csv"), text).unwrap();
+    let form = "x^2+y^2=1";
+    let start = [
+        "inspect",
+        form,
+        "--points",
+        "p.csv",
+        "--tolerance",
+        "1/10",
+        "--keep",
+    ];
+    let run = run_in(folder.path(), &start, "");
+    assert_eq!(run.code, 1, "{}", run.err);
+    let ends = [
+        ",0,\"a, \"\"b, c\"\"\",7",
+        ",0,\"\"\"d\"\"\",8",
+        ",1,plain,9",
+    ];
+    for (line, end) in run.out.lines().skip(1).zip(ends) {
+        assert!(line.ends_with(end), "{line}");
+    }
+    let run = run_in(
+        folder.path(),
+        &[&start[..], &["--format", "json"]].concat(),
+        "",
+    );
+    assert!(run.out.contains(r#""note":"a, \"b, c\"""#), "{}", run.out);
+}
+
+/// Distances with fewer digits than requested, and points without a nearest point, are counted.
+#[test]
+fn what_is_not_known_is_said() {
+    let folder = TempDir::new().unwrap();
+    let inspect = |arguments: &[&str]| {
+        let start = ["inspect", "--tolerance", "1/10"];
+        run_in(folder.path(), &[&start[..], arguments].concat(), "")
+    };
+    let empty = inspect(&["x^2+y^2+z^2=-1", "--point", "1,2,3"]);
+    assert_eq!(empty.code, 1);
+    assert!(
+        empty.err.contains("of 1 point no nearest point was found"),
+        "{}",
+        empty.err
+    );
+    let torus = "(x^2+y^2+z^2+3)^2=16*(x^2+y^2)";
+    let points = ["--point", "0,0,1/2", "--point", "3,0.01,0"];
+    let few = inspect(&[&[torus, "--budget", "0"][..], &points].concat());
+    assert!(
+        few.err
+            .contains("the distance of 1 point is known to fewer digits"),
+        "{}",
+        few.err
+    );
+    let enough = inspect(&[&[torus][..], &points].concat());
+    assert!(!enough.err.contains("fewer digits"), "{}", enough.err);
+}

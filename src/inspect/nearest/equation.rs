@@ -141,8 +141,11 @@ impl Inspector {
             let size = best.map_or(0.0, |best| largest(&best.foot.point).max(largest(&p)));
             best.filter(|best| best.off <= NEARLY * size)
         };
+        // Near a center of curvature Newton's method is slow, and its last step may be too long: one more step ends it.
+        let found = stationary(field, p, start);
         let in_doubles = [
-            stationary(field, p, start),
+            found.and_then(|q| stationary(field, p, q)),
+            found,
             approach(field, p, start, APPROACHED),
             Some(start),
         ];
