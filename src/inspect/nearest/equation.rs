@@ -23,6 +23,8 @@ const SIMPLE: [f64; 2] = [1e-9, 1e-5];
 const EXACT_STEPS: usize = 40;
 /// The largest number of steps of Newton's method with exact derivatives.
 const EXACT_NEWTON_STEPS: usize = 12;
+/// The precision of a place from which Newton's method starts.
+const ROUGHLY: f64 = 1e-3;
 /// The precision of a foot that is approached in tangent planes.
 const APPROACHED: f64 = 1e-15;
 
@@ -89,7 +91,7 @@ impl Inspector {
     fn start(&self, field: &Field, p: [f64; 3]) -> Vec<[f64; 3]> {
         let size = largest(&p);
         let near = approach(field, p, p, APPROACHED)
-            .or_else(|| approach(field, p, p, 1e-9))
+            .or_else(|| approach(field, p, p, ROUGHLY))
             .or_else(|| stationary(field, p, p));
         // The point itself, if it is on the surface.
         let is_on = |q: &[f64; 3]| distance(*q, p) <= ROUNDING * size;
@@ -157,8 +159,9 @@ impl Inspector {
         }
         if self.is_exact_possible(field) {
             // Where doubles lose all digits of f, exact values do not.
-            for way in [approach_exactly, stationary_exactly] {
-                let q = way(field, exactly, start);
+            let near = approach_exactly(field, exactly, start).unwrap_or(start);
+            for start in [near, start] {
+                let q = stationary_exactly(field, exactly, start);
                 let found = take(q.and_then(|q| self.regular(factor, exactly, q)));
                 if found.is_some() {
                     return found;
@@ -181,7 +184,8 @@ impl Inspector {
         let size = largest(&q).max(largest(&p)).max(f64::MIN_POSITIVE);
         let mut q = q;
         let (mut gradient, mut off) = gradient_and_off(field, q)?;
-        if off > ROUNDING * size && self.is_exact_possible(field) {
+        let is_rough = off > ROUNDING * size || aside(p, q, gradient) > NEARLY * size;
+        if is_rough && self.is_exact_possible(field) {
             // 2^exponent is about the size.
             let exponent = size.log2().clamp(-900.0, 900.0).ceil();
             #[expect(clippy::cast_possible_truncation, reason = "at most 900 in size")]
@@ -201,6 +205,8 @@ impl Inspector {
             .outward(factor, q)
             .and_then(|sign| unit(gradient.map(|g| sign * g)));
         let foot = super::Foot { point: q, normal };
+        // What is not a foot of p is as wrong as what is not on the surface.
+        let off = off.max(aside(p, q, gradient));
         Some(FootCandidate { foot, off })
     }
 
@@ -234,8 +240,8 @@ impl Inspector {
     }
 }
 
-/// A foot near `start`, by steps to the nearest points in tangent planes, or else by those of Newton's method, with exact values of f and
-/// its gradient at doubles.
+/// A point that is about a foot, by steps from `start` to the nearest points in tangent planes, with exact values of f and its gradient
+/// at doubles.
 fn approach_exactly(field: &Field, p: &[Rational; 3], start: [f64; 3]) -> Option<[f64; 3]> {
     let mut q = start;
     let mut last = f64::INFINITY;
@@ -250,7 +256,7 @@ fn approach_exactly(field: &Field, p: &[Rational; 3], start: [f64; 3]) -> Option
         let moved = distance(next, q);
         // Far from the surface the steps may become longer.
         if !moved.is_finite() || step > 2 && moved >= last {
-            return (moved <= NEARLY * largest(&q)).then_some(q);
+            return (moved <= ROUGHLY * largest(&q)).then_some(q);
         }
         (q, last) = (next, moved);
     }
@@ -276,11 +282,19 @@ fn stationary_exactly(field: &Field, p: &[Rational; 3], start: [f64; 3]) -> Opti
             return None;
         }
         q = next;
-        if moved <= NEARLY * largest(&q) {
+        if moved <= NEARLY * largest(&q).max(largest(&p.each_ref().map(Rational::to_f64))) {
             return Some(q);
         }
     }
     None
+}
+
+/// The length of the part of p − q that is not along the gradient at q, which is 0 at a foot.
+fn aside(p: [f64; 3], q: [f64; 3], gradient: [f64; 3]) -> f64 {
+    let away = [0, 1, 2].map(|i| p[i] - q[i]);
+    let along = dot(away, gradient) / dot(gradient, gradient);
+    let rest = [0, 1, 2].map(|i| away[i] - along * gradient[i]);
+    dot(rest, rest).sqrt()
 }
 
 /// The gradient of f, and about the distance of a point from the zeros of f, both by exact values.
