@@ -37,7 +37,7 @@ impl Write for Passing {
 /// The writer of the file.
 enum Inner {
     Parquet(Box<ArrowWriter<Passing>>),
-    Arrow(FileWriter<Passing>),
+    Arrow(Box<FileWriter<Passing>>),
 }
 
 /// The file, after the names of its columns are known.

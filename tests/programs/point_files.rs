@@ -192,15 +192,16 @@ fn what_is_not_known_is_said() {
         "{}",
         empty.err
     );
+    // From a point of the axis a whole circle is nearest.
     let torus = "(x^2+y^2+z^2+3)^2=16*(x^2+y^2)";
-    let points = ["--point", "0,0,1/2", "--point", "3,0.01,0"];
-    let few = inspect(&[&[torus, "--budget", "0"][..], &points].concat());
+    let others = ["--point", "5,1,2", "--point", "0.3,0.2,1/2"];
+    let few = inspect(&[&[torus, "--point", "0,0,1/2"][..], &others].concat());
     assert!(
         few.err
             .contains("the distance of 1 point is known to fewer digits"),
         "{}",
         few.err
     );
-    let enough = inspect(&[&[torus][..], &points].concat());
+    let enough = inspect(&[&[torus][..], &others].concat());
     assert!(!enough.err.contains("fewer digits"), "{}", enough.err);
 }
