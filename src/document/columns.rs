@@ -153,7 +153,8 @@ impl<'w> ColumnWriter<'w> {
                 Inner::Parquet(Box::new(writer))
             }
             ColumnFormat::Arrow => {
-                Inner::Arrow(FileWriter::try_new(passing, &schema).map_err(std::io::Error::other)?)
+                let writer = FileWriter::try_new(passing, &schema);
+                Inner::Arrow(Box::new(writer.map_err(std::io::Error::other)?))
             }
         };
         self.open = Some(Open {
