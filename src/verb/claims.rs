@@ -13,7 +13,7 @@ use crate::fit::Distances;
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::parametrize::{
     BranchRadius, IntersectionParametrization, Parametrization, Rationality,
-    SurfaceParametrization, born_of_radius, critical_slopes,
+    SurfaceParametrization, born_of_radius, critical_slopes, is_positive,
 };
 use crate::poly::PlanePolynomial;
 use crate::sample::{HomogeneousParts, SampledRay, UnitVector};
@@ -234,6 +234,12 @@ pub(super) fn claim_branches(
                 let is_square = SquaredForm::new(radius)?.is_perfect_square();
                 let series = radius_form(proof, radius);
                 witness::of_radius(proof, factor, series, is_square, "center");
+                // If r has one sign everywhere, this says all about its ranges.
+                let of_one_sign = [radius.clone(), negated(radius)];
+                if let Some(positive) = of_one_sign.iter().find(|r| is_positive(r)) {
+                    witness::positive_radius(proof, positive, true);
+                    continue;
+                }
             }
             _ => witness::unproved(proof, "closed-form", &statement),
         }
@@ -256,6 +262,13 @@ pub(super) fn claim_branches(
         }
     }
     Ok(())
+}
+
+/// The radius −r.
+fn negated(radius: &FourierRadius) -> FourierRadius {
+    let of = |list: &[Rational]| list.iter().map(|c| -c).collect();
+    FourierRadius::new(of(radius.cosines()), of(radius.sines()))
+        .with_center(radius.center().clone())
 }
 
 /// Claims the factors of a polynomial, and that they are irreducible, unless it is irreducible itself.

@@ -75,8 +75,9 @@ fn points_may_stand_in_brackets_and_with_blanks() {
     let points = [("(1, 0)", "1,0"), ("1 0", "1,0"), ("[1;0]", "1,0")];
     assert_same_values(point, &points);
     // What is written is what was read.
+    let folder = TempDir::new().unwrap();
     let run = run_in(
-        &std::env::temp_dir(),
+        folder.path(),
         &["inspect", "x", "--tolerance", "1", "--point", "(0.50, 1/3)"],
         "",
     );
@@ -203,7 +204,7 @@ fn the_name_of_the_output_chooses_the_format() {
 fn an_angle_beyond_a_full_turn_is_remarked_on_where_it_has_no_unit() {
     let said = |theta: &str| {
         let arguments = ["sample", EGG, "--theta", theta, "--positive"];
-        run_in(&std::env::temp_dir(), &arguments, "").err
+        run_in(TempDir::new().unwrap().path(), &arguments, "").err
     };
     assert_eq!(
         said("30"),
@@ -263,7 +264,7 @@ fn skipped_rows_leave_no_gap_in_json() {
     ];
     let more = ["--skip-bad", "--format", "json"];
     let run = run_in(
-        &std::env::temp_dir(),
+        TempDir::new().unwrap().path(),
         &[&arguments[..], &more].concat(),
         &rows,
     );
@@ -286,7 +287,7 @@ fn the_help_is_coloured_where_it_is_asked_for() {
         assert!(!colored(plain), "{plain:?}");
     }
     let run = run_in(
-        &std::env::temp_dir(),
+        TempDir::new().unwrap().path(),
         &["describe", "--color", "always"],
         "",
     );

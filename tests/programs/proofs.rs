@@ -83,7 +83,7 @@ fn proofs_are_accepted_and_wrong_ones_are_refused() {
 }
 
 /// Commands that write proofs, with the numbers of their claims and of those without a witness.
-const PROVED: [(&[&str], usize, usize); 19] = [
+const PROVED: [(&[&str], usize, usize); 20] = [
     (&["describe", "(x^2 + y^2 - 1)*(x^3 - y^2)*(x - y)^2"], 4, 0),
     (&["describe", "r = 1 + 1/5*cos(3*t)"], 3, 0),
     (&["describe", "r = 1 + 6/5*cos(3*t) - 1/7*sin(t)"], 3, 0),
@@ -163,7 +163,16 @@ const PROVED: [(&[&str], usize, usize); 19] = [
     (&["describe", "x^4 - x^2 + y^2", "--topology"], 4, 2),
     // The true ranges, which no scan finds; the formulas and the very ends have no witness.
     (&["parametrize", "x^3 + y^3 = 3*x*y"], 6, 2),
-    (&["parametrize", "(x^2 + y^2 - 1)*(x^3 - y^2)"], 12, 4),
+    (&["parametrize", "(x^2 + y^2 - 1)*(x^3 - y^2)"], 11, 2),
+    // A radius of one sign is real everywhere, and so is its branch r < 0.
+    (
+        &[
+            "parametrize",
+            "x^4 + 2x^2y^2 + y^4 - 2x^3 - 2xy^2 - 3x^2 - 4y^2",
+        ],
+        6,
+        0,
+    ),
     (&["parametrize", "R = 2 + Y(1,0)/3"], 3, 0),
     (&["parametrize", "x^2 + y^2 = 1; z = y^5"], 2, 1),
     (
