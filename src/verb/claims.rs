@@ -241,9 +241,12 @@ pub(super) fn claim_branches(
                     continue;
                 }
             }
+            // A root in each direction is all that there is to say; the sectors say how many there are.
+            BranchRadius::Root(_) => {}
             _ => witness::unproved(proof, "closed-form", &statement),
         }
-        witness::unproved(proof, "ranges", &statement);
+        // What happens within the cuts between the sectors, once for a factor.
+        witness::unproved(proof, "ranges", &json!({ "form": factor }));
     }
     for f in &factors {
         if let Some(slopes) = critical_slopes(f, work.bounds())? {

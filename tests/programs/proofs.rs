@@ -83,7 +83,7 @@ fn proofs_are_accepted_and_wrong_ones_are_refused() {
 }
 
 /// Commands that write proofs, with the numbers of their claims and of those without a witness.
-const PROVED: [(&[&str], usize, usize); 20] = [
+const PROVED: [(&[&str], usize, usize); 21] = [
     (&["describe", "(x^2 + y^2 - 1)*(x^3 - y^2)*(x - y)^2"], 4, 0),
     (&["describe", "r = 1 + 1/5*cos(3*t)"], 3, 0),
     (&["describe", "r = 1 + 6/5*cos(3*t) - 1/7*sin(t)"], 3, 0),
@@ -172,6 +172,12 @@ const PROVED: [(&[&str], usize, usize); 20] = [
         ],
         6,
         0,
+    ),
+    // A branch without a formula: the sectors count the roots, and what happens within the cuts has no witness.
+    (
+        &["parametrize", "x^6 + y^6 + x^3*y + x^2 + 3*y = 7*x"],
+        4,
+        1,
     ),
     (&["parametrize", "R = 2 + Y(1,0)/3"], 3, 0),
     (&["parametrize", "x^2 + y^2 = 1; z = y^5"], 2, 1),
