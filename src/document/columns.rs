@@ -1,7 +1,7 @@
 //! Inspected points as Parquet and Arrow files, which store their rows by columns.
 
 use std::io::Write;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use arrow::array::{ArrayRef, BooleanArray, RecordBatch, StringArray};
 use arrow::csv::ReaderBuilder;
@@ -22,10 +22,15 @@ const ROWS: usize = 8192;
 #[derive(Clone, Default)]
 struct Passing(Arc<Mutex<Vec<u8>>>);
 
+impl Passing {
+    fn bytes(&self) -> MutexGuard<'_, Vec<u8>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
 impl Write for Passing {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        let mut passing = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        passing.extend_from_slice(bytes);
+        self.bytes().extend_from_slice(bytes);
         Ok(bytes.len())
     }
 
@@ -111,7 +116,8 @@ impl<'w> ColumnWriter<'w> {
         let mut rows = csv::ReaderBuilder::new()
             .has_headers(false)
             .from_reader(head.as_bytes());
-        let names = rows.records().next().transpose()?.unwrap_or_default();
+        let names = rows.records().next().transpose()?;
+        let names = names.invariant("the first line has names");
         let own = names.iter().position(|name| name == "sign");
         let fields: Vec<Field> = names
             .iter()
@@ -198,11 +204,7 @@ impl<'w> ColumnWriter<'w> {
     }
 
     fn pass_on(&mut self) -> std::io::Result<()> {
-        let mut passing = self
-            .passing
-            .0
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
+        let mut passing = self.passing.bytes();
         self.out.write_all(&passing)?;
         passing.clear();
         Ok(())

@@ -38,26 +38,22 @@ pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
             summary.enclosed
         );
     }
-    if summary.few_digits > 0 {
-        let _ = write!(
-            line,
-            "; the distance of {} is known to fewer digits than --digits says",
-            counted(summary.few_digits, "point", "points")
-        );
-    }
-    if summary.not_found > 0 {
-        let _ = write!(
-            line,
-            "; of {} no nearest point was found",
-            counted(summary.not_found, "point", "points")
-        );
-    }
-    if summary.without_foot > 0 {
-        let _ = write!(
-            line,
-            "; of {} no foot was found that passes the check",
-            counted(summary.without_foot, "point", "points")
-        );
+    let counts = [
+        (
+            summary.few_digits,
+            "the distance of ",
+            " is known to fewer digits than --digits says",
+        ),
+        (summary.not_found, "of ", " no nearest point was found"),
+        (
+            summary.without_foot,
+            "of ",
+            " no foot was found that passes the check",
+        ),
+    ];
+    for (count, before, behind) in counts.into_iter().filter(|(count, ..)| *count > 0) {
+        let points = counted(count, "point", "points");
+        let _ = write!(line, "; {before}{points}{behind}");
     }
     if summary.bad > 0 {
         let _ = write!(line, "; {} rows were no points", summary.bad);

@@ -13,7 +13,7 @@ use crate::fit::Distances;
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::parametrize::{
     BranchRadius, IntersectionParametrization, Parametrization, Rationality,
-    SurfaceParametrization, born_of_radius, critical_slopes, is_positive,
+    SurfaceParametrization, born_of_radius, critical_slopes, is_full_circle, is_positive,
 };
 use crate::poly::PlanePolynomial;
 use crate::sample::{HomogeneousParts, SampledRay, UnitVector};
@@ -235,9 +235,14 @@ pub(super) fn claim_branches(
                 let series = radius_form(proof, radius);
                 witness::of_radius(proof, factor, series, is_square, "center");
                 // If r has one sign everywhere, this says all about its ranges.
-                let of_one_sign = [radius.clone(), negated(radius)];
-                if let Some(positive) = of_one_sign.iter().find(|r| is_positive(r)) {
-                    witness::positive_radius(proof, positive, true);
+                let of_one_sign = if is_full_circle(&branch.positive) {
+                    Some(radius.clone())
+                } else {
+                    let negated = branch.positive.is_empty().then(|| negated(radius));
+                    negated.filter(is_positive)
+                };
+                if let Some(positive) = of_one_sign {
+                    witness::positive_radius(proof, &positive, true);
                     continue;
                 }
             }

@@ -6,7 +6,7 @@ use super::against::{Against, AgainstPlaneCurve, AskedPoint, Level};
 use super::equation::{Taken, check_surface, cylinder, implicit_curve, surface_of_superquadric};
 use super::fit::{exact_form, is_positive_radius};
 use super::{Given, Remark, Work};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
@@ -264,7 +264,8 @@ impl InspectionTask {
 
     /// The number of significant digits that the bounds of a distance should determine.
     pub(super) fn digits(&self) -> i32 {
-        i32::try_from(self.digits).unwrap_or(i32::MAX)
+        // Doubles have fewer.
+        i32::try_from(self.digits.min(20)).invariant("20 is small")
     }
 
     /// The form for claims about points.

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use serde_json::{Value, json};
 
 use super::forms::{curve_form, harmonic_form, radius_form, surface_form, texts};
+use super::minima::{ANGLES, angle, minima, narrowed, real};
 use super::proof::{Proof, by_expansion};
 use crate::error::Invariant;
 use crate::exact::Rational;
@@ -14,8 +15,6 @@ use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::sample::{Direction, SpaceDirection, UnitVector};
 use crate::shape::{FourierRadius, HarmonicSurface, ImplicitCurve, ImplicitSurface};
 
-/// The number of angles at which a radius is evaluated to find its nearest and its farthest point.
-const ANGLES: usize = 4096;
 /// The number of directions in which the nearest zero of a polynomial is searched.
 const RAYS: usize = 96;
 /// Zeros are searched to this multiple of the largest distance, so that rays beside the nearest zero meet one, too.
@@ -97,15 +96,6 @@ impl InspectedForm {
         let points = (0..ANGLES).map(|k| point_of_radius(radius, angle(real(k))));
         Self::Radius(radius_form(proof, radius), radius.clone(), points.collect())
     }
-}
-
-fn angle(k: f64) -> f64 {
-    k * TAU / real(ANGLES)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "a small count")]
-fn real(count: usize) -> f64 {
-    count as f64
 }
 
 fn point_of_radius(radius: &FourierRadius, theta: f64) -> [f64; 2] {
@@ -447,36 +437,6 @@ impl NearestOfRadius {
             places: lowest.iter().filter_map(|theta| place(*theta)).collect(),
         }
     }
-}
-
-/// The indices of the local minima of values around a circle, the least first; 0 if no values can be compared.
-fn minima(values: &[f64]) -> Vec<usize> {
-    let count = values.len();
-    let is_low = |&k: &usize| {
-        values[k] <= values[(k + 1) % count] && values[k] <= values[(k + count - 1) % count]
-    };
-    let mut found: Vec<usize> = (0..count).filter(is_low).collect();
-    found.sort_by(|&i, &j| values[i].total_cmp(&values[j]));
-    if found.is_empty() {
-        found.push(0);
-    }
-    found
-}
-
-/// Where the function has its minimum between the neighbours of an index: the golden section.
-fn narrowed(index: usize, value: impl Fn(f64) -> f64) -> f64 {
-    let ratio = 0.618_033_988_749_895;
-    let (mut low, mut high) = (real(index) - 1.0, real(index) + 1.0);
-    for _ in 0..60 {
-        let a = high - ratio * (high - low);
-        let b = low + ratio * (high - low);
-        if value(a) < value(b) {
-            high = b;
-        } else {
-            low = a;
-        }
-    }
-    f64::midpoint(low, high)
 }
 
 /// A simple number q + t near that of an angle.

@@ -9,6 +9,7 @@ mod equation;
 mod fit;
 mod forms;
 mod line;
+mod minima;
 mod positive;
 mod proof;
 mod rays;

@@ -20,7 +20,7 @@ const TINY: f64 = 1e-290;
 /// Coordinates that are less than this part of the size are 0.
 const NOTHING: f64 = 1e-30;
 /// A gradient or tangent that is less than this, in parts of the next derivatives times the size, belongs to a singular point.
-const SINGULAR: f64 = 1e-8;
+pub(super) const SINGULAR: f64 = 1e-8;
 
 /// The nearest point of a form, with the unit normal of the form there; approximate, to nearly all digits of a double. In the plane z
 /// is 0.
@@ -66,6 +66,29 @@ impl FootCandidate {
             normal: normal.map(|normal| normal.map(|x| without_rounding(x, 1.0))),
         })
     }
+}
+
+/// Parameters after at most so many steps of Newton's method, which end where there is no step or it is no longer shorter than the one
+/// before.
+pub(super) fn after_steps(
+    start: [f64; 2],
+    most: usize,
+    step: impl Fn([f64; 2]) -> Option<[f64; 2]>,
+) -> [f64; 2] {
+    let mut at = start;
+    let mut last = f64::INFINITY;
+    for _ in 0..most {
+        let Some(step) = step(at) else {
+            break;
+        };
+        let size = step[0].abs().max(step[1].abs());
+        if !size.is_finite() || size >= last {
+            break;
+        }
+        at = [at[0] + step[0], at[1] + step[1]];
+        last = size;
+    }
+    at
 }
 
 /// 0 for a coordinate that is nothing but a rounding error of numbers of this size.

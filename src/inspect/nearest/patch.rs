@@ -1,9 +1,10 @@
 //! The foot of a point on a patch.
 
-use super::{FootCandidate, SINGULAR, largest, length_of, unit};
+use super::{FootCandidate, SINGULAR, after_steps, largest, length_of, unit};
 use crate::exact::Rational;
 use crate::inspect::patch::PatchInspector;
 use crate::intervals::dot;
+use crate::shape::cross;
 
 /// The step of the quotients of differences for first derivatives; their errors are about its fourth power.
 const STEP: f64 = 2e-4;
@@ -16,26 +17,12 @@ impl PatchInspector {
     /// The foot of a point; the normal is X_u × X_v.
     pub(crate) fn foot(&self, point: &[Rational; 3]) -> Option<FootCandidate> {
         let p = point.each_ref().map(Rational::to_f64);
-        let mut at = self.nearest_angles(&p)?;
-        let mut last = f64::INFINITY;
-        for _ in 0..STEPS {
-            let Some(step) = self.newton_step(at, &p) else {
-                break;
-            };
-            let size = step[0].abs().max(step[1].abs());
-            if !size.is_finite() || size >= last {
-                break;
-            }
-            at = [at[0] + step[0], at[1] + step[1]];
-            last = size;
-        }
+        let at = after_steps(self.nearest_angles(&p)?, STEPS, |at| {
+            self.newton_step(at, &p)
+        });
         let q = self.near(at)?;
         let [u, v] = [self.slope(at, 0)?, self.slope(at, 1)?];
-        let across = [
-            u[1] * v[2] - u[2] * v[1],
-            u[2] * v[0] - u[0] * v[2],
-            u[0] * v[1] - u[1] * v[0],
-        ];
+        let across = cross(u, v);
         let size = largest(&q).max(length_of(&u)).max(length_of(&v));
         let normal = (length_of(&across) > SINGULAR * size * size)
             .then(|| unit(across))
