@@ -1,7 +1,7 @@
 //! Follows an arc from tube to tube.
 
-use super::tube::{Enclosed, Tube, enclose, newton, tube};
-use crate::intervals::{Field, between, distance};
+use super::tube::{Enclosed, Tube, enclose, largest, newton, tangent, tube};
+use crate::intervals::{Field, between};
 
 /// A tube extends beyond both ends of its step by this part of the step, so that neighbouring tubes overlap.
 const OVERLAP: f64 = 0.25;
@@ -13,6 +13,8 @@ const REACH: f64 = 1e-3;
 const COSINE: f64 = 0.9945;
 /// Where the arc bends, steps are made smaller, down to this part of the longest step.
 const SMALL: f64 = 1.0 / 64.0;
+/// The longest step out of a window, in parts of its side.
+const LONGEST: f64 = 1.0 / 8.0;
 
 /// Two surfaces, a box, and the lengths of steps.
 pub(super) struct Path<'a> {
@@ -39,19 +41,13 @@ pub(super) struct Run {
     pub(super) points: Vec<Enclosed>,
     pub(super) tubes: Vec<Tube>,
     pub(super) stop: Stop,
+    /// The first point outside of the window, at the end of the last tube.
+    pub(super) outside: Option<Enclosed>,
 }
 
 impl Path<'_> {
-    /// The direction of ∇f × ∇g, in doubles.
     fn tangent(&self, p: [f64; 3]) -> Option<[f64; 3]> {
-        let [a, b] = self.fields.map(|f| f.gradient(p));
-        let cross = [0, 1, 2].map(|i: usize| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            a[j] * b[k] - a[k] * b[j]
-        });
-        let length = distance(cross, [0.0; 3]);
-        let is_usable = length.is_finite() && length > 0.0;
-        is_usable.then(|| cross.map(|c| c / length))
+        tangent(self.fields, p)
     }
 
     pub(super) fn is_inside(&self, p: [f64; 3]) -> bool {
@@ -73,6 +69,7 @@ impl Path<'_> {
             points: Vec::new(),
             tubes: Vec::new(),
             stop: Stop::Unresolved,
+            outside: None,
         };
         let mut at = *seed;
         let mut step = self.longest / 4.0;
@@ -113,6 +110,7 @@ impl Path<'_> {
                 run.points.extend(last);
                 run.tubes.push(tube);
                 run.stop = Stop::Window;
+                run.outside = Some(next);
                 break;
             }
             run.points.push(next);
@@ -157,8 +155,20 @@ impl Path<'_> {
     }
 }
 
-/// The axis of the largest component.
-fn largest(v: [f64; 3]) -> usize {
-    let better = |best: usize, i: usize| if v[i].abs() > v[best].abs() { i } else { best };
-    (0..3).fold(0, better)
+/// A common zero outside of a window, on the same arc as one inside; `None` if the arc is not proved to leave the window.
+pub(crate) fn leaves_window(
+    fields: [&Field; 2],
+    seed: &Enclosed,
+    window: [[f64; 2]; 3],
+) -> Option<Enclosed> {
+    let longest = LONGEST * (window[0][1] - window[0][0]);
+    let path = Path {
+        fields,
+        window,
+        longest,
+        shortest: longest * SMALL,
+    };
+    [1.0, -1.0]
+        .iter()
+        .find_map(|sense| path.follow(seed, *sense, &[]).outside)
 }

@@ -1,7 +1,7 @@
 //! Proofs by interval Newton for two surfaces in one box: a single smooth arc, or a single point.
 
 use crate::exact::Rational;
-use crate::intervals::{BoxBounds, Field, Interval, rational};
+use crate::intervals::{BoxBounds, Field, Interval, distance, rational};
 
 /// The largest number of steps of Newton's method in doubles.
 const NEWTON_STEPS: usize = 40;
@@ -20,9 +20,9 @@ pub(super) struct Tube {
 
 /// A point with exactly one common zero within `radius` of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Enclosed {
-    pub(super) position: [f64; 3],
-    pub(super) radius: f64,
+pub(crate) struct Enclosed {
+    pub(crate) position: [f64; 3],
+    pub(crate) radius: f64,
 }
 
 impl Tube {
@@ -38,6 +38,24 @@ impl Tube {
     pub(super) fn holds_point(&self, point: &Enclosed) -> bool {
         self.holds(point.position, [point.radius; 3])
     }
+}
+
+/// The direction of ∇f × ∇g, in doubles.
+pub(super) fn tangent(fields: [&Field; 2], p: [f64; 3]) -> Option<[f64; 3]> {
+    let [a, b] = fields.map(|f| f.gradient(p));
+    let cross = [0, 1, 2].map(|i: usize| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    });
+    let length = distance(cross, [0.0; 3]);
+    let is_usable = length.is_finite() && length > 0.0;
+    is_usable.then(|| cross.map(|c| c / length))
+}
+
+/// The axis of the largest component.
+pub(super) fn largest(v: [f64; 3]) -> usize {
+    let better = |best: usize, i: usize| if v[i].abs() > v[best].abs() { i } else { best };
+    (0..3).fold(0, better)
 }
 
 /// The two axes other than `axis`.
@@ -136,6 +154,17 @@ pub(super) fn newton(fields: [&Field; 2], axis: usize, start: [f64; 3]) -> Optio
         }
     }
     Some(p)
+}
+
+/// The common zero near a point at which the gradients are not parallel; it is the only one within `reach` with the same coordinate
+/// along the axis on which the curve runs fastest.
+pub(crate) fn enclose_common_zero(
+    fields: [&Field; 2],
+    start: [f64; 3],
+    reach: f64,
+) -> Option<Enclosed> {
+    let axis = largest(tangent(fields, start)?);
+    enclose(fields, axis, newton(fields, axis, start)?, reach)
 }
 
 /// The common zero near a point, one of whose coordinates is kept: there is exactly one within `reach`. The point is moved to

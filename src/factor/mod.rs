@@ -9,6 +9,7 @@
 //! The algorithms are those of von zur Gathen & Gerhard, *Modern Computer Algebra*, chapters 14 and 15,
 //! and Geddes, Czapor & Labahn, *Algorithms for Computer Algebra*, chapters 7 and 8.
 
+mod conjugate;
 mod gcd;
 mod multivariate;
 mod proof;
@@ -23,6 +24,7 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Lcm;
 use malachite::base::num::basic::traits::One;
 
+pub(crate) use conjugate::conjugate_pair;
 pub use proof::{Irreducibility, Variable};
 
 use crate::error::{Error, Invariant, Result};

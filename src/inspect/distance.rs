@@ -236,7 +236,7 @@ impl DistanceSearch<'_> {
 /// |m − middle| and |m ± h − middle| is enough.
 ///
 /// Law: `the_parts_of_a_cube_cover_it`.
-fn half_side(cube: &Cube, middle: [f64; 3], corner: u32, axes: usize) -> f64 {
+pub(super) fn half_side(cube: &Cube, middle: [f64; 3], corner: u32, axes: usize) -> f64 {
     (0..axes).fold(0.0, |grown: f64, i| {
         let inner = Interval::from(cube.middle[i]);
         let half = if corner >> i & 1 == 1 {
@@ -252,7 +252,7 @@ fn half_side(cube: &Cube, middle: [f64; 3], corner: u32, axes: usize) -> f64 {
 }
 
 /// A lower bound of the distance of a point from a cube; `away` points from the middle of the cube to the point.
-fn beside(away: [Interval; 3], half: f64, axes: usize) -> f64 {
+pub(super) fn beside(away: [Interval; 3], half: f64, axes: usize) -> f64 {
     let beyond = away.iter().take(axes);
     let beyond = beyond.map(|x| (x.abs() - Interval::from(half)).or_zero().squared());
     beyond.fold(Interval::ZERO, |sum, b| sum + b).sqrt().low()

@@ -2,7 +2,7 @@
 
 use super::DistanceBounds;
 use super::distance::{Goal, nearest};
-use super::inspector::Inspector;
+use super::inspector::{Factor, Inspector};
 use super::known::{PartialInspection, Point};
 use crate::intervals::interval::separation;
 use crate::intervals::{Field, Interval};
@@ -31,14 +31,24 @@ impl Inspector {
         let is_near = |known: &PartialInspection, best: f64| {
             known.bounds.low < best * (1.0 - self.goal.relative)
         };
-        for (known, field) in parts.iter_mut().zip(self.factors()) {
+        // The distances from the curves of common zeros are known.
+        fn others<'k, 'p>(
+            parts: &'k mut [PartialInspection],
+            factors: &'p [Factor],
+        ) -> impl Iterator<Item = (&'k mut PartialInspection, &'p Field)> {
+            let pairs = parts.iter_mut().zip(factors);
+            let pairs =
+                pairs.filter(|(known, factor)| factor.curve.is_none() || known.foot.is_none());
+            pairs.map(|(known, factor)| (known, &factor.field))
+        }
+        for (known, field) in others(parts, self.factors()) {
             self.by_refined_foot(field, at(field), known);
         }
         let best = high(parts);
         if parts.iter().all(|known| !is_near(known, best)) && best.is_finite() {
             return;
         }
-        for (known, field) in parts.iter_mut().zip(self.factors()) {
+        for (known, field) in others(parts, self.factors()) {
             if known.bounds.high.is_infinite() {
                 let p = at(field);
                 let found = DistanceBounds {
@@ -57,7 +67,7 @@ impl Inspector {
             if !is_known {
                 reach *= 4.0;
             }
-            for (known, field) in parts.iter_mut().zip(self.factors()) {
+            for (known, field) in others(parts, self.factors()) {
                 if is_near(known, reach) {
                     self.search_within(field, at(field), known, reach);
                 }

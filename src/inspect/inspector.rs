@@ -3,13 +3,14 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use super::common_zeros::CommonZeros;
 use super::distance::{Goal, nearest};
 use super::foot::{approach, enclose};
 use super::known::{PartialInspection, Point, rounding};
 use super::{DistanceBounds, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
-use crate::factor::{factor_plane, factor_space};
+use crate::factor::{conjugate_pair, factor_plane, factor_space};
 use crate::intervals::{Field, Interval, dot, rational};
 use crate::limits::Limits;
 use crate::options::options;
@@ -51,16 +52,22 @@ pub(super) enum Kind {
     Plane,
 }
 
+/// An irreducible factor of the polynomial. It changes its sign at its zeros, which a repeated factor does not; if it does not either, its
+/// zeros may be known as a curve.
+#[derive(Debug)]
+pub(super) struct Factor {
+    pub(super) field: Field,
+    pub(super) multiplicity: usize,
+    pub(super) curve: Option<CommonZeros>,
+}
+
 /// A surface or plane curve with a tolerance, ready to be compared with points.
 #[derive(Clone, Debug)]
 pub struct Inspector {
     pub(super) kind: Kind,
     /// The center of a plane curve, which is the origin of its polynomial's coordinates, unless it is (0, 0).
     center: Option<[Rational; 2]>,
-    /// The irreducible factors. They change sign at their zeros, which a repeated factor does not.
-    factors: Arc<[Field]>,
-    /// The multiplicities of the factors.
-    multiplicities: Arc<[usize]>,
+    factors: Arc<[Factor]>,
     pub(super) tolerance: Rational,
     /// Doubles below and above the tolerance.
     pub(super) around: [f64; 2],
@@ -98,8 +105,25 @@ impl Inspector {
         limits: &Limits,
     ) -> Result<Self> {
         let factors = factor_space(surface.polynomial(), limits)?.factors;
-        let factors = factors.into_iter().map(|f| (f.polynomial, f.multiplicity));
-        Self::new(Kind::Surface, factors.collect(), options, limits)
+        let factors = factors.into_iter().map(|f| {
+            let field = Field::new(&f.polynomial);
+            // Without z the zeros are lines or sheets, which are inspected in the plane.
+            let pair = match field.is_flat() {
+                true => None,
+                false => conjugate_pair(&f.polynomial, limits)?,
+            };
+            Ok(Factor {
+                field,
+                multiplicity: f.multiplicity,
+                curve: pair.and_then(|pair| CommonZeros::new(&pair)),
+            })
+        });
+        Self::new(
+            Kind::Surface,
+            factors.collect::<Result<_>>()?,
+            options,
+            limits,
+        )
     }
 
     /// The inspector of a plane curve, for points (x, y, 0) in the curve's original coordinates; its center is taken into
@@ -111,7 +135,11 @@ impl Inspector {
         let factors = factor_plane(curve.polynomial(), limits)?.factors;
         let factors = factors
             .iter()
-            .map(|f| (SparsePolynomial::from(&f.polynomial), f.multiplicity))
+            .map(|f| Factor {
+                field: Field::new(&SparsePolynomial::from(&f.polynomial)),
+                multiplicity: f.multiplicity,
+                curve: None,
+            })
             .collect();
         let has_center = curve.center().iter().any(|c| !c.is_zero());
         Ok(Self {
@@ -122,7 +150,7 @@ impl Inspector {
 
     fn new(
         kind: Kind,
-        factors: Vec<(SparsePolynomial<3>, usize)>,
+        factors: Vec<Factor>,
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
@@ -138,8 +166,7 @@ impl Inspector {
         let mut inspector = Self {
             kind,
             center: None,
-            factors: factors.iter().map(|(f, _)| Field::new(f)).collect(),
-            multiplicities: factors.iter().map(|(_, m)| *m).collect(),
+            factors: factors.into(),
             tolerance: options.tolerance.clone(),
             around,
             asked: options.reach,
@@ -184,7 +211,7 @@ impl Inspector {
     /// Whether a factor has too many monomials for exact expansions (more than 1000, divisors included).
     #[must_use]
     pub fn is_in_doubles_alone(&self) -> bool {
-        let mut sizes = self.factors.iter().map(Field::monomials);
+        let mut sizes = self.factors.iter().map(|factor| factor.field.monomials());
         sizes.any(|size| size > MAX_EXACT_MONOMIALS)
     }
 
@@ -238,11 +265,13 @@ impl Inspector {
                 in_doubles.unwrap_or_else(|| field.polynomial().evaluate(exactly).signum())
             }
         };
-        let signs = self.factors.iter().zip(&*self.multiplicities);
-        let signs = signs.map(|(field, multiplicity)| match multiplicity % 2 {
-            1 => sign_of(field),
-            _ => sign_of(field).abs(),
-        });
+        let signs = self
+            .factors
+            .iter()
+            .map(|factor| match factor.multiplicity % 2 {
+                1 => sign_of(&factor.field),
+                _ => sign_of(&factor.field).abs(),
+            });
         signs.product()
     }
 
@@ -263,7 +292,7 @@ impl Inspector {
         let mut parts: Vec<PartialInspection> = self
             .factors
             .iter()
-            .map(|field| self.of_factor(field, at(field)))
+            .map(|factor| self.of_factor(factor, at(&factor.field)))
             .collect();
         let mut all = Inspection {
             verdict: Verdict::Outside,
@@ -289,13 +318,12 @@ impl Inspector {
         if self.asked.is_none() && all.verdict == Verdict::Outside {
             self.far(&mut parts, at);
         }
-        for ((known, field), multiplicity) in
-            parts.iter().zip(&*self.factors).zip(&*self.multiplicities)
-        {
+        for (known, factor) in parts.iter().zip(&*self.factors) {
             all.distance.low = all.distance.low.min(known.bounds.low);
             all.distance.high = all.distance.high.min(known.bounds.high);
+            let field = &factor.field;
             let sign = sign_of(field, at(field), &known.bounds);
-            let of_power = if multiplicity % 2 == 1 {
+            let of_power = if factor.multiplicity % 2 == 1 {
                 sign
             } else {
                 sign * sign
@@ -309,7 +337,13 @@ impl Inspector {
         all
     }
 
-    fn of_factor(&self, field: &Field, p: &Point) -> PartialInspection {
+    fn of_factor(&self, factor: &Factor, p: &Point) -> PartialInspection {
+        let field = &factor.field;
+        if let Some(curve) = &factor.curve
+            && let Some(known) = self.by_curve(curve, field, p)
+        {
+            return known;
+        }
         let mut known = self.by_doubles(field, p);
         // What is outside is searched for the nearest point later, with all factors together.
         let is_left = self.asked.is_none() && known.inside == Some(false);
@@ -423,12 +457,13 @@ impl Inspector {
         }
     }
 
-    pub(super) fn factors(&self) -> &[Field] {
+    pub(super) fn factors(&self) -> &[Factor] {
         &self.factors
     }
 
-    pub(super) fn multiplicities(&self) -> &[usize] {
-        &self.multiplicities
+    /// The search radius that was asked for.
+    pub(super) fn asked(&self) -> Option<f64> {
+        self.asked
     }
 
     /// The number of cubes that may be divided for a factor.

@@ -4,6 +4,15 @@ use super::*;
 use crate::poly::Ring;
 use proptest::prelude::*;
 
+/// A factor that occurs once.
+fn simple(f: &SparsePolynomial<3>) -> Factor {
+    Factor {
+        field: Field::new(f),
+        multiplicity: 1,
+        curve: None,
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
 
@@ -19,7 +28,7 @@ proptest! {
         let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
         let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
         let options = InspectOptions::new(rational(tolerance)).reach(Some(8.0)).digits(14).cubes(1000);
-        let inspector = Inspector::new(Kind::Surface, vec![(plane, 1)], &options, &Limits::none()).unwrap();
+        let inspector = Inspector::new(Kind::Surface, vec![simple(&plane)], &options, &Limits::none()).unwrap();
         let doubles = p.each_ref().map(Rational::to_f64);
         for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
             let is_inside = distance <= rational(tolerance);
@@ -39,7 +48,7 @@ fn what_is_no_double_is_undecided() {
     let options = InspectOptions::new(Rational::one()).reach(Some(1.0));
     let inspector = Inspector::new(
         Kind::Surface,
-        vec![(plane.clone(), 1)],
+        vec![simple(&plane)],
         &options,
         &Limits::none(),
     )
@@ -48,6 +57,11 @@ fn what_is_no_double_is_undecided() {
     let found = inspector.inspect(&[far, Rational::zero(), Rational::zero()]);
     assert_eq!(found, Inspection::UNKNOWN);
     let options = options.reach(Some(f64::INFINITY));
-    let refused = Inspector::new(Kind::Surface, vec![(plane, 1)], &options, &Limits::none());
+    let refused = Inspector::new(
+        Kind::Surface,
+        vec![simple(&plane)],
+        &options,
+        &Limits::none(),
+    );
     assert!(matches!(refused, Err(Error::Usage(_))));
 }

@@ -6,7 +6,7 @@
 //!
 //! A parametric form is compared itself ([`CurveInspector`], [`PatchInspector`]), because the zero set of its equation can have
 //! more points. An equation is compared as its zero set ([`Inspector`]). A harmonic surface is compared without its equation
-//! ([`HarmonicInspector`]).
+//! ([`HarmonicInspector`]), and so is a superquadric with any exponents ([`SuperquadricInspector`]).
 //!
 //! For an equation, doubles with error bounds decide nearly all points: by a Taylor expansion at the foot of the point, or else
 //! by cubes and by patches of the sphere. Exact arithmetic decides the other points: at a refined foot, at rational points, by
@@ -15,8 +15,10 @@
 
 mod arcs;
 mod boxes;
+mod by_curve;
 mod cells;
 mod chart;
+mod common_zeros;
 mod criterion;
 mod curve;
 mod distance;
@@ -38,6 +40,7 @@ mod side;
 mod sphere;
 mod squared_distance;
 mod summary;
+mod superquadric;
 mod tree;
 mod winding;
 mod zone;
@@ -61,6 +64,7 @@ pub(crate) use side::Sides;
 pub use summary::{
     CLASSES, Histogram, HistogramRange, InspectedPoint, InspectionSummary, RowDistance, Section,
 };
+pub use superquadric::SuperquadricInspector;
 pub use zone::ToleranceZone;
 pub(crate) use zone::{DecidedDistance, is_within};
 

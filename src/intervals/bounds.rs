@@ -73,6 +73,52 @@ impl BoxBounds {
         spread.high() < value.mignitude()
     }
 
+    /// The function a·f + b·g on the box.
+    ///
+    /// The new value and linear coefficients are doubles near the exact ones; what they differ by is added to the bounds.
+    ///
+    /// Law: `combinations_hold_the_exact_values`.
+    pub(crate) fn combination(&self, a: f64, other: &Self, b: f64) -> Self {
+        let blend = |x: f64, y: f64| Interval::from(x) * a + Interval::from(y) * b;
+        let sizes = |x: f64, y: f64| Interval::from(x) * a.abs() + Interval::from(y) * b.abs();
+        let near = |exact: Interval| {
+            let near = exact.middle();
+            (near, (exact - Interval::from(near)).abs())
+        };
+        let (value, off) = near(blend(self.value, other.value));
+        let mut combined = Self {
+            value,
+            error: (sizes(self.error, other.error) + off).high(),
+            linear: [0.0; 3],
+            spread: [0.0; 3],
+            rest: 0.0,
+        };
+        let mut rest = sizes(self.rest, other.rest) + off;
+        for i in 0..3 {
+            let (linear, off) = near(blend(self.linear[i], other.linear[i]));
+            combined.linear[i] = linear;
+            combined.spread[i] = (sizes(self.spread[i], other.spread[i]) + off).high();
+            rest = rest + off;
+        }
+        combined.rest = rest.high();
+        combined
+    }
+
+    /// The weights a and b for which the zeros of a·f + b·g, linearized, touch the sphere about a point at the nearest common zero of f
+    /// and g, linearized; in units of the half sides.
+    pub(crate) fn weights_of_common_zero(&self, other: &Self, p: [f64; 3]) -> Option<[f64; 2]> {
+        let dot = |a: &[f64; 3], b: &[f64; 3]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+        let [first, second] = [self, other].map(|f| f.value + dot(&f.linear, &p));
+        let [aa, ab, bb] =
+            [(self, self), (self, other), (other, other)].map(|(f, g)| dot(&f.linear, &g.linear));
+        let determinant = aa * bb - ab * ab;
+        let weights = [
+            (bb * first - ab * second) / determinant,
+            (aa * second - ab * first) / determinant,
+        ];
+        weights.iter().all(|w| w.is_finite()).then_some(weights)
+    }
+
     /// A lower bound of the distances of the zeros of g in the cube from a point, in units of the half sides, which must be
     /// equal. The result is 0 if the bound does not seem to be larger than `known`.
     ///
@@ -271,6 +317,27 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+        /// The combination of two polynomials is within its bounds at the corners of the box and inside.
+        #[test]
+        fn combinations_hold_the_exact_values(f in nasty_cubics(), g in nasty_cubics(), m in prop::array::uniform3(-4.0f64..4.0), half in 1e-6f64..2.0, weights in prop::array::uniform2(-9.0f64..9.0), part in 0.0f64..1.0) {
+            let [own, other] = [&f, &g].map(Field::new);
+            let [bounds, others] = [&own, &other].map(|field| field.on_box(m, [half; 3]));
+            let combined = bounds.combination(weights[0], &others, weights[1]);
+            let [a, b] = weights.map(rational);
+            let sum = own.polynomial().scaled(&a).plus(&other.polynomial().scaled(&b));
+            prop_assert!(combined.value().contains(&sum.evaluate(&rationals(m))));
+            for corner in 0..8u32 {
+                let s = [0, 1, 2].map(|i: usize| if corner >> i & 1 == 1 { part } else { -1.0 });
+                let at: [Rational; 3] = std::array::from_fn(|i| rational(m[i]) + rational(half) * rational(s[i]));
+                let plane = (0..3).fold(rational(combined.value), |sum, i| sum + rational(combined.linear[i]) * rational(s[i]));
+                prop_assert!((sum.evaluate(&at) - plane).abs() <= rational(combined.rest));
+                for axis in 0..3 {
+                    let slope = sum.derivative(axis).evaluate(&at) * rational(half);
+                    prop_assert!(combined.slope(axis).contains(&slope));
+                }
+            }
+        }
 
         /// Lemma 11 at the corners of the box, where the bounds are reached if all signs agree.
         #[test]

@@ -4,6 +4,7 @@ mod bounds;
 mod crossing;
 pub(crate) mod interval;
 mod local;
+mod power;
 mod spectrum;
 mod taylor;
 
@@ -11,6 +12,7 @@ pub(crate) use bounds::{BoxBounds, BoxProof};
 pub(crate) use crossing::Crossing;
 pub(crate) use interval::Interval;
 pub(crate) use local::Local;
+pub(crate) use power::Power;
 pub(crate) use taylor::Taylor;
 
 use std::cmp::Ordering;

@@ -11,7 +11,7 @@ use crate::shape::{Form, SpaceSuperquadric, Superquadric};
 const KEYWORD: &str = "superquadric";
 
 /// The largest numerator and denominator of an exponent e. Powers with larger ones are of no use in exact arithmetic.
-pub const MAX_SUPERQUADRIC_EXPONENT: i32 = 1000;
+pub const MAX_SUPERQUADRIC_EXPONENT: i32 = 10_000;
 
 /// The parameters of superquadrics of one dimension, and an example for messages.
 struct Kind {

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::inspect::{
     CurveInspector, DistanceBounds, HarmonicInspector, Inspection, Inspector, PatchInspector,
-    PlanePoint, Sides, ToleranceZone, Verdict, rounding,
+    PlanePoint, Sides, SuperquadricInspector, ToleranceZone, Verdict, rounding,
 };
 use crate::intervals::{Interval, rational};
 
@@ -23,6 +23,8 @@ pub(super) enum Against {
     Patch(Box<PatchInspector>),
     /// The inspector of a harmonic surface.
     Harmonic(Box<HarmonicInspector>),
+    /// The inspector of a superquadric.
+    Superquadric(Box<SuperquadricInspector>),
 }
 
 /// The inspector of a plane curve with its parameter; points in space are compared with the cylinder over it.
@@ -79,13 +81,16 @@ impl Against {
             Self::Harmonic(inspector) => {
                 Self::Harmonic(Box::new(inspector.with_tolerance(tolerance)?))
             }
+            Self::Superquadric(inspector) => {
+                Self::Superquadric(Box::new(inspector.with_tolerance(tolerance)?))
+            }
         })
     }
 
     /// Whether the points have sides: whether their distances have signs.
     pub(super) fn has_sides(&self) -> bool {
         match self {
-            Self::Equation(_) => true,
+            Self::Equation(_) | Self::Superquadric(_) => true,
             Self::Plane(plane) => plane.sides.is_some(),
             Self::Space(_) | Self::Patch(_) => false,
             Self::Harmonic(inspector) => inspector.has_sides(),
@@ -97,7 +102,7 @@ impl Against {
         match self {
             Self::Equation(inspector) => inspector.is_in_doubles_alone(),
             Self::Patch(inspector) => inspector.is_in_doubles_alone(),
-            Self::Plane(_) | Self::Space(_) | Self::Harmonic(_) => false,
+            Self::Plane(_) | Self::Space(_) | Self::Harmonic(_) | Self::Superquadric(_) => false,
         }
     }
 
@@ -115,6 +120,7 @@ impl Against {
             Self::Space(inspector) => inspector.inspect(point),
             Self::Patch(inspector) => inspector.inspect(point),
             Self::Harmonic(inspector) => inspector.inspect(point),
+            Self::Superquadric(inspector) => inspector.inspect(point),
         }
     }
 
@@ -135,6 +141,7 @@ impl Against {
             Self::Space(inspector) => inspector.inspect_near(near, exactly),
             Self::Patch(inspector) => inspector.inspect(&exactly()),
             Self::Harmonic(inspector) => inspector.inspect_near(near, exactly),
+            Self::Superquadric(inspector) => inspector.inspect_near(near, exactly),
         }
     }
 
@@ -144,6 +151,7 @@ impl Against {
         match self {
             Self::Equation(inspector) => Some(Some(inspector.side(point))),
             Self::Harmonic(inspector) => Some(inspector.side(point, &exactly)),
+            Self::Superquadric(inspector) => Some(inspector.side(point, &exactly)),
             Self::Plane(AgainstPlaneCurve {
                 sides: Some(sides), ..
             }) if sides.need_no_distance() => {

@@ -41,6 +41,7 @@ impl InspectionTask {
             Against::Space(inspector) => FootCandidate::on_form(inspector.foot(point)?.point, None),
             Against::Patch(inspector) => inspector.foot(point)?,
             Against::Harmonic(inspector) => inspector.foot(point)?,
+            Against::Superquadric(inspector) => inspector.foot(point),
         };
         candidate.checked(near, &found.distance)
     }

@@ -12,7 +12,8 @@ use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
     CircleSection, CurveInspector, DecidedDistance, HarmonicInspector, InspectOptions, Inspection,
-    Inspector, MAX_SECTION_WORK, PatchInspector, Section, Sides, SphereSection, ToleranceZone,
+    Inspector, MAX_SECTION_WORK, PatchInspector, Section, Sides, SphereSection,
+    SuperquadricInspector, ToleranceZone,
 };
 use crate::intervals::rational;
 use crate::limits::Limits;
@@ -20,7 +21,7 @@ use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::shape::{
     Form, FourierRadius, HarmonicPair, HarmonicSurface, ImplicitCurve, ImplicitSurface, Patch,
-    PlaneCurve, SpaceCurve,
+    PlaneCurve, SpaceCurve, SpaceSuperquadric, Superquadric,
 };
 use crate::sphere::{Positivity, positivity};
 use crate::witness::{InspectedForm, Proof};
@@ -29,6 +30,9 @@ use crate::witness::{InspectedForm, Proof};
 const DIGITS: u32 = 6;
 /// The default number of cubes for one point.
 const BUDGET: usize = 50_000;
+
+/// Superquadrics with equations of at most this degree are compared with their equations, which decides all points exactly.
+const HIGH_DEGREE: usize = 16;
 
 options! {
     /// How points are inspected.
@@ -72,6 +76,10 @@ pub enum Subject {
     Patch(Patch, ImplicitSurface),
     /// The surface R(θ, φ).
     Harmonic(HarmonicSurface),
+    /// A plane superquadric without an equation, or with one of a high degree.
+    Superquadric(Superquadric),
+    /// The same in space.
+    SpaceSuperquadric(SpaceSuperquadric),
 }
 
 /// A form and a tolerance, ready to be compared with points.
@@ -159,6 +167,15 @@ pub fn inspect(
                 let inspector = HarmonicInspector::new(surface, is_positive, &asked, limits)?;
                 Against::Harmonic(Box::new(inspector))
             }
+            Subject::Superquadric(shape) => {
+                let inspector =
+                    SuperquadricInspector::plane(shape, dimension == 3, &asked, limits)?;
+                Against::Superquadric(Box::new(inspector))
+            }
+            Subject::SpaceSuperquadric(shape) => {
+                let inspector = SuperquadricInspector::space(shape, &asked, limits)?;
+                Against::Superquadric(Box::new(inspector))
+            }
         })
     })?;
     let sides = match &subject {
@@ -217,11 +234,21 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
             check_surface(&equation.surface, work)?;
             Subject::Patch(patch, equation.surface)
         }
-        (Form::SpaceSuperquadric(shape), 3) => {
-            let surface = surface_of_superquadric(&shape)?;
-            check_surface(&surface, work)?;
-            Subject::Surface(surface)
+        (Form::Superquadric(shape), _) if shape.even_exponent().is_none_or(|n| n > HIGH_DEGREE) => {
+            Subject::Superquadric(shape)
         }
+        (Form::SpaceSuperquadric(shape), 3) => match surface_of_superquadric(&shape) {
+            Ok(surface)
+                if surface
+                    .polynomial()
+                    .degree()
+                    .is_none_or(|n| n <= HIGH_DEGREE as u64) =>
+            {
+                check_surface(&surface, work)?;
+                Subject::Surface(surface)
+            }
+            _ => Subject::SpaceSuperquadric(shape),
+        },
         (Form::Harmonic(surface), 3) => Subject::Harmonic(surface),
         (Form::Intersection(_), _) => return Err(INSPECT.not_this()),
         (Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_) | Form::Harmonic(_), _) => {
@@ -281,7 +308,9 @@ impl InspectionTask {
             Subject::Radius(_)
             | Subject::PlaneCurve(_)
             | Subject::SpaceCurve(_)
-            | Subject::Patch(..) => InspectedForm::Other(None),
+            | Subject::Patch(..)
+            | Subject::Superquadric(_)
+            | Subject::SpaceSuperquadric(_) => InspectedForm::Other(None),
         }
     }
 
@@ -360,7 +389,9 @@ impl InspectionTask {
             | Subject::PlaneCurve(_)
             | Subject::SpaceCurve(_)
             | Subject::Harmonic(_)
-            | Subject::Patch(..) => return Ok(Section::NotAsked),
+            | Subject::Patch(..)
+            | Subject::Superquadric(_)
+            | Subject::SpaceSuperquadric(_) => return Ok(Section::NotAsked),
         };
         match found {
             Ok(ranges) => Ok(Section::At(ranges)),

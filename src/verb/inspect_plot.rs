@@ -1,7 +1,7 @@
 //! The picture of an inspection: the form, and the points coloured by verdict.
 
 use super::inspect::{InspectionTask, Subject};
-use super::mesh::{of_harmonics, of_surface};
+use super::mesh::{of_harmonics, of_superquadric, of_surface};
 use super::plot::{CELLS, fitting_window};
 use super::plot_options::{Frame, VIEW, plane_window, space_window};
 use super::plot_space::{box_around, for_pictures, joined, mesh_layer};
@@ -54,23 +54,16 @@ impl InspectionTask {
         work: &Work,
     ) -> Result<String> {
         let in_space = self.dimension() == 3;
+        let lines_or_walls = |lines: Vec<Vec<[f64; 2]>>| match in_space {
+            true => in_space_lines(self, walls(&lines, points), points, window, work),
+            false => in_plane(self, &Drawn::Lines(lines), points, window, work),
+        };
         match self.subject() {
             Subject::Surface(surface) => in_space_surface(self, surface, points, window, work),
             Subject::Curve(curve) => in_plane(self, &Drawn::Traced(curve), points, window, work),
-            Subject::Radius(radius) => {
-                let lines = vec![radius.polyline(CURVE_POINTS)];
-                if in_space {
-                    return in_space_lines(self, walls(&lines, points), points, window, work);
-                }
-                in_plane(self, &Drawn::Lines(lines), points, window, work)
-            }
-            Subject::PlaneCurve(curve) => {
-                let lines = curve.polylines(None, CURVE_STEPS);
-                if in_space {
-                    return in_space_lines(self, walls(&lines, points), points, window, work);
-                }
-                in_plane(self, &Drawn::Lines(lines), points, window, work)
-            }
+            Subject::Radius(radius) => lines_or_walls(vec![radius.polyline(CURVE_POINTS)]),
+            Subject::PlaneCurve(curve) => lines_or_walls(curve.polylines(None, CURVE_STEPS)),
+            Subject::Superquadric(shape) => lines_or_walls(vec![shape.polyline(CURVE_POINTS / 4)]),
             Subject::Patch(patch, _) => {
                 let layer = SpaceLayer {
                     facets: SpaceLayer::grid_facets(&patch.grid([None; 2], [PATCH_CELLS; 2])),
@@ -80,6 +73,10 @@ impl InspectionTask {
             }
             Subject::Harmonic(surface) => {
                 let mesh = of_harmonics(surface, SPHERE_ROWS, work)?;
+                in_space_lines(self, mesh_layer(&mesh), points, window, work)
+            }
+            Subject::SpaceSuperquadric(shape) => {
+                let mesh = of_superquadric(shape, SPHERE_ROWS, work)?;
                 in_space_lines(self, mesh_layer(&mesh), points, window, work)
             }
             Subject::SpaceCurve(curve) => {

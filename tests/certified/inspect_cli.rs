@@ -252,6 +252,11 @@ fn points_have_a_side_and_a_distance() {
         ("x^2 + y^2 + z^2 = 1", "0,0,50", 49.0, "1"),
         ("(x^2+y^2-1)*((x-10)^2+y^2-1)", "5,0", 4.0, "1"),
         ("superquadric 2d a=1,1 e=1/2", "3,0", 2.0, "1"),
+        ("superquadric 2d a=1,1 e=0.2345", "3,0", 2.0, "1"),
+        ("superquadric 2d a=1,1 e=3", "0,0", 0.5, "-1"),
+        ("superquadric 2d a=1,1 e=3", "2,0,9", 1.0, "1"),
+        ("superquadric 3d a=3,3,3 e=2,2", "0,0,0", 3f64.sqrt(), "-1"),
+        ("superquadric 3d a=1,2,3 e=0.7,2.5", "0,0,-5", 2.0, "1"),
     ] {
         let (low, high, found) = at(form, point);
         assert_eq!(found, side, "{form} {point}");

@@ -245,7 +245,7 @@ fn a_point_beyond_the_reach_has_no_foot() {
 }
 
 /// Forms with sides, with the number of coordinates and a size of the points.
-const SIDED: [(&str, usize, f64); 12] = [
+const SIDED: [(&str, usize, f64); 14] = [
     ("x^2/4 + y^2 = 1", 2, 2.0),
     ("x^4 + y^4 = x*y/2 + 1", 2, 1.5),
     ("r = 1 + 1/5*cos(3t) - 1/9*sin(5t)", 2, 1.5),
@@ -257,6 +257,8 @@ const SIDED: [(&str, usize, f64); 12] = [
     ("R = 10 + Y(2,0)/3", 3, 12.0),
     ("R = 2 + Y(3,2)/40 - Y(1,-1)/5", 3, 3.0),
     ("superquadric 3d a=1,2,1 e=1/2,1", 3, 2.0),
+    ("superquadric 2d a=1,2 e=0.7", 2, 2.0),
+    ("superquadric 3d a=1,2,1 e=0.7,1.3", 3, 2.0),
     ("x^2 + 2*y^2 + 3*z^2 + x*y*z/3 = 2", 3, 1.2),
 ];
 
@@ -266,7 +268,7 @@ proptest! {
     /// A foot is on the form, at the certified distance, in the direction of its normal; and beside it, along the normal, are the
     /// two sides.
     #[test]
-    fn feet_are_the_nearest_points(which in 0usize..12, v in prop::array::uniform3(-1.0f64..1.0)) {
+    fn feet_are_the_nearest_points(which in 0..SIDED.len(), v in prop::array::uniform3(-1.0f64..1.0)) {
         let (form, dimension, size) = SIDED[which];
         let task = task(form, dimension);
         let mut p = v.map(|x| size * x);

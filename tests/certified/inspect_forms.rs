@@ -223,7 +223,7 @@ proptest! {
 }
 
 /// Forms with sides, and the numbers of coordinates of their points.
-const SIDED: [(&str, usize); 10] = [
+const SIDED: [(&str, usize); 12] = [
     ("r = 2 + cos(5*t)/3", 2),
     ("r = 2 + cos(5*t)/3", 3),
     ("r = 1/2 + cos(3*t)", 2),
@@ -232,6 +232,8 @@ const SIDED: [(&str, usize); 10] = [
     ("y^2 = x^3 - x", 2),
     ("(x^2 + y^2 - 1)^2*(x - y)", 3),
     ("superquadric 2d a=1,2 e=1/2", 2),
+    ("superquadric 2d a=1,2 e=0.2345", 2),
+    ("superquadric 3d a=1,2,1 e=3,0.7 level=2", 3),
     ("R = 2 + Y(3,1)/9", 3),
     ("x^2 + y^2*z + z^3 = 1", 3),
 ];

@@ -142,9 +142,9 @@ fn what_is_wrong_is_pointed_at() {
         assert!(rest.starts_with(at), "{text}: at {rest}");
         assert!(!at.is_empty() || rest.is_empty(), "{text}: at {rest}");
     }
-    let run = run(&["sample", "superquadric 2d a=1,2 e=1/1001"]);
+    let run = run(&["sample", "superquadric 2d a=1,2 e=1/10001"]);
     assert_eq!(run.code, 3, "{}", run.err);
-    assert!(run.err.contains("at most 1000"), "{}", run.err);
+    assert!(run.err.contains("at most 10000"), "{}", run.err);
 }
 
 proptest! {

@@ -160,8 +160,8 @@ fn what_cannot_be_done_says_why() {
             "must be positive",
         ),
         (
-            ["describe", "superquadric 3d a=1,1,1 e=1,9999"],
-            "at most 1000",
+            ["describe", "superquadric 3d a=1,1,1 e=1,99999"],
+            "at most 10000",
         ),
     ] {
         let run = run_in(here, &arguments, "");

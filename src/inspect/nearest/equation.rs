@@ -63,7 +63,16 @@ impl Inspector {
         starts: impl Fn(&Field, [f64; 3]) -> Vec<[f64; 3]>,
     ) -> Option<FootCandidate> {
         let mut best: Option<(f64, FootCandidate)> = None;
-        for (k, field) in self.factors().iter().enumerate() {
+        let mut take = |candidate: FootCandidate| {
+            let length = distance(candidate.foot.point, from);
+            if candidate.checked(from, bounds).is_some()
+                && best.as_ref().is_none_or(|(least, _)| length < *least)
+            {
+                best = Some((length, candidate));
+            }
+        };
+        for (k, factor) in self.factors().iter().enumerate() {
+            let field = &factor.field;
             // A cylinder is inspected in the plane of x and y.
             let mut p = from;
             let mut exactly = point.clone();
@@ -71,17 +80,25 @@ impl Inspector {
                 p[2] = 0.0;
                 exactly[2] = Rational::zero();
             }
+            if let Some(curve) = &factor.curve {
+                let goal = Goal {
+                    reach: (Interval::from(bounds.high) * (1.0 + 1e-6)).high(),
+                    tolerance: 0.0,
+                    cubes: self.cubes_for(field),
+                    ..self.goal
+                };
+                let found = curve.nearest(p, DistanceBounds::UNKNOWN, goal, &self.limits);
+                if let Some(foot) = found.foot {
+                    take(FootCandidate::on_form(foot.position, None));
+                }
+                continue;
+            }
             for start in starts(field, p) {
                 if let Some(mut candidate) = self.candidate(k, &exactly, p, start) {
                     if field.is_flat() {
                         candidate.foot.point[2] = from[2];
                     }
-                    let length = distance(candidate.foot.point, from);
-                    if candidate.checked(from, bounds).is_some()
-                        && best.as_ref().is_none_or(|(least, _)| length < *least)
-                    {
-                        best = Some((length, candidate));
-                    }
+                    take(candidate);
                 }
             }
         }
@@ -132,7 +149,7 @@ impl Inspector {
         p: [f64; 3],
         start: [f64; 3],
     ) -> Option<FootCandidate> {
-        let field = &self.factors()[factor];
+        let field = &self.factors()[factor].field;
         let mut best: Option<FootCandidate> = None;
         let mut take = |candidate: Option<FootCandidate>| {
             if let Some(candidate) = candidate
@@ -179,7 +196,7 @@ impl Inspector {
         exactly: &[Rational; 3],
         q: [f64; 3],
     ) -> Option<FootCandidate> {
-        let field = &self.factors()[factor];
+        let field = &self.factors()[factor].field;
         let p = exactly.each_ref().map(Rational::to_f64);
         let size = largest(&q).max(largest(&p)).max(f64::MIN_POSITIVE);
         let mut q = q;
@@ -214,10 +231,9 @@ impl Inspector {
     /// even number of times, or another one vanishes there, too.
     fn outward(&self, factor: usize, q: [f64; 3]) -> Option<f64> {
         let mut sign = 1.0;
-        for (k, (field, multiplicity)) in
-            self.factors().iter().zip(self.multiplicities()).enumerate()
-        {
-            match (k == factor, multiplicity % 2) {
+        for (k, other) in self.factors().iter().enumerate() {
+            let field = &other.field;
+            match (k == factor, other.multiplicity % 2) {
                 (true, 0) => return None,
                 (true, _) => {}
                 (false, odd) => {

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::Parity;
 
-use super::roots::{Exponent, FIRST_BITS, exact_root, scaled_root};
+use super::roots::{Exponent, FIRST_BITS, exact_power, exact_root, scaled_root};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::poly::PlanePolynomial;
@@ -72,6 +72,12 @@ impl Superquadric {
     #[must_use]
     pub fn exponent(&self) -> Rational {
         Rational::from(2) / &self.epsilon
+    }
+
+    /// The number c^(ε/2) by which the semi-axes are multiplied for c ≠ 1, if it is rational.
+    pub(crate) fn exact_scale(&self) -> Option<Rational> {
+        let half = &self.epsilon / &Rational::from(2);
+        exact_power(&self.level, Exponent::from(&half))
     }
 
     /// Whether the region inside is convex. It is a stretched disk of the norm with exponent 2/ε, and this is a norm exactly
@@ -189,7 +195,7 @@ impl Superquadric {
             [r * theta.cos(), r * theta.sin()]
         };
         let arc: Vec<[f64; 2]> = quadrant.iter().map(arc).collect();
-        let top = [0.0, self.approximate(std::f64::consts::FRAC_PI_2)];
+        let top = [0.0, self.approximate_along([0.0, 1.0])];
         let mut points = arc.clone();
         points.push(top);
         points.extend(arc.iter().rev().map(|[x, y]| [-x, *y]));

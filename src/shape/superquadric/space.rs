@@ -79,6 +79,12 @@ impl SpaceSuperquadric {
         [two() / e2, e2 / e1, two() / e1]
     }
 
+    /// The number c^(ε1/2) by which the semi-axes are multiplied for c ≠ 1, if it is rational.
+    pub(crate) fn exact_scale(&self) -> Option<Rational> {
+        let half = &self.epsilon[0] / &Rational::from(2);
+        exact_power(&self.level, Exponent::from(&half))
+    }
+
     /// Whether the body inside is convex. It is a stretched ball of the norm with exponent 2/ε1 of the pair (norm with exponent
     /// 2/ε2 of (x, y), z), and these are norms exactly for exponents of at least 1 (Minkowski).
     #[must_use]
@@ -104,7 +110,7 @@ impl SpaceSuperquadric {
         let none = |witness: String| Error::Hypothesis {
             statement: "implicitization as a polynomial",
             witness: format!(
-                "{witness}; describe, parametrize, sample, plot and mesh take any exponents"
+                "{witness}; describe, parametrize, sample, inspect, plot and mesh take any exponents"
             ),
         };
         let [of_xy, of_sum, of_z] = self.exponents();

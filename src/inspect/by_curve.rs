@@ -1,0 +1,206 @@
+//! Points against a factor whose real zeros are a curve: the common zeros of two polynomials.
+
+use super::DistanceBounds;
+use super::common_zeros::CommonZeros;
+use super::distance::Goal;
+use super::exact::{exact_difference, squared_length};
+use super::inspector::Inspector;
+use super::known::{PartialInspection, Point};
+use crate::arcs::CommonZero;
+use crate::intervals::{Field, Interval};
+
+/// How often the search radius grows, by a factor of 4 each time, until a common zero is found.
+const GROWTHS: u32 = 12;
+/// The part of the cubes of a verdict that may be divided in one search.
+const SHARE: usize = 8;
+/// Bounds in doubles do not become much closer than this part of the distance.
+const FINEST: f64 = 1e-14;
+
+impl Inspector {
+    /// Decides a point by the curve of common zeros; `None` if it does not decide the point.
+    pub(super) fn by_curve(
+        &self,
+        curve: &CommonZeros,
+        field: &Field,
+        p: &Point,
+    ) -> Option<PartialInspection> {
+        let mut known = PartialInspection {
+            bounds: DistanceBounds::UNKNOWN,
+            inside: None,
+            curve: None,
+            foot: None,
+            exact_foot: None,
+        };
+        let mut foot = self.nearest_on_curve(curve, field, p, self.goal.relative, &mut known);
+        if known.inside.is_none() {
+            let better = self.nearest_on_curve(curve, field, p, FINEST, &mut known);
+            foot = better.or(foot);
+        }
+        if known.bounds.low <= 0.0 && curve.is_zero(p.exactly()) {
+            known.bounds = DistanceBounds::ZERO;
+            known.inside = Some(true);
+        }
+        if known.inside.is_none()
+            && let Some(foot) = &foot
+        {
+            // The nearest common zero may have simple coordinates.
+            let simple = curve.simple(foot)?;
+            let square = squared_length(&exact_difference(p.exactly(), &simple));
+            let touches = square == &self.tolerance * &self.tolerance;
+            let is_inside = square <= &self.tolerance * &self.tolerance;
+            if !is_inside {
+                return None;
+            }
+            known.has_zero(simple, touches, &square, self.around[1]);
+        }
+        known.inside?;
+        known.foot = foot.map(|foot| foot.position);
+        known.curve = match (known.inside, &foot) {
+            (Some(false), _) => Some(false),
+            _ if known.curve.is_some() => known.curve,
+            (_, Some(foot)) if curve.leaves(foot, p.around(), self.around()) => Some(true),
+            _ => self.sphere_meets(field, p, &known),
+        };
+        Some(known)
+    }
+
+    fn around(&self) -> Interval {
+        Interval::between(self.around[0], self.around[1])
+    }
+
+    /// The nearest common zero that was found, with bounds of its distance.
+    fn nearest_on_curve(
+        &self,
+        curve: &CommonZeros,
+        field: &Field,
+        p: &Point,
+        relative: f64,
+        known: &mut PartialInspection,
+    ) -> Option<CommonZero> {
+        let slack = Interval::from(p.slack);
+        let mut reach = self.goal.reach;
+        let mut foot = None;
+        for _ in 0..=GROWTHS {
+            let goal = Goal {
+                reach: (Interval::from(reach) + slack).high(),
+                tolerance: 0.0,
+                relative,
+                cubes: self.cubes_for(field) / SHARE,
+            };
+            let outer = DistanceBounds {
+                low: (Interval::from(known.bounds.low) - slack).or_zero().low(),
+                high: f64::INFINITY,
+            };
+            let found = curve.nearest(p.near, outer, goal, &self.limits);
+            self.learn(known, found.bounds, p.slack);
+            foot = found.foot.or(foot);
+            let is_enough = self.asked().is_some() || known.bounds.high <= reach;
+            if is_enough || self.limits.check().is_err() {
+                break;
+            }
+            reach = match known.bounds.high {
+                high if high.is_finite() => (Interval::from(high) * (1.0 + 1e-9)).high(),
+                _ => 4.0 * reach,
+            };
+        }
+        foot
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::exact::Rational;
+    use crate::inspect::{InspectOptions, Inspection, Verdict};
+    use crate::intervals::{distance, rationals};
+    use crate::language::{Numbers, parse_form};
+    use crate::limits::Limits;
+    use crate::shape::Form;
+
+    fn inspector(form: &str, tolerance: &Rational) -> Inspector {
+        let Ok(Form::Surface(surface)) = parse_form(form, "<form>", Numbers::Exact) else {
+            panic!("{form} is a surface")
+        };
+        let options = InspectOptions::new(tolerance.clone());
+        Inspector::surface(&surface, &options, &Limits::none()).expect("a surface")
+    }
+
+    fn is_near(found: &Inspection, exact: f64) {
+        let DistanceBounds { low, high } = found.distance;
+        let off = 1e-15 * exact.max(1.0);
+        assert!(
+            low <= exact + off && exact - off <= high,
+            "{found:?} {exact}"
+        );
+        assert!(high - low <= 1e-6 * high, "{found:?}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+
+        /// The circle of radius r as one equation: verdicts, distances and the sphere's criterion are those of elementary geometry.
+        #[test]
+        fn circles_in_space_have_their_distances(r in 1i32..5, weight in 1i32..9, p in prop::array::uniform3(-6.0f64..6.0), tolerance in 1i64..40) {
+            let tolerance = Rational::from(tolerance) / Rational::from(8);
+            let inspector = inspector(&format!("(x^2+y^2-{})^2 + {weight}*z^2 = 0", r * r), &tolerance);
+            let found = inspector.inspect(&rationals(p));
+            let rho = p[0].hypot(p[1]);
+            let [least, most] = [-1.0, 1.0].map(|side| (rho + side * f64::from(r)).hypot(p[2]));
+            is_near(&found, least);
+            let d = tolerance.to_f64();
+            let verdict = if least <= d { Verdict::Inside } else { Verdict::Outside };
+            prop_assert_eq!(found.verdict, verdict);
+            prop_assert_eq!(found.curve, Some(least <= d && d <= most));
+            prop_assert_eq!(found.sign, Some(1));
+            let foot = inspector.foot(&rationals(p), &found).unwrap_or_else(|| panic!("{found:?}"));
+            prop_assert!((distance(foot.point, p) - least).abs() < 1e-6 * least);
+            prop_assert!(foot.normal.is_none());
+        }
+
+        /// A twisted cubic in an equation of degree 6, against many of its points.
+        #[test]
+        fn twisted_cubics_have_their_distances(p in prop::array::uniform3(-2.0f64..2.0), slope in 1i32..4) {
+            let inspector = inspector(&format!("(y-x^2)^2 + 3*(z-{slope}*x^3)^2 = 0"), &Rational::one());
+            let found = inspector.inspect(&rationals(p));
+            let points = (-200_000..=200_000).map(|k| {
+                let t = f64::from(k) / 100_000.0;
+                [t, t * t, f64::from(slope) * t * t * t]
+            });
+            let least = points.map(|q| distance(q, p)).fold(f64::INFINITY, f64::min);
+            let DistanceBounds { low, high } = found.distance;
+            prop_assert!(low <= least && least - 1e-3 <= high && high - low <= 1e-6 * high, "{:?} {}", found, least);
+        }
+    }
+
+    /// A point exactly at the tolerance is inside, and so is one on the curve; one on the axis is as far from all points of the circle.
+    #[test]
+    fn degenerate_points_are_decided() {
+        let tolerance = Rational::one() / Rational::from(10);
+        let circle = inspector("(x^2+y^2-1)^2 + z^2 = 0", &tolerance);
+        let at = |x: &str, y: &str, z: &str| {
+            circle.inspect(&[x, y, z].map(|q| q.parse().expect("a number")))
+        };
+        assert_eq!(at("1.1", "0", "0").verdict, Verdict::Inside);
+        assert_eq!(at("0.66", "0.88", "0").curve, Some(true));
+        assert_eq!(at("0.66", "0.880000000001", "0").verdict, Verdict::Outside);
+        let on = at("0.6", "-0.8", "0");
+        assert_eq!(
+            (on.verdict, on.sign, on.distance),
+            (Verdict::Inside, Some(0), DistanceBounds::ZERO)
+        );
+        let middle = at("0", "0", "3/4");
+        assert_eq!(middle.verdict, Verdict::Outside);
+        let DistanceBounds { low, high } = middle.distance;
+        assert!(
+            low <= 1.25 && 1.25 <= high && high - low < 1e-2,
+            "{middle:?}"
+        );
+        // With a plane beside it, the nearer one counts.
+        let both = inspector("((x^2+y^2-1)^2 + z^2)*(x-3) = 0", &tolerance);
+        is_near(&both.inspect(&rationals([2.5, 0.0, 0.0])), 0.5);
+        is_near(&both.inspect(&rationals([1.5, 0.0, 0.0])), 0.5);
+        is_near(&both.inspect(&rationals([1.25, 0.0, 0.0])), 0.25);
+    }
+}
