@@ -6,12 +6,14 @@ use malachite::base::num::basic::traits::{One, Zero};
 use super::cells::{CellTree, Isolated, NearestOnSphere};
 use crate::error::Invariant;
 use crate::exact::{Dyadic, Rational};
+use crate::intervals::rational;
 use crate::poly::{TernaryForm, with_integers};
 use crate::shape::{HarmonicPair, HarmonicSurface};
 
 /// The parameters of the nearest direction have so many bits after the point, in turn.
 const STEP_BITS: [i64; 6] = [96, 128, 192, 256, 320, 400];
-/// The refinement ends when the bounds of the squared distance differ by less than this part, 2^(−220), of it.
+/// Bounds of the squared distance that do not decide whether the point is within the tolerance are refined until they differ by less than
+/// this part, 2^(−220).
 const ENOUGH: i64 = -220;
 /// Simple directions are sought so near to the one in doubles: within 2^(−26).
 const SIMPLE: i64 = -26;
@@ -28,6 +30,39 @@ struct Place {
     direction: [Rational; 3],
     radius: Rational,
     gradient: [Rational; 3],
+}
+
+/// What bounds of a squared distance shall determine.
+#[derive(Debug)]
+pub(super) struct RefinementGoal {
+    /// They differ by at most this part;
+    part: Rational,
+    /// and they are on one side of this level, the squared tolerance.
+    level: Rational,
+    /// Or else they differ by at most this part.
+    smallest: Rational,
+}
+
+impl RefinementGoal {
+    /// The goal for bounds of the distance that differ by at most a part of it.
+    pub(super) fn new(relative: f64, tolerance: &Rational) -> Self {
+        Self {
+            part: rational(relative),
+            level: tolerance * tolerance,
+            smallest: Rational::from(2).pow(ENOUGH).invariant("two is not 0"),
+        }
+    }
+
+    fn is_met(&self, [low, high]: &[Rational; 2]) -> bool {
+        let width = high - low;
+        let is_decided = *high <= self.level || *low > self.level;
+        let part = if is_decided {
+            &self.part
+        } else {
+            &self.smallest
+        };
+        width <= high * part
+    }
 }
 
 impl ExactSurface {
@@ -144,6 +179,7 @@ impl ExactSurface {
         slack: f64,
         found: &NearestOnSphere,
         point: &[Rational; 3],
+        goal: &RefinementGoal,
     ) -> Option<[Rational; 2]> {
         let isolated = cells.isolate(near, slack, found)?;
         let outside = Rational::try_from(isolated.outside).ok()?;
@@ -156,14 +192,11 @@ impl ExactSurface {
             let gradient = half_gradient(place, &p);
             let lost = gradient.iter().map(|x| x * x).sum::<Rational>() / &curvature;
             let low = (&high - &lost).max(Rational::zero()).min(outside.clone());
-            let is_enough = lost.is_zero() || {
-                let part = Rational::from(2).pow(ENOUGH).invariant("two is not 0");
-                lost <= &high * &part
-            };
             let bounds = match best.take() {
                 Some([l, h]) => [l.max(low), h.min(high)],
                 None => [low, high],
             };
+            let is_enough = lost.is_zero() || goal.is_met(&bounds);
             best = Some(bounds);
             (gradient, is_enough)
         };
@@ -277,23 +310,39 @@ fn half_gradient(place: &Place, p: &[Rational; 3]) -> [Rational; 3] {
     })
 }
 
-/// The value and the gradient of a form at a vector.
+/// The value and the gradient of a form at a vector (x, y, z): Σ xⁱ G_i(y, z) and its derivatives, by Horner's rule in x.
 fn value_and_gradient(form: &TernaryForm, vector: &[Integer; 3]) -> (Integer, [Integer; 3]) {
     let degree = form.degree();
-    let powers = vector.each_ref().map(|x| {
+    let [x, y, z] = vector;
+    let powers = |x: &Integer| {
         let all = std::iter::successors(Some(Integer::ONE), |power| Some(power * x));
         all.take(degree + 1).collect::<Vec<_>>()
-    });
-    let product = |e: [usize; 3]| &powers[0][e[0]] * &powers[1][e[1]] * &powers[2][e[2]];
-    let mut value = Integer::ZERO;
-    let mut gradient = [Integer::ZERO, Integer::ZERO, Integer::ZERO];
-    for (e, c) in form.terms() {
-        value += c * product(e);
-        for axis in (0..3).filter(|axis| e[*axis] > 0) {
-            let mut lower = e;
-            lower[axis] -= 1;
-            gradient[axis] += c * Integer::from(e[axis]) * product(lower);
+    };
+    let (of_y, of_z) = (powers(y), powers(z));
+    let products = of_y.iter().enumerate();
+    let products: Vec<Vec<Integer>> = products
+        .map(|(j, y)| of_z[..=degree - j].iter().map(|z| y * z).collect())
+        .collect();
+    // G_i and its derivatives by y and z
+    let mut parts = vec![[Integer::ZERO; 3]; degree + 1];
+    for ([i, j, k], c) in form.terms() {
+        let [g, by_y, by_z] = &mut parts[i];
+        *g += c * &products[j][k];
+        if j > 0 {
+            *by_y += c * Integer::from(j) * &products[j - 1][k];
         }
+        if k > 0 {
+            *by_z += c * Integer::from(k) * &products[j][k - 1];
+        }
+    }
+    let mut value = Integer::ZERO;
+    let mut gradient = [Integer::ZERO; 3];
+    for [g, by_y, by_z] in parts.into_iter().rev() {
+        // (xF)′ = xF′ + F
+        gradient[0] = &gradient[0] * x + &value;
+        value = value * x + g;
+        gradient[1] = &gradient[1] * x + by_y;
+        gradient[2] = &gradient[2] * x + by_z;
     }
     (value, gradient)
 }

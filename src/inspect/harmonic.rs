@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::cells::{CellTree, NearestOnSphere};
 use super::curve::check_tolerance;
-use super::exact_foot::ExactSurface;
+use super::exact_foot::{ExactSurface, RefinementGoal};
 use super::known::rounding;
 use super::nearest::{FootCandidate, unit};
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
@@ -255,11 +255,13 @@ impl HarmonicInspector {
             .as_ref()
             .map_or(DistanceBounds::UNKNOWN, |f| f.distance);
         let mut verdict = Verdict::Undecided;
-        if sign == Some(0) || self.exact.is_on(point) {
+        if sign == Some(0) || sign.is_none() && self.exact.is_on(point) {
             distance = DistanceBounds::ZERO;
             verdict = Verdict::Inside;
         } else if let Some(found) = &found {
-            let refined = self.exact.refine(cells, near, rounding(near), found, point);
+            let goal = RefinementGoal::new(self.relative, &self.tolerance);
+            let slack = rounding(near);
+            let refined = self.exact.refine(cells, near, slack, found, point, &goal);
             if let Some([low, high]) = refined {
                 let bounds = [&low, &high].map(|square| Interval::from(square).sqrt());
                 distance.low = distance.low.max(bounds[0].low());

@@ -253,6 +253,10 @@ fn points_have_a_side_and_a_distance() {
         ("(x^2+y^2-1)*((x-10)^2+y^2-1)", "5,0", 4.0, "1"),
         ("superquadric 2d a=1,1 e=1/2", "3,0", 2.0, "1"),
         ("superquadric 2d a=1,1 e=0.2345", "3,0", 2.0, "1"),
+        // A circle in space: its equation does not change its sign.
+        ("(x^2+y^2-1)^2 + z^2 = 0", "2,0,0", 1.0, "1"),
+        ("(x^2+y^2-1)^2 + 3*z^4 = 0", "0,0.5,0.5", 0.5f64.sqrt(), "1"),
+        ("((x^2+y^2-1)^2 + z^2)*(x - 5) = 0", "4,0,0", 1.0, "-1"),
         ("superquadric 2d a=1,1 e=3", "0,0", 0.5, "-1"),
         ("superquadric 2d a=1,1 e=3", "2,0,9", 1.0, "1"),
         ("superquadric 3d a=3,3,3 e=2,2", "0,0,0", 3f64.sqrt(), "-1"),
