@@ -24,13 +24,7 @@ impl Inspector {
         field: &Field,
         p: &Point,
     ) -> Option<PartialInspection> {
-        let mut known = PartialInspection {
-            bounds: DistanceBounds::UNKNOWN,
-            inside: None,
-            curve: None,
-            foot: None,
-            exact_foot: None,
-        };
+        let mut known = PartialInspection::NOTHING;
         let mut foot = self.nearest_on_curve(curve, field, p, self.goal.relative, &mut known);
         if known.inside.is_none() {
             let better = self.nearest_on_curve(curve, field, p, FINEST, &mut known);

@@ -12,6 +12,7 @@ use super::known::rounding;
 use super::squared_distance::{
     Against, DistanceForms, SquaredDistance, squared_in_doubles, upper_root,
 };
+use super::tolerance::Tolerance;
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
@@ -65,9 +66,7 @@ pub struct CurveInspector<const N: usize> {
     starts: Arc<[(f64, [f64; N])]>,
     size: f64,
     center: [Rational; N],
-    tolerance: Rational,
-    /// The tolerance between two doubles.
-    around: Interval,
+    tolerance: Tolerance,
     /// Bounds of a distance may differ by this part of it.
     relative: f64,
     limits: Limits,
@@ -126,7 +125,6 @@ impl<const N: usize> CurveInspector<N> {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        check_tolerance(&options.tolerance)?;
         let guess = match &series {
             Some(series) => Guess::of_series(series, &center),
             None => Guess::of_functions(curve),
@@ -156,8 +154,7 @@ impl<const N: usize> CurveInspector<N> {
             size: sizes[sizes.len() / 2],
             starts: starts.into(),
             center,
-            tolerance: options.tolerance.clone(),
-            around: Interval::narrowest(&options.tolerance),
+            tolerance: Tolerance::new(&options.tolerance)?,
             relative: 0.1f64.powi(digits),
             limits: limits.clone(),
         })
@@ -168,10 +165,8 @@ impl<const N: usize> CurveInspector<N> {
     /// # Errors
     /// [`Error::Usage`] for a tolerance that is not positive.
     pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
-        check_tolerance(tolerance)?;
         Ok(Self {
-            tolerance: tolerance.clone(),
-            around: Interval::narrowest(tolerance),
+            tolerance: Tolerance::new(tolerance)?,
             ..self.clone()
         })
     }
@@ -246,7 +241,7 @@ impl<const N: usize> CurveInspector<N> {
 
     /// The inspection in doubles; `None` if their bounds do not decide the verdict and the criterion, or are too wide.
     fn by_arcs(&self, arcs: &ArcTree<N>, near: [f64; N], slack: f64) -> Option<Inspection> {
-        let tolerance = self.around;
+        let tolerance = self.tolerance.around;
         let decided = |bounds: DistanceBounds| match bounds {
             DistanceBounds { high, .. } if high <= tolerance.low() => Some(Verdict::Inside),
             DistanceBounds { low, .. } if low > tolerance.high() => Some(Verdict::Outside),
@@ -278,7 +273,7 @@ impl<const N: usize> CurveInspector<N> {
         }
         let point: [Rational; N] = std::array::from_fn(|i| &point[i] - &self.center[i]);
         let distance = self.forms.to_point(&point);
-        let level = &self.tolerance * &self.tolerance;
+        let level = self.tolerance.squared();
         let near = point.each_ref().map(Rational::to_f64);
         let start = known.map_or_else(|| self.nearest_start(&near), |known| known.at);
         let ((nearest, _), mut bounds) = self.bounds(start, &near, &distance);
@@ -288,7 +283,7 @@ impl<const N: usize> CurveInspector<N> {
         }
         let verdict = if nearest <= level {
             Verdict::Inside
-        } else if exactly(bounds.low).is_some_and(|low| low > self.tolerance) {
+        } else if exactly(bounds.low).is_some_and(|low| low > self.tolerance.exact) {
             Verdict::Outside
         } else {
             match distance.against(&level) {
@@ -299,7 +294,7 @@ impl<const N: usize> CurveInspector<N> {
         Inspection {
             verdict,
             curve: Some(verdict == Verdict::Inside && self.goes_out(&distance, &level)),
-            distance: bounds.given(verdict, &self.tolerance),
+            distance: bounds.given(verdict, &self.tolerance.exact),
             sign: None,
         }
     }
@@ -456,16 +451,6 @@ impl<const N: usize> CurveInspector<N> {
         let start = start.unwrap_or_else(|| self.nearest_start(&near));
         let ((_, found), _) = self.bounds(start, &near, &distance);
         (distance, found)
-    }
-}
-
-/// Refuses a tolerance that is not positive.
-pub(super) fn check_tolerance(tolerance: &Rational) -> Result<()> {
-    match tolerance.signum() {
-        1 => Ok(()),
-        _ => Err(Error::Usage(format!(
-            "the tolerance {tolerance}: expected a positive number, such as 0.1"
-        ))),
     }
 }
 

@@ -44,11 +44,11 @@ pub(super) struct RefinementGoal {
 }
 
 impl RefinementGoal {
-    /// The goal for bounds of the distance that differ by at most a part of it.
-    pub(super) fn new(relative: f64, tolerance: &Rational) -> Self {
+    /// The goal for bounds that differ by at most a part, and for the squared tolerance.
+    pub(super) fn new(relative: f64, level: Rational) -> Self {
         Self {
             part: rational(relative),
-            level: tolerance * tolerance,
+            level,
             smallest: Rational::from(2).pow(ENOUGH).invariant("two is not 0"),
         }
     }

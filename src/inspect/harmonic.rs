@@ -4,10 +4,10 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::cells::{CellTree, NearestOnSphere};
-use super::curve::check_tolerance;
 use super::exact_foot::{ExactSurface, RefinementGoal};
 use super::known::rounding;
 use super::nearest::{FootCandidate, unit};
+use super::tolerance::Tolerance;
 use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -36,9 +36,7 @@ pub struct HarmonicInspector {
     exact: Arc<ExactSurface>,
     /// Whether R > 0 everywhere, so that the surface has an inside.
     is_positive: bool,
-    tolerance: Rational,
-    /// The tolerance between two doubles.
-    around: Interval,
+    tolerance: Tolerance,
     /// Bounds of a distance may differ by this part of it.
     relative: f64,
     limits: Limits,
@@ -68,7 +66,6 @@ impl HarmonicInspector {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        check_tolerance(&options.tolerance)?;
         if surface.is_zero() {
             return Err(Error::Usage(
                 "R is 0 in every direction: the surface is a single point".into(),
@@ -87,8 +84,7 @@ impl HarmonicInspector {
             cells: cells.map(Arc::new),
             exact: Arc::new(ExactSurface::new(surface, pair)),
             is_positive,
-            tolerance: options.tolerance.clone(),
-            around: Interval::narrowest(&options.tolerance),
+            tolerance: Tolerance::new(&options.tolerance)?,
             relative: 0.1f64.powi(digits),
             limits: limits.clone(),
         })
@@ -99,10 +95,8 @@ impl HarmonicInspector {
     /// # Errors
     /// [`Error::Usage`] for a tolerance that is not positive.
     pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
-        check_tolerance(tolerance)?;
         Ok(Self {
-            tolerance: tolerance.clone(),
-            around: Interval::narrowest(tolerance),
+            tolerance: Tolerance::new(tolerance)?,
             ..self.clone()
         })
     }
@@ -183,11 +177,7 @@ impl HarmonicInspector {
         near: [f64; 3],
         slack: f64,
     ) -> (Option<NearestOnSphere>, Option<Verdict>) {
-        let decided = |found: &NearestOnSphere| match found.distance {
-            DistanceBounds { high, .. } if high <= self.around.low() => Some(Verdict::Inside),
-            DistanceBounds { low, .. } if low > self.around.high() => Some(Verdict::Outside),
-            _ => None,
-        };
+        let decided = |found: &NearestOnSphere| self.tolerance.verdict(&found.distance);
         let Some(found) = cells.nearest(near, slack, SHARE * self.relative) else {
             return (None, None);
         };
@@ -212,10 +202,12 @@ impl HarmonicInspector {
         match verdict {
             Verdict::Outside => Some(false),
             Verdict::Uncertain | Verdict::Undecided => None,
-            Verdict::Inside => cells.goes_beyond(near, slack, self.around).or_else(|| {
-                let level = &self.tolerance * &self.tolerance;
-                self.exact.goes_beyond(&exactly(), &level).then_some(true)
-            }),
+            Verdict::Inside => cells
+                .goes_beyond(near, slack, self.tolerance.around)
+                .or_else(|| {
+                    let level = self.tolerance.squared();
+                    self.exact.goes_beyond(&exactly(), &level).then_some(true)
+                }),
         }
     }
 
@@ -250,7 +242,7 @@ impl HarmonicInspector {
         point: &[Rational; 3],
         sign: Option<i8>,
     ) -> Inspection {
-        let level = &self.tolerance * &self.tolerance;
+        let level = self.tolerance.squared();
         let mut distance = found
             .as_ref()
             .map_or(DistanceBounds::UNKNOWN, |f| f.distance);
@@ -259,7 +251,7 @@ impl HarmonicInspector {
             distance = DistanceBounds::ZERO;
             verdict = Verdict::Inside;
         } else if let Some(found) = &found {
-            let goal = RefinementGoal::new(self.relative, &self.tolerance);
+            let goal = RefinementGoal::new(self.relative, self.tolerance.squared());
             let slack = rounding(near);
             let refined = self.exact.refine(cells, near, slack, found, point, &goal);
             if let Some([low, high]) = refined {
@@ -273,7 +265,7 @@ impl HarmonicInspector {
                 };
             }
             if verdict == Verdict::Undecided {
-                let tolerance = &self.tolerance;
+                let tolerance = &self.tolerance.exact;
                 if distance.high.is_finite() && rational(distance.high) <= *tolerance {
                     verdict = Verdict::Inside;
                 } else if rational(distance.low) > *tolerance {
@@ -286,7 +278,7 @@ impl HarmonicInspector {
         Inspection {
             verdict,
             curve,
-            distance: distance.given(verdict, &self.tolerance),
+            distance: distance.given(verdict, &self.tolerance.exact),
             sign,
         }
     }
@@ -296,7 +288,7 @@ impl HarmonicInspector {
         let offsets = [0, 1, 2].map(|i| &point[i] - &self.exact.center()[i]);
         let square: Rational = offsets.iter().map(|x| x * x).sum();
         let radius = self.exact.mean().abs();
-        let tolerance = &self.tolerance;
+        let tolerance = &self.tolerance.exact;
         let (outer, inner) = (&radius + tolerance, &radius - tolerance);
         let meets_outer = square.cmp(&(&outer * &outer));
         let meets_inner = if inner.signum() > 0 {

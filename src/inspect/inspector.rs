@@ -372,13 +372,7 @@ impl Inspector {
 
     /// Decides by doubles: a quick proof that all zeros are far away, or the expansion at the foot.
     fn by_doubles(&self, field: &Field, p: &Point) -> PartialInspection {
-        let mut known = PartialInspection {
-            bounds: DistanceBounds::UNKNOWN,
-            inside: None,
-            curve: None,
-            foot: None,
-            exact_foot: None,
-        };
+        let mut known = PartialInspection::NOTHING;
         let (value, normal) = field.value_and_gradient(p.near);
         let reach = self.reach_from(p);
         let is_far = value.abs() > 2.0 * reach * dot(normal, normal).sqrt();

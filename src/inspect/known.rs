@@ -83,6 +83,15 @@ pub(super) struct PartialInspection {
 }
 
 impl PartialInspection {
+    /// Nothing is known.
+    pub(super) const NOTHING: Self = Self {
+        bounds: DistanceBounds::UNKNOWN,
+        inside: None,
+        curve: None,
+        foot: None,
+        exact_foot: None,
+    };
+
     /// Records a zero within the tolerance; `tolerance` is a double that is not below the tolerance, and `high` is the square
     /// of a bound of the distance of the zero.
     pub(super) fn has_zero(

@@ -41,6 +41,7 @@ mod sphere;
 mod squared_distance;
 mod summary;
 mod superquadric;
+mod tolerance;
 mod tree;
 mod winding;
 mod zone;

@@ -10,10 +10,10 @@ use std::sync::Arc;
 
 use self::body::{Body, Found};
 use self::exact::ExactPoints;
-use super::curve::check_tolerance;
 use super::known::rounding;
 use super::nearest::FootCandidate;
-use super::{DistanceBounds, InspectOptions, Inspection, Verdict, is_within};
+use super::tolerance::Tolerance;
+use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
@@ -41,9 +41,7 @@ pub struct SuperquadricInspector {
     shape: Arc<Shape>,
     body: Arc<Body>,
     exact: Arc<ExactPoints>,
-    tolerance: Rational,
-    /// The tolerance between two doubles.
-    around: Interval,
+    tolerance: Tolerance,
     /// Bounds of a distance may differ by this part of it.
     relative: f64,
     /// The largest number of divisions for one point.
@@ -120,14 +118,12 @@ impl SuperquadricInspector {
         options: &InspectOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        check_tolerance(&options.tolerance)?;
         let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
             shape: Arc::new(shape),
             body: Arc::new(body),
             exact: Arc::new(exact),
-            tolerance: options.tolerance.clone(),
-            around: Interval::narrowest(&options.tolerance),
+            tolerance: Tolerance::new(&options.tolerance)?,
             relative: 0.1f64.powi(digits),
             cells: options.cubes,
             limits: limits.clone(),
@@ -139,10 +135,8 @@ impl SuperquadricInspector {
     /// # Errors
     /// [`Error::Usage`](crate::error::Error::Usage) for a tolerance that is not positive.
     pub fn with_tolerance(&self, tolerance: &Rational) -> Result<Self> {
-        check_tolerance(tolerance)?;
         Ok(Self {
-            tolerance: tolerance.clone(),
-            around: Interval::narrowest(tolerance),
+            tolerance: Tolerance::new(tolerance)?,
             ..self.clone()
         })
     }
@@ -174,12 +168,12 @@ impl SuperquadricInspector {
         }
         let is_enough = |found: &Found| {
             let DistanceBounds { low, high } = found.distance;
-            is_within(&found.distance, self.around).is_some() && high - low <= self.relative * high
+            self.tolerance.verdict(&found.distance).is_some() && high - low <= self.relative * high
         };
         let mut found = self
             .body
             .nearest(about, 0.5 * self.relative, self.cells, &self.limits);
-        let mut verdict = is_within(&found.distance, self.around);
+        let mut verdict = self.tolerance.verdict(&found.distance);
         let mut narrow = about;
         if !is_enough(&found) {
             let point = exactly();
@@ -188,22 +182,18 @@ impl SuperquadricInspector {
             let again = self.body.nearest(narrow, ROUNDING, most, &self.limits);
             found.distance.low = found.distance.low.max(again.distance.low);
             found.distance.high = found.distance.high.min(again.distance.high);
-            verdict = is_within(&found.distance, self.around);
+            verdict = self.tolerance.verdict(&found.distance);
             if verdict.is_none() {
-                let square = &self.tolerance * &self.tolerance;
+                let square = self.tolerance.squared();
                 let is_near = self.exact.nearest(&point).is_some_and(|d| d <= square);
-                verdict = is_near.then_some(true);
+                verdict = is_near.then_some(Verdict::Inside);
             }
         }
-        let verdict = match verdict {
-            Some(true) => Verdict::Inside,
-            Some(false) => Verdict::Outside,
-            None => Verdict::Undecided,
-        };
+        let verdict = verdict.unwrap_or(Verdict::Undecided);
         Inspection {
             verdict,
             curve: self.curve(narrow, verdict, exactly),
-            distance: found.distance.given(verdict, &self.tolerance),
+            distance: found.distance.given(verdict, &self.tolerance.exact),
             sign,
         }
     }
@@ -294,9 +284,9 @@ impl SuperquadricInspector {
         }
         let beyond = self
             .body
-            .goes_beyond(about, self.around, self.cells, &self.limits);
+            .goes_beyond(about, self.tolerance.around, self.cells, &self.limits);
         beyond.or_else(|| {
-            let square = &self.tolerance * &self.tolerance;
+            let square = self.tolerance.squared();
             let farthest = self.exact.farthest(&exactly())?;
             (farthest >= square).then_some(true)
         })
