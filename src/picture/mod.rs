@@ -7,6 +7,7 @@ mod clip;
 mod cut;
 mod extent;
 mod figure;
+mod glyphs;
 mod heading;
 #[cfg(test)]
 mod inside;
