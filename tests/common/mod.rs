@@ -7,6 +7,8 @@ pub(crate) mod documentation;
 pub(crate) mod float_program;
 pub(crate) mod forms;
 pub(crate) mod oracle_theorem_2;
+#[path = "../../src/fit/reading/encoded.rs"]
+pub(crate) mod pictures;
 pub(crate) mod program;
 pub(crate) mod proofs;
 pub(crate) mod random;

@@ -1,10 +1,9 @@
 //! Small files of outlines of every kind, cut, with other bits, and with parts twice.
 
 use std::fs;
-use std::io::Cursor;
 use std::path::PathBuf;
 
-use image::{DynamicImage, GrayImage, ImageFormat, Luma};
+use crate::common::pictures::Drawing;
 use stellate::error::Error;
 use stellate::fit::{
     ContourKind, OutlineOptions, contour_from_reader, outline_from_reader, outlines_from_reader,
@@ -17,6 +16,10 @@ use super::harness::Outcome;
 use super::mutate::{bytes_step, mutated_text, shown};
 
 type Run = fn(&mut Draw) -> Outcome;
+type Encode = fn(&Drawing) -> Vec<u8>;
+
+/// The pictures that every build reads.
+const PICTURES: [Encode; 3] = [Drawing::png, |disc| disc.jpeg(75), Drawing::bmp];
 
 /// The kinds that every build reads.
 pub(crate) const KINDS: [(&str, Run); 7] = [
@@ -26,18 +29,39 @@ pub(crate) const KINDS: [(&str, Run); 7] = [
         text(draw, ContourKind::Polygons, &geojson())
     }),
     ("svg", |draw| text(draw, ContourKind::Drawing, &svg())),
-    ("png", |draw| picture(draw, ImageFormat::Png)),
-    ("jpg", |draw| picture(draw, ImageFormat::Jpeg)),
-    ("bmp", |draw| picture(draw, ImageFormat::Bmp)),
+    ("png", |draw| picture(draw, PICTURES[0])),
+    ("jpg", |draw| picture(draw, PICTURES[1])),
+    ("bmp", |draw| picture(draw, PICTURES[2])),
 ];
 
 /// The kinds that are read with the feature `more-images`.
 #[cfg(feature = "more-images")]
 pub(crate) const MORE_KINDS: [(&str, Run); 3] = [
-    ("gif", |draw| picture(draw, ImageFormat::Gif)),
-    ("tif", |draw| picture(draw, ImageFormat::Tiff)),
-    ("webp", |draw| picture(draw, ImageFormat::WebP)),
+    ("gif", |draw| picture(draw, MORE_PICTURES[0])),
+    ("tif", |draw| picture(draw, MORE_PICTURES[1])),
+    ("webp", |draw| picture(draw, MORE_PICTURES[2])),
 ];
+
+#[cfg(feature = "more-images")]
+const MORE_PICTURES: [Encode; 3] = [
+    |disc| more(disc, image::ImageFormat::Gif),
+    |disc| more(disc, image::ImageFormat::Tiff),
+    |disc| more(disc, image::ImageFormat::WebP),
+];
+
+#[cfg(feature = "more-images")]
+fn more(disc: &Drawing, format: image::ImageFormat) -> Vec<u8> {
+    let [width, height] = disc.size;
+    let grey = image::GrayImage::from_raw(width, height, disc.bytes.clone()).unwrap();
+    let disc = image::DynamicImage::from(grey);
+    let disc = match format {
+        image::ImageFormat::Tiff => disc,
+        _ => disc.to_rgba8().into(),
+    };
+    let mut out = std::io::Cursor::new(Vec::new());
+    disc.write_to(&mut out, format).unwrap();
+    out.into_inner()
+}
 
 fn file(name: &str) -> Vec<u8> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
@@ -86,19 +110,12 @@ fn npy(draw: &mut Draw) -> Vec<u8> {
 }
 
 /// A disc of 24 pixels with a hole and a speck beside it.
-fn disc(format: ImageFormat) -> Vec<u8> {
-    let disc = GrayImage::from_fn(24, 20, |x, y| {
+fn disc() -> Drawing {
+    Drawing::grey([24, 20], |x, y| {
         let from = |a: u32, b: u32| (x.abs_diff(a).pow(2) + y.abs_diff(b).pow(2)) as f64;
         let dark = (4.0..60.0).contains(&from(9, 10)) || from(21, 3) < 3.0;
-        Luma([if dark { 20 } else { 240 }])
-    });
-    let disc = match format {
-        ImageFormat::Gif | ImageFormat::WebP => DynamicImage::from(disc).to_rgba8().into(),
-        _ => DynamicImage::from(disc),
-    };
-    let mut out = Cursor::new(Vec::new());
-    disc.write_to(&mut out, format).unwrap();
-    out.into_inner()
+        if dark { 20 } else { 240 }
+    })
 }
 
 fn text(draw: &mut Draw, kind: ContourKind, seeds: &[Vec<u8>]) -> Outcome {
@@ -114,8 +131,8 @@ fn bytes(draw: &mut Draw, kind: ContourKind, seed: fn(&mut Draw) -> Vec<u8>) -> 
     read(draw, &bytes, kind)
 }
 
-fn picture(draw: &mut Draw, format: ImageFormat) -> Outcome {
-    let mut bytes = disc(format);
+fn picture(draw: &mut Draw, encode: Encode) -> Outcome {
+    let mut bytes = encode(&disc());
     for _ in 0..1 + draw.below(4) {
         bytes_step(draw, &mut bytes);
     }
@@ -161,7 +178,7 @@ fn the_seeds_are_outlines() {
         (ContourKind::Rows, csv()[..2].to_vec()),
         (ContourKind::Polygons, geojson()),
         (ContourKind::Drawing, svg()),
-        (ContourKind::Image, vec![disc(ImageFormat::Png)]),
+        (ContourKind::Image, vec![disc().png()]),
         (ContourKind::Array, vec![npy(&mut Draw::new("npy", 1))]),
     ] {
         for seed in seeds {
@@ -174,20 +191,16 @@ fn the_seeds_are_outlines() {
 #[test]
 fn pictures_that_end_in_the_middle_are_errors() {
     #[cfg(feature = "more-images")]
-    let more = [ImageFormat::Gif, ImageFormat::Tiff, ImageFormat::WebP];
+    let more = MORE_PICTURES;
     #[cfg(not(feature = "more-images"))]
-    let more = [];
-    let formats = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::Bmp];
-    for format in formats.into_iter().chain(more) {
-        let whole = disc(format);
+    let more: [Encode; 0] = [];
+    for encode in PICTURES.into_iter().chain(more) {
+        let whole = encode(&disc());
         assert!(contour_from_reader(&whole[..], ContourKind::Image, "whole").is_ok());
         for length in 0..=whole.len() / 2 {
             let cut = contour_from_reader(&whole[..length], ContourKind::Image, "cut");
-            assert!(
-                cut.is_err(),
-                "{format:?}: {length} of {} bytes",
-                whole.len()
-            );
+            let start = &whole[..4];
+            assert!(cut.is_err(), "{start:?}: {length} of {} bytes", whole.len());
         }
     }
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use crate::common::documentation::DOCUMENTATION;
+use crate::common::pictures::Drawing;
 use stellate::document::{Format, write_form};
 use stellate::language::{Numbers, parse_form};
 use stellate::shape::Form;
@@ -113,28 +114,17 @@ pub(crate) fn pictures() -> &'static [Vec<u8>] {
     once(&CELL, || {
         let names = ["e02-butterfly/butterfly.png", "e02-jet/jet.png"];
         let files = names.map(|name| fs::read(root().join("paper-examples").join(name)).unwrap());
-        let small = image::RgbaImage::from_fn(24, 20, |x, y| {
+        let small = Drawing::rgba([24, 20], |x, y| {
             let inside = (4..19).contains(&x) && (3..x.min(16)).contains(&y);
-            image::Rgba(if inside {
+            if inside {
                 [10, 20, 30, 255]
             } else {
                 [250, 250, 250, 40]
-            })
+            }
         });
-        let encoded = |format: image::ImageFormat| {
-            let mut out = std::io::Cursor::new(Vec::new());
-            let picture = image::DynamicImage::from(small.clone());
-            let picture = match format {
-                image::ImageFormat::Jpeg => image::DynamicImage::from(picture.to_rgb8()),
-                _ => picture,
-            };
-            picture.write_to(&mut out, format).unwrap();
-            out.into_inner()
-        };
-        use image::ImageFormat::{Bmp, Jpeg, Png};
         files
             .into_iter()
-            .chain([Bmp, Jpeg, Png].map(encoded))
+            .chain([small.bmp(), small.jpeg(75), small.png()])
             .collect()
     })
 }

@@ -5,16 +5,15 @@
 use std::fs;
 use std::path::Path;
 
-use image::codecs::jpeg::JpegEncoder;
-use image::{GrayImage, Luma};
 use tempfile::TempDir;
 
+use crate::common::pictures::Drawing;
 use crate::common::program::{done, done_in, json, number, outline, run_in, strings};
 
 /// A silhouette, anti-aliased, of the points within r(θ) of a center.
-fn silhouette(radius: impl Fn(f64) -> f64, [x0, y0]: [f64; 2]) -> GrayImage {
+fn silhouette(radius: impl Fn(f64) -> f64, [x0, y0]: [f64; 2]) -> Drawing {
     const PARTS: u32 = 4;
-    GrayImage::from_fn(256, 256, |column, row| {
+    Drawing::grey([256, 256], |column, row| {
         let outside = (0..PARTS * PARTS).filter(|k| {
             let part = |n: u32| (f64::from(n) + 0.5) / f64::from(PARTS);
             let x = f64::from(column) + part(k % PARTS) - x0;
@@ -22,7 +21,7 @@ fn silhouette(radius: impl Fn(f64) -> f64, [x0, y0]: [f64; 2]) -> GrayImage {
             x.hypot(y) >= radius(y.atan2(x))
         });
         let parts = u8::try_from(outside.count()).unwrap();
-        Luma([parts.saturating_mul(16)])
+        parts.saturating_mul(16)
     })
 }
 
@@ -51,14 +50,11 @@ fn a_jpeg_has_the_center_of_the_png() {
     for (name, radius) in shapes {
         let picture = silhouette(radius, [125.3, 131.7]);
         let save = |file: &str| folder.path().join(file);
-        picture.save(save(&format!("{name}.png"))).unwrap();
+        fs::write(save(&format!("{name}.png")), picture.png()).unwrap();
         let plain = center_of(folder.path(), &format!("{name}.png"));
         for quality in [95, 75, 50, 30, 10] {
             let file = format!("{name}-{quality}.jpg");
-            let out = fs::File::create(save(&file)).unwrap();
-            JpegEncoder::new_with_quality(out, quality)
-                .encode_image(&picture)
-                .unwrap();
+            fs::write(save(&file), picture.jpeg(quality)).unwrap();
             let found = center_of(folder.path(), &file);
             let off = f64::hypot(found[0] - plain[0], found[1] - plain[1]);
             let allowed = if quality >= 30 { 0.5 } else { 2.0 };
@@ -169,12 +165,11 @@ fn fits_of_several_files_are_a_table() {
 fn all_outlines_of_a_picture_have_rows() {
     let folder = TempDir::new().unwrap();
     let mut picture = silhouette(|_| 60.0, [80.0, 128.0]);
-    for (x, y, pixel) in silhouette(|_| 30.0, [200.0, 128.0]).enumerate_pixels() {
-        if pixel.0[0] < 255 {
-            picture.put_pixel(x, y, *pixel);
-        }
+    let other = silhouette(|_| 30.0, [200.0, 128.0]);
+    for (value, other) in picture.bytes.iter_mut().zip(other.bytes) {
+        *value = other.min(*value);
     }
-    picture.save(folder.path().join("two.png")).unwrap();
+    fs::write(folder.path().join("two.png"), picture.png()).unwrap();
     let table = done_in(folder.path(), &["fit", "two.png", "--all", "-n", "2"], "");
     let rows: Vec<Vec<&str>> = table
         .lines()

@@ -2,21 +2,30 @@
 //!
 //! [`read`] turns a file of any kind into the outline that is chosen ([`OutlineOptions`]) and what else there is ([`LeftOut`]).
 //! Below it is a file for each kind: rows of numbers in [`rows`], [`layout`] and [`columns`]; arrays in [`numpy`]; polygons in
-//! [`geojson`]; drawings in `drawing`, with the paths of SVG in `svg_path`, `cut` and `viewport`; and pictures in `picture` and
-//! `silhouette`. Several closed rings are put in order in [`rings`].
+//! [`geojson`]; drawings in `drawing`, with the paths of SVG in `svg_path`, `cut` and `viewport`; and pictures in `pixels` (with
+//! `bmp` and `orientation`), `picture` and `silhouette`. Several closed rings are put in order in [`rings`].
 
+#[cfg(feature = "images")]
+mod bmp;
 mod columns;
 #[cfg(feature = "images")]
 mod cut;
 #[cfg(feature = "images")]
 mod drawing;
+#[cfg(feature = "images")]
+#[cfg(test)]
+mod encoded;
 mod geojson;
 mod layout;
 mod left_out;
 mod numpy;
+#[cfg(feature = "images")]
+mod orientation;
 mod outline_options;
 #[cfg(feature = "images")]
 mod picture;
+#[cfg(feature = "images")]
+mod pixels;
 mod read;
 mod rings;
 mod rows;

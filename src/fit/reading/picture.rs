@@ -1,35 +1,11 @@
 //! A picture is decoded into one height a pixel: large where the silhouette is, 0 where the background is.
 
-use std::io::Cursor;
-
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
-use zune_core::bytestream::ZCursor;
-use zune_core::options::DecoderOptions;
-use zune_jpeg::JpegDecoder;
-
 use super::OutlineOptions;
+use super::pixels::{Pixels, Samples};
 use crate::error::{Error, Invariant, Result};
 
-/// The longest side of a picture, in pixels.
-const MAX_SIDE: u32 = 20_000;
-/// The largest number of pixels of a picture.
-const MAX_PIXELS: u64 = 64_000_000;
 /// A frame is at most this part of the picture's shorter side thick.
 const THICKEST_FRAME: usize = 50;
-/// The largest amount of memory that decoding may take.
-const MAX_ALLOC: u64 = 1 << 30;
-
-/// Whether GIF, TIFF and WebP pictures are read.
-const MORE: bool = cfg!(feature = "more-images");
-/// The pictures that are read.
-const READ: &str = match MORE {
-    true => "PNG, JPEG, BMP, GIF, TIFF or WebP",
-    false => "PNG, JPEG or BMP",
-};
-
-/// Markers of JPEG files. In the data of a scan the byte 0xff is followed by 0, so that no pair of its bytes is one of these.
-const START_OF_SCAN: [u8; 2] = [0xff, 0xda];
-const END_OF_IMAGE: [u8; 2] = [0xff, 0xd9];
 
 /// Values 0 to 255, row by row from the top.
 pub(super) struct Picture {
@@ -50,46 +26,10 @@ pub(super) struct Heights {
 
 impl Picture {
     pub(super) fn decode(bytes: &[u8], place: &str) -> Result<Self> {
-        let unreadable = |error: &dyn std::fmt::Display| {
-            Error::decoding(place, "the picture is damaged or ends in the middle", error)
-        };
-        let mut reader = ImageReader::new(Cursor::new(bytes))
-            .with_guessed_format()
-            .map_err(|error| unreadable(&error))?;
-        match reader.format() {
-            Some(ImageFormat::Jpeg) => check_jpeg(bytes, place)?,
-            Some(ImageFormat::Png | ImageFormat::Bmp) => {}
-            Some(ImageFormat::Gif | ImageFormat::Tiff | ImageFormat::WebP) if MORE => {}
-            Some(more @ (ImageFormat::Gif | ImageFormat::Tiff | ImageFormat::WebP)) => {
-                let name = match more {
-                    ImageFormat::Gif => "GIF",
-                    ImageFormat::Tiff => "TIFF",
-                    _ => "WebP",
-                };
-                return Err(Error::Usage(format!(
-                    "{place}: {name} pictures are read by stellate with the feature `more-images` only \
-                     (cargo install --path . --features more-images); or save it as .png"
-                )));
-            }
-            _ => return Err(Error::data(place, format!("not a {READ} picture"))),
-        }
-        let mut limits = Limits::default();
-        limits.max_alloc = Some(MAX_ALLOC);
-        reader.limits(limits);
-        let mut decoder = reader.into_decoder().map_err(|error| unreadable(&error))?;
-        let (width, height) = decoder.dimensions();
-        if width.max(height) > MAX_SIDE || u64::from(width) * u64::from(height) > MAX_PIXELS {
-            return Err(Error::limit(format!(
-                "a picture has at most {MAX_SIDE} pixels a side and {MAX_PIXELS} in all; {place} has \
-                 {width} × {height}"
-            )));
-        }
-        let orientation = decoder.orientation().map_err(|error| unreadable(&error))?;
-        let mut image = DynamicImage::from_decoder(decoder).map_err(|error| unreadable(&error))?;
-        image.apply_orientation(orientation);
-        let side = |pixels: u32| usize::try_from(pixels).invariant("a picture fits in memory");
-        let (width, height) = (side(image.width()), side(image.height()));
-        let (values, is_mask) = values(image, width);
+        let pixels = Pixels::decode(bytes, place)?;
+        let (size, orientation) = ([pixels.width, pixels.height], pixels.orientation);
+        let (values, is_mask) = values(&pixels);
+        let (values, [width, height]) = orientation.shown(values, size);
         Ok(Self {
             width,
             height,
@@ -179,62 +119,80 @@ impl Picture {
     }
 }
 
-/// Decodes a JPEG picture without the tolerance of most decoders: a file that ends in the middle, or whose data is damaged,
-/// would otherwise be completed with grey.
-fn check_jpeg(bytes: &[u8], place: &str) -> Result<()> {
-    let side = usize::try_from(MAX_SIDE).invariant("a side fits in memory");
-    let options = DecoderOptions::default()
-        .set_strict_mode(true)
-        .set_max_width(side + 1)
-        .set_max_height(side + 1);
-    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
-    let damaged = |error: &dyn std::fmt::Display| {
-        Error::decoding(
-            place,
-            "the JPEG picture is damaged or ends in the middle",
-            error,
-        )
-    };
-    decoder.decode_headers().map_err(|error| damaged(&error))?;
-    let info = decoder
-        .info()
-        .invariant("headers that were decoded have their information");
-    if u64::from(info.width) * u64::from(info.height) > MAX_PIXELS {
-        // The limit is named where the size of every picture is checked.
-        return Ok(());
-    }
-    decoder.decode().map_err(|error| damaged(&error))?;
-    // The marker of the end comes after that of the last scan.
-    let last = |marker: [u8; 2]| bytes.windows(2).rposition(|pair| pair == marker);
-    match last(END_OF_IMAGE) > last(START_OF_SCAN) {
-        true => Ok(()),
-        false => Err(damaged(&"the marker of its end is missing")),
+/// The values of the pixels, and whether they are those of the alpha channel: it is the mask if most border pixels are
+/// transparent and others are not.
+fn values(pixels: &Pixels) -> (Vec<u8>, bool) {
+    let &Pixels {
+        width, channels, ..
+    } = pixels;
+    match &pixels.samples {
+        Samples::Bytes(samples) => {
+            let white = u16::from(u8::MAX);
+            let byte = |value: u16| u8::try_from(value).invariant("a mean of bytes is one");
+            let alpha = alphas(samples, channels).map(byte).collect::<Vec<u8>>();
+            if is_mask(&alpha, width) {
+                return (alpha, true);
+            }
+            let grey = greys(samples, channels, white);
+            (grey.map(byte).collect(), false)
+        }
+        Samples::Words(samples) => {
+            let byte = |value: u16| {
+                let value = (u32::from(value) + 128) / 257;
+                u8::try_from(value).invariant("a part of 65535, of 257, is a byte")
+            };
+            let alpha = alphas(samples, channels).map(byte).collect::<Vec<u8>>();
+            if is_mask(&alpha, width) {
+                return (alpha, true);
+            }
+            let grey: Vec<u16> = greys(samples, channels, u16::MAX).collect();
+            (stretched(&grey), false)
+        }
     }
 }
 
-/// The values of the pixels, and whether they are those of the alpha channel: it is the mask if most border pixels are
-/// transparent and others are not.
-fn values(image: DynamicImage, width: usize) -> (Vec<u8>, bool) {
-    let has_alpha = image.color().has_alpha();
-    let channels = usize::from(image.color().channel_count());
-    let is_deep = usize::from(image.color().bytes_per_pixel()) > channels;
-    if has_alpha {
-        let alpha: Vec<u8> = image.to_luma_alpha8().pixels().map(|p| p.0[1]).collect();
-        if is_mask(&alpha, width) {
-            return (alpha, true);
-        }
-    }
-    if is_deep {
-        let pixels = image.into_luma_alpha16();
-        let grey: Vec<u16> = pixels.pixels().map(|p| on_white(p.0, u16::MAX)).collect();
-        return (stretched(&grey), false);
-    }
-    let pixels = image.into_luma_alpha8();
-    let grey = pixels.pixels().map(|p| {
-        let [grey, alpha] = p.0.map(u16::from);
-        u8::try_from(on_white([grey, alpha], 255)).invariant("a mean of values of a byte is one")
+/// The values of the alpha channel, if there is one.
+fn alphas<T: Copy + Into<u16>>(samples: &[T], channels: usize) -> impl Iterator<Item = u16> {
+    let pixels = match channels {
+        2 | 4 => samples.chunks_exact(channels),
+        _ => [].chunks_exact(channels),
+    };
+    pixels.map(|pixel| pixel[pixel.len() - 1].into())
+}
+
+/// The grey values of pixels on a white background.
+fn greys<T: Copy + Into<u16>>(
+    samples: &[T],
+    channels: usize,
+    white: u16,
+) -> impl Iterator<Item = u16> {
+    let grey_and_alpha = move |pixel: &[T]| match *pixel {
+        [grey] => [grey.into(), white],
+        [grey, alpha] => [grey.into(), alpha.into()],
+        [r, g, b] => [luminance([r, g, b].map(Into::into), white), white],
+        [r, g, b, alpha] => [luminance([r, g, b].map(Into::into), white), alpha.into()],
+        _ => [white; 2],
+    };
+    let pixels = samples.chunks_exact(channels);
+    pixels.map(move |pixel| on_white(grey_and_alpha(pixel), white))
+}
+
+/// The luminance of a colour of sRGB: 0.2126 R + 0.7152 G + 0.0722 B, with the digits that follow from the chromaticities
+/// of Rec. ITU-R BT.709 and of the white point D65 (0.31272, 0.32903).
+fn luminance(color: [u16; 3], white: u16) -> u16 {
+    const PARTS: [f32; 3] = [0.212_647_84, 0.715_179_2, 0.072_173_04];
+    let unit = 1.0 / f32::from(white);
+    let parts = color.into_iter().zip(PARTS);
+    let sum = parts.fold(0.0, |sum, (value, part)| {
+        sum + f32::from(value) * unit * part
     });
-    (grey.collect(), false)
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a mean of values is within their range; the parts are 1 in all but for a rounding error"
+    )]
+    let rounded = (sum * f32::from(white)).round() as u16;
+    rounded.min(white)
 }
 
 /// Whether most pixels at the border are transparent, and some pixels are not.

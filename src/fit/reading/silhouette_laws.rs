@@ -1,8 +1,7 @@
 //! Silhouettes that are drawn by these tests are traced.
 
 use super::*;
-use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgba, RgbaImage};
-use std::io::Cursor;
+use crate::fit::reading::encoded::{Drawing, png};
 
 /// The outline as it is traced without options.
 fn traced(bytes: &[u8], place: &str) -> Result<Contour> {
@@ -13,15 +12,9 @@ fn trace(bytes: &[u8], options: &OutlineOptions, place: &str) -> Result<(Contour
     Silhouette::read(bytes, options, place)?.outline(options.blob, options, place)
 }
 
-fn encoded(image: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {
-    let mut bytes = Cursor::new(Vec::new());
-    image.into().write_to(&mut bytes, format).unwrap();
-    bytes.into_inner()
-}
-
 /// A disc with smooth borders: the grey value of a pixel is roughly the part of it that is covered.
-fn disc(size: u32, center: [f64; 2], radius: f64, inside: f64, outside: f64) -> GrayImage {
-    GrayImage::from_fn(size, size, |i, j| {
+fn disc(size: u32, center: [f64; 2], radius: f64, inside: f64, outside: f64) -> Drawing {
+    Drawing::grey([size; 2], |i, j| {
         let (x, y) = (f64::from(i) + 0.5, f64::from(size - j) - 0.5);
         let depth = radius - (x - center[0]).hypot(y - center[1]);
         let part = (depth + 0.5).clamp(0.0, 1.0);
@@ -30,7 +23,9 @@ fn disc(size: u32, center: [f64; 2], radius: f64, inside: f64, outside: f64) -> 
             clippy::cast_sign_loss,
             reason = "a grey value"
         )]
-        Luma([(part * inside + (1.0 - part) * outside).round() as u8])
+        {
+            (part * inside + (1.0 - part) * outside).round() as u8
+        }
     })
 }
 
@@ -38,8 +33,8 @@ fn disc(size: u32, center: [f64; 2], radius: f64, inside: f64, outside: f64) -> 
 fn a_disc_is_traced_to_a_fraction_of_a_pixel() {
     for (inside, outside) in [(0.0, 255.0), (255.0, 0.0), (40.0, 200.0)] {
         let image = disc(100, [40.0, 60.25], 25.0, inside, outside);
-        for format in [ImageFormat::Png, ImageFormat::Bmp] {
-            let outline = traced(&encoded(image.clone(), format), "disc").unwrap();
+        for file in [image.png(), image.bmp()] {
+            let outline = traced(&file, "disc").unwrap();
             outline.check_invariants();
             let area = outline.area() / (std::f64::consts::PI * 625.0);
             assert!((area - 1.0).abs() < 0.005, "{area}");
@@ -48,8 +43,7 @@ fn a_disc_is_traced_to_a_fraction_of_a_pixel() {
                 assert!((radius - 25.0).abs() < 0.15, "{p:?} at {radius}");
             }
         }
-        let jpeg = encoded(image, ImageFormat::Jpeg);
-        let centroid = traced(&jpeg, "disc").unwrap().centroid();
+        let centroid = traced(&image.jpeg(75), "disc").unwrap().centroid();
         assert!((centroid[0] - 40.0).hypot(centroid[1] - 60.25) < 0.05);
     }
 }
@@ -57,31 +51,29 @@ fn a_disc_is_traced_to_a_fraction_of_a_pixel() {
 #[test]
 fn black_and_white_pixels_give_half_way_borders() {
     // A 2 × 1 block of black pixels; the corners are cut by marching squares.
-    let mut image = GrayImage::from_pixel(5, 4, Luma([255]));
-    image.put_pixel(1, 1, Luma([0]));
-    image.put_pixel(2, 1, Luma([0]));
-    let outline = traced(&encoded(image, ImageFormat::Png), "block").unwrap();
+    let image = Drawing::grey([5, 4], |i, j| match (i, j) {
+        (1 | 2, 1) => 0,
+        _ => 255,
+    });
+    let outline = traced(&image.png(), "block").unwrap();
     assert_eq!(outline.bounding_box(), [[1.0, 2.0], [3.0, 3.0]]);
 }
 
 #[test]
 fn a_silhouette_at_the_border_is_closed_there() {
-    let mut image = GrayImage::from_pixel(8, 8, Luma([255]));
-    for (i, j) in [(0, 0), (1, 0), (0, 1), (1, 1), (0, 2), (1, 2)] {
-        image.put_pixel(i, j, Luma([0]));
-    }
-    let outline = traced(&encoded(image, ImageFormat::Png), "corner").unwrap();
+    let image = Drawing::grey([8, 8], |i, j| if i < 2 && j < 3 { 0 } else { 255 });
+    let outline = traced(&image.png(), "corner").unwrap();
     assert_eq!(outline.bounding_box(), [[0.0, 5.0], [2.0, 8.0]]);
 }
 
 #[test]
 fn a_plain_picture_has_no_silhouette() {
     for image in [
-        DynamicImage::from(GrayImage::from_pixel(9, 9, Luma([7]))),
+        Drawing::grey([9, 9], |_, _| 7),
         // Nothing but transparent pixels.
-        DynamicImage::from(RgbaImage::from_pixel(9, 9, Rgba([7, 8, 9, 0]))),
+        Drawing::rgba([9, 9], |_, _| [7, 8, 9, 0]),
     ] {
-        let error = traced(&encoded(image, ImageFormat::Png), "plain.png");
+        let error = traced(&image.png(), "plain.png");
         let message = error.unwrap_err().to_string();
         assert!(
             message.starts_with("plain.png: no silhouette: every pixel is background"),
@@ -92,12 +84,12 @@ fn a_plain_picture_has_no_silhouette() {
 
 #[test]
 fn the_part_with_the_most_pixels_is_taken() {
-    let image = RgbaImage::from_fn(40, 40, |i, j| {
+    let image = Drawing::rgba([40, 40], |i, j| {
         let big = (5..20).contains(&i) && (5..30).contains(&j);
         let small = (30..35).contains(&i) && (30..35).contains(&j);
-        Rgba([0, 0, 0, if big || small { 255 } else { 0 }])
+        [0, 0, 0, if big || small { 255 } else { 0 }]
     });
-    let outline = traced(&encoded(image, ImageFormat::Png), "two").unwrap();
+    let outline = traced(&image.png(), "two").unwrap();
     assert_eq!(outline.bounding_box(), [[5.0, 10.0], [20.0, 35.0]]);
 }
 
@@ -106,14 +98,14 @@ fn what_is_not_a_picture_is_refused() {
     assert!(traced(b"", "a.png").is_err());
     let error = traced(b"x,y\n1,2\n", "a.png").unwrap_err();
     assert!(error.to_string().starts_with("a.png: not a PNG, JPEG"));
-    let mut cut = encoded(disc(50, [25.0, 25.0], 9.0, 0.0, 255.0), ImageFormat::Png);
+    let mut cut = disc(50, [25.0, 25.0], 9.0, 0.0, 255.0).png();
     cut.truncate(cut.len() / 2);
     assert!(traced(&cut, "cut.png").is_err());
 }
 
 #[test]
 fn pictures_beyond_the_limit_are_refused_before_they_are_decoded() {
-    let wide = encoded(GrayImage::new(20_001, 1), ImageFormat::Png);
+    let wide = Drawing::grey([20_001, 1], |_, _| 0).png();
     let error = traced(&wide, "wide.png").unwrap_err();
     assert!(matches!(error, Error::Limit { .. }), "{error}");
 }
@@ -123,14 +115,17 @@ fn pictures_beyond_the_limit_are_refused_before_they_are_decoded() {
 fn masks_of_labels_and_pictures_of_16_bits_are_read() {
     let disc = |i: u32, j: u32| (f64::from(i) - 30.0).hypot(f64::from(j) - 25.0) < 15.0;
     for (low, high) in [(0_u16, 1), (0, 65535), (65535, 0), (30000, 30001), (1, 0)] {
-        let mask =
-            image::ImageBuffer::from_fn(64, 64, |i, j| Luma([if disc(i, j) { high } else { low }]));
-        let outline = traced(&encoded(mask, ImageFormat::Png), "mask.png").unwrap();
+        let places = (0..64 * 64).map(|k| disc(k % 64, k / 64));
+        let words = places.map(|inside| if inside { high } else { low });
+        let samples: Vec<u8> = words.flat_map(u16::to_be_bytes).collect();
+        let (grey, depth) = (png::ColorType::Grayscale, png::BitDepth::Sixteen);
+        let mask = png([64, 64], grey, depth, &samples);
+        let outline = traced(&mask, "mask.png").unwrap();
         let area = outline.area() / (std::f64::consts::PI * 225.0);
         assert!((area - 1.0).abs() < 0.02, "{low} {high}: {area}");
     }
-    let mask = GrayImage::from_fn(64, 64, |i, j| Luma([u8::from(disc(i, j))]));
-    let outline = traced(&encoded(mask, ImageFormat::Png), "mask.png").unwrap();
+    let mask = Drawing::grey([64, 64], |i, j| u8::from(disc(i, j)));
+    let outline = traced(&mask.png(), "mask.png").unwrap();
     assert!((outline.centroid()[0] - 30.5).abs() < 0.01);
 }
 
@@ -138,7 +133,7 @@ fn masks_of_labels_and_pictures_of_16_bits_are_read() {
 #[test]
 fn an_alpha_channel_is_the_mask() {
     for colour in [[255, 255, 255], [0, 0, 0], [200, 30, 90]] {
-        let image = RgbaImage::from_fn(40, 40, |i, j| {
+        let image = Drawing::rgba([40, 40], |i, j| {
             let inside = (10..30).contains(&i) && (5..20).contains(&j);
             // A chequered pattern, of which the colours have no say.
             let [r, g, b] = if (i + j) % 2 == 0 {
@@ -146,9 +141,9 @@ fn an_alpha_channel_is_the_mask() {
             } else {
                 [9, 200, 9]
             };
-            Rgba([r, g, b, if inside { 255 } else { 0 }])
+            [r, g, b, if inside { 255 } else { 0 }]
         });
-        let outline = traced(&encoded(image, ImageFormat::Png), "alpha.png").unwrap();
+        let outline = traced(&image.png(), "alpha.png").unwrap();
         assert_eq!(outline.bounding_box(), [[10.0, 20.0], [30.0, 35.0]]);
     }
 }
@@ -156,12 +151,12 @@ fn an_alpha_channel_is_the_mask() {
 /// A plate with a comb of slits, whose outline is much longer than that of the plate.
 #[test]
 fn a_hole_is_never_the_outline() {
-    let plate = GrayImage::from_fn(60, 60, |i, j| {
+    let plate = Drawing::grey([60, 60], |i, j| {
         let inside = (10..50).contains(&i) && (10..50).contains(&j);
         let slit = (13..47).contains(&i) && (13..47).contains(&j) && (i % 2 == 1 || j == 13);
-        Luma([if inside && !slit { 0 } else { 255 }])
+        if inside && !slit { 0 } else { 255 }
     });
-    let bytes = encoded(plate, ImageFormat::Png);
+    let bytes = plate.png();
     let (outline, left_out) = trace(&bytes, &OutlineOptions::default(), "plate").unwrap();
     assert_eq!(outline.bounding_box(), [[10.0, 10.0], [50.0, 50.0]]);
     assert_eq!((left_out.parts, left_out.holes), (0, 1));
@@ -172,7 +167,7 @@ fn a_hole_is_never_the_outline() {
 #[test]
 fn other_parts_holes_and_a_frame_are_left_out_and_counted() {
     let picture = |frame: u32| {
-        GrayImage::from_fn(200, 150, |i, j| {
+        Drawing::grey([200, 150], |i, j| {
             let edge = i.min(199 - i).min(j).min(149 - j);
             let blob =
                 |x: u32, y: u32, r: u32| (i.abs_diff(x)).pow(2) + (j.abs_diff(y)).pow(2) < r * r;
@@ -180,11 +175,11 @@ fn other_parts_holes_and_a_frame_are_left_out_and_counted() {
                 || blob(60, 60, 40) && !blob(60, 60, 10)
                 || blob(150, 60, 20)
                 || blob(150, 120, 5);
-            Luma([if dark { 10 } else { 240 }])
+            if dark { 10 } else { 240 }
         })
     };
     for frame in [0, 1, 3] {
-        let bytes = encoded(picture(frame), ImageFormat::Png);
+        let bytes = picture(frame).png();
         let trace = |options: &OutlineOptions| trace(&bytes, options, "blobs.png");
         let (outline, left_out) = trace(&OutlineOptions::default()).unwrap();
         assert!(
@@ -216,17 +211,17 @@ fn other_parts_holes_and_a_frame_are_left_out_and_counted() {
 #[test]
 fn the_threshold_and_the_side_may_be_given() {
     // A bright core in a grey disc on black.
-    let image = GrayImage::from_fn(80, 80, |i, j| {
+    let image = Drawing::grey([80, 80], |i, j| {
         let r = (f64::from(i) - 40.0).hypot(f64::from(j) - 40.0);
-        Luma([if r < 10.0 {
+        if r < 10.0 {
             250
         } else if r < 30.0 {
             90
         } else {
             5
-        }])
+        }
     });
-    let bytes = encoded(image, ImageFormat::Png);
+    let bytes = image.png();
     let trace = |options: OutlineOptions| trace(&bytes, &options, "core.png");
     let width = |options: OutlineOptions| {
         let [low, high] = trace(options).unwrap().0.bounding_box();
@@ -249,7 +244,7 @@ fn the_threshold_and_the_side_may_be_given() {
 /// A JPEG file that ends anywhere before its end is refused, as is one whose data is damaged so that it ends early.
 #[test]
 fn a_cut_jpeg_is_refused() {
-    let whole = encoded(disc(120, [60.0, 60.0], 40.0, 0.0, 255.0), ImageFormat::Jpeg);
+    let whole = disc(120, [60.0, 60.0], 40.0, 0.0, 255.0).jpeg(75);
     assert!(traced(&whole, "whole.jpg").is_ok());
     for cut in [2, 3, 10, 40, whole.len() / 4, whole.len() / 2] {
         let error = traced(&whole[..whole.len() - cut], "cut.jpg")
