@@ -49,8 +49,9 @@ impl Machine {
         }
     }
 
-    /// Runs an operation that is compiled for these instructions.
-    #[inline(always)]
+    /// Runs an operation that is compiled for these instructions. It is called, not inlined: otherwise it would be compiled
+    /// anew, for all sets of instructions, wherever a parallel loop is.
+    #[inline(never)]
     pub(crate) fn dispatch<Op: WithSimd>(self, operation: Op) -> Op::Output {
         match self {
             Self::This(arch) => arch.dispatch(operation),

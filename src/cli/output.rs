@@ -2,6 +2,7 @@
 
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use stellate::error::{Error, OUTPUT, Result};
 use tempfile::NamedTempFile;
@@ -218,7 +219,8 @@ pub(crate) fn write_page(folder: &Path, page: &[u8], session: &Session) -> Resul
     write_beside(&folder.join(PAGE), page, session)
 }
 
-/// The day, such as `2001-12-31`.
+/// The day in Greenwich, such as `2001-12-31`.
 pub(crate) fn today() -> String {
-    jiff::Timestamp::now().strftime("%Y-%m-%d").to_string()
+    let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+    now.split('T').take(1).collect()
 }
