@@ -111,7 +111,7 @@ impl Columns {
             y,
             sums,
         };
-        self.machine.dispatch(summation);
+        self.machine.dispatch_fused(summation);
     }
 }
 

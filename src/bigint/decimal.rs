@@ -154,7 +154,7 @@ impl Printer {
         let [mut sums] = sums;
         let start = text.len();
         text.resize(start + DIGITS * places, b'0');
-        self.machine.dispatch(Places {
+        self.machine.dispatch_fused(Places {
             sums: &mut sums,
             text: &mut text[start..],
         });

@@ -1,6 +1,8 @@
 //! The sets of instructions for which loops over doubles are compiled.
 
-use pulp::{Arch, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
+
+use crate::error::broken;
 
 /// A set of instructions. The program uses that of its machine; tests use all others as well.
 #[derive(Clone, Copy, Debug)]
@@ -64,5 +66,27 @@ impl Machine {
             #[cfg(test)]
             Self::Of512Bits => operation.with_simd(pulp::Scalar512b),
         }
+    }
+
+    /// Runs an operation that is only of use with fused products; the caller has made sure that there are some, by
+    /// [`Machine::has_fused_products`]. It is not compiled for machines that have none.
+    pub(crate) fn dispatch_fused<Op: WithSimd>(self, operation: Op) -> Op::Output {
+        self.dispatch(Fused(operation))
+    }
+}
+
+/// The operation of [`Machine::dispatch_fused`].
+struct Fused<Op>(Op);
+
+impl<Op: WithSimd> WithSimd for Fused<Op> {
+    type Output = Op::Output;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Op::Output {
+        // Where there are no vectors, there are no fused products. Tests check that the numbers are the same without them.
+        if const { size_of::<S::f64s>() == size_of::<f64>() && !cfg!(test) } {
+            broken("an operation with fused products is for a machine that has them");
+        }
+        self.0.with_simd(simd)
     }
 }

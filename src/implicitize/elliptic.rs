@@ -154,7 +154,7 @@ pub(super) fn resultant_of_series(
             limits.check()?;
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
             let value = v as f64;
-            Ok(machine.dispatch(Characteristic {
+            Ok(machine.dispatch_fused(Characteristic {
                 pair: &pairs[q],
                 value,
             }))
@@ -177,7 +177,7 @@ pub(super) fn resultant_of_series(
             let mut all = Vec::with_capacity(terms.len());
             for i in 0..2 * half_u {
                 let values = rows[..=most(i)].iter().map(|row| row[i]).collect();
-                let found = machine.dispatch(Interpolation { pair, values });
+                let found = machine.dispatch_fused(Interpolation { pair, values });
                 let scaled = found.into_iter().map(|c| field.times(c, factor));
                 all.extend(scaled.map(|c| field.representatives(c)));
             }

@@ -36,7 +36,7 @@ pub(super) fn middle_and_low_by_residues(
     let sizes = [middle, low].map(|size| Sizes::new(size.len(), |range| size.largest_of(range)));
     let residues = for_each_quartet(&quartets, Workspace::default, |workspace, k, quartet| {
         let [middle, low] = sizes.each_ref().map(|sizes| lifting.asked(sizes, k));
-        machine.dispatch(Parts {
+        machine.dispatch_fused(Parts {
             sums,
             odd,
             workspace,

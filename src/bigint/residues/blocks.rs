@@ -105,7 +105,7 @@ impl Blocks {
         let others: Vec<_> = others.iter().map(short).collect();
         let primes = [0, 1].map(|i| quartets[0].of_one_prime(i));
         let tables = primes.each_ref().map(|prime| {
-            machine.dispatch(Tables {
+            machine.dispatch_fused(Tables {
                 prime,
                 others: &others,
                 blocks,
@@ -116,7 +116,7 @@ impl Blocks {
         Self {
             fields,
             transforms: [first, second],
-            inverse: machine.dispatch(Inverse { fields }),
+            inverse: machine.dispatch_fused(Inverse { fields }),
             groups: groups.iter().zip(&products).map(columns).collect(),
             tables: [in_first, in_second],
             minus_p: minus_p.into_iter().map(u64_from).collect(),

@@ -58,7 +58,7 @@ impl<'a> Remainders<'a> {
         };
         let residues: Vec<f64> = primes.iter().map(residue).collect();
         let residues = residues.as_chunks::<4>().0;
-        let weights = machine.dispatch(Inverses { quartets, residues });
+        let weights = machine.dispatch_fused(Inverses { quartets, residues });
         let minus_p = (Natural::from(1_u32) << (width as u64 * LIMB_BITS)) - &product;
         let sum = if primes.len() <= direct {
             let numbers = primes
@@ -243,7 +243,7 @@ mod tests {
                 let remainders = Remainders::new(machine, &quartets, direct);
                 for width in [remainders.width, remainders.width + 2] {
                     let mut target = vec![7; integers.len() * width];
-                    machine.dispatch(Lift { remainders: &remainders, residues: &residues, target: &mut target, width });
+                    machine.dispatch_fused(Lift { remainders: &remainders, residues: &residues, target: &mut target, width });
                     for (x, limbs) in integers.iter().zip(target.chunks_exact(width)) {
                         prop_assert_eq!(&Integer::from_twos_complement_limbs_asc(limbs), x);
                     }

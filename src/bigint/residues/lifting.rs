@@ -161,7 +161,7 @@ impl<'a> Lifting<'a> {
         let from = k * TOGETHER;
         let residues = residues[..self.len(set)].iter();
         let residues: Vec<&[Lanes]> = residues.map(|r| &r.values[from - r.start..]).collect();
-        self.machine.dispatch(Lift {
+        self.machine.dispatch_fused(Lift {
             remainders: self.remainders(set),
             residues: &residues,
             target,

@@ -203,7 +203,7 @@ pub(crate) fn changed_by_residues(
             g,
             asked: lifting.asked(&sizes, k),
         };
-        machine.dispatch(change)
+        machine.dispatch_fused(change)
     });
     let changed = lifting.polynomial(&sizes, &residues);
     if value_of_flat(&changed) != value_after_change(g) {
