@@ -4,6 +4,7 @@ use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve, Point};
 use tiny_skia::{Path, PathBuilder};
 use unicode_bidi::BidiInfo;
 
+use super::text::font_file;
 use crate::error::Invariant;
 
 /// A text on one line, from the origin to the right; the baseline is y = 0, and y grows downward.
@@ -17,8 +18,8 @@ pub(super) struct Letters {
 /// Sets a text in letters of `size` per em. A letter that the font does not have is drawn as a box. Words that are read from
 /// the right, such as Hebrew ones, are set so; letters of scripts in which they join, such as Arabic ones, are not joined.
 pub(super) fn letters(text: &str, size: f32) -> Letters {
-    let font = FontRef::try_from_slice(dejavu::sans::regular())
-        .invariant("the font of the crate can be parsed");
+    let font =
+        FontRef::try_from_slice(font_file()).invariant("the font of the crate can be parsed");
     let em = font.units_per_em().invariant("the font has a unit");
     let mut set = Setting {
         scale: size / em,

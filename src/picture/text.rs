@@ -9,12 +9,19 @@ use super::heading::FINER;
 /// The sign for what is left out of a text.
 const LEFT_OUT: char = '…';
 
+/// The file of the font by which pictures are laid out. It is called, not inlined: otherwise it would be in the program more
+/// than once.
+#[inline(never)]
+pub(super) fn font_file() -> &'static [u8] {
+    dejavu::sans::regular()
+}
+
 /// Registers the font by which pictures are laid out.
 pub(super) fn load_font() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         // The font of the crate can be parsed; if it could not, labels would be missing.
-        let _ = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
+        let _ = register_font("sans-serif", FontStyle::Normal, font_file());
     });
 }
 
