@@ -10,6 +10,10 @@ use crate::intervals::{Interval, distance, dot};
 /// The part of a parameter by which derivatives are estimated.
 const STEP: f64 = 1e-6;
 const NEWTON_STEPS: usize = 30;
+/// A point is far from its foot beyond this part of its size,
+const FAR: f64 = 1e-3;
+/// and directions are different beyond this distance.
+const DIFFERENT: f64 = 1e-6;
 /// Parameters from which a foot near an axis is looked for.
 const BESIDE: [f64; 3] = [0.0, 1e-3, 0.05];
 
@@ -38,8 +42,11 @@ impl Body {
                 false => best,
             }
         });
+        let foot = middle(&best);
+        let away = std::array::from_fn(|i| p[i] - foot[i]);
         let normal = self.outward(&best).and_then(unit);
-        FootCandidate::on_form(middle(&best), normal)
+        let normal = normal.map(|normal| perpendicular(away, normal, distance(p, [0.0; 3])));
+        FootCandidate::on_form(foot, normal)
     }
 
     /// The place that Newton's method finds on the same halves of the arcs.
@@ -138,5 +145,19 @@ impl Body {
         }
         let [u, v] = of_around?;
         Some([r * u / a, r * v / b, z / c])
+    }
+}
+
+/// The normal, or the direction towards the point if the two differ. On an axis the normal turns infinitely fast for exponents from 1 to
+/// 2, so that doubles of the foot do not determine it, but the direction does.
+fn perpendicular(away: [f64; 3], normal: [f64; 3], size: f64) -> [f64; 3] {
+    let Some(direction) = unit(away).filter(|_| distance(away, [0.0; 3]) > FAR * size) else {
+        return normal;
+    };
+    let side = dot(direction, normal).signum();
+    let towards = direction.map(|x| side * x);
+    match distance(towards, normal) > DIFFERENT {
+        true => towards,
+        false => normal,
     }
 }
