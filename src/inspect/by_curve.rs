@@ -88,7 +88,7 @@ impl Inspector {
             let found = curve.nearest(p.near, outer, goal, &self.limits);
             self.learn(known, found.bounds, p.slack);
             foot = found.foot.or(foot);
-            let is_enough = self.asked().is_some() || known.bounds.high <= reach;
+            let is_enough = self.asked.is_some() || known.bounds.high <= reach;
             if is_enough || self.limits.check().is_err() {
                 break;
             }

@@ -72,7 +72,7 @@ pub struct Inspector {
     /// Doubles below and above the tolerance.
     pub(super) around: [f64; 2],
     /// The search radius; distances larger than this are reported as infinite. `None` if the nearest point is searched anywhere.
-    asked: Option<f64>,
+    pub(super) asked: Option<f64>,
     pub(super) goal: Goal,
     pub(super) limits: Limits,
 }
@@ -453,11 +453,6 @@ impl Inspector {
 
     pub(super) fn factors(&self) -> &[Factor] {
         &self.factors
-    }
-
-    /// The search radius that was asked for.
-    pub(super) fn asked(&self) -> Option<f64> {
-        self.asked
     }
 
     /// The number of cubes that may be divided for a factor.

@@ -11,7 +11,8 @@
 //! For an equation, doubles with error bounds decide nearly all points: by a Taylor expansion at the foot of the point, or else
 //! by cubes and by patches of the sphere. Exact arithmetic decides the other points: at a refined foot, at rational points, by
 //! the exact angle ranges of the section ([`SphereSection`]), or by the gap between 0 and the smallest positive minimum. If
-//! none of these decides a point, the verdict is [`Verdict::Undecided`].
+//! none of these decides a point, the verdict is [`Verdict::Undecided`]. An irreducible equation that is a norm g² + D·h², such as
+//! that of a circle in space, is compared with the curve g = h = 0.
 
 mod arcs;
 mod boxes;
