@@ -431,7 +431,7 @@ struct Chain {
 /// The reason why a run ended; `None` if it ended on a known arc: the piece between the two stays unresolved.
 fn end(run: &Run) -> Option<ArcEnd> {
     match run.stop {
-        Stop::Window => Some(ArcEnd::Window),
+        Stop::Window(_) => Some(ArcEnd::Window),
         Stop::Unresolved => Some(ArcEnd::Unresolved),
         Stop::Closed | Stop::Known => None,
     }

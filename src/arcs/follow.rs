@@ -25,11 +25,12 @@ pub(super) struct Path<'a> {
 }
 
 /// The reason why following an arc ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stop {
     /// The arc came back to its first point.
     Closed,
-    Window,
+    /// The first point outside of the window, at the end of the last tube.
+    Window(Enclosed),
     /// No tube could be proved.
     Unresolved,
     /// The arc reached an arc that was known before.
@@ -41,8 +42,6 @@ pub(super) struct Run {
     pub(super) points: Vec<Enclosed>,
     pub(super) tubes: Vec<Tube>,
     pub(super) stop: Stop,
-    /// The first point outside of the window, at the end of the last tube.
-    pub(super) outside: Option<Enclosed>,
 }
 
 impl Path<'_> {
@@ -69,7 +68,6 @@ impl Path<'_> {
             points: Vec::new(),
             tubes: Vec::new(),
             stop: Stop::Unresolved,
-            outside: None,
         };
         let mut at = *seed;
         let mut step = self.longest / 4.0;
@@ -109,8 +107,7 @@ impl Path<'_> {
                 }
                 run.points.extend(last);
                 run.tubes.push(tube);
-                run.stop = Stop::Window;
-                run.outside = Some(next);
+                run.stop = Stop::Window(next);
                 break;
             }
             run.points.push(next);
@@ -170,5 +167,8 @@ pub(crate) fn leaves_window(
     };
     [1.0, -1.0]
         .iter()
-        .find_map(|sense| path.follow(seed, *sense, &[]).outside)
+        .find_map(|sense| match path.follow(seed, *sense, &[]).stop {
+            Stop::Window(outside) => Some(outside),
+            Stop::Closed | Stop::Unresolved | Stop::Known => None,
+        })
 }

@@ -19,7 +19,7 @@ pub(super) struct Tube {
 }
 
 /// A point with exactly one common zero within `radius` of it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Enclosed {
     pub(crate) position: [f64; 3],
     pub(crate) radius: f64,

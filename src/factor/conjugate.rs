@@ -177,10 +177,6 @@ impl Modulo {
             .map(|(e, c)| self.field.mul(*c, self.monomial(e, at)));
         terms.fold(0, |sum, term| self.field.sum(sum, term))
     }
-
-    fn negative(&self, x: u64) -> u64 {
-        (self.field.prime() - x) % self.field.prime()
-    }
 }
 
 /// Polynomials with given monomials for each, as one vector of coefficients.
@@ -266,11 +262,11 @@ fn traceless_form(
                     let part = |other: usize| {
                         let first = modulo.field.mul(value, modulo.slope(e, other, &at));
                         let second = modulo.field.mul(modulo.monomial(e, &at), slopes[other]);
-                        modulo.field.sum(first, modulo.negative(second))
+                        modulo.field.minus(first, second)
                     };
                     match *k {
                         k if k == a => part(b),
-                        k if k == b => modulo.negative(part(a)),
+                        k if k == b => modulo.field.minus(0, part(a)),
                         _ => 0,
                     }
                 };
@@ -392,7 +388,7 @@ fn factor(
         for _ in 0..points {
             let at = modulo.point(degree);
             let value = modulo.value(&of_f, &at);
-            let twice = modulo.negative(modulo.field.sum(value, value));
+            let twice = modulo.field.minus(0, modulo.field.sum(value, value));
             for (axis, (slope, form)) in both.iter().enumerate() {
                 let [slope, form] = [slope, form].map(|f| modulo.value(f, &at));
                 // g ∂f + h ω − 2 f ∂g, and h ∂f + g ω/v − 2 f ∂h

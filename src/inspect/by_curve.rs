@@ -4,15 +4,12 @@ use super::DistanceBounds;
 use super::common_zeros::CommonZeros;
 use super::distance::Goal;
 use super::exact::{exact_difference, squared_length};
+use super::far::{GROWTHS, SHARE};
 use super::inspector::Inspector;
 use super::known::{PartialInspection, Point};
 use crate::arcs::CommonZero;
 use crate::intervals::{Field, Interval};
 
-/// How often the search radius grows, by a factor of 4 each time, until a common zero is found.
-const GROWTHS: u32 = 12;
-/// The part of the cubes of a verdict that may be divided in one search.
-const SHARE: usize = 8;
 /// Bounds in doubles do not become much closer than this part of the distance.
 const FINEST: f64 = 1e-14;
 

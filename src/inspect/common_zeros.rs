@@ -9,7 +9,7 @@ use super::distance::{Cube, Goal, beside, half_side};
 use crate::arcs::{CommonZero, enclose_common_zero, leaves_window};
 use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, separation, square};
-use crate::intervals::{Field, Interval, distance, dot, rational};
+use crate::intervals::{Field, Interval, distance, rational, weights_of_common_zero};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 
@@ -138,18 +138,11 @@ impl CommonZeros {
         self.is_zero(&point).then_some(point)
     }
 
-    /// The nearest point of the line or plane of common zeros of both, linearized at q, to `target`.
-    fn linearized(&self, q: [f64; 3], target: [f64; 3]) -> Option<[f64; 3]> {
-        let [f, g] = self.both().map(|field| field.value_and_gradient(q));
-        let from = |(value, slope): (f64, [f64; 3])| {
-            value + dot(slope, std::array::from_fn(|i| target[i] - q[i]))
-        };
-        let (first, second) = (from(f), from(g));
-        let [aa, ab, bb] = [dot(f.1, f.1), dot(f.1, g.1), dot(g.1, g.1)];
-        let determinant = aa * bb - ab * ab;
-        let a = (bb * first - ab * second) / determinant;
-        let b = (aa * second - ab * first) / determinant;
-        let next = std::array::from_fn(|i| target[i] - a * f.1[i] - b * g.1[i]);
+    /// The nearest common zero of both, linearized at q.
+    fn linearized(&self, q: [f64; 3]) -> Option<[f64; 3]> {
+        let [(first, f), (second, g)] = self.both().map(|field| field.value_and_gradient(q));
+        let [a, b] = weights_of_common_zero([first, second], [f, g])?;
+        let next = std::array::from_fn(|i| q[i] - a * f[i] - b * g[i]);
         next.iter().all(|x: &f64| x.is_finite()).then_some(next)
     }
 
@@ -157,7 +150,7 @@ impl CommonZeros {
     fn on_both(&self, start: [f64; 3]) -> Option<[f64; 3]> {
         let mut q = start;
         for _ in 0..STEPS {
-            let next = self.linearized(q, q)?;
+            let next = self.linearized(q)?;
             let size = next.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
             let moved = distance(next, q);
             q = next;

@@ -8,13 +8,13 @@ use crate::intervals::interval::separation;
 use crate::intervals::{Field, Interval};
 
 /// The part of the cubes of a verdict that may be divided for a distance.
-const SHARE: usize = 8;
+pub(super) const SHARE: usize = 8;
 /// How often the search radius is doubled along a ray, from the tolerance on.
 const DOUBLINGS: u32 = 64;
 /// How often a piece of a ray with a zero is halved.
 const HALVINGS: u32 = 30;
 /// How often the search radius grows, by a factor of 4 each time, if no zero was found on the rays.
-const GROWTHS: u32 = 12;
+pub(super) const GROWTHS: u32 = 12;
 
 impl Inspector {
     /// Improves the bounds of the distances of the factors' zeros from a point that is outside, until those of the nearest one are

@@ -1,7 +1,7 @@
 //! Taylor bounds over boxes.
 
 use super::interval::{Interval, UNIT, exactly};
-use super::{FLOOR, Field, largest_powers};
+use super::{FLOOR, Field, dot, largest_powers};
 
 /// The number of halvings in the search for the best bound of a distance.
 const HALVINGS: usize = 12;
@@ -107,16 +107,8 @@ impl BoxBounds {
     /// The weights a and b for which the zeros of a·f + b·g, linearized, touch the sphere about a point at the nearest common zero of f
     /// and g, linearized; in units of the half sides.
     pub(crate) fn weights_of_common_zero(&self, other: &Self, p: [f64; 3]) -> Option<[f64; 2]> {
-        let dot = |a: &[f64; 3], b: &[f64; 3]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
-        let [first, second] = [self, other].map(|f| f.value + dot(&f.linear, &p));
-        let [aa, ab, bb] =
-            [(self, self), (self, other), (other, other)].map(|(f, g)| dot(&f.linear, &g.linear));
-        let determinant = aa * bb - ab * ab;
-        let weights = [
-            (bb * first - ab * second) / determinant,
-            (aa * second - ab * first) / determinant,
-        ];
-        weights.iter().all(|w| w.is_finite()).then_some(weights)
+        let values = [self, other].map(|f| f.value + dot(f.linear, p));
+        weights_of_common_zero(values, [self.linear, other.linear])
     }
 
     /// A lower bound of the distances of the zeros of g in the cube from a point, in units of the half sides, which must be
@@ -206,6 +198,21 @@ impl BoxBounds {
             BoxProof::Open
         }
     }
+}
+
+/// The weights a and b for which a step of −a∇f − b∇g leads to the nearest common zero of f and g, linearized, from a point at which they
+/// have these values and gradients.
+pub(crate) fn weights_of_common_zero(
+    [first, second]: [f64; 2],
+    [f, g]: [[f64; 3]; 2],
+) -> Option<[f64; 2]> {
+    let [aa, ab, bb] = [dot(f, f), dot(f, g), dot(g, g)];
+    let determinant = aa * bb - ab * ab;
+    let weights = [
+        (bb * first - ab * second) / determinant,
+        (aa * second - ab * first) / determinant,
+    ];
+    weights.iter().all(|w| w.is_finite()).then_some(weights)
 }
 
 impl Field {

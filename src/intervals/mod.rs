@@ -8,7 +8,7 @@ mod power;
 mod spectrum;
 mod taylor;
 
-pub(crate) use bounds::{BoxBounds, BoxProof};
+pub(crate) use bounds::{BoxBounds, BoxProof, weights_of_common_zero};
 pub(crate) use crossing::Crossing;
 pub(crate) use interval::Interval;
 pub(crate) use local::Local;

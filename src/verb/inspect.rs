@@ -32,7 +32,7 @@ const DIGITS: u32 = 6;
 const BUDGET: usize = 50_000;
 
 /// Superquadrics with equations of at most this degree are compared with their equations, which decides all points exactly.
-const HIGH_DEGREE: usize = 16;
+const HIGH_DEGREE: u32 = 16;
 
 options! {
     /// How points are inspected.
@@ -234,21 +234,22 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
             check_surface(&equation.surface, work)?;
             Subject::Patch(patch, equation.surface)
         }
-        (Form::Superquadric(shape), _) if shape.even_exponent().is_none_or(|n| n > HIGH_DEGREE) => {
+        (Form::Superquadric(shape), _)
+            if shape
+                .even_exponent()
+                .is_none_or(|n| n > HIGH_DEGREE as usize) =>
+        {
             Subject::Superquadric(shape)
         }
-        (Form::SpaceSuperquadric(shape), 3) => match surface_of_superquadric(&shape) {
-            Ok(surface)
-                if surface
-                    .polynomial()
-                    .degree()
-                    .is_none_or(|n| n <= HIGH_DEGREE as u64) =>
-            {
-                check_surface(&surface, work)?;
-                Subject::Surface(surface)
+        (Form::SpaceSuperquadric(shape), 3) => {
+            let most = Rational::from(i64::from(HIGH_DEGREE));
+            if shape.polynomial_degree().is_none_or(|n| n > most) {
+                return Ok(Subject::SpaceSuperquadric(shape));
             }
-            _ => Subject::SpaceSuperquadric(shape),
-        },
+            let surface = surface_of_superquadric(&shape)?;
+            check_surface(&surface, work)?;
+            Subject::Surface(surface)
+        }
         (Form::Harmonic(surface), 3) => Subject::Harmonic(surface),
         (Form::Intersection(_), _) => return Err(INSPECT.not_this()),
         (Form::Surface(_) | Form::SpaceSuperquadric(_) | Form::Patch(_) | Form::Harmonic(_), _) => {

@@ -3,6 +3,8 @@
 //! Terms and layout are those of Microsoft, *Bitmap Header Types* and *Bitmap Compression* (learn.microsoft.com). No crate
 //! reads all of these kinds and refuses files that end in the middle, but for large ones that read many formats.
 
+use crate::error::Invariant;
+
 /// What is wrong with a bitmap.
 type Broken = String;
 
@@ -243,8 +245,9 @@ impl Mask {
         // Of more than eight bits the first eight are taken.
         let finer = (32 - self.most.leading_zeros()).saturating_sub(8);
         let (value, most) = (value >> finer, self.most >> finer);
-        let scaled = (value * 255 + most / 2).checked_div(most).unwrap_or(0);
-        u8::try_from(scaled).unwrap_or(u8::MAX)
+        let scaled = (value * 255 + most / 2).checked_div(most);
+        let scaled = scaled.invariant("a channel that is read has bits");
+        u8::try_from(scaled).invariant("a value is at most the largest one")
     }
 }
 
@@ -309,7 +312,7 @@ fn i32_at(bytes: &[u8], at: usize) -> Result<i32, Broken> {
     array(bytes, at).map(i32::from_le_bytes)
 }
 
-/// A number of a file as an index; where it is too large for one, it is beyond every end.
+/// A number of a file as an index.
 fn usize_of(number: u32) -> usize {
-    usize::try_from(number).unwrap_or(usize::MAX)
+    usize::try_from(number).invariant("an index has at least 32 bits")
 }

@@ -72,6 +72,11 @@ impl UnitArc {
         })
     }
 
+    /// The roots x^(1/n) of the members x ≥ 0.
+    pub(super) fn root(&self, x: Interval) -> Interval {
+        self.root.of(x)
+    }
+
     /// The norm (u^n + v^n)^(1/n) of numbers u, v ≥ 0.
     pub(super) fn norm(&self, u: Interval, v: Interval) -> Interval {
         let (large, small) = match u.high() >= v.high() {

@@ -10,7 +10,7 @@ use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::inspect::DistanceBounds;
 use crate::intervals::interval::{cross, minus, square};
-use crate::intervals::{Interval, Power, dot};
+use crate::intervals::{Interval, dot};
 use crate::limits::Limits;
 use crate::shape::{SpaceSuperquadric, Superquadric};
 
@@ -83,50 +83,40 @@ impl Ord for Cell {
     }
 }
 
-/// The axes a λ of the superquadric with the level 1, for the scale λ = c^(ε/2).
+/// The axes a λ of the superquadric with the level 1, for the scale λ = c^(ε/2) = c^(1/n), n being the exponent of an arc.
 fn scaled<const N: usize>(
     axes: &[Rational; N],
     level: &Rational,
-    epsilon: &Rational,
+    arc: &UnitArc,
     exact: Option<Rational>,
-) -> Result<[Interval; N]> {
+) -> [Interval; N] {
     if let Some(scale) = exact {
-        return Ok(axes.each_ref().map(|a| Interval::narrowest(&(a * &scale))));
+        return axes.each_ref().map(|a| Interval::narrowest(&(a * &scale)));
     }
-    let half = epsilon / &Rational::from(2);
-    // The exponent is half of one that a unit arc takes.
-    let scale = Power::new(&half)
-        .map(|power| power.of(Interval::narrowest(level)))
-        .unwrap_or(Interval::ENTIRE);
-    Ok(axes.each_ref().map(|a| Interval::narrowest(a) * scale))
+    let scale = arc.root(Interval::narrowest(level));
+    axes.each_ref().map(|a| Interval::narrowest(a) * scale)
 }
 
 impl Body {
     pub(super) fn plane(shape: &Superquadric) -> Result<Self> {
-        let axes = scaled(
-            shape.semi_axes(),
-            shape.level(),
-            shape.epsilon(),
-            shape.exact_scale(),
-        )?;
+        let around = UnitArc::new(&shape.exponent())?;
+        let exact = shape.exact_scale();
+        let [a, b] = scaled(shape.semi_axes(), shape.level(), &around, exact);
         Ok(Self {
-            axes: [axes[0], axes[1], Interval::ZERO],
-            around: UnitArc::new(&shape.exponent())?,
+            axes: [a, b, Interval::ZERO],
+            around,
             profile: None,
         })
     }
 
     pub(super) fn space(shape: &SpaceSuperquadric) -> Result<Self> {
         let [of_xy, _, of_z] = shape.exponents();
+        let profile = UnitArc::new(&of_z)?;
+        let exact = shape.exact_scale();
         Ok(Self {
-            axes: scaled(
-                shape.semi_axes(),
-                shape.level(),
-                &shape.epsilon()[0],
-                shape.exact_scale(),
-            )?,
+            axes: scaled(shape.semi_axes(), shape.level(), &profile, exact),
             around: UnitArc::new(&of_xy)?,
-            profile: Some(UnitArc::new(&of_z)?),
+            profile: Some(profile),
         })
     }
 

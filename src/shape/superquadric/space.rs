@@ -100,6 +100,14 @@ impl SpaceSuperquadric {
         even(of_xy) && even(of_z)
     }
 
+    /// The degree of [`Self::polynomial`], if there is one, without its terms.
+    #[must_use]
+    pub(crate) fn polynomial_degree(&self) -> Option<Rational> {
+        let [of_xy, of_sum, _] = self.exponents();
+        let has_one = self.has_even_exponents() && !of_sum.denominator().even();
+        has_one.then(|| of_xy * Rational::whole(of_sum.numerator()))
+    }
+
     /// The primitive polynomial with the same zero set. It exists for even integers 2/ε2 and 2/ε1, and ε2/ε1 = p/q with odd q,
     /// and is then proportional to `[(x/a1)^(2/ε2) + (y/a2)^(2/ε2)]^p − (c − (z/a3)^(2/ε1))^q`.
     ///
