@@ -163,6 +163,10 @@ fn what_cannot_be_done_says_why() {
             ["describe", "superquadric 3d a=1,1,1 e=1,99999"],
             "at most 10000",
         ),
+        (
+            ["implicitize", "superquadric 3d a=1,1,1 e=1/10000,1/9999"],
+            "its numerator and denominator are at most 1000",
+        ),
     ] {
         let run = run_in(here, &arguments, "");
         assert_ne!(run.code, 0);

@@ -11,6 +11,9 @@ use crate::exact::Rational;
 use crate::poly::{Ring, SparsePolynomial};
 use crate::shape::Radial;
 
+/// The largest powers of sums that are expanded for an equation.
+const MAX_POWER: u32 = 1000;
+
 /// The closed surface `[|x/a1|^(2/ε2) + |y/a2|^(2/ε2)]^(ε2/ε1) + |z/a3|^(2/ε1) = c` about the origin, with exact
 /// a1, a2, a3, ε1, ε2, c > 0; the paper has c = 1.
 ///
@@ -113,7 +116,8 @@ impl SpaceSuperquadric {
     ///
     /// # Errors
     /// [`Error::Hypothesis`] with the reason if there is no such polynomial: for other exponents the left side is not smooth
-    /// enough, and for even q the polynomial has a second sheet, where c − |z/a3|^(2/ε1) is negative.
+    /// enough, and for even q the polynomial has a second sheet, where c − |z/a3|^(2/ε1) is negative. [`Error::Limit`] for p or q above
+    /// 1000.
     pub fn polynomial(&self) -> Result<SparsePolynomial<3>> {
         let none = |witness: String| Error::Hypothesis {
             statement: "implicitization as a polynomial",
@@ -131,6 +135,12 @@ impl SpaceSuperquadric {
         if q.even() {
             return Err(none(format!(
                 "with e2/e1 = {of_sum} the polynomial has a second sheet where 1 - |z/a3|^{of_z} is negative: its denominator must be odd"
+            )));
+        }
+        let most = Integer::from(MAX_POWER);
+        if p > most || q > most {
+            return Err(Error::limit(format!(
+                "the equation has powers of e2/e1 = {of_sum}: its numerator and denominator are at most {MAX_POWER}"
             )));
         }
         let small =
