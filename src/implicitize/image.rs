@@ -8,14 +8,15 @@ use malachite::base::polynomial::Polynomial;
 
 use super::eliminant::subresultant;
 use super::inverse::{Inverse, invert};
-use super::isolated::{Isolated, isolated};
+use super::isolated::isolated;
+use super::isolated_point::Isolated;
 use super::symmetric::Rows;
 use super::tracing::common_numerator;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, SparsePolynomial, polynomial_gcd};
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::{RealRoot, between, disjoint, real_roots};
 use crate::shape::ParametricCurve;
 
 /// The real points of the zero set of a curve that no real parameter value reaches.
@@ -213,33 +214,11 @@ fn counts_by_value(m: &RationalFunction, limits: &Limits) -> Result<BTreeSet<usi
         ));
     }
     let mut counts = BTreeSet::new();
-    for v in between(&real_roots(&critical)) {
+    for v in between(&disjoint(real_roots(&critical))) {
         limits.check()?;
         counts.insert(real_roots(m.plus_constant(&-v).numerator()).len());
     }
     Ok(counts)
-}
-
-/// Rational numbers in the intervals between distinct real numbers, which are given in ascending order; the two unbounded
-/// intervals count, too.
-fn between(roots: &[RealRoot]) -> Vec<Rational> {
-    let (Some(first), Some(last)) = (roots.first(), roots.last()) else {
-        return vec![Rational::zero()];
-    };
-    let one = Rational::one();
-    let mut values = vec![first.enclosure().0.to_rational() - &one];
-    for pair in roots.windows(2) {
-        let [mut a, mut b] = [pair[0].clone(), pair[1].clone()];
-        let mut bits = 4;
-        while a.enclosure().1 >= b.enclosure().0 {
-            a.refine_to_width(-bits);
-            b.refine_to_width(-bits);
-            bits *= 2;
-        }
-        values.push(a.enclosure().1.midpoint(b.enclosure().0).to_rational());
-    }
-    values.push(last.enclosure().1.to_rational() + one);
-    values
 }
 
 /// The Wronskian p′q − p q′.

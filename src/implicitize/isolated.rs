@@ -6,6 +6,7 @@ use malachite::base::polynomial::Polynomial;
 use super::conjugate::isolated_of_series;
 use super::eliminant::{deflated_resultant, pairs_of_poles};
 use super::enclosure::{Enclosure, Precision};
+use super::isolated_point::{Isolated, IsolatedPoint, SHORT_BITS};
 use super::pair::{Coordinate, DoublePoints, Pair, are_poles, coordinate, has_value};
 use super::reached::{RealPartner, is_reached, is_reached_by_no_other, real_partners};
 use super::symmetric::{Rows, bezoutian, in_sum_and_product};
@@ -20,32 +21,9 @@ use crate::shape::EllipticSeries;
 const FIRST_BITS: u64 = 384;
 const MOST_BITS: u64 = 1 << 13;
 
-/// A fraction of at most this length, in an interval of [`FIRST_BITS`], is tested exactly.
-pub(super) const SHORT_BITS: u64 = 100;
-
 /// Changes of the parameter that are tried, `(a u + b)/(c u + d)` for s. After a change, two pairs of conjugate parameters that
 /// had the same sum have different sums.
 const CHANGES: [[i64; 4]; 3] = [[1, 0, 0, 1], [1, 2, 3, 5], [7, -3, 2, 11]];
-
-/// The isolated real points that were found.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Isolated {
-    /// The points, exact if they are rational and else as doubles.
-    pub points: Vec<IsolatedPoint>,
-    /// Whether these are all isolated real points.
-    pub complete: bool,
-}
-
-/// An isolated real point.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum IsolatedPoint {
-    /// A point with rational coordinates.
-    Exact([Rational; 2]),
-    /// The doubles near its coordinates.
-    Near([f64; 2]),
-}
 
 /// Finds the isolated points of a plane curve that its parametrization traces once. An elliptic Fourier series that is general
 /// enough is searched in z = e^(it) ([`isolated_of_series`]), every other curve by resultants.

@@ -19,7 +19,7 @@ fn function(p: &IntegerPolynomial, q: &IntegerPolynomial) -> RationalFunction {
     RationalFunction::from_integers(p.clone(), q.clone()).unwrap()
 }
 
-fn found(x: &RationalFunction, y: &RationalFunction) -> super::isolated::Isolated {
+fn found(x: &RationalFunction, y: &RationalFunction) -> super::isolated_point::Isolated {
     isolated([x, y], &Limits::none()).unwrap()
 }
 

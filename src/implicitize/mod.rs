@@ -15,6 +15,7 @@ mod inverse;
 mod isolated;
 #[cfg(test)]
 mod isolated_laws;
+mod isolated_point;
 mod map;
 mod pair;
 mod patch;
@@ -36,7 +37,7 @@ pub use harmonic::SquaredHarmonics;
 pub(crate) use identity::lies_on;
 pub(crate) use image::real_counts;
 pub use image::{Coverage, RealImage, real_image};
-pub use isolated::{Isolated, IsolatedPoint};
+pub use isolated_point::{Isolated, IsolatedPoint};
 pub use patch::{SurfaceEquation, implicitize_patch};
 pub use polar::{
     PolarFactor, PolarInverse, PolarPatch, PolarPlane, PolarSpaceCurve, PolarSurface, Role,

@@ -8,9 +8,10 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle};
 
 use super::camera::{Camera, Seen};
-use super::heading::{Drawn, FINER};
+use super::heading::Drawn;
 use super::text::{font, text_width};
 use super::ticks::{self, Ticks};
+use super::units::FINER;
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 

@@ -7,9 +7,10 @@ use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, ShapeStyle, WHITE};
 
-use super::heading::{self, Drawn, FINER, Mark, Row, WIDTH, color, shown_in_units};
+use super::heading::{self, Drawn, Mark, Row, color, shown_in_units};
 use super::plane_axes::{BELOW, Margins, PlaneAxes, PlaneChart, Scale};
 use super::text::{font, load_font};
+use super::units::{FINER, WIDTH};
 use crate::error::{Error, Result};
 
 /// The height of the plotted part.

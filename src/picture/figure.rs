@@ -6,9 +6,10 @@ use plotters::element::{PathElement, Polygon};
 use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::{Color, ShapeStyle, WHITE};
 
-use super::heading::{self, Drawn, FINER, Mark, Row, color, dot, shown_in_units, small_dot};
+use super::heading::{self, Drawn, Mark, Row, color, dot, shown_in_units, small_dot};
 use super::plane_axes::{BELOW, Margins, PlaneAxes, Scale};
 use super::text::load_font;
+use super::units::FINER;
 use super::{Window, clip};
 use crate::error::{Error, Result};
 
@@ -204,7 +205,7 @@ impl Frame {
 
 #[cfg(test)]
 mod tests {
-    use super::heading::WIDTH;
+    use super::units::WIDTH;
     use super::*;
 
     #[test]

@@ -7,6 +7,7 @@ use plotters::prelude::DrawingBackend;
 use plotters::style::{RGBColor, ShapeStyle};
 
 use super::text::{few_lines, font, lines};
+use super::units::{FINER, LEFT, MARGIN};
 use crate::error::Invariant;
 
 /// Colours that colour-blind people can distinguish (Okabe and Ito), and that are dark enough on white.
@@ -21,13 +22,6 @@ const PALETTE: [RGBColor; 8] = [
     RGBColor(150, 20, 20),
 ];
 
-/// The default width of a picture in units of the SVG.
-pub(crate) const WIDTH: u32 = 900;
-/// The drawing library rounds to whole units, so it draws on a grid that is finer by this factor.
-pub(super) const FINER: u32 = 8;
-/// The number of units to the left of the plotted part if its numbers are short, and around the picture.
-pub(super) const LEFT: u32 = 76;
-pub(super) const MARGIN: u32 = 16;
 const LEGEND_ROW: u32 = 22;
 const TITLE_ROW: u32 = 34;
 /// The number of units that the mark before a label takes.

@@ -26,7 +26,7 @@ fn placed(svg: &str) -> ([f64; 2], Vec<Placed>) {
     let number = |node: &roxmltree::Node<'_, '_>, name: &str| -> f64 {
         node.attribute(name).unwrap().parse().unwrap()
     };
-    let finer = f64::from(super::heading::FINER);
+    let finer = f64::from(super::units::FINER);
     let texts = document.descendants().filter(|n| n.has_tag_name("text"));
     let texts = texts.map(|node| {
         let text = node.text().unwrap_or_default().trim().to_owned();

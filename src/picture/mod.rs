@@ -18,13 +18,14 @@ mod scene;
 mod text;
 mod ticks;
 mod trace;
+mod units;
 
 pub use chart::Chart;
 pub(crate) use chart::Series;
 pub(crate) use extent::extent;
 pub(crate) use figure::{Figure, Layer};
-pub(crate) use heading::WIDTH;
 pub(crate) use raster::png_from_svg;
 pub(crate) use scene::{Scene, SpaceLayer};
 pub use trace::Window;
 pub(crate) use trace::{isolated_origin, trace_zero_set};
+pub(crate) use units::WIDTH;

@@ -10,9 +10,9 @@ use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
 use plotters::prelude::DrawingBackend;
 use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
 
-use super::heading::{FINER, LEFT, MARGIN};
 use super::text::{font, text_width};
 use super::ticks::{self, Ticks};
+use super::units::{FINER, LEFT, MARGIN};
 
 /// The number of units below the plotted part.
 pub(super) const BELOW: u32 = 56;

@@ -9,9 +9,10 @@ use plotters::style::{Color, RGBColor, ShapeStyle, WHITE};
 use super::axes::BoxAxes;
 use super::camera::{Camera, Seen};
 use super::cut;
-use super::heading::{self, Drawn, FINER, Mark, Row, color, compacted, dot, shown_in_units};
+use super::heading::{self, Drawn, Mark, Row, color, compacted, dot, shown_in_units};
 use super::order::{Piece, from_behind};
 use super::text::load_font;
+use super::units::FINER;
 use crate::error::{Error, Invariant, Result};
 
 /// The number of units beside and below the box for numbers and names, if these need no more.
@@ -394,12 +395,13 @@ fn rounded(value: f64) -> i32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::units::WIDTH;
     use super::*;
 
     fn scene(layers: Vec<SpaceLayer>) -> Scene {
         Scene {
             title: String::new(),
-            width: heading::WIDTH,
+            width: WIDTH,
             bounds: None,
             azimuth: 30.0,
             elevation: 25.0,

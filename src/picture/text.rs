@@ -4,7 +4,7 @@ use std::sync::Once;
 
 use plotters::style::{FontStyle, IntoFont, TextStyle, register_font};
 
-use super::heading::FINER;
+use super::units::FINER;
 
 /// The sign for what is left out of a text.
 const LEFT_OUT: char = '…';

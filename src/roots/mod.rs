@@ -6,19 +6,21 @@
 
 mod all_roots;
 mod bounded;
+mod distinct;
 mod isolate;
 mod pair;
 mod real_root;
 mod root_sign;
 mod sign_changes;
 
-pub(crate) use all_roots::{real_roots, sort_distinct};
+pub(crate) use all_roots::real_roots;
 #[cfg(test)]
 pub(crate) use bounded::Draw;
 pub(crate) use bounded::{
     BoundedRoot, Coefficients, FOR_DOUBLES, ScaledBall, UnitBall, UnitBalls, Unproved, roots_of,
     rotations,
 };
+pub(crate) use distinct::{between, disjoint, distinct_roots, strictly_between};
 pub(crate) use isolate::root_bound_exponent;
 pub use real_root::RealRoot;
 pub(crate) use root_sign::constant_sign;

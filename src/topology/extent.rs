@@ -13,14 +13,14 @@ use malachite::base::num::basic::traits::Zero;
 use super::components::Components;
 use super::fibre::narrow;
 use super::strip::Strip;
-use super::sweep::{Sweep, between, disjoint, distinct_roots, eliminant};
+use super::sweep::{Sweep, eliminant};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{
     IntegerPolynomial, PlanePolynomial, primitive_part, sign_at, squarefree_decomposition,
 };
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::{RealRoot, between, disjoint, distinct_roots, real_roots};
 
 /// How many lines are tried in a gap before it is given up; only lines through finitely many points are unfit.
 const LINES: i64 = 64;

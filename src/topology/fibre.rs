@@ -13,12 +13,11 @@ use malachite::base::rounding_modes::RoundingMode;
 
 use super::clusters::{Enclosed, PRECISIONS, RealCluster, real_clusters, too_near};
 use super::strip::Strip;
-use super::sweep::{disjoint, strictly_between};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
 use crate::limits::Limits;
 use crate::poly::IntegerPolynomial;
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::{RealRoot, disjoint, real_roots, strictly_between};
 
 /// A real point of the curve above a critical value.
 #[derive(Clone, Debug)]

@@ -36,7 +36,6 @@ pub use coordinate::Coordinate;
 pub use genus::Genus;
 pub use singular::{SingularKind, Singularity};
 pub(crate) use strip::{Strip, range};
-pub(crate) use sweep::{between, disjoint, distinct_roots, strictly_between};
 
 use components::Components;
 use extent::{Axis, CriticalValues, Extent, extents};

@@ -4,9 +4,7 @@
 //! none tends to infinity over a finite t. The critical values are the zeros of the discriminant with respect to R. Over an open
 //! interval between two of them, the curve consists of arcs that are graphs of functions of t and do not meet.
 
-use malachite::Integer;
-use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::polynomial::Polynomial;
+use malachite::base::num::basic::traits::Zero;
 
 use super::fibre::Fibre;
 use super::strip::Strip;
@@ -15,10 +13,9 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::modular::PrimeField;
 use crate::poly::{
-    IntegerPolynomial, PlanePolynomial, Weights, divide_exactly, signed_subresultant,
-    squarefree_decomposition,
+    IntegerPolynomial, PlanePolynomial, Weights, signed_subresultant, squarefree_decomposition,
 };
-use crate::roots::{RealRoot, real_roots, sort_distinct};
+use crate::roots::{RealRoot, between, disjoint, distinct_roots, real_roots};
 
 /// A squarefree polynomial in sheared coordinates, with its discriminant.
 #[derive(Clone, Debug)]
@@ -179,55 +176,4 @@ impl Sheared {
         let part = self.parts.iter().find(|(_, g)| value.is_root_of(g));
         part.map_or(0, |(multiplicity, _)| *multiplicity)
     }
-}
-
-/// The distinct real roots of some polynomials, ascending.
-pub(crate) fn distinct_roots<'a>(
-    polynomials: impl Iterator<Item = &'a IntegerPolynomial>,
-) -> Vec<RealRoot> {
-    let mut roots: Vec<RealRoot> = Vec::new();
-    let mut product = IntegerPolynomial::from_coefficients_asc(vec![Integer::ONE]);
-    for g in polynomials {
-        let common = crate::poly::polynomial_gcd(&product, g);
-        let new = divide_exactly(g, &common).invariant("a common divisor divides");
-        roots.extend(real_roots(&new));
-        product *= new;
-    }
-    sort_distinct(&mut roots);
-    roots
-}
-
-/// The roots with disjoint enclosures.
-pub(crate) fn disjoint(mut roots: Vec<RealRoot>) -> Vec<RealRoot> {
-    for i in 1..roots.len() {
-        let mut bits = 4;
-        while roots[i - 1].enclosure().1 >= roots[i].enclosure().0 {
-            roots[i - 1].refine_to_width(-bits);
-            roots[i].refine_to_width(-bits);
-            bits *= 2;
-        }
-    }
-    roots
-}
-
-/// Rational numbers below, between and above roots with disjoint enclosures; 0 if there are no roots.
-pub(crate) fn between(roots: &[RealRoot]) -> Vec<Rational> {
-    let bounds: Vec<[Rational; 2]> = roots
-        .iter()
-        .map(|r| [r.enclosure().0.to_rational(), r.enclosure().1.to_rational()])
-        .collect();
-    let (Some([first, _]), Some([_, last])) = (bounds.first(), bounds.last()) else {
-        return vec![Rational::zero()];
-    };
-    let mut points = vec![first.floor() - Rational::one()];
-    let pairs = bounds.windows(2);
-    points.extend(pairs.map(|pair| strictly_between(&pair[0][1], &pair[1][0])));
-    points.push(last.floor() + Rational::from(2));
-    points
-}
-
-/// The simplest rational number in the middle half of the interval (low, high).
-pub(crate) fn strictly_between(low: &Rational, high: &Rational) -> Rational {
-    let quarter = (high - low) / Rational::from(4);
-    Rational::simplest_between(&(low + &quarter), &(high - &quarter))
 }

@@ -11,7 +11,7 @@ use arrow::error::ArrowError;
 use arrow::ipc::reader::{FileReader, StreamReader};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
-use super::point_files::ColumnFormat;
+use super::column_format::ColumnFormat;
 use crate::error::{Error, Result};
 
 /// The number of rows that are read at a time.

@@ -36,6 +36,7 @@ mod check;
 #[cfg(feature = "pictures")]
 mod check_chart;
 mod claims;
+mod column_format;
 #[cfg(feature = "columnar")]
 mod columns;
 mod describe;
@@ -79,6 +80,7 @@ pub use check::{
 };
 #[cfg(feature = "pictures")]
 pub use check_chart::{digits_chart, ladder_chart};
+pub use column_format::ColumnFormat;
 #[cfg(feature = "columnar")]
 pub use columns::ColumnTypes;
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
@@ -97,7 +99,6 @@ pub use parametrize::{InDirection, OnMeridian, ParametrizeOptions, Parametrized,
 pub use plot::plot;
 #[cfg(feature = "pictures")]
 pub use plot_options::{FigureFormat, Frame, PlotOptions};
-pub use point_files::ColumnFormat;
 pub use point_source::{PointRows, PointSource};
 pub use remark::{Part, Remark};
 pub use rows::{KeptPoint, PointWriter, ReadingOptions};

@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use super::expansion::{Expansion, Powers, Wave};
 use super::isolated_of_series;
 use crate::exact::Rational;
-use crate::implicitize::isolated::{Isolated, IsolatedPoint, isolated_by_resultants};
+use crate::implicitize::isolated::isolated_by_resultants;
+use crate::implicitize::isolated_point::{Isolated, IsolatedPoint, SHORT_BITS};
 use crate::implicitize::reached::is_reached;
 use crate::implicitize::tracing::tracing_index_bound;
 use crate::limits::Limits;
@@ -178,7 +179,7 @@ proptest! {
         prop_assume!(found.is_some());
         let found = found.unwrap();
         let point: [Rational; 2] = point.try_into().unwrap();
-        let is_short = point.iter().all(|c| c.bits() <= crate::implicitize::isolated::SHORT_BITS);
+        let is_short = point.iter().all(|c| c.bits() <= SHORT_BITS);
         let curve = series.to_plane_curve();
         let is_isolated = !is_reached(curve.coordinates().each_ref(), &point);
         let near = point.each_ref().map(Rational::to_f64);

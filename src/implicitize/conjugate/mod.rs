@@ -16,7 +16,7 @@ use expansion::Wave;
 use point::{EnclosedLists, Lists, Point, point};
 use search::Search;
 
-use super::isolated::{Isolated, IsolatedPoint, SHORT_BITS};
+use super::isolated_point::{Isolated, IsolatedPoint, SHORT_BITS};
 use super::reached::is_reached;
 use crate::error::Result;
 use crate::exact::Rational;

@@ -5,7 +5,7 @@ use crate::exact::Rational;
 use crate::intervals::Field;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, IntegerTerms, SparsePolynomial, resultant, resultant_work};
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::{RealRoot, between, disjoint, real_roots};
 
 /// The largest number of operations of the discriminant; that many take some tenths of a second.
 const MAX_WORK: f64 = 2e8;
@@ -56,7 +56,7 @@ pub(super) fn real_part(
         return Ok(RealPart::Curve);
     }
     let [u, w] = variables;
-    let Some(above_u) = exceptional(f, [u, w], limits)? else {
+    let Some(above_u) = exceptional(f, [u, w], limits)?.map(disjoint) else {
         return Ok(RealPart::Curve);
     };
     for sample in between(&above_u) {
@@ -149,27 +149,6 @@ fn exceptional(
         return Ok(None);
     }
     Ok(Some(real_roots(&product)))
-}
-
-/// Rational numbers in all the intervals into which real numbers in ascending order divide the line.
-fn between(roots: &[RealRoot]) -> Vec<Rational> {
-    let one = Rational::one();
-    let (Some(first), Some(last)) = (roots.first(), roots.last()) else {
-        return vec![Rational::zero()];
-    };
-    let mut found = vec![first.bounds().0 - &one];
-    for pair in roots.windows(2) {
-        let [mut a, mut b] = [pair[0].clone(), pair[1].clone()];
-        let mut bits = 8;
-        while a.bounds().1 >= b.bounds().0 {
-            a.refine(bits);
-            b.refine(bits);
-            bits *= 2;
-        }
-        found.push((a.bounds().1 + b.bounds().0) / Rational::from(2));
-    }
-    found.push(last.bounds().1 + one);
-    found
 }
 
 /// The polynomial with a number for one of its variables.

@@ -34,8 +34,8 @@ use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, Weights, squarefree_decomposition};
-use crate::roots::{RealRoot, real_roots};
-use crate::topology::{Strip, range, strictly_between};
+use crate::roots::{RealRoot, real_roots, strictly_between};
+use crate::topology::{Strip, range};
 
 /// How often the window around an irrational α is narrowed, by at least 8 bits each time, before the search for separators ends.
 /// Several roots that may meet at α or may only come near each other are then left unpaired.

@@ -27,9 +27,9 @@ use crate::poly::{
     BinaryForm, IntegerPolynomial, Weights, divide_exactly, primitive_part, signed_subresultant,
     squarefree_decomposition,
 };
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::{RealRoot, between, disjoint, distinct_roots, real_roots};
 use crate::sample::Direction;
-use crate::topology::{Strip, between, disjoint, distinct_roots};
+use crate::topology::Strip;
 
 /// The polynomial in R = r^step whose coefficients are forms: `forms[i]` has degree `lowest + i·step`.
 #[derive(Clone, Debug)]
