@@ -10,7 +10,9 @@ the verbs go to the logger ``stellate``, at the level INFO.
 """
 
 from ._check import check
-from ._form import Form, form, from_points, from_series, from_terms
+from ._fit import Fit, FitTable
+from ._form import Form
+from ._given import form, from_points, from_series, from_terms
 from ._inspect import InspectOptions, inspect
 from ._native import (
     InputError,
@@ -20,7 +22,7 @@ from ._native import (
     __version__,
 )
 from ._options import CommonOptions, FitOptions, ReadingOptions, SeriesOptions
-from ._results import Check, Fit, FitTable, Inspection, Mesh, Samples
+from ._results import Check, Inspection, Mesh, Samples
 from ._verbs import (
     describe,
     fit,

@@ -10,8 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._call import call, write
-from ._form import FormLike, form
-from ._given import Path, extension, sources_of
+from ._given import FormLike, Path, extension, form, sources_of
 from ._native import InputError
 from ._options import FitOptions, prepared
 from ._points import AXES, columns, csv_table

@@ -4,26 +4,21 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
 from fractions import Fraction
-from operator import index
-from os import PathLike
-from typing import TYPE_CHECKING, Any, Sequence, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._call import Number, Progress, Source, call, exact, native_options, tell, value
-from ._options import ReadingOptions, prepared
-from ._points import AXES, Doubles, Points, columns, csv_table
-from ._results import NONE, Fit
+from ._call import Progress, Source, call, exact, native_options, tell, value
+from ._points import Doubles, Points, columns
+from ._results import NONE
+from ._symbols import to_latex, to_sympy
 
 if TYPE_CHECKING:
     import sympy
-    from typing_extensions import Unpack
 
-FormLike = Union["Form", str, "PathLike[str]", Mapping[Any, Number], Fit, "sympy.Expr"]
 # As many inspectors are kept with a form; each has the tables that it needs for fast answers.
 KEPT = 8
 
@@ -151,14 +146,10 @@ class Form:
         InputError
             For a contour.
         """
-        from ._symbols import to_sympy
-
         return to_sympy(self)
 
     def latex(self) -> str:
         """The form in LaTeX: an equation, or one for each coordinate or surface, with line breaks between them."""
-        from ._symbols import to_latex
-
         return to_latex(self)
 
     def _repr_latex_(self) -> str | None:
@@ -327,91 +318,3 @@ def _identity(document: dict[str, Any]) -> tuple[Any, ...]:
         return (*placed, tuple(sorted((k, v) for k, v in values.items() if v)))
     names = ("parameters", "coordinates", "dimension", "a", "e", "level")
     return (*placed, json.dumps({k: document[k] for k in names if k in document}, sort_keys=True))
-
-
-def form(given: FormLike, **reading: Unpack[ReadingOptions]) -> Form:
-    """A form from a text, a path, a document, the terms of a polynomial, a fit, or a SymPy expression in x, y and z.
-
-    Options
-    -------
-    numbers, columns, weights, cloud, blob, threshold, invert, repair, normalization, condon_shortley
-        How it is read, as in ``stellate fit --help``.
-
-    Raises
-    ------
-    InputError
-        For another type. A text is read when the form is first used.
-
-    >>> import stellate
-    >>> stellate.form({(4, 0): 1, (2, 0): -1, (0, 2): 1}).degree
-    4
-    """
-    how = prepared(dict(reading), ReadingOptions).reading
-    if isinstance(given, Fit):
-        given = given.form
-    if isinstance(given, Form):
-        return Form(given.text, given.place, {**given.reading, **how}) if how else given
-    if isinstance(given, Mapping):
-        return from_terms(given)
-    if isinstance(given, PathLike):
-        return Form(os.fspath(given), None, how)
-    if isinstance(given, str):
-        is_document = given.lstrip().startswith("{")
-        return Form(given, "document" if is_document else None, how)
-    if type(given).__module__.startswith("sympy"):
-        return Form(str(given), None, how)
-    raise _native.InputError(f"a form is a text, a path or terms, not {type(given).__name__}")
-
-
-def from_terms(terms: Mapping[Any, Number]) -> Form:
-    """The curve or surface with these terms: exponents (i, j) or (i, j, k), and coefficients."""
-    names = ("x", "y", "z")
-    parts = []
-    for exponents, c in terms.items():
-        if len(exponents) not in (2, 3) or any(index(e) < 0 for e in exponents):
-            raise _native.InputError(
-                f"terms: exponents are two or three integers that are not negative, not {exponents}"
-            )
-        powers = [f"*{v}^{index(e)}" for v, e in zip(names, exponents) if e]
-        parts.append(f"({exact(c)})" + "".join(powers))
-    if not parts:
-        raise _native.InputError("terms: a polynomial has at least one term")
-    three = any(len(key) == 3 for key in terms)
-    return Form(" + ".join(parts) + (" + 0*z" if three else "") + " = 0")
-
-
-def from_series(cos: Sequence[Number], sin: Sequence[Number] | None = None) -> Form:
-    """The Fourier radius ``r = cos[0] + Σ cos[n] cos nθ + sin[n] sin nθ``.
-
-    Raises
-    ------
-    InputError
-        For a ``sin[0]`` that is not 0, since it belongs to nothing.
-
-    >>> import stellate
-    >>> stellate.from_series([1, 0, "1/5"]).cos
-    [1, 0, Fraction(1, 5)]
-    """
-    sin = [] if sin is None else sin
-    size = max(len(cos), len(sin))
-    if size == 0:
-        raise _native.InputError("a series has at least the mean, cos[0]")
-    padded = [[*map(exact, list_), *["0"] * (size - len(list_))] for list_ in (cos, sin)]
-    if value(padded[1][0]) != 0:
-        raise _native.InputError(
-            f"sin[0] is {padded[1][0]}, but there is no sine of the order 0: sin[n] belongs to sin nθ"
-        )
-    document = {"schema": "stellate/1", "kind": "fourier", "cos": padded[0], "sin": padded[1]}
-    return Form(json.dumps(document), "series")
-
-
-def from_points(points: Points, **reading: Unpack[ReadingOptions]) -> Form:
-    """The outline with these vertices in order: an array of shape (n, 2), or an Arrow table with columns x and y.
-
-    With ``cloud=True``, points in no order.
-    """
-    axes, shape, _ = columns(points)
-    if len(axes) != 2 or len(shape) != 1:
-        raise _native.InputError(f"points: an outline is an array of shape (n, 2), not {(*shape, len(axes))}")
-    how = prepared(dict(reading), ReadingOptions).reading
-    return Form(csv_table(axes, AXES).decode(), "points.csv", how)

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 import numpy as np
 
 from ._call import Number, Source, call, exact, native_options, write
-from ._form import FormLike, form
-from ._given import Path, extension, floats
+from ._given import FormLike, Path, extension, floats, form
 from ._native import InputError
 from ._options import Center, CommonOptions, prepared
 from ._points import AXES, Points, columns, csv_table, good_rows

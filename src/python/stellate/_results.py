@@ -13,8 +13,6 @@ from ._points import Doubles, any_column
 if TYPE_CHECKING:
     import pyarrow as pa
 
-    from ._form import Form
-
     # NumPy imports its module of masked arrays when it is first used.
     Signs = np.ma.MaskedArray[Any, np.dtype[np.int8]]
     Flags = np.ma.MaskedArray[Any, np.dtype[np.bool_]]
@@ -322,63 +320,3 @@ class Mesh(Table):
         names = ("x", "y", "z", "nx", "ny", "nz")
         columns = [*self.vertices.T, *self.normals.T]
         return pyarrow.table({name: np.ascontiguousarray(c) for name, c in zip(names, columns)})
-
-
-class Fit:
-    """A series that was fitted to an outline or a mesh.
-
-    Attributes
-    ----------
-    form : Form
-        The Fourier radius, the elliptic series or the harmonic surface; its coefficients are exact.
-    document : dict
-        What the program writes, with all errors.
-    """
-
-    def __init__(self, form: Form, document: dict[str, Any]) -> None:
-        self.form = form
-        self.document = document
-
-    @property
-    def max_radial_error(self) -> float | None:
-        """The largest radial error at the samples (approximate); None for an elliptic series."""
-        error = self.document.get("max_radial_error")
-        return None if error is None else float(error)
-
-    @property
-    def distance(self) -> tuple[float, float] | None:
-        """Certified bounds of the Hausdorff distance between the outline and the curve; None for a mesh."""
-        found = self.document.get("distance")
-        return None if found is None else (float(found["low"]), float(found["high"]))
-
-    def __repr__(self) -> str:
-        return f"<stellate fit: {self.form.kind}, max_radial_error {self.max_radial_error}, distance {self.distance}>"
-
-
-class FitTable(Table):
-    """The fits of several outlines.
-
-    Attributes
-    ----------
-    columns : dict of ndarray
-        One element for each outline, with the names of the program's table: ``file, blob, model, harmonics, degree, …`` and the
-        coefficients.
-    """
-
-    def __init__(self, text: str) -> None:
-        from ._points import rows_of
-
-        rows = rows_of(text)
-        self.columns = {name: any_column([row[name] for row in rows]) for name in rows[0]}
-
-    def __len__(self) -> int:
-        return len(self.columns["file"])
-
-    def __repr__(self) -> str:
-        return f"<stellate fits of {len(self)} outlines>"
-
-    def to_arrow(self) -> pa.Table:
-        """One row for each outline."""
-        import pyarrow
-
-        return pyarrow.table({k: v.tolist() if v.dtype.kind == "U" else v for k, v in self.columns.items()})

@@ -3,18 +3,32 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, Sequence
 
-from ._call import call, value
+from ._call import Source, call, value
 from ._native import InputError
 
 if TYPE_CHECKING:
     import sympy
 
-    from ._form import Form
+
+class Written(Protocol):
+    """What is needed of a form to write it."""
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def document(self) -> dict[str, Any]: ...
+    @property
+    def terms(self) -> dict[tuple[int, ...], int | Fraction]: ...
+    @property
+    def cos(self) -> list[int | Fraction]: ...
+    @property
+    def sin(self) -> list[int | Fraction]: ...
+    def source(self) -> Source: ...
 
 
-def to_sympy(form: Form) -> sympy.Basic:
+def to_sympy(form: Written) -> sympy.Basic:
     """The form as an expression, or as a tuple of expressions."""
     import sympy
 
@@ -41,7 +55,7 @@ def to_sympy(form: Form) -> sympy.Basic:
     return found[0] if len(found) == 1 else sympy.Tuple(*found)
 
 
-def to_latex(form: Form) -> str:
+def to_latex(form: Written) -> str:
     """The form in LaTeX."""
     if form.kind == "fourier":
         names = [(r"\cos", form.cos), (r"\sin", form.sin)]
@@ -67,7 +81,7 @@ def to_latex(form: Form) -> str:
     return r" \\ ".join(line for line in lines if line)
 
 
-def _written(form: Form, format: str) -> list[str]:
+def _written(form: Written, format: str) -> list[str]:
     if form.kind == "contour":
         raise InputError("a contour has no formula; stellate.fit gives a series for it")
     return call("form", [form.source()], format=format).decode().splitlines()

@@ -11,12 +11,13 @@ import numpy as np
 import numpy.typing as npt
 
 from ._call import call, write
-from ._form import Form, FormLike, form, from_points
-from ._given import Path, extension, floats, sources_of
+from ._fit import Fit, FitTable
+from ._form import Form
+from ._given import FormLike, Path, extension, floats, form, from_points, sources_of
 from ._native import InputError
 from ._options import CommonOptions, FitOptions, Prepared, SeriesOptions, prepared
 from ._points import Points, columns, csv_table
-from ._results import Fit, FitTable, Mesh, Samples
+from ._results import Mesh, Samples
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence
 
-from ._form import FormLike, form
+from ._given import FormLike, form
 from ._inspect import InspectOptions, Tolerance, exact_tolerance, inspect
 from ._points import AXES
 from ._verbs import fit

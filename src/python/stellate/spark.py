@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Sequence
 
-from ._form import FormLike
+from ._given import FormLike
 from ._inspect import Tolerance
 from ._points import AXES
 from .batches import ANSWERS, Inspect
