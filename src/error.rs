@@ -117,8 +117,8 @@ impl Error {
         }
     }
 
-    /// The [`Error::Internal`] for a panic that was caught at the boundary of the program; it has the payload of the panic and
-    /// the place in the source.
+    /// The [`Error::Internal`] for a panic that reached the boundary of the program; it has the payload of the panic and the place
+    /// in the source.
     #[must_use]
     pub fn from_panic(payload: &(dyn std::any::Any + Send), place: Option<String>) -> Self {
         let text = payload.downcast_ref::<&str>().copied();
@@ -139,7 +139,7 @@ impl Error {
 }
 
 /// Invariants: `value.invariant("a part has a degree")` is the value, or a panic with this statement if there is no value. The
-/// command line catches the panic and reports it as [`Error::Internal`] (exit code 4).
+/// command line ends with the panic and reports it as [`Error::Internal`] (exit code 4).
 ///
 /// Only code that guarantees the invariant may use it. A failure that depends on the input alone must be another error.
 pub trait Invariant {

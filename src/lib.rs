@@ -76,6 +76,20 @@
 //! | all statements of the paper, checked one by one, with errata | [`paper`] |
 //! | the time comparison that the paper leaves to others | `compare`, with the feature `cli` |
 //!
+//! # Features
+//!
+//! By default, all that the program needs is built. Without default features there is the exact core, with some 60 crates; added can be:
+//!
+//! | feature | what it adds |
+//! | --- | --- |
+//! | `pictures` | `picture` and the verb `plot`: SVG and PNG |
+//! | `images` | outlines of silhouettes in PNG, JPEG and BMP, and of drawings in SVG |
+//! | `more-images` | silhouettes in GIF, TIFF and WebP, too |
+//! | `meshes` | the verb `fit_mesh`, and the certified distance of a mesh from its fit |
+//! | `gzip` | files of spherical harmonics that gzip packed |
+//! | `unicode` | fullwidth and mathematical letters in formulas, as documents have them |
+//! | `columnar` | points of an inspection in Parquet and Arrow files |
+//!
 //! # The order of the modules
 //!
 //! Arithmetic modulo primes, fast integers → [`exact`] numbers → [`poly`]nomials → their real [`roots`] and [`factor`]s → [`shape`]s
@@ -98,15 +112,16 @@
 //!
 //! Departures from the paper are marked `DIFFERENCE`, with the erratum.
 
-// The command line names this library as programs do; the Python package has it, too.
-#[cfg(feature = "python")]
+// The command line names this library as programs do.
+#[cfg(feature = "cli")]
 extern crate self as stellate;
 
 pub mod arcs;
 mod bigint;
 pub mod check;
-#[cfg(feature = "python")]
-mod cli;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod cli;
 #[cfg(feature = "cli")]
 pub mod compare;
 pub mod describe;

@@ -8,6 +8,7 @@ use stellate::error::{Error, OUTPUT, Result};
 use tempfile::NamedTempFile;
 
 use super::session::Session;
+use super::watch::remove_if_ended;
 
 /// Writes the result of a verb to `-o FILE` or to standard output, and its proof before it. The claims about points that are
 /// inspected while they are written are known after them.
@@ -124,14 +125,14 @@ fn write_file(
     let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let folder = folder_of(path);
     let mut beside = new_file_in(&folder).map_err(failed)?;
-    session.remove_if_ended(Some(beside.path()));
+    remove_if_ended(Some(beside.path()));
     {
         let mut out = BufWriter::new(beside.as_file_mut());
         whole(write, &mut out, path)?;
     }
     session.work.check()?;
     session.begin_writing();
-    session.remove_if_ended(None);
+    remove_if_ended(None);
     beside.persist(path).map_err(|e| failed(e.error))?;
     Ok(())
 }

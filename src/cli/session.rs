@@ -1,6 +1,6 @@
 //! One run of the program: its limits, its notes and the times of its stages.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -13,7 +13,7 @@ use stellate::reading::{HarmonicConvention, Normalization};
 use stellate::verb::{Missing, Work};
 
 use super::arguments::{Common, NormalizationFlag, NumberReading, YesNo};
-use super::watch::{Watch, report};
+use super::watch::{Watch, end, report};
 
 /// The time after the deadline in which a checkpoint can still end the work in good order.
 const GRACE: Duration = Duration::from_millis(200);
@@ -134,11 +134,6 @@ impl Session {
         self.facts().push((name, value));
     }
 
-    /// Sets the file that is removed if the process is ended from outside.
-    pub(crate) fn remove_if_ended(&self, path: Option<&Path>) {
-        self.watch.remove_if_ended(path);
-    }
-
     /// Records that the output begins: from here on the process is not ended from outside.
     pub(crate) fn begin_writing(&self) {
         self.watch.begin_writing();
@@ -218,7 +213,7 @@ fn watch_interruption(limits: &Limits, watch: &Arc<Watch>) {
     let _ = ctrlc::set_handler(move || {
         flag.store(true, Ordering::SeqCst);
         if watch.may_end() {
-            watch.end(&Error::Interrupted, super::WRONG_INPUT);
+            end(&Error::Interrupted, super::WRONG_INPUT);
         }
     });
 }
@@ -234,7 +229,7 @@ fn watch_deadline(time: Duration, watch: &Arc<Watch>) {
                 limit,
                 finished: String::new(),
             };
-            watch.end(&error, super::LIMIT_REACHED);
+            end(&error, super::LIMIT_REACHED);
         }
     });
 }

@@ -15,6 +15,28 @@ use stellate::verb::{Remark, Watcher};
 /// The time after which a progress bar appears.
 const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 
+/// The file of this process that is unfinished, and is removed if the process is ended.
+static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+/// Sets the file that is removed if the process is ended.
+pub(crate) fn remove_if_ended(path: Option<&Path>) {
+    *locked(&UNFINISHED) = path.map(Path::to_path_buf);
+}
+
+/// Removes the unfinished file.
+pub(crate) fn remove_unfinished() {
+    if let Some(path) = locked(&UNFINISHED).take() {
+        let _ = std::fs::remove_file(path);
+    }
+}
+
+/// Removes the unfinished file, reports the error, and ends the process with this code.
+pub(crate) fn end(error: &Error, code: u8) -> ! {
+    remove_unfinished();
+    report(&format!("stellate: {error}"));
+    std::process::exit(i32::from(code))
+}
+
 /// Watches the work of one run.
 pub(crate) struct Watch {
     quiet: bool,
@@ -25,8 +47,6 @@ pub(crate) struct Watch {
     /// Whether output may have begun. Once it may have, nothing ends the process from outside, because that would leave half of
     /// the output.
     writing: AtomicBool,
-    /// The file that is unfinished, and is removed if the process is ended.
-    partial: Mutex<Option<PathBuf>>,
 }
 
 impl Watch {
@@ -37,7 +57,6 @@ impl Watch {
             bar: Mutex::default(),
             ends_at_checkpoints: AtomicBool::new(false),
             writing: AtomicBool::new(false),
-            partial: Mutex::default(),
         }
     }
 
@@ -49,20 +68,6 @@ impl Watch {
     /// Records that output may have begun: from here on the process may not be ended from outside.
     pub(crate) fn begin_writing(&self) {
         self.writing.store(true, Ordering::SeqCst);
-    }
-
-    /// Sets the file that is removed if the process is ended.
-    pub(crate) fn remove_if_ended(&self, path: Option<&Path>) {
-        *locked(&self.partial) = path.map(Path::to_path_buf);
-    }
-
-    /// Removes the unfinished file, reports the error, and ends the process with this code.
-    pub(crate) fn end(&self, error: &Error, code: u8) -> ! {
-        if let Some(path) = locked(&self.partial).take() {
-            let _ = std::fs::remove_file(path);
-        }
-        report(&format!("stellate: {error}"));
-        std::process::exit(i32::from(code))
     }
 
     /// Runs work during which the process may not be ended from outside, because the work ends at its own checkpoints.

@@ -27,6 +27,7 @@ mod mutated_proofs;
 mod option_mistakes;
 mod option_spellings;
 mod outlines;
+mod panics;
 mod point_files;
 mod proofs;
 mod python;
