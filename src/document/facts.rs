@@ -219,7 +219,7 @@ impl Annotations {
                     None => "infinity".into(),
                 };
                 let mut turns: Vec<String> = turns.iter().map(at).collect();
-                turns.sort();
+                turns.sort_unstable();
                 turns.dedup();
                 self.note(format!(
                     "beyond the real image: real values of {name} turn back at {}, the curve goes on",

@@ -15,7 +15,9 @@ use crate::exact::Rational;
 use crate::notation::Notation;
 use crate::shape::HarmonicSurface;
 use crate::sphere::Positivity;
-use crate::verb::{Fact, FittedMesh};
+use crate::verb::Fact;
+#[cfg(feature = "meshes")]
+use crate::verb::FittedMesh;
 
 /// Writes `R = Σ c Y(l, m)`, with the center if it is not the origin, and with the bound of the radius if the coefficients were
 /// rounded.
@@ -65,6 +67,7 @@ pub fn write_harmonic(
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`].
+#[cfg(feature = "meshes")]
 pub fn write_mesh_fit(found: &FittedMesh, format: Format, out: &mut dyn Write) -> Result<()> {
     let FittedMesh { fit, distance } = found;
     if format != Format::Json {

@@ -53,7 +53,9 @@ pub(crate) use description::{write_description, write_space_curve_description};
 pub use elliptic::{write_elliptic, write_fit};
 pub use fit_table::write_fit_table;
 pub use fourier::write_fourier;
-pub use harmonic::{write_harmonic, write_mesh_fit};
+pub use harmonic::write_harmonic;
+#[cfg(feature = "meshes")]
+pub use harmonic::write_mesh_fit;
 pub(crate) use implicit::write_surface;
 pub use inspection::{InspectionWriter, summary_text, write_inspection_cloud};
 pub use inspection_report::{ReportHead, write_inspection_report};

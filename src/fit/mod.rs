@@ -44,6 +44,7 @@ pub use least_squares::{LeastSquares, MAX_LEAST_SQUARES_HARMONICS, Robust, Stand
 pub use measured::fit_cloud;
 #[cfg(test)]
 pub(crate) use mesh::laws::{cube as cube_of_test, solid_of as solid_of_test};
+#[cfg(feature = "meshes")]
 pub(crate) use mesh::turns_of_mesh;
 pub use mesh::{MAX_FIT_DEGREE, MeshFit, MeshFitOptions, MeshFitSize, fit_mesh};
 pub use normal_form::{NormalForm, normal_form};

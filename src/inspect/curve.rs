@@ -142,7 +142,7 @@ impl<const N: usize> CurveInspector<N> {
             ));
         }
         let mut sizes: Vec<f64> = starts.iter().map(|(_, p)| norm(p)).collect();
-        sizes.sort_by(f64::total_cmp);
+        sizes.sort_unstable_by(f64::total_cmp);
         let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");
         Ok(Self {
             arcs: series

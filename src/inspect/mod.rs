@@ -32,6 +32,7 @@ mod guess;
 mod harmonic;
 mod inspector;
 mod known;
+#[cfg(feature = "meshes")]
 mod mesh_distance;
 mod nearest;
 mod patch;
@@ -58,6 +59,7 @@ pub use harmonic::HarmonicInspector;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
 pub use inspector::{InspectOptions, Inspector};
 pub(crate) use known::{PlanePoint, rounding};
+#[cfg(feature = "meshes")]
 pub use mesh_distance::mesh_distance;
 pub use nearest::Foot;
 pub(crate) use nearest::{FootCandidate, unit};

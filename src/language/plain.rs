@@ -2,15 +2,13 @@
 
 use std::borrow::Cow;
 
-use unicode_normalization::UnicodeNormalization;
-
 use super::token::SUPERSCRIPTS;
 
 /// The text with plain characters: fullwidth and mathematical letters, typographic operators, fractions such as ½ and special
 /// blanks are replaced by what they look like, characters without width are removed, and a pair of quotes around the whole text
 /// is replaced by blanks. Line breaks are kept, so that messages can show a line.
 ///
-/// The replacements are those of Unicode (NFKC) and some more. Superscripts are kept, because x² is not x2.
+/// The replacements are those of Unicode (NFKC; only with the feature `unicode`) and some more. Superscripts are kept, because x² is not x2.
 pub(super) fn plain(text: &str) -> Cow<'_, str> {
     let text = unquoted(text);
     if text.is_ascii() {
@@ -32,18 +30,22 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
             // A fraction after a digit is kept, and refused later, because 2½ could be a sum or a product.
             '½' | '⅓' | '⅔' | '¼' | '¾' | '⅕'..='⅞' if !after_digit => {
                 result.push('(');
-                result.extend(
-                    std::iter::once(c)
-                        .nfkc()
-                        .map(|c| if c == '\u{2044}' { '/' } else { c }),
-                );
+                result.extend(compatible(c).map(|c| if c == '\u{2044}' { '/' } else { c }));
                 result.push(')');
             }
             '½' | '⅓' | '⅔' | '¼' | '¾' | '⅕'..='⅞' => result.push(c),
-            _ => result.extend(std::iter::once(c).nfkc()),
+            _ => result.extend(compatible(c)),
         }
     }
     Cow::Owned(result)
+}
+
+/// The characters that stand for a character in Unicode's compatible form.
+fn compatible(c: char) -> impl Iterator<Item = char> {
+    #[cfg(feature = "unicode")]
+    return unicode_normalization::UnicodeNormalization::nfkc(std::iter::once(c));
+    #[cfg(not(feature = "unicode"))]
+    std::iter::once(c)
 }
 
 /// The text in which a pair of quotes around all of it is replaced by blanks.
@@ -71,7 +73,7 @@ fn unquoted(text: &str) -> Cow<'_, str> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "unicode"))]
 mod tests {
     use super::*;
 

@@ -3,8 +3,6 @@
 use std::io::Read;
 use std::path::Path;
 
-use flate2::read::GzDecoder;
-
 use crate::error::{Error, Result};
 use crate::fit::{
     ContourKind, LeftOut, OutlineOptions, cloud_from_reader, is_geojson, outline_from_reader,
@@ -20,7 +18,8 @@ use crate::shape::{Contour, Form, PointCloud};
 
 use super::foreign::refuse_name;
 use super::source::{
-    Held, head_of, held, is_a_folder, names_a_file, open, packed_harmonics, read_limited,
+    Held, head_of, held, is_a_folder, names_a_file, open, open_packed, packed_harmonics,
+    read_limited,
 };
 use super::{Remark, Work};
 
@@ -206,8 +205,7 @@ impl Given {
     pub fn from_path_with(path: &Path, options: &ReadOptions, work: &Work) -> Result<Self> {
         let place = path.display().to_string();
         if let Some(unpacked) = packed_harmonics(path) {
-            let reader = GzDecoder::new(open(path)?);
-            let source = Source::new(reader, Some(&unpacked), &place)?;
+            let source = Source::new(open_packed(path)?, Some(&unpacked), &place)?;
             return source.given(&file_name(path), options, work);
         }
         refuse_name(path)?;

@@ -44,6 +44,7 @@ mod equation;
 mod fact;
 mod feet;
 mod fit;
+#[cfg(feature = "meshes")]
 mod fit_mesh;
 mod foreign;
 mod given;
@@ -63,6 +64,7 @@ mod plot_space;
 mod point_files;
 mod point_layout;
 mod point_source;
+mod read_mesh;
 mod remark;
 mod rows;
 mod sample;
@@ -86,7 +88,8 @@ pub use columns::ColumnTypes;
 pub use describe::{DescribeOptions, Described, DescribedForm, describe};
 pub use fact::{BeyondCurve, Fact, PolarTheorem, Reach};
 pub use fit::{FitReport, FittedOutline, OutlineFit, OutlineSeries, RadialReport, TakenOut, fit};
-pub use fit_mesh::{FittedMesh, fit_mesh, is_mesh_name, read_mesh};
+#[cfg(feature = "meshes")]
+pub use fit_mesh::{FittedMesh, fit_mesh};
 pub use given::{Content, Given, ReadOptions};
 pub use implicitize::{
     CoefficientScale, CoordinatesFrom, Implicitization, ImplicitizeMethod, ImplicitizeOptions,
@@ -100,6 +103,7 @@ pub use plot::plot;
 #[cfg(feature = "pictures")]
 pub use plot_options::{FigureFormat, Frame, PlotOptions};
 pub use point_source::{PointRows, PointSource};
+pub use read_mesh::{is_mesh_name, read_mesh};
 pub use remark::{Part, Remark};
 pub use rows::{KeptPoint, PointWriter, ReadingOptions};
 pub use sample::{MAX_DIRECTIONS, SampleOptions, SampledPoints, Samples, sample};

@@ -200,6 +200,20 @@ pub(super) fn open(path: &Path) -> Result<std::fs::File> {
     })
 }
 
+/// Opens a file that gzip packed, to read what is in it.
+///
+/// # Errors
+/// Those of [`open`]; [`Error::Usage`] without the feature `gzip`.
+pub(super) fn open_packed(path: &Path) -> Result<impl Read> {
+    #[cfg(feature = "gzip")]
+    return open(path).map(flate2::read::GzDecoder::new);
+    #[cfg(not(feature = "gzip"))]
+    Err::<std::fs::File, _>(Error::Usage(format!(
+        "{}: packed files are read by stellate with the feature `gzip` only; unpack it with gunzip",
+        path.display()
+    )))
+}
+
 /// The error for a folder in the place of a form.
 pub(super) fn is_a_folder(path: &Path) -> Error {
     Error::Usage(format!(

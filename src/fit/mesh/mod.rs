@@ -178,6 +178,7 @@ fn center(solid: &Solid, choice: &CenterChoice) -> Result<([Rational; 3], bool)>
 }
 
 /// How often a mesh goes around a point.
+#[cfg(feature = "meshes")]
 pub(crate) fn turns_of_mesh(solid: &Solid, point: &[Rational; 3]) -> i64 {
     visible(solid, point).turns
 }

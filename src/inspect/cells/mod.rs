@@ -7,6 +7,7 @@
 //! cell, a bound by the second derivatives ([`expansion`]) leaves out the rest, or else the cell is divided.
 
 mod expansion;
+#[cfg(feature = "meshes")]
 mod flat;
 mod foot;
 mod isolate;
@@ -28,6 +29,7 @@ use crate::intervals::interval::UNIT;
 use crate::shape::{HarmonicPair, HarmonicSurface, wave_coefficients};
 
 use expansion::{ANGLE, Errors, Expansion, length, turn};
+#[cfg(feature = "meshes")]
 pub(super) use flat::FlatPart;
 pub(super) use isolate::Isolated;
 pub(super) use search::NearestOnSphere;
