@@ -198,7 +198,7 @@ pub fn trace_intersection(
         .iter()
         .filter_map(|place| touching_point(place, polynomials));
     all.touching = touching.collect();
-    all.touching.sort();
+    all.touching.sort_unstable();
     all.touching.dedup();
     progress(1000);
     Ok(all)

@@ -196,7 +196,7 @@ fn coefficient_digits(found: &Comparison) -> DigitsKept {
 }
 
 fn digits_kept(mut digits: Vec<f64>) -> DigitsKept {
-    digits.sort_by(f64::total_cmp);
+    digits.sort_unstable_by(f64::total_cmp);
     let middle = digits.len().saturating_sub(1) / 2;
     DigitsKept {
         worst: digits.first().copied().unwrap_or_default(),

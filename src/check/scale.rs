@@ -102,7 +102,7 @@ pub(super) fn common_factor(pairs: &[[Rational; 2]]) -> Option<Scale> {
 
 /// The half-sample mode: the narrowest half is kept until at most two ratios are left, of which the smaller one is taken.
 fn mode(ratios: &mut [Rational]) -> Option<Rational> {
-    ratios.sort();
+    ratios.sort_unstable();
     let mut rest = &*ratios;
     while rest.len() > 2 {
         let half = rest.len().div_ceil(2);

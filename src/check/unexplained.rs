@@ -89,7 +89,7 @@ fn terms(count: usize) -> String {
 fn is_single(found: &Comparison) -> bool {
     let digits = found.rows.iter().map(|row| row.deviation.digits());
     let mut off: Vec<f64> = digits.filter(|digits| *digits < EXACT).collect();
-    off.sort_by(f64::total_cmp);
+    off.sort_unstable_by(f64::total_cmp);
     // Some numbers may be exact by chance, but not most of them.
     let enough = 2 * off.len() >= found.rows.len() && off.len() > 1;
     let half = off.get(off.len() / 2);

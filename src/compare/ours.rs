@@ -100,7 +100,7 @@ fn median<T, E>(
         times.push(time);
         let few = times.len() < 3 && time < IS_SHORT;
         if !few && (spent >= REPEATED_FOR || times.len() >= MOST_RUNS) {
-            times.sort();
+            times.sort_unstable();
             return Ok((result, times[times.len() / 2].as_secs_f64()));
         }
     }

@@ -54,7 +54,7 @@ pub(super) fn irreducible_factors(
         limits.check()?;
         factors.extend(equal_degree(&field, part, d));
     }
-    factors.sort();
+    factors.sort_unstable();
 
     let (exponent, modulus) = precision(&f, &field);
     let ring = TruncatedRing {

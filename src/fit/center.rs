@@ -304,7 +304,7 @@ fn chord_middle(contour: &Contour, height: f64) -> Option<[f64; 2]> {
             p[0] + t * (q[0] - p[0])
         })
         .collect();
-    crossings.sort_by(f64::total_cmp);
+    crossings.sort_unstable_by(f64::total_cmp);
     crossings
         .chunks_exact(2)
         .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))

@@ -4,7 +4,8 @@ use malachite::Integer;
 use malachite::base::polynomial::Polynomial;
 use proptest::prelude::*;
 
-use super::isolated::{IsolatedPoint, isolated};
+use super::isolated::isolated;
+use super::isolated_point::IsolatedPoint;
 use super::tracing::tracing_index_bound;
 use crate::exact::Rational;
 use crate::limits::Limits;

@@ -205,7 +205,7 @@ impl Frame {
 
 #[cfg(test)]
 mod tests {
-    use super::units::WIDTH;
+    use super::super::units::WIDTH;
     use super::*;
 
     #[test]

@@ -118,7 +118,7 @@ fn box_around<const N: usize>(points: &[[f64; N]], left_out: f64) -> Option<[[f6
     let mut bounds = [[0.0; 2]; N];
     for (k, side) in bounds.iter_mut().enumerate() {
         let mut values: Vec<f64> = points.iter().map(|p| p[k]).collect();
-        values.sort_by(f64::total_cmp);
+        values.sort_unstable_by(f64::total_cmp);
         let (low, high) = (values[skipped], values[last - skipped]);
         let more = if skipped > 0 { (high - low) / 4.0 } else { 0.0 };
         *side = [low - more, high + more];

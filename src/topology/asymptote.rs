@@ -227,7 +227,7 @@ fn quotient(g: &IntegerPolynomial, h: &IntegerPolynomial, at: &RealRoot) -> [Rat
                 .into_iter()
                 .flat_map(|a| [&below.0, &below.1].map(|b| -(a / b)))
                 .collect();
-            ends.sort();
+            ends.sort_unstable();
             let (first, last) = (ends[0].clone(), ends[3].clone());
             if &last - &first < width {
                 return [first, last];

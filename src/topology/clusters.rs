@@ -135,7 +135,7 @@ impl Scaled {
             let mut ends = [&polynomial.low[j], &polynomial.high[j]]
                 .map(|c| [quotient(c, false), quotient(c, true)])
                 .concat();
-            ends.sort();
+            ends.sort_unstable();
             let middle: Integer = (&ends[0] + &ends[3]) >> 1u64;
             error += (&ends[3] - &middle).max(&middle - &ends[0]);
             coefficients.push(middle);
@@ -392,7 +392,7 @@ mod tests {
                 }
                 list.extend(std::iter::repeat_n((p, q), m));
             }
-            exact.sort();
+            exact.sort_unstable();
             let mut f = product(&list);
             let mut distinct = exact.len();
             for k in 0..pairs {

@@ -205,7 +205,7 @@ fn along_line(
             // Another crossing may be exactly at an end.
             let is_alone = low == high || [low, high].iter().all(|s| sign_at(&on_line, s) != 0);
             let mut ends = [t_of(&low.to_rational()), t_of(&high.to_rational())];
-            ends.sort();
+            ends.sort_unstable();
             if let Some(interval) = interval_of(sweep, &ends).filter(|_| is_alone) {
                 break (interval, ends);
             }

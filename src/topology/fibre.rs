@@ -204,7 +204,7 @@ fn enclosed(strip: &Strip, alpha: &RealRoot, digits: u64) -> Enclosed {
                 &value[1] * &ends[0],
                 &value[1] * &ends[1],
             ];
-            products.sort();
+            products.sort_unstable();
             let [least, .., most] = products;
             let c = c << digits;
             value = [

@@ -85,7 +85,7 @@ impl CriticalValues {
             Axis::X => {
                 let shear = Rational::from(sweep.curve.shear);
                 let mut ends = r.map(|r| &shear * r);
-                ends.sort();
+                ends.sort_unstable();
                 [t[0] + &ends[0], t[1] + &ends[1]]
             }
         }

@@ -100,7 +100,7 @@ fn not_positive(coefficients: &[Integer]) -> Option<Rational> {
         cuts.extend([low, high]);
     }
     cuts.retain(|cut| *cut >= zero && *cut <= one);
-    cuts.sort();
+    cuts.sort_unstable();
     let middles: Vec<Rational> = cuts
         .windows(2)
         .map(|pair| Rational::simplest_between(&pair[0], &pair[1]))

@@ -148,7 +148,7 @@ fn cuts(slopes: &[RealRoot], places: u32) -> Option<Vec<[Rational; 2]>> {
             width *= 2;
         }
     }
-    enclosures.sort();
+    enclosures.sort_unstable();
     let mut cuts: Vec<[Rational; 2]> = Vec::new();
     for [low, high] in enclosures {
         let outward = [

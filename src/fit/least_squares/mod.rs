@@ -255,7 +255,7 @@ struct Solution<const D: usize> {
 /// The two ends of the widest range without an angle; the second may be more than a turn.
 pub(super) fn widest_gap(angles: &[f64]) -> (f64, f64) {
     let mut sorted = angles.to_vec();
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else {
         return (0.0, TAU);
     };

@@ -76,7 +76,7 @@ impl Frame {
     fn back(&self, [x, y]: [[Rational; 2]; 2]) -> [[Rational; 2]; 2] {
         let x = x.map(|bound| bound * &self.scales[0]);
         let mut shift = x.each_ref().map(|bound| bound * &self.shear);
-        shift.sort();
+        shift.sort_unstable();
         let [low, high] = y.map(|bound| bound * &self.scales[1]);
         let y = [low + &shift[0], high + &shift[1]];
         [x, y]

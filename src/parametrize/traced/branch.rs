@@ -277,7 +277,7 @@ impl Graph {
             }
             chains.extend(pieces);
         }
-        chains.sort();
+        chains.sort_unstable();
         chains
     }
 

@@ -140,7 +140,7 @@ fn through_rational(alpha: &Rational, room: &Rational, cx: &Context<'_>) -> Link
             separators.push(rational_between(&mut before[i - 1], &mut after[0]));
         }
     }
-    separators.sort();
+    separators.sort_unstable();
     let mut width = room.clone();
     let sixteenth = Rational::one() / Rational::from(16);
     let window = loop {
@@ -212,7 +212,7 @@ fn through_irrational(alpha: &RealRoot, cx: &Context<'_>) -> Result<Link> {
                     }
                 }
             }
-            separators.sort();
+            separators.sort_unstable();
             separators.dedup();
             let bands = Bands::new(cx.strip, &window, &separators, lost, zeros);
             let occupied = bands.ordinary().filter(|b| !b.is_empty());

@@ -189,7 +189,7 @@ impl Superquadric {
             [even, (a2 * s.powf(epsilon)).atan2(a1 * c.powf(epsilon))]
         });
         let mut quadrant: Vec<f64> = angles.collect();
-        quadrant.sort_by(f64::total_cmp);
+        quadrant.sort_unstable_by(f64::total_cmp);
         let arc = |theta: &f64| {
             let r = self.approximate(*theta);
             [r * theta.cos(), r * theta.sin()]

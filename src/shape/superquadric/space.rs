@@ -252,7 +252,7 @@ impl SpaceSuperquadric {
                 })
                 .collect();
             all.push(0.0);
-            all.sort_by(f64::total_cmp);
+            all.sort_unstable_by(f64::total_cmp);
             all.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
             all.retain(|a| *a < std::f64::consts::FRAC_PI_2 - 1e-9);
             all
