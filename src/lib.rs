@@ -78,11 +78,12 @@
 //!
 //! # Features
 //!
-//! By default, all that the program needs is built. Without default features there is the exact core, with some 60 crates; added can be:
+//! By default there is `cli`: the program, with all of these but `more-images` and `columnar`. Without default features there is the
+//! exact core, with some 60 crates. Added can be:
 //!
 //! | feature | what it adds |
 //! | --- | --- |
-//! | `pictures` | `picture` and the verb `plot`: SVG and PNG |
+//! | `pictures` | the module `picture` and the verbs `plot` and `ladder_chart`: SVG and PNG |
 //! | `images` | outlines of silhouettes in PNG, JPEG and BMP, and of drawings in SVG |
 //! | `more-images` | silhouettes in GIF, TIFF and WebP, too |
 //! | `meshes` | the verb `fit_mesh`, and the certified distance of a mesh from its fit |

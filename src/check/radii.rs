@@ -37,7 +37,7 @@ impl Reference {
     /// enclosed as closely as the answer requires.
     ///
     /// If the reference was given by its Fourier radius, r(θ) is enclosed. Otherwise the nearest root of the polynomial on the
-    /// ray is enclosed, which may have either sign. Cost: for each radius, that of [`SeriesValues::bounds`], or the values of
+    /// ray is enclosed, which may have either sign. Cost: for each radius, that of enclosing the sum of the series, or the values of
     /// the homogeneous parts at (cos θ, sin θ) in some 200 bits and the real roots of one polynomial.
     ///
     /// ```

@@ -131,7 +131,7 @@ impl SeriesValues {
     }
 
     /// D 2^precision Σ (a_n cos nθ + b_n sin nθ), and the same sum with the sizes of all terms. Both are approximate;
-    /// [`SeriesValues::bounds`] bounds the error of the first.
+    /// `SeriesValues::bounds` bounds the error of the first.
     fn sums(&self, theta: &Rational, precision: u32) -> [Integer; 2] {
         let unit = Integer::ONE << precision;
         let fixed = |v: Rational| (v * Rational::whole(&unit)).floor_integer();

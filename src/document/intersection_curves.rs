@@ -47,7 +47,7 @@ struct Other {
 /// There must be a curve, or arcs of a component without a parametrization. Only text and JSON can hold arcs.
 ///
 /// # Errors
-/// Those of `out`, and those of [`super::Kind::check`].
+/// Those of `out`, and those of [`Kind::check`](super::Kind::check).
 pub(crate) fn write_intersection_curves(
     found: &IntersectionParametrization,
     arcs: Option<&IntersectionArcs>,

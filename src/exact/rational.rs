@@ -221,7 +221,7 @@ impl fmt::Debug for Rational {
 impl FromStr for Rational {
     type Err = Error;
 
-    /// See [`super::exact_literal`].
+    /// Reads as [`exact_literal`](super::exact_literal) does.
     fn from_str(text: &str) -> Result<Self, Error> {
         super::exact_literal(text)
     }

@@ -60,7 +60,7 @@ impl SquaredHarmonics {
 
     /// Whether F is the square of a polynomial: exactly when all harmonics of even degree are 0.
     ///
-    /// Otherwise F is irreducible over Q. The proof is that of [`super::SquaredForm::is_perfect_square`]: in polar form a factor of
+    /// Otherwise F is irreducible over Q. The proof is that of [`SquaredForm::is_perfect_square`](super::SquaredForm::is_perfect_square): in polar form a factor of
     /// F is up to a power of r a product of some of r − R(d) and r + R(−d), which (r, d) → (−r, −d) exchanges; if they are
     /// different, a factor contains both or neither, and one that contains neither divides the top part ρ^(L+1), so it is a power of
     /// ρ, which does not divide the low part: modulo ρ the low part is −even² or odd², the square of the harmonics of degree L,

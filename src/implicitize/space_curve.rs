@@ -19,7 +19,7 @@ pub struct SpaceCurveEquations {
     /// The degree of the curve: the number of points, complex ones and those at infinity included, in which it meets a general
     /// plane.
     pub degree: usize,
-    /// The tracing index of the parametrization: see [`super::PlaneEquation::tracing_index`].
+    /// The tracing index of the parametrization: see [`PlaneEquation::tracing_index`](super::PlaneEquation::tracing_index).
     pub tracing_index: usize,
 }
 

@@ -112,7 +112,7 @@ impl DistanceBounds {
 }
 
 /// Whether the distance is at most the tolerance, or the signed distance between the limits of a [`ToleranceZone`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// The distance is at most the tolerance; of a measured point, that of every point within its uncertainty.
     Inside,

@@ -13,7 +13,7 @@ use crate::error::Invariant;
 use crate::exact::Rational;
 
 /// A polynomial in x, y and z, stored as its non-zero homogeneous parts over one common denominator: `f = (1/D) Σ_d f_d`. It
-/// corresponds to [`PlanePolynomial`].
+/// corresponds to [`PlanePolynomial`]. Its terms and values are those of the [`SparsePolynomial`] that it is made from.
 ///
 /// A part is stored as its terms: a form of degree d has (d + 1)(d + 2)/2 coefficients, and most of them are 0 if the degree is
 /// high.

@@ -74,3 +74,27 @@ pub enum Form {
     /// The intersection of two or more surfaces, each given by a polynomial in x, y and z.
     Intersection(Vec<ImplicitSurface>),
 }
+
+impl From<FourierRadius> for Form {
+    fn from(radius: FourierRadius) -> Self {
+        Self::Fourier(radius)
+    }
+}
+
+impl From<HarmonicSurface> for Form {
+    fn from(surface: HarmonicSurface) -> Self {
+        Self::Harmonic(surface)
+    }
+}
+
+impl From<ImplicitCurve> for Form {
+    fn from(curve: ImplicitCurve) -> Self {
+        Self::Curve(curve)
+    }
+}
+
+impl From<ImplicitSurface> for Form {
+    fn from(surface: ImplicitSurface) -> Self {
+        Self::Surface(surface)
+    }
+}

@@ -65,7 +65,7 @@ fn extent(series: &[Series]) -> Option<[f64; 2]> {
     Some([x().reduce(f64::min)?, x().reduce(f64::max)?])
 }
 
-/// The chart of the digits that doubles keep over N, see [`super::check_doubles`].
+/// The chart of the digits that doubles keep over N, see [`check_doubles`](super::check_doubles).
 #[must_use]
 pub fn ladder_chart(rungs: &[Rung], name: &str) -> Chart {
     let series = |label: &str, digits: &dyn Fn(&Rung) -> f64| Series {

@@ -55,7 +55,8 @@ pub struct FitReport {
     pub harmonic_power: Option<f64>,
     /// What a fit by least squares says of the coefficients.
     pub least_squares: Option<LeastSquares>,
-    /// How far the curve is from the outline, if that was asked for and is within the stated cost.
+    /// How far the curve is from the outline, certified. The verb [`fit`] always measures it; `None` from the verbs that fit on the way to
+    /// something else, and where it would take more than the stated cost.
     pub distances: Option<Distances>,
     /// What was taken out of an elliptic series in normal form.
     pub normal_form: Option<TakenOut>,
@@ -122,7 +123,8 @@ pub struct RadialReport {
     pub samples: usize,
     /// As [`Fit::outline`].
     pub outline: Option<Visibility>,
-    /// Whether r > 0 for every angle, certified; `None` if that was not asked for or not decided.
+    /// Whether r > 0 for every angle of the fit, certified. [`Visibility`] says the same of the outline. `None` from the verbs that fit on
+    /// the way to something else, and if it is not decided.
     pub star_shaped: Option<bool>,
 }
 

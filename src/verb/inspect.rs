@@ -49,9 +49,9 @@ options! {
         /// the lower bound of the distance is this radius and the upper bound is infinite. By default the search goes on until the
         /// nearest point is found.
         reach: Option<f64> = None,
-        /// The number of significant digits that the bounds of a distance should determine.
+        /// The number of significant digits that the bounds of a distance should determine; 6 by default.
         digits: u32 = DIGITS,
-        /// The number of cubes that may be divided for one point before the point is undecided.
+        /// The number of cubes that may be divided for one point before the point is undecided; 50 000 by default.
         budget: usize = BUDGET,
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
@@ -104,7 +104,8 @@ const INSPECT: Taken = Taken {
 };
 
 /// Prepares a form for the inspection of points with two or three coordinates. An equation in x and y is a cylinder for points
-/// in space.
+/// in space. The task then answers for one point at a time, exact ([`InspectionTask::point`]) or of doubles
+/// ([`InspectionTask::of_doubles`]), or row by row for a whole source ([`ReadingOptions`](super::ReadingOptions)).
 ///
 /// ```
 /// use stellate::inspect::Verdict;

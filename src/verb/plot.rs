@@ -35,7 +35,7 @@ const PLOT: Taken = Taken {
 };
 
 /// Draws forms over each other with equal axes, the first one lowest, as SVG. Curves and surfaces in space are drawn in
-/// perspective.
+/// perspective. This needs the feature `pictures`.
 ///
 /// ```
 /// use stellate::language::Numbers;

@@ -87,7 +87,8 @@ const SAMPLE: Taken = Taken {
 };
 
 /// Finds all real points of a form in exact directions. Each coordinate is the double nearest to the exact one, and the number
-/// of points is proved.
+/// of points is proved. A direction is a whole line, so that r may be negative, and directions all around find each point twice;
+/// [`SampleOptions::positive`] keeps r ≥ 0.
 ///
 /// ```
 /// use stellate::language::Numbers;

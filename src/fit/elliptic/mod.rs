@@ -52,7 +52,7 @@ pub struct EllipticFit {
 /// not correctly rounded.
 ///
 /// For a [`FitSize::Tolerance`] or [`FitSize::Distance`] the number of harmonics is the smallest for which the upper bound of the
-/// Hausdorff distance (see [`super::distances`]) is within that. For a [`FitSize::Power`] it is the smallest for which
+/// Hausdorff distance (see [`distances`](super::distances)) is within that. For a [`FitSize::Power`] it is the smallest for which
 /// [`EllipticFit::power`] is at least that share.
 ///
 /// Cost: O(n N) products of numbers of 192 bits for n vertices and N harmonics.
