@@ -105,7 +105,7 @@ const INSPECT: Taken = Taken {
 
 /// Prepares a form for the inspection of points with two or three coordinates. An equation in x and y is a cylinder for points
 /// in space. The task then answers for one point at a time, exact ([`InspectionTask::point`]) or of doubles
-/// ([`InspectionTask::of_doubles`]), or row by row for a whole source ([`ReadingOptions`](super::ReadingOptions)).
+/// ([`InspectionTask::of_doubles`]), or for all rows of a source ([`InspectionTask::all`]).
 ///
 /// ```
 /// use stellate::inspect::Verdict;
