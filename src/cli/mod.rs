@@ -102,12 +102,17 @@ fn run(arguments: Arguments) -> Result<bool> {
 
 /// Reports an error, and returns its exit code.
 fn reported(message: &str, code: u8, in_json: bool) -> u8 {
-    watch::report(&if in_json {
+    watch::report(&line(message, code, in_json));
+    code
+}
+
+/// The line that reports an error.
+fn line(message: &str, code: u8, in_json: bool) -> String {
+    if in_json {
         serde_json::json!({ "error": { "exit_code": code, "message": message } }).to_string()
     } else {
         format!("stellate: {message}")
-    });
-    code
+    }
 }
 
 /// From here on, a broken invariant on any thread is the one error that is reported, and ends the process. The unfinished file is
@@ -124,9 +129,8 @@ pub fn end_at_panics(in_json: bool) {
         }
         let place = info.location().map(ToString::to_string);
         let error = Error::from_panic(info.payload(), place);
-        watch::remove_unfinished();
-        let code = reported(&error.to_string(), CONTRADICTION, in_json);
-        std::process::exit(code.into())
+        let line = line(&error.to_string(), CONTRADICTION, in_json);
+        watch::end(&line, CONTRADICTION)
     }));
 }
 

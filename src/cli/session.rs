@@ -213,7 +213,10 @@ fn watch_interruption(limits: &Limits, watch: &Arc<Watch>) {
     let _ = ctrlc::set_handler(move || {
         flag.store(true, Ordering::SeqCst);
         if watch.may_end() {
-            end(&Error::Interrupted, super::WRONG_INPUT);
+            end(
+                &format!("stellate: {}", Error::Interrupted),
+                super::WRONG_INPUT,
+            );
         }
     });
 }
@@ -229,7 +232,7 @@ fn watch_deadline(time: Duration, watch: &Arc<Watch>) {
                 limit,
                 finished: String::new(),
             };
-            end(&error, super::LIMIT_REACHED);
+            end(&format!("stellate: {error}"), super::LIMIT_REACHED);
         }
     });
 }

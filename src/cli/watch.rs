@@ -9,7 +9,6 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stellate::document::remark_text;
-use stellate::error::Error;
 use stellate::verb::{Remark, Watcher};
 
 /// The time after which a progress bar appears.
@@ -23,17 +22,12 @@ pub(crate) fn remove_if_ended(path: Option<&Path>) {
     *locked(&UNFINISHED) = path.map(Path::to_path_buf);
 }
 
-/// Removes the unfinished file.
-pub(crate) fn remove_unfinished() {
+/// Removes the unfinished file, writes the line to standard error, and ends the process with this code.
+pub(crate) fn end(line: &str, code: u8) -> ! {
     if let Some(path) = locked(&UNFINISHED).take() {
         let _ = std::fs::remove_file(path);
     }
-}
-
-/// Removes the unfinished file, reports the error, and ends the process with this code.
-pub(crate) fn end(error: &Error, code: u8) -> ! {
-    remove_unfinished();
-    report(&format!("stellate: {error}"));
+    report(line);
     std::process::exit(i32::from(code))
 }
 
