@@ -26,11 +26,6 @@ use crate::shape::{
 use crate::sphere::{Positivity, positivity};
 use crate::witness::{InspectedForm, Proof};
 
-/// The default number of significant digits of distances.
-const DIGITS: u32 = 6;
-/// The default number of cubes for one point.
-const BUDGET: usize = 50_000;
-
 /// Superquadrics with equations of at most this degree are compared with their equations, which decides all points exactly.
 const HIGH_DEGREE: u32 = 16;
 
@@ -49,10 +44,10 @@ options! {
         /// the lower bound of the distance is this radius and the upper bound is infinite. By default the search goes on until the
         /// nearest point is found.
         reach: Option<f64> = None,
-        /// The number of significant digits that the bounds of a distance should determine; 6 by default.
-        digits: u32 = DIGITS,
-        /// The number of cubes that may be divided for one point before the point is undecided; 50 000 by default.
-        budget: usize = BUDGET,
+        /// The number of significant digits that the bounds of a distance should determine.
+        digits: u32 = 6,
+        /// The number of cubes that may be divided for one point before the point is undecided.
+        budget: usize = 50_000,
         /// How a contour is fitted.
         fit: FitOptions = FitOptions::default(),
     }

@@ -42,8 +42,8 @@ options! {
         /// How contours are fitted. A contour is not fitted if the size of the fit is not given; then only its outline is
         /// drawn.
         fit: FitOptions = FitOptions::default(),
-        /// The part that is shown; by default everything that is drawn, and of a curve without end what is at most four
-        /// times as far from the center as its points in 120 directions are in the median.
+        /// The part that is shown; by default everything that is drawn, and of a curve without end some points of each
+        /// component, and what is at most four times as far from the center as its points in 120 directions are in the median.
         window: Option<Frame> = None,
         /// The ranges of the parameters that are drawn, by the names of the parameters.
         ranges: Vec<(String, [f64; 2])> = Vec::new(),
