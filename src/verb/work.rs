@@ -261,22 +261,18 @@ impl Work {
         work: impl FnOnce(&Limits) -> Result<T> + Send + 'static,
     ) -> Result<T> {
         let limits = self.limits.clone();
-        let (sender, receiver) = sync_channel(1);
+        let (working, finished) = sync_channel::<()>(0);
         let thread = std::thread::spawn(move || {
-            // After the deadline nobody receives the answer.
-            let _ = sender.send(work(&limits));
+            // Dropped when the work ends, which is all that this thread waits for.
+            let _working = working;
+            work(&limits)
         });
-        loop {
-            match receiver.recv_timeout(PATIENCE) {
-                Ok(found) => return found,
-                Err(RecvTimeoutError::Timeout) => self.limits.check()?,
-                Err(RecvTimeoutError::Disconnected) => break,
-            }
+        while finished.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+            self.limits.check()?;
         }
-        match thread.join() {
-            Err(panic) => std::panic::resume_unwind(panic),
-            Ok(()) => Err(Error::internal("work beside", "it answers before it ends")),
-        }
+        thread
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     }
 }
 
