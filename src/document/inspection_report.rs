@@ -265,7 +265,7 @@ fn write_worst(head: &ReportHead, points: &[KeptPoint], out: &mut dyn Write) -> 
         };
         found.distance.low - allowed
     };
-    order.sort_by(|&a, &b| excess(b).total_cmp(&excess(a)));
+    order.sort_unstable_by(|&a, &b| excess(b).total_cmp(&excess(a)).then(a.cmp(&b)));
     order.truncate(WORST);
     if order.is_empty() {
         return Ok(());

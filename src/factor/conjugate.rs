@@ -62,7 +62,9 @@ pub(crate) fn conjugate_pair(
     }
     let [g, h] = reduced(g, h).map(|f| squarefree(&f, limits));
     let mut both = [g?, h?];
-    both.sort_by_key(SparsePolynomial::degree);
+    if both[0].degree() > both[1].degree() {
+        both.swap(0, 1);
+    }
     Ok(Some(both))
 }
 

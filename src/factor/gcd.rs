@@ -125,7 +125,7 @@ pub(super) fn content_in(
     limits: &Limits,
 ) -> Result<(IntegerTerms<3>, IntegerTerms<3>)> {
     let mut rows: Vec<IntegerTerms<3>> = f.coefficients_in(v).into_values().collect();
-    rows.sort_by_key(IntegerTerms::cells);
+    rows.sort_unstable_by_key(IntegerTerms::cells);
     let mut content = IntegerTerms::constant(Integer::ZERO);
     for row in &rows {
         content = gcd(&content, row, limits)?;

@@ -330,14 +330,14 @@ fn factor_terms(f: IntegerTerms<3>, limits: &Limits) -> Result<(Integer, Vec<Fou
             factor.polynomial = factor.polynomial.clone().scaled(&Integer::from(-1));
         }
     }
-    found.sort_by(|a, b| canonical_order(&a.polynomial, &b.polynomial));
+    found.sort_unstable_by(|a, b| canonical_order(&a.polynomial, &b.polynomial));
     Ok((content, found))
 }
 
 /// The terms by total degree, then by exponents, both descending.
 fn graded_terms(f: &IntegerTerms<3>) -> Vec<&([u32; 3], Integer)> {
     let mut terms: Vec<_> = f.iter().collect();
-    terms.sort_by(|(a, _), (b, _)| term_order(a, b));
+    terms.sort_unstable_by(|(a, _), (b, _)| term_order(a, b));
     terms
 }
 

@@ -97,7 +97,7 @@ impl Roles {
         let degrees = f.degrees();
         let mut others: Vec<usize> = (0..3).filter(|&w| w != main).collect();
         // An unused variable plays the part of z.
-        others.sort_by_key(|&w| std::cmp::Reverse(degrees[w]));
+        others.sort_unstable_by_key(|&w| (std::cmp::Reverse(degrees[w]), w));
         Self {
             main,
             y: others[0],

@@ -236,7 +236,7 @@ fn middle(cloud: &PointCloud) -> Result<[f64; 2]> {
     let unit = sizes.fold(0.0, f64::max);
     let around = points.iter().map(|p| relative(p).map(|c| c / unit));
     let mut around: Vec<(f64, [f64; 2])> = around.map(|[x, y]| (y.atan2(x), [x, y])).collect();
-    around.sort_by(|a, b| a.0.total_cmp(&b.0));
+    around.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let next = around.iter().cycle().skip(1);
     let (mut area, mut moments) = (0.0, [0.0; 2]);
     for ((_, p), (_, q)) in around.iter().zip(next) {

@@ -16,7 +16,7 @@ pub(super) fn kernel(contour: &Contour) -> Option<Contour> {
     // A box around everything bounds all intermediate intersections.
     let corners = [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]];
     planes.extend((0..4).filter_map(|i| HalfPlane::new(corners[i], corners[(i + 1) % 4])));
-    planes.sort_by(|a, b| a.angle.total_cmp(&b.angle));
+    planes.sort_unstable_by(|a, b| a.angle.total_cmp(&b.angle));
     let vertices = intersect(&planes)?
         .into_iter()
         .map(|v| [middle[0] + scale * v[0], middle[1] + scale * v[1]])

@@ -79,7 +79,7 @@ pub(super) fn smallest(
         );
     }
     let mut order: Vec<usize> = (0..bounds.len()).collect();
-    order.sort_by(|&i, &j| bounds[i].total_cmp(&bounds[j]));
+    order.sort_unstable_by(|&i, &j| bounds[i].total_cmp(&bounds[j]).then(i.cmp(&j)));
     let mut best = (0, f64::INFINITY);
     for &n in order.iter().take(BEST_CANDIDATES) {
         limits.check()?;

@@ -32,7 +32,7 @@ pub(super) fn monomials(degree: u32, variables: [bool; 3]) -> Vec<[u32; 3]> {
             }
         }
     }
-    all.sort_by(|a, b| term_order(b, a));
+    all.sort_unstable_by(|a, b| term_order(b, a));
     all
 }
 

@@ -221,7 +221,7 @@ fn composed<const V: usize>(
 /// The union of ranges, ascending; ranges that overlap or touch become one. The zero set is closed, so every end belongs to its
 /// range.
 fn union(mut ranges: Vec<AngleRange>) -> Vec<AngleRange> {
-    ranges.sort_by(|a, b| a.from.compare(&b.from).then_with(|| b.to.compare(&a.to)));
+    ranges.sort_unstable_by(|a, b| a.from.compare(&b.from).then_with(|| b.to.compare(&a.to)));
     let mut merged: Vec<AngleRange> = Vec::new();
     for mut range in ranges {
         range.closed = [true; 2];

@@ -172,7 +172,7 @@ fn radius_formula<'e>(
 fn angle(cx: &Context<'_>, equation: &Equation) -> Result<Name> {
     let named = |name| equation.names.first(name).map(|at| (at.start, name, at));
     let mut angles: Vec<_> = PARAMETERS.into_iter().filter_map(named).collect();
-    angles.sort_by_key(|(start, ..)| *start);
+    angles.sort_unstable_by_key(|(start, ..)| *start);
     match angles[..] {
         [] => Ok(Name::T),
         [(_, name, _)] => Ok(name),

@@ -133,7 +133,7 @@ fn seen_from_origin(surface: &ImplicitSurface, limits: &Limits) -> Result<Option
             })
         });
     let mut samples = rays.collect::<Result<Vec<_>>>()?.concat();
-    samples.sort_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
+    samples.sort_unstable_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
     let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
         return Ok(None);
     };

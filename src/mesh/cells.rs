@@ -85,7 +85,7 @@ impl Grid {
             Ok(cells)
         });
         let mut cells: Vec<Cell> = found.collect::<Result<Vec<_>>>()?.concat();
-        cells.sort_by_key(|cell| cell.index);
+        cells.sort_unstable_by_key(|cell| cell.index);
         Ok(cells)
     }
 

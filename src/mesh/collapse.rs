@@ -30,7 +30,7 @@ pub(super) fn collapse(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3
         .map(|edge| (edge, length(edge)))
         .filter(|(_, length)| *length < shortest)
         .collect();
-    short.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    short.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
     for ((a, b), _) in short {
         for (from, to) in [(b, a), (a, b)] {
             if may_collapse(from, to, vertices, triangles, &around) {

@@ -98,7 +98,7 @@ fn critical_values(
             }
         }
     }
-    roots.sort_by(|a, b| value(a).middle().total_cmp(&value(b).middle()));
+    roots.sort_unstable_by(|a, b| value(a).middle().total_cmp(&value(b).middle()));
     Ok(Some(roots))
 }
 
@@ -114,7 +114,7 @@ fn eliminants(
     let (w, u) = if total(a) < total(b) { (a, b) } else { (b, a) };
     let (mut above, mut plane): (Vec<_>, Vec<_>) =
         system.iter().cloned().partition(|f| f.degree_in(w) > 0);
-    above.sort_by_key(degree(w));
+    above.sort_unstable_by_key(degree(w));
     for (k, f) in above.iter().enumerate() {
         for g in &above[k + 1..] {
             match cheap_resultant(f, g, w, limits)? {

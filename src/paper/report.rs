@@ -268,7 +268,7 @@ fn write_times(entries: &[(Entry<'_>, Outcome)], out: &mut dyn Write) -> Result<
     /// The number of statements that are listed.
     const LISTED: usize = 10;
     let mut by_time: Vec<_> = entries.iter().collect();
-    by_time.sort_by_key(|(_, outcome)| std::cmp::Reverse(outcome.time));
+    by_time.sort_unstable_by_key(|(_, outcome)| std::cmp::Reverse(outcome.time));
     let total: std::time::Duration = entries.iter().map(|(_, o)| o.time).sum();
     writeln!(
         out,

@@ -57,7 +57,7 @@ pub fn singular_locus(f: &SparsePolynomial<3>, limits: &Limits) -> Result<Singul
     let slopes = (0..3).map(|v| f.derivative(v));
     let mut conditions: Vec<_> = slopes.filter(|slope| !slope.is_empty()).collect();
     conditions.push(f.clone());
-    conditions.sort_by_key(|g| (g.degree(), g.len()));
+    conditions.sort_unstable_by_key(|g| (g.degree(), g.len()));
     let mut found = SingularLocus {
         complete: true,
         ..SingularLocus::default()

@@ -35,7 +35,7 @@ pub(crate) fn extent(curve: &ImplicitCurve, limits: &Limits) -> Result<Vec<[f64;
             Ray::Line => Vec::new(),
         })
         .collect();
-    samples.sort_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
+    samples.sort_unstable_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
     let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
         return Ok(Vec::new());
     };

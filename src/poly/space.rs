@@ -131,7 +131,7 @@ impl From<&SparsePolynomial<3>> for SpacePolynomial {
                 .push((exponents, numerator));
         }
         for part in parts.values_mut() {
-            part.sort_by(|(e, _), (next, _)| next.cmp(e));
+            part.sort_unstable_by(|(e, _), (next, _)| next.cmp(e));
         }
         Self { parts, denominator }
     }

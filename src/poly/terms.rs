@@ -26,7 +26,7 @@ pub(crate) struct IntegerTerms<const V: usize>(Vec<([u32; V], Integer)>);
 impl<const V: usize> IntegerTerms<V> {
     /// The sum of the given terms.
     pub(crate) fn new(mut terms: Vec<([u32; V], Integer)>) -> Self {
-        terms.sort_by_key(|(e, _)| Reverse(*e));
+        terms.sort_unstable_by_key(|(e, _)| Reverse(*e));
         let mut merged: Vec<([u32; V], Integer)> = Vec::with_capacity(terms.len());
         for (e, c) in terms {
             match merged.last_mut() {

@@ -85,7 +85,7 @@ impl<const W: usize, const V: usize> TruncatedForms<W, V> {
         };
         let parts = expansion.parts.iter();
         let mut parts: Vec<Part<W, V>> = parts.map(|part| Part::new(part, &mut numbers)).collect();
-        parts.sort_by_key(|part| part.degree);
+        parts.sort_unstable_by_key(|part| part.degree);
         let lowest = parts.first().map_or(0, |part| part.degree);
         let gap = parts
             .iter()

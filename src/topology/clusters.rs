@@ -261,7 +261,7 @@ impl Scaled {
             }
             found.push(self.interval(z, &radii, &members)?);
         }
-        found.sort_by(|a, b| a.low.cmp(&b.low));
+        found.sort_unstable_by(|a, b| a.low.cmp(&b.low));
         found
             .windows(2)
             .all(|pair| pair[0].high < pair[1].low)

@@ -247,7 +247,7 @@ impl<'a> Nearest<'a> {
             Some((direction, t))
         });
         let mut zeros: Vec<([f64; 3], f64)> = zeros.collect();
-        zeros.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        zeros.sort_unstable_by(|(_, a), (_, b)| a.total_cmp(b));
         // The normals at the nearest zeros go through the point.
         let mut feet: Vec<([f64; 3], f64)> = Vec::new();
         for (direction, t) in &zeros {
@@ -264,7 +264,7 @@ impl<'a> Nearest<'a> {
                 break;
             }
         }
-        feet.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        feet.sort_unstable_by(|(_, a), (_, b)| a.total_cmp(b));
         let multipliers = feet.iter().filter_map(|(q, length)| {
             let slope = equation.field.gradient(*q);
             let along: f64 = (0..3).map(|k| slope[k] * (q[k] - from[k])).sum();

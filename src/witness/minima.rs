@@ -22,7 +22,7 @@ pub(super) fn minima(values: &[f64]) -> Vec<usize> {
         values[k] <= values[(k + 1) % count] && values[k] <= values[(k + count - 1) % count]
     };
     let mut found: Vec<usize> = (0..count).filter(is_low).collect();
-    found.sort_by(|&i, &j| values[i].total_cmp(&values[j]));
+    found.sort_unstable_by(|&i, &j| values[i].total_cmp(&values[j]).then(i.cmp(&j)));
     if found.is_empty() {
         found.push(0);
     }

@@ -24,7 +24,7 @@ pub(super) fn overlap(first: &Polygon, second: &Polygon) -> f64 {
             .map(|&x| (x, 0))
             .chain(b.iter().map(|&x| (x, 1)))
             .collect();
-        marks.sort_by(|p, q| p.0.total_cmp(&q.0));
+        marks.sort_unstable_by(|p, q| p.0.total_cmp(&q.0));
         let mut inside = [false; 2];
         let mut before = 0.0;
         for (x, which) in marks {

@@ -20,7 +20,7 @@ pub(super) fn crossing(solid: &Solid) -> Option<[usize; 2]> {
         })
         .collect();
     let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|a, b| boxes[*a][0][0].total_cmp(&boxes[*b][0][0]));
+    order.sort_unstable_by(|a, b| boxes[*a][0][0].total_cmp(&boxes[*b][0][0]).then(a.cmp(b)));
     let mut open: Vec<usize> = Vec::new();
     for at in order {
         open.retain(|other| boxes[*other][0][1] >= boxes[at][0][0]);

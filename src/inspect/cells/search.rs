@@ -346,7 +346,7 @@ impl CellTree {
         let mut waiting: SmallVec<[(Place, usize, usize); 64]> = SmallVec::new();
         let far = |level: usize, code: usize| self.node(level, code).extent.greatest_square(&p);
         let mut squares = [0, 1, 2, 3, 4, 5];
-        squares.sort_by(|a, b| far(0, *a).total_cmp(&far(0, *b)));
+        squares.sort_unstable_by(|a, b| far(0, *a).total_cmp(&far(0, *b)));
         waiting.extend(squares.map(|code| (Self::square(code), 0, code)));
         while let Some((place, depth, code)) = waiting.pop() {
             if far(depth, code) < least {
@@ -357,7 +357,7 @@ impl CellTree {
                 let mut children: SmallVec<[(Place, usize, usize); 4]> = children
                     .map(|(i, place)| (place, depth + 1, 4 * code + i))
                     .collect();
-                children.sort_by(|a, b| far(a.1, a.2).total_cmp(&far(b.1, b.2)));
+                children.sort_unstable_by(|a, b| far(a.1, a.2).total_cmp(&far(b.1, b.2)));
                 waiting.extend(children);
                 continue;
             }

@@ -49,7 +49,7 @@ pub(super) fn closed_forms(subject: &str, claimed: &str, limits: &Limits) -> Res
         roots += found.len();
         match values {
             Some(mut values) if values.len() == found.len() => {
-                values.sort_by(|a, b| b.total_cmp(a));
+                values.sort_unstable_by(|a, b| b.total_cmp(a));
                 for (value, r) in values.iter().zip(found) {
                     worst = worst.max((value - r).abs() / largest);
                 }

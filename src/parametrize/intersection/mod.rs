@@ -153,7 +153,7 @@ fn axes(pair: [&SparsePolynomial<3>; 2]) -> Vec<usize> {
     let degrees = |axis: usize| pair.map(|f| f.degree_in(axis));
     let mut axes: Vec<usize> = (0..3).filter(|&axis| degrees(axis) != [0, 0]).collect();
     // z is first among equally cheap axes, so that the projection is a curve in x and y.
-    axes.sort_by_key(|&axis| {
+    axes.sort_unstable_by_key(|&axis| {
         let [m, n] = degrees(axis);
         (m * n, m + n, 2 - axis)
     });

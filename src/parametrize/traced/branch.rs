@@ -409,7 +409,7 @@ impl RootBranch {
                 jumps.push((after, graph.angles[after].clone()));
             }
         }
-        jumps.sort_by_key(|(after, _)| *after);
+        jumps.sort_unstable_by_key(|(after, _)| *after);
         Some(jumps.into_iter().map(|(_, angle)| angle).collect())
     }
 
