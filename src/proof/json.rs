@@ -147,15 +147,19 @@ impl<'a> Fields<'a> {
         name: &str,
         read: impl FnOnce(&'a Value) -> Checked<T>,
     ) -> Checked<Option<T>> {
-        self.map
-            .get(name)
-            .map(|value| {
-                read(value).map_err(|refusal| {
-                    let refusal = refusal.within(name);
-                    self.part.into_iter().fold(refusal, Refusal::within)
-                })
-            })
-            .transpose()
+        let read = |value| read(value).map_err(|refusal| self.refused(name, refusal));
+        self.value(name).map(read).transpose()
+    }
+
+    fn value(&self, name: &str) -> Option<&'a Value> {
+        self.map.get(name)
+    }
+
+    /// The refusal of a field, with its place.
+    fn refused(&self, name: &str, refusal: Refusal) -> Refusal {
+        self.part
+            .into_iter()
+            .fold(refusal.within(name), Refusal::within)
     }
 }
 
