@@ -10,6 +10,9 @@ use tempfile::NamedTempFile;
 use super::session::Session;
 use super::watch::remove_if_ended;
 
+/// What writes to a file or stream that is open. It is boxed, so that what opens and closes them is compiled once.
+type Writing<'a> = Box<dyn FnOnce(&mut dyn Write) -> Result<()> + 'a>;
+
 /// Writes the result of a verb to `-o FILE` or to standard output, and its proof before it. The claims about points that are
 /// inspected while they are written are known after them.
 pub(crate) fn write_result(
@@ -20,13 +23,13 @@ pub(crate) fn write_result(
     if is_known {
         write_proof(session)?;
     }
-    let write = |out: &mut dyn Write| {
+    let write: Writing<'_> = Box::new(move |out| {
         write(out)?;
         if is_known {
             return Ok(());
         }
         write_proof(session)
-    };
+    });
     session
         .work
         .stage("write", || match &session.common.output {
@@ -61,7 +64,7 @@ fn write_stream(
     stream: impl Write,
     name: &Path,
     session: &Session,
-    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+    write: Writing<'_>,
 ) -> Result<()> {
     let mut out = BufWriter::new(Watched { stream, session });
     whole(write, &mut out, name)
@@ -85,11 +88,7 @@ impl<W: Write> Write for Watched<'_, W> {
 }
 
 /// Writes and flushes everything. An error of `out` itself gets the name of the file or stream.
-fn whole(
-    write: impl FnOnce(&mut dyn Write) -> Result<()>,
-    out: &mut dyn Write,
-    name: &Path,
-) -> Result<()> {
+fn whole(write: Writing<'_>, out: &mut dyn Write, name: &Path) -> Result<()> {
     let written = write(out).and_then(|()| Ok(out.flush()?));
     written.map_err(|error| match error {
         Error::Io { path, source } if path == Path::new(OUTPUT) => io_error(name, source),
@@ -100,18 +99,14 @@ fn whole(
 /// Writes a file other than the result, in the same way as the result.
 pub(crate) fn write_beside(path: &Path, bytes: &[u8], session: &Session) -> Result<()> {
     session.work.stage("write", || {
-        write_file(path, session, |out| Ok(out.write_all(bytes)?))
+        write_file(path, session, Box::new(|out| Ok(out.write_all(bytes)?)))
     })
 }
 
 /// Writes a file beside its destination and renames it. A device or a pipe (`/dev/null`, `/dev/stdout`) is written to directly,
 /// because renaming would put a file in its place. Before the renaming the process may be ended from outside; then the
 /// unfinished file is removed.
-fn write_file(
-    path: &Path,
-    session: &Session,
-    write: impl FnOnce(&mut dyn Write) -> Result<()>,
-) -> Result<()> {
+fn write_file(path: &Path, session: &Session, write: Writing<'_>) -> Result<()> {
     let failed = |source| io_error(path, source);
     if ["/dev/stdout", "/dev/fd/1"].map(Path::new).contains(&path) {
         return write_stream(std::io::stdout().lock(), path, session, write);
