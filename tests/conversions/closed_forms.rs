@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use proptest::test_runner::{RngSeed, TestCaseResult};
 use stellate::exact::Rational;
 use stellate::limits::Limits;
 use stellate::parametrize::{
@@ -107,21 +107,37 @@ fn curves() -> impl Strategy<Value = PlanePolynomial> {
         .prop_flat_map(|(k, low, count)| parts((0..count).map(|j| low + j * k).collect()))
 }
 
-proptest! {
-    // A fixed seed: closed forms are compared in doubles, whose errors have no bound here.
-    #![proptest_config(ProptestConfig {
-        cases: 100,
-        rng_seed: RngSeed::Fixed(7),
+fn branches_are_roots(f: &PlanePolynomial, angles: &[f64]) -> TestCaseResult {
+    prop_assume!(!f.is_zero());
+    let curve = parametrize(&ImplicitCurve::new(f.clone()), &Limits::none()).unwrap();
+    angles.iter().try_for_each(|theta| check(f, &curve, *theta))
+}
+
+/// A fixed seed: closed forms are compared in doubles, whose errors have no bound here.
+fn fifty_cases(seed: u64) -> ProptestConfig {
+    ProptestConfig {
+        cases: 50,
+        rng_seed: RngSeed::Fixed(seed),
         ..ProptestConfig::default()
-    })]
+    }
+}
+
+// Two halves, so that two cores have one each.
+proptest! {
+    #![proptest_config(fifty_cases(7))]
 
     #[test]
     fn branches_are_the_certified_roots(f in curves(), angles in prop::collection::vec(0.0f64..6.25, 6)) {
-        prop_assume!(!f.is_zero());
-        let curve = parametrize(&ImplicitCurve::new(f.clone()), &Limits::none()).unwrap();
-        for theta in angles {
-            check(&f, &curve, theta)?;
-        }
+        branches_are_roots(&f, &angles)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(fifty_cases(8))]
+
+    #[test]
+    fn branches_of_other_curves_are_the_certified_roots(f in curves(), angles in prop::collection::vec(0.0f64..6.25, 6)) {
+        branches_are_roots(&f, &angles)?;
     }
 }
 
