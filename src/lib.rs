@@ -143,6 +143,7 @@ mod modular;
 mod notation;
 mod options;
 pub mod paper;
+mod parallel;
 pub mod parametrize;
 #[cfg(feature = "pictures")]
 pub mod picture;

@@ -2,8 +2,6 @@
 
 use std::collections::HashMap;
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
 use super::follow::{Path, Run, Stop};
 use super::tube::{Enclosed, Tube};
 use crate::error::{Error, Result};
@@ -12,6 +10,7 @@ use crate::factor::factor_space;
 use crate::intervals::{Field, Interval, rational, rationals};
 use crate::limits::Limits;
 use crate::options::options;
+use crate::parallel;
 use crate::poly::SparsePolynomial;
 use crate::shape::ImplicitSurface;
 
@@ -336,14 +335,16 @@ impl<'a> ArcCover<'a> {
     }
 
     /// The cells that may hold a common zero.
-    fn not_empty(&self, cells: Vec<Cell>) -> Vec<Cell> {
+    fn not_empty(&self, mut cells: Vec<Cell>) -> Vec<Cell> {
         let is_open = |cell: &Cell| {
             let middle = self.middle(*cell);
             let halves = self.around(*cell, middle);
             let [f, g] = self.path.fields.map(|f| f.on_box(middle, halves));
             !f.exclude(&g)
         };
-        cells.into_par_iter().filter(is_open).collect()
+        let mut open = parallel::map(&cells, is_open).into_iter();
+        cells.retain(|_| open.next() == Some(true));
+        cells
     }
 
     fn is_covered(&self, cell: Cell, middle: [f64; 3]) -> bool {

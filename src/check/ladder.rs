@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use malachite::Integer;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::coefficients::compare_coefficients;
 use super::comparison::Comparison;
@@ -16,6 +15,7 @@ use crate::error::{Invariant, Result};
 use crate::exact::{Rational, cosine_and_sine};
 use crate::implicitize::SquaredForm;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::poly::{PlanePolynomial, SparsePolynomial};
 use crate::shape::FourierRadius;
 
@@ -132,16 +132,12 @@ fn rung(radius: &FourierRadius, limits: &Limits) -> Result<Rung> {
         None => DigitsKept::default(),
     };
     let values = SeriesValues::new(radius);
-    let rays: Result<Vec<OnRay>> = (0..RAYS)
-        .into_par_iter()
-        .map(|k| {
-            limits.check()?;
-            // No ray lies on an axis, where most monomials are 0 and nothing cancels.
-            let theta = TAU * (f64::from(k) + 0.5) / f64::from(RAYS);
-            Ok(on_ray(theta, &float, &exact, &values))
-        })
-        .collect();
-    let rays = rays?;
+    let rays: Vec<u32> = (0..RAYS).collect();
+    let rays = parallel::try_map(&rays, limits, |&k| {
+        // No ray lies on an axis, where most monomials are 0 and nothing cancels.
+        let theta = TAU * (f64::from(k) + 0.5) / f64::from(RAYS);
+        Ok(on_ray(theta, &float, &exact, &values))
+    })?;
     let right = rays.iter().map(|ray| ray.right_signs).min();
     let right = right.invariant("there are rays");
     Ok(Rung {

@@ -3,7 +3,6 @@
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Lcm, Pow};
 use malachite::base::num::basic::traits::One;
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::comparison::{Comparison, GivenNumber, Residual, Row};
 use super::deviation::{Deviation, close_root, nearest_root, unit_in_the_last_place};
@@ -14,6 +13,7 @@ use super::unexplained::unexplained;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
 use crate::sample::along;
 
@@ -101,15 +101,8 @@ fn compare(
     limits: &Limits,
 ) -> Result<Comparison> {
     let surface = Surface::new(polynomial);
-    let rows: Result<Vec<Row>> = points
-        .par_iter()
-        .map(|point| {
-            limits.check()?;
-            Ok(surface.row(point))
-        })
-        .collect();
     Ok(Comparison {
-        rows: rows?,
+        rows: parallel::try_map(points, limits, |point| Ok(surface.row(point)))?,
         ..Comparison::default()
     })
 }

@@ -2,8 +2,6 @@
 
 use std::iter::successors;
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-
 use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::{Deviation, unit_in_the_last_place};
 use super::enclosed_ray::EnclosedRays;
@@ -16,6 +14,7 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::poly::PlanePolynomial;
 
 /// The number of bits in the first enclosure of a radius.
@@ -102,28 +101,24 @@ impl Reference {
         })?;
         let rays = EnclosedRays::new(&self.without_multiple_factors(plane, limits)?);
         let compare = |radii: &[GivenRadius]| -> Result<Comparison> {
-            let rows: Result<Vec<Row>> = radii
-                .par_iter()
-                .map(|given| {
-                    limits.check()?;
-                    let [theta, got] = exact(given);
-                    if got.is_zero() {
-                        return Ok(row(given, None, Deviation::infinite()));
-                    }
-                    let Some(offset) = rays.nearest(&theta, &got)? else {
-                        return Ok(row(given, None, Deviation::infinite()));
-                    };
-                    let root = |delta: &Rational| &got * &(Rational::one() + delta);
-                    let radius = root(&offset.high);
-                    let distance = offset.high.abs() * got.abs();
-                    let ulps = (distance / unit_in_the_last_place(radius.to_f64())).to_f64();
-                    let deviation = match offset.relative() {
-                        Some(relative) => Deviation::bounded(relative, ulps),
-                        None => Deviation::infinite(),
-                    };
-                    Ok(row(given, Some(radius), deviation))
-                })
-                .collect();
+            let rows = parallel::try_map(radii, limits, |given| {
+                let [theta, got] = exact(given);
+                if got.is_zero() {
+                    return Ok(row(given, None, Deviation::infinite()));
+                }
+                let Some(offset) = rays.nearest(&theta, &got)? else {
+                    return Ok(row(given, None, Deviation::infinite()));
+                };
+                let root = |delta: &Rational| &got * &(Rational::one() + delta);
+                let radius = root(&offset.high);
+                let distance = offset.high.abs() * got.abs();
+                let ulps = (distance / unit_in_the_last_place(radius.to_f64())).to_f64();
+                let deviation = match offset.relative() {
+                    Some(relative) => Deviation::bounded(relative, ulps),
+                    None => Deviation::infinite(),
+                };
+                Ok(row(given, Some(radius), deviation))
+            });
             Ok(Comparison {
                 rows: rows?,
                 ..Comparison::default()
@@ -180,17 +175,13 @@ fn compare_with_series(
     values: &SeriesValues,
     limits: &Limits,
 ) -> Result<Comparison> {
-    let rows: Result<Vec<Row>> = radii
-        .par_iter()
-        .map(|given| {
-            limits.check()?;
-            let [theta, got] = exact(given);
-            let bits = successors(Some(FIRST_BITS), |bits| Some(2 * bits));
-            let (radius, deviation) =
-                Deviation::enclosed(&got, bits, |bits| values.bounds(&theta, bits));
-            Ok(row(given, Some(radius), deviation))
-        })
-        .collect();
+    let rows = parallel::try_map(radii, limits, |given| {
+        let [theta, got] = exact(given);
+        let bits = successors(Some(FIRST_BITS), |bits| Some(2 * bits));
+        let (radius, deviation) =
+            Deviation::enclosed(&got, bits, |bits| values.bounds(&theta, bits));
+        Ok(row(given, Some(radius), deviation))
+    });
     Ok(Comparison {
         rows: rows?,
         ..Comparison::default()

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use malachite::Integer;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::condition::{RootConditions, coefficient_conditions};
 use super::reference::Reference;
@@ -12,6 +11,7 @@ use super::series::SeriesValues;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::poly::{SpacePolynomial, SparsePolynomial};
 use crate::sample::{Direction, IntegerVector, Ray, RaySolver, Sample, SpaceDirection};
 use crate::shape::FourierRadius;
@@ -244,18 +244,15 @@ fn coefficients(
 #[expect(clippy::cast_precision_loss, reason = "any double is an angle")]
 fn radii(radius: &FourierRadius, directions: usize) -> Vec<RadiusVector> {
     let values = SeriesValues::new(radius);
-    let angles = (0..directions).into_par_iter();
-    angles
-        .map(|k| {
-            let theta = TAU * k as f64 / directions as f64;
-            let exact = Rational::try_from(theta).invariant("a finite double is a number");
-            RadiusVector {
-                theta,
-                r: values.nearest_double(&exact),
-                condition: values.condition(&exact),
-            }
-        })
-        .collect()
+    parallel::map_numbers(directions, |k| {
+        let theta = TAU * k as f64 / directions as f64;
+        let exact = Rational::try_from(theta).invariant("a finite double is a number");
+        RadiusVector {
+            theta,
+            r: values.nearest_double(&exact),
+            condition: values.condition(&exact),
+        }
+    })
 }
 
 fn points(
@@ -269,7 +266,7 @@ fn points(
         let surface = SpacePolynomial::from(f);
         let solver = RaySolver::new(&surface);
         let directions = SpaceDirection::fibonacci(count);
-        return all_points(directions, limits, |d| {
+        return all_points(&directions, limits, |d| {
             let (vector, w) = d.over_common_denominator();
             on_ray(solver.solve(d), &vector, &w, &conditions)
         });
@@ -278,25 +275,19 @@ fn points(
         return Ok(Vec::new());
     };
     let solver = RaySolver::new(&plane);
-    all_points(Direction::around(count), limits, |d| {
+    all_points(&Direction::around(count), limits, |d| {
         let ([u, v], w) = d.over_common_denominator();
         on_ray(solver.solve(d), &[u, v, Integer::from(0)], &w, &conditions)
     })
 }
 
-fn all_points<D: Send>(
-    directions: Vec<D>,
+fn all_points<D: Sync>(
+    directions: &[D],
     limits: &Limits,
     solve: impl Fn(&D) -> Vec<PointVector> + Sync,
 ) -> Result<Vec<PointVector>> {
-    let rays: Result<Vec<Vec<PointVector>>> = directions
-        .into_par_iter()
-        .map(|direction| {
-            limits.check()?;
-            Ok(solve(&direction))
-        })
-        .collect();
-    Ok(rays?.into_iter().flatten().collect())
+    let rays = parallel::try_map(directions, limits, |direction| Ok(solve(direction)))?;
+    Ok(rays.into_iter().flatten().collect())
 }
 
 /// The points on one line through the origin. If the whole line belongs to the zero set, there are none to be checked.

@@ -1,10 +1,9 @@
 //! The point that sees the most of an outline, by search.
 
-use rayon::prelude::*;
-
 use super::as_f64;
 use super::radius::ContourRadius;
 use crate::error::{Error, Result};
+use crate::parallel;
 use crate::shape::Contour;
 
 /// The number of points of the grid times the number of vertices is about this, …
@@ -57,16 +56,14 @@ pub(super) fn best_center(contour: &Contour, others: &[[f64; 2]]) -> Result<[f64
 
 /// The first of the points inside the outline from which the least of it is hidden, with that share.
 fn least_hidden(contour: &Contour, points: &[[f64; 2]]) -> Result<Option<(f64, [f64; 2])>> {
-    let found: Vec<Option<(f64, [f64; 2])>> = points
-        .par_iter()
-        .map(|&point| {
-            if !contour.contains(point) {
-                return Ok(None);
-            }
-            let share = ContourRadius::new(contour, point)?.hidden_share();
-            Ok(Some((share, point)))
-        })
-        .collect::<Result<_>>()?;
+    let found = parallel::map(points, |&point| {
+        if !contour.contains(point) {
+            return Ok(None);
+        }
+        let share = ContourRadius::new(contour, point)?.hidden_share();
+        Ok(Some((share, point)))
+    });
+    let found = found.into_iter().collect::<Result<Vec<_>>>()?;
     Ok(found
         .into_iter()
         .flatten()

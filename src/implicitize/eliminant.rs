@@ -4,12 +4,12 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
-use rayon::prelude::*;
 
 use super::symmetric::{Rows, modulo};
 use crate::error::{Error, Result};
 use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, determinant, large_primes};
+use crate::parallel;
 use crate::poly::{IntegerPolynomial, polynomial_gcd, squarefree_decomposition};
 
 /// The largest number of products of residues; that many take some tenths of a second.
@@ -196,10 +196,7 @@ impl Minor<'_> {
         };
         for group in primes.chunks(GROUP) {
             limits.check()?;
-            let found: Vec<Vec<u64>> = group
-                .par_iter()
-                .map(|&p| self.image(divisor, degree, p))
-                .collect();
+            let found = parallel::map(group, |&p| self.image(divisor, degree, p));
             for (image, &p) in found.iter().zip(group) {
                 match &mut images {
                     Some(images) => images.push(image, p),

@@ -8,7 +8,6 @@ use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Pow, Square};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::logic::traits::SignificantBits;
-use rayon::prelude::*;
 
 use super::characteristic::{Characteristic, Interpolation, Pair};
 use crate::bigint::Machine;
@@ -19,6 +18,7 @@ use crate::modular::{
     Four, FourFields, PrimeField, ShortRemainders, four_fields, fours_for, imaginary_unit,
     large_primes, multiplied,
 };
+use crate::parallel;
 use crate::poly::PlanePolynomial;
 use crate::shape::{EllipticSeries, FourierRadius};
 
@@ -137,61 +137,46 @@ pub(super) fn resultant_of_series(
     let Some(fields) = four_fields(fours_for(bits), is_good) else {
         return Ok(None);
     };
-    let pairs: Vec<Pair> = fields
-        .par_iter()
-        .map(|field| {
-            let unit = field.of(imaginary_unit);
-            Pair::new(*field, x.modulo(field, unit), &y.modulo(field, unit))
-        })
-        .collect();
+    let pairs = parallel::map(&fields, |field| {
+        let unit = field.of(imaginary_unit);
+        Pair::new(*field, x.modulo(field, unit), &y.modulo(field, unit))
+    });
     let values = 2 * half_v + 1;
     let tasks: Vec<(usize, usize)> = (0..fields.len())
         .flat_map(|q| (0..values).map(move |v| (q, v)))
         .collect();
-    let polynomials: Vec<Vec<Four>> = tasks
-        .par_iter()
-        .map(|&(q, v)| {
-            limits.check()?;
-            #[expect(clippy::cast_precision_loss, reason = "a small count")]
-            let value = v as f64;
-            Ok(machine.dispatch_fused(Characteristic {
-                pair: &pairs[q],
-                value,
-            }))
-        })
-        .collect::<Result<_>>()?;
+    let polynomials: Vec<Vec<Four>> = parallel::try_map(&tasks, limits, |&(q, v)| {
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        let value = v as f64;
+        Ok(machine.dispatch_fused(Characteristic {
+            pair: &pairs[q],
+            value,
+        }))
+    })?;
     // The terms u^i v^j that can occur, by i.
     let most = |i: usize| (2 * half_u - i) * half_v / half_u;
     let terms: Vec<(usize, usize)> = (0..2 * half_u)
         .flat_map(|i| (0..=most(i)).map(move |j| (i, j)))
         .collect();
-    let residues: Vec<Vec<[u64; 4]>> = fields
-        .par_iter()
-        .zip(&pairs)
-        .enumerate()
-        .map(|(q, (field, pair))| {
-            limits.check()?;
-            let power = |field: PrimeField| field.power(field.reduce_integer(&norm), half_v as u64);
-            let factor = field.of(power);
-            let rows = &polynomials[q * values..(q + 1) * values];
-            let mut all = Vec::with_capacity(terms.len());
-            for i in 0..2 * half_u {
-                let values = rows[..=most(i)].iter().map(|row| row[i]).collect();
-                let found = machine.dispatch_fused(Interpolation { pair, values });
-                let scaled = found.into_iter().map(|c| field.times(c, factor));
-                all.extend(scaled.map(|c| field.representatives(c)));
-            }
-            Ok(all)
-        })
-        .collect::<Result<_>>()?;
+    let residues: Vec<Vec<[u64; 4]>> = parallel::try_map_numbers(fields.len(), limits, |q| {
+        let (field, pair) = (&fields[q], &pairs[q]);
+        let power = |field: PrimeField| field.power(field.reduce_integer(&norm), half_v as u64);
+        let factor = field.of(power);
+        let rows = &polynomials[q * values..(q + 1) * values];
+        let mut all = Vec::with_capacity(terms.len());
+        for i in 0..2 * half_u {
+            let values = rows[..=most(i)].iter().map(|row| row[i]).collect();
+            let found = machine.dispatch_fused(Interpolation { pair, values });
+            let scaled = found.into_iter().map(|c| field.times(c, factor));
+            all.extend(scaled.map(|c| field.representatives(c)));
+        }
+        Ok(all)
+    })?;
     let remainders = ShortRemainders::new(&fields);
-    let mut coefficients: Vec<Integer> = (0..terms.len())
-        .into_par_iter()
-        .map(|k| {
-            let residues: Vec<u64> = residues.iter().flat_map(|all| all[k]).collect();
-            remainders.integer(&residues)
-        })
-        .collect();
+    let mut coefficients = parallel::map_numbers(terms.len(), |k| {
+        let residues: Vec<u64> = residues.iter().flat_map(|all| all[k]).collect();
+        remainders.integer(&residues)
+    });
     coefficients.push(norm.pow(half_v as u64));
     let terms = terms.into_iter().chain([(2 * half_u, 0)]);
     let found = assemble(terms.zip(coefficients), [&x.scale, &y.scale]);

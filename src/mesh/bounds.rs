@@ -1,12 +1,11 @@
 //! The box in which a surface is meshed if nobody gives one, and what it is known to hold.
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
 use super::critical::{Pieces, bounded_pieces};
 use super::extent::{Bounds, Extent, extent, joined};
 use crate::error::Result;
 use crate::factor::factor_space;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::sample::{Ray, RaySolver, SpaceDirection};
 use crate::shape::ImplicitSurface;
 
@@ -123,16 +122,12 @@ fn with_margin(bounds: Bounds) -> Bounds {
 /// away than most, and whether no point was left out.
 fn seen_from_origin(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<(Bounds, bool)>> {
     let solver = RaySolver::new(surface.by_degree());
-    let rays = SpaceDirection::fibonacci(DIRECTIONS)
-        .into_par_iter()
-        .map(|direction| {
-            limits.check()?;
-            Ok(match solver.solve(&direction) {
-                Ray::Points(points) => points,
-                Ray::Line => Vec::new(),
-            })
-        });
-    let mut samples = rays.collect::<Result<Vec<_>>>()?.concat();
+    let points = |direction: &SpaceDirection| match solver.solve(direction) {
+        Ray::Points(points) => points,
+        Ray::Line => Vec::new(),
+    };
+    let directions = SpaceDirection::fibonacci(DIRECTIONS);
+    let mut samples = parallel::try_map(&directions, limits, |d| Ok(points(d)))?.concat();
     samples.sort_unstable_by(|a, b| a.r.abs().total_cmp(&b.r.abs()));
     let Some(median) = samples.get(samples.len() / 2).map(|s| s.r.abs()) else {
         return Ok(None);

@@ -1,10 +1,9 @@
 //! The cells of a grid that may hold zeros, found by an octree without the cubes that are proved empty.
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
 use crate::error::Result;
 use crate::intervals::{BoxProof, Field};
 use crate::limits::Limits;
+use crate::parallel;
 
 /// A grid of equal cubes.
 pub(super) struct Grid {
@@ -78,13 +77,13 @@ impl Grid {
         let size = most.next_power_of_two().max(8);
         let block = size / 8;
         let blocks: Vec<[u32; 3]> = (0..512u32).map(|n| [n / 64, n / 8 % 8, n % 8]).collect();
-        let found = blocks.into_par_iter().map(|n| -> Result<Vec<Cell>> {
+        let found = parallel::try_map(&blocks, limits, |n| {
             let mut cells = Vec::new();
             self.visit(field, n.map(|k| k * block), block, limits, &mut cells)?;
             done();
             Ok(cells)
         });
-        let mut cells: Vec<Cell> = found.collect::<Result<Vec<_>>>()?.concat();
+        let mut cells: Vec<Cell> = found?.concat();
         cells.sort_unstable_by_key(|cell| cell.index);
         Ok(cells)
     }
@@ -114,13 +113,13 @@ impl Grid {
         parts: u32,
         limits: &Limits,
     ) -> Result<Vec<Cell>> {
-        let within = coarse.into_par_iter().map(|cell| -> Result<Vec<Cell>> {
+        let within = parallel::try_map(coarse, limits, |cell| {
             let mut cells = Vec::new();
             let first = cell.index.map(|k| k * parts);
             self.visit(field, first, parts, limits, &mut cells)?;
             Ok(cells)
         });
-        Ok(within.collect::<Result<Vec<_>>>()?.concat())
+        Ok(within?.concat())
     }
 
     /// Whether it is proved that no cell has a singular point: each is divided into parts that are empty, or in which a component of

@@ -1,13 +1,13 @@
 //! Meshes of forms that every ray from the origin meets once, by points in given directions.
 
 use nalgebra::Vector3;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::bounds::Held;
 use super::triangles::Mesh;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::sample::{Direction, Ray, SpaceDirection, harmonic_point, solve_radial};
 use crate::shape::{HarmonicPair, HarmonicSurface, Radial};
 
@@ -99,16 +99,12 @@ fn mesh_of_directions(
     }
     let total = directions.len() as u64;
     let done = std::sync::atomic::AtomicU64::new(0);
-    let solve = |direction: SpaceDirection| -> Result<[f64; 3]> {
-        limits.check()?;
-        let position = point(&direction)?;
+    let solve = |direction: &SpaceDirection| -> Result<[f64; 3]> {
+        let position = point(direction)?;
         progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) * 1000 / total);
         Ok(position)
     };
-    let vertices: Vec<[f64; 3]> = directions
-        .into_par_iter()
-        .map(solve)
-        .collect::<Result<_>>()?;
+    let vertices = parallel::try_map(&directions, limits, solve)?;
     let at = |row: usize, column: usize| 2 + row * around + column % around;
     let mut triangles: Vec<[usize; 3]> = Vec::new();
     for column in 0..around {

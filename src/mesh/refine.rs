@@ -2,9 +2,8 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
-
 use crate::intervals::{Crossing, Field, between, distance};
+use crate::parallel;
 
 /// The distances from the middle of an edge, in parts of the edge, at which the surface is searched.
 const STEPS: [f64; 5] = [1.0 / 32.0, 1.0 / 16.0, 0.125, 0.25, 0.5];
@@ -22,7 +21,7 @@ pub(super) fn normals(field: &Field, vertices: &[Crossing]) -> Vec<[f64; 3]> {
             [0.0; 3]
         }
     };
-    vertices.par_iter().map(normal).collect()
+    parallel::map(vertices, normal)
 }
 
 /// Splits every edge at whose ends the normals differ by an angle with a cosine below `cosine`. The new vertex is a certified
@@ -37,22 +36,15 @@ pub(super) fn split(
 ) -> bool {
     let normals = normals(field, vertices);
     let edges: BTreeSet<Edge> = triangles.iter().flat_map(edges).collect();
-    let candidates: Vec<(Edge, Crossing)> = edges
-        .into_iter()
-        .collect::<Vec<_>>()
-        .into_par_iter()
-        .filter_map(|(a, b)| {
-            let [m, n] = [a, b].map(|v| normals[v as usize]);
-            let [p, q] = [a, b].map(|v| vertices[v as usize].point);
-            let bends = dot(m, n) < cosine && distance(p, q) > shortest;
-            let found = if bends {
-                beside(field, p, q)?
-            } else {
-                return None;
-            };
-            Some(((a, b), found))
-        })
-        .collect();
+    let edges: Vec<Edge> = edges.into_iter().collect();
+    let candidates = parallel::map(&edges, |&(a, b)| {
+        let [m, n] = [a, b].map(|v| normals[v as usize]);
+        let [p, q] = [a, b].map(|v| vertices[v as usize].point);
+        let bends = dot(m, n) < cosine && distance(p, q) > shortest;
+        let found = bends.then(|| beside(field, p, q)).flatten()?;
+        Some(((a, b), found))
+    });
+    let candidates: Vec<(Edge, Crossing)> = candidates.into_iter().flatten().collect();
     if candidates.is_empty() {
         return false;
     }

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use super::cells::{Cell, Grid};
 use crate::error::Invariant;
 use crate::intervals::{Crossing, Field};
+use crate::parallel;
 
 /// The six tetrahedra of a cell (Kuhn), with the corners as bits: x is 1, y is 2, z is 4. All six have the diagonal from 0 to
 /// 7, and the triangulations of neighbouring cells fit together.
@@ -33,10 +33,7 @@ pub(super) fn triangles(
     let mut corners: Vec<GridPoint> = cells.iter().flat_map(|c| corners(c.index)).collect();
     corners.par_sort_unstable();
     corners.dedup();
-    let signs: Vec<bool> = corners
-        .par_iter()
-        .map(|&corner| field.sign(grid.point(corner)) < 0)
-        .collect();
+    let signs = parallel::map(&corners, |&corner| field.sign(grid.point(corner)) < 0);
     let is_negative: HashMap<GridPoint, bool> = corners.into_iter().zip(signs).collect();
     let cut: Vec<[Edge; 3]> = cells
         .iter()
@@ -45,19 +42,16 @@ pub(super) fn triangles(
     let mut edges: Vec<Edge> = cut.iter().flatten().copied().collect();
     edges.par_sort_unstable();
     edges.dedup();
-    let crossings: Vec<Crossing> = edges
-        .par_iter()
-        .map(|&[a, b]| field.crossing(grid.point(a), grid.point(b)))
-        .collect();
+    let crossings = parallel::map(&edges, |&[a, b]| {
+        field.crossing(grid.point(a), grid.point(b))
+    });
     let number = |edge: &Edge| -> u32 {
         let found = edges.binary_search(edge);
         let found = found.invariant("the edges of all triangles are listed");
         u32::try_from(found).invariant("a mesh has fewer than 2^32 vertices")
     };
-    let triangles = cut
-        .into_par_iter()
-        .map(|edges| edges.each_ref().map(number));
-    (crossings, triangles.collect())
+    let triangles = parallel::map(&cut, |edges| edges.each_ref().map(number));
+    (crossings, triangles)
 }
 
 /// The corner of the cell with this index that the bits name.

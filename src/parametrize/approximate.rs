@@ -3,7 +3,6 @@
 use malachite::Integer;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
-use rayon::prelude::*;
 
 use super::angle::ExactAngle;
 use super::parametrization::{BranchRadius, Parametrization};
@@ -14,6 +13,7 @@ use crate::exact::Rational;
 use crate::fit::{FitSize, MAX_HARMONICS, MAX_SAMPLES, fourier_coefficients};
 use crate::limits::Limits;
 use crate::options::options;
+use crate::parallel;
 use crate::sample::Direction;
 use crate::shape::FourierRadius;
 
@@ -213,13 +213,8 @@ struct Series {
 
 impl Sampled {
     fn new(target: &Target<'_>, samples: usize, harmonics: usize, limits: &Limits) -> Result<Self> {
-        let radii: Vec<(Direction, f64)> = (0..samples * CHECKS_PER_SAMPLE)
-            .into_par_iter()
-            .map(|k| {
-                limits.check()?;
-                radius_near(target, k, samples * CHECKS_PER_SAMPLE)
-            })
-            .collect::<Result<_>>()?;
+        let count = samples * CHECKS_PER_SAMPLE;
+        let radii = parallel::try_map_numbers(count, limits, |k| radius_near(target, k, count))?;
         let at_samples: Vec<f64> = radii
             .iter()
             .step_by(CHECKS_PER_SAMPLE)
@@ -249,11 +244,7 @@ impl Sampled {
         };
         let radius = FourierRadius::new(rounded(cos)?, rounded(sin)?);
         let evaluator = Evaluator::new(&radius);
-        let errors: Vec<Rational> = self
-            .radii
-            .par_iter()
-            .map(|(direction, r)| evaluator.error(direction, *r))
-            .collect();
+        let errors = parallel::map(&self.radii, |(direction, r)| evaluator.error(direction, *r));
         let largest = |wanted: bool| {
             let chosen = errors
                 .iter()
@@ -291,13 +282,10 @@ impl Sampled {
         for n in 0..self.cos.len() {
             limits.check()?;
             let (a, b, order) = (self.cos[n], self.sin[n], nearest(n));
-            values
-                .par_iter_mut()
-                .zip(&self.radii)
-                .for_each(|(value, (direction, _))| {
-                    let (s, c) = (order * direction.theta()).sin_cos();
-                    *value += a * c + b * s;
-                });
+            values = parallel::map_numbers(values.len(), |k| {
+                let (s, c) = (order * self.radii[k].0.theta()).sin_cos();
+                values[k] + (a * c + b * s)
+            });
             if n < first {
                 continue;
             }

@@ -1,10 +1,9 @@
 //! The extent of a curve, by which a window is chosen.
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::sample::{Direction, Ray, RaySolver};
 use crate::shape::ImplicitCurve;
 
@@ -21,13 +20,8 @@ const LARGEST_OVER_MEDIAN: f64 = 4.0;
 /// [`crate::error::Error::Limit`] or `Interrupted` when the limits say so.
 pub(crate) fn extent(curve: &ImplicitCurve, limits: &Limits) -> Result<Vec<[f64; 2]>> {
     let solver = RaySolver::new(curve.polynomial());
-    let rays: Vec<Ray> = Direction::around(DIRECTIONS)
-        .into_par_iter()
-        .map(|direction| {
-            limits.check()?;
-            Ok(solver.solve(&direction))
-        })
-        .collect::<Result<_>>()?;
+    let directions = Direction::around(DIRECTIONS);
+    let rays = parallel::try_map(&directions, limits, |direction| Ok(solver.solve(direction)))?;
     let mut samples: Vec<_> = rays
         .into_iter()
         .flat_map(|ray| match ray {

@@ -10,11 +10,11 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::polynomial::Polynomial;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::error::Result;
 use crate::exact::Dyadic;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::poly::{IntegerPolynomial, PlanePolynomial, numerator_at};
 use crate::roots::real_roots;
 
@@ -105,14 +105,13 @@ pub(crate) fn trace_zero_set(
             .into_iter()
             .filter(|l| !lines.contains_key(l))
             .collect();
-        let computed: Vec<(Line, Vec<f64>)> = missing
-            .into_par_iter()
-            .map(|line| {
-                limits.check()?;
-                Ok((line, restrict.crossings(&grid, line)))
-            })
-            .collect::<Result<_>>()?;
-        lines.extend(computed);
+        let computed =
+            parallel::try_map(
+                &missing,
+                limits,
+                |&line| Ok(restrict.crossings(&grid, line)),
+            )?;
+        lines.extend(missing.into_iter().zip(computed));
         let mut divided = Vec::new();
         for cell in pending {
             let crossings = cell.crossings(&grid, &lines);

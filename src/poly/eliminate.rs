@@ -4,13 +4,13 @@ use malachite::Natural;
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::polynomial::Polynomial;
-use rayon::prelude::*;
 
 use super::{IntegerPolynomial, PlanePolynomial, RationalFunction};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::modular::{Images, PrimeField, Reconstruction, large_primes};
+use crate::parallel;
 
 /// The largest number of products of residues; that many take about ten seconds.
 const MAX_WORK: f64 = 3e10;
@@ -121,14 +121,11 @@ fn image([x, y]: [&RationalFunction; 2], [m, n]: [usize; 2], prime: u64) -> Vec<
     let (in_x, in_y) = (both(x, m), both(y, n));
     let inverses = field.inverses(n + 1);
     // First the coefficients of the powers of x for each value of y, then for each of them the coefficients of the powers of y.
-    let rows: Vec<Vec<u64>> = (0..=m as u64)
-        .into_par_iter()
-        .map(|y| {
-            let g = pencil(&in_y, y, &field);
-            let row = in_traces(&in_x, &g, &inverses, &field);
-            row.unwrap_or_else(|| on_grid(&in_x, &g, &field))
-        })
-        .collect();
+    let rows = parallel::map_numbers(m + 1, |y| {
+        let g = pencil(&in_y, y as u64, &field);
+        let row = in_traces(&in_x, &g, &inverses, &field);
+        row.unwrap_or_else(|| on_grid(&in_x, &g, &field))
+    });
     (0..=n)
         .flat_map(|i| field.interpolate(rows.iter().map(|row| row[i]).collect()))
         .collect()

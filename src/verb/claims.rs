@@ -1,6 +1,5 @@
 //! The claims of the verbs for proof files: everything that an output says of a form.
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde_json::json;
 
 use super::Work;
@@ -11,6 +10,7 @@ use crate::exact::Rational;
 use crate::factor::factor_plane;
 use crate::fit::Distances;
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
+use crate::parallel;
 use crate::parametrize::{
     BranchRadius, IntersectionParametrization, Parametrization, Rationality,
     SurfaceParametrization, born_of_radius, critical_slopes, is_full_circle, is_positive,
@@ -35,11 +35,10 @@ where
     P: HomogeneousParts<V> + Sync,
     D: UnitVector<V> + Sync,
 {
-    let claims = rays.par_iter().map(|SampledRay { direction, ray }| {
-        work.bounds().check()?;
+    let claims = parallel::try_map(rays, work.bounds(), |SampledRay { direction, ray }| {
         Ok(witness::ray(form, polynomial, center, direction, ray))
     });
-    for claim in claims.collect::<Result<Vec<_>>>()? {
+    for claim in claims? {
         proof.add(claim);
     }
     Ok(())

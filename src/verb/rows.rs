@@ -2,9 +2,6 @@
 
 use std::io::Write;
 
-use rayon::iter::ParallelIterator;
-use rayon::slice::ParallelSlice;
-
 use super::against::AskedPoint;
 use super::inspect::InspectionTask;
 use super::point_layout::{PointLayout, Row};
@@ -17,6 +14,7 @@ use crate::inspect::{
 };
 use crate::language::Numbers;
 use crate::options::options;
+use crate::parallel;
 use crate::rows::{RowReader, row_error};
 use crate::witness::{ClaimedPoint, InspectedForm, inspected_point};
 
@@ -244,9 +242,8 @@ impl Batch<'_> {
     }
 
     fn chunk(&mut self, rows: &[(usize, String)], place: &str, out: &mut dyn Write) -> Result<()> {
-        let shares = rows.par_chunks(SHARE).map(|rows| self.share(rows));
-        // The error is that of the first wrong row, whichever thread finds one first.
-        let shares: Vec<Result<Share>> = shares.collect();
+        let rows: Vec<_> = rows.chunks(SHARE).collect();
+        let shares = parallel::map(&rows, |rows| self.share(rows));
         for share in shares {
             let share = share?;
             self.write(&share, out)?;

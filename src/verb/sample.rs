@@ -1,7 +1,5 @@
 //! The verb `sample`: certified points of a form.
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
 use super::claims::claim_rays;
 use super::equation::{Taken, check_surface, implicit_curve, squared_harmonics, through_equation};
@@ -12,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::options::options;
+use crate::parallel;
 use crate::sample::{
     Direction, NominalAngles, Ray, RaySolver, SampledRay, SpaceDirection, StageCounts,
     harmonic_ray, solve_radial,
@@ -322,19 +321,20 @@ fn kept<D, const V: usize>(
     rays
 }
 
-fn solve<D: NominalAngles<V> + Send, const V: usize>(
+fn solve<D: NominalAngles<V> + Sync, const V: usize>(
     solver: impl Fn(&D) -> Result<Ray<V>> + Sync,
     directions: Vec<D>,
     work: &Work,
 ) -> Result<Vec<SampledRay<D, V>>> {
     work.stage("sample", || {
         let progress = work.progress("directions", directions.len() as u64);
-        let rays = directions.into_par_iter().map(|direction| {
-            work.bounds().check()?;
-            let ray = solver(&direction)?;
+        let rays = parallel::try_map(&directions, work.bounds(), |direction| {
+            let ray = solver(direction)?;
             progress.add(1);
-            Ok(SampledRay { direction, ray })
-        });
-        rays.collect()
+            Ok(ray)
+        })?;
+        let rays = directions.into_iter().zip(rays);
+        let rays = rays.map(|(direction, ray)| SampledRay { direction, ray });
+        Ok(rays.collect())
     })
 }

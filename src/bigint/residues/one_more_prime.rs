@@ -12,10 +12,10 @@
 use std::sync::LazyLock;
 
 use malachite::Integer;
-use rayon::prelude::*;
 
 use crate::bigint::FlatPolynomial;
 use crate::bigint::limbs::is_negative;
+use crate::parallel;
 
 /// The prime p.
 const P: u64 = 0xFFFF_FFFF_0000_0001;
@@ -160,7 +160,8 @@ pub(crate) fn value_of_integers(coefficients: &[Integer]) -> Extra {
     if coefficients.len() <= FEW {
         return of_part(coefficients);
     }
-    let parts: Vec<Extra> = coefficients.par_chunks(FEW).map(of_part).collect();
+    let parts: Vec<&[Integer]> = coefficients.chunks(FEW).collect();
+    let parts = parallel::map(&parts, |part| of_part(part));
     let step = POINT.power(FEW as u64);
     let parts = parts.into_iter().rev();
     parts.fold(Extra::ZERO, |value, part| value.times(step).plus(part))

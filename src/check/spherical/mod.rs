@@ -7,7 +7,6 @@ mod values;
 use std::collections::BTreeMap;
 
 use nalgebra::{Cholesky, DMatrix, DVector};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::comparison::{Comparison, GivenNumber, Row};
 use super::deviation::Deviation;
@@ -17,6 +16,7 @@ use super::unexplained::unexplained;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::shape::{HarmonicSurface, NormalizedHarmonics, harmonic_norm};
 use mistakes::{missing_name, mistaken_angles, mistaken_surfaces, scaled, without};
 use values::SphericalValues;
@@ -396,27 +396,23 @@ fn compare_radii(
     values: &SphericalValues,
     limits: &Limits,
 ) -> Result<Comparison> {
-    let rows: Result<Vec<Row>> = radii
-        .par_iter()
-        .map(|given| {
-            limits.check()?;
-            let exact = |x: f64| Rational::try_from(x).invariant("radii have been checked");
-            let [theta, phi, got] = [given.theta, given.phi, given.r].map(exact);
-            let (radius, deviation) =
-                Deviation::enclosed(&got, BITS, |bits| values.bounds(&theta, &phi, bits));
-            Ok(Row {
-                place: GivenNumber::SpaceRadius {
-                    line: given.line,
-                    theta: given.theta,
-                    phi: given.phi,
-                },
-                got: given.r,
-                exact: Some(radius),
-                deviation,
-                residual: None,
-            })
+    let rows = parallel::try_map(radii, limits, |given| {
+        let exact = |x: f64| Rational::try_from(x).invariant("radii have been checked");
+        let [theta, phi, got] = [given.theta, given.phi, given.r].map(exact);
+        let (radius, deviation) =
+            Deviation::enclosed(&got, BITS, |bits| values.bounds(&theta, &phi, bits));
+        Ok(Row {
+            place: GivenNumber::SpaceRadius {
+                line: given.line,
+                theta: given.theta,
+                phi: given.phi,
+            },
+            got: given.r,
+            exact: Some(radius),
+            deviation,
+            residual: None,
         })
-        .collect();
+    });
     Ok(Comparison {
         in_space: true,
         rows: rows?,

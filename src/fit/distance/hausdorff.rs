@@ -5,12 +5,11 @@
 //! edge of the other polygon. It also changes by at most the way that p goes. Pieces on which neither bound is small enough
 //! are halved.
 
-use rayon::prelude::*;
-
 use super::polygon::{Nearest, Polygon};
 use super::{ABSOLUTE, RELATIVE};
 use crate::error::Result;
 use crate::limits::Limits;
+use crate::parallel;
 
 /// The number of edges that one thread takes at a time.
 const CHUNK: usize = 1024;
@@ -76,43 +75,40 @@ pub(super) fn mean(from: &Polygon, to: &Polygon) -> f64 {
         f64::hypot(q[0] - p[0], q[1] - p[1])
     };
     let perimeter: f64 = (0..from.len()).map(length).sum();
-    let chunks: Vec<f64> = (0..from.len().div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|chunk| {
-            let mut hint = 0;
-            let mut sum = 0.0;
-            for k in chunk * CHUNK..from.len().min((chunk + 1) * CHUNK) {
-                let [p, q] = from.edge(k);
-                let pieces = (PIECES * length(k) / perimeter).ceil().max(1.0);
-                let mut place = 0.5;
-                while place < pieces {
-                    let t = place / pieces;
-                    let middle = [0, 1].map(|i| p[i] + t * (q[i] - p[i]));
-                    let nearest = to.nearest(middle, hint);
-                    hint = nearest.edge;
-                    sum += nearest.distance * length(k) / pieces;
-                    place += 1.0;
-                }
+    let chunks = parallel::map_numbers(from.len().div_ceil(CHUNK), |chunk| {
+        let mut hint = 0;
+        let mut sum = 0.0;
+        for k in chunk * CHUNK..from.len().min((chunk + 1) * CHUNK) {
+            let [p, q] = from.edge(k);
+            let pieces = (PIECES * length(k) / perimeter).ceil().max(1.0);
+            let mut place = 0.5;
+            while place < pieces {
+                let t = place / pieces;
+                let middle = [0, 1].map(|i| p[i] + t * (q[i] - p[i]));
+                let nearest = to.nearest(middle, hint);
+                hint = nearest.edge;
+                sum += nearest.distance * length(k) / pieces;
+                place += 1.0;
             }
-            sum
-        })
-        .collect();
+        }
+        sum
+    });
     chunks.iter().sum::<f64>() / perimeter
 }
 
 /// The nearest edge of the second polygon for each vertex of the first one.
 fn at_vertices(from: &Polygon, to: &Polygon) -> Vec<Nearest> {
-    from.points()
-        .par_chunks(CHUNK)
-        .flat_map_iter(|points| {
-            let mut hint = 0;
-            points.iter().map(move |&p| {
-                let nearest = to.nearest(p, hint);
-                hint = nearest.edge;
-                nearest
-            })
-        })
-        .collect()
+    let chunks: Vec<&[[f64; 2]]> = from.points().chunks(CHUNK).collect();
+    let nearest = parallel::map(&chunks, |points| {
+        let mut hint = 0;
+        let nearest = points.iter().map(|&p| {
+            let nearest = to.nearest(p, hint);
+            hint = nearest.edge;
+            nearest
+        });
+        nearest.collect::<Vec<Nearest>>()
+    });
+    nearest.into_iter().flatten().collect()
 }
 
 /// Bounds of the largest distance of a point of the first polygon from the second one, provided that it is at least `known`.
@@ -123,31 +119,27 @@ fn one_sided(
     known: f64,
     limits: &Limits,
 ) -> Result<[f64; 2]> {
-    let chunks: Vec<[f64; 2]> = (0..from.len().div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|chunk| {
-            limits.check()?;
-            let (mut low, mut high) = (known, known);
-            let mut pieces = Vec::new();
-            for k in chunk * CHUNK..from.len().min((chunk + 1) * CHUNK) {
-                pieces.push(Piece {
-                    ends: from.edge(k),
-                    nearest: [nearest[k], nearest[(k + 1) % from.len()]],
-                });
-                while let Some(piece) = pieces.pop() {
-                    let bound = piece.bound(to);
-                    if bound <= f64::max(low * (1.0 + RELATIVE / 2.0), low + ABSOLUTE / 2.0) {
-                        high = f64::max(high, bound);
-                        continue;
-                    }
-                    let halves = piece.halves(to);
-                    low = low.max(halves[0].nearest[1].distance);
-                    pieces.extend(halves);
+    let chunks = parallel::try_map_numbers(from.len().div_ceil(CHUNK), limits, |chunk| {
+        let (mut low, mut high) = (known, known);
+        let mut pieces = Vec::new();
+        for k in chunk * CHUNK..from.len().min((chunk + 1) * CHUNK) {
+            pieces.push(Piece {
+                ends: from.edge(k),
+                nearest: [nearest[k], nearest[(k + 1) % from.len()]],
+            });
+            while let Some(piece) = pieces.pop() {
+                let bound = piece.bound(to);
+                if bound <= f64::max(low * (1.0 + RELATIVE / 2.0), low + ABSOLUTE / 2.0) {
+                    high = f64::max(high, bound);
+                    continue;
                 }
+                let halves = piece.halves(to);
+                low = low.max(halves[0].nearest[1].distance);
+                pieces.extend(halves);
             }
-            Ok([low, high])
-        })
-        .collect::<Result<_>>()?;
+        }
+        Ok([low, high])
+    })?;
     let largest = |i: usize| chunks.iter().map(|c| c[i]).fold(known, f64::max);
     Ok([largest(0), largest(1)])
 }

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use malachite::Integer;
-use rayon::prelude::*;
 
 use super::super::as_f64;
 use super::super::turns::Turns;
@@ -11,6 +10,7 @@ use super::polygon::Frame;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::roots::{UnitBall, rotations};
 use crate::shape::EllipticSeries;
 
@@ -109,23 +109,17 @@ impl Tracer {
                 _ => table[rest][1],
             }
         };
-        let points = (0..vertices)
-            .into_par_iter()
-            .map(|j| {
-                if j % 1024 == 0 {
-                    limits.check()?;
-                }
-                let (mut x, mut y, mut k) = (0.0, 0.0, 0);
-                let [a, b, c, d] = &self.lists;
-                for n in 0..harmonics {
-                    let (cos, sin) = (cosine(k), cosine((k + 3 * quarter) & all));
-                    x += a[n] * cos + b[n] * sin;
-                    y += c[n] * cos + d[n] * sin;
-                    k = (k + j) & all;
-                }
-                Ok([x, y])
-            })
-            .collect::<Result<_>>()?;
+        let points = parallel::try_map_numbers(vertices, limits, |j| {
+            let (mut x, mut y, mut k) = (0.0, 0.0, 0);
+            let [a, b, c, d] = &self.lists;
+            for n in 0..harmonics {
+                let (cos, sin) = (cosine(k), cosine((k + 3 * quarter) & all));
+                x += a[n] * cos + b[n] * sin;
+                y += c[n] * cos + d[n] * sin;
+                k = (k + j) & all;
+            }
+            Ok([x, y])
+        })?;
         let step = TAU / as_f64(vertices);
         let chord = self.bend * step * step / 8.0;
         let rounding = as_f64(2 * harmonics + 6) * f64::EPSILON * self.size * 2.0;

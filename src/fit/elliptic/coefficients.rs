@@ -11,13 +11,13 @@
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::One;
-use rayon::prelude::*;
 
 use super::super::exponent_of;
 use super::super::turns::{Turns, bits_of};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Rational, pi};
 use crate::limits::Limits;
+use crate::parallel;
 use crate::roots::{UnitBall, rotations};
 
 /// The number of vertices that one thread takes at a time.
@@ -111,16 +111,12 @@ impl Polygon<'_> {
         let n = self.points.len();
         let starts: Vec<usize> = (0..n).step_by(CHUNK).collect();
         let length = self.length_exponent();
-        let lengths: Vec<Option<UnitBall<W>>> = starts
-            .par_iter()
-            .map(|&start| {
-                limits.check()?;
-                let mut edges = (start..n.min(start + CHUNK)).map(|k| self.edge::<W>(k));
-                Ok(edges.try_fold(UnitBall::ZERO, |sum, edge| {
-                    Some(sum.plus(&edge?.length_in(length)))
-                }))
-            })
-            .collect::<Result<_>>()?;
+        let lengths = parallel::try_map(&starts, limits, |&start| {
+            let mut edges = (start..n.min(start + CHUNK)).map(|k| self.edge::<W>(k));
+            Ok(edges.try_fold(UnitBall::ZERO, |sum, edge| {
+                Some(sum.plus(&edge?.length_in(length)))
+            }))
+        })?;
         let mut before = UnitBall::ZERO;
         let mut runs = Vec::new();
         for (&start, length) in starts.iter().zip(&lengths) {
@@ -144,13 +140,9 @@ impl Polygon<'_> {
         };
         let mut sums = Sums::zero(harmonics);
         for some in runs.chunks(CHUNKS) {
-            let parts: Vec<Option<Sums<W>>> = some
-                .par_iter()
-                .map(|&(start, before)| {
-                    limits.check()?;
-                    Ok(self.run(start, before, harmonics, &frame))
-                })
-                .collect::<Result<_>>()?;
+            let parts = parallel::try_map(some, limits, |&(start, before)| {
+                Ok(self.run(start, before, harmonics, &frame))
+            })?;
             for part in parts {
                 let Some(part) = part else { return Ok(None) };
                 sums.add(&part);

@@ -1,7 +1,8 @@
 //! Sums of waves over many angles, and values of series at them.
 
-use rayon::prelude::*;
 use rustfft::num_complex::Complex;
+
+use crate::parallel;
 
 /// So many angles are summed together. The number is fixed, so that sums do not depend on the number of threads.
 const TOGETHER: usize = 4096;
@@ -12,7 +13,7 @@ pub(super) fn wave_sums<const D: usize>(
     values: impl Fn(usize) -> [f64; D] + Sync,
     harmonics: usize,
 ) -> Vec<[Complex<f64>; D]> {
-    let part = |(part, angles): (usize, &[f64])| {
+    let part = |(part, angles): &(usize, &[f64])| {
         let mut sums = vec![[Complex::default(); D]; harmonics + 1];
         for (k, &theta) in angles.iter().enumerate() {
             let value = values(part * TOGETHER + k);
@@ -27,7 +28,8 @@ pub(super) fn wave_sums<const D: usize>(
         }
         sums
     };
-    let parts: Vec<_> = angles.par_chunks(TOGETHER).enumerate().map(part).collect();
+    let parts: Vec<(usize, &[f64])> = angles.chunks(TOGETHER).enumerate().collect();
+    let parts = parallel::map(&parts, part);
     let mut all = vec![[Complex::default(); D]; harmonics + 1];
     for sums in parts {
         for (all, sum) in all.iter_mut().zip(sums) {
@@ -56,5 +58,5 @@ pub(super) fn values_at<const D: usize>(
         }
         value
     };
-    angles.par_iter().map(at).collect()
+    parallel::map(angles, at)
 }

@@ -10,8 +10,6 @@ mod laws;
 mod point;
 mod search;
 
-use rayon::prelude::*;
-
 use expansion::Wave;
 use point::{EnclosedLists, Lists, Point, point};
 use search::Search;
@@ -21,6 +19,7 @@ use super::reached::is_reached;
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd, squarefree_decomposition};
 use crate::shape::EllipticSeries;
 
@@ -119,14 +118,10 @@ pub(super) fn isolated_of_series(
     };
     let arcs = search.arcs();
     let lists = EnclosedLists::new(&frame.lists);
-    let found: Vec<Option<(Point, bool)>> = zeros
-        .par_iter()
-        .map(|zero| {
-            limits.check()?;
-            let is_off = search.is_off_the_curve(&arcs, zero);
-            Ok(point(&lists, zero).map(|point| (point, is_off)))
-        })
-        .collect::<Result<_>>()?;
+    let found = parallel::try_map(&zeros, limits, |zero| {
+        let is_off = search.is_off_the_curve(&arcs, zero);
+        Ok(point(&lists, zero).map(|point| (point, is_off)))
+    })?;
     let Some(mut found) = found.into_iter().collect::<Option<Vec<_>>>() else {
         return Ok(None);
     };

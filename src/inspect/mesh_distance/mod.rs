@@ -8,14 +8,13 @@ mod faces;
 #[cfg(test)]
 mod laws;
 
-use rayon::prelude::*;
-
 use super::DistanceBounds;
 use super::cells::{CellTree, FlatPart};
 use crate::error::{Error, Invariant, Result};
 use crate::fit::turns_of_mesh;
 use crate::intervals::interval::UNIT;
 use crate::limits::Limits;
+use crate::parallel;
 use crate::shape::{HarmonicPair, HarmonicSurface, Solid, dot, minus};
 use faces::{Face, Faces};
 
@@ -143,14 +142,10 @@ fn enclose(
     let mut work = 0;
     while !open.is_empty() {
         work += open.len();
-        let found: Vec<[f64; 2]> = open
-            .par_iter()
-            .map(|piece| {
-                limits.check()?;
-                let [least, most] = measure(&piece.face, &piece.part);
-                Ok([least, most.min(piece.most)])
-            })
-            .collect::<Result<_>>()?;
+        let found = parallel::try_map(&open, limits, |piece| {
+            let [least, most] = measure(&piece.face, &piece.part);
+            Ok([least, most.min(piece.most)])
+        })?;
         low = found.iter().fold(low, |low, bounds| low.max(bounds[0]));
         let enough = f64::max(low * (1.0 + RELATIVE), low + ABSOLUTE);
         let mut rest = Vec::new();
