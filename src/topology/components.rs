@@ -121,8 +121,8 @@ type OfArc = Vec<Vec<usize>>;
 /// The components, and the component of each arc.
 fn connect(sweep: &Sweep) -> (Vec<Pieces>, OfArc) {
     let mut first_arc = vec![0];
-    for count in &sweep.arcs {
-        first_arc.push(first_arc[first_arc.len() - 1] + count);
+    for arcs in &sweep.arcs {
+        first_arc.push(first_arc[first_arc.len() - 1] + arcs.len());
     }
     let arcs = first_arc[first_arc.len() - 1];
     let mut first_point = vec![arcs];
@@ -159,7 +159,7 @@ fn connect(sweep: &Sweep) -> (Vec<Pieces>, OfArc) {
     let mut of_arc: OfArc = vec![Vec::new(); sweep.arcs.len()];
     // From left to right, so that the components are numbered in the order of their leftmost pieces.
     for interval in 0..=last {
-        for rank in 0..sweep.arcs[interval] {
+        for rank in 0..sweep.arcs[interval].len() {
             let component = name(first_arc[interval] + rank, &mut list);
             list[component].arcs.push((interval, rank));
             if interval == 0 || interval == last {
@@ -198,8 +198,8 @@ impl Regions {
     fn new(sweep: &Sweep, components: &Components) -> Self {
         // The cells over an interval with k arcs are 0, …, k from below.
         let mut first = vec![0];
-        for count in &sweep.arcs {
-            first.push(first[first.len() - 1] + count + 1);
+        for arcs in &sweep.arcs {
+            first.push(first[first.len() - 1] + arcs.len() + 1);
         }
         let count = first[first.len() - 1];
         let mut partition = Partition::new(count);
@@ -213,7 +213,7 @@ impl Regions {
         let mut across = Vec::new();
         let mut beside = vec![0; components.list.len()];
         for (interval, arcs) in sweep.arcs.iter().enumerate() {
-            for rank in 0..*arcs {
+            for rank in 0..arcs.len() {
                 let component = components.of_arc(interval, rank);
                 let below = partition.find(first[interval] + rank);
                 let above = partition.find(first[interval] + rank + 1);
@@ -231,7 +231,7 @@ impl Regions {
         let ends = first[0]..first[1];
         let mut unbounded: Vec<usize> = ends.chain(first[last]..count).collect();
         for (interval, arcs) in sweep.arcs.iter().enumerate() {
-            unbounded.extend([first[interval], first[interval] + arcs]);
+            unbounded.extend([first[interval], first[interval] + arcs.len()]);
         }
         let unbounded = unbounded.into_iter().map(|c| partition.find(c)).collect();
         Self {

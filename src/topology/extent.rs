@@ -181,7 +181,7 @@ fn along_line(
         let interval = sweep
             .fibres
             .partition_point(|fibre| fibre.value.cmp_rational(c).is_lt());
-        let arcs = 0..sweep.arcs[interval];
+        let arcs = 0..sweep.arcs[interval].len();
         return Some(arcs.map(|rank| components.of_arc(interval, rank)).collect());
     }
     // On y = c, t itself runs; on x = c, R runs, and t = c − shear·R.

@@ -6,7 +6,7 @@ use super::sweep::Sweep;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::roots::{RealRoot, real_roots};
+use crate::roots::RealRoot;
 
 /// The coordinate of a point of the graph, which is one of the critical values.
 pub(super) fn value_at(
@@ -39,7 +39,7 @@ pub(super) fn value_on_arc(
     axis: &CriticalValues,
 ) -> Result<RealRoot> {
     let t = &sweep.insides[interval];
-    let mut root = real_roots(&sweep.curve.strip.along(t)).swap_remove(rank);
+    let mut root = sweep.arcs[interval][rank].clone();
     let mut bits = 32;
     loop {
         let (a, b) = root.bounds();
@@ -52,29 +52,23 @@ pub(super) fn value_on_arc(
     }
 }
 
+/// How narrow the bounds of a coordinate are from which about a point is given, relative to its size.
+const BITS_ABOUT: i64 = 30;
+
 /// About some points of a component, as [`super::Component::some_points`] tells.
 pub(super) fn some_points(sweep: &Sweep, pieces: &Pieces) -> Vec<[f64; 2]> {
     let shear = Rational::from(sweep.curve.shear);
     let place = |t: &Rational, r: &Rational| [(t + &(&shear * r)).to_f64(), r.to_f64()];
-    let is_critical = |(fibre, place): &&(usize, usize)| {
-        let point = &sweep.fibres[*fibre].points[*place];
-        point.multiplicity > 1
-    };
-    let mut points: Vec<[f64; 2]> = pieces
-        .points
-        .iter()
-        .filter(is_critical)
-        .map(|&(fibre, index)| {
-            let fibre = &sweep.fibres[fibre];
-            place(&fibre.value.bounds().0, &fibre.points[index].low)
-        })
-        .collect();
-    if let (true, Some(&(interval, rank))) = (points.is_empty(), pieces.arcs.first()) {
-        let t = &sweep.insides[interval];
-        let root = real_roots(&sweep.curve.strip.along(t)).swap_remove(rank);
-        points.push(place(t, &root.bounds().0));
-    }
-    points
+    let points = pieces.points.iter().map(|&(fibre, index)| {
+        let fibre = &sweep.fibres[fibre];
+        place(&fibre.value.bounds().0, &fibre.points[index].low)
+    });
+    let on_arcs = pieces.arcs.iter().map(|&(interval, rank)| {
+        let mut root = sweep.arcs[interval][rank].clone();
+        root.refine(BITS_ABOUT);
+        place(&sweep.insides[interval], &root.bounds().0)
+    });
+    points.chain(on_arcs).collect()
 }
 
 impl CriticalValues {

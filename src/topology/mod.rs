@@ -64,7 +64,8 @@ pub struct Component {
     pub extent: [[Option<Coordinate>; 2]; 2],
     /// The indices of its singular points.
     pub singular_points: Vec<usize>,
-    /// About the critical points of the component in the direction of the sweep, or about one of its points if there are none.
+    /// About some points of the component, among them its singular points, and at least one of each piece between critical points
+    /// in the direction of the sweep.
     pub some_points: Vec<[f64; 2]>,
 }
 

@@ -90,8 +90,8 @@ pub(crate) struct Sweep {
     pub(crate) fibres: Vec<Fibre>,
     /// A value below, between and above the critical ones.
     pub(crate) insides: Vec<Rational>,
-    /// The number of arcs over each interval.
-    pub(crate) arcs: Vec<usize>,
+    /// The arcs over each interval, ascending: R of their points above the value inside.
+    pub(crate) arcs: Vec<Vec<RealRoot>>,
 }
 
 impl Sweep {
@@ -115,12 +115,12 @@ impl Sweep {
         }
         let arcs = insides
             .iter()
-            .map(|t| real_roots(&curve.strip.along(t)).len())
-            .collect::<Vec<usize>>();
+            .map(|t| real_roots(&curve.strip.along(t)))
+            .collect::<Vec<_>>();
         for (index, fibre) in fibres.iter().enumerate() {
             for side in 0..2 {
                 let ends: usize = fibre.points.iter().map(|point| point.arcs[side]).sum();
-                if ends != arcs[index + side] {
+                if ends != arcs[index + side].len() {
                     return Err(Error::internal(
                         "the topology of a curve",
                         "every arc over an interval ends at its ends",

@@ -8,7 +8,7 @@ use crate::exact::Rational;
 use crate::parametrize::born_of_radius;
 use crate::picture::{Layer, Window, extent, isolated_origin, trace_zero_set};
 use crate::shape::ImplicitCurve;
-use crate::topology::{Component, ComponentKind, Topology};
+use crate::topology::{Component, ComponentKind, Coordinate, Topology};
 
 /// The longest time that is spent on the components of a curve before it is drawn without knowing them.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -63,30 +63,32 @@ impl ZeroSet {
         self.curve.center().each_ref().map(Rational::to_f64)
     }
 
-    /// The points that the window should show: the corners of bounded components, the critical points of the others, and for
-    /// these some points in all directions, too.
+    /// The points that the window should show: the corners of bounded components; of the others the singular points, points in all
+    /// directions, and the point nearest to the middle of all these.
     pub(super) fn seen(&self, work: &Work) -> Result<Vec<[f64; 2]>> {
         let [a, b] = self.center();
-        let mut seen = Vec::new();
         let components = self.topology.iter().flat_map(|t| &t.components);
-        let mut is_bounded = self.topology.is_some();
-        for component in components {
-            match bounds(component) {
-                Some([x, y]) => seen.extend([[x[0], y[0]], [x[1], y[1]]]),
-                None => {
-                    is_bounded = false;
-                    seen.extend(&component.some_points);
-                }
-            }
+        let (bounded, others): (Vec<_>, Vec<_>) = components.partition(|c| bounds(c).is_some());
+        let corners = bounded.into_iter().filter_map(bounds);
+        let mut seen: Vec<[f64; 2]> = corners
+            .flat_map(|[x, y]| [[x[0], y[0]], [x[1], y[1]]])
+            .collect();
+        if let Some(topology) = &self.topology {
+            let indices = others.iter().flat_map(|c| &c.singular_points);
+            let points = indices.map(|&index| &topology.singular_points[index]);
+            seen.extend(points.map(|p| p.at.each_ref().map(Coordinate::to_f64)));
         }
-        for [x, y] in &mut seen {
-            *x += a;
-            *y += b;
+        if self.topology.is_none() || !others.is_empty() {
+            let around = extent(&self.curve, work.bounds())?;
+            seen.extend(around.into_iter().map(|[x, y]| [x - a, y - b]));
         }
-        if !is_bounded {
-            seen.extend(extent(&self.curve, work.bounds())?);
+        let [x, y] = middle(&seen);
+        let distance = |p: &&[f64; 2]| (p[0] - x).hypot(p[1] - y);
+        for component in others {
+            let points = component.some_points.iter();
+            seen.extend(points.min_by(|p, q| distance(p).total_cmp(&distance(q))));
         }
-        Ok(seen)
+        Ok(seen.into_iter().map(|[x, y]| [x + a, y + b]).collect())
     }
 
     /// Traces the curve into its layer, in the curve's original coordinates.
@@ -164,6 +166,15 @@ impl ZeroSet {
     }
 }
 
+/// The middle of the smallest window that shows the points; the origin if there are none.
+fn middle(points: &[[f64; 2]]) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let coordinates = || points.iter().map(|p| p[axis]);
+        let low = coordinates().reduce(f64::min).unwrap_or(0.0);
+        low.midpoint(coordinates().reduce(f64::max).unwrap_or(0.0))
+    })
+}
+
 /// The smallest and the largest coordinates, about; `None` if the component is not bounded.
 fn bounds(component: &Component) -> Option<[[f64; 2]; 2]> {
     let [x, y] = component.extent.each_ref().map(|ends| {
@@ -197,4 +208,38 @@ fn place(component: &Component, center: [f64; 2]) -> (ComponentKind, [[f64; 2]; 
         }
     }
     (component.kind, extent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::{Numbers, parse_form};
+    use crate::shape::Form;
+
+    fn window(equation: &str) -> Window {
+        let Ok(Form::Curve(curve)) = parse_form(equation, "a test", Numbers::Exact) else {
+            panic!("{equation} is a plane curve");
+        };
+        let work = Work::default();
+        Window::around(ZeroSet::new(0, curve, &work).unwrap().seen(&work).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn symmetric_curves_have_symmetric_windows() {
+        for equation in ["y^2=x^3-x", "y^2=x^3", "x*y=1", "y^2*(x-3)=x^3", "y=x^3-x"] {
+            let Window { x, y } = window(equation);
+            assert!((y[0] + y[1]).abs() < 1e-6 * y[1], "{equation}: {y:?}");
+            assert!(x[0] < x[1], "{equation}: {x:?}");
+        }
+    }
+
+    #[test]
+    fn a_window_has_a_point_of_each_component() {
+        let small = window("x^2+y^2=1");
+        assert!(small.x[1] < 2.0);
+        let with_line = window("(x^2+y^2-1)*(x-100)");
+        assert!(with_line.x[1] >= 100.0);
+        let with_cusp = window("(x^2+y^2-1)*((y-90)^2-(x-50)^3)");
+        assert!(with_cusp.x[1] >= 50.0 && with_cusp.y[1] >= 90.0);
+    }
 }
