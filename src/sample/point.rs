@@ -6,7 +6,7 @@
 pub struct Sample<const V: usize = 2> {
     /// The number of the point among those of its direction, from 0 for the largest r.
     pub branch: usize,
-    /// The signed distance from c along the direction.
+    /// The signed distance from c along the direction. [`super::RaySolver::exact_distances`] gives it exactly.
     pub r: f64,
     /// The coordinates x, y (and z).
     pub position: [f64; V],

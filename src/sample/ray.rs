@@ -184,6 +184,32 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
         Ray::Points(in_order(samples))
     }
 
+    /// The distances r of [`Self::solve`] as exact numbers, the largest first; `None` if the whole line belongs
+    /// to the curve or surface.
+    ///
+    /// ```
+    /// use stellate::exact::Rational;
+    /// use stellate::poly::PlanePolynomial;
+    /// use stellate::sample::{Direction, RaySolver};
+    ///
+    /// // x² + y² = 2
+    /// let f = PlanePolynomial::from_terms([((2, 0), 1.into()), ((0, 2), 1.into()), ((0, 0), (-2).into())]);
+    /// let found = RaySolver::new(&f).exact_distances(&Direction::from_degrees(&Rational::from(30)));
+    /// let digits: Vec<_> = found.unwrap().iter().map(|r| r.to_decimal(30)).collect();
+    /// assert_eq!(digits, ["1.414213562373095048801688724210", "-1.414213562373095048801688724210"]);
+    /// ```
+    ///
+    /// Cost: as for [`Self::solve_exactly`].
+    #[must_use]
+    pub fn exact_distances(&self, direction: &impl UnitVector<V>) -> Option<Vec<RealRoot>> {
+        let (vector, w) = direction.over_common_denominator();
+        let coefficients = along(self.polynomial, &vector, &w);
+        let lowest = coefficients.last()?.0;
+        let mut roots = real_roots(&divided(coefficients, lowest, 1));
+        roots.reverse();
+        Some(roots)
+    }
+
     /// (k, g) with f(ru, rv) = c r^j g(r^k) and g(0) ≠ 0; `None` if f vanishes identically along the line.
     fn restricted(&self, direction: &impl UnitVector<V>) -> Option<(u32, IntegerPolynomial)> {
         let (vector, w) = direction.over_common_denominator();
@@ -193,14 +219,20 @@ impl<'a, P: HomogeneousParts<V>, const V: usize> RaySolver<'a, P, V> {
             .iter()
             .fold(0, |g: usize, (d, _)| g.gcd(d - lowest))
             .max(1);
-        let highest = coefficients.first()?.0;
-        let mut dense = vec![Integer::default(); (highest - lowest) / gap + 1];
-        for (d, c) in coefficients {
-            dense[(d - lowest) / gap] = c;
-        }
+        let in_power = divided(coefficients, lowest, gap);
         let gap = u32::try_from(gap).invariant("degrees are far below 2^32");
-        Some((gap, IntegerPolynomial::from_coefficients_asc(dense)))
+        Some((gap, in_power))
     }
+}
+
+/// The polynomial g for which r^lowest g(r^gap) has these coefficients, descending.
+fn divided(coefficients: Vec<(usize, Integer)>, lowest: usize, gap: usize) -> IntegerPolynomial {
+    let highest = coefficients.first().map_or(lowest, |(d, _)| *d);
+    let mut dense = vec![Integer::default(); (highest - lowest) / gap + 1];
+    for (d, c) in coefficients {
+        dense[(d - lowest) / gap] = c;
+    }
+    IntegerPolynomial::from_coefficients_asc(dense)
 }
 
 /// The non-zero coefficients (d, c_d), descending in d, of f(λ U/W, λ V/W) = Σ c_d λ^d, all multiplied by W to the degree of f.
@@ -327,7 +359,17 @@ mod tests {
     ) {
         let solver = RaySolver::new(f);
         for direction in directions {
-            assert_eq!(solver.solve(direction), solver.solve_exactly(direction));
+            let ray = solver.solve(direction);
+            assert_eq!(ray, solver.solve_exactly(direction));
+            let exact = solver.exact_distances(direction).map(|distances| {
+                let pairs = distances.iter().map(|r| (r.to_f64(), r.multiplicity()));
+                pairs.collect::<Vec<_>>()
+            });
+            let expected = match ray {
+                Ray::Points(points) => Some(points.iter().map(|p| (p.r, p.multiplicity)).collect()),
+                Ray::Line => None,
+            };
+            assert_eq!(exact, expected);
         }
         let counts = solver.stage_counts();
         let solved: u64 = counts.bounded.iter().sum();
