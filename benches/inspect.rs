@@ -11,7 +11,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use stellate::exact::Rational;
 use stellate::fit::{ContourKind, FitOptions, FitSize, contour_from_reader, fit, fit_elliptic};
 use stellate::inspect::{
-    CurveInspector, HarmonicInspector, InspectOptions, Inspector, SphereSection, Verdict,
+    CurveInspector, HarmonicInspector, Inspector, InspectorOptions, SphereSection, Verdict,
 };
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
@@ -49,7 +49,7 @@ fn points(degree: u32) -> Vec<[f64; 3]> {
 }
 
 fn inspector(degree: u32) -> Inspector {
-    let options = InspectOptions::new("1/100".parse().unwrap());
+    let options = InspectorOptions::new("1/100".parse().unwrap());
     Inspector::surface(&surface(degree), &options, &Limits::none()).unwrap()
 }
 
@@ -108,7 +108,7 @@ fn inspect(c: &mut Criterion) {
 }
 
 /// The butterfly with 39 harmonics, by its radius and by its coordinates.
-fn butterflies(options: &InspectOptions) -> [(&'static str, CurveInspector<2>); 2] {
+fn butterflies(options: &InspectorOptions) -> [(&'static str, CurveInspector<2>); 2] {
     let file = std::fs::File::open("paper-examples/e02-butterfly/butterfly.csv").unwrap();
     let contour = contour_from_reader(file, ContourKind::Rows, "butterfly").unwrap();
     let size = FitOptions::new(FitSize::Harmonics(39));
@@ -123,7 +123,7 @@ fn butterflies(options: &InspectOptions) -> [(&'static str, CurveInspector<2>); 
 /// A butterfly is about 2000 by 1300 in size. Verdicts need no digits.
 fn curves(c: &mut Criterion) {
     let mut group = c.benchmark_group("inspect_butterfly");
-    let options = |digits: u32| InspectOptions::new(5.into()).digits(digits);
+    let options = |digits: u32| InspectorOptions::new(5.into()).digits(digits);
     let points: Vec<[f64; 2]> = (0..POINTS)
         .map(|k| {
             let t = 2.4 * f64::from(k);
@@ -186,7 +186,7 @@ fn harmonics(c: &mut Criterion) {
             }
         }
         let surface = HarmonicSurface::new(terms).unwrap();
-        let options = InspectOptions::new("3/10".parse().unwrap());
+        let options = InspectorOptions::new("3/10".parse().unwrap());
         let inspector = HarmonicInspector::new(&surface, true, &options, &Limits::none()).unwrap();
         let pair = HarmonicPair::new(&surface);
         let points: Vec<[f64; 3]> = (0..POINTS)

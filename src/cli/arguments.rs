@@ -6,7 +6,7 @@ use std::time::Duration;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stellate::document::Format;
-use stellate::verb::{Bounds, CoordinatesFrom, Frame};
+use stellate::verb::{BoxSides, CoordinatesFrom, Frame};
 
 use super::check_arguments::{CHECK_EXAMPLES, Check, VECTORS_EXAMPLES, Vectors};
 use super::flags::{ArcFlags, FitFlags, ProofFlag};
@@ -431,7 +431,7 @@ pub(crate) struct Mesh {
     pub(crate) form: String,
     /// The box that is covered [default: around the surface]
     #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
-    pub(crate) window: Option<Bounds>,
+    pub(crate) window: Option<BoxSides>,
     /// Cells along the longest side of the box
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = whole::<u32>(2..=1024, 64))]
     pub(crate) resolution: u32,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use stellate::exact::Rational;
 use stellate::fit::{CenterChoice, Column, Columns, Estimator, FitModel};
-use stellate::verb::Bounds;
+use stellate::verb::BoxSides;
 
 use super::values::{center, column, columns, positive, space_window, whole};
 
@@ -14,7 +14,7 @@ use super::values::{center, column, columns, positive, space_window, whole};
 pub(crate) struct ArcFlags {
     /// For an intersection: the box in which it is looked for [default: around the smaller surface]
     #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", allow_hyphen_values = true, value_parser = space_window)]
-    pub(crate) window: Option<Bounds>,
+    pub(crate) window: Option<BoxSides>,
     /// For an intersection: steps along the longest side of the box, at least [default: 64]
     #[arg(long, value_name = "N", value_parser = whole::<u32>(2..=4096, 64))]
     pub(crate) resolution: Option<u32>,

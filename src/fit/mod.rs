@@ -37,7 +37,7 @@ mod laws;
 
 pub use center::{Center, CenterChoice, CenterOrigin};
 pub use definition1::fourier_coefficients;
-pub use distance::{Bounds, Distances, distances};
+pub use distance::{Distances, HausdorffBounds, distances};
 pub(crate) use distance::{NearPolygon, is_positive_by_values};
 pub use elliptic::{EllipticFit, MAX_ELLIPTIC_HARMONICS, fit_elliptic};
 pub use least_squares::{LeastSquares, MAX_LEAST_SQUARES_HARMONICS, Robust, StandardErrors};

@@ -104,7 +104,7 @@ mod tests {
 
     use super::*;
     use crate::exact::Rational;
-    use crate::inspect::{InspectOptions, Inspection, Verdict};
+    use crate::inspect::{Inspection, InspectorOptions, Verdict};
     use crate::intervals::{distance, rationals};
     use crate::language::{Numbers, parse_form};
     use crate::limits::Limits;
@@ -114,7 +114,7 @@ mod tests {
         let Ok(Form::Surface(surface)) = parse_form(form, "<form>", Numbers::Exact) else {
             panic!("{form} is a surface")
         };
-        let options = InspectOptions::new(tolerance.clone());
+        let options = InspectorOptions::new(tolerance.clone());
         Inspector::surface(&surface, &options, &Limits::none()).expect("a surface")
     }
 

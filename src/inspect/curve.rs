@@ -13,7 +13,7 @@ use super::squared_distance::{
     Against, DistanceForms, SquaredDistance, squared_in_doubles, upper_root,
 };
 use super::tolerance::Tolerance;
-use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
+use super::{DistanceBounds, Inspection, InspectorOptions, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::{Dyadic, Rational};
 use crate::intervals::Interval;
@@ -76,11 +76,11 @@ impl CurveInspector<2> {
     /// The inspector of the curve r(θ) about its center. Points are in original coordinates.
     ///
     /// ```
-    /// use stellate::inspect::{CurveInspector, InspectOptions, Verdict};
+    /// use stellate::inspect::{CurveInspector, InspectorOptions, Verdict};
     /// use stellate::limits::Limits;
     /// use stellate::shape::FourierRadius;
     /// let radius: FourierRadius = "r = 1 + 1/5*cos(3t)".parse()?;
-    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let options = InspectorOptions::new("1/10".parse()?);
     /// let inspector = CurveInspector::radius(&radius, &options, &Limits::none())?;
     /// // The origin is an isolated zero of the curve's polynomial, but no point of the curve.
     /// let found = inspector.inspect(&[0.into(), 0.into()]);
@@ -93,7 +93,7 @@ impl CurveInspector<2> {
     /// As [`CurveInspector::new`].
     pub fn radius(
         radius: &FourierRadius,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let curve = radius.to_plane_curve();
@@ -110,7 +110,7 @@ impl<const N: usize> CurveInspector<N> {
     /// [`Error::Usage`] for a tolerance that is not positive, and for a curve of which no point was found in doubles.
     pub fn new(
         curve: &ParametricCurve<N>,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let origin = std::array::from_fn(|_| Rational::zero());
@@ -122,7 +122,7 @@ impl<const N: usize> CurveInspector<N> {
         curve: &ParametricCurve<N>,
         series: Option<[Waveform; N]>,
         center: [Rational; N],
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let guess = match &series {
@@ -199,11 +199,11 @@ impl<const N: usize> CurveInspector<N> {
     ///
     /// ```
     /// use stellate::exact::Rational;
-    /// use stellate::inspect::{CurveInspector, InspectOptions, Verdict};
+    /// use stellate::inspect::{CurveInspector, InspectorOptions, Verdict};
     /// use stellate::limits::Limits;
     /// use stellate::shape::FourierRadius;
     /// let radius: FourierRadius = "r = 1 + 1/5*cos(3t)".parse()?;
-    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let options = InspectorOptions::new("1/10".parse()?);
     /// let inspector = CurveInspector::radius(&radius, &options, &Limits::none())?;
     /// let near = [1.25, 0.0];
     /// let found = inspector.inspect_near(near, &|| near.map(|x| Rational::try_from(x).unwrap()));
@@ -223,11 +223,11 @@ impl<const N: usize> CurveInspector<N> {
     /// otherwise it is the angle τ with s = tan(τ/2), where the coordinates are functions of s.
     ///
     /// ```
-    /// use stellate::inspect::{CurveInspector, InspectOptions};
+    /// use stellate::inspect::{CurveInspector, InspectorOptions};
     /// use stellate::limits::Limits;
     /// use stellate::shape::FourierRadius;
     /// let radius: FourierRadius = "r = 1 + 1/5*cos(3t)".parse()?;
-    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let options = InspectorOptions::new("1/10".parse()?);
     /// let inspector = CurveInspector::radius(&radius, &options, &Limits::none())?;
     /// let found = inspector.nearest_point([-1.0, 0.0]).unwrap();
     /// assert!((found.at.cos() + 1.0).abs() < 1e-5);

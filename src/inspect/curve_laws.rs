@@ -14,7 +14,7 @@ fn ratio(p: i64, over: i64) -> Rational {
 }
 
 fn inspector(curve: &EllipticSeries, tolerance: &Rational) -> CurveInspector<2> {
-    let options = InspectOptions::new(tolerance.clone());
+    let options = InspectorOptions::new(tolerance.clone());
     let made = CurveInspector::new(&curve.to_plane_curve(), &options, &Limits::none());
     made.invariant("the tolerance is positive")
 }
@@ -108,7 +108,7 @@ proptest! {
         let list = |list: &[i64]| list.iter().map(|c| ratio(*c, 9)).collect();
         let center = center.map(|c| ratio(c, 3));
         let radius = FourierRadius::new(list(&cos), list(&sin)).with_center(center.clone());
-        let options = InspectOptions::new(ratio(tolerance, 10));
+        let options = InspectorOptions::new(ratio(tolerance, 10));
         let inspector = CurveInspector::radius(&radius, &options, &Limits::none())
             .invariant("the tolerance is positive");
         for point in points {
@@ -182,7 +182,7 @@ fn circles_about_their_centers() {
             (Some(_), Some(second)) => first + q(second),
             _ => first,
         };
-        let options = InspectOptions::new(tolerance.clone());
+        let options = InspectorOptions::new(tolerance.clone());
         let inspector = CurveInspector::radius(&circle, &options, &Limits::none())
             .invariant("the tolerance is positive");
         let found = inspector.inspect(&[q("1/3"), q("-5")]);
@@ -197,7 +197,7 @@ fn doubles_decide_nearly_all_points() {
     let radius: FourierRadius = "r = 1 + 1/5*cos(3t) - 1/7*sin(8t) + 1/30*cos(21t)"
         .parse()
         .invariant("this is a radius");
-    let options = InspectOptions::new(q("1/20"));
+    let options = InspectorOptions::new(q("1/20"));
     let inspector = CurveInspector::radius(&radius, &options, &Limits::none())
         .invariant("the tolerance is positive");
     let arcs = inspector
@@ -221,7 +221,7 @@ fn a_space_curve_is_compared_by_arcs() {
     };
     let parameter = crate::shape::Parameter::angle("t", Rational::one());
     let curve = ParametricCurve::new(parameter, [&x, &y, &z].map(f));
-    let options = InspectOptions::new(q("2"));
+    let options = InspectorOptions::new(q("2"));
     let inspector = CurveInspector::new(&curve, &options, &Limits::none())
         .invariant("the tolerance is positive");
     assert!(inspector.arcs.is_some());

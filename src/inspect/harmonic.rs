@@ -8,7 +8,7 @@ use super::exact_foot::{ExactSurface, RefinementGoal};
 use super::known::rounding;
 use super::nearest::{FootCandidate, unit};
 use super::tolerance::Tolerance;
-use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
+use super::{DistanceBounds, Inspection, InspectorOptions, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
@@ -46,11 +46,11 @@ impl HarmonicInspector {
     /// The inspector of a surface; `is_positive` says whether R > 0 in every direction is known.
     ///
     /// ```
-    /// use stellate::inspect::{HarmonicInspector, InspectOptions, Verdict};
+    /// use stellate::inspect::{HarmonicInspector, InspectorOptions, Verdict};
     /// use stellate::limits::Limits;
     /// use stellate::shape::HarmonicSurface;
     /// let surface = HarmonicSurface::new([((0, 0), 2.into()), ((1, 0), "1/2".parse()?)])?;
-    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let options = InspectorOptions::new("1/10".parse()?);
     /// let inspector = HarmonicInspector::new(&surface, true, &options, &Limits::none())?;
     /// let found = inspector.inspect(&["0", "0", "2.6"].map(|q| q.parse().unwrap()));
     /// // The nearest point is (0, 0, 5/2), exactly at the tolerance.
@@ -63,7 +63,7 @@ impl HarmonicInspector {
     pub fn new(
         surface: &HarmonicSurface,
         is_positive: bool,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         if surface.is_zero() {

@@ -15,7 +15,7 @@ fn is_positive(surface: &HarmonicSurface) -> bool {
 }
 
 fn inspector(surface: &HarmonicSurface, tolerance: &Rational) -> HarmonicInspector {
-    let options = InspectOptions::new(tolerance.clone());
+    let options = InspectorOptions::new(tolerance.clone());
     HarmonicInspector::new(surface, is_positive(surface), &options, &Limits::none()).unwrap()
 }
 
@@ -42,7 +42,7 @@ proptest! {
         let tolerance = Rational::from(tolerance) / Rational::from(100);
         let ours = inspector(&surface, &tolerance);
         let equation = SquaredHarmonics::new(&surface).unwrap().expand();
-        let options = InspectOptions::new(tolerance);
+        let options = InspectorOptions::new(tolerance);
         let theirs = Inspector::surface(&equation, &options, &Limits::none()).unwrap();
         let p = p.map(|x| Rational::from(x) / Rational::from(100));
         let found = ours.inspect(&p);

@@ -29,7 +29,7 @@ pub(crate) const MAX_EXACT_MONOMIALS: usize = 1000;
 const CUBE_WORK: usize = 84 * 18;
 options! {
     /// How points are inspected.
-    InspectOptions of {
+    InspectorOptions of {
         /// The tolerance d > 0: the largest distance that counts as inside.
         tolerance: Rational,
     } {
@@ -81,13 +81,13 @@ impl Inspector {
     /// The inspector of a surface, for points in space.
     ///
     /// ```
-    /// use stellate::inspect::{InspectOptions, Inspector, Verdict};
+    /// use stellate::inspect::{InspectorOptions, Inspector, Verdict};
     /// use stellate::language::{Numbers, parse_form};
     /// use stellate::limits::Limits;
     /// use stellate::shape::Form;
     ///
     /// let Form::Surface(sphere) = parse_form("x^2 + y^2 + z^2 = 1", "<form>", Numbers::Exact)? else { panic!() };
-    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let options = InspectorOptions::new("1/10".parse()?);
     /// let inspector = Inspector::surface(&sphere, &options, &Limits::none())?;
     /// let at = |x: &str, y: &str| inspector.inspect(&[x, y, "0"].map(|q| q.parse().unwrap()));
     /// // Exactly at the distance 1/10: the sphere about the point touches the surface.
@@ -101,7 +101,7 @@ impl Inspector {
     /// [`Error::Usage`] for a constant, a tolerance that is not positive or a reach that is not finite; those of [`factor_space`].
     pub fn surface(
         surface: &ImplicitSurface,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let factors = factor_space(surface.polynomial(), limits)?.factors;
@@ -131,7 +131,11 @@ impl Inspector {
     ///
     /// # Errors
     /// As [`Self::surface`], and those of [`factor_plane`].
-    pub fn plane(curve: &ImplicitCurve, options: &InspectOptions, limits: &Limits) -> Result<Self> {
+    pub fn plane(
+        curve: &ImplicitCurve,
+        options: &InspectorOptions,
+        limits: &Limits,
+    ) -> Result<Self> {
         let factors = factor_plane(curve.polynomial(), limits)?.factors;
         let factors = factors
             .iter()
@@ -151,7 +155,7 @@ impl Inspector {
     fn new(
         kind: Kind,
         factors: Vec<Factor>,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         if factors.is_empty() {

@@ -27,7 +27,7 @@ proptest! {
         prop_assume!(near > 1e-6);
         let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
         let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
-        let options = InspectOptions::new(rational(tolerance)).reach(Some(8.0)).digits(14).cubes(1000);
+        let options = InspectorOptions::new(rational(tolerance)).reach(Some(8.0)).digits(14).cubes(1000);
         let inspector = Inspector::new(Kind::Surface, vec![simple(&plane)], &options, &Limits::none()).unwrap();
         let doubles = p.each_ref().map(Rational::to_f64);
         for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
@@ -45,7 +45,7 @@ proptest! {
 #[test]
 fn what_is_no_double_is_undecided() {
     let plane = SparsePolynomial::<3>::variable(0);
-    let options = InspectOptions::new(Rational::one()).reach(Some(1.0));
+    let options = InspectorOptions::new(Rational::one()).reach(Some(1.0));
     let inspector = Inspector::new(
         Kind::Surface,
         vec![simple(&plane)],

@@ -57,7 +57,7 @@ pub use curve::CurveInspector;
 pub(crate) use foot::stationary;
 pub use harmonic::HarmonicInspector;
 pub(crate) use inspector::MAX_EXACT_MONOMIALS;
-pub use inspector::{InspectOptions, Inspector};
+pub use inspector::{Inspector, InspectorOptions};
 pub(crate) use known::{PlanePoint, rounding};
 #[cfg(feature = "meshes")]
 pub use mesh_distance::mesh_distance;

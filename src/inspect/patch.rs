@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::boxes::PatchBoxes;
 use super::squared_distance::{squared_in_doubles, upper_root};
-use super::{DistanceBounds, InspectOptions, Inspection, Inspector, Verdict};
+use super::{DistanceBounds, Inspection, Inspector, InspectorOptions, Verdict};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::intervals::Interval;
@@ -53,7 +53,7 @@ impl PatchInspector {
     pub fn new(
         patch: &Patch,
         surface: &ImplicitSurface,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let angle = |k: u32| {

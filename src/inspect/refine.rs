@@ -87,7 +87,7 @@ impl Inspector {
 #[cfg(test)]
 mod tests {
     use crate::exact::Rational;
-    use crate::inspect::{InspectOptions, Inspector, Verdict};
+    use crate::inspect::{Inspector, InspectorOptions, Verdict};
     use crate::limits::Limits;
     use crate::shape::ImplicitSurface;
     use proptest::prelude::*;
@@ -120,7 +120,7 @@ mod tests {
                 ("3x + 4y + 12z = 13", std::array::from_fn(|i| &foot[i] + &normal[i] * &off))
             };
             let surface: ImplicitSurface = text.parse().unwrap();
-            let options = InspectOptions::new(tenth(12)).cubes(0);
+            let options = InspectorOptions::new(tenth(12)).cubes(0);
             let inspector = Inspector::surface(&surface, &options, &Limits::none()).unwrap();
             let found = inspector.inspect(&point);
             let distance = off.abs();

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::inspect::{InspectOptions, Inspector};
+use crate::inspect::{Inspector, InspectorOptions};
 use crate::language::{Numbers, parse_form};
 use crate::shape::{Form, ImplicitCurve};
 
@@ -82,7 +82,7 @@ proptest! {
     fn equations_have_the_sign_of_their_polynomials(p in (-40i64..40, -40i64..40), scale in prop::sample::select(vec![-3i64, 1])) {
         let text = format!("{scale}*(x^2 + y^2 - 1)*(x - y)^2*(x^3 - y)^3*(x^2 + 2y^2 + 1) = 0");
         let Form::Curve(curve) = parse_form(&text, "<form>", Numbers::Exact).unwrap() else { panic!() };
-        let inspector = Inspector::plane(&curve, &InspectOptions::new(quotient(1, 50)), &Limits::none()).unwrap();
+        let inspector = Inspector::plane(&curve, &InspectorOptions::new(quotient(1, 50)), &Limits::none()).unwrap();
         let point = [quotient(p.0, 20), quotient(p.1, 20), Rational::zero()];
         let [x, y, _] = &point;
         let circle = x * x + y * y - Rational::one();
@@ -172,7 +172,7 @@ fn far_points_have_distances() {
         let curve: ImplicitCurve = curve;
         Inspector::plane(
             &curve,
-            &InspectOptions::new(quotient(1, 100)),
+            &InspectorOptions::new(quotient(1, 100)),
             &Limits::none(),
         )
         .unwrap()

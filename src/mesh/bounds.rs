@@ -1,7 +1,7 @@
 //! The box in which a surface is meshed if nobody gives one, and what it is known to hold.
 
 use super::critical::{Pieces, bounded_pieces};
-use super::extent::{Bounds, Extent, extent, joined};
+use super::extent::{BoxSides, Extent, extent, joined};
 use crate::error::Result;
 use crate::factor::factor_space;
 use crate::limits::Limits;
@@ -16,7 +16,7 @@ const LARGEST_OVER_MEDIAN: f64 = 4.0;
 /// The margin of a box, in parts of its longest side.
 const MARGIN: f64 = 0.08;
 /// The least box of an unbounded surface of which no point was found.
-const NOTHING_SEEN: Bounds = [[-1.5, 1.5]; 3];
+const NOTHING_SEEN: BoxSides = [[-1.5, 1.5]; 3];
 
 /// What is known about the parts of a surface outside of a box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,13 +51,13 @@ impl Held {
 #[non_exhaustive]
 pub struct SurfaceBox {
     /// The sides of the box.
-    pub bounds: Bounds,
+    pub bounds: BoxSides,
     /// Whether the surface is known or seems to be bounded: this is proved, or no point that was found is far away from the others.
     pub seems_bounded: bool,
     /// What is proved.
     pub held: Held,
     /// The part of the box in which all bounded pieces are, without those of factors of which nothing is proved.
-    pub pieces: Option<Bounds>,
+    pub pieces: Option<BoxSides>,
 }
 
 /// A box with a margin around a surface: around its certified points in many directions from the origin, except for points that
@@ -106,12 +106,12 @@ pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<
     }))
 }
 
-fn is_within(inner: Bounds, outer: Bounds) -> bool {
+fn is_within(inner: BoxSides, outer: BoxSides) -> bool {
     let mut sides = inner.iter().zip(outer);
     sides.all(|([a, b], [low, high])| *a >= low && *b <= high)
 }
 
-fn with_margin(bounds: Bounds) -> Bounds {
+fn with_margin(bounds: BoxSides) -> BoxSides {
     let longest = bounds.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
     // A point, or a surface in a plane through the origin, also gets a box.
     let margin = if longest > 0.0 { MARGIN * longest } else { 1.0 };
@@ -120,7 +120,10 @@ fn with_margin(bounds: Bounds) -> Bounds {
 
 /// The box around the certified points of a surface in many directions from the origin, except for points that are much farther
 /// away than most, and whether no point was left out.
-fn seen_from_origin(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<(Bounds, bool)>> {
+fn seen_from_origin(
+    surface: &ImplicitSurface,
+    limits: &Limits,
+) -> Result<Option<(BoxSides, bool)>> {
     let solver = RaySolver::new(surface.by_degree());
     let points = |direction: &SpaceDirection| match solver.solve(direction) {
         Ray::Points(points) => points,

@@ -2,7 +2,7 @@
 
 use malachite::base::polynomial::Polynomial;
 
-use super::extent::Bounds;
+use super::extent::BoxSides;
 use crate::error::Result;
 use crate::factor::{coprime_parts, factor_space, greatest_common_divisor};
 use crate::intervals::Interval;
@@ -24,7 +24,7 @@ pub(super) enum Pieces {
     /// There is no bounded piece.
     Nowhere,
     /// All of them are in this box.
-    Within(Bounds),
+    Within(BoxSides),
 }
 
 /// Finds a box that holds all bounded connected pieces of the surface f = 0; `None` if that takes too much work, or if the

@@ -8,7 +8,8 @@ use crate::intervals::{BoxBounds, Field};
 use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 
-pub(super) type Bounds = [[f64; 2]; 3];
+/// The sides of a box: the smallest and the largest x, then y and z.
+pub type BoxSides = [[f64; 2]; 3];
 
 /// What is proved about the place of a zero set.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +17,7 @@ pub(super) enum Extent {
     /// There is no real zero.
     Empty,
     /// All zeros are in this box.
-    Within(Bounds),
+    Within(BoxSides),
     /// The zero set may be unbounded.
     Unknown,
 }
@@ -145,7 +146,7 @@ fn parts_for(field: &Field) -> usize {
 }
 
 /// The middle of a part, and half sides that cover it in spite of rounding.
-fn centered(part: Bounds) -> ([f64; 3], [f64; 3]) {
+fn centered(part: BoxSides) -> ([f64; 3], [f64; 3]) {
     let middle = part.map(|[a, b]| f64::midpoint(a, b));
     let halves = std::array::from_fn(|i| {
         let [a, b] = part[i];
@@ -155,7 +156,7 @@ fn centered(part: Bounds) -> ([f64; 3], [f64; 3]) {
 }
 
 /// The two halves of a part along an axis.
-fn divided(part: Bounds, axis: usize) -> [Bounds; 2] {
+fn divided(part: BoxSides, axis: usize) -> [BoxSides; 2] {
     let [a, b] = part[axis];
     let middle = f64::midpoint(a, b);
     [[a, middle], [middle, b]].map(|side| {
@@ -167,7 +168,7 @@ fn divided(part: Bounds, axis: usize) -> [Bounds; 2] {
 
 /// Whether it is proved that the polynomial has no zero in the box. Parts are halved along the variable that changes it most, at
 /// most `most` times.
-fn is_empty(field: &Field, part: Bounds, most: usize, limits: &Limits) -> Result<bool> {
+fn is_empty(field: &Field, part: BoxSides, most: usize, limits: &Limits) -> Result<bool> {
     let mut left = vec![part];
     let mut examined = 0;
     while let Some(part) = left.pop() {
@@ -190,8 +191,8 @@ fn is_empty(field: &Field, part: Bounds, most: usize, limits: &Limits) -> Result
 
 /// The box of the parts of a box in which zeros cannot be excluded. Only parts at the faces of this box are halved, until they are
 /// small compared with it.
-fn tightened(field: &Field, first: Bounds, limits: &Limits) -> Result<Extent> {
-    let longest = |b: &Bounds| b.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
+fn tightened(field: &Field, first: BoxSides, limits: &Limits) -> Result<Extent> {
+    let longest = |b: &BoxSides| b.iter().fold(0.0, |l: f64, [a, b]| l.max(b - a));
     let least = TINY * longest(&first);
     let mut parts = vec![first];
     let mut examined = 0;
@@ -201,13 +202,13 @@ fn tightened(field: &Field, first: Bounds, limits: &Limits) -> Result<Extent> {
             return Ok(Extent::Empty);
         };
         let fit = FIT * longest(&around);
-        let is_wide = |part: &Bounds| {
+        let is_wide = |part: &BoxSides| {
             (0..3).any(|axis| {
                 let ([a, b], [low, high]) = (part[axis], around[axis]);
                 b - a > fit && (a < low + fit || b > high - fit)
             })
         };
-        let (wide, narrow): (Vec<Bounds>, Vec<Bounds>) = parts.into_iter().partition(is_wide);
+        let (wide, narrow): (Vec<BoxSides>, Vec<BoxSides>) = parts.into_iter().partition(is_wide);
         examined += 2 * wide.len();
         if longest(&around) <= least {
             // It is a point, or hardly more.
@@ -244,12 +245,12 @@ fn steepest(bounds: &BoxBounds) -> usize {
 }
 
 /// The box around several boxes.
-pub(super) fn around(parts: &[Bounds]) -> Option<Bounds> {
+pub(super) fn around(parts: &[BoxSides]) -> Option<BoxSides> {
     parts.iter().copied().reduce(joined)
 }
 
 /// The box around two boxes.
-pub(super) fn joined(a: Bounds, b: Bounds) -> Bounds {
+pub(super) fn joined(a: BoxSides, b: BoxSides) -> BoxSides {
     std::array::from_fn(|i| [a[i][0].min(b[i][0]), a[i][1].max(b[i][1])])
 }
 
@@ -272,7 +273,7 @@ mod tests {
         extent(&space(text), None, &Limits::none()).expect("no limit")
     }
 
-    fn is_near(found: Extent, expected: Bounds) -> bool {
+    fn is_near(found: Extent, expected: BoxSides) -> bool {
         let Extent::Within(found) = found else {
             return false;
         };

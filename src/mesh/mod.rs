@@ -13,6 +13,7 @@ mod topology;
 mod triangles;
 
 pub use bounds::{Held, SurfaceBox, mesh_bounds};
+pub use extent::BoxSides;
 pub use radial::{mesh_harmonic, mesh_radial};
-pub use topology::Topology;
+pub use topology::MeshTopology;
 pub use triangles::{MAX_MESH_CELLS, Mesh, MeshOptions, mesh_surface};

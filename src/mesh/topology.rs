@@ -10,7 +10,7 @@ use crate::error::Invariant;
 /// Exact counts that describe a mesh as a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Topology {
+pub struct MeshTopology {
     /// The number of edges with one triangle.
     pub boundary_edges: usize,
     /// The number of edges with more than two triangles, or with two triangles that disagree about which side is outside.
@@ -21,7 +21,7 @@ pub struct Topology {
     pub euler_characteristic: i64,
 }
 
-impl Topology {
+impl MeshTopology {
     /// Whether every edge has exactly two triangles, which agree about which side is outside.
     #[must_use]
     pub fn is_watertight(&self) -> bool {
@@ -32,7 +32,7 @@ impl Topology {
 impl Mesh {
     /// Counts edges and pieces. Cost: linear in the number of triangles.
     #[must_use]
-    pub fn topology(&self) -> Topology {
+    pub fn topology(&self) -> MeshTopology {
         // For each edge, how many triangles have it in the ascending and in the descending direction.
         let mut uses: HashMap<(u32, u32), [usize; 2]> = HashMap::new();
         for triangle in &self.triangles {
@@ -44,7 +44,7 @@ impl Mesh {
         let boundary = uses.values().filter(|[up, down]| up + down == 1).count();
         let regular = uses.values().filter(|counts| **counts == [1, 1]).count();
         let signed = |n: usize| i64::try_from(n).invariant("numbers in memory are less than 2^63");
-        Topology {
+        MeshTopology {
             boundary_edges: boundary,
             irregular_edges: uses.len() - boundary - regular,
             components: self.pieces().1,

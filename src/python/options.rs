@@ -16,7 +16,7 @@ use crate::picture::Window;
 use crate::reading::{HarmonicConvention, Normalization};
 use crate::sample::Direction;
 use crate::verb::{
-    ArcSearch, Bounds, CoefficientScale, CoordinatesFrom, Frame, ImplicitizeMethod,
+    ArcSearch, BoxSides, CoefficientScale, CoordinatesFrom, Frame, ImplicitizeMethod,
     ImplicitizeOptions, InspectionOptions, MeshingOptions, PlotOptions, ReadOptions,
 };
 
@@ -323,7 +323,7 @@ impl Options {
         }
     }
 
-    fn bounds(&self) -> Result<Option<Bounds>> {
+    fn bounds(&self) -> Result<Option<BoxSides>> {
         match self.window.as_deref() {
             None => Ok(None),
             Some([a, b, c, d, e, f]) if a < b && c < d && e < f => {

@@ -1,7 +1,7 @@
 //! Searches for certified arcs of intersections, for the verbs `parametrize`, `sample` and `plot`.
 
 use super::equation::check_surface;
-use super::{Bounds, Work};
+use super::{BoxSides, Work};
 use crate::arcs::{ArcOptions, IntersectionArcs, trace_intersection};
 use crate::error::{Error, Result};
 use crate::mesh::mesh_bounds;
@@ -13,7 +13,7 @@ options! {
     /// How the curve in which two surfaces meet is followed.
     ArcSearch {
         /// The box in which the curve is followed; by default a box around the smaller surface.
-        window: Option<Bounds> = None,
+        window: Option<BoxSides> = None,
         /// The least number of steps along the longest side of the box; by default 64.
         resolution: Option<u32> = None,
     }
@@ -66,8 +66,8 @@ pub(super) fn arcs_of_others(
 }
 
 /// The box around one of the surfaces: around the bounded one, or around the smaller one if both are bounded.
-fn box_of(surfaces: [&ImplicitSurface; 2], work: &Work) -> Result<Bounds> {
-    let mut best: Option<(bool, f64, Bounds)> = None;
+fn box_of(surfaces: [&ImplicitSurface; 2], work: &Work) -> Result<BoxSides> {
+    let mut best: Option<(bool, f64, BoxSides)> = None;
     for surface in surfaces {
         let Some(found) = mesh_bounds(surface, work.bounds())? else {
             continue;

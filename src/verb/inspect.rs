@@ -11,8 +11,8 @@ use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::implicitize::implicitize_patch;
 use crate::inspect::{
-    CircleSection, CurveInspector, DecidedDistance, HarmonicInspector, InspectOptions, Inspection,
-    Inspector, MAX_SECTION_WORK, PatchInspector, Section, Sides, SphereSection,
+    CircleSection, CurveInspector, DecidedDistance, HarmonicInspector, Inspection, Inspector,
+    InspectorOptions, MAX_SECTION_WORK, PatchInspector, Section, Sides, SphereSection,
     SuperquadricInspector, ToleranceZone,
 };
 use crate::intervals::rational;
@@ -129,7 +129,7 @@ pub fn inspect(
     };
     let zone = zone.with_uncertainty(options.uncertainty.clone())?;
     let subject = subject(given, dimension, &options.fit, work)?;
-    let asked = InspectOptions::new(zone.tolerance_of_side(None))
+    let asked = InspectorOptions::new(zone.tolerance_of_side(None))
         .reach(options.reach)
         .digits(options.digits)
         .cubes(options.budget);

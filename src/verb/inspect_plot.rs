@@ -6,7 +6,7 @@ use super::plot::{CELLS, fitting_window};
 use super::plot_options::{Frame, VIEW, plane_window, space_window};
 use super::plot_space::{box_around, for_pictures, joined, mesh_layer};
 use super::zero_set::ZeroSet;
-use super::{Bounds, KeptPoint, Work};
+use super::{BoxSides, KeptPoint, Work};
 use crate::arcs::{ArcOptions, CurveArc, trace_intersection};
 use crate::error::{Error, Result};
 use crate::exact::Rational;
@@ -218,7 +218,7 @@ fn largest_tolerance(task: &InspectionTask) -> f64 {
 }
 
 /// A box around the points, with room for the tolerance.
-fn around(task: &InspectionTask, points: &[KeptPoint]) -> Option<Bounds> {
+fn around(task: &InspectionTask, points: &[KeptPoint]) -> Option<BoxSides> {
     let d = largest_tolerance(task);
     box_around(points.iter().map(|kept| &kept.point))
         .map(|b| b.map(|[low, high]| [low - 2.0 * d, high + 2.0 * d]))
@@ -230,7 +230,7 @@ fn scene(
     body: SpaceLayer,
     points: &[KeptPoint],
     over: SpaceLayer,
-    shown: Option<Bounds>,
+    shown: Option<BoxSides>,
     work: &Work,
 ) -> Result<String> {
     let mut layers = vec![body];

@@ -3,7 +3,7 @@
 use super::equation::{check_surface, cylinder, through_equation};
 use super::fit::exact_form;
 use super::singular::singular_parts;
-use super::{Bounds, Given, Work};
+use super::{BoxSides, Given, Work};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface};
@@ -20,7 +20,7 @@ options! {
     /// How a surface is meshed.
     MeshingOptions {
         /// The box in which the surface is meshed; by default a box around the surface.
-        window: Option<Bounds> = None,
+        window: Option<BoxSides> = None,
         /// The number of cells along the longest side of the box.
         resolution: u32 = 64,
         /// Edges are split where the surface bends by more than this, in degrees from 1 to 180.

@@ -75,6 +75,7 @@ mod work;
 #[cfg(feature = "pictures")]
 mod zero_set;
 
+pub use crate::mesh::BoxSides;
 pub use arcs::ArcSearch;
 pub use check::{
     CheckOptions, CheckTask, FloatKind, FloatNumbers, MAX_VECTOR_DIRECTIONS, VectorOptions, check,
@@ -111,6 +112,3 @@ pub use source::read_limited;
 pub use topology::CurveTopology;
 use work::Progress;
 pub use work::{DEFAULT_MAX_DEGREE, Missing, Watcher, Work};
-
-/// The sides of a box.
-pub type Bounds = [[f64; 2]; 3];

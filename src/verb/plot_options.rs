@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use super::{Bounds, Content, Given};
+use super::{BoxSides, Content, Given};
 use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::options::options;
@@ -33,7 +33,7 @@ pub enum Frame {
     /// A part of the plane.
     Plane(Window),
     /// A part of space.
-    Space(Bounds),
+    Space(BoxSides),
 }
 
 options! {
@@ -116,7 +116,7 @@ impl FigureFormat {
 }
 
 /// The box of a figure in space.
-pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<Bounds>> {
+pub(super) fn space_window(frame: Option<Frame>) -> Result<Option<BoxSides>> {
     match frame {
         None => Ok(None),
         Some(Frame::Space(bounds)) => Ok(Some(bounds)),

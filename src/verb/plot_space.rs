@@ -4,7 +4,7 @@ use super::arcs::{ArcSearch, arcs_of_others};
 use super::equation::cylinder;
 use super::mesh::{of_harmonics, of_superquadric, of_surface};
 use super::plot_options::{PlotOptions, VIEW, range_of, range_text, space_window, width};
-use super::{Bounds, Content, Given, MeshingOptions, Remark, Work};
+use super::{BoxSides, Content, Given, MeshingOptions, Remark, Work};
 use crate::arcs::CurveArc;
 use crate::error::{Error, Result};
 use crate::mesh::{Held, Mesh, mesh_bounds};
@@ -41,7 +41,7 @@ pub(super) fn is_in_space(given: &Given) -> bool {
 }
 
 /// How surfaces are meshed for a picture.
-pub(super) fn for_pictures(window: Option<Bounds>, cells: Option<u32>) -> MeshingOptions {
+pub(super) fn for_pictures(window: Option<BoxSides>, cells: Option<u32>) -> MeshingOptions {
     MeshingOptions::default()
         .window(window)
         .resolution(cells.unwrap_or(SURFACE_CELLS))
@@ -109,7 +109,7 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
 /// A form on its way into the scene.
 enum Drawn {
     /// A finished layer, and the box that shows it.
-    Layer(SpaceLayer, Option<Bounds>),
+    Layer(SpaceLayer, Option<BoxSides>),
     /// A label, and a surface that will be meshed in the box of the whole scene.
     Surface(String, ImplicitSurface),
 }
@@ -159,7 +159,7 @@ fn near_curve(p: [f64; 3], curves: &[Vec<[f64; 3]>], reach: f64) -> [f64; 3] {
 }
 
 /// The box around both boxes.
-pub(super) fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
+pub(super) fn joined(a: Option<BoxSides>, b: Option<BoxSides>) -> Option<BoxSides> {
     match (a, b) {
         (Some(a), Some(b)) => Some([0, 1, 2].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])])),
         (a, b) => a.or(b),
@@ -167,10 +167,10 @@ pub(super) fn joined(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
 }
 
 /// The box around finite points.
-pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<Bounds> {
+pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Option<BoxSides> {
     points
         .filter(|p| p.iter().all(|v| v.is_finite()))
-        .fold(None, |bounds: Option<Bounds>, p| {
+        .fold(None, |bounds: Option<BoxSides>, p| {
             let b = bounds.unwrap_or(p.map(|v| [v, v]));
             Some([0, 1, 2].map(|k| [b[k][0].min(p[k]), b[k][1].max(p[k])]))
         })
@@ -179,7 +179,7 @@ pub(super) fn box_around<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Opti
 fn drawn_of(
     given: Given,
     options: &PlotOptions,
-    window: Option<Bounds>,
+    window: Option<BoxSides>,
     work: &Work,
 ) -> Result<Vec<Drawn>> {
     if let Content::Exact(Form::Intersection(surfaces)) = given.content() {
@@ -191,7 +191,7 @@ fn drawn_of(
 /// The layers of the surfaces, and of the curve in which they meet if Theorem 7 gives it.
 fn intersection(
     surfaces: &[ImplicitSurface],
-    window: Option<Bounds>,
+    window: Option<BoxSides>,
     work: &Work,
 ) -> Result<Vec<Drawn>> {
     let degree = |surface: &ImplicitSurface| surface.polynomial().degree().unwrap_or(0);
@@ -314,7 +314,7 @@ fn formulas(curve: &SpaceCurve) -> String {
 
 /// The box of a scene. Bounded surfaces have a box of their own. Unbounded ones are drawn in the box of all other forms, which
 /// grows to hold their bounded pieces.
-fn box_of_all(drawn: &[Drawn], around: Option<Bounds>, work: &Work) -> Result<Option<Bounds>> {
+fn box_of_all(drawn: &[Drawn], around: Option<BoxSides>, work: &Work) -> Result<Option<BoxSides>> {
     let (mut around, mut pieces) = (around, None);
     for next in drawn {
         let Drawn::Surface(_, surface) = next else {

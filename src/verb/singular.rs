@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Bounds, Work};
+use super::{BoxSides, Work};
 use crate::error::Result;
 use crate::factor::factor_space;
 use crate::intervals::{Field, between, distance};
@@ -112,7 +112,7 @@ impl SingularParts {
 pub(super) fn singular_parts(
     mesh: &Mesh,
     surface: &ImplicitSurface,
-    bounds: &Bounds,
+    bounds: &BoxSides,
     work: &Work,
 ) -> Result<SingularParts> {
     let mut parts = SingularParts::default();
@@ -138,7 +138,7 @@ pub(super) fn singular_parts(
     Ok(parts)
 }
 
-fn is_inside(p: &[f64; 3], bounds: &Bounds) -> bool {
+fn is_inside(p: &[f64; 3], bounds: &BoxSides) -> bool {
     p.iter().zip(bounds).all(|(x, [a, b])| a <= x && x <= b)
 }
 
@@ -146,7 +146,7 @@ fn is_inside(p: &[f64; 3], bounds: &Bounds) -> bool {
 type Sample = ([f64; 2], [f64; 3]);
 
 /// The parts of a curve in a box, as polylines with short pieces.
-fn in_box(curve: &SpaceCurve, bounds: &Bounds) -> Vec<Vec<[f64; 3]>> {
+fn in_box(curve: &SpaceCurve, bounds: &BoxSides) -> Vec<Vec<[f64; 3]>> {
     let diagonal = bounds
         .iter()
         .map(|[a, b]| (b - a).powi(2))

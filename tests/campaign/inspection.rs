@@ -3,7 +3,7 @@
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
-use stellate::inspect::{InspectOptions, Inspector, Verdict};
+use stellate::inspect::{Inspector, InspectorOptions, Verdict};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::shape::Form;
@@ -203,7 +203,7 @@ fn inspect(draw: &mut Draw, in_space: bool) -> Outcome {
     draw.input =
         format!("stellate inspect '{text}' --tolerance '{tolerance}' --point '{x},{y},{z}'");
     let reach = if draw.once_in(2) { 0.0 } else { 3.0 };
-    let options = InspectOptions::new(our(&tolerance))
+    let options = InspectorOptions::new(our(&tolerance))
         .reach(Some(reach))
         .cubes(20_000);
     let none = Limits::none();

@@ -4,13 +4,13 @@
 
 use proptest::prelude::*;
 use stellate::exact::Rational;
-use stellate::inspect::{InspectOptions, Inspection, Inspector, Verdict};
+use stellate::inspect::{Inspection, Inspector, InspectorOptions, Verdict};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::shape::Form;
 
 fn inspector_within(text: &str, tolerance: &Rational, reach: f64) -> Inspector {
-    let options = InspectOptions::new(tolerance.clone())
+    let options = InspectorOptions::new(tolerance.clone())
         .reach(Some(reach))
         .cubes(20_000);
     match parse_form(text, "<form>", Numbers::Exact).unwrap() {

@@ -7,7 +7,7 @@
 
 use num_rational::BigRational;
 use stellate::exact::Rational;
-use stellate::inspect::{InspectOptions, Inspector, Verdict};
+use stellate::inspect::{Inspector, InspectorOptions, Verdict};
 use stellate::language::{Numbers, parse_form};
 use stellate::limits::Limits;
 use stellate::shape::Form;
@@ -22,7 +22,7 @@ fn count(default: u64) -> u64 {
 }
 
 fn inspector(text: &str, tolerance: &Rational) -> Inspector {
-    let options = InspectOptions::new(tolerance.clone());
+    let options = InspectorOptions::new(tolerance.clone());
     let Form::Surface(surface) = parse_form(text, "<form>", Numbers::Exact).unwrap() else {
         panic!("{text}")
     };

@@ -391,7 +391,7 @@ fn a_center_is_lost_nowhere() {
         let point = [x, y, "0"].map(|q| q.parse().unwrap());
         let near = stellate::inspect::Inspector::plane(
             &curve,
-            &stellate::inspect::InspectOptions::new("1/10".parse().unwrap()),
+            &stellate::inspect::InspectorOptions::new("1/10".parse().unwrap()),
             &stellate::limits::Limits::none(),
         );
         let found = task.point(&point);

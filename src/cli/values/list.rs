@@ -5,7 +5,7 @@ use stellate::exact::Rational;
 use stellate::fit::{CenterChoice, Column, Columns};
 use stellate::inspect::ToleranceZone;
 use stellate::picture::Window;
-use stellate::verb::{Bounds, Frame};
+use stellate::verb::{BoxSides, Frame};
 
 use super::Read;
 use super::number::{advice, number, positive};
@@ -134,7 +134,7 @@ pub(crate) fn frame(text: &str) -> Read<Frame> {
 }
 
 /// Reads a box in space.
-pub(crate) fn space_window(text: &str) -> Read<Bounds> {
+pub(crate) fn space_window(text: &str) -> Read<BoxSides> {
     let expected = "expected X0,X1,Y0,Y1,Z0,Z1 with X0 < X1 and so on, such as -1,1,-1,1,0,2";
     let [x0, x1, y0, y1, z0, z1] = doubles(text, expected)?;
     if x0 < x1 && y0 < y1 && z0 < z1 {

@@ -28,7 +28,7 @@ const ABSOLUTE: f64 = 5e-7;
 #[non_exhaustive]
 pub struct Distances {
     /// Certified bounds of the Hausdorff distance: the largest distance of a point of either one from the other.
-    pub hausdorff: Bounds,
+    pub hausdorff: HausdorffBounds,
     /// The mean distance of the points of the outline from the curve, by arc length; approximate.
     pub mean: f64,
     /// The area of the intersection over that of the union of what the outline and the curve enclose; approximate. Of a curve
@@ -36,10 +36,10 @@ pub struct Distances {
     pub overlap: f64,
 }
 
-/// Certified bounds of a number.
+/// Certified bounds of a Hausdorff distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Bounds {
+pub struct HausdorffBounds {
     /// The lower bound.
     pub low: f64,
     /// The upper bound.
@@ -200,8 +200,8 @@ impl Outline {
         }
     }
 
-    fn in_its_units(&self, bounds: Bounds) -> Bounds {
-        Bounds {
+    fn in_its_units(&self, bounds: HausdorffBounds) -> HausdorffBounds {
+        HausdorffBounds {
             low: bounds.low * self.frame.scale(),
             high: bounds.high * self.frame.scale(),
         }
@@ -214,7 +214,7 @@ impl Outline {
         curve: &EllipticSeries,
         enough: f64,
         limits: &Limits,
-    ) -> Result<Option<(Bounds, Polygon)>> {
+    ) -> Result<Option<(HausdorffBounds, Polygon)>> {
         let tracer = Tracer::new(curve, &self.frame);
         let mut count = tracer.first_count();
         loop {
@@ -227,14 +227,14 @@ impl Outline {
             let distances = self.far.iter().map(|&p| polygon.nearest(p, 0).distance);
             let known = distances.fold(0.0, f64::max) - error;
             if known > enough {
-                let bounds = Bounds {
+                let bounds = HausdorffBounds {
                     low: known,
                     high: f64::INFINITY,
                 };
                 return Ok(Some((bounds, polygon)));
             }
             let found = hausdorff::enclose([&self.polygon, &polygon], limits)?;
-            let bounds = Bounds {
+            let bounds = HausdorffBounds {
                 low: (found.low - error).max(0.0),
                 high: found.high + error,
             };

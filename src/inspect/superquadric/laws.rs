@@ -11,8 +11,8 @@ fn rational(n: i64, d: i64) -> Rational {
     Rational::from(n) / Rational::from(d)
 }
 
-fn options(tolerance: &str) -> InspectOptions {
-    InspectOptions::new(tolerance.parse().unwrap())
+fn options(tolerance: &str) -> InspectorOptions {
+    InspectorOptions::new(tolerance.parse().unwrap())
 }
 
 fn plane(axes: [i64; 2], epsilon: Rational, level: i64) -> Superquadric {

@@ -13,7 +13,7 @@ use self::exact::ExactPoints;
 use super::known::rounding;
 use super::nearest::FootCandidate;
 use super::tolerance::Tolerance;
-use super::{DistanceBounds, InspectOptions, Inspection, Verdict};
+use super::{DistanceBounds, Inspection, InspectorOptions, Verdict};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
@@ -64,12 +64,12 @@ impl SuperquadricInspector {
     /// cylinder over it.
     ///
     /// ```
-    /// use stellate::inspect::{InspectOptions, SuperquadricInspector, Verdict};
+    /// use stellate::inspect::{InspectorOptions, SuperquadricInspector, Verdict};
     /// use stellate::limits::Limits;
     /// use stellate::shape::Superquadric;
     /// // The astroid |x|^(2/3) + |y|^(2/3) = 1
     /// let astroid = Superquadric::new([1.into(), 1.into()], 3.into(), 1.into()).unwrap();
-    /// let options = InspectOptions::new("1/10".parse()?);
+    /// let options = InspectorOptions::new("1/10".parse()?);
     /// let inspector = SuperquadricInspector::plane(&astroid, false, &options, &Limits::none())?;
     /// let at = |x: &str| inspector.inspect(&[x, "0", "0"].map(|q| q.parse().unwrap()));
     /// // The nearest point is the cusp (1, 0), exactly at the tolerance.
@@ -87,7 +87,7 @@ impl SuperquadricInspector {
     pub fn plane(
         shape: &Superquadric,
         is_cylinder: bool,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let (body, exact) = (Body::plane(shape)?, ExactPoints::plane(shape));
@@ -104,7 +104,7 @@ impl SuperquadricInspector {
     /// As [`Self::plane`].
     pub fn space(
         shape: &SpaceSuperquadric,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let (body, exact) = (Body::space(shape)?, ExactPoints::space(shape));
@@ -115,7 +115,7 @@ impl SuperquadricInspector {
         shape: Shape,
         body: Body,
         exact: ExactPoints,
-        options: &InspectOptions,
+        options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
         let digits = i32::try_from(options.digits.min(14)).invariant("14 is small");

@@ -6,7 +6,7 @@ use malachite::Integer;
 
 use crate::error::Result;
 use crate::exact::{Rational, exact_literal, pi};
-use crate::inspect::{InspectOptions, Inspector, SphereSection};
+use crate::inspect::{Inspector, InspectorOptions, SphereSection};
 use crate::limits::Limits;
 use crate::parametrize::{AngleRange, BranchRadius, Parametrization, SurfaceParametrization};
 use crate::poly::SpacePolynomial;
@@ -162,7 +162,7 @@ pub(super) fn section(subject: &str, claimed: &str, limits: &Limits) -> Result<A
 
 pub(super) fn inspect(subject: &str, claimed: &str, limits: &Limits) -> Result<Answer> {
     let (surface, point, tolerance) = inspected(subject)?;
-    let options = InspectOptions::new(tolerance);
+    let options = InspectorOptions::new(tolerance);
     let found = Inspector::surface(&surface, &options, limits)?.inspect(&point);
     let verdict = found.verdict;
     let curve = match found.curve {
