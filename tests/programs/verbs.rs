@@ -360,14 +360,17 @@ fn the_library_gives_the_bytes_of_the_program() {
     assert!(commands.len() > 40, "the documentation has its commands");
     for words in &commands {
         let arguments: Vec<&str> = words.iter().map(String::as_str).collect();
-        let run = run_in(folder.path(), &arguments, "");
+        let (run, library) = std::thread::scope(|scope| {
+            let library = scope.spawn(|| by_library(words, folder.path()));
+            let run = run_in(folder.path(), &arguments, "");
+            (run, library.join().unwrap())
+        });
         assert!(run.code <= 1, "{words:?}: {}", run.err);
         let file = arguments.iter().position(|word| *word == "-o");
         let program = match file {
             Some(at) => fs::read(folder.path().join(arguments[at + 1])).unwrap(),
             None => run.out.into_bytes(),
         };
-        let library = by_library(words, folder.path());
         assert!(library == program, "{words:?}");
     }
 }
