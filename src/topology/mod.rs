@@ -23,6 +23,7 @@ mod guess;
 #[cfg(test)]
 mod laws;
 mod locate;
+mod origin;
 mod places;
 mod resolution;
 mod series;

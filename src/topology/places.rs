@@ -29,6 +29,8 @@ pub(super) struct LocalType {
     pub(super) intersection: usize,
     /// The places, ascending.
     pub(super) places: Vec<Place>,
+    /// The number of different tangents of the branches.
+    pub(super) tangents: usize,
 }
 
 impl LocalType {
@@ -101,6 +103,7 @@ pub(super) fn types_above_zero(
         let intersection = walk.follow(&local, multiplicity, 1, None)?;
         walk.places.sort_unstable();
         types.push(LocalType {
+            tangents: tangents(field, &local, multiplicity),
             fibre_multiplicity: multiplicity,
             intersection,
             places: walk.places,
@@ -111,6 +114,22 @@ pub(super) fn types_above_zero(
 
 fn coefficient(row: &[u64], j: usize) -> u64 {
     row.get(j).copied().unwrap_or(0)
+}
+
+/// The number of different tangents of the branches at (0, 0). Roots of a valuation below 1 have the tangent u = 0, roots of a valuation
+/// above 1 and the root v = 0 have v = 0, and those of valuation 1 have v = ξu for the roots ξ of their edge's polynomial.
+fn tangents(field: &PrimeField, local: &Local, multiplicity: usize) -> usize {
+    let points: Vec<(usize, usize)> = (0..=multiplicity)
+        .filter_map(|i| Some((i, local.order(i)?)))
+        .collect();
+    let edges = lower_edges(local, &points);
+    let is_divisible = points.first().is_some_and(|(lowest, _)| *lowest > 0);
+    let horizontal = is_divisible || edges.iter().any(|edge| edge.m > edge.q);
+    let vertical = edges.iter().any(|edge| edge.m < edge.q);
+    let between = edges.iter().filter(|edge| edge.m == edge.q);
+    let slopes = between.flat_map(|edge| squarefree_parts(field, &edge.polynomial));
+    let distinct: usize = slopes.map(|(_, part)| part.len() - 1).sum();
+    distinct + usize::from(horizontal) + usize::from(vertical)
 }
 
 /// An edge of a Newton polygon: `count` = k edges of the primitive step (−q, m), and the polynomial φ of degree k.

@@ -7,6 +7,7 @@
 
 use super::components::ComponentKind;
 use super::coordinate::Coordinate;
+use super::origin::at_origin;
 use super::singular::Singularity;
 use super::{Component, SingularPoint, Topology};
 use crate::error::{Invariant, Result};
@@ -23,7 +24,7 @@ impl Topology {
     /// The topology of the zero set of the equation of a radius, relative to its centre. `origin_multiplicity` is the multiplicity of
     /// the origin on the curve of the (reduced) equation.
     ///
-    /// The numbers μ and δ of the origin are not determined. Cost: the real roots of some polynomials of degree 2N + 2.
+    /// Cost: the real roots of some polynomials of degree 2N + 2.
     ///
     /// # Errors
     /// Those of the limits.
@@ -64,6 +65,7 @@ impl Topology {
                         milnor: Some(2 * order - 1),
                         delta: Some(order),
                         branches: Some(2),
+                        tangents: Some(if order == 1 { 2 } else { 1 }),
                         real_half_branches: 4,
                     },
                     component: 0,
@@ -94,13 +96,7 @@ impl Topology {
                 .push(singular_points.len());
             singular_points.push(SingularPoint {
                 at: [origin(), origin()],
-                singularity: Singularity {
-                    multiplicity: origin_multiplicity,
-                    milnor: None,
-                    delta: None,
-                    branches: None,
-                    real_half_branches: 2 * branches,
-                },
+                singularity: at_origin(radius, origin_multiplicity, 2 * branches),
                 component,
             });
         }
@@ -118,7 +114,7 @@ fn finite_zeros(series: &FourierRadius) -> Vec<RealRoot> {
 }
 
 /// The order of the zero at θ = π; 0 if there is none.
-fn order_at_infinity(series: &FourierRadius) -> usize {
+pub(super) fn order_at_infinity(series: &FourierRadius) -> usize {
     let function = series.to_function();
     let length = |f: &IntegerPolynomial| f.coefficients_asc().len();
     length(function.denominator()) - length(function.numerator())

@@ -44,6 +44,8 @@ pub struct Singularity {
     pub delta: Option<usize>,
     /// The number of branches.
     pub branches: Option<usize>,
+    /// The number of different tangents of the branches.
+    pub tangents: Option<usize>,
     /// The number of real half-branches that end in the point.
     pub real_half_branches: usize,
 }
@@ -55,6 +57,7 @@ impl Singularity {
             milnor: Some(local.milnor()),
             delta: Some(local.delta()),
             branches: Some(local.places.len()),
+            tangents: Some(local.tangents),
             real_half_branches,
         }
     }
@@ -75,13 +78,11 @@ impl Singularity {
     #[must_use]
     pub fn arnold(&self) -> Option<String> {
         let mu = self.milnor?;
-        match (self.multiplicity, mu, self.branches?) {
+        // A triple point is D if its tangent cone is no triple line, and then E if it is simple (Arnold).
+        match (self.multiplicity, mu, self.tangents) {
             (2, ..) => Some(format!("A{mu}")),
-            (3, 4 | 5, _) | (3, 6, 3) => Some(format!("D{mu}")),
-            (3, 6, 1) | (3, 8, 1) => Some(format!("E{mu}")),
-            // D7 and E7 have equal invariants.
-            (3, 7, _) => None,
-            (3, _, 2 | 3) => Some(format!("D{mu}")),
+            (3, _, Some(2 | 3)) => Some(format!("D{mu}")),
+            (3, 6..=8, Some(1)) => Some(format!("E{mu}")),
             _ => None,
         }
     }

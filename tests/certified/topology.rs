@@ -79,3 +79,88 @@ fn random_curves_have_the_components_that_another_program_finds() {
     assert!(count >= 400, "{count} curves");
     assert_eq!(wrong, Vec::<String>::new());
 }
+
+/// Arnold's symbols of simple triple points, and none for points that are not simple; the same in other coordinates.
+#[test]
+fn triple_points_have_their_symbols() {
+    for (equation, symbol) in [
+        ("x^2*y + y^9", Some("D10")),
+        ("x*y^2 + x^4", Some("D5")),
+        ("x^2*y + y^3", Some("D4")),
+        ("x^2*y + y^6", Some("D7")),
+        ("y^3 + x^4", Some("E6")),
+        ("y^3 - y*x^3", Some("E7")),
+        ("(y^2 - x^3)*(y - x^2)", Some("E7")),
+        ("y^3 + x^5", Some("E8")),
+        ("y*(y - x^2)*(y - 2*x^2)", None),
+        ("y^3 + x^6", None),
+        ("y^3 + y*x^5", None),
+        ("y^3 + x^2*y^2 + x^7", None),
+        ("y^3 + x^2*y^2 + x^9", None),
+    ] {
+        for [x, y] in [["x", "y"], ["(x+2*y)", "(y-x)"], ["(x-1)", "(y+x-3)"]] {
+            let text: String = equation
+                .chars()
+                .map(|c| match c {
+                    'x' => x.to_owned(),
+                    'y' => y.to_owned(),
+                    c => c.to_string(),
+                })
+                .collect();
+            let topology = Topology::of(&polynomial(&text), &Limits::none()).unwrap();
+            let point = topology
+                .singular_points
+                .iter()
+                .find(|p| p.singularity.multiplicity == 3);
+            assert_eq!(
+                point.unwrap().singularity.arnold().as_deref(),
+                symbol,
+                "{text}"
+            );
+        }
+    }
+}
+
+/// The origin of the equation of a radius is the singular point that the equation has there.
+#[test]
+fn the_origin_of_a_radius_is_that_of_its_equation() {
+    use stellate::exact::Rational;
+    use stellate::verb::{self, Given, ImplicitizeOptions, Work};
+    for text in [
+        "r = 1 + cos(t)",
+        "r = 1 + 2*cos(t)",
+        "r = 1/2 + 1/3*cos(t)",
+        "r = cos(3*t)",
+        "r = cos(2*t)",
+        "r = cos(t) + cos(3*t)",
+        "r = 1 + cos(2*t)",
+        "r = 1 - cos(2*t) + sin(t)",
+        "r = 1 + sin(t) + cos(2*t)",
+        "r = 3/2 + 2*cos(t) + 1/2*cos(2*t)",
+        "r = cos(t) + cos(2*t)",
+        "r = 2 + cos(2*t)",
+    ] {
+        let given = || Given::read(text, Numbers::Exact).unwrap();
+        let verb::Content::Exact(Form::Fourier(radius)) = given().into_content() else {
+            panic!("{text} is a radius");
+        };
+        let found = verb::implicitize(given(), &ImplicitizeOptions::default(), &Work::default());
+        let Form::Curve(curve) = found.unwrap().form else {
+            panic!("{text} is a plane curve");
+        };
+        let multiplicity = curve.polynomial().lowest_degree().unwrap();
+        let of_radius = Topology::of_radius(&radius, multiplicity, &Limits::none()).unwrap();
+        let of_equation = Topology::of(curve.polynomial(), &Limits::none()).unwrap();
+        let origin = |topology: &Topology| {
+            let mut points = topology.singular_points.iter();
+            let at_origin = points.find(|p| {
+                p.at.iter()
+                    .all(|c| c.exact().is_some_and(Rational::is_zero))
+            });
+            at_origin.map(|p| p.singularity.clone())
+        };
+        let expected = origin(&of_equation);
+        assert!(expected.is_some(), "{text}");
+        assert_eq!(origin(&of_radius), expected, "{text}");
+    }
+}
