@@ -62,6 +62,11 @@ pub fn summary_text(summary: &InspectionSummary, number: &str) -> String {
         let [low, high] = [near.distance.low, summary.largest];
         let _ = match summary.points() {
             1 => write!(line, "; its distance is from {low:?} to {high:?}"),
+            _ if high.is_infinite() => write!(
+                line,
+                "; the nearest is {number} {}, at a distance of at most {:?}, and {number} {} is at a distance of at least {:?}; points of which no nearest point was found may be farther",
+                near.row, near.distance.high, far.row, far.distance.low
+            ),
             _ => write!(
                 line,
                 "; the nearest is {number} {}, at a distance of at most {:?}, and the farthest {number} {}, at a distance of at least {:?}",

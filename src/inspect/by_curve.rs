@@ -165,6 +165,61 @@ mod tests {
         }
     }
 
+    /// Lines and isolated points, in which f is 0 without a change of its sign, have their distances.
+    #[test]
+    fn zeros_without_a_change_of_sign_have_distances() {
+        let tolerance = Rational::one() / Rational::from(10);
+        for (form, p, exact) in [
+            ("x^2 + y^2 + 0*z = 0", [3.0, 4.0, 7.0], 5.0),
+            ("(x-1)^2 + 2*y^2 + 0*z = 0", [1.0, 0.75, -2.0], 0.75),
+            ("(x^2-2)^2 + y^2 + 0*z = 0", [0.0, 0.0, 1.0], 2f64.sqrt()),
+            ("x^2 + y^2 + z^2 = 0", [2.0, 3.0, 6.0], 7.0),
+            ("x^2*(x-1) = z^2 + y^2", [0.0, 0.25, 0.0], 0.25),
+        ] {
+            let found = inspector(form, &tolerance).inspect(&rationals(p));
+            assert_eq!(found.verdict, Verdict::Outside, "{form}");
+            is_near(&found, exact);
+        }
+        let plane = |form: &str, p: [f64; 2]| {
+            let Ok(Form::Curve(curve)) = parse_form(form, "<form>", Numbers::Exact) else {
+                panic!("{form} is a curve")
+            };
+            let options = InspectorOptions::new(tolerance.clone());
+            let inspector = Inspector::plane(&curve, &options, &Limits::none());
+            inspector
+                .expect("a curve")
+                .inspect(&rationals([p[0], p[1], 0.0]))
+        };
+        is_near(&plane("x^2 + y^2 = 0", [3.0, 4.0]), 5.0);
+        is_near(&plane("y^2 = (x-1)^2*(x-2)", [1.0, 0.25]), 0.25);
+    }
+
+    /// Rays from a point miss a thin ellipsoid; its distance is bounded all the same.
+    #[test]
+    fn thin_surfaces_have_distances() {
+        let inspector = inspector("x^2/9 + y^2/4 + 10000*z^2 = 1", &Rational::one());
+        let mut random = crate::modular::SplitMix(1);
+        for _ in 0..100 {
+            let p = [0; 3]
+                .map(|_| f64::from(u16::try_from(random.next() >> 48).unwrap_or(0)) / 8192.0 - 4.0);
+            let found = inspector.inspect(&rationals(p));
+            // The ellipsoid is within 1/100 of the disc in the plane z = 0.
+            let points = (0..40_000).map(|k| {
+                let (radius, angle) = (
+                    f64::from(k / 400) / 99.0,
+                    f64::from(k % 400) * std::f64::consts::TAU / 400.0,
+                );
+                [3.0 * radius * angle.cos(), 2.0 * radius * angle.sin(), 0.0]
+            });
+            let least = points.map(|q| distance(p, q)).fold(f64::INFINITY, f64::min);
+            let DistanceBounds { low, high } = found.distance;
+            assert!(
+                low <= least && least <= high + 0.06 && high <= 8.0,
+                "{p:?} {found:?} {least}"
+            );
+        }
+    }
+
     /// A point exactly at the tolerance is inside, and so is one on the curve; one on the axis is as far from all points of the circle.
     #[test]
     fn degenerate_points_are_decided() {

@@ -2,15 +2,19 @@
 
 use super::DistanceBounds;
 use super::distance::{Goal, nearest};
+use super::exact::{critical_point, exact_difference, rational_zero, squared_length};
 use super::inspector::{Factor, Inspector};
 use super::known::{PartialInspection, Point};
+use crate::exact::Rational;
 use crate::intervals::interval::separation;
-use crate::intervals::{Field, Interval};
+use crate::intervals::{Field, Interval, rational, rationals};
 
 /// The part of the cubes of a verdict that may be divided for a distance.
 pub(super) const SHARE: usize = 8;
 /// How often the search radius is doubled along a ray, from the tolerance on.
 const DOUBLINGS: u32 = 64;
+/// How near a rational point must be to a critical point in doubles, relative to the size of the coordinates.
+const WIDTH: f64 = 1e-9;
 /// How often a piece of a ray with a zero is halved.
 const HALVINGS: u32 = 30;
 /// How often the search radius grows, by a factor of 4 each time, if no zero was found on the rays.
@@ -53,7 +57,7 @@ impl Inspector {
                 let p = at(field);
                 let found = DistanceBounds {
                     low: 0.0,
-                    high: self.on_rays(field, p),
+                    high: self.on_rays(field, p).min(towards_extremum(field, p.near)),
                 };
                 self.learn(known, found, p.slack);
             }
@@ -93,6 +97,37 @@ impl Inspector {
         };
         let found = nearest(field, p.near, field.sign(p.near), outer, goal, &self.limits);
         self.learn(known, found.bounds, p.slack);
+        if !self.is_close(&known.bounds) && self.is_exact_possible(field) {
+            self.by_rational_point(field, p, &found.near, known);
+        }
+    }
+
+    /// Improves the upper bound by zeros at rational points near `starts` at which the gradient vanishes. There f need not change its
+    /// sign, as at isolated points.
+    fn by_rational_point(
+        &self,
+        field: &Field,
+        p: &Point,
+        starts: &[[f64; 3]],
+        known: &mut PartialInspection,
+    ) {
+        let size = p.near.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let width = rational(WIDTH * size.max(self.goal.reach));
+        for start in starts {
+            let Some(critical) = critical_point(field, *start) else {
+                continue;
+            };
+            let Some(zero) = rational_zero(field, &rationals(critical), &width) else {
+                continue;
+            };
+            let square = squared_length(&exact_difference(p.exactly(), &zero));
+            let high = Interval::from(&square).sqrt().high();
+            if high < known.bounds.high {
+                known.bounds.high = high;
+                known.foot = Some(zero.each_ref().map(Rational::to_f64));
+                known.exact_foot = Some(zero);
+            }
+        }
     }
 
     /// An upper bound of the distance of a zero, from changes of the sign along a few rays; ∞ if none is found.
@@ -134,4 +169,23 @@ impl Inspector {
         }
         Some(separation(p, there(high)).high())
     }
+}
+
+/// An upper bound of the distance of a change of the sign between a point and a critical point of f that is found from it; ∞ if f has one
+/// sign at both. Rays in fixed directions miss a surface that is thin, but its inside has an extremum.
+fn towards_extremum(field: &Field, p: [f64; 3]) -> f64 {
+    let sign = field.sign(p);
+    let Some(extremum) = critical_point(field, p).filter(|x| field.sign(*x) != sign) else {
+        return f64::INFINITY;
+    };
+    let (mut near, mut far) = (p, extremum);
+    for _ in 0..HALVINGS {
+        let middle = std::array::from_fn(|i| f64::midpoint(near[i], far[i]));
+        if field.sign(middle) == sign {
+            near = middle;
+        } else {
+            far = middle;
+        }
+    }
+    separation(p, far).high()
 }

@@ -107,11 +107,7 @@ impl Inspector {
         let factors = factor_space(surface.polynomial(), limits)?.factors;
         let factors = factors.into_iter().map(|f| {
             let field = Field::new(&f.polynomial);
-            // Without z the zeros are lines or sheets, which are inspected in the plane.
-            let pair = match field.is_flat() {
-                true => None,
-                false => conjugate_pair(&f.polynomial, limits)?,
-            };
+            let pair = conjugate_pair(&f.polynomial, limits)?;
             Ok(Factor {
                 field,
                 multiplicity: f.multiplicity,
@@ -371,7 +367,8 @@ impl Inspector {
     /// Whether the bounds of the distance are as close as the goal requires.
     pub(super) fn is_close(&self, bounds: &DistanceBounds) -> bool {
         self.asked.is_some() && bounds.low >= self.goal.reach
-            || bounds.high - bounds.low <= self.goal.relative * bounds.high
+            || bounds.high.is_finite()
+                && bounds.high - bounds.low <= self.goal.relative * bounds.high
     }
 
     /// Decides by doubles: a quick proof that all zeros are far away, or the expansion at the foot.
