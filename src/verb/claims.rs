@@ -4,6 +4,7 @@ use serde_json::json;
 
 use super::Work;
 use super::topology::CurveTopology;
+use crate::arcs::IntersectionArcs;
 use crate::describe::Description;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
@@ -42,6 +43,32 @@ where
         proof.add(claim);
     }
     Ok(())
+}
+
+/// Claims all points of rays of a superquadric with these semi-axes, exponents ε and level, without witnesses.
+pub(super) fn claim_superquadric_rays<D: UnitVector<V>, const V: usize>(
+    proof: &mut Proof,
+    shape: [&[Rational]; 3],
+    rays: &[SampledRay<D, V>],
+) {
+    for SampledRay { direction, ray } in rays {
+        proof.add(witness::superquadric_ray(shape, direction, ray));
+    }
+}
+
+/// Claims that all common points of two surfaces in a box lie near the arcs that were found, or in boxes that are not resolved,
+/// without a witness.
+pub(super) fn claim_arcs(
+    proof: &mut Proof,
+    surfaces: &[ImplicitSurface],
+    found: &IntersectionArcs,
+) {
+    let (indices, _) = surface_forms(proof, surfaces);
+    let ends = |[a, b]: &[f64; 2]| [format!("{a:e}"), format!("{b:e}")];
+    let sides = found.bounds.each_ref().map(ends);
+    let [arcs, open] = [found.arcs.len(), found.unresolved.len()];
+    let statement = json!({ "equations": indices, "box": sides, "arcs": arcs, "unresolved": open });
+    witness::unproved(proof, "real-image", &statement);
 }
 
 /// Claims the factors, that they are irreducible, and the sign of a radius.

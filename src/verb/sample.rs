@@ -1,7 +1,7 @@
 //! The verb `sample`: certified points of a form.
 
 use super::arcs::{ArcSearch, arcs, refuse_arcs};
-use super::claims::claim_rays;
+use super::claims::{claim_arcs, claim_rays, claim_superquadric_rays};
 use super::equation::{Taken, check_surface, implicit_curve, squared_harmonics, through_equation};
 use super::fit::exact_form;
 use super::{CoordinatesFrom, Given, Remark, Work};
@@ -124,11 +124,14 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     }
     if let Form::SpaceSuperquadric(shape) = &form {
         let directions = space_directions(options)?;
-        let rays = kept(
-            solve(|d| solve_radial(shape, d), directions, work)?,
-            options,
-        );
-        return Ok(uncounted(SampledPoints::Space(rays)));
+        let rays = solve(|d| solve_radial(shape, d), directions, work)?;
+        work.claim(|proof| {
+            let level = std::slice::from_ref(shape.level());
+            let epsilon = shape.epsilon().as_slice();
+            claim_superquadric_rays(proof, [shape.semi_axes(), epsilon, level], &rays);
+            Ok(())
+        })?;
+        return Ok(uncounted(SampledPoints::Space(kept(rays, options))));
     }
     if !options.phis.is_empty() {
         return Err(Error::Usage(
@@ -141,10 +144,13 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     };
     directions.extend(options.thetas.iter().cloned());
     if let Form::Superquadric(shape) = &form {
-        let rays = kept(
-            solve(|d| solve_radial(shape, d), directions, work)?,
-            options,
-        );
+        let rays = solve(|d| solve_radial(shape, d), directions, work)?;
+        work.claim(|proof| {
+            let [epsilon, level] = [shape.epsilon(), shape.level()].map(std::slice::from_ref);
+            claim_superquadric_rays(proof, [shape.semi_axes(), epsilon, level], &rays);
+            Ok(())
+        })?;
+        let rays = kept(rays, options);
         let center = [Rational::zero(), Rational::zero()];
         return Ok(uncounted(SampledPoints::Plane { rays, center }));
     }
@@ -253,6 +259,10 @@ fn of_intersection(
         )));
     }
     let found = arcs(surfaces, &options.arcs, work)?;
+    work.claim(|proof| {
+        claim_arcs(proof, surfaces, &found);
+        Ok(())
+    })?;
     Ok(uncounted(SampledPoints::Arcs(found)))
 }
 

@@ -21,5 +21,5 @@ pub(crate) use fit::fit_error;
 pub(crate) use forms::{curve_form, harmonic_form, radius_form, surface_form};
 pub(crate) use positive::{positive_radius, positive_sphere};
 pub use proof::Proof;
-pub(crate) use rays::ray;
+pub(crate) use rays::{ray, superquadric_ray};
 pub(crate) use sectors::sectors;

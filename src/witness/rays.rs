@@ -44,6 +44,25 @@ pub(crate) fn ray<P: HomogeneousParts<V>, const V: usize>(
     Claim::new("root-count", &statement, witness.filter(|_| form.is_some()))
 }
 
+/// The claim of all points of a ray of a form that proof files cannot state, which has no witness: a superquadric with these
+/// semi-axes, exponents ε and level.
+pub(crate) fn superquadric_ray<const V: usize>(
+    [semi_axes, epsilon, level]: [&[Rational]; 3],
+    direction: &impl UnitVector<V>,
+    ray: &Ray<V>,
+) -> Claim {
+    let points = match ray {
+        Ray::Points(points) => points.as_slice(),
+        Ray::Line => &[],
+    };
+    let roots: Value = points.iter().rev().map(root).collect();
+    let direction = texts(&direction.components());
+    let shape =
+        json!({ "semi_axes": texts(semi_axes), "epsilon": texts(epsilon), "level": texts(level) });
+    let statement = json!({ "superquadric": shape, "direction": direction, "roots": roots });
+    Claim::new("root-count", &statement, None)
+}
+
 fn root<const V: usize>(point: &crate::sample::Sample<V>) -> Value {
     let position: Vec<String> = point.position.iter().map(|c| double(*c)).collect();
     json!({ "multiplicity": point.multiplicity, "nearest": double(point.r), "position": position })

@@ -83,7 +83,24 @@ fn proofs_are_accepted_and_wrong_ones_are_refused() {
 }
 
 /// Commands that write proofs, with the numbers of their claims and of those without a witness.
-const PROVED: [(&[&str], usize, usize); 21] = [
+const PROVED: [(&[&str], usize, usize); 24] = [
+    // Forms that proof files cannot state, and arcs: nothing is left out.
+    (
+        &[
+            "sample",
+            "superquadric 3d a=1,1,2 e=0.7,0.3",
+            "--directions",
+            "5",
+        ],
+        5,
+        5,
+    ),
+    (
+        &["sample", "superquadric 2d a=1,2 e=0.3", "--theta", "1"],
+        1,
+        1,
+    ),
+    (&["sample", "x^2+y^2+z^2=1; z=1/2"], 1, 1),
     (&["describe", "(x^2 + y^2 - 1)*(x^3 - y^2)*(x - y)^2"], 4, 0),
     (&["describe", "r = 1 + 1/5*cos(3*t)"], 3, 0),
     (&["describe", "r = 1 + 6/5*cos(3*t) - 1/7*sin(t)"], 3, 0),
