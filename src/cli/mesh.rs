@@ -28,7 +28,7 @@ pub(crate) fn run(flags: &Mesh, session: &Session) -> Result<()> {
         .solid(flags.solid);
     let given = input::read(&flags.form, session)?;
     let name = given.short_name();
-    let mesh = verb::mesh(given, &options, &session.work)?;
+    let mesh = format.held(verb::mesh(given, &options, &session.work)?)?;
     for line in mesh_text(&mesh) {
         session.note(&line);
     }

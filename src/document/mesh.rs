@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use super::remark::counted;
-use crate::error::Result;
-use crate::mesh::{Held, Mesh};
+use crate::error::{Error, Result};
+use crate::mesh::{Held, Mesh, single};
 
 /// A file format for meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,9 +29,21 @@ impl MeshFormat {
             _ => None,
         }
     }
+
+    /// The mesh as a file of this format holds it, which has bounds of its own: an STL file has single precision.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::in_single_precision`].
+    pub fn held(self, mesh: Mesh) -> Result<Mesh> {
+        match self {
+            Self::Obj | Self::Ply => Ok(mesh),
+            Self::Stl => mesh.in_single_precision(),
+        }
+    }
 }
 
-/// Writes a mesh. `comment` is one line, of which STL holds 80 bytes.
+/// Writes a mesh. `comment` is one line, of which STL holds 80 bytes. The bounds of what is written are those of
+/// [`MeshFormat::held`].
 ///
 /// # Errors
 /// Those of `out`.
@@ -127,7 +139,12 @@ fn write_stl(mesh: &Mesh, comment: &str, out: &mut dyn Write) -> Result<()> {
         .map_err(|_| io::Error::other("an STL file holds at most 2^32 triangles"))?;
     out.write_all(&count.to_le_bytes())?;
     for triangle in &mesh.triangles {
-        let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        let corners = triangle.map(|v| mesh.vertices[v as usize].map(|x| f64::from(single(x))));
+        if !corners.iter().flatten().all(|x| x.is_finite()) {
+            return Err(Error::Usage(
+                "a coordinate is too large for single precision, which an STL file holds".into(),
+            ));
+        }
         for point in std::iter::once(facet_normal(corners)).chain(corners) {
             for value in point {
                 out.write_all(&single(value).to_le_bytes())?;
@@ -143,14 +160,6 @@ fn facet_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let [a, b, c] = [a, b, c].map(nalgebra::Vector3::from);
     let normal = (b - a).cross(&(c - a));
     normal.try_normalize(0.0).unwrap_or_default().into()
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "these formats hold single precision"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 /// The properties of a mesh, in sentences.
@@ -188,6 +197,16 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
             mesh.vertex_bound
         ),
     ];
+    if topology.flat_triangles > 0 {
+        let triangles = counted(topology.flat_triangles, "triangle has", "triangles have");
+        lines.push(format!("{triangles} two corners at the same place"));
+    }
+    if mesh.may_meet_origin {
+        lines.push(
+            "R is not proved to have one sign: the surface may pass through its origin, which the mesh, an image of a sphere, does not show"
+                .into(),
+        );
+    }
     lines.push(
         match mesh.held {
             Held::Whole => "it is proved that no part of the surface is outside of the box",

@@ -79,6 +79,12 @@ pub fn remark_text(remark: &Remark) -> String {
         ),
         Remark::MayBeSingular => "the surface may have singular points that were not found: isolated points, and curves at which no sheet ends, are not drawn".into(),
         Remark::PiecesMayBeOutside => "a piece of the surface may be outside of the picture".into(),
+        Remark::SurfaceNotSeen(label) => {
+            format!("{label}: no part of the surface was found in the box of the picture")
+        }
+        Remark::SmallPartsMayBeMissing { open, all, cell } => format!(
+            "{open} of {all} cells of side {cell:.2e} are not proved to hold a single smooth sheet: there the picture may miss what is smaller; a larger --resolution shows more"
+        ),
         Remark::ZoneUsedUp => "the uncertainty takes up the tolerance: no point can be proved to be inside".into(),
         Remark::ZoneIsPoint => "the uncertainty takes up the tolerance: no point can be proved to be inside that is not exactly in the middle of the zone".into(),
         Remark::DoublesAlone => format!(

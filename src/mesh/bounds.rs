@@ -2,6 +2,7 @@
 
 use super::critical::{Pieces, bounded_pieces};
 use super::extent::{BoxSides, Extent, extent, joined};
+use super::frame::Frame;
 use crate::error::Result;
 use crate::factor::factor_space;
 use crate::limits::Limits;
@@ -17,6 +18,10 @@ const LARGEST_OVER_MEDIAN: f64 = 4.0;
 const MARGIN: f64 = 0.08;
 /// The least box of an unbounded surface of which no point was found.
 const NOTHING_SEEN: BoxSides = [[-1.5, 1.5]; 3];
+/// Half the side of the box around a single point.
+const AROUND_A_POINT: f64 = 1.0;
+/// How often the proof is repeated in other coordinates.
+const FRAMES: usize = 5;
 
 /// What is known about the parts of a surface outside of a box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,19 +70,81 @@ pub struct SurfaceBox {
 ///
 /// For every factor over Q, a bounded surface is enclosed if its leading form, for suitable weights of the variables, has no zero;
 /// else the bounded pieces of the surface are enclosed by the critical values of the coordinates, if these are finitely many and
-/// can be found by little work.
+/// can be found by little work. For a bounded surface that is thin, far from the origin, or very small, the proof is repeated in
+/// coordinates in which it is none of these; the margin of each side is then in proportion to the side.
 ///
 /// # Errors
 /// Those of `limits` and of [`factor_space`].
 pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<SurfaceBox>> {
+    let first = bounds_in_place(surface, limits)?;
+    let mut last = first;
+    let mut frame: Option<Frame> = None;
+    for _ in 0..FRAMES {
+        let Some(core) = last.core.filter(|_| last.is_whole()) else {
+            break;
+        };
+        let core = frame.map_or(core, |frame| frame.box_outward(&core));
+        let Some(next) = Frame::of(&core) else {
+            break;
+        };
+        if frame.is_some_and(|frame| next.is_like(&frame)) {
+            break;
+        }
+        let local = ImplicitSurface::new(next.polynomial(surface.polynomial(), limits)?);
+        let found = bounds_in_place(&local, limits)?;
+        if found.surface_box.is_none() {
+            return Ok(None);
+        }
+        if !found.is_whole() {
+            break;
+        }
+        (last, frame) = (found, Some(next));
+    }
+    let Some((frame, found)) = frame.zip(last.surface_box).filter(|_| !last.is_tiny) else {
+        return Ok(first.surface_box);
+    };
+    Ok(Some(SurfaceBox {
+        bounds: frame.box_outward(&found.bounds),
+        pieces: found.pieces.map(|sides| frame.box_outward(&sides)),
+        ..found
+    }))
+}
+
+/// What is found of the place of a surface without a change of coordinates.
+#[derive(Clone, Copy)]
+struct InPlace {
+    surface_box: Option<SurfaceBox>,
+    /// The box around what is proved, without margins.
+    core: Option<BoxSides>,
+    /// Whether that is hardly more than a point.
+    is_tiny: bool,
+}
+
+impl InPlace {
+    fn is_whole(&self) -> bool {
+        self.surface_box
+            .is_some_and(|found| found.held == Held::Whole)
+    }
+}
+
+fn bounds_in_place(surface: &ImplicitSurface, limits: &Limits) -> Result<InPlace> {
     let seen = seen_from_origin(surface, limits)?;
     let sizes = seen.map(|(bounds, _)| bounds.map(|[a, b]| a.abs().max(b.abs())));
-    let (mut proved, mut held) = (None, Held::Whole);
+    let (mut proved, mut core, mut is_tiny, mut held) = (None, None, true, Held::Whole);
     for factor in factor_space(surface.polynomial(), limits)?.factors {
         let f = &factor.polynomial;
-        let (place, here) = match extent(f, sizes, limits)? {
+        let found = extent(f, sizes, limits)?;
+        is_tiny &= matches!(found, Extent::Tiny(_) | Extent::Empty);
+        if let Extent::Within(place) | Extent::Tiny(place) = found {
+            core = [core, Some(place)].into_iter().flatten().reduce(joined);
+        }
+        let (place, here) = match found {
             Extent::Empty => (None, Held::Whole),
             Extent::Within(place) => (Some(place), Held::Whole),
+            Extent::Tiny(place) => {
+                let grown = place.map(|[a, b]| [a - AROUND_A_POINT, b + AROUND_A_POINT]);
+                (Some(grown), Held::Whole)
+            }
             Extent::Unknown => match bounded_pieces(f, limits)? {
                 None => (None, Held::Unproved),
                 Some(Pieces::Nowhere) => (None, Held::BoundedPieces),
@@ -98,12 +165,17 @@ pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<
         (None, None) if held != Held::Whole => Some(NOTHING_SEEN),
         (seen, None) => seen,
     };
-    Ok(bounds.map(|bounds| SurfaceBox {
+    let found = bounds.map(|bounds| SurfaceBox {
         bounds,
         seems_bounded: held == Held::Whole || all_near,
         held,
         pieces: proved,
-    }))
+    });
+    Ok(InPlace {
+        surface_box: found,
+        core,
+        is_tiny,
+    })
 }
 
 fn is_within(inner: BoxSides, outer: BoxSides) -> bool {

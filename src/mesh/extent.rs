@@ -18,6 +18,8 @@ pub(super) enum Extent {
     Empty,
     /// All zeros are in this box.
     Within(BoxSides),
+    /// All zeros are in this box, which is tiny compared with the coordinates in which it was found: they are a point, or hardly more.
+    Tiny(BoxSides),
     /// The zero set may be unbounded.
     Unknown,
 }
@@ -35,8 +37,6 @@ const LARGEST_RADIUS: i32 = 48;
 const FIT: f64 = 1.0 / 64.0;
 /// A zero set that is smaller than this part of the first box is not enclosed more tightly.
 const TINY: f64 = 1e-9;
-/// Half the side of the box around a single point.
-const AROUND_A_POINT: f64 = 1.0;
 /// The largest sum of weights times exponents. Weights of forms that occur are far smaller.
 const LARGEST_WEIGHT: u32 = 240;
 
@@ -211,9 +211,7 @@ fn tightened(field: &Field, first: BoxSides, limits: &Limits) -> Result<Extent> 
         let (wide, narrow): (Vec<BoxSides>, Vec<BoxSides>) = parts.into_iter().partition(is_wide);
         examined += 2 * wide.len();
         if longest(&around) <= least {
-            // It is a point, or hardly more.
-            let grown = around.map(|[a, b]| [a - AROUND_A_POINT, b + AROUND_A_POINT]);
-            return Ok(Extent::Within(grown));
+            return Ok(Extent::Tiny(around));
         }
         if wide.is_empty() || examined > parts_for(field) {
             return Ok(Extent::Within(around));
@@ -338,7 +336,7 @@ mod tests {
                 Extent::Empty => for p in points {
                     prop_assert!(f.evaluate(&rationals(p)).signum() > 0);
                 },
-                Extent::Within(bounds) => for p in points {
+                Extent::Within(bounds) | Extent::Tiny(bounds) => for p in points {
                     let is_outside = (0..3).any(|i| p[i] < bounds[i][0] || p[i] > bounds[i][1]);
                     prop_assert!(!is_outside || f.evaluate(&rationals(p)).signum() > 0, "{:?}", p);
                 },

@@ -49,7 +49,8 @@ pub fn mesh_radial(
 }
 
 /// Meshes a harmonic surface by its exact points in `rows` + 1 latitudes and twice as many longitudes, each correctly rounded. The mesh
-/// is closed by construction: it is the image of a triangulated sphere.
+/// is closed by construction: it is the image of a triangulated sphere. [`Mesh::may_meet_origin`] is set, because the sign of R in
+/// all directions is not asked for here; [`crate::sphere::positivity`] proves it.
 ///
 /// # Errors
 /// Those of `limits`; [`Error::Usage`] for fewer than two rows.
@@ -67,7 +68,11 @@ pub fn mesh_harmonic(
         (0..=rows).map(angle).collect(),
     ];
     let point = |direction: &SpaceDirection| Ok(harmonic_point(&pair, surface.center(), direction));
-    mesh_of_directions(&point, angles, limits, progress)
+    let mut mesh = mesh_of_directions(&point, angles, limits, progress)?;
+    // Where R < 0 everywhere, the image of the sphere is turned.
+    mesh.turn_outward();
+    mesh.may_meet_origin = true;
+    Ok(mesh)
 }
 
 /// The mesh of the points in all directions of the angles θ and φ, with the poles.

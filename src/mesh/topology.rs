@@ -19,6 +19,8 @@ pub struct MeshTopology {
     pub components: usize,
     /// The number of vertices − edges + triangles: 2 for a sphere, 0 for a torus.
     pub euler_characteristic: i64,
+    /// The number of triangles with two corners at the same place.
+    pub flat_triangles: usize,
 }
 
 impl MeshTopology {
@@ -50,7 +52,14 @@ impl Mesh {
             components: self.pieces().1,
             euler_characteristic: signed(self.vertices.len()) - signed(uses.len())
                 + signed(self.triangles.len()),
+            flat_triangles: self.triangles.iter().filter(|t| self.is_flat(t)).count(),
         }
+    }
+
+    /// Whether two corners of a triangle are at the same place.
+    fn is_flat(&self, triangle: &[u32; 3]) -> bool {
+        let [a, b, c] = triangle.map(|v| self.vertices[v as usize]);
+        a == b || b == c || c == a
     }
 
     /// Whether it is proved that the mesh of every factor has the topology of the whole zero set of that factor.
@@ -68,7 +77,7 @@ impl Mesh {
     /// Law: `what_is_proved_is_the_topology`.
     #[must_use]
     pub fn has_proved_topology(&self) -> bool {
-        self.held == Held::Whole && self.cells[1] == 0
+        self.held == Held::Whole && self.cells[1] == 0 && !self.may_meet_origin
     }
 
     /// The index of the piece of every vertex, and the number of pieces.

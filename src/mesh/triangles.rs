@@ -2,12 +2,14 @@
 
 use super::bounds::Held;
 use super::cells::{Cell, Grid};
+use super::frame::Frame;
 use super::{collapse, refine, tetrahedra};
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
 use crate::intervals::{Crossing, Field};
 use crate::limits::Limits;
 use crate::options::options;
+use crate::poly::SparsePolynomial;
 use crate::shape::ImplicitSurface;
 
 /// The largest number of cells of the grid that may hold a part of the surface.
@@ -62,6 +64,9 @@ pub struct Mesh {
     /// Whether the surface may have singular points in the box. Triangles do not show what it has only there: isolated points, and
     /// curves at which no sheets end.
     pub may_be_singular: bool,
+    /// Whether the surface is a radius that is not proved to have one sign. Then it may pass through its origin, and the mesh, an
+    /// image of a sphere, does not tell its topology.
+    pub may_meet_origin: bool,
     /// Curves of singular points that were found, as polylines, without those along which one sheet runs.
     pub curves: Vec<Vec<[f64; 3]>>,
     /// Whether sheets cross along these curves, so that triangles may have gaps beside them.
@@ -79,6 +84,9 @@ pub struct Mesh {
 /// marching tetrahedra, which fit together across cells, and their slivers are collapsed. So a surface that is closed inside
 /// the box has a closed mesh. Every vertex is a point between two points at most 2·[`Mesh::vertex_bound`] apart, at which f has
 /// exactly opposite signs. At the end edges are split where the surface bends.
+///
+/// A box that is thin or far from the origin is meshed in coordinates in which it is neither, by an exact change of coordinates
+/// x = c + 2^e X along each axis. Then the cells have the proportions of the box, and `angle` holds in these coordinates.
 ///
 /// `progress` is called with numbers from 0 to 1000.
 ///
@@ -120,6 +128,27 @@ pub fn mesh_surface(
             "a mesh needs a box with positive sides and at least one cell".into(),
         ));
     }
+    let Some(frame) = Frame::of(&options.bounds) else {
+        return mesh_in_place(f, options, limits, progress);
+    };
+    let local = MeshOptions {
+        bounds: frame.box_inward(&options.bounds),
+        near: options.near.iter().map(|p| frame.inward(*p)).collect(),
+        ..options.clone()
+    };
+    let f = frame.polynomial(f, limits)?;
+    let mut mesh = mesh_in_place(&f, &local, limits, progress)?;
+    frame.place(&mut mesh);
+    Ok(mesh)
+}
+
+/// The mesh in a box of usual proportions.
+fn mesh_in_place(
+    f: &SparsePolynomial<3>,
+    options: &MeshOptions,
+    limits: &Limits,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Mesh> {
     let grid = Grid::covering(&options.bounds, options.resolution);
     let mut mesh = Mesh {
         cell: grid.side,
@@ -212,7 +241,7 @@ fn marched(field: &Field, grid: &Grid, cells: &[Cell]) -> (Vec<Crossing>, Vec<[u
 
 impl Mesh {
     /// Turns the closed pieces whose triangles look inward.
-    fn turn_outward(&mut self) {
+    pub(super) fn turn_outward(&mut self) {
         let (pieces, count) = self.pieces();
         let mut volumes = vec![0.0; count];
         for triangle in &self.triangles {

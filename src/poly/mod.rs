@@ -37,6 +37,7 @@ pub(crate) use harmonic_basis::{
 };
 pub(crate) use homogeneous::HomogeneousPolynomial;
 pub use plane::PlanePolynomial;
+pub(crate) use plane::shift_rational;
 pub(crate) use resultant::{resultant, resultant_work};
 pub(crate) use shift::negate_odd;
 #[cfg(test)]

@@ -351,7 +351,7 @@ fn power(base: &Rational, exponent: usize) -> Rational {
 
 /// Replaces f(x) by f(x + h), over one common denominator. For h = p/q the polynomial g(X) = q^d f(X/q) has integer
 /// coefficients, up to the denominator of f, and is shifted by p.
-fn shift_rational(coefficients: &mut [Rational], h: &Rational) {
+pub(crate) fn shift_rational(coefficients: &mut [Rational], h: &Rational) {
     if h.is_zero() || coefficients.len() < 2 {
         return;
     }

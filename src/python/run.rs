@@ -183,7 +183,7 @@ impl Call<'_> {
                 let name = options.format.as_deref().unwrap_or("ply");
                 let format = MeshFormat::of_extension(name);
                 let format = format.ok_or_else(|| none_of("format", name, "obj, ply, stl"))?;
-                let mesh = verb::mesh(given, &options.meshing()?, work)?;
+                let mesh = format.held(verb::mesh(given, &options.meshing()?, work)?)?;
                 write_mesh(&mesh, &comment, format, &mut out)?;
             }
             "verify" => {

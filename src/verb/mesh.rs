@@ -8,7 +8,8 @@ use crate::error::{Error, Result};
 use crate::fit::FitOptions;
 use crate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_harmonic, mesh_radial, mesh_surface};
 use crate::options::options;
-use crate::shape::{Form, HarmonicSurface, ImplicitSurface, SpaceSuperquadric};
+use crate::shape::{Form, HarmonicPair, HarmonicSurface, ImplicitSurface, SpaceSuperquadric};
+use crate::sphere::{Positivity, positivity};
 
 /// How often a box that is too small is made larger, and the factor by which its sides grow each time.
 const GROWTHS: usize = 4;
@@ -62,7 +63,14 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
                     .into(),
             ));
         }
-        return of_harmonics(surface, options.resolution, work);
+        if surface.is_zero() {
+            return Err(Error::Usage(format!(
+                "{name}: R is 0 in every direction: the surface is a single point"
+            )));
+        }
+        let mut mesh = of_harmonics(surface, options.resolution, work)?;
+        mesh.may_meet_origin = !has_one_sign(surface, work)?;
+        return Ok(mesh);
     }
     let mut mesh = match through_equation(fitted.form, work)? {
         Form::Surface(surface) => of_surface(&surface, options, work)?,
@@ -100,6 +108,21 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
         )));
     }
     Ok(mesh)
+}
+
+/// Whether it is proved that R > 0 in every direction, or that R < 0.
+fn has_one_sign(surface: &HarmonicSurface, work: &Work) -> Result<bool> {
+    let negated;
+    let positive = match surface.coefficient(0, 0).signum() {
+        -1 => {
+            negated = HarmonicSurface::new(surface.terms().map(|(l, m, c)| ((l, m), -c)))?;
+            &negated
+        }
+        _ => surface,
+    };
+    let pair = HarmonicPair::new(positive);
+    let found = work.stage("sign", || positivity(positive, &pair, work.bounds()))?;
+    Ok(matches!(found, Positivity::Positive { .. }))
 }
 
 /// The mesh in the window, or in a box around the surface. The box grows while a bounded surface does not fit in it.

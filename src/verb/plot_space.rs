@@ -72,8 +72,15 @@ pub(super) fn scene(forms: Vec<Given>, options: &PlotOptions, work: &Work) -> Re
             Drawn::Layer(layer, _) => layers.push(layer),
             Drawn::Surface(label, surface) => {
                 let mesh = of_surface(&surface, &for_pictures(shown, options.cells), work)?;
+                let [all, open] = mesh.cells;
+                let cell = mesh.cell;
                 if mesh.may_be_singular {
                     work.remark(Remark::MayBeSingular);
+                } else if open > 0 {
+                    work.remark(Remark::SmallPartsMayBeMissing { open, all, cell });
+                }
+                if mesh.triangles.is_empty() && mesh.curves.is_empty() && mesh.points.is_empty() {
+                    work.remark(Remark::SurfaceNotSeen(label.clone()));
                 }
                 if mesh.has_crossings {
                     work.remark(Remark::SheetsNearCurves(SNAPPED * mesh.cell));

@@ -96,6 +96,17 @@ pub enum Remark {
     NotDrawn(String),
     /// It is not proved that all bounded pieces of a surface are in the box of a picture.
     PiecesMayBeOutside,
+    /// No part of this surface was found in the box of a picture.
+    SurfaceNotSeen(String),
+    /// Parts of a surface that are smaller than a cell may be missing in a picture.
+    SmallPartsMayBeMissing {
+        /// The number of cells that are not proved to hold a single smooth sheet.
+        open: usize,
+        /// The number of cells that may hold a part of the surface.
+        all: usize,
+        /// The longest side of a cell.
+        cell: f64,
+    },
     /// Sheets that are nearer to each other than this may have gaps beside a singular curve.
     SheetsNearCurves(f64),
     /// A surface may have singular points that were not found.

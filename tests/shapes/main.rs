@@ -10,3 +10,4 @@ mod superquadric;
 mod superquadric_space;
 mod surfaces;
 mod surfaces_cli;
+mod thin;
