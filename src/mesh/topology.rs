@@ -57,6 +57,7 @@ impl Mesh {
     }
 
     /// Whether two corners of a triangle are at the same place.
+    #[expect(clippy::float_cmp, reason = "the same place is meant exactly")]
     fn is_flat(&self, triangle: &[u32; 3]) -> bool {
         let [a, b, c] = triangle.map(|v| self.vertices[v as usize]);
         a == b || b == c || c == a

@@ -138,7 +138,18 @@ pub fn mesh_surface(
     };
     let f = frame.polynomial(f, limits)?;
     let mut mesh = mesh_in_place(&f, &local, limits, progress)?;
-    frame.place(&mut mesh);
+    let mut size: f64 = 0.0;
+    for vertex in &mut mesh.vertices {
+        *vertex = frame.outward(*vertex);
+        size = vertex.iter().fold(size, |m, x| m.max(x.abs()));
+    }
+    for normal in &mut mesh.normals {
+        *normal = frame.normal_outward(*normal);
+    }
+    let unit = frame.largest_unit();
+    // Each of the three coordinates was rounded by at most half a unit in the last place.
+    mesh.vertex_bound = (mesh.vertex_bound * unit + size * f64::EPSILON).next_up();
+    mesh.cell *= unit;
     Ok(mesh)
 }
 

@@ -6,7 +6,6 @@
 //! and θ₀ + π with k₁k₂ more than the order of r(θ) + r(θ + π), twice the even part E, at θ₀. Altogether δ = M(M − 1)/2 + Σ ord E for M
 //! zeros with multiplicities, where the sum is over pairs of opposite zeros. If r has odd harmonics only, all of this is traced twice.
 
-use super::series::order_at_infinity;
 use super::singular::Singularity;
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, polynomial_gcd, squarefree_decomposition};
@@ -100,6 +99,13 @@ impl Zeros {
         }
         found
     }
+}
+
+/// The order of the zero at θ = π; 0 if there is none.
+pub(super) fn order_at_infinity(series: &FourierRadius) -> usize {
+    let function = series.to_function();
+    let length = |f: &IntegerPolynomial| f.coefficients_asc().len();
+    length(function.denominator()) - length(function.numerator())
 }
 
 fn degree(f: &IntegerPolynomial) -> usize {

@@ -7,13 +7,12 @@
 
 use super::components::ComponentKind;
 use super::coordinate::Coordinate;
-use super::origin::at_origin;
+use super::origin::{at_origin, order_at_infinity};
 use super::singular::Singularity;
 use super::{Component, SingularPoint, Topology};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::IntegerPolynomial;
 use crate::roots::{RealRoot, real_roots};
 use crate::shape::FourierRadius;
 
@@ -111,13 +110,6 @@ impl Topology {
 /// The zeros of a series in s = tan(θ/2), without θ = π.
 fn finite_zeros(series: &FourierRadius) -> Vec<RealRoot> {
     real_roots(series.to_function().numerator())
-}
-
-/// The order of the zero at θ = π; 0 if there is none.
-pub(super) fn order_at_infinity(series: &FourierRadius) -> usize {
-    let function = series.to_function();
-    let length = |f: &IntegerPolynomial| f.coefficients_asc().len();
-    length(function.denominator()) - length(function.numerator())
 }
 
 /// The zeros of r; `None` stands for θ = π.
