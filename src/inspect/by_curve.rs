@@ -35,7 +35,10 @@ impl Inspector {
             && let Some(foot) = &foot
         {
             // The nearest common zero may have simple coordinates.
-            let simple = curve.simple(foot)?;
+            let mut simple = curve.simple(foot)?;
+            if field.is_flat() {
+                simple[2] = p.exactly()[2].clone();
+            }
             let square = squared_length(&exact_difference(p.exactly(), &simple));
             let touches = square == &self.tolerance * &self.tolerance;
             let is_inside = square <= &self.tolerance * &self.tolerance;
@@ -45,7 +48,11 @@ impl Inspector {
             known.has_zero(simple, touches, &square, self.around[1]);
         }
         known.inside?;
-        known.foot = foot.map(|foot| foot.position);
+        // On a line in the direction of z the nearest point is at the height of p.
+        known.foot = foot.map(|foot| match field.is_flat() {
+            true => [foot.position[0], foot.position[1], p.near[2]],
+            false => foot.position,
+        });
         known.curve = match (known.inside, &foot) {
             (Some(false), _) => Some(false),
             _ if known.curve.is_some() => known.curve,
@@ -176,9 +183,15 @@ mod tests {
             ("x^2 + y^2 + z^2 = 0", [2.0, 3.0, 6.0], 7.0),
             ("x^2*(x-1) = z^2 + y^2", [0.0, 0.25, 0.0], 0.25),
         ] {
-            let found = inspector(form, &tolerance).inspect(&rationals(p));
+            let inspector = inspector(form, &tolerance);
+            let found = inspector.inspect(&rationals(p));
             assert_eq!(found.verdict, Verdict::Outside, "{form}");
             is_near(&found, exact);
+            let foot = inspector.foot(&rationals(p), &found).expect(form);
+            assert!(
+                (distance(foot.point, p) - exact).abs() < 1e-6 * exact,
+                "{form}: {foot:?}"
+            );
         }
         let plane = |form: &str, p: [f64; 2]| {
             let Ok(Form::Curve(curve)) = parse_form(form, "<form>", Numbers::Exact) else {

@@ -292,7 +292,11 @@ impl Inspector {
         let mut parts: Vec<PartialInspection> = self
             .factors
             .iter()
-            .map(|factor| self.of_factor(factor, at(&factor.field)))
+            .map(|factor| {
+                let curve = factor.curve.as_ref();
+                let known = curve.and_then(|curve| self.by_curve(curve, &factor.field, p));
+                known.unwrap_or_else(|| self.of_factor(factor, at(&factor.field)))
+            })
             .collect();
         let mut all = Inspection {
             verdict: Verdict::Outside,
@@ -339,11 +343,6 @@ impl Inspector {
 
     fn of_factor(&self, factor: &Factor, p: &Point) -> PartialInspection {
         let field = &factor.field;
-        if let Some(curve) = &factor.curve
-            && let Some(known) = self.by_curve(curve, field, p)
-        {
-            return known;
-        }
         let mut known = self.by_doubles(field, p);
         // What is outside is searched for the nearest point later, with all factors together.
         let is_left = self.asked.is_none() && known.inside == Some(false);

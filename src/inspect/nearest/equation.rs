@@ -89,7 +89,11 @@ impl Inspector {
                 };
                 let found = curve.nearest(p, DistanceBounds::UNKNOWN, goal, &self.limits);
                 if let Some(foot) = found.foot {
-                    take(FootCandidate::on_form(foot.position, None));
+                    let mut position = foot.position;
+                    if field.is_flat() {
+                        position[2] = from[2];
+                    }
+                    take(FootCandidate::on_form(position, None));
                 }
                 continue;
             }
