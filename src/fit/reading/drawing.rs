@@ -11,6 +11,7 @@ use super::cut::{Piece, cut};
 use super::rings::{Ring, Rings, is_inside, signed_area};
 use super::rows::MAX_ROWS;
 use super::svg_path::{Subpath, subpaths};
+use super::svg_style::Styles;
 use super::viewport::{Along, Viewport};
 use super::{ContourKind, LeftOut, counted};
 use crate::error::{Error, Result};
@@ -35,6 +36,8 @@ struct Pending<'a, 'input> {
     /// The element that uses this one, and how many do so around it.
     used: Option<Node<'a, 'input>>,
     uses: usize,
+    /// Whether what is around it can be seen.
+    is_visible: bool,
 }
 
 /// What has been found.
@@ -45,6 +48,8 @@ struct Drawing {
     paths: usize,
     points: usize,
     open: usize,
+    /// The number of closed paths whose signed area is 0.
+    flat: usize,
     texts: usize,
     pictures: usize,
 }
@@ -96,6 +101,7 @@ pub(super) fn read_drawing(text: &str, place: &str) -> Result<Rings> {
 
 impl Drawing {
     fn draw(&mut self, document: &Document<'_>, port: Viewport, place: &str) -> Result<()> {
+        let styles = Styles::of(document).map_err(|message| Error::data(place, message))?;
         let named = document.descendants();
         let named = named.filter_map(|node| Some((node.attribute("id")?, node)));
         let named: HashMap<&str, Node<'_, '_>> = named.collect();
@@ -104,10 +110,11 @@ impl Drawing {
             port,
             used: None,
             uses: 0,
+            is_visible: true,
         }];
         let mut elements = 0;
         while let Some(next) = pending.pop() {
-            self.element(&next, &named, &mut pending)
+            self.element(&next, &styles, &named, &mut pending)
                 .map_err(|message| {
                     let row = document.text_pos_at(next.node.range().start).row;
                     let name = next.node.tag_name().name();
@@ -131,14 +138,16 @@ impl Drawing {
     fn element<'a, 'input>(
         &mut self,
         next: &Pending<'a, 'input>,
+        styles: &Styles<'_>,
         named: &HashMap<&str, Node<'a, 'input>>,
         pending: &mut Vec<Pending<'a, 'input>>,
     ) -> std::result::Result<(), String> {
         let node = next.node;
-        if !is_drawn(node) {
+        if !is_of_svg(node) || !styles.is_displayed(node) {
             return Ok(());
         }
-        let port = next.port.transformed(node)?;
+        let is_visible = styles.visibility(node).unwrap_or(next.is_visible);
+        let port = next.port.transformed(&styles.placement(node)?)?;
         let mut open = |port: Viewport| {
             // The first child is drawn first.
             let children = node.children().filter(Node::is_element).rev();
@@ -147,6 +156,7 @@ impl Drawing {
                 port,
                 used: None,
                 uses: next.uses,
+                is_visible,
             }));
         };
         match node.tag_name().name() {
@@ -170,10 +180,12 @@ impl Drawing {
                         node: target,
                         port: port.moved(Affine::translate((x, y))),
                         used: Some(node),
+                        is_visible,
                         uses: next.uses + 1,
                     });
                 }
             }
+            _ if !is_visible => {}
             "text" => self.texts += 1,
             "image" => self.pictures += 1,
             _ => self.take(shape(node, &port)?, port.to_outline)?,
@@ -194,6 +206,7 @@ impl Drawing {
             self.points += points.len();
             match ring(points, path.is_closed) {
                 Some(points) => closed.push(points),
+                None if path.is_closed => self.flat += 1,
                 None => self.open += 1,
             }
         }
@@ -208,6 +221,11 @@ impl Drawing {
     fn text(&self) -> String {
         let all = [
             counted(self.open, "open path", "open paths"),
+            counted(
+                self.flat,
+                "closed path whose signed area is 0, which crosses itself or is a line",
+                "closed paths whose signed areas are 0, which cross themselves or are lines",
+            ),
             counted(self.texts, "text", "texts"),
             counted(self.pictures, "picture", "pictures"),
         ];
@@ -219,15 +237,9 @@ impl Drawing {
     }
 }
 
-/// Whether an element is one of SVG that is not hidden.
-fn is_drawn(node: Node<'_, '_>) -> bool {
-    let is_svg = node.tag_name().namespace().is_none_or(|name| name == SVG);
-    let style = node.attribute("style").unwrap_or_default();
-    let hides = |declaration: &str| {
-        let (name, value) = declaration.split_once(':').unwrap_or_default();
-        (name.trim(), value.trim()) == ("display", "none")
-    };
-    is_svg && node.attribute("display") != Some("none") && !style.split(';').any(hides)
+/// Whether an element is one of SVG.
+fn is_of_svg(node: Node<'_, '_>) -> bool {
+    node.tag_name().namespace().is_none_or(|name| name == SVG)
 }
 
 /// The subpaths of an element; none if it is no shape.

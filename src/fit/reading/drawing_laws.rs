@@ -161,3 +161,80 @@ fn depth_and_uses_are_bounded() {
     body.push_str(r##"</defs><use href="#u8"/>"##);
     assert!(message(&body).contains("limit reached: a.svg has more than"));
 }
+
+/// Styles move and hide shapes as attributes do.
+#[test]
+fn styles_say_what_is_drawn_and_where() {
+    let rect = r#"<rect x="10" y="20" width="10" height="10""#;
+    let small = r#"<circle cx="80" cy="20" r="2"/>"#;
+    for (body, expected) in [
+        (
+            format!(r#"{rect} transform="rotate(90)" transform-origin="20 30"/>"#),
+            [20.0, 30.0, 30.0, 40.0],
+        ),
+        (
+            format!(r#"{rect} style="transform: scale(2,1); fill: red"/>"#),
+            [20.0, 40.0, 30.0, 40.0],
+        ),
+        (
+            format!(r#"{rect} style="transform:translate(10px,0px)"/>"#),
+            [20.0, 30.0, 30.0, 40.0],
+        ),
+        (
+            format!(
+                r#"<style>.a{{transform:rotate(180deg);transform-origin:20px 20px}}</style>{rect} class="b a"/>"#
+            ),
+            [20.0, 30.0, 40.0, 50.0],
+        ),
+        (
+            format!(r#"<style>.a{{display:none}}</style>{rect} class="a"/>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(
+                r#"<style>g rect{{display:none}} #r{{display:inline}}</style><g>{rect} id="r"/></g>{small}"#
+            ),
+            [10.0, 20.0, 30.0, 40.0],
+        ),
+        (
+            format!(r#"{rect} visibility="hidden"/>{small}"#),
+            [78.0, 82.0, 38.0, 42.0],
+        ),
+        (
+            format!(
+                r#"<g visibility="hidden">{rect} style="visibility:visible"/><circle r="90"/></g>{small}"#
+            ),
+            [10.0, 20.0, 30.0, 40.0],
+        ),
+    ] {
+        let (contour, _) = taken(&body);
+        let ends = |axis: usize| {
+            let all = contour.points().iter().map(|p| p[axis]);
+            let low = all.clone().fold(f64::INFINITY, f64::min);
+            [low, all.fold(f64::NEG_INFINITY, f64::max)]
+        };
+        let found = [ends(0), ends(1)].concat();
+        let is_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-3;
+        assert!(
+            found.iter().zip(&expected).all(is_near),
+            "{body}: {found:?}"
+        );
+    }
+    for (body, part) in [
+        (
+            format!(r#"{rect} style="rotate: 3deg"/>"#),
+            "the property rotate of a style is not read",
+        ),
+        (
+            format!(r#"{rect} transform="scale(2)" transform-origin="center"/>"#),
+            "expected two lengths in px",
+        ),
+        (
+            r#"<path d="M0 0L10 10L10 0L0 10z"/>"#.to_owned(),
+            "one closed path whose signed area is 0",
+        ),
+    ] {
+        let message = message(&body);
+        assert!(message.contains(part), "{body}: {message}");
+    }
+}

@@ -4,6 +4,8 @@ use kurbo::{Affine, Vec2};
 use roxmltree::Node;
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, Transform, ViewBox};
 
+use super::svg_style::Placement;
+
 /// The direction in which a length is measured, of which a percentage is taken.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Along {
@@ -88,15 +90,20 @@ impl Viewport {
         Ok(Some(length.number * unit))
     }
 
-    /// The system that the attribute `transform` of an element makes.
-    pub(super) fn transformed(&self, node: Node<'_, '_>) -> Result<Self, String> {
-        let Some(text) = node.attribute("transform") else {
+    /// The system that a transform about a point makes. Styles may have units, `px` and `deg`, which are those of attributes.
+    pub(super) fn transformed(&self, placement: &Placement<'_>) -> Result<Self, String> {
+        let Some(text) = placement.transform else {
             return Ok(*self);
         };
         let by: Transform = text
+            .replace("px", "")
+            .replace("deg", "")
             .parse()
             .map_err(|_| format!("transform=\"{text}\" is no transform"))?;
-        Ok(self.moved(Affine::new([by.a, by.b, by.c, by.d, by.e, by.f])))
+        let by = Affine::new([by.a, by.b, by.c, by.d, by.e, by.f]);
+        let [x, y] = placement.origin;
+        let origin = Vec2::new(x, y);
+        Ok(self.moved(Affine::translate(origin) * by * Affine::translate(-origin)))
     }
 
     pub(super) fn moved(&self, by: Affine) -> Self {

@@ -1,0 +1,143 @@
+//! What attributes and style sheets say of the elements of a drawing: whether they are drawn, and where.
+
+use roxmltree::{Document, Node};
+use simplecss::{AttributeOperator, DeclarationTokenizer, Element, PseudoClass, StyleSheet};
+use svgtypes::{Length, LengthUnit};
+
+/// Properties that move a shape in ways that are not read.
+const NOT_READ: [&str; 4] = ["translate", "rotate", "scale", "transform-box"];
+
+/// Properties that are read.
+const READ: [&str; 4] = ["display", "visibility", "transform", "transform-origin"];
+/// The largest number of rules that hide or move shapes: each is compared with every element.
+const MAX_RULES: usize = 200;
+
+/// The rules of a drawing's style sheets that hide or move shapes.
+pub(super) struct Styles<'input>(StyleSheet<'input>);
+
+/// The system of an element in that of its parent, as texts.
+pub(super) struct Placement<'a> {
+    pub(super) transform: Option<&'a str>,
+    /// The point about which it is applied.
+    pub(super) origin: [f64; 2],
+}
+
+impl<'input> Styles<'input> {
+    /// # Errors
+    /// A message for more than 200 such rules.
+    pub(super) fn of(document: &'input Document<'_>) -> Result<Self, String> {
+        let mut sheet = StyleSheet::new();
+        let elements = document.descendants();
+        for style in elements.filter(|node| node.tag_name().name() == "style") {
+            for text in style.children().filter_map(|node| node.text()) {
+                sheet.parse_more(text);
+            }
+        }
+        let is_relevant = |name: &str| READ.contains(&name) || NOT_READ.contains(&name);
+        sheet
+            .rules
+            .retain(|rule| rule.declarations.iter().any(|d| is_relevant(d.name)));
+        if sheet.rules.len() > MAX_RULES {
+            return Err(format!(
+                "the style sheets have more than {MAX_RULES} rules that hide or move shapes"
+            ));
+        }
+        Ok(Self(sheet))
+    }
+
+    /// The value of a property of an element: what is important, what its own style says, what rules say, and what its attribute says,
+    /// in this order; the later one of two.
+    fn property<'a>(&'a self, node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+        let rules = self.0.rules.iter();
+        let rules = rules.filter(|rule| rule.selector.matches(&Styled(node)));
+        let of_rules = rules.flat_map(|rule| rule.declarations.iter().copied());
+        let own = DeclarationTokenizer::from(node.attribute("style").unwrap_or_default());
+        let all: Vec<_> = of_rules.chain(own).filter(|d| d.name == name).collect();
+        let important = all.iter().rev().find(|d| d.important);
+        let declared = important.or(all.last()).map(|d| d.value.trim());
+        declared.or_else(|| node.attribute(name))
+    }
+
+    /// Whether an element and what is in it are drawn.
+    pub(super) fn is_displayed(&self, node: Node<'_, '_>) -> bool {
+        self.property(node, "display") != Some("none")
+    }
+
+    /// Whether an element says that it can be seen, or that it cannot; `None` if it is as what is around it.
+    pub(super) fn visibility(&self, node: Node<'_, '_>) -> Option<bool> {
+        let value = self
+            .property(node, "visibility")
+            .filter(|v| *v != "inherit");
+        value.map(|value| !matches!(value, "hidden" | "collapse"))
+    }
+
+    /// Where an element is, in the system of its parent.
+    ///
+    /// # Errors
+    /// A message for a property that moves it in a way that is not read.
+    pub(super) fn placement<'a>(&'a self, node: Node<'a, '_>) -> Result<Placement<'a>, String> {
+        let mut others = NOT_READ.iter();
+        let other = others.find(|name| {
+            let by_attribute = node.attribute(**name);
+            self.property(node, name)
+                .filter(|value| by_attribute != Some(value))
+                .is_some()
+        });
+        if let Some(name) = other {
+            return Err(format!(
+                "the property {name} of a style is not read; transform is"
+            ));
+        }
+        let transform = self
+            .property(node, "transform")
+            .filter(|text| *text != "none");
+        let origin = match self.property(node, "transform-origin") {
+            Some(text) if transform.is_some() => origin(text)?,
+            _ => [0.0; 2],
+        };
+        Ok(Placement { transform, origin })
+    }
+}
+
+/// Two lengths in units of the drawing.
+fn origin(text: &str) -> Result<[f64; 2], String> {
+    let wrong =
+        || format!("transform-origin=\"{text}\": expected two lengths in px, such as 10 20");
+    let lengths: Vec<f64> = text
+        .split_whitespace()
+        .map(|part| match part.parse::<Length>() {
+            Ok(length) if matches!(length.unit, LengthUnit::None | LengthUnit::Px) => {
+                Ok(length.number)
+            }
+            _ => Err(wrong()),
+        })
+        .collect::<Result<_, _>>()?;
+    lengths.try_into().map_err(|_| wrong())
+}
+
+/// An element, as selectors see it.
+struct Styled<'a, 'input>(Node<'a, 'input>);
+
+impl Element for Styled<'_, '_> {
+    fn parent_element(&self) -> Option<Self> {
+        self.0.parent_element().map(Self)
+    }
+
+    fn prev_sibling_element(&self) -> Option<Self> {
+        self.0.prev_sibling_element().map(Self)
+    }
+
+    fn has_local_name(&self, name: &str) -> bool {
+        self.0.tag_name().name() == name
+    }
+
+    fn attribute_matches(&self, name: &str, operator: AttributeOperator<'_>) -> bool {
+        self.0
+            .attribute(name)
+            .is_some_and(|value| operator.matches(value))
+    }
+
+    fn pseudo_class_matches(&self, class: PseudoClass<'_>) -> bool {
+        matches!(class, PseudoClass::FirstChild) && self.0.prev_sibling_element().is_none()
+    }
+}
