@@ -33,6 +33,7 @@ mod rows;
 mod silhouette;
 #[cfg(feature = "images")]
 mod svg_path;
+#[cfg(feature = "images")]
 mod svg_style;
 #[cfg(feature = "images")]
 mod viewport;
