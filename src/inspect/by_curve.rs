@@ -213,8 +213,9 @@ mod tests {
         let inspector = inspector("x^2/9 + y^2/4 + 10000*z^2 = 1", &Rational::one());
         let mut random = crate::modular::SplitMix(1);
         for _ in 0..100 {
-            let p = [0; 3]
-                .map(|_| f64::from(u16::try_from(random.next() >> 48).unwrap_or(0)) / 8192.0 - 4.0);
+            let p = [0; 3].map(|_| {
+                f64::from(u16::try_from(random.next() >> 48).expect("16 bits")) / 8192.0 - 4.0
+            });
             let found = inspector.inspect(&rationals(p));
             // The ellipsoid is within 1/100 of the disc in the plane z = 0.
             let points = (0..40_000).map(|k| {

@@ -127,6 +127,7 @@ impl InPlace {
     }
 }
 
+/// The box of a surface in its own coordinates.
 fn bounds_in_place(surface: &ImplicitSurface, limits: &Limits) -> Result<InPlace> {
     let seen = seen_from_origin(surface, limits)?;
     let sizes = seen.map(|(bounds, _)| bounds.map(|[a, b]| a.abs().max(b.abs())));

@@ -65,6 +65,13 @@ impl Local {
     fn order(&self, i: usize) -> Option<usize> {
         self.rows[i].iter().position(|c| *c != 0)
     }
+
+    /// The points (i, j) of the lowest terms v^i u^j up to v^multiplicity.
+    fn points(&self, multiplicity: usize) -> Vec<(usize, usize)> {
+        (0..=multiplicity)
+            .filter_map(|i| Some((i, self.order(i)?)))
+            .collect()
+    }
 }
 
 /// Why the places cannot be found modulo this prime.
@@ -119,9 +126,7 @@ fn coefficient(row: &[u64], j: usize) -> u64 {
 /// The number of different tangents of the branches at (0, 0). Roots of a valuation below 1 have the tangent u = 0, roots of a valuation
 /// above 1 and the root v = 0 have v = 0, and those of valuation 1 have v = ξu for the roots ξ of their edge's polynomial.
 fn tangents(field: &PrimeField, local: &Local, multiplicity: usize) -> usize {
-    let points: Vec<(usize, usize)> = (0..=multiplicity)
-        .filter_map(|i| Some((i, local.order(i)?)))
-        .collect();
+    let points = local.points(multiplicity);
     let edges = lower_edges(local, &points);
     let is_divisible = points.first().is_some_and(|(lowest, _)| *lowest > 0);
     let horizontal = is_divisible || edges.iter().any(|edge| edge.m > edge.q);
@@ -156,9 +161,7 @@ impl Walk<'_> {
         ramified: usize,
         first: Option<(usize, usize)>,
     ) -> Result<usize, NotSplit> {
-        let points: Vec<(usize, usize)> = (0..=multiplicity)
-            .filter_map(|i| Some((i, local.order(i)?)))
-            .collect();
+        let points = local.points(multiplicity);
         let edges = lower_edges(local, &points);
         let lowest = points.first().map_or(multiplicity, |p| p.0);
         // Σ over ordered pairs of different edges of N N′ min(slope, slope′), slopes ascending from the left end of i.

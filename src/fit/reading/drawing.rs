@@ -143,11 +143,12 @@ impl Drawing {
         pending: &mut Vec<Pending<'a, 'input>>,
     ) -> std::result::Result<(), String> {
         let node = next.node;
-        if !is_of_svg(node) || !styles.is_displayed(node) {
+        let style = styles.of_element(node);
+        if !is_of_svg(node) || !style.is_displayed() {
             return Ok(());
         }
-        let is_visible = styles.visibility(node).unwrap_or(next.is_visible);
-        let port = next.port.transformed(&styles.placement(node)?)?;
+        let is_visible = style.visibility().unwrap_or(next.is_visible);
+        let port = next.port.transformed(&style.placement()?)?;
         let mut open = |port: Viewport| {
             // The first child is drawn first.
             let children = node.children().filter(Node::is_element).rev();

@@ -1,7 +1,9 @@
 //! What attributes and style sheets say of the elements of a drawing: whether they are drawn, and where.
 
 use roxmltree::{Document, Node};
-use simplecss::{AttributeOperator, DeclarationTokenizer, Element, PseudoClass, StyleSheet};
+use simplecss::{
+    AttributeOperator, Declaration, DeclarationTokenizer, Element, PseudoClass, StyleSheet,
+};
 use svgtypes::{Length, LengthUnit};
 
 /// Properties that move a shape in ways that are not read.
@@ -45,29 +47,47 @@ impl<'input> Styles<'input> {
         Ok(Self(sheet))
     }
 
-    /// The value of a property of an element: what is important, what its own style says, what rules say, and what its attribute says,
-    /// in this order; the later one of two.
-    fn property<'a>(&'a self, node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+    /// What is said of an element.
+    pub(super) fn of_element<'a, 'node>(
+        &'a self,
+        node: Node<'a, 'node>,
+    ) -> ElementStyle<'a, 'node> {
         let rules = self.0.rules.iter();
         let rules = rules.filter(|rule| rule.selector.matches(&Styled(node)));
         let of_rules = rules.flat_map(|rule| rule.declarations.iter().copied());
+        // An element without a style of its own declares nothing.
         let own = DeclarationTokenizer::from(node.attribute("style").unwrap_or_default());
-        let all: Vec<_> = of_rules.chain(own).filter(|d| d.name == name).collect();
-        let important = all.iter().rev().find(|d| d.important);
-        let declared = important.or(all.last()).map(|d| d.value.trim());
-        declared.or_else(|| node.attribute(name))
+        ElementStyle {
+            node,
+            declarations: of_rules.chain(own).collect(),
+        }
+    }
+}
+
+/// An element, and what style sheets and then its own style declare for it.
+pub(super) struct ElementStyle<'a, 'node> {
+    node: Node<'a, 'node>,
+    declarations: Vec<Declaration<'a>>,
+}
+
+impl<'a> ElementStyle<'a, '_> {
+    /// The value of a property: what is important, what its own style says, what rules say, and what its attribute says, in this
+    /// order; the later one of two.
+    fn property(&self, name: &str) -> Option<&'a str> {
+        let all = || self.declarations.iter().rev().filter(|d| d.name == name);
+        let declared = all().find(|d| d.important).or_else(|| all().next());
+        let declared = declared.map(|d| d.value.trim());
+        declared.or_else(|| self.node.attribute(name))
     }
 
     /// Whether an element and what is in it are drawn.
-    pub(super) fn is_displayed(&self, node: Node<'_, '_>) -> bool {
-        self.property(node, "display") != Some("none")
+    pub(super) fn is_displayed(&self) -> bool {
+        self.property("display") != Some("none")
     }
 
     /// Whether an element says that it can be seen, or that it cannot; `None` if it is as what is around it.
-    pub(super) fn visibility(&self, node: Node<'_, '_>) -> Option<bool> {
-        let value = self
-            .property(node, "visibility")
-            .filter(|v| *v != "inherit");
+    pub(super) fn visibility(&self) -> Option<bool> {
+        let value = self.property("visibility").filter(|v| *v != "inherit");
         value.map(|value| !matches!(value, "hidden" | "collapse"))
     }
 
@@ -75,11 +95,11 @@ impl<'input> Styles<'input> {
     ///
     /// # Errors
     /// A message for a property that moves it in a way that is not read.
-    pub(super) fn placement<'a>(&'a self, node: Node<'a, '_>) -> Result<Placement<'a>, String> {
+    pub(super) fn placement(&self) -> Result<Placement<'a>, String> {
         let mut others = NOT_READ.iter();
         let other = others.find(|name| {
-            let by_attribute = node.attribute(**name);
-            self.property(node, name)
+            let by_attribute = self.node.attribute(**name);
+            self.property(name)
                 .filter(|value| by_attribute != Some(value))
                 .is_some()
         });
@@ -88,10 +108,8 @@ impl<'input> Styles<'input> {
                 "the property {name} of a style is not read; transform is"
             ));
         }
-        let transform = self
-            .property(node, "transform")
-            .filter(|text| *text != "none");
-        let origin = match self.property(node, "transform-origin") {
+        let transform = self.property("transform").filter(|text| *text != "none");
+        let origin = match self.property("transform-origin") {
             Some(text) if transform.is_some() => origin(text)?,
             _ => [0.0; 2],
         };
