@@ -3,9 +3,10 @@
 
 use crate::common::forms::space;
 use crate::common::program::run_in;
+use crate::mesh::volume;
 use proptest::prelude::*;
 use stellate::limits::Limits;
-use stellate::mesh::{Mesh, MeshOptions, mesh_surface};
+use stellate::mesh::{MeshOptions, mesh_surface};
 use stellate::parametrize::singular_locus;
 use stellate::shape::ImplicitSurface;
 use tempfile::tempdir;
@@ -98,15 +99,6 @@ fn pictures_show_circles_sticks_and_points() {
     assert!(parts("x^2+y^2+z^2 = 0")[1] > 0);
 }
 
-fn volume(mesh: &Mesh) -> f64 {
-    let corner = |v: u32| nalgebra::Vector3::from(mesh.vertices[v as usize]);
-    let cones = mesh.triangles.iter().map(|t| {
-        let [a, b, c] = t.map(corner);
-        a.dot(&b.cross(&c)) / 6.0
-    });
-    cones.sum()
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
@@ -125,7 +117,7 @@ proptest! {
         let signs = [1.0, -1.0].into_iter().cycle();
         let cubes = radii.iter().rev().zip(signs).map(|(r, sign)| sign * f64::from(r * r * r));
         let expected = (cubes.sum::<f64>() + if beside { 64.0 } else { 0.0 }) * 4.0 / 3.0 * std::f64::consts::PI;
-        prop_assert!((volume(&mesh) / expected - 1.0).abs() < 0.03, "{} {}", volume(&mesh), expected);
+        prop_assert!((volume(&mesh, [0.0; 3]) / expected - 1.0).abs() < 0.03, "{} {}", volume(&mesh, [0.0; 3]), expected);
     }
 }
 

@@ -15,6 +15,7 @@ use stellate::verb::{self, Given, MeshingOptions, Work};
 use tempfile::tempdir;
 
 use crate::common::program::run_in;
+use crate::mesh::volume;
 
 fn meshed(given: Given) -> Result<Mesh, Error> {
     let options = MeshingOptions::default().resolution(24);
@@ -37,21 +38,6 @@ fn ellipsoid(center: [i64; 3], exponents: [i64; 3]) -> SparsePolynomial<3> {
         f.add_term(term(0), weight * &c * &c);
     }
     f
-}
-
-fn volume(mesh: &Mesh, center: [f64; 3]) -> f64 {
-    let parts = mesh.triangles.iter().map(|triangle| {
-        let [a, b, c] = triangle.map(|v| {
-            let vertex = mesh.vertices[v as usize];
-            [0, 1, 2].map(|i| vertex[i] - center[i])
-        });
-        let [x, y, z] = [0, 1, 2].map(|i: usize| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            b[j] * c[k] - b[k] * c[j]
-        });
-        (a[0] * x + a[1] * y + a[2] * z) / 6.0
-    });
-    parts.sum()
 }
 
 proptest! {
