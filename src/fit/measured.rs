@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::center::Center;
-use super::distance::{DistanceSearch, Frame};
+use super::distance::{DistanceSearch, Frame, Step};
 use super::least_squares::{LeastSquares, Observations};
 use super::radius::ContourRadius;
 use super::residual::CheckAngles;
@@ -194,10 +194,14 @@ impl RadiusPoints {
                 })
             }
             (FitSize::Distance(e), Some((contour, limits))) => {
-                let mut search = DistanceSearch::new(contour, e);
                 let curve = |n: usize| Ok(EllipticSeries::from_radius(&candidate(n)?.radius));
-                let found = search.fewest(0..=most, curve, limits)?;
-                candidate(found.ok_or_else(|| search.missed("a Fourier radius", most))?)
+                let mut search = DistanceSearch::new(contour, e)?;
+                let found = search.fewest(0..=most, curve, &Step::Unknown, limits)?;
+                candidate(
+                    found.ok_or_else(|| {
+                        search.missed("a Fourier radius", most, "", curve, limits)
+                    })?,
+                )
             }
             (FitSize::Distance(_) | FitSize::Power(_), _) => Err(Error::internal(
                 "the size of a fit",

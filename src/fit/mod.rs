@@ -67,7 +67,7 @@ use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries, FourierRadius};
 use definition1::enough_samples;
-use distance::DistanceSearch;
+use distance::{DistanceSearch, Step};
 use residual::{Assessment, CheckAngles};
 use tolerance::HarmonicsSearch;
 
@@ -75,6 +75,9 @@ use tolerance::HarmonicsSearch;
 const MAX_DEFAULT_SAMPLES: usize = 1 << 17;
 /// The number of check angles for each sample.
 const CHECKS_PER_SAMPLE: usize = 4;
+
+/// What helps if no number of harmonics that the samples determine is enough.
+const MORE_SAMPLES: &str = "; more samples, --samples, allow more harmonics";
 
 /// A Fourier radius that was fitted to an outline, and its deviations from it.
 #[non_exhaustive]
@@ -113,7 +116,8 @@ pub struct Visibility {
 ///
 /// For a [`FitSize::Tolerance`] the number of harmonics is the smallest for which [`Fit::max_radial_error`] is within the
 /// tolerance, with the given samples: each smaller number was tried and its error is larger. For a [`FitSize::Distance`] it is
-/// likewise the smallest for which the upper bound of the Hausdorff distance is within that.
+/// likewise the smallest for which the upper bound of the Hausdorff distance is within that; a smaller one is measured, or it is
+/// excluded because the curve with fewer harmonics is too far away, and no point of it has moved so far.
 /// Cost: O(n log n) for the outline, O(Ns log Ns) for the coefficients; a tolerance adds O(N) for
 /// about two thousand angles.
 ///
@@ -132,7 +136,8 @@ pub struct Visibility {
 /// # Errors
 /// [`Error::Usage`] if the center is not inside the outline, if there are fewer than 2N + 1 samples or
 /// if the tolerance is not positive; [`Error::Limit`] beyond [`MAX_HARMONICS`], [`MAX_SAMPLES`] or
-/// [`MAX_DECIMALS`], and if no number of harmonics that the samples determine meets the tolerance.
+/// [`MAX_DECIMALS`], if no number of harmonics that the samples determine meets the tolerance or distance, and for a
+/// distance that is smaller than [`distances`] measures.
 pub fn fit(contour: &Contour, options: &FitOptions) -> Result<Fit> {
     fit_within(contour, options, &Limits::none())
 }
@@ -190,13 +195,13 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
             fewest(tolerance, &check, &cos, &sin, limits)?
         }
         FitSize::Distance(distance) => {
-            let mut search = DistanceSearch::new(contour, distance);
-            let found = search.fewest(
-                0..=most,
-                |n| Ok(EllipticSeries::from_radius(&cut(n))),
-                limits,
-            )?;
-            let n = found.ok_or_else(|| search.missed("a Fourier radius", most))?;
+            let curve = |n: usize| Ok(EllipticSeries::from_radius(&cut(n)));
+            let sizes: Vec<f64> = cos.iter().zip(&sin).map(|(a, b)| a.hypot(*b)).collect();
+            let mut search = DistanceSearch::new(contour, distance)?;
+            let found = search.fewest(0..=most, curve, &Step::Sizes(&sizes), limits)?;
+            let n = found.ok_or_else(|| {
+                search.missed("a Fourier radius", most, MORE_SAMPLES, curve, limits)
+            })?;
             (n, assess(n))
         }
         FitSize::Harmonics(n) => (n, assess(n)),
@@ -262,10 +267,7 @@ fn fewest(
                 "no number of harmonics up to {} has a radial error of at most {tolerance}",
                 cos.len() - 1
             ),
-            finished: format!(
-                "the best found is {max:.3e} with {n} harmonics; more samples, --samples, allow more \
-                 harmonics"
-            ),
+            finished: format!("the best found is {max:.3e} with {n} harmonics{MORE_SAMPLES}"),
         }),
     }
 }

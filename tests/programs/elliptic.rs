@@ -157,6 +157,48 @@ fn tolerances_distances_and_powers_choose_the_fewest_harmonics() {
     assert!(less["harmonic_power"].as_f64().unwrap() < 0.9);
 }
 
+/// A distance that no number of harmonics reaches: the error names the best one, and its distance is that of the fit with so many.
+#[test]
+fn a_distance_out_of_reach_names_the_best_fit() {
+    let text: String = (0..40)
+        .map(|k| {
+            let t = std::f64::consts::TAU * f64::from(k) / 40.0;
+            let r = 2.0 + (2.0 * t).cos() / 2.0;
+            format!("{},{}\n", r * t.cos(), r * t.sin())
+        })
+        .collect();
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("outline.csv"), text).unwrap();
+    for model in ["radius", "elliptic"] {
+        let fit = ["fit", "outline.csv", "--model", model];
+        let far = run_in(
+            folder.path(),
+            &[&fit[..], &["--distance", "1e-5"]].concat(),
+            "",
+        );
+        assert_eq!(far.code, 3, "{}", far.err);
+        let (_, best) = far.err.split_once("that was found is ≤ ").unwrap();
+        let (distance_found, best) = best.split_once(", with ").unwrap();
+        let (n, rest) = best.split_once(" harmonics").unwrap();
+        assert_eq!(rest.contains("--samples"), model == "radius", "{rest}");
+        let mut arguments = [&fit[..], &["-n", n, "--format", "json"]].concat();
+        if model == "radius" {
+            arguments.extend(["--samples", "4096"]);
+        }
+        let found = json(&done_in(folder.path(), &arguments, ""));
+        let stated: f64 = distance_found.parse().unwrap();
+        let [low, high] = distance(&found);
+        assert!(low > 1e-5 && (high / stated - 1.0).abs() < 0.02, "{high}");
+    }
+    let small = run_in(
+        folder.path(),
+        &["fit", "outline.csv", "--distance", "1e-9"],
+        "",
+    );
+    assert_eq!(small.code, 3);
+    assert!(small.err.contains("is measured to 2e-6"), "{}", small.err);
+}
+
 /// The same outline turned, larger, elsewhere, from another vertex and in the other sense has the same normal form.
 #[test]
 fn normal_forms_of_alike_outlines_are_alike() {

@@ -1,21 +1,24 @@
 //! How far a fitted curve is from the outline: certified bounds of the Hausdorff distance, and approximate measures.
 //!
 //! The curve is replaced by a polygon from which it differs by a proved amount ([`traced`]). The distance of two polygons is
-//! enclosed by branch and bound over their edges ([`hausdorff`]); a tree of boxes finds nearest edges ([`polygon`]).
+//! enclosed by branch and bound over their edges ([`hausdorff`]); a tree of boxes finds nearest edges ([`polygon`]). A search for
+//! the fewest harmonics ([`search`]) measures few of the curves.
 
 mod hausdorff;
 mod near;
 mod overlap;
 mod polygon;
+mod search;
 mod traced;
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries, FourierRadius};
 pub(crate) use near::NearPolygon;
 pub(super) use polygon::Frame;
 use polygon::Polygon;
+pub(super) use search::{DistanceSearch, Step};
 use traced::Tracer;
 
 /// The bounds of the distance are this close together, relative to the lower one, …
@@ -121,63 +124,6 @@ pub(crate) fn is_positive_by_values(
         }
     }
     Ok(None)
-}
-
-/// The search for the fewest harmonics whose distance from an outline is small enough.
-#[derive(Debug)]
-pub(super) struct DistanceSearch {
-    outline: Outline,
-    /// The largest distance that is small enough.
-    enough: f64,
-    /// The smallest upper bound so far, and its number of harmonics.
-    best: (f64, usize),
-}
-
-impl DistanceSearch {
-    pub(super) fn new(contour: &Contour, enough: f64) -> Self {
-        Self {
-            outline: Outline::new(contour),
-            enough,
-            best: (f64::INFINITY, 0),
-        }
-    }
-
-    /// The first number of harmonics for which the upper bound of the distance is small enough. Each smaller one was tried.
-    pub(super) fn fewest(
-        &mut self,
-        mut harmonics: impl Iterator<Item = usize>,
-        curve: impl Fn(usize) -> Result<EllipticSeries>,
-        limits: &Limits,
-    ) -> Result<Option<usize>> {
-        let enough = self.enough / self.outline.frame.scale();
-        harmonics
-            .find_map(|n| {
-                let found = curve(n).and_then(|c| self.outline.enclose(&c, enough, limits));
-                let bounds = match found.transpose()? {
-                    Ok((bounds, _)) => self.outline.in_its_units(bounds),
-                    Err(error) => return Some(Err(error)),
-                };
-                if bounds.high < self.best.0 {
-                    self.best = (bounds.high, n);
-                }
-                (bounds.high <= self.enough).then_some(Ok(n))
-            })
-            .transpose()
-    }
-
-    /// The error for a search without success.
-    pub(super) fn missed(&self, series: &str, most: usize) -> Error {
-        let (distance, harmonics) = self.best;
-        Error::Limit {
-            limit: format!(
-                "no number of harmonics up to {most} brings {series} within {} of the outline",
-                self.enough
-            ),
-            finished: format!(
-                "the best distance that was found is ≤ {distance:.3e}, with {harmonics} harmonics"
-            ),
-        }
-    }
 }
 
 /// An outline to which the distances of many curves are measured.

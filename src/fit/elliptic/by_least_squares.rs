@@ -6,7 +6,7 @@ use rustfft::num_complex::Complex;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::fit::distance::{DistanceSearch, Frame};
+use crate::fit::distance::{DistanceSearch, Frame, Step};
 use crate::fit::exactly;
 use crate::fit::least_squares::{LeastSquares, Observations};
 use crate::fit::{FitOptions, FitSize};
@@ -56,9 +56,10 @@ impl<'a> Points<'a> {
         let harmonics = match size {
             FitSize::Harmonics(n) => n,
             FitSize::Tolerance(e) | FitSize::Distance(e) => {
-                let mut search = DistanceSearch::new(contour, e);
-                let found = search.fewest(0..=most, |n| Ok(estimate(n)?.0), limits)?;
-                found.ok_or_else(|| search.missed("an elliptic series", most))?
+                let curve = |n: usize| Ok(estimate(n)?.0);
+                let mut search = DistanceSearch::new(contour, e)?;
+                let found = search.fewest(0..=most, curve, &Step::Unknown, limits)?;
+                found.ok_or_else(|| search.missed("an elliptic series", most, "", curve, limits))?
             }
             FitSize::Power(share) => {
                 let mut n = 0;

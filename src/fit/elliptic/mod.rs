@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 
 use malachite::Integer;
 
-use super::distance::{DistanceSearch, Frame};
+use super::distance::{DistanceSearch, Frame, Step};
 use super::least_squares::LeastSquares;
 use super::{Estimator, FitOptions, FitSize};
 use crate::error::{Error, Result};
@@ -112,11 +112,21 @@ pub fn fit_elliptic(
     let series = match size {
         FitSize::Harmonics(n) => series(n)?,
         FitSize::Tolerance(e) | FitSize::Distance(e) => {
-            let mut search = DistanceSearch::new(contour, e);
+            let mut search = DistanceSearch::new(contour, e)?;
             let found = fewest(series, |all, tried| {
-                search.fewest(tried, |n| Ok(all.truncated(n)), limits)
+                let sizes = sizes(all);
+                let curve = |n| Ok(all.truncated(n));
+                search.fewest(tried, curve, &Step::Sizes(&sizes), limits)
             })?;
-            found.ok_or_else(|| search.missed("an elliptic series", MAX_ELLIPTIC_HARMONICS))?
+            found.ok_or_else(|| {
+                search.missed(
+                    "an elliptic series",
+                    MAX_ELLIPTIC_HARMONICS,
+                    "",
+                    series,
+                    limits,
+                )
+            })?
         }
         FitSize::Power(share) => {
             let found = fewest(series, |all, _| {
@@ -134,6 +144,16 @@ pub fn fit_elliptic(
         series,
         least_squares: None,
     })
+}
+
+/// For each harmonic, a bound of the distance of its points from the origin.
+fn sizes(series: &EllipticSeries) -> Vec<f64> {
+    let [a, b, c, d] = series.lists();
+    let size = |n: usize| {
+        let [a, b, c, d] = [a, b, c, d].map(|list| list[n].to_f64());
+        f64::hypot(a.hypot(b), c.hypot(d))
+    };
+    (0..=series.harmonics()).map(size).collect()
 }
 
 /// The power of all harmonics together, from the sums of the first ones.
