@@ -8,6 +8,8 @@ use super::known::{PartialInspection, Point};
 use crate::exact::Rational;
 use crate::intervals::interval::separation;
 use crate::intervals::{Field, Interval, rational, rationals};
+use crate::poly::with_integers;
+use crate::roots::real_roots;
 
 /// The part of the cubes of a verdict that may be divided for a distance.
 pub(super) const SHARE: usize = 8;
@@ -17,6 +19,8 @@ const DOUBLINGS: u32 = 64;
 const WIDTH: f64 = 1e-9;
 /// How often a piece of a ray with a zero is halved.
 const HALVINGS: u32 = 30;
+/// The number of bits to which zeros on lines are computed.
+const PRECISION: i64 = 60;
 /// How often the search radius grows, by a factor of 4 each time, if no zero was found on the rays.
 pub(super) const GROWTHS: u32 = 12;
 
@@ -55,10 +59,11 @@ impl Inspector {
         for (known, field) in others(parts, self.factors()) {
             if known.bounds.high.is_infinite() {
                 let p = at(field);
-                let found = DistanceBounds {
-                    low: 0.0,
-                    high: self.on_rays(field, p).min(towards_extremum(field, p.near)),
-                };
+                let mut high = self.on_rays(field, p).min(towards_extremum(field, p.near));
+                if high.is_infinite() && self.is_exact_possible(field) {
+                    high = self.on_lines(field, p);
+                }
+                let found = DistanceBounds { low: 0.0, high };
                 self.learn(known, found, p.slack);
             }
         }
@@ -133,18 +138,44 @@ impl Inspector {
     /// An upper bound of the distance of a zero, from changes of the sign along a few rays; ∞ if none is found.
     fn on_rays(&self, field: &Field, p: &Point) -> f64 {
         let sign = field.sign(p.near);
-        let axes = if field.is_flat() { 2 } else { 3 };
-        let steps = |n: u32| [n % 3, n / 3 % 3, n / 9].map(|k| f64::from(k) - 1.0);
-        let rays = (0..3u32.pow(axes)).map(move |n| match axes {
-            2 => [steps(n)[0], steps(n)[1], 0.0],
-            _ => steps(n),
-        });
-        let rays = rays.filter(|u| u.iter().any(|x| x.abs() > 0.5));
-        rays.chain([field.gradient(p.near)])
+        directions(field.is_flat())
+            .chain([field.gradient(p.near)])
             .filter_map(|u| {
                 let length = u.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let u = u.map(|x| x / length);
                 self.first_change(field, p.near, u, sign)
+            })
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// An upper bound of the distance of a zero, from all zeros on a few lines, which are computed exactly; ∞ if there is none. A zero
+    /// without a change of the sign is found, too, and a surface that is small and far away, if its middle is near the origin.
+    fn on_lines(&self, field: &Field, p: &Point) -> f64 {
+        let at = rationals(p.near);
+        let Ok(about) = field.polynomial().in_coordinates(&at, [0; 3], &self.limits) else {
+            return f64::INFINITY;
+        };
+        let directions = directions(field.is_flat()).chain([field.gradient(p.near)]);
+        let finite = directions.filter(|u| u.iter().all(|x| x.is_finite()));
+        let to_origin = at.map(|x| -x);
+        finite
+            .map(rationals)
+            .chain([to_origin])
+            .filter_map(|u| {
+                let row = about.along(&u);
+                if row.is_empty() {
+                    // The point itself is a zero.
+                    return Some(0.0);
+                }
+                let away = real_roots(&with_integers(&row).0)
+                    .into_iter()
+                    .map(|mut root| {
+                        root.refine(PRECISION);
+                        let (low, high) = root.bounds();
+                        low.abs().max(high.abs())
+                    });
+                let square = away.min().map(|t| &t * &t * squared_length(&u))?;
+                Some(Interval::from(&square).sqrt().high())
             })
             .fold(f64::INFINITY, f64::min)
     }
@@ -171,6 +202,17 @@ impl Inspector {
     }
 }
 
+/// Directions along the axes and between them, in the plane or in space.
+fn directions(is_flat: bool) -> impl Iterator<Item = [f64; 3]> {
+    let axes = if is_flat { 2 } else { 3 };
+    let steps = |n: u32| [n % 3, n / 3 % 3, n / 9].map(|k| f64::from(k) - 1.0);
+    let rays = (0..3u32.pow(axes)).map(move |n| match axes {
+        2 => [steps(n)[0], steps(n)[1], 0.0],
+        _ => steps(n),
+    });
+    rays.filter(|u| u.iter().any(|x| x.abs() > 0.5))
+}
+
 /// An upper bound of the distance of a change of the sign between a point and a critical point of f that is found from it; ∞ if f has one
 /// sign at both. Rays in fixed directions miss a surface that is thin, but its inside has an extremum.
 fn towards_extremum(field: &Field, p: [f64; 3]) -> f64 {
@@ -188,4 +230,92 @@ fn towards_extremum(field: &Field, p: [f64; 3]) -> f64 {
         }
     }
     separation(p, far).high()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::inspect::{DistanceBounds, InspectorOptions, Verdict};
+    use crate::limits::Limits;
+    use crate::poly::{Ring, SparsePolynomial};
+    use crate::shape::{ImplicitCurve, ImplicitSurface};
+
+    /// The polynomial Σ (x_i − c_i)^n − rⁿ.
+    fn ball(axes: usize, n: u32, center: &[Rational; 3], radius: &Rational) -> SparsePolynomial<3> {
+        let away = |i: usize| {
+            let x = SparsePolynomial::variable(i);
+            x.minus(&SparsePolynomial::constant(center[i].clone()))
+                .pow(n)
+        };
+        let size = radius.pow(n.into()).unwrap();
+        (0..axes).fold(SparsePolynomial::constant(-size), |sum, i| {
+            sum.plus(&away(i))
+        })
+    }
+
+    fn distance(f: &SparsePolynomial<3>, p: &[Rational; 3], tolerance: Rational) -> DistanceBounds {
+        let (options, limits) = (InspectorOptions::new(tolerance), Limits::none());
+        let inspector = match f.to_plane() {
+            Some(plane) => Inspector::plane(&ImplicitCurve::new(plane), &options, &limits),
+            None => Inspector::surface(&ImplicitSurface::new(f.clone()), &options, &limits),
+        };
+        let found = inspector.unwrap().inspect(p);
+        assert_eq!(found.verdict, Verdict::Outside);
+        found.distance
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        /// Circles and spheres of any size, near the origin or far from it, and points that are far or very far from them.
+        #[test]
+        fn a_round_form_far_away_is_found(
+            axes in 2usize..4,
+            center in prop::array::uniform3(-1_000_000_000i64..1_000_000_000),
+            is_far in any::<bool>(),
+            radius in 1i64..1000,
+            scale in -20i64..40,
+            towards in prop::array::uniform3(-9i64..9),
+            times in 2i64..100_000_000,
+        ) {
+            prop_assume!(towards[..axes].iter().any(|x| *x != 0));
+            let radius = Rational::from(radius) * Rational::from(2).pow(scale).unwrap();
+            let center = center.map(|c| if is_far { Rational::from(c) / Rational::from(7) } else { Rational::zero() });
+            let mut towards = towards.map(|x| Rational::from(x) * &radius * Rational::from(times));
+            let mut center = center;
+            for i in axes..3 {
+                (towards[i], center[i]) = (Rational::zero(), Rational::zero());
+            }
+            let point: [Rational; 3] = std::array::from_fn(|i| &center[i] + &towards[i]);
+            let f = ball(axes, 2, &center, &radius);
+            let found = distance(&f, &point, &radius / &Rational::from(100));
+            let square = squared_length(&towards);
+            // (d + r)² on both sides of |p − c|², exactly.
+            let beyond = |d: f64| (rational(d) + &radius).pow(2).unwrap();
+            prop_assert!(beyond(found.low) <= square && square <= beyond(found.high), "{found:?}");
+            prop_assert!(found.high - found.low <= 3e-6 * found.high, "{found:?}");
+        }
+    }
+
+    /// A surface that the doubled steps along a ray miss, and zeros without a change of the sign that are not rational.
+    #[test]
+    fn zeros_on_lines_are_found() {
+        let number = |x: f64| rational(x);
+        let unit = ball(3, 4, &[0.0; 3].map(number), &Rational::one());
+        let found = distance(&unit, &[1e9, 0.0, 0.0].map(number), "1/10".parse().unwrap());
+        assert!(found.low > 9.999e8 && found.low <= 999_999_999.0);
+        assert!((999_999_999.0..999_999_999.001).contains(&found.high));
+        // (x² − 2)² + y²
+        let x = SparsePolynomial::<3>::variable(0).pow(2);
+        let y = SparsePolynomial::<3>::variable(1).pow(2);
+        let points = x
+            .minus(&SparsePolynomial::constant(2.into()))
+            .pow(2)
+            .plus(&y);
+        let found = distance(&points, &[0.0; 3].map(number), "1/10".parse().unwrap());
+        let root = 2f64.sqrt();
+        assert!(found.low <= root && root <= found.high && found.high - found.low < 3e-6);
+    }
 }

@@ -1,12 +1,12 @@
 //! Inspection of points against one surface or plane curve. Each point is decided by the cheapest rule that can.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::common_zeros::CommonZeros;
 use super::distance::{Goal, nearest};
 use super::foot::{approach, enclose};
 use super::known::{PartialInspection, Point, rounding};
+use super::origin::far_middle;
 use super::{DistanceBounds, Inspection, Verdict};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
@@ -65,8 +65,8 @@ pub(super) struct Factor {
 #[derive(Clone, Debug)]
 pub struct Inspector {
     pub(super) kind: Kind,
-    /// The center of a plane curve, which is the origin of its polynomial's coordinates, unless it is (0, 0).
-    center: Option<[Rational; 2]>,
+    /// The origin of the coordinates of the factors, unless it is that of the points.
+    pub(super) origin: Option<[Rational; 3]>,
     factors: Arc<[Factor]>,
     pub(super) tolerance: Rational,
     /// Doubles below and above the tolerance.
@@ -104,19 +104,13 @@ impl Inspector {
         options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        let factors = factor_space(surface.polynomial(), limits)?.factors;
-        let factors = factors.into_iter().map(|f| {
-            let field = Field::new(&f.polynomial);
-            let pair = conjugate_pair(&f.polynomial, limits)?;
-            Ok(Factor {
-                field,
-                multiplicity: f.multiplicity,
-                curve: pair.and_then(|pair| CommonZeros::new(&pair)),
-            })
-        });
+        let polynomial = surface.polynomial();
+        let found = factor_space(polynomial, limits)?.factors;
+        let factors = found.into_iter().map(|f| (f.polynomial, f.multiplicity));
         Self::new(
             Kind::Surface,
-            factors.collect::<Result<_>>()?,
+            polynomial,
+            factors.collect(),
             options,
             limits,
         )
@@ -132,25 +126,25 @@ impl Inspector {
         options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
-        let factors = factor_plane(curve.polynomial(), limits)?.factors;
-        let factors = factors
+        let found = factor_plane(curve.polynomial(), limits)?.factors;
+        let factors = found
             .iter()
-            .map(|f| Factor {
-                field: Field::new(&SparsePolynomial::from(&f.polynomial)),
-                multiplicity: f.multiplicity,
-                curve: None,
-            })
-            .collect();
-        let has_center = curve.center().iter().any(|c| !c.is_zero());
-        Ok(Self {
-            center: has_center.then(|| curve.center().clone()),
-            ..Self::new(Kind::Plane, factors, options, limits)?
-        })
+            .map(|f| (SparsePolynomial::from(&f.polynomial), f.multiplicity));
+        let inspector = Self::new(
+            Kind::Plane,
+            &SparsePolynomial::from(curve.polynomial()),
+            factors.collect(),
+            options,
+            limits,
+        )?;
+        let [a, b] = curve.center();
+        Ok(inspector.moved([a, b, &Rational::zero()]))
     }
 
     fn new(
         kind: Kind,
-        factors: Vec<Factor>,
+        polynomial: &SparsePolynomial<3>,
+        factors: Vec<(SparsePolynomial<3>, usize)>,
         options: &InspectorOptions,
         limits: &Limits,
     ) -> Result<Self> {
@@ -163,9 +157,26 @@ impl Inspector {
                 "the reach {reach}: expected a finite number, such as 10"
             )));
         }
+        let origin = far_middle(polynomial, &options.tolerance, limits)?;
+        let factors = factors.into_iter().map(|(f, multiplicity)| {
+            let f = match &origin {
+                Some(origin) => f.in_coordinates(origin, [0; 3], limits)?,
+                None => f,
+            };
+            let pair = match kind {
+                Kind::Surface => conjugate_pair(&f, limits)?,
+                Kind::Plane => None,
+            };
+            Ok(Factor {
+                field: Field::new(&f),
+                multiplicity,
+                curve: pair.and_then(|pair| CommonZeros::new(&pair)),
+            })
+        });
+        let factors: Vec<Factor> = factors.collect::<Result<_>>()?;
         let mut inspector = Self {
             kind,
-            center: None,
+            origin,
             factors: factors.into(),
             tolerance: options.tolerance.clone(),
             around,
@@ -239,7 +250,7 @@ impl Inspector {
     /// Inspects a point whose nearest doubles are `near`. The exact coordinates are computed only if they are needed.
     #[must_use]
     pub fn inspect_near(&self, near: [f64; 3], exactly: &dyn Fn() -> [Rational; 3]) -> Inspection {
-        if self.center.is_some() {
+        if self.origin.is_some() {
             return self.inspect(&exactly());
         }
         if !near.iter().all(|x| x.is_finite()) {
@@ -250,7 +261,7 @@ impl Inspector {
 
     /// The sign of the polynomial at a point of finite doubles, as in [`Inspection::sign`].
     pub(crate) fn side(&self, point: [f64; 3]) -> i8 {
-        let exactly = self.center.is_some().then(|| {
+        let exactly = self.origin.is_some().then(|| {
             let point = point.map(rational);
             self.relative(&point).into_owned()
         });
@@ -273,17 +284,6 @@ impl Inspector {
                 _ => sign_of(&factor.field).abs(),
             });
         signs.product()
-    }
-
-    /// The point in the coordinates of the polynomial.
-    pub(super) fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
-        match &self.center {
-            None => Cow::Borrowed(point),
-            Some([a, b]) => {
-                let [x, y, z] = point;
-                Cow::Owned([x - a, y - b, z.clone()])
-            }
-        }
     }
 
     fn of_point(&self, p: &Point) -> Inspection {

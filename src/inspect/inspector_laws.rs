@@ -4,15 +4,6 @@ use super::*;
 use crate::poly::Ring;
 use proptest::prelude::*;
 
-/// A factor that occurs once.
-fn simple(f: &SparsePolynomial<3>) -> Factor {
-    Factor {
-        field: Field::new(f),
-        multiplicity: 1,
-        curve: None,
-    }
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
 
@@ -28,7 +19,7 @@ proptest! {
         let tolerance = (0..ulps.abs()).fold(near, |d, _| if ulps > 0 { d.next_up() } else { d.next_down() });
         let plane = SparsePolynomial::<3>::variable(0).minus(&SparsePolynomial::constant(rational(c)));
         let options = InspectorOptions::new(rational(tolerance)).reach(Some(8.0)).digits(14).cubes(1000);
-        let inspector = Inspector::new(Kind::Surface, vec![simple(&plane)], &options, &Limits::none()).unwrap();
+        let inspector = Inspector::new(Kind::Surface, &plane,vec![(plane.clone(), 1)], &options, &Limits::none()).unwrap();
         let doubles = p.each_ref().map(Rational::to_f64);
         for found in [inspector.inspect(&p), inspector.inspect_near(doubles, &|| p.clone())] {
             let is_inside = distance <= rational(tolerance);
@@ -48,7 +39,8 @@ fn what_is_no_double_is_undecided() {
     let options = InspectorOptions::new(Rational::one()).reach(Some(1.0));
     let inspector = Inspector::new(
         Kind::Surface,
-        vec![simple(&plane)],
+        &plane,
+        vec![(plane.clone(), 1)],
         &options,
         &Limits::none(),
     )
@@ -59,7 +51,8 @@ fn what_is_no_double_is_undecided() {
     let options = options.reach(Some(f64::INFINITY));
     let refused = Inspector::new(
         Kind::Surface,
-        vec![simple(&plane)],
+        &plane,
+        vec![(plane.clone(), 1)],
         &options,
         &Limits::none(),
     );

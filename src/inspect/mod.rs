@@ -35,6 +35,7 @@ mod known;
 #[cfg(feature = "meshes")]
 mod mesh_distance;
 mod nearest;
+mod origin;
 mod patch;
 mod proof;
 mod refine;

@@ -3,16 +3,13 @@
 //! In such a box cells of equal sides are too coarse for the thin side, and doubles lose the digits of the distance from the origin.
 //! The change of coordinates x = c + 2^e X is exact.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 
 use super::extent::BoxSides;
-use crate::error::{Invariant, Result};
-use crate::exact::Rational;
+use crate::error::Result;
 use crate::intervals::rational;
 use crate::limits::Limits;
-use crate::poly::{SparsePolynomial, shift_rational};
+use crate::poly::SparsePolynomial;
 
 /// A box is thin if a side is less than this part of the longest one.
 const THIN: f64 = 1.0 / 8.0;
@@ -67,34 +64,7 @@ impl Frame {
         f: &SparsePolynomial<3>,
         limits: &Limits,
     ) -> Result<SparsePolynomial<3>> {
-        let mut f = f.clone();
-        for axis in 0..3 {
-            let mut rows: BTreeMap<[u32; 3], Vec<Rational>> = BTreeMap::new();
-            for (e, c) in f.terms() {
-                let mut others = *e;
-                others[axis] = 0;
-                let row = rows.entry(others).or_default();
-                let place = e[axis] as usize;
-                row.resize(row.len().max(place + 1), Rational::zero());
-                row[place] = c.clone();
-            }
-            let mut terms = Vec::new();
-            let unit = Rational::from(2).pow(i64::from(self.exponents[axis]));
-            let unit = unit.invariant("2 is not 0");
-            for (others, mut row) in rows {
-                limits.check()?;
-                shift_rational(&mut row, &rational(self.center[axis]));
-                let mut power = Rational::one();
-                for (k, c) in (0..).zip(row) {
-                    let mut e = others;
-                    e[axis] = k;
-                    terms.push((e, c * &power));
-                    power = power * &unit;
-                }
-            }
-            f = SparsePolynomial::from_terms(terms);
-        }
-        Ok(f)
+        f.in_coordinates(&self.center.map(rational), self.exponents, limits)
     }
 
     fn unit(&self, axis: usize) -> f64 {

@@ -3,6 +3,7 @@
 //! Conventions: the coefficients of univariate polynomials are ascending; the zero polynomial has no degree; a plane polynomial
 //! *is* the list of its homogeneous parts; and a binary form of degree d is the univariate polynomial f(1, t) together with d.
 
+mod coordinates;
 mod dense;
 mod eliminate;
 mod evaluate;
