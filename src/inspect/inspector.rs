@@ -67,7 +67,9 @@ pub struct Inspector {
     pub(super) kind: Kind,
     /// The origin of the coordinates of the factors, unless it is that of the points.
     pub(super) origin: Option<[Rational; 3]>,
-    factors: Arc<[Factor]>,
+    /// Whether the origin is a point that is inspected.
+    pub(super) is_local: bool,
+    pub(super) factors: Arc<[Factor]>,
     pub(super) tolerance: Rational,
     /// Doubles below and above the tolerance.
     pub(super) around: [f64; 2],
@@ -177,6 +179,7 @@ impl Inspector {
         let mut inspector = Self {
             kind,
             origin,
+            is_local: false,
             factors: factors.into(),
             tolerance: options.tolerance.clone(),
             around,
@@ -259,34 +262,13 @@ impl Inspector {
         self.of_point(&Point::new(near, rounding(near), exactly))
     }
 
-    /// The sign of the polynomial at a point of finite doubles, as in [`Inspection::sign`].
-    pub(crate) fn side(&self, point: [f64; 3]) -> i8 {
-        let exactly = self.origin.is_some().then(|| {
-            let point = point.map(rational);
-            self.relative(&point).into_owned()
-        });
-        let sign_of = |field: &Field| match &exactly {
-            None => field.sign(match field.is_flat() {
-                true => [point[0], point[1], 0.0],
-                false => point,
-            }),
-            Some(exactly) => {
-                let near = exactly.each_ref().map(Rational::to_f64);
-                let in_doubles = field.sign_near(near, rounding(near));
-                in_doubles.unwrap_or_else(|| field.polynomial().evaluate(exactly).signum())
-            }
-        };
-        let signs = self
-            .factors
-            .iter()
-            .map(|factor| match factor.multiplicity % 2 {
-                1 => sign_of(&factor.field),
-                _ => sign_of(&factor.field).abs(),
-            });
-        signs.product()
+    fn of_point(&self, p: &Point) -> Inspection {
+        self.in_these_coordinates(p)
+            .unwrap_or_else(|| self.in_coordinates_about(p))
     }
 
-    fn of_point(&self, p: &Point) -> Inspection {
+    /// The findings for a point; `None` if it must be inspected in coordinates about the point.
+    pub(super) fn in_these_coordinates(&self, p: &Point) -> Option<Inspection> {
         let flat = p.flattened();
         let at = |field: &Field| if field.is_flat() { &flat } else { p };
         let mut parts: Vec<PartialInspection> = self
@@ -298,6 +280,9 @@ impl Inspector {
                 known.unwrap_or_else(|| self.of_factor(factor, at(&factor.field)))
             })
             .collect();
+        if parts.iter().any(|known| known.is_blurred) {
+            return None;
+        }
         let mut all = Inspection {
             verdict: Verdict::Outside,
             curve: Some(false),
@@ -338,7 +323,7 @@ impl Inspector {
             // No zero was found within reach.
             all.distance.high = f64::INFINITY;
         }
-        all
+        Some(all)
     }
 
     fn of_factor(&self, factor: &Factor, p: &Point) -> PartialInspection {
@@ -368,6 +353,19 @@ impl Inspector {
         self.asked.is_some() && bounds.low >= self.goal.reach
             || bounds.high.is_finite()
                 && bounds.high - bounds.low <= self.goal.relative * bounds.high
+    }
+
+    /// Adds bounds that hold for the doubles; `slack` makes them hold for the exact point.
+    pub(super) fn learn(&self, known: &mut PartialInspection, found: DistanceBounds, slack: f64) {
+        let low = Interval::from(found.low) - Interval::from(slack);
+        let high = Interval::from(found.high) + Interval::from(slack);
+        known.bounds.low = known.bounds.low.max(low.low());
+        known.bounds.high = known.bounds.high.min(high.high());
+        if known.bounds.high <= self.around[0] {
+            known.inside = Some(true);
+        } else if known.bounds.low > self.around[1] {
+            known.inside = Some(false);
+        }
     }
 
     /// Decides by doubles: a quick proof that all zeros are far away, or the expansion at the foot.
@@ -405,19 +403,6 @@ impl Inspector {
         (Interval::from(self.goal.reach) + Interval::from(p.slack)).high()
     }
 
-    /// Adds bounds that hold for the doubles; `slack` makes them hold for the exact point.
-    pub(super) fn learn(&self, known: &mut PartialInspection, found: DistanceBounds, slack: f64) {
-        let low = Interval::from(found.low) - Interval::from(slack);
-        let high = Interval::from(found.high) + Interval::from(slack);
-        known.bounds.low = known.bounds.low.max(low.low());
-        known.bounds.high = known.bounds.high.min(high.high());
-        if known.bounds.high <= self.around[0] {
-            known.inside = Some(true);
-        } else if known.bounds.low > self.around[1] {
-            known.inside = Some(false);
-        }
-    }
-
     /// Decides a point that the expansion in doubles leaves open, by a search of cubes and by proofs about the cubes that are
     /// left.
     fn by_search(&self, field: &Field, p: &Point, known: &mut PartialInspection) {
@@ -433,6 +418,10 @@ impl Inspector {
             if known.inside.is_some() && self.is_close(&known.bounds) {
                 return;
             }
+        }
+        if self.can_move() && field.sign_near(p.near, 0.0).is_none() {
+            known.is_blurred = true;
+            return;
         }
         let mut goal = self.goal;
         goal.reach = self.reach_from(p);

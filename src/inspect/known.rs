@@ -80,6 +80,8 @@ pub(super) struct PartialInspection {
     pub(super) foot: Option<[f64; 3]>,
     /// The nearest point that was found, more precisely than doubles can hold it.
     pub(super) exact_foot: Option<[Rational; 3]>,
+    /// Whether doubles lose all digits of the polynomial at the point, so that other coordinates are needed.
+    pub(super) is_blurred: bool,
 }
 
 impl PartialInspection {
@@ -90,6 +92,7 @@ impl PartialInspection {
         curve: None,
         foot: None,
         exact_foot: None,
+        is_blurred: false,
     };
 
     /// Records a zero within the tolerance; `tolerance` is a double that is not below the tolerance, and `high` is the square

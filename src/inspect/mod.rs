@@ -20,6 +20,7 @@ mod by_curve;
 mod cells;
 mod chart;
 mod common_zeros;
+mod coordinates;
 mod criterion;
 mod curve;
 mod distance;

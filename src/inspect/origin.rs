@@ -3,46 +3,26 @@
 //! Far from the origin doubles lose the digits of the distance from the origin, to each power of it that the polynomial has. So a
 //! zero set that is far away, as outlines on maps are, is moved to the origin. The change of coordinates is exact.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use malachite::base::num::arithmetic::traits::DivRound;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 
-use super::exact::{exact_difference, power_of_two};
-use super::inspector::Inspector;
+use super::exact::power_of_two;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{SparsePolynomial, total_degree, with_integers};
 
-/// A zero set is moved if its middle is farther away than this many times its size, or than the tolerance: 2^6.
+/// A zero set is moved if its middle is farther away than 2^6 times the distance from the middle to the nearest zero on the lines
+/// along the axes, and than 2^6 times the tolerance.
 const FAR: i64 = 6;
-/// The middle is rounded down to 2^−4 of the size.
+/// The middle is rounded down to 2^−4 of the larger one of these.
 const ROUND: i64 = 4;
 
-impl Inspector {
-    /// The inspector of the zero set that is moved by a vector.
-    pub(super) fn moved(mut self, by: [&Rational; 3]) -> Self {
-        if by.iter().any(|c| !c.is_zero()) {
-            let origin = self.origin.take().unwrap_or_default();
-            self.origin = Some(std::array::from_fn(|i| &origin[i] + by[i]));
-        }
-        self
-    }
-
-    /// The point in the coordinates of the factors.
-    pub(super) fn relative<'a>(&self, point: &'a [Rational; 3]) -> Cow<'a, [Rational; 3]> {
-        match &self.origin {
-            None => Cow::Borrowed(point),
-            Some(origin) => Cow::Owned(exact_difference(point, origin)),
-        }
-    }
-}
-
-/// The middle of the zero set of f, rounded to few digits, if it is far from the origin compared with its size and with the
-/// tolerance. Any point would do; this one makes the coefficients of f small.
+/// The middle of the zero set of f, rounded to few digits, if it is far from the origin compared with the distance of zeros from it
+/// and with the tolerance. Any point would do; this one makes the coefficients of f small.
 ///
 /// Let f_d be the sum of the terms of the highest degree. With coordinates c + X the terms of degree d − 1 become f_{d−1} +
 /// c·∇f_d, and c makes their coefficients as small as it can (least squares). It moves with the zero set. Where f_d does not
@@ -154,8 +134,8 @@ fn solved(mut rows: [[Rational; 4]; 3]) -> ([Rational; 3], Vec<[Rational; 3]>) {
     (solution, free)
 }
 
-/// The exponent of a bound of the roots of f on the lines through a point along the axes, measured from the point; `None` if they are
-/// at the point.
+/// The exponent of about the distance of a point from the nearest root, real or not, of f on the lines through the point along the
+/// axes; `None` if the point is a root.
 fn size_about(f: &SparsePolynomial<3>, point: &[Rational; 3]) -> Option<i64> {
     let of_axis = |axis: usize| {
         let (row, _) = with_integers(&f.along_axis(axis, point));
@@ -164,13 +144,14 @@ fn size_about(f: &SparsePolynomial<3>, point: &[Rational; 3]) -> Option<i64> {
             .iter()
             .map(|c| c.significant_bits().cast_signed())
             .collect();
-        let (lead, others) = bits.split_last()?;
-        let gaps = (1i64..).zip(others.iter().rev());
-        let used = gaps.filter(|(_, bits)| **bits > 0);
-        used.map(|(k, bits)| (bits - lead + 1).div_round(k, RoundingMode::Ceiling).0)
-            .max()
+        // The first coefficient is the value at the point.
+        let (first, others) = bits.split_first().filter(|(first, _)| **first > 0)?;
+        let used = (1i64..).zip(others).filter(|(_, bits)| **bits > 0);
+        // A product of k roots is about a_0/a_k, up to a binomial coefficient.
+        used.map(|(k, bits)| (first - bits).div_round(k, RoundingMode::Ceiling).0)
+            .min()
     };
-    (0..3).filter_map(of_axis).max()
+    (0..3).filter_map(of_axis).min()
 }
 
 #[cfg(test)]
@@ -178,7 +159,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::inspect::{InspectorOptions, Verdict};
+    use crate::inspect::{Inspector, InspectorOptions, Verdict};
     use crate::language::{Numbers, parse_form};
     use crate::shape::{Form, ImplicitCurve, ImplicitSurface};
 

@@ -37,13 +37,15 @@ impl Inspector {
         if !bounds.high.is_finite() || from.iter().any(|x| !x.is_finite()) {
             return None;
         }
-        let best = self
-            .by_starts(own, from, bounds, |field, p| self.start(field, p))
-            .or_else(|| {
-                self.by_starts(own, from, bounds, |field, p| {
-                    self.starts_by_cubes(field, p, bounds)
-                })
-            })?;
+        let quick = self.by_starts(own, from, bounds, |field, p| self.start(field, p));
+        if quick.is_none() && self.is_blurred(from) {
+            return self.about(from).ok()?.foot(point, found);
+        }
+        let best = quick.or_else(|| {
+            self.by_starts(own, from, bounds, |field, p| {
+                self.starts_by_cubes(field, p, bounds)
+            })
+        })?;
         // Back to original coordinates.
         let offset: [Rational; 3] = std::array::from_fn(|i| &point[i] - &own[i]);
         let moved = std::array::from_fn(|i| (rational(best.foot.point[i]) + &offset[i]).to_f64());
