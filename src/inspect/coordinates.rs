@@ -151,7 +151,7 @@ mod tests {
             prop_assert!(bounds.low <= exact + 1e-12 && exact - 1e-12 <= bounds.high, "{bounds:?}");
             prop_assert!(bounds.high - bounds.low <= 2e-6 * bounds.high, "{bounds:?}");
             let foot = inspector.foot(&point, &found).unwrap().point;
-            let from_middle = [0, 1].map(|i| foot[i] - rational(middle[i] as f64).to_f64());
+            let from_middle = [0, 1].map(|i| foot[i] - number(middle[i]).to_f64());
             // Doubles of this size are 10^(−7) apart.
             prop_assert!((from_middle[0].hypot(from_middle[1]) - 1.0).abs() < 1e-6, "{foot:?}");
         }

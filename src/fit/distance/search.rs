@@ -168,6 +168,7 @@ impl DistanceSearch {
 mod tests {
     use super::*;
     use crate::exact::Rational;
+    use crate::fit::as_f64;
     use proptest::prelude::*;
 
     fn contour(points: &[[f64; 2]]) -> Contour {
@@ -209,9 +210,9 @@ mod tests {
             for harmonic in harmonics.iter_mut().skip(small) {
                 *harmonic = harmonic.map(|c| c / 32);
             }
-            let turn = std::f64::consts::TAU / radii.len() as f64;
+            let turn = std::f64::consts::TAU / as_f64(radii.len());
             let points = radii.iter().enumerate().map(|(k, radius)| {
-                let (sin, cos) = (turn * k as f64).sin_cos();
+                let (sin, cos) = (turn * as_f64(k)).sin_cos();
                 [radius * cos, radius * sin]
             });
             let outline = contour(&points.collect::<Vec<_>>());
