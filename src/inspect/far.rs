@@ -51,6 +51,9 @@ impl Inspector {
         }
         for (known, field) in others(parts, self.factors()) {
             self.by_refined_foot(field, at(field), known);
+            if !self.is_close(&known.bounds) {
+                self.by_quadric(field, at(field), known);
+            }
         }
         let best = high(parts);
         if parts.iter().all(|known| !is_near(known, best)) && best.is_finite() {

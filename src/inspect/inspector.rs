@@ -419,6 +419,10 @@ impl Inspector {
                 return;
             }
         }
+        self.by_quadric(field, p, known);
+        if known.inside.is_some() && self.is_close(&known.bounds) {
+            return;
+        }
         if self.can_move() && field.sign_near(p.near, 0.0).is_none() {
             known.is_blurred = true;
             return;

@@ -33,12 +33,14 @@ mod guess;
 mod harmonic;
 mod inspector;
 mod known;
+mod linear;
 #[cfg(feature = "meshes")]
 mod mesh_distance;
 mod nearest;
 mod origin;
 mod patch;
 mod proof;
+mod quadric;
 mod refine;
 mod side;
 mod sphere;

@@ -10,6 +10,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode;
 
 use super::exact::power_of_two;
+use super::linear::solved;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::limits::Limits;
@@ -99,39 +100,6 @@ fn middle(f: &SparsePolynomial<3>, limits: &Limits) -> Result<Option<[Rational; 
         }
     }
     Ok(middle.iter().any(|c| !c.is_zero()).then_some(middle))
-}
-
-/// A solution of three equations with a symmetric matrix without negative eigenvalues, and a basis of the directions in which
-/// there are others.
-fn solved(mut rows: [[Rational; 4]; 3]) -> ([Rational; 3], Vec<[Rational; 3]>) {
-    let determined: [bool; 3] = std::array::from_fn(|pivot| {
-        let Some(over) = rows[pivot][pivot].recip() else {
-            return false;
-        };
-        let own = rows[pivot].each_ref().map(|x| x * &over);
-        for (k, row) in rows.iter_mut().enumerate() {
-            if k != pivot {
-                let factor = row[pivot].clone();
-                *row = std::array::from_fn(|i| &row[i] - &factor * &own[i]);
-            }
-        }
-        rows[pivot] = own;
-        true
-    });
-    let column = |of: usize, free: Rational| {
-        std::array::from_fn(|k| match determined[k] {
-            true => rows[k][of].clone(),
-            false => free.clone(),
-        })
-    };
-    let solution = column(3, Rational::zero());
-    let free = (0..3).filter(|&j| !determined[j]).map(|j| {
-        let mut direction = column(j, Rational::zero()).map(|x: Rational| -x);
-        direction[j] = Rational::one();
-        direction
-    });
-    let free = free.collect();
-    (solution, free)
 }
 
 /// The exponent of about the distance of a point from the nearest root, real or not, of f on the lines through the point along the

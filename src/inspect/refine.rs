@@ -3,6 +3,7 @@
 use super::exact::{self, Answer};
 use super::inspector::Inspector;
 use super::known::{PartialInspection, Point};
+use super::quadric::Quadric;
 use crate::exact::Rational;
 use crate::intervals::{Field, Interval, distance};
 
@@ -43,6 +44,17 @@ impl Inspector {
             let root = |square: &Rational| Interval::from(square).or_zero().sqrt();
             known.bounds.low = known.bounds.low.max(root(&low).low());
             known.bounds.high = known.bounds.high.min(root(&high).high());
+        }
+    }
+
+    /// Bounds of the distance of a point from a quadric or a conic, by exact arithmetic, to nearly all digits of a double.
+    pub(super) fn by_quadric(&self, field: &Field, p: &Point, known: &mut PartialInspection) {
+        let Some(quadric) = Quadric::of(field) else {
+            return;
+        };
+        if let Some(found) = quadric.nearest(p.exactly()) {
+            self.learn(known, found.bounds(), 0.0);
+            known.foot = Some(found.foot);
         }
     }
 

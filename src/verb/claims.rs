@@ -8,7 +8,7 @@ use crate::arcs::IntersectionArcs;
 use crate::describe::Description;
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
-use crate::factor::factor_plane;
+use crate::factor::{factor_plane, factor_space};
 use crate::fit::Distances;
 use crate::implicitize::{SquaredForm, SquaredHarmonics};
 use crate::parallel;
@@ -345,14 +345,18 @@ pub(super) fn claim_harmonic_radii(
     Ok(())
 }
 
-/// Claims the branches of a surface, without witnesses.
+/// Claims the factors of a surface and, without witnesses, its branches.
 pub(super) fn claim_surface_branches(
     proof: &mut Proof,
     found: &SurfaceParametrization,
     is_asked_for_ranges: bool,
-) {
+    work: &Work,
+) -> Result<()> {
     let form = match &found.of {
-        Form::Surface(surface) => surface_form(proof, surface.polynomial()),
+        Form::Surface(surface) => {
+            claim_surface_factors(proof, surface, work)?;
+            surface_form(proof, surface.polynomial())
+        }
         _ => None,
     };
     for branch in 0..found.branches.len() {
@@ -362,6 +366,24 @@ pub(super) fn claim_surface_branches(
             witness::unproved(proof, "ranges", &statement);
         }
     }
+    Ok(())
+}
+
+/// Claims the factors of the polynomial of a surface, and that they are irreducible.
+fn claim_surface_factors(proof: &mut Proof, surface: &ImplicitSurface, work: &Work) -> Result<()> {
+    let whole = surface_form(proof, surface.polynomial());
+    let mut entered = Vec::new();
+    for factor in factor_space(surface.polynomial(), work.bounds())?.factors {
+        let multiplicity = factor.multiplicity;
+        let factor = ImplicitSurface::new(factor.polynomial);
+        let index = surface_form(proof, factor.polynomial());
+        witness::irreducible(proof, index, factor.polynomial(), work.bounds())?;
+        let first = first_of(&factor).invariant("a factor is not 0");
+        entered.push((index, multiplicity, first));
+    }
+    let first = first_of(surface).invariant("a polynomial with factors is not 0");
+    claim_product(proof, whole, &first, &entered);
+    Ok(())
 }
 
 /// Claims that curves are components of the intersection of surfaces, and, without a witness, that there are no others.

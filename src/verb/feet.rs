@@ -35,7 +35,7 @@ impl InspectionTask {
         if !found.distance.high.is_finite() || near.iter().any(|x| !x.is_finite()) {
             return None;
         }
-        let candidate = match &self.against {
+        let mut candidate = match &self.against {
             Against::Equation(inspector) => return inspector.foot(point, found),
             Against::Plane(plane) => plane.foot(point, found)?,
             Against::Space(inspector) => FootCandidate::on_form(inspector.foot(point)?.point, None),
@@ -43,6 +43,10 @@ impl InspectionTask {
             Against::Harmonic(inspector) => inspector.foot(point)?,
             Against::Superquadric(inspector) => inspector.foot(point),
         };
+        if found.distance.high <= 0.0 {
+            // A point of the form is its own foot, also at the origin, where the smallest error is large.
+            candidate.foot.point = near;
+        }
         candidate.checked(near, &found.distance)
     }
 }

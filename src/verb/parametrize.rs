@@ -170,10 +170,7 @@ pub fn parametrize(
             ));
         }
         let spherical = parametrize_space_superquadric(shape);
-        work.claim(|proof| {
-            claim_surface_branches(proof, &spherical, false);
-            Ok(())
-        })?;
+        work.claim(|proof| claim_surface_branches(proof, &spherical, false, work))?;
         return Ok(Parametrized::Surface {
             spherical,
             meridians: Vec::new(),
@@ -289,10 +286,7 @@ fn of_surface(
         });
         Ok((Vec::new(), answers.collect()))
     })?;
-    work.claim(|proof| {
-        claim_surface_branches(proof, &spherical, !thetas.is_empty());
-        Ok(())
-    })?;
+    work.claim(|proof| claim_surface_branches(proof, &spherical, !thetas.is_empty(), work))?;
     Ok(Parametrized::Surface {
         spherical,
         meridians,

@@ -8,7 +8,7 @@ use std::path::Path;
 use serde_json::json;
 use tempfile::TempDir;
 
-use crate::common::program::{Run, json, run_in};
+use crate::common::program::{Run, done, json, run_in};
 
 /// Points at the signed distances −2, −1, −0.02, 0, 0.05, 0.06 and 1 from the circle of radius 5.
 const POINTS: &str =
@@ -275,6 +275,25 @@ fn feet_stand_behind_the_sign_and_before_kept_columns() {
         "{}",
         text.out
     );
+}
+
+/// At the origin the smallest error of a coordinate is large, in parts of it.
+#[test]
+fn a_point_of_the_form_is_its_own_foot_at_the_origin() {
+    for form in ["r = cos(3*t)", "r = 1 + cos(t)", "x = t^2; y = t^3"] {
+        let arguments = [
+            "inspect",
+            form,
+            "--tolerance",
+            "1",
+            "--point",
+            "0,0",
+            "--feet",
+        ];
+        let found = json(&done(&[&arguments[..], &["--format", "json"]].concat()));
+        let point = &found["points"][0];
+        assert_eq!(point["foot"]["point"], json!([0.0, 0.0]), "{form}");
+    }
 }
 
 #[test]

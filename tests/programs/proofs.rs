@@ -83,7 +83,7 @@ fn proofs_are_accepted_and_wrong_ones_are_refused() {
 }
 
 /// Commands that write proofs, with the numbers of their claims and of those without a witness.
-const PROVED: [(&[&str], usize, usize); 24] = [
+const PROVED: [(&[&str], usize, usize); 25] = [
     // Forms that proof files cannot state, and arcs: nothing is left out.
     (
         &[
@@ -197,6 +197,12 @@ const PROVED: [(&[&str], usize, usize); 24] = [
         1,
     ),
     (&["parametrize", "R = 2 + Y(1,0)/3"], 3, 0),
+    // The factors and their irreducibility; the formulas have no witness.
+    (
+        &["parametrize", "(x^2 + y^2 + z^2 - 1)*(x + 2*y + z - 1)^2"],
+        6,
+        3,
+    ),
     (&["parametrize", "x^2 + y^2 = 1; z = y^5"], 2, 1),
     (
         &[

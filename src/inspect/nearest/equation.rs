@@ -8,6 +8,7 @@ use crate::inspect::distance::{Goal, nearest};
 use crate::inspect::exact::{critical_point, rational_zero, refined_foot};
 use crate::inspect::foot::{approach, lagrange, stationary};
 use crate::inspect::inspector::Inspector;
+use crate::inspect::quadric::Quadric;
 use crate::inspect::{DistanceBounds, Inspection};
 use crate::intervals::{Field, Interval, distance, dot, rational, rationals};
 
@@ -38,6 +39,13 @@ impl Inspector {
             return None;
         }
         let quick = self.by_starts(own, from, bounds, |field, p| self.start(field, p));
+        let quick = quick.or_else(|| {
+            self.by_starts(own, from, bounds, |field, p| {
+                let quadric = Quadric::of(field);
+                let found = quadric.and_then(|quadric| quadric.nearest(&rationals(p)));
+                found.map(|found| found.foot).into_iter().collect()
+            })
+        });
         if quick.is_none() && self.is_blurred(from) {
             return self.about(from).ok()?.foot(point, found);
         }
