@@ -54,9 +54,11 @@ pub fn fit_cloud(cloud: &PointCloud, options: &FitOptions, limits: &Limits) -> R
     let center = Center::of_cloud(cloud, &options.center, options.decimals)?;
     let points = RadiusPoints::new(cloud.points(), cloud.weights(), center.point)?;
     let candidate = |n: usize| {
-        let (radius, least_squares) = points.estimate(n, options, limits)?;
+        let Some((radius, least_squares)) = points.estimate(n, options, limits)? else {
+            return Ok(None);
+        };
         let [max, rms] = points.errors(&radius);
-        Ok(Fit {
+        Ok(Some(Fit {
             radius: radius.with_center(center.exact.clone()),
             center: center.clone(),
             max_radial_error: max,
@@ -64,7 +66,7 @@ pub fn fit_cloud(cloud: &PointCloud, options: &FitOptions, limits: &Limits) -> R
             samples: least_squares.points,
             outline: None,
             least_squares: Some(least_squares),
-        })
+        }))
     };
     points.fewest(size, None, candidate)
 }
@@ -85,9 +87,11 @@ pub(super) fn fit_vertices(
     let checks = CHECKS_PER_SAMPLE * default_samples(size, contour.len());
     let check = CheckAngles::new(&outline, checks);
     let candidate = |n: usize| {
-        let (radius, least_squares) = points.estimate(n, options, limits)?;
+        let Some((radius, least_squares)) = points.estimate(n, options, limits)? else {
+            return Ok(None);
+        };
         let assessment = check.assess(&nearest(radius.cosines()), &nearest(radius.sines()));
-        Ok(Fit {
+        Ok(Some(Fit {
             radius: radius.with_center(center.exact.clone()),
             center: center.clone(),
             max_radial_error: assessment.max,
@@ -95,7 +99,7 @@ pub(super) fn fit_vertices(
             samples: least_squares.points,
             outline: Some(outline.visibility()),
             least_squares: Some(least_squares),
-        })
+        }))
     };
     points.fewest(size, Some((contour, limits)), candidate)
 }
@@ -128,16 +132,19 @@ impl RadiusPoints {
         })
     }
 
-    /// The radius about the origin, and what is said of its coefficients.
+    /// The radius about the origin, and what is said of its coefficients; `None` if the points do not determine it.
     fn estimate(
         &self,
         harmonics: usize,
         options: &FitOptions,
         limits: &Limits,
-    ) -> Result<(FourierRadius, LeastSquares)> {
+    ) -> Result<Option<(FourierRadius, LeastSquares)>> {
         let found = self
             .observations
-            .estimate(harmonics, options.robust, limits)?;
+            .estimate_if_determined(harmonics, options.robust, limits)?;
+        let Some(found) = found else {
+            return Ok(None);
+        };
         let list = |part: fn(&rustfft::num_complex::Complex<f64>) -> f64| -> Result<Vec<Rational>> {
             let values: Vec<f64> = found
                 .series
@@ -147,7 +154,7 @@ impl RadiusPoints {
             exactly(&values, options.decimals)
         };
         let radius = FourierRadius::new(list(|c| c.re)?, list(|c| c.im)?);
-        Ok((radius, found.report.scaled(self.unit)))
+        Ok(Some((radius, found.report.scaled(self.unit))))
     }
 
     /// The largest error of a point, and the root of the weighted mean of their squares.
@@ -170,15 +177,20 @@ impl RadiusPoints {
         &self,
         size: FitSize,
         outline: Option<(&Contour, &Limits)>,
-        candidate: impl Fn(usize) -> Result<Fit>,
+        candidate: impl Fn(usize) -> Result<Option<Fit>>,
     ) -> Result<Fit> {
         let most = self.observations.most_harmonics();
+        let chosen = |n: usize| candidate(n)?.ok_or_else(|| self.observations.undetermined(n));
         match (size, outline) {
-            (FitSize::Harmonics(n), _) => candidate(n),
+            (FitSize::Harmonics(n), _) => chosen(n),
             (FitSize::Tolerance(e), _) => {
                 let mut best = (f64::INFINITY, 0);
+                let (mut last, mut why) = (most, "");
                 for n in 0..=most {
-                    let fit = candidate(n)?;
+                    let Some(fit) = candidate(n)? else {
+                        (last, why) = (n.saturating_sub(1), "; the points do not determine more");
+                        break;
+                    };
                     if fit.max_radial_error <= e {
                         return Ok(fit);
                     }
@@ -188,20 +200,20 @@ impl RadiusPoints {
                 }
                 Err(Error::Limit {
                     limit: format!(
-                        "no number of harmonics up to {most} has a radial error of at most {e}"
+                        "no number of harmonics up to {last} has a radial error of at most {e}{why}"
                     ),
                     finished: format!("the best found is {:.3e} with {} harmonics", best.0, best.1),
                 })
             }
             (FitSize::Distance(e), Some((contour, limits))) => {
-                let curve = |n: usize| Ok(EllipticSeries::from_radius(&candidate(n)?.radius));
+                let curve = |n: usize| {
+                    let fit = candidate(n)?;
+                    Ok(fit.map(|fit| EllipticSeries::from_radius(&fit.radius)))
+                };
                 let mut search = DistanceSearch::new(contour, e)?;
                 let found = search.fewest(0..=most, curve, &Step::Unknown, limits)?;
-                candidate(
-                    found.ok_or_else(|| {
-                        search.missed("a Fourier radius", most, "", curve, limits)
-                    })?,
-                )
+                let missed = || search.missed("a Fourier radius", "", curve, limits);
+                chosen(found.ok_or_else(missed)?)
             }
             (FitSize::Distance(_) | FitSize::Power(_), _) => Err(Error::internal(
                 "the size of a fit",

@@ -195,13 +195,12 @@ pub fn fit_within(contour: &Contour, options: &FitOptions, limits: &Limits) -> R
             fewest(tolerance, &check, &cos, &sin, limits)?
         }
         FitSize::Distance(distance) => {
-            let curve = |n: usize| Ok(EllipticSeries::from_radius(&cut(n)));
+            let curve = |n: usize| Ok(Some(EllipticSeries::from_radius(&cut(n))));
             let sizes: Vec<f64> = cos.iter().zip(&sin).map(|(a, b)| a.hypot(*b)).collect();
             let mut search = DistanceSearch::new(contour, distance)?;
             let found = search.fewest(0..=most, curve, &Step::Sizes(&sizes), limits)?;
-            let n = found.ok_or_else(|| {
-                search.missed("a Fourier radius", most, MORE_SAMPLES, curve, limits)
-            })?;
+            let n = found
+                .ok_or_else(|| search.missed("a Fourier radius", MORE_SAMPLES, curve, limits))?;
             (n, assess(n))
         }
         FitSize::Harmonics(n) => (n, assess(n)),
@@ -246,7 +245,7 @@ fn refuse_jump(tolerance: f64, outline: &ContourRadius) -> Result<()> {
     }
     Err(Error::limit(format!(
         "no number of harmonics has a radial error of at most {tolerance}: the outline is not \
-         star-shaped about the center, r jumps by {jump:.6} at θ = {:.4}°, and every series \
+         star-shaped about the center, r jumps by {jump:.3e} at θ = {:.4}°, and every series \
          leaves at least half of that",
         theta.to_degrees()
     )))

@@ -177,7 +177,7 @@ fn a_distance_out_of_reach_names_the_best_fit() {
             "",
         );
         assert_eq!(far.code, 3, "{}", far.err);
-        let (_, best) = far.err.split_once("that was found is ≤ ").unwrap();
+        let (_, best) = far.err.split_once("of those measured is ≤ ").unwrap();
         let (distance_found, best) = best.split_once(", with ").unwrap();
         let (n, rest) = best.split_once(" harmonics").unwrap();
         assert_eq!(rest.contains("--samples"), model == "radius", "{rest}");

@@ -8,8 +8,10 @@ use crate::error::{Error, Result};
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries};
 
-/// After a search without success, so many curves with the smallest lower bounds are measured to name the best one.
-const BEST_CANDIDATES: usize = 8;
+/// After a search without success among fewer numbers of harmonics than this, all are measured to name the best one.
+const FEW: usize = 64;
+/// Of more, so many parts of the largest number are measured, and so many with the smallest lower bounds.
+const CANDIDATES: usize = 8;
 
 /// How far a curve of a family can be from the one with a harmonic less.
 #[derive(Debug)]
@@ -39,10 +41,12 @@ pub(in crate::fit) struct DistanceSearch {
     enough: f64,
     /// A lower bound of the distance for the last number of harmonics.
     low: f64,
+    /// The last number of harmonics that was tried or excluded.
+    last: usize,
     /// The numbers of harmonics that were measured, with lower bounds of their distances.
     measured: Vec<(f64, usize)>,
-    /// The first number of harmonics whose measurement takes too much.
-    too_many: Option<usize>,
+    /// The first number of harmonics that cannot be tried, and why.
+    end: Option<(usize, &'static str)>,
 }
 
 impl DistanceSearch {
@@ -60,37 +64,42 @@ impl DistanceSearch {
             outline,
             enough,
             low: f64::NEG_INFINITY,
+            last: 0,
             measured: Vec::new(),
-            too_many: None,
+            end: None,
         })
     }
 
     /// The first number of harmonics for which the upper bound of the distance is small enough. The distance of each smaller one
     /// was measured, or is too large because that of a curve with fewer harmonics is, and the next ones differ little from it.
     ///
-    /// The numbers are consecutive, also from one call to the next.
+    /// The numbers are consecutive, also from one call to the next. The search ends with the first one without a curve, because the
+    /// points do not determine it.
     pub(in crate::fit) fn fewest(
         &mut self,
         harmonics: impl Iterator<Item = usize>,
-        curve: impl Fn(usize) -> Result<EllipticSeries>,
+        curve: impl Fn(usize) -> Result<Option<EllipticSeries>>,
         step: &Step<'_>,
         limits: &Limits,
     ) -> Result<Option<usize>> {
         let scale = self.outline.frame.scale();
         for n in harmonics {
-            if self.too_many.is_some() {
+            if self.end.is_some() {
                 return Ok(None);
             }
+            self.last = n;
             // No point of the curve moved farther than the step, so the distance has not changed by more.
             self.low -= step.at(n);
             if self.low > self.enough * (1.0 + 1e-9) {
                 continue;
             }
-            let found = self
-                .outline
-                .enclose(&curve(n)?, self.enough / scale, limits)?;
+            let Some(tried) = curve(n)? else {
+                self.end = Some((n, "the points do not determine the coefficients"));
+                return Ok(None);
+            };
+            let found = self.outline.enclose(&tried, self.enough / scale, limits)?;
             let Some((bounds, _)) = found else {
-                self.too_many = Some(n);
+                self.end = Some((n, "the distance takes too long to measure"));
                 return Ok(None);
             };
             let bounds = self.outline.in_its_units(bounds);
@@ -103,60 +112,71 @@ impl DistanceSearch {
         Ok(None)
     }
 
-    /// The error for a search without success among at most so many harmonics; `hint` says what would allow more.
+    /// The error for a search without success; `hint` says what would allow more harmonics.
     pub(in crate::fit) fn missed(
         mut self,
         series: &str,
-        most: usize,
         hint: &str,
-        curve: impl Fn(usize) -> Result<EllipticSeries>,
+        curve: impl Fn(usize) -> Result<Option<EllipticSeries>>,
         limits: &Limits,
     ) -> Error {
-        let most = self.too_many.map_or(most, |n| n.saturating_sub(1));
-        let why = match self.too_many {
-            Some(n) => format!("; with {n}, the distance takes too long to measure"),
-            None => String::new(),
+        let (last, why) = match self.end {
+            Some((n, why)) => (n.saturating_sub(1), format!("; with {n}, {why}")),
+            None => (self.last, String::new()),
         };
-        let best = match self.best(curve, limits) {
+        let best = match self.best(last, curve, limits) {
             Ok(best) => best,
             Err(error) => return error,
         };
         let finished = match best {
             Some((distance, n)) => {
-                format!(
-                    "the best distance that was found is ≤ {distance:.3e}, with {n} harmonics{hint}"
-                )
+                format!("the best of those measured is ≤ {distance:e}, with {n} harmonics{hint}")
             }
             None => "no distance was measured".to_owned(),
         };
         Error::Limit {
             limit: format!(
-                "no number of harmonics up to {most} brings {series} within {} of the outline{why}",
+                "no number of harmonics up to {last} brings {series} within {} of the outline{why}",
                 self.enough
             ),
             finished,
         }
     }
 
-    /// The smallest upper bound of the distance among the curves that look best, and its number of harmonics.
+    /// The smallest upper bound of the distance that is found among candidates, and its number of harmonics.
+    ///
+    /// The search knows of a curve that is too far away only that it is: its bounds say little of how far. Few numbers are all
+    /// measured; of many, the largest one, parts of it, and those with the smallest lower bounds.
     fn best(
         &mut self,
-        curve: impl Fn(usize) -> Result<EllipticSeries>,
+        last: usize,
+        curve: impl Fn(usize) -> Result<Option<EllipticSeries>>,
         limits: &Limits,
     ) -> Result<Option<(f64, usize)>> {
         self.measured
             .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let nearest = self.measured.iter().take(CANDIDATES).map(|(_, n)| *n);
+        let mut candidates: Vec<usize> = match last < FEW {
+            true => (0..=last).collect(),
+            false => (1..=CANDIDATES)
+                .map(|k| last * k / CANDIDATES)
+                .chain(nearest)
+                .collect(),
+        };
+        candidates.sort_unstable();
+        candidates.dedup();
         let mut best: Option<(f64, usize)> = None;
-        for &(low, n) in self.measured.iter().take(BEST_CANDIDATES) {
-            if best.is_some_and(|(high, _)| high <= low) {
-                break;
-            }
-            let found = self.outline.enclose(&curve(n)?, f64::INFINITY, limits)?;
-            let Some((bounds, _)) = found else {
+        for n in candidates {
+            let Some(tried) = curve(n)? else {
+                continue;
+            };
+            let least = best.map_or(f64::INFINITY, |(high, _)| high);
+            let enough = least / self.outline.frame.scale();
+            let Some((bounds, _)) = self.outline.enclose(&tried, enough, limits)? else {
                 continue;
             };
             let high = self.outline.in_its_units(bounds).high;
-            if best.is_none_or(|(least, _)| high < least) {
+            if high < least {
                 best = Some((high, n));
             }
         }
@@ -218,7 +238,7 @@ mod tests {
             let outline = contour(&points.collect::<Vec<_>>());
             let all = series(&harmonics);
             let most = harmonics.len();
-            let curve = |n| Ok(all.truncated(n));
+            let curve = |n| Ok(Some(all.truncated(n)));
             let is_near = |n: usize| {
                 let found = super::super::distances(&outline, &all.truncated(n), &Limits::none());
                 found.unwrap().unwrap().hausdorff.high <= enough
@@ -253,7 +273,7 @@ mod tests {
         let all = EllipticSeries::new(lists);
         let mut search = DistanceSearch::new(&square, 0.2).unwrap();
         let step = Step::Sizes(&sizes(&all));
-        let curve = |n| Ok(all.truncated(n));
+        let curve = |n| Ok(Some(all.truncated(n)));
         let found = search.fewest(0..=499, curve, &step, &Limits::none());
         assert_eq!(found.unwrap(), None);
         assert!(search.measured.len() < 20, "{:?}", search.measured);
@@ -268,17 +288,17 @@ mod tests {
             EllipticSeries::new([list(radius), list(0), list(0), list(radius)])
         };
         // The circle of radius 9/8 leaves out √2 − 9/8 = 0.2892 of the corners; the others are farther away.
-        let curve = |n: usize| Ok(circle([4, 6, 14, 9, 13][n]));
+        let curve = |n: usize| Ok(Some(circle([4, 6, 14, 9, 13][n])));
         let mut search = DistanceSearch::new(&square, 0.25).unwrap();
         let found = search.fewest(0..=4, curve, &Step::Unknown, &Limits::none());
         assert_eq!(found.unwrap(), None);
-        let error = search.missed("a circle", 4, "; ask for less", curve, &Limits::none());
+        let error = search.missed("a circle", "; ask for less", curve, &Limits::none());
         let message = error.to_string();
         assert!(
             message.contains("no number of harmonics up to 4 brings a circle within 0.25"),
             "{message}"
         );
-        let distance = "the best distance that was found is ≤ 2.89";
+        let distance = "the best of those measured is ≤ 2.89";
         assert!(message.contains(distance), "{message}");
         assert!(
             message.contains(", with 3 harmonics; ask for less"),
@@ -293,13 +313,13 @@ mod tests {
             let mut lists: [Vec<Rational>; 4] = Default::default();
             lists[0] = vec![Rational::zero(); if n < 2 { 2 } else { 600_000 }];
             *lists[0].last_mut().unwrap() = Rational::from_dyadic(1.into(), -30);
-            Ok(EllipticSeries::new(lists))
+            Ok(Some(EllipticSeries::new(lists)))
         };
         let mut search = DistanceSearch::new(&square, 1e-3).unwrap();
         let found = search.fewest(0..=9, wild, &Step::Unknown, &Limits::none());
         assert_eq!(found.unwrap(), None);
         let message = search
-            .missed("a curve", 9, "", wild, &Limits::none())
+            .missed("a curve", "", wild, &Limits::none())
             .to_string();
         assert!(
             message.contains("up to 1 brings a curve within 0.001"),

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::distance::{DistanceSearch, Frame, Step};
 use crate::fit::exactly;
-use crate::fit::least_squares::{LeastSquares, Observations};
+use crate::fit::least_squares::{Estimate, LeastSquares, Observations};
 use crate::fit::{FitOptions, FitSize};
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries};
@@ -56,10 +56,14 @@ impl<'a> Points<'a> {
         let harmonics = match size {
             FitSize::Harmonics(n) => n,
             FitSize::Tolerance(e) | FitSize::Distance(e) => {
-                let curve = |n: usize| Ok(estimate(n)?.0);
+                let curve = |n: usize| {
+                    Ok(self
+                        .estimate_if_determined(n, options, limits)?
+                        .map(|found| found.0))
+                };
                 let mut search = DistanceSearch::new(contour, e)?;
                 let found = search.fewest(0..=most, curve, &Step::Unknown, limits)?;
-                found.ok_or_else(|| search.missed("an elliptic series", most, "", curve, limits))?
+                found.ok_or_else(|| search.missed("an elliptic series", "", curve, limits))?
             }
             FitSize::Power(share) => {
                 let mut n = 0;
@@ -89,6 +93,27 @@ impl<'a> Points<'a> {
         let found = self
             .observations
             .estimate(harmonics, options.robust, limits)?;
+        self.series(found, options)
+    }
+
+    fn estimate_if_determined(
+        &self,
+        harmonics: usize,
+        options: &FitOptions,
+        limits: &Limits,
+    ) -> Result<Option<(EllipticSeries, LeastSquares)>> {
+        let found = self
+            .observations
+            .estimate_if_determined(harmonics, options.robust, limits)?;
+        found.map(|found| self.series(found, options)).transpose()
+    }
+
+    /// The series in the coordinates of the outline.
+    fn series(
+        &self,
+        found: Estimate<2>,
+        options: &FitOptions,
+    ) -> Result<(EllipticSeries, LeastSquares)> {
         let scale = self.frame.scale();
         let list = |i: usize, part: fn(&Complex<f64>) -> f64| -> Result<Vec<Rational>> {
             let values: Vec<f64> = found.series.iter().map(|c| scale * part(&c[i])).collect();

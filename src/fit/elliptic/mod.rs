@@ -115,17 +115,11 @@ pub fn fit_elliptic(
             let mut search = DistanceSearch::new(contour, e)?;
             let found = fewest(series, |all, tried| {
                 let sizes = sizes(all);
-                let curve = |n| Ok(all.truncated(n));
+                let curve = |n| Ok(Some(all.truncated(n)));
                 search.fewest(tried, curve, &Step::Sizes(&sizes), limits)
             })?;
             found.ok_or_else(|| {
-                search.missed(
-                    "an elliptic series",
-                    MAX_ELLIPTIC_HARMONICS,
-                    "",
-                    series,
-                    limits,
-                )
+                search.missed("an elliptic series", "", |n| series(n).map(Some), limits)
             })?
         }
         FitSize::Power(share) => {

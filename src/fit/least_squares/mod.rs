@@ -151,6 +151,17 @@ impl<const D: usize> Observations<D> {
         robust: bool,
         limits: &Limits,
     ) -> Result<Estimate<D>> {
+        let found = self.estimate_if_determined(harmonics, robust, limits)?;
+        found.ok_or_else(|| self.undetermined(harmonics))
+    }
+
+    /// As [`Self::estimate`], but `None` if the angles of the points do not determine the coefficients.
+    pub(super) fn estimate_if_determined(
+        &self,
+        harmonics: usize,
+        robust: bool,
+        limits: &Limits,
+    ) -> Result<Option<Estimate<D>>> {
         let needed = 2 * harmonics + 1;
         let count = self.angles.len();
         if count < needed {
@@ -158,11 +169,13 @@ impl<const D: usize> Observations<D> {
                 "N = {harmonics} harmonics have {needed} coefficients; there are {count} points"
             )));
         }
-        let plain = self.solve(&self.weights, harmonics)?;
+        let Some(plain) = self.solve(&self.weights, harmonics) else {
+            return Ok(None);
+        };
         let (condition, variances) = plain.normal.condition();
         let is_determined = condition <= MOST_CONDITION;
         if !is_determined {
-            return Err(self.undetermined(harmonics));
+            return Ok(None);
         }
         let (solution, deviation, robust) = if robust {
             let found = self.settle(plain, harmonics, limits)?;
@@ -184,7 +197,7 @@ impl<const D: usize> Observations<D> {
                 sin: list(|v| v.im),
             }
         });
-        Ok(Estimate {
+        Ok(Some(Estimate {
             series: solution.series,
             report: LeastSquares {
                 points: count,
@@ -192,7 +205,7 @@ impl<const D: usize> Observations<D> {
                 robust,
                 errors,
             },
-        })
+        }))
     }
 
     /// The standard deviation of the errors of each coordinate.
@@ -205,10 +218,9 @@ impl<const D: usize> Observations<D> {
         })
     }
 
-    /// The series with the least sum of squares for these weights.
-    fn solve(&self, weights: &[f64], harmonics: usize) -> Result<Solution<D>> {
-        let normal = NormalEquations::new(&self.angles, weights, harmonics)
-            .ok_or_else(|| self.undetermined(harmonics))?;
+    /// The series with the least sum of squares for these weights; `None` if there are several.
+    fn solve(&self, weights: &[f64], harmonics: usize) -> Option<Solution<D>> {
+        let normal = NormalEquations::new(&self.angles, weights, harmonics)?;
         let mut series = vec![[Complex::default(); D]; harmonics + 1];
         let mut errors = self.values.clone();
         for _ in 0..=CORRECTIONS {
@@ -224,7 +236,7 @@ impl<const D: usize> Observations<D> {
                 *e = std::array::from_fn(|d| v[d] - e[d]);
             }
         }
-        Ok(Solution {
+        Some(Solution {
             series,
             errors,
             normal,
@@ -232,7 +244,7 @@ impl<const D: usize> Observations<D> {
     }
 
     /// The error for angles that do not determine so many harmonics.
-    fn undetermined(&self, harmonics: usize) -> Error {
+    pub(super) fn undetermined(&self, harmonics: usize) -> Error {
         let (from, to) = widest_gap(&self.angles);
         Error::Usage(format!(
             "the points do not determine N = {harmonics} harmonics: there is no point for {:.1} % of a turn, from {:.1}° to {:.1}°; \

@@ -62,7 +62,8 @@ impl<const D: usize> Observations<D> {
                 .zip(&factors)
                 .map(|(w, f)| w * f)
                 .collect();
-            let next = self.solve(&weights, harmonics)?;
+            let next = self.solve(&weights, harmonics);
+            let next = next.ok_or_else(|| self.undetermined(harmonics))?;
             let pairs = next.series.iter().zip(&solution.series);
             let change = pairs
                 .flat_map(|(a, b)| (0..D).map(move |d| (a[d] - b[d]).norm()))
