@@ -248,6 +248,12 @@ pub fn mesh_text(mesh: &Mesh) -> Vec<String> {
                 .into(),
         );
     }
+    if mesh.shared_cells > 0 {
+        let cells = counted(mesh.shared_cells, "cell", "cells");
+        lines.push(format!(
+            "factors of the polynomial may meet, in {cells}: the pieces and the Euler characteristic are those of each factor by itself"
+        ));
+    }
     let [all, open] = mesh.cells;
     if open > 0 {
         lines.push(format!(

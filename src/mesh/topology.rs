@@ -63,7 +63,7 @@ impl Mesh {
         a == b || b == c || c == a
     }
 
-    /// Whether it is proved that the mesh of every factor has the topology of the whole zero set of that factor.
+    /// Whether it is proved that the mesh has the topology of the whole surface.
     ///
     /// Lemma 3. Let all zeros of f be in the grid, and let each cell be proved to be empty, or regular in the sense that the
     /// bounds of the components of the gradient in the cell satisfy Σ Xᵢ·Xᵢ > 0. Then the triangles of marching tetrahedra are
@@ -75,10 +75,16 @@ impl Mesh {
     /// continuously with t. It stays in the regular cells: on a face of an empty cell f, and thus L, has one sign. The zero set
     /// of L is a surface of triangles with the same corners on the same edges.
     /// Later steps move these corners, split edges, and collapse them under the link condition, which keeps the topology.
-    /// Law: `what_is_proved_is_the_topology`.
+    /// Lemma 4. If this holds for every factor, and no cell is left for two of them, it holds for their union.
+    /// Proof. A cell that is not left for a factor has no zero of it, the sides of the cell included; so a zero of two factors would be in a
+    /// cell that is left for both.
+    /// Laws: `what_is_proved_is_the_topology`, `factors_that_meet_are_not_proved_to_be_apart`.
     #[must_use]
     pub fn has_proved_topology(&self) -> bool {
-        self.held == Held::Whole && self.cells[1] == 0 && !self.may_meet_origin
+        self.held == Held::Whole
+            && self.cells[1] == 0
+            && self.shared_cells == 0
+            && !self.may_meet_origin
     }
 
     /// The index of the piece of every vertex, and the number of pieces.

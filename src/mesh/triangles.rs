@@ -1,5 +1,7 @@
 //! Meshes of implicit surfaces by marching tetrahedra.
 
+use std::collections::HashMap;
+
 use super::bounds::Held;
 use super::cells::{Cell, Grid};
 use super::frame::Frame;
@@ -59,6 +61,8 @@ pub struct Mesh {
     /// The number of cells that could not be proved to be empty, and how many of these could not be proved to hold a single
     /// smooth sheet. Only in cells of the second kind the mesh may miss a part that is smaller than a cell.
     pub cells: [usize; 2],
+    /// The number of cells that may hold parts of more than one factor. If there are none, the factors do not meet in the box.
+    pub shared_cells: usize,
     /// What is known about the parts of the surface outside of the box.
     pub held: Held,
     /// Whether the surface may have singular points in the box. Triangles do not show what it has only there: isolated points, and
@@ -167,17 +171,25 @@ fn mesh_in_place(
     };
     let factors = factor_space(f, limits)?.factors;
     let share = 1000 / factors.len().max(1) as u64;
+    // How many factors may have a part in a cell.
+    let mut uses: HashMap<[u32; 3], usize> = HashMap::new();
     for (index, factor) in factors.iter().enumerate() {
         let before = share * index as u64;
         let heard = |part: u64| progress(before + share * part / 1000);
         let field = Field::new(&factor.polynomial);
-        add_factor(&field, &grid, options, limits, &heard, &mut mesh)?;
+        let used = add_factor(&field, &grid, options, limits, &heard, &mut mesh)?;
+        if factors.len() > 1 {
+            used.into_iter()
+                .for_each(|cell| *uses.entry(cell).or_default() += 1);
+        }
     }
+    mesh.shared_cells = uses.values().filter(|count| **count > 1).count();
     mesh.turn_outward();
     progress(1000);
     Ok(mesh)
 }
 
+/// Adds the triangles of a factor. The result are the cells that may hold a part of it.
 fn add_factor(
     field: &Field,
     grid: &Grid,
@@ -185,7 +197,7 @@ fn add_factor(
     limits: &Limits,
     progress: &(dyn Fn(u64) + Sync),
     mesh: &mut Mesh,
-) -> Result<()> {
+) -> Result<Vec<[u32; 3]>> {
     let blocks = std::sync::atomic::AtomicU64::new(0);
     let cells = grid.cells(field, limits, &|| {
         let done = blocks.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
@@ -194,6 +206,7 @@ fn add_factor(
     if cells.len() > MAX_MESH_CELLS {
         return Err(too_many_cells());
     }
+    let used = cells.iter().map(|cell| cell.index).collect();
     mesh.cells[0] += cells.len();
     mesh.cells[1] += cells.iter().filter(|cell| !cell.is_regular).count();
     mesh.may_be_singular |= !grid.is_smooth(field, &cells, limits)?;
@@ -234,7 +247,7 @@ fn add_factor(
     mesh.vertices.extend(vertices.iter().map(|v| v.point));
     let moved = triangles.into_iter().map(|t| t.map(|v| v + first));
     mesh.triangles.extend(moved);
-    Ok(())
+    Ok(used)
 }
 
 fn too_many_cells() -> Error {

@@ -171,21 +171,44 @@ fn enclosed_points(
     bits: i64,
     limits: &Limits,
 ) -> Result<Vec<(Dyadic, Dyadic, usize)>> {
+    // If 0 is a root, its multiplicity is that of exact zeros: bounds of coefficients that are 0 would give no scale to the others.
+    let coefficients = strip.coefficients();
+    let at_zero = coefficients
+        .iter()
+        .take_while(|a| alpha.is_root_of(a))
+        .count();
+    let zero = (at_zero > 0).then(|| (Dyadic::zero(), Dyadic::zero(), at_zero));
+    let others = &coefficients[at_zero..];
+    if others.len() == 1 {
+        return Ok(zero.into_iter().collect());
+    }
+    let distinct = distinct - usize::from(zero.is_some());
     for precision in PRECISIONS {
         limits.check()?;
         let digits = 2 * precision.cast_signed();
         alpha.refine_to_width(-digits);
-        let polynomial = enclosed(strip, alpha, digits.unsigned_abs());
-        if let Some(found) = real_clusters(&polynomial, distinct, bits, precision) {
-            let place = |c: RealCluster| (c.low, c.high, c.multiplicity);
-            return Ok(found.into_iter().map(place).collect());
+        let polynomial = enclosed(others, alpha, digits.unsigned_abs());
+        let Some(found) = real_clusters(&polynomial, distinct, bits, precision) else {
+            continue;
+        };
+        let place = |c: RealCluster| (c.low, c.high, c.multiplicity);
+        let mut points: Vec<_> = found.into_iter().map(place).collect();
+        if let Some(zero) = &zero {
+            let is_apart =
+                |(low, high, _): &(Dyadic, Dyadic, usize)| low.signum() * high.signum() > 0;
+            if !points.iter().all(is_apart) {
+                continue;
+            }
+            let below = points.partition_point(|(_, high, _)| high.signum() < 0);
+            points.insert(below, zero.clone());
         }
+        return Ok(points);
     }
     Err(too_near(&alpha.to_decimal(6)))
 }
 
-/// Bounds of the coefficients of P(α, ·), in units of 2^−digits.
-fn enclosed(strip: &Strip, alpha: &RealRoot, digits: u64) -> Enclosed {
+/// Bounds of coefficients at α, in units of 2^−digits.
+fn enclosed(coefficients: &[IntegerPolynomial], alpha: &RealRoot, digits: u64) -> Enclosed {
     let (low, high) = alpha.enclosure();
     let ends = [
         low.in_units(digits, RoundingMode::Floor),
@@ -195,7 +218,7 @@ fn enclosed(strip: &Strip, alpha: &RealRoot, digits: u64) -> Enclosed {
         low: Vec::new(),
         high: Vec::new(),
     };
-    for a in strip.coefficients() {
+    for a in coefficients {
         let mut value = [Integer::ZERO, Integer::ZERO];
         for c in a.coefficients_asc().iter().rev() {
             let mut products = [

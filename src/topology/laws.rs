@@ -261,3 +261,40 @@ fn factors_without_x_and_bounded_loops_are_not_lost() {
         .find(|c| c.kind == ComponentKind::Unbounded);
     assert_eq!(outer.unwrap().contains.len(), 1);
 }
+
+/// Above an irrational critical value all points may be at R = 0, where the coefficients of the polynomial are exactly 0. The curve
+/// is compared with itself, moved so that these points are elsewhere.
+#[test]
+fn points_at_0_above_irrational_values_are_found() {
+    let parsed = |text: &str| {
+        let form = crate::language::parse_form(text, "a test", crate::language::Numbers::Exact);
+        let Ok(crate::shape::Form::Curve(curve)) = form else {
+            panic!("{text} is a plane curve");
+        };
+        curve.polynomial().clone()
+    };
+    for text in [
+        "y*(x^2+y^2-2)",
+        "y*((x+1)^2+y^2-3)",
+        "y*(2*x^2+y^2-1)",
+        "y*(x^2+x-1+y^2)",
+        "y*(x^2+x-1+y^3)",
+        "y*(y^2-x^2+2)",
+        "y*(x^2-2*y^2-2)",
+        "y*(x^4+y^4-2)",
+        "y*(x^3+y^2-2)",
+        "y^2*(x^2-2)+y^4",
+        "(x^2+y^2-2)*(x^2+2*y^2-2)",
+        "y*(x^2+y^2-2)*(y-3)*(y+x)",
+    ] {
+        let moved = text.replace('y', "(y-1)");
+        assert_eq!(
+            invariants(&parsed(text)),
+            invariants(&parsed(&moved)),
+            "{text}"
+        );
+    }
+    let (components, points) = invariants(&parsed("y*(x^2+y^2-2)"));
+    assert_eq!(components.len(), 1);
+    assert_eq!(points, [("node", 2, Some(1)), ("node", 2, Some(1))]);
+}

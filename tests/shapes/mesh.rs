@@ -8,6 +8,7 @@ use std::path::Path;
 use crate::common::forms::space;
 use crate::common::program::run_in;
 use proptest::prelude::*;
+use stellate::document::mesh_text;
 use stellate::exact::{Dyadic, Rational};
 use stellate::limits::Limits;
 use stellate::mesh::{Held, Mesh, MeshOptions, mesh_bounds, mesh_surface};
@@ -215,6 +216,34 @@ proptest! {
             prop_assert!(a.is_watertight() && b.is_watertight());
             prop_assert_eq!((a.components, a.euler_characteristic), (b.components, b.euler_characteristic));
         }
+    }
+}
+
+/// Two spheres: their union has the topology of two only if they are apart.
+#[test]
+fn factors_that_meet_are_not_proved_to_be_apart() {
+    let first = "(x^2+y^2+z^2-1)";
+    for (second, is_apart) in [
+        // Touching from outside and from inside, crossing, touching along a circle, near, and apart.
+        ("((x-2)^2+y^2+z^2-1)", false),
+        ("((x-1/2)^2+y^2+z^2-1/4)", false),
+        ("((x-1)^2+y^2+z^2-1)", false),
+        ("(x^2+y^2+2*z^2-1)", false),
+        ("((x-3)^2+y^2+z^2-1)", true),
+        ("(x^2+y^2+z^2-1/4)", true),
+    ] {
+        let surface = ImplicitSurface::new(space(&format!("{first}*{second}")));
+        let found = mesh_bounds(&surface, &Limits::none()).unwrap().unwrap();
+        let options = MeshOptions::new(found.bounds).resolution(48);
+        let mut mesh = mesh_surface(&surface, &options, &Limits::none(), &|_| {}).unwrap();
+        mesh.held = found.held;
+        assert_eq!(mesh.has_proved_topology(), is_apart, "{second}");
+        assert_eq!(mesh.shared_cells == 0, is_apart, "{second}");
+        let said = mesh_text(&mesh).join("; ");
+        assert_eq!(
+            said.contains("factors of the polynomial may meet"),
+            !is_apart
+        );
     }
 }
 
