@@ -7,6 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::DistanceBounds;
 use super::distance::{Cube, Goal, beside, half_side};
 use crate::arcs::{CommonZero, enclose_common_zero, leaves_window};
+use crate::error::Result;
 use crate::exact::Rational;
 use crate::intervals::interval::{exactly, minus, separation, square};
 use crate::intervals::{Field, Interval, distance, rational, weights_of_common_zero};
@@ -46,7 +47,24 @@ impl CommonZeros {
         })
     }
 
-    fn both(&self) -> [&Field; 2] {
+    /// The common zeros in coordinates about a point.
+    ///
+    /// # Errors
+    /// Those of `limits`.
+    pub(super) fn about(&self, point: &[Rational; 3], limits: &Limits) -> Result<Self> {
+        let moved = |field: &Field| -> Result<Field> {
+            let polynomial = field.polynomial();
+            Ok(Field::new(
+                &polynomial.in_coordinates(point, [0; 3], limits)?,
+            ))
+        };
+        let [f, g] = self.both();
+        Ok(Self {
+            fields: [moved(f)?, moved(g)?],
+        })
+    }
+
+    pub(super) fn both(&self) -> [&Field; 2] {
         self.fields.each_ref()
     }
 
@@ -89,7 +107,7 @@ impl CommonZeros {
                 break;
             };
             let is_over = count == goal.cubes || count % 64 == 63 && limits.check().is_err();
-            let is_small = cube.half < SMALLEST * goal.reach;
+            let is_small = cube.half < SMALLEST * goal.reach || cube.is_unresolved();
             if cube.low >= search.high * (1.0 - goal.relative) || is_over || is_small {
                 // The nearest cube is first.
                 low = cube.low;

@@ -4,12 +4,17 @@
 use std::borrow::Cow;
 
 use super::Inspection;
+use super::common_zeros::CommonZeros;
 use super::exact::exact_difference;
 use super::inspector::{Factor, Inspector};
 use super::known::{Point, rounding};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
+use crate::intervals::interval::UNIT;
 use crate::intervals::{Field, rational};
+
+/// Doubles are precise enough if the last place of the coordinates is at most this part of the tolerance.
+const FINE: f64 = 1e-6;
 
 impl Inspector {
     /// The inspector of the zero set that is moved by a vector.
@@ -58,8 +63,18 @@ impl Inspector {
 
     /// Whether the factors can be moved to a point that is inspected.
     pub(super) fn can_move(&self) -> bool {
-        let mut factors = self.factors().iter();
-        !self.is_local && factors.all(|f| f.curve.is_none() && self.is_exact_possible(&f.field))
+        let mut fields = self.factors().iter().flat_map(|factor| {
+            let of_curve = factor.curve.iter().flat_map(CommonZeros::both);
+            of_curve.chain([&factor.field])
+        });
+        !self.is_local && fields.all(|field| self.is_exact_possible(field))
+    }
+
+    /// Whether the coordinates of a point are so large that doubles hardly tell parts of the tolerance, and coordinates about the point
+    /// would.
+    pub(super) fn is_coarse(&self, near: [f64; 3]) -> bool {
+        let size = near.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        UNIT * size > FINE * self.around[0] && self.can_move()
     }
 
     /// Whether doubles lose all digits of a factor at a point in these coordinates, and coordinates about the point would keep them.
@@ -76,10 +91,12 @@ impl Inspector {
         let by = near.map(rational);
         let factors = self.factors().iter().map(|factor| {
             let f = factor.field.polynomial();
+            let curve = factor.curve.as_ref();
+            let curve = curve.map(|curve| curve.about(&by, &self.limits));
             Ok(Factor {
                 field: Field::new(&f.in_coordinates(&by, [0; 3], &self.limits)?),
                 multiplicity: factor.multiplicity,
-                curve: None,
+                curve: curve.transpose()?,
             })
         });
         let local = Self {

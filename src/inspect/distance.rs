@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use super::DistanceBounds;
 use super::foot::{approach, enclose};
-use crate::intervals::interval::{cross, exactly, minus, product, separation, square};
+use crate::intervals::interval::{UNIT, cross, exactly, minus, product, separation, square};
 use crate::intervals::{BoxBounds, Field, Interval, distance};
 use crate::limits::Limits;
 
@@ -49,6 +49,12 @@ pub(super) struct Cube {
 }
 
 impl Cube {
+    /// Whether doubles hardly tell the corners of the cube apart, so that its parts are not smaller.
+    pub(super) fn is_unresolved(&self) -> bool {
+        let size = self.middle.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        self.half <= 16.0 * UNIT * size
+    }
+
     /// A bound of the distances of the points of the cube from its middle.
     pub(super) fn radius(&self) -> Interval {
         Interval::from(3.0).sqrt() * self.half
@@ -144,6 +150,7 @@ impl DistanceSearch<'_> {
             if cube.low >= self.high * (1.0 - self.goal.relative)
                 || self.budget == 0
                 || cube.half < SMALLEST * self.goal.reach
+                || cube.is_unresolved()
             {
                 // The nearest cube is next, so no other cube can be nearer.
                 self.heap.push(cube);
@@ -167,6 +174,7 @@ impl DistanceSearch<'_> {
             if cube.is_radial && cube.half < self.goal.tolerance / 64.0
                 || self.budget == 0
                 || cube.half < SMALLEST * self.goal.tolerance
+                || cube.is_unresolved()
             {
                 left.push(cube);
             } else {

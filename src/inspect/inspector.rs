@@ -276,8 +276,9 @@ impl Inspector {
             .iter()
             .map(|factor| {
                 let curve = factor.curve.as_ref();
-                let known = curve.and_then(|curve| self.by_curve(curve, &factor.field, p));
-                known.unwrap_or_else(|| self.of_factor(factor, at(&factor.field)))
+                let point = at(&factor.field);
+                let known = curve.and_then(|curve| self.by_curve(curve, &factor.field, point));
+                known.unwrap_or_else(|| self.of_factor(factor, point))
             })
             .collect();
         if parts.iter().any(|known| known.is_blurred) {
@@ -423,7 +424,7 @@ impl Inspector {
         if known.inside.is_some() && self.is_close(&known.bounds) {
             return;
         }
-        if self.can_move() && field.sign_near(p.near, 0.0).is_none() {
+        if self.is_coarse(p.near) || self.can_move() && field.sign_near(p.near, 0.0).is_none() {
             known.is_blurred = true;
             return;
         }

@@ -54,10 +54,14 @@ impl Inspector {
                 self.starts_by_cubes(field, p, bounds)
             })
         })?;
+        let mut candidate = best;
+        if bounds.high <= 0.0 {
+            candidate.foot.point = from;
+        }
         // Back to original coordinates.
         let offset: [Rational; 3] = std::array::from_fn(|i| &point[i] - &own[i]);
-        let moved = std::array::from_fn(|i| (rational(best.foot.point[i]) + &offset[i]).to_f64());
-        let mut candidate = best;
+        let found = candidate.foot.point;
+        let moved = std::array::from_fn(|i| (rational(found[i]) + &offset[i]).to_f64());
         if offset.iter().any(|x| !x.is_zero()) {
             candidate.foot.point = moved;
         }
@@ -91,6 +95,12 @@ impl Inspector {
                 exactly[2] = Rational::zero();
             }
             if let Some(curve) = &factor.curve {
+                if bounds.high <= 0.0 {
+                    if curve.is_zero(&exactly) {
+                        take(FootCandidate::on_form(from, None));
+                    }
+                    continue;
+                }
                 let goal = Goal {
                     reach: (Interval::from(bounds.high) * (1.0 + 1e-6)).high(),
                     tolerance: 0.0,

@@ -12,9 +12,14 @@ mod patch;
 
 use super::DistanceBounds;
 use crate::intervals::distance;
+use crate::intervals::interval::UNIT;
 
 /// The largest error of a foot, in parts of the largest coordinate of the point and the foot.
 pub(crate) const SLACK: f64 = 1e-9;
+/// A foot may be off the form by [`SLACK`] times its size or this many times its distance, …
+const WIDE: f64 = 1e3;
+/// … or by this part of the size of all coordinates.
+const ROUNDED: f64 = 64.0 * UNIT;
 /// Errors that are less than this are never too large.
 const TINY: f64 = 1e-290;
 /// Coordinates that are less than this part of the size are 0.
@@ -60,9 +65,12 @@ impl FootCandidate {
         let length = distance(from, point);
         let is_near = bounds.low - slack <= length && length <= bounds.high + slack;
         let is_unit = normal.is_none_or(|n| (length_of(&n) - 1.0).abs() <= SLACK);
+        // Far away from a small form all of it is near a foot; so the foot must be on the form for its own size and distance.
+        let own = largest(&point).min(WIDE * bounds.high);
+        let is_on = self.off <= (SLACK * own).max(ROUNDED * size).max(TINY);
         // Numbers that are no numbers do not pass.
-        (is_near && is_unit && self.off <= slack && size.is_finite()).then(|| Foot {
-            point: point.map(|x| without_rounding(x, size)),
+        (is_near && is_unit && is_on && size.is_finite()).then(|| Foot {
+            point: point.map(|x| without_rounding(x, size.min(length))),
             normal: normal.map(|normal| normal.map(|x| without_rounding(x, 1.0))),
         })
     }
