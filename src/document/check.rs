@@ -291,7 +291,7 @@ fn write_worst(found: &Comparison, out: &mut dyn Write) -> Result<()> {
             let exact = row
                 .exact
                 .as_ref()
-                .map_or_else(|| "nothing on this ray".into(), shown);
+                .map_or_else(|| "no r > 0 on this ray".into(), shown);
             [place(row, found.in_space), format!("{:?}", row.got), exact]
         })
         .collect();

@@ -239,7 +239,7 @@ impl Annotations {
                 }
             };
             self.note(format!(
-                "beyond the real image: {point} is an isolated real point, of two conjugate complex {name}"
+                "beyond the real image: {point} is an isolated real point, of conjugate complex {name}"
             ));
             beyond.push(json!({"kind": "isolated", "point": point}));
         }

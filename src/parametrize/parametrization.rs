@@ -235,17 +235,23 @@ fn add_factor(
     result
         .branches
         .extend(branches.filter(|b| degree < 3 || !b.real.is_empty()));
-    if degree > 2 && !directions(&part(top)).is_empty() {
+    if degree > 1 && !directions(&part(top)).is_empty() {
         let tracing = Arc::new(Tracing::new(equation(f, step), limits)?);
         let points = tracing.finite_where_one_is_infinite();
         if !points.is_empty() {
+            let others = match degree {
+                2 => "the other one is the limit of its formula, which is 0/0 there",
+                _ => "the formulas have no value; the finite ones there are branches of their own",
+            };
             result.notes.push(format!(
-                "factor {index}: where the part of degree {top} vanishes one root is infinite, and the formulas have no value; the finite ones there are branches of their own"
+                "factor {index}: where the part of degree {top} vanishes one root is infinite, and {others}"
             ));
         }
-        result
-            .branches
-            .extend(points.into_iter().map(|b| Branch::root(index, b)));
+        if degree > 2 {
+            result
+                .branches
+                .extend(points.into_iter().map(|b| Branch::root(index, b)));
+        }
     }
     Ok(())
 }

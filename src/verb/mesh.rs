@@ -46,7 +46,8 @@ options! {
 /// ```
 ///
 /// # Errors
-/// [`Error::Usage`] for a form that is no surface, an angle out of range, and a surface without a point in the box.
+/// [`Error::Usage`] for a form that is no surface, an angle out of range, and a surface without a real point; [`Error::Limit`] if no
+/// part of the surface is found.
 pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh> {
     if !(MIN_ANGLE..=180.0).contains(&options.angle) {
         return Err(Error::Usage(format!(
@@ -88,11 +89,17 @@ pub fn mesh(given: Given, options: &MeshingOptions, work: &Work) -> Result<Mesh>
             Some(_) => " in the window",
             None => "",
         };
+        // In a window it is enough that no cell is left.
+        let is_proved =
+            mesh.has_proved_topology() || mesh.held == Held::NotAsked && mesh.cells[0] == 0;
+        if mesh.curves.is_empty() && mesh.points.is_empty() && !is_proved {
+            return Err(Error::limit(format!(
+                "{name}: no part of the surface was found{place}, with {} cells along the longest side of the box; a larger --resolution or a smaller --window may show one",
+                options.resolution
+            )));
+        }
         let what = match (mesh.curves.is_empty(), mesh.points.is_empty()) {
-            (true, true) if mesh.has_proved_topology() => {
-                "it is proved that the surface has no real point"
-            }
-            (true, true) => "no part of the surface was found",
+            (true, true) => "it is proved that the surface has no real point",
             (false, _) => {
                 "there are only curves of the surface, which have no triangles; plot draws them"
             }

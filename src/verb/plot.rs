@@ -273,12 +273,20 @@ pub(super) fn fitting_window<'a>(
     for curve in curves {
         seen.extend(curve.seen(work)?);
     }
-    if let Some(window) = Window::around(seen).filter(|w| w.size() > 0.0) {
-        return Ok(window.padded(0.06));
-    }
-    work.remark(Remark::NothingToFitTo);
-    Ok(Window {
-        x: [-1.0, 1.0],
-        y: [-1.0, 1.0],
+    let about = |[low, high]: [f64; 2]| [low - 1.0, high + 1.0];
+    Ok(match Window::around(seen) {
+        Some(window) if window.size() > 0.0 => window.padded(0.06),
+        // A single point.
+        Some(Window { x, y }) => Window {
+            x: about(x),
+            y: about(y),
+        },
+        None => {
+            work.remark(Remark::NothingToFitTo);
+            Window {
+                x: about([0.0; 2]),
+                y: about([0.0; 2]),
+            }
+        }
     })
 }

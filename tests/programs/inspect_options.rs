@@ -296,6 +296,47 @@ fn a_point_of_the_form_is_its_own_foot_at_the_origin() {
     }
 }
 
+/// Far away all of a form is near a foot, compared with the coordinates; the foot must be on the form all the same.
+#[test]
+fn feet_of_far_points_are_on_the_form() {
+    for (form, point, foot) in [
+        ("x^2 + y^2 = 1", "1e9,0", [1.0, 0.0, 0.0]),
+        ("y = x^2", "3,1e20", [1e10, 1e20, 0.0]),
+        ("x^2 + y^2 + z^2 = 1", "0,0,-1e12", [0.0, 0.0, -1.0]),
+        ("x = 1", "1,1e30,7e40", [1.0, 1e30, 7e40]),
+        (
+            "x^2/9 + y^2/4 + 10000*z^2 = 1",
+            "4,1,0.5",
+            [2.890_066_6, 0.536_447_6, 1.446_5e-5],
+        ),
+    ] {
+        let arguments = [
+            "inspect",
+            form,
+            "--tolerance",
+            "0.1",
+            "--point",
+            point,
+            "--feet",
+        ];
+        let run = run_in(
+            Path::new("."),
+            &[&arguments[..], &["--format", "json"]].concat(),
+            "",
+        );
+        let document = json(&run.out);
+        let found = &document["points"][0]["foot"]["point"];
+        for (i, exact) in foot.iter().enumerate() {
+            let off = found[i].as_f64().map_or(0.0, |x| (x - exact).abs());
+            assert!(
+                off <= 1e-7 * exact.abs().max(1.0),
+                "{form} {point}: {found}"
+            );
+        }
+        assert!(found.is_array(), "{form} {point}: {}", run.err);
+    }
+}
+
 #[test]
 fn a_foot_that_is_not_found_is_counted() {
     let folder = TempDir::new().unwrap();

@@ -145,6 +145,42 @@ fn plotted(form: &str, more: &[&str]) -> (String, String) {
 }
 
 #[test]
+fn a_single_point_is_in_the_middle_of_its_picture() {
+    let (svg, said) = plotted("(x-50)^2 + y^2 = 0", &[]);
+    assert!(!said.contains("fit the picture"), "{said}");
+    // The axis goes from 49 to 51.
+    assert!(
+        [">49.5<", ">50<", ">50.5<"]
+            .iter()
+            .all(|label| svg.contains(label))
+            || svg.contains("x − 50")
+    );
+}
+
+#[test]
+fn a_formula_without_a_value_at_an_angle_is_noted() {
+    let run = run_in(
+        std::path::Path::new("."),
+        &["parametrize", "y = x^2 + 1"],
+        "",
+    );
+    let note = "where the part of degree 2 vanishes one root is infinite, and the other one is the limit of its formula";
+    assert!(
+        run.out.contains(note) || run.err.contains(note),
+        "{}{}",
+        run.out,
+        run.err
+    );
+    // The leading part of an ellipse does not vanish.
+    let run = run_in(
+        std::path::Path::new("."),
+        &["parametrize", "x^2 + 2*y^2 + x = 1"],
+        "",
+    );
+    assert!(!run.out.contains("vanishes") && !run.err.contains("vanishes"));
+}
+
+#[test]
 fn plots_hold_all_components() {
     let count = |svg: &str, tag: &str| svg.matches(tag).count();
     // Each circle is one closed line in the colour of the layer, and the legend has one.

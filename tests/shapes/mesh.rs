@@ -392,8 +392,18 @@ fn what_cannot_be_meshed() {
         ),
         (
             &["x^2+y^2+z^2=1", "--window=3,4,3,4,3,4", "-o", "m.obj"],
-            "in the window",
+            "it is proved that the surface has no real point in the window",
             2,
+        ),
+        (
+            // Balls that are far apart, compared with their sizes.
+            &[
+                "(x^2+y^2+z^2-1)*((x-1000)^2+y^2+z^2-1/1000000)",
+                "-o",
+                "m.obj",
+            ],
+            "no part of the surface was found, with 64 cells along the longest side of the box; a larger --resolution",
+            3,
         ),
         (
             &["x^2+y^2+z^2=1", "--window=3,4,3,4", "-o", "m.obj"],

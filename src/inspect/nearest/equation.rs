@@ -184,6 +184,12 @@ impl Inspector {
             let size = best.map_or(0.0, |best| largest(&best.foot.point).max(largest(&p)));
             best.filter(|best| best.off <= NEARLY * size)
         };
+        // The foot on a quadric is exact; from far away a step in doubles leads anywhere.
+        if field.polynomial().degree() == Some(2)
+            && let Some(found) = take(self.regular(factor, exactly, start))
+        {
+            return Some(found);
+        }
         // Near a center of curvature Newton's method is slow, and its last step may be too long: one more step ends it.
         let found = stationary(field, p, start);
         let in_doubles = [
