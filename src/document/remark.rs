@@ -64,7 +64,16 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::Rounded { rounded, total } => format!(
             "{rounded} of {total} inputs were no doubles and were rounded; everything follows from the doubles exactly"
         ),
-        Remark::NothingToFitTo => "no points were found to fit the picture to: it shows -1,1,-1,1; --window chooses another part".into(),
+        Remark::NothingToFitTo {
+            point,
+            shown: [[a, b], [c, d]],
+        } => {
+            let what = match point {
+                None => "no points were found to fit the picture to".to_owned(),
+                Some([x, y]) => format!("only the point ({x}, {y}) was found to fit the picture to"),
+            };
+            format!("{what}: it shows {a},{b},{c},{d}; --window chooses another part")
+        }
         Remark::ComponentsUnknown => "the components of the zero set were not found within the limits: some may be missing in the picture, isolated points and small ovals among them".into(),
         Remark::DrawnAsDot { at: [x, y], size } => format!(
             "an oval of size ≈ {size:.3e} about ({x:.6}, {y:.6}) is drawn as a dot; --window shows it larger"

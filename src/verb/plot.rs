@@ -273,20 +273,15 @@ pub(super) fn fitting_window<'a>(
     for curve in curves {
         seen.extend(curve.seen(work)?);
     }
-    let about = |[low, high]: [f64; 2]| [low - 1.0, high + 1.0];
-    Ok(match Window::around(seen) {
-        Some(window) if window.size() > 0.0 => window.padded(0.06),
-        // A single point.
-        Some(Window { x, y }) => Window {
-            x: about(x),
-            y: about(y),
-        },
-        None => {
-            work.remark(Remark::NothingToFitTo);
-            Window {
-                x: about([0.0; 2]),
-                y: about([0.0; 2]),
-            }
-        }
-    })
+    let found = Window::around(seen);
+    if let Some(window) = found.filter(|w| w.size() > 0.0) {
+        return Ok(window.padded(0.06));
+    }
+    let point = found.map(|Window { x, y }| [x[0], y[0]]);
+    let [x, y] = point.unwrap_or_default().map(|c| [c - 1.0, c + 1.0]);
+    work.remark(Remark::NothingToFitTo {
+        point,
+        shown: [x, y],
+    });
+    Ok(Window { x, y })
 }

@@ -83,8 +83,13 @@ pub enum Remark {
     },
     /// These components, with their kinds and extents in x and in y, are outside of the window.
     OutsideWindow(Vec<(ComponentKind, [[f64; 2]; 2])>),
-    /// No points were found to fit a picture to.
-    NothingToFitTo,
+    /// No points were found to fit a picture to, or a single one, which is in the middle of the picture.
+    NothingToFitTo {
+        /// The point.
+        point: Option<[f64; 2]>,
+        /// The coordinates that the picture shows.
+        shown: [[f64; 2]; 2],
+    },
     /// Of a cloud, only some points are drawn.
     PointsNotDrawn {
         /// The number of points that are drawn.

@@ -16,6 +16,8 @@ use crate::intervals::{Field, Interval, distance, dot, rational, rationals};
 const ROUNDING: f64 = 4e-16;
 /// A foot is on the surface, but for rounding, up to this part of its size.
 const NEARLY: f64 = 2e-15;
+/// The foot of a far point is known to better than this part of the point's coordinates.
+const FAR: f64 = 1e-6;
 /// The number of bits after the point of a refined foot, for a size of 1.
 const BITS: i64 = 128;
 /// A singular point is looked for among the simplest fractions within these parts of the size.
@@ -245,7 +247,9 @@ impl Inspector {
         }
         let bend = field.local(q).hessian().amax();
         let steepness = dot(gradient, gradient).sqrt();
-        if steepness.is_nan() || steepness <= SINGULAR * bend * size {
+        // A far point does not make a regular foot singular; it moves the foot by its rounding only.
+        let scale = largest(&q).max(FAR * size);
+        if steepness.is_nan() || steepness <= SINGULAR * bend * scale {
             return None;
         }
         let normal = self
