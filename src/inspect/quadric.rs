@@ -50,6 +50,20 @@ pub(super) struct NearestOnQuadric {
 }
 
 impl NearestOnQuadric {
+    /// What is known of the nearer one of two points.
+    fn or_nearer(self, other: Self) -> Self {
+        let foot = if other.squares[1] < self.squares[1] {
+            other.foot
+        } else {
+            self.foot
+        };
+        let [[a, b], [c, d]] = [self.squares, other.squares];
+        Self {
+            squares: [a.min(c), b.min(d)],
+            foot,
+        }
+    }
+
     /// The bounds of the distance.
     pub(super) fn bounds(&self) -> DistanceBounds {
         let [low, high] = &self.squares;
@@ -95,85 +109,19 @@ impl<'a> Quadric<'a> {
         let two = Rational::from(2);
         let g: [Rational; 3] =
             std::array::from_fn(|i| self.polynomial.derivative(i).evaluate(p) / &two);
-        let (below, adjoint) = self.of_multiplier(&g);
-        let y = adjoint.map(|above| {
-            RationalFunction::new(&above, &below).invariant("the determinant is 1 at λ = 0")
-        });
-        let times_lambda = |f: &RationalFunction| {
-            let lambda =
-                RationalFunction::new(&[Rational::zero(), Rational::one()], &[Rational::one()]);
-            f.times(&lambda.invariant("1 is not 0"))
-        };
-        let sum = |terms: [RationalFunction; 3]| {
-            let [a, b, c] = terms;
-            a.plus(&b).plus(&c)
-        };
-        let length = sum(y.each_ref().map(Ring::squared));
-        let along = sum(std::array::from_fn(|i| {
-            let constant = RationalFunction::new(&[g[i].clone()], &[Rational::one()]);
-            y[i].times(&constant.invariant("1 is not 0"))
-        }));
-        // F − f(p), and the squared distance of p − λy.
-        let change = times_lambda(&along.plus(&length));
-        let square = times_lambda(&times_lambda(&length));
-        let value = RationalFunction::default()
-            .minus(&change)
-            .plus_constant(&here);
-        let mut best: Option<NearestOnQuadric> = None;
-        let mut take = |found: NearestOnQuadric| {
-            let [low, high] = &found.squares;
-            best = Some(match best.take() {
-                None => found,
-                Some(old) => {
-                    let is_nearer = *high < old.squares[1];
-                    let lower = low.min(&old.squares[0]).clone();
-                    let foot = if is_nearer { found.foot } else { old.foot };
-                    let upper = high.min(&old.squares[1]).clone();
-                    NearestOnQuadric {
-                        squares: [lower, upper],
-                        foot,
-                    }
-                }
-            });
-        };
-        let at = |root: &RealRoot| {
-            let (low, high) = root.bounds();
-            let middle = (low + high) / &two;
-            let y = y.each_ref().map(|y| y.evaluate(&middle));
-            let offsets = y.map(|y| y.map(|y| y * &middle));
-            let moved = |i: usize| Some((&p[i] - offsets[i].as_ref()?).to_f64());
-            Some([moved(0)?, moved(1)?, moved(2)?])
-        };
-        for mut root in real_roots(value.numerator()) {
-            let squares = enclosed(&mut root, &square)?;
-            take(NearestOnQuadric {
-                squares,
-                foot: at(&root)?,
-            });
+        let (determinant, adjoint) = self.of_multiplier(&g);
+        let multiplier = Multiplier::new(p, &here, &g, &determinant, &adjoint);
+        let mut found = Vec::new();
+        for root in real_roots(multiplier.value.numerator()) {
+            found.push(multiplier.regular(root)?);
         }
-        let (determinant, _) = with_integers(&below);
-        let special = square.plus(&times_lambda(&value));
-        for mut root in real_roots(&determinant) {
-            let has_pole = y.iter().any(|y| root.is_root_of(y.denominator()));
-            let lambda_value = times_lambda(&value);
-            if has_pole
-                || root.sign_of(lambda_value.numerator()) * root.sign_of(lambda_value.denominator())
-                    < 0
-            {
-                continue;
+        for root in real_roots(&with_integers(&determinant).0) {
+            if multiplier.has_special(&root) {
+                found.push(multiplier.special(root, |lambda| self.kernel(lambda))?);
             }
-            let squares = enclosed(&mut root, &special)?;
-            let around = at(&root)?;
-            let beyond = enclosed(&mut root, &lambda_value)?;
-            let length = beyond[1].to_f64().max(0.0).sqrt();
-            let kernel = self.kernel(root.to_f64());
-            let foot = std::array::from_fn(|i| around[i] + length * kernel[i]);
-            take(NearestOnQuadric { squares, foot });
         }
-        if let Some(singular) = self.nearest_singular(p, &g) {
-            take(singular);
-        }
-        best
+        found.extend(self.nearest_singular(p, &g));
+        found.into_iter().reduce(NearestOnQuadric::or_nearer)
     }
 
     /// det(I + λA), and the adjoint matrix of I + λA times g, by the coefficients of powers of λ.
@@ -234,6 +182,95 @@ impl<'a> Quadric<'a> {
                 foot: x.map(|x| x.to_f64()),
             }
         })
+    }
+}
+
+/// The functions of λ of the lemma, for a point.
+struct Multiplier<'a> {
+    p: &'a [Rational; 3],
+    /// y = (I + λA)⁻¹g.
+    y: [RationalFunction; 3],
+    /// λ²|y|², the squared distance of p − λy.
+    square: RationalFunction,
+    /// F, the value of f at p − λy.
+    value: RationalFunction,
+    /// λF, the squared length of k.
+    beyond: RationalFunction,
+}
+
+impl<'a> Multiplier<'a> {
+    /// From f(p), g, and the coefficients of det(I + λA) and of adj(I + λA)g.
+    fn new(
+        p: &'a [Rational; 3],
+        here: &Rational,
+        g: &[Rational; 3],
+        determinant: &[Rational],
+        adjoint: &[[Rational; 3]; 3],
+    ) -> Self {
+        let function = |above: &[Rational], below: &[Rational]| {
+            RationalFunction::new(above, below).invariant("neither 1 nor det(I + λA) is 0")
+        };
+        let one = [Rational::one()];
+        let lambda = function(&[Rational::zero(), Rational::one()], &one);
+        let y = adjoint.each_ref().map(|above| function(above, determinant));
+        let zero = RationalFunction::default;
+        let length = y.iter().fold(zero(), |sum, y| sum.plus(&y.squared()));
+        let along = y.iter().zip(g).fold(zero(), |sum, (y, g)| {
+            sum.plus(&y.times(&function(std::slice::from_ref(g), &one)))
+        });
+        let change = lambda.times(&along.plus(&length));
+        let value = zero().minus(&change).plus_constant(here);
+        Self {
+            p,
+            square: lambda.squared().times(&length),
+            beyond: lambda.times(&value),
+            value,
+            y,
+        }
+    }
+
+    /// About the point p − λy; `None` at a pole.
+    fn point(&self, root: &RealRoot) -> Option<[f64; 3]> {
+        let (low, high) = root.bounds();
+        let lambda = (low + high) / Rational::from(2);
+        let mut point = [0.0; 3];
+        for (i, y) in self.y.iter().enumerate() {
+            point[i] = (&self.p[i] - y.evaluate(&lambda)? * &lambda).to_f64();
+        }
+        Some(point)
+    }
+
+    /// The critical point of a root of F.
+    fn regular(&self, mut root: RealRoot) -> Option<NearestOnQuadric> {
+        Some(NearestOnQuadric {
+            squares: enclosed(&mut root, &self.square)?,
+            foot: self.point(&root)?,
+        })
+    }
+
+    /// Whether there are critical points for a root of det(I + λA).
+    fn has_special(&self, root: &RealRoot) -> bool {
+        let has_pole = self.y.iter().any(|y| root.is_root_of(y.denominator()));
+        let sign =
+            |f: &RationalFunction| root.sign_of(f.numerator()) * root.sign_of(f.denominator());
+        !has_pole && sign(&self.beyond) >= 0
+    }
+
+    /// One of these points; `kernel` are unit vectors of the kernel.
+    fn special(
+        &self,
+        mut root: RealRoot,
+        kernel: impl Fn(f64) -> [f64; 3],
+    ) -> Option<NearestOnQuadric> {
+        let squares = enclosed(&mut root, &self.square.plus(&self.beyond))?;
+        let length = enclosed(&mut root, &self.beyond)?[1]
+            .to_f64()
+            .max(0.0)
+            .sqrt();
+        let middle = self.point(&root)?;
+        let along = kernel(root.to_f64());
+        let foot = std::array::from_fn(|i| middle[i] + length * along[i]);
+        Some(NearestOnQuadric { squares, foot })
     }
 }
 
