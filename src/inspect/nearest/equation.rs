@@ -40,20 +40,22 @@ impl Inspector {
         if !bounds.high.is_finite() || from.iter().any(|x| !x.is_finite()) {
             return None;
         }
-        let quick = self.by_starts(own, from, bounds, |field, p| self.start(field, p));
+        let quick = self.nearest_of(own, from, bounds, |k, exactly, p| {
+            let field = &self.factors()[k].field;
+            self.feet_near(k, exactly, p, self.start(field, p))
+        });
         let quick = quick.or_else(|| {
-            self.by_starts(own, from, bounds, |field, p| {
-                let quadric = Quadric::of(field);
-                let found = quadric.and_then(|quadric| quadric.nearest(&rationals(p)));
-                found.map(|found| found.foot).into_iter().collect()
+            self.nearest_of(own, from, bounds, |k, exactly, _| {
+                self.on_quadric(k, exactly).into_iter().collect()
             })
         });
         if quick.is_none() && self.is_blurred(from) {
             return self.about(from).ok()?.foot(point, found);
         }
         let best = quick.or_else(|| {
-            self.by_starts(own, from, bounds, |field, p| {
-                self.starts_by_cubes(field, p, bounds)
+            self.nearest_of(own, from, bounds, |k, exactly, p| {
+                let field = &self.factors()[k].field;
+                self.feet_near(k, exactly, p, self.starts_by_cubes(field, p, bounds))
             })
         })?;
         let mut candidate = best;
@@ -70,13 +72,13 @@ impl Inspector {
         candidate.checked(point.each_ref().map(Rational::to_f64), bounds)
     }
 
-    /// The nearest one of the feet from the starting points for each factor.
-    fn by_starts(
+    /// The nearest one of the candidates for each factor, which are found from its index and the point, exactly and in doubles.
+    fn nearest_of(
         &self,
         point: &[Rational; 3],
         from: [f64; 3],
         bounds: &DistanceBounds,
-        starts: impl Fn(&Field, [f64; 3]) -> Vec<[f64; 3]>,
+        candidates: impl Fn(usize, &[Rational; 3], [f64; 3]) -> Vec<FootCandidate>,
     ) -> Option<FootCandidate> {
         let mut best: Option<(f64, FootCandidate)> = None;
         let mut take = |candidate: FootCandidate| {
@@ -119,16 +121,36 @@ impl Inspector {
                 }
                 continue;
             }
-            for start in starts(field, p) {
-                if let Some(mut candidate) = self.candidate(k, &exactly, p, start) {
-                    if field.is_flat() {
-                        candidate.foot.point[2] = from[2];
-                    }
-                    take(candidate);
+            for mut candidate in candidates(k, &exactly, p) {
+                if field.is_flat() {
+                    candidate.foot.point[2] = from[2];
                 }
+                take(candidate);
             }
         }
         best.map(|(_, candidate)| candidate)
+    }
+
+    /// The feet that are found from starting points.
+    fn feet_near(
+        &self,
+        factor: usize,
+        exactly: &[Rational; 3],
+        p: [f64; 3],
+        starts: Vec<[f64; 3]>,
+    ) -> Vec<FootCandidate> {
+        let starts = starts.into_iter();
+        starts
+            .filter_map(|start| self.candidate(factor, exactly, p, start))
+            .collect()
+    }
+
+    /// The foot on a quadric, which is not improved: from far away a step in doubles leads anywhere.
+    fn on_quadric(&self, factor: usize, exactly: &[Rational; 3]) -> Option<FootCandidate> {
+        let field = &self.factors()[factor].field;
+        let foot = Quadric::of(field)?.nearest(exactly)?.foot;
+        let regular = self.regular(factor, exactly, foot);
+        Some(regular.unwrap_or_else(|| FootCandidate::on_form(foot, None)))
     }
 
     fn start(&self, field: &Field, p: [f64; 3]) -> Vec<[f64; 3]> {
@@ -186,12 +208,6 @@ impl Inspector {
             let size = best.map_or(0.0, |best| largest(&best.foot.point).max(largest(&p)));
             best.filter(|best| best.off <= NEARLY * size)
         };
-        // The foot on a quadric is exact; from far away a step in doubles leads anywhere.
-        if field.polynomial().degree() == Some(2)
-            && let Some(found) = take(self.regular(factor, exactly, start))
-        {
-            return Some(found);
-        }
         // Near a center of curvature Newton's method is slow, and its last step may be too long: one more step ends it.
         let found = stationary(field, p, start);
         let in_doubles = [
