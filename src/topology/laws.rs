@@ -298,3 +298,15 @@ fn points_at_0_above_irrational_values_are_found() {
     assert_eq!(components.len(), 1);
     assert_eq!(points, [("node", 2, Some(1)), ("node", 2, Some(1))]);
 }
+
+/// Real points at infinity to which no real branch goes.
+#[test]
+fn bounded_curves_have_no_asymptotes() {
+    let irrational = curve(&[((0, 4), 1), ((2, 2), -4), ((4, 0), 4), ((0, 0), 1)]);
+    let found = topology(&irrational);
+    assert!(found.components.is_empty());
+    assert!(found.at_infinity.asymptotes.is_empty() && found.at_infinity.undecided.is_empty());
+    // With 1 on the other side these are two hyperbolas, whose asymptotes are not decided.
+    let real = curve(&[((0, 4), 1), ((2, 2), -4), ((4, 0), 4), ((0, 0), -1)]);
+    assert_eq!(topology(&real).at_infinity.undecided.len(), 2);
+}

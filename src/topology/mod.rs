@@ -207,10 +207,16 @@ impl Topology {
                 });
             }
         }
+        // A curve without unbounded components has none, whatever points at infinity its equation has.
+        let mut ends = components.iter().flat_map(|c| c.extent.iter().flatten());
+        let at_infinity = match ends.any(Option::is_none) {
+            true => asymptote::at_infinity(f, &axes),
+            false => AtInfinity::default(),
+        };
         Ok(Self {
             components,
             singular_points,
-            at_infinity: asymptote::at_infinity(f, &axes),
+            at_infinity,
         })
     }
 }
