@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::center::Center;
-use super::distance::{DistanceSearch, Frame, Step};
+use super::distance::{DistanceSearch, Frame, Step, before};
 use super::least_squares::{LeastSquares, Observations};
 use super::radius::ContourRadius;
 use super::residual::CheckAngles;
@@ -188,7 +188,7 @@ impl RadiusPoints {
                 let (mut last, mut why) = (most, "");
                 for n in 0..=most {
                     let Some(fit) = candidate(n)? else {
-                        (last, why) = (n.saturating_sub(1), "; the points do not determine more");
+                        (last, why) = (before(n), "; the points do not determine more");
                         break;
                     };
                     if fit.max_radial_error <= e {

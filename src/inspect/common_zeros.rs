@@ -52,15 +52,9 @@ impl CommonZeros {
     /// # Errors
     /// Those of `limits`.
     pub(super) fn about(&self, point: &[Rational; 3], limits: &Limits) -> Result<Self> {
-        let moved = |field: &Field| -> Result<Field> {
-            let polynomial = field.polynomial();
-            Ok(Field::new(
-                &polynomial.in_coordinates(point, [0; 3], limits)?,
-            ))
-        };
         let [f, g] = self.both();
         Ok(Self {
-            fields: [moved(f)?, moved(g)?],
+            fields: [f.about(point, limits)?, g.about(point, limits)?],
         })
     }
 

@@ -11,7 +11,7 @@ use super::known::{Point, rounding};
 use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::intervals::interval::UNIT;
-use crate::intervals::{Field, rational};
+use crate::intervals::{Field, largest, rational};
 
 /// Doubles are precise enough if the last place of the coordinates is at most this part of the tolerance.
 const FINE: f64 = 1e-6;
@@ -73,14 +73,12 @@ impl Inspector {
     /// Whether the coordinates of a point are so large that doubles hardly tell parts of the tolerance, and coordinates about the point
     /// would.
     pub(super) fn is_coarse(&self, near: [f64; 3]) -> bool {
-        let size = near.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        UNIT * size > FINE * self.around[0] && self.can_move()
+        UNIT * largest(&near) > FINE * self.around[0] && self.can_move()
     }
 
     /// Whether doubles lose all digits of a factor at a point in these coordinates, and coordinates about the point would keep them.
-    pub(super) fn is_blurred(&self, near: [f64; 3]) -> bool {
-        let mut fields = self.factors().iter().map(|factor| &factor.field);
-        self.can_move() && fields.any(|field| field.sign_near(near, 0.0).is_none())
+    pub(super) fn is_blurred(&self, field: &Field, near: [f64; 3]) -> bool {
+        self.can_move() && field.sign_near(near, 0.0).is_none()
     }
 
     /// The inspector in coordinates about a point of these coordinates.
@@ -90,11 +88,10 @@ impl Inspector {
     pub(super) fn about(&self, near: [f64; 3]) -> Result<Self> {
         let by = near.map(rational);
         let factors = self.factors().iter().map(|factor| {
-            let f = factor.field.polynomial();
             let curve = factor.curve.as_ref();
             let curve = curve.map(|curve| curve.about(&by, &self.limits));
             Ok(Factor {
-                field: Field::new(&f.in_coordinates(&by, [0; 3], &self.limits)?),
+                field: factor.field.about(&by, &self.limits)?,
                 multiplicity: factor.multiplicity,
                 curve: curve.transpose()?,
             })
@@ -160,7 +157,7 @@ mod tests {
             prop_assume!((exact - 0.1).abs() > 1e-9 && exact > 1e-3 && !square.is_zero());
             let point = [number(middle[0]) + &away[0], number(middle[1]) + &away[1], Rational::zero()];
             let near = inspector.relative(&point).each_ref().map(Rational::to_f64);
-            prop_assert!(inspector.is_blurred(near));
+            prop_assert!(inspector.is_blurred(&inspector.factors()[0].field, near));
             let found = inspector.inspect(&point);
             prop_assert_eq!(found.verdict, if exact <= 0.1 { Verdict::Inside } else { Verdict::Outside });
             prop_assert_eq!(found.sign, Some(if square > Rational::one() { 1 } else { -1 }));

@@ -6,7 +6,7 @@ use std::collections::BinaryHeap;
 use super::DistanceBounds;
 use super::foot::{approach, enclose};
 use crate::intervals::interval::{UNIT, cross, exactly, minus, product, separation, square};
-use crate::intervals::{BoxBounds, Field, Interval, distance};
+use crate::intervals::{BoxBounds, Field, Interval, distance, largest};
 use crate::limits::Limits;
 
 /// Cubes smaller than this part of the reach are not divided.
@@ -51,8 +51,7 @@ pub(super) struct Cube {
 impl Cube {
     /// Whether doubles hardly tell the corners of the cube apart, so that its parts are not smaller.
     pub(super) fn is_unresolved(&self) -> bool {
-        let size = self.middle.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        self.half <= 16.0 * UNIT * size
+        self.half <= 16.0 * UNIT * largest(&self.middle)
     }
 
     /// A bound of the distances of the points of the cube from its middle.

@@ -7,9 +7,8 @@ use super::inspector::{Factor, Inspector};
 use super::known::{PartialInspection, Point};
 use crate::exact::Rational;
 use crate::intervals::interval::separation;
-use crate::intervals::{Field, Interval, rational, rationals};
-use crate::poly::with_integers;
-use crate::roots::real_roots;
+use crate::intervals::{Field, Interval, largest, rational, rationals};
+use crate::roots::RealRoot;
 
 /// The part of the cubes of a verdict that may be divided for a distance.
 pub(super) const SHARE: usize = 8;
@@ -119,8 +118,7 @@ impl Inspector {
         starts: &[[f64; 3]],
         known: &mut PartialInspection,
     ) {
-        let size = p.near.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let width = rational(WIDTH * size.max(self.goal.reach));
+        let width = rational(WIDTH * largest(&p.near).max(self.goal.reach));
         for start in starts {
             let Some(critical) = critical_point(field, *start) else {
                 continue;
@@ -141,8 +139,7 @@ impl Inspector {
     /// An upper bound of the distance of a zero, from changes of the sign along a few rays; ∞ if none is found.
     fn on_rays(&self, field: &Field, p: &Point) -> f64 {
         let sign = field.sign(p.near);
-        directions(field.is_flat())
-            .chain([field.gradient(p.near)])
+        directions(field, p.near)
             .filter_map(|u| {
                 let length = u.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let u = u.map(|x| x / length);
@@ -155,13 +152,12 @@ impl Inspector {
     /// without a change of the sign is found, too, and a surface that is small and far away, if its middle is near the origin.
     fn on_lines(&self, field: &Field, p: &Point) -> f64 {
         let at = rationals(p.near);
-        let Ok(about) = field.polynomial().in_coordinates(&at, [0; 3], &self.limits) else {
+        let Ok(about) = field.polynomial().about(&at, &self.limits) else {
             return f64::INFINITY;
         };
-        let directions = directions(field.is_flat()).chain([field.gradient(p.near)]);
-        let finite = directions.filter(|u| u.iter().all(|x| x.is_finite()));
         let to_origin = at.map(|x| -x);
-        finite
+        directions(field, p.near)
+            .filter(|u| u.iter().all(|x| x.is_finite()))
             .map(rationals)
             .chain([to_origin])
             .filter_map(|u| {
@@ -170,13 +166,11 @@ impl Inspector {
                     // The point itself is a zero.
                     return Some(0.0);
                 }
-                let away = real_roots(&with_integers(&row).0)
-                    .into_iter()
-                    .map(|mut root| {
-                        root.refine(PRECISION);
-                        let (low, high) = root.bounds();
-                        low.abs().max(high.abs())
-                    });
+                let away = RealRoot::all_of(&row).into_iter().map(|mut root| {
+                    root.refine(PRECISION);
+                    let (low, high) = root.bounds();
+                    low.abs().max(high.abs())
+                });
                 let square = away.min().map(|t| &t * &t * squared_length(&u))?;
                 Some(Interval::from(&square).sqrt().high())
             })
@@ -191,29 +185,40 @@ impl Inspector {
             q.iter().all(|x| x.is_finite()) && field.sign(q) != sign
         };
         let mut radii = (0..DOUBLINGS).map(|k| self.goal.tolerance * f64::from(k).exp2());
-        let mut high = radii.find(|&t| is_other(t))?;
-        let mut low = 0.0;
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(low, high);
-            if is_other(middle) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        Some(separation(p, there(high)).high())
+        let first = radii.find(|&t| is_other(t))?;
+        let t = halved(0.0, first, f64::midpoint, is_other);
+        Some(separation(p, there(t)).high())
     }
 }
 
-/// Directions along the axes and between them, in the plane or in space.
-fn directions(is_flat: bool) -> impl Iterator<Item = [f64; 3]> {
-    let axes = if is_flat { 2 } else { 3 };
+/// Directions along the axes and between them, in the plane or in space, and that of the gradient.
+fn directions(field: &Field, p: [f64; 3]) -> impl Iterator<Item = [f64; 3]> {
+    let axes = if field.is_flat() { 2 } else { 3 };
     let steps = |n: u32| [n % 3, n / 3 % 3, n / 9].map(|k| f64::from(k) - 1.0);
     let rays = (0..3u32.pow(axes)).map(move |n| match axes {
         2 => [steps(n)[0], steps(n)[1], 0.0],
         _ => steps(n),
     });
     rays.filter(|u| u.iter().any(|x| x.abs() > 0.5))
+        .chain([field.gradient(p)])
+}
+
+/// A point with the property of `far` that is near the end of those without it, by halving what is between them.
+fn halved<T: Copy>(
+    mut near: T,
+    mut far: T,
+    middle: impl Fn(T, T) -> T,
+    is_far: impl Fn(T) -> bool,
+) -> T {
+    for _ in 0..HALVINGS {
+        let between = middle(near, far);
+        if is_far(between) {
+            far = between;
+        } else {
+            near = between;
+        }
+    }
+    far
 }
 
 /// An upper bound of the distance of a change of the sign between a point and a critical point of f that is found from it; ∞ if f has one
@@ -223,16 +228,9 @@ fn towards_extremum(field: &Field, p: [f64; 3]) -> f64 {
     let Some(extremum) = critical_point(field, p).filter(|x| field.sign(*x) != sign) else {
         return f64::INFINITY;
     };
-    let (mut near, mut far) = (p, extremum);
-    for _ in 0..HALVINGS {
-        let middle = std::array::from_fn(|i| f64::midpoint(near[i], far[i]));
-        if field.sign(middle) == sign {
-            near = middle;
-        } else {
-            far = middle;
-        }
-    }
-    separation(p, far).high()
+    let middle = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| f64::midpoint(a[i], b[i]));
+    let other = halved(p, extremum, middle, |x| field.sign(x) != sign);
+    separation(p, other).high()
 }
 
 #[cfg(test)]

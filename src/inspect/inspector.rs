@@ -162,7 +162,7 @@ impl Inspector {
         let origin = far_middle(polynomial, &options.tolerance, limits)?;
         let factors = factors.into_iter().map(|(f, multiplicity)| {
             let f = match &origin {
-                Some(origin) => f.in_coordinates(origin, [0; 3], limits)?,
+                Some(origin) => f.about(origin, limits)?,
                 None => f,
             };
             let pair = match kind {
@@ -424,7 +424,7 @@ impl Inspector {
         if known.inside.is_some() && self.is_close(&known.bounds) {
             return;
         }
-        if self.is_coarse(p.near) || self.can_move() && field.sign_near(p.near, 0.0).is_none() {
+        if self.is_coarse(p.near) || self.is_blurred(field, p.near) {
             known.is_blurred = true;
             return;
         }

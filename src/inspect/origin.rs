@@ -90,7 +90,7 @@ fn middle(f: &SparsePolynomial<3>, limits: &Limits) -> Result<Option<[Rational; 
         if (0..3).all(is_constant) {
             continue;
         }
-        let row = f.in_coordinates(&middle, [0; 3], limits)?.along(&direction);
+        let row = f.about(&middle, limits)?.along(&direction);
         let degree = row.len() as i64 - 1;
         if degree > 0
             && let Some(over) = row[row.len() - 1].recip()
@@ -187,7 +187,7 @@ mod tests {
                 point[2] = Rational::zero();
             }
             let back = by.each_ref().map(|c| -c.clone());
-            let moved = f.in_coordinates(&back, [0; 3], &Limits::none()).unwrap();
+            let moved = f.about(&back, &Limits::none()).unwrap();
             let there = std::array::from_fn(|i| &point[i] + &by[i]);
             let near = inspector(&f).inspect(&point);
             let far_inspector = inspector(&moved);
@@ -217,7 +217,7 @@ mod tests {
                 by[2] = Rational::zero();
             }
             let back = by.each_ref().map(|c| -c.clone());
-            let moved = f.in_coordinates(&back, [0; 3], &Limits::none()).unwrap();
+            let moved = f.about(&back, &Limits::none()).unwrap();
             let none = Limits::none();
             let found = far_middle(&moved, &"1/10".parse().unwrap(), &none).unwrap().unwrap();
             let [old, new] = [&f, &moved].map(|f| middle(f, &none).unwrap().unwrap_or_default());

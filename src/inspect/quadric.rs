@@ -27,7 +27,7 @@ use super::linear::solved;
 use crate::error::Invariant;
 use crate::exact::Rational;
 use crate::intervals::{Field, Interval};
-use crate::poly::{IntegerPolynomial, RationalFunction, Ring, SparsePolynomial, with_integers};
+use crate::poly::{IntegerPolynomial, RationalFunction, Ring, SparsePolynomial};
 use crate::roots::{RealRoot, real_roots};
 
 /// The squared distance is computed to about so many bits.
@@ -115,7 +115,7 @@ impl<'a> Quadric<'a> {
         for root in real_roots(multiplier.value.numerator()) {
             found.push(multiplier.regular(root)?);
         }
-        for root in real_roots(&with_integers(&determinant).0) {
+        for root in RealRoot::all_of(&determinant) {
             if multiplier.has_special(&root) {
                 found.push(multiplier.special(root, |lambda| self.kernel(lambda))?);
             }
@@ -421,7 +421,7 @@ mod tests {
             if is_flat {
                 p[2] = Rational::zero();
             }
-            let about = f.in_coordinates(&p, [0; 3], &crate::limits::Limits::none()).unwrap();
+            let about = f.about(&p, &crate::limits::Limits::none()).unwrap();
             let heights = if is_flat { 0..1 } else { -12..13 };
             let mut least = f64::INFINITY;
             for height in heights {

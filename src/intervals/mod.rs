@@ -21,8 +21,9 @@ use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 use smallvec::SmallVec;
 
-use crate::error::Invariant;
+use crate::error::{Invariant, Result};
 use crate::exact::{Dyadic, Rational};
+use crate::limits::Limits;
 use crate::poly::SparsePolynomial;
 use interval::relative_error;
 use taylor::Layout;
@@ -85,6 +86,14 @@ impl Field {
             terms,
             degrees,
         }
+    }
+
+    /// The field of f(c + X), a polynomial in X.
+    ///
+    /// # Errors
+    /// Those of `limits`.
+    pub(crate) fn about(&self, center: &[Rational; 3], limits: &Limits) -> Result<Self> {
+        Ok(Self::new(&self.exact.about(center, limits)?))
     }
 
     /// The powers of the coordinates of p. The lists are filled in place, because copying finished lists takes longer than the
@@ -309,6 +318,11 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     squares.sum::<f64>().sqrt()
+}
+
+/// The largest size of a coordinate.
+pub(crate) fn largest(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
 /// The point a + t (b − a).

@@ -1,7 +1,7 @@
 //! The cells of a grid that may hold zeros, found by an octree without the cubes that are proved empty.
 
 use crate::error::Result;
-use crate::intervals::{BoxProof, Field};
+use crate::intervals::{BoxProof, Field, largest};
 use crate::limits::Limits;
 use crate::parallel;
 
@@ -33,11 +33,6 @@ const PARTS_OF_ALL: usize = 100_000;
 const LITTLE_WORK: usize = 600;
 /// At a pinch point two sheets are nearer to each other than a cell up to a few cells beside the curve in which they cross.
 const BESIDE: f64 = 4.0;
-
-/// The largest size of a coordinate.
-fn largest(p: [f64; 3]) -> f64 {
-    p.iter().fold(0.0, |l: f64, x| l.max(x.abs()))
-}
 
 impl Grid {
     /// The grid that covers a box, with `resolution` cells along its longest side and one more cell on every side.
@@ -154,7 +149,7 @@ impl Grid {
                     // The middles are rounded, so the half sides are enlarged.
                     (
                         part,
-                        quarter * (1.0 + 8.0 * f64::EPSILON) + 4.0 * f64::EPSILON * largest(part),
+                        quarter * (1.0 + 8.0 * f64::EPSILON) + 4.0 * f64::EPSILON * largest(&part),
                     )
                 }));
             }

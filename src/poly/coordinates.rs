@@ -48,6 +48,14 @@ impl SparsePolynomial<3> {
         Ok(f)
     }
 
+    /// f(c + X) as a polynomial in X.
+    ///
+    /// # Errors
+    /// Those of `limits`.
+    pub(crate) fn about(&self, center: &[Rational; 3], limits: &Limits) -> Result<Self> {
+        self.in_coordinates(center, [0; 3], limits)
+    }
+
     /// The coefficients, ascending, of f(t v); there are none if f is 0 on this line.
     pub(crate) fn along(&self, v: &[Rational; 3]) -> Vec<Rational> {
         let mut row: Vec<Rational> = Vec::new();

@@ -18,7 +18,7 @@ use crate::shape::{Contour, EllipticSeries, FourierRadius};
 pub(crate) use near::NearPolygon;
 pub(super) use polygon::Frame;
 use polygon::Polygon;
-pub(super) use search::{DistanceSearch, Step};
+pub(super) use search::{DistanceSearch, Step, before};
 use traced::Tracer;
 
 /// The bounds of the distance are this close together, relative to the lower one, …

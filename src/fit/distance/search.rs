@@ -4,7 +4,7 @@
 //! this curve. So most numbers of harmonics are excluded without being measured.
 
 use super::{ABSOLUTE, Outline};
-use crate::error::{Error, Result};
+use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
 use crate::shape::{Contour, EllipticSeries};
 
@@ -121,7 +121,7 @@ impl DistanceSearch {
         limits: &Limits,
     ) -> Error {
         let (last, why) = match self.end {
-            Some((n, why)) => (n.saturating_sub(1), format!("; with {n}, {why}")),
+            Some((n, why)) => (before(n), format!("; with {n}, {why}")),
             None => (self.last, String::new()),
         };
         let best = match self.best(last, curve, limits) {
@@ -184,11 +184,18 @@ impl DistanceSearch {
     }
 }
 
+/// The number of harmonics before one that cannot be tried.
+pub(in crate::fit) fn before(n: usize) -> usize {
+    n.checked_sub(1)
+        .invariant("a series without harmonics is determined, and measured")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::exact::Rational;
     use crate::fit::as_f64;
+    use crate::fit::elliptic::sizes;
     use proptest::prelude::*;
 
     fn contour(points: &[[f64; 2]]) -> Contour {
@@ -204,15 +211,6 @@ mod tests {
             harmonics.iter().enumerate().map(size).collect()
         };
         EllipticSeries::new(std::array::from_fn(list))
-    }
-
-    fn sizes(series: &EllipticSeries) -> Vec<f64> {
-        let size = |n: usize| {
-            let part = |list: &Vec<Rational>| list[n].to_f64();
-            let [a, b, c, d] = series.lists().each_ref().map(part);
-            a.hypot(b).hypot(c.hypot(d))
-        };
-        (0..=series.harmonics()).map(size).collect()
     }
 
     proptest! {

@@ -141,7 +141,7 @@ pub fn fit_elliptic(
 }
 
 /// For each harmonic, a bound of the distance of its points from the origin.
-fn sizes(series: &EllipticSeries) -> Vec<f64> {
+pub(super) fn sizes(series: &EllipticSeries) -> Vec<f64> {
     let [a, b, c, d] = series.lists();
     let size = |n: usize| {
         let [a, b, c, d] = [a, b, c, d].map(|list| list[n].to_f64());

@@ -1,10 +1,10 @@
 //! The foot of a point on a parametric curve.
 
-use super::{largest, length_of, unit};
+use super::{length_of, unit};
 use crate::exact::{Dyadic, Rational};
 use crate::inspect::curve::CurveInspector;
 use crate::inspect::guess::Guess;
-use crate::intervals::rational;
+use crate::intervals::{largest, rational};
 use crate::poly::{IntegerPolynomial, RationalFunction, numerator_at};
 
 use malachite::Integer;

@@ -2,15 +2,16 @@
 
 use nalgebra::Vector4;
 
-use super::{FootCandidate, SINGULAR, largest, unit};
+use super::{FootCandidate, SINGULAR, unit};
 use crate::exact::Rational;
+use crate::inspect::common_zeros::CommonZeros;
 use crate::inspect::distance::{Goal, nearest};
 use crate::inspect::exact::{critical_point, rational_zero, refined_foot};
 use crate::inspect::foot::{approach, lagrange, stationary};
-use crate::inspect::inspector::Inspector;
+use crate::inspect::inspector::{Factor, Inspector};
 use crate::inspect::quadric::Quadric;
 use crate::inspect::{DistanceBounds, Inspection};
-use crate::intervals::{Field, Interval, distance, dot, rational, rationals};
+use crate::intervals::{Field, Interval, distance, dot, largest, rational, rationals};
 
 /// A foot in doubles is refined exactly if the error of f moves it by more than this part of its size.
 const ROUNDING: f64 = 4e-16;
@@ -41,21 +42,29 @@ impl Inspector {
             return None;
         }
         let quick = self.nearest_of(own, from, bounds, |k, exactly, p| {
-            let field = &self.factors()[k].field;
-            self.feet_near(k, exactly, p, self.start(field, p))
+            let factor = &self.factors()[k];
+            match &factor.curve {
+                Some(curve) => self.on_curve(curve, &factor.field, exactly, p, bounds),
+                None => self.feet_near(k, exactly, p, self.start(&factor.field, p)),
+            }
         });
+        // What is found on curves is not looked for again.
+        let is_surface = |k: usize| self.factors()[k].curve.is_none();
         let quick = quick.or_else(|| {
             self.nearest_of(own, from, bounds, |k, exactly, _| {
-                self.on_quadric(k, exactly).into_iter().collect()
+                let foot = is_surface(k).then(|| self.on_quadric(k, exactly));
+                foot.flatten().into_iter().collect()
             })
         });
-        if quick.is_none() && self.is_blurred(from) {
+        let is_blurred = |factor: &Factor| self.is_blurred(&factor.field, from);
+        if quick.is_none() && self.factors().iter().any(is_blurred) {
             return self.about(from).ok()?.foot(point, found);
         }
         let best = quick.or_else(|| {
             self.nearest_of(own, from, bounds, |k, exactly, p| {
                 let field = &self.factors()[k].field;
-                self.feet_near(k, exactly, p, self.starts_by_cubes(field, p, bounds))
+                let starts = is_surface(k).then(|| self.starts_by_cubes(field, p, bounds));
+                self.feet_near(k, exactly, p, starts.into_iter().flatten())
             })
         })?;
         let mut candidate = best;
@@ -98,29 +107,6 @@ impl Inspector {
                 p[2] = 0.0;
                 exactly[2] = Rational::zero();
             }
-            if let Some(curve) = &factor.curve {
-                if bounds.high <= 0.0 {
-                    if curve.is_zero(&exactly) {
-                        take(FootCandidate::on_form(from, None));
-                    }
-                    continue;
-                }
-                let goal = Goal {
-                    reach: (Interval::from(bounds.high) * (1.0 + 1e-6)).high(),
-                    tolerance: 0.0,
-                    cubes: self.cubes_for(field),
-                    ..self.goal
-                };
-                let found = curve.nearest(p, DistanceBounds::UNKNOWN, goal, &self.limits);
-                if let Some(foot) = found.foot {
-                    let mut position = foot.position;
-                    if field.is_flat() {
-                        position[2] = from[2];
-                    }
-                    take(FootCandidate::on_form(position, None));
-                }
-                continue;
-            }
             for mut candidate in candidates(k, &exactly, p) {
                 if field.is_flat() {
                     candidate.foot.point[2] = from[2];
@@ -131,13 +117,38 @@ impl Inspector {
         best.map(|(_, candidate)| candidate)
     }
 
+    /// The nearest point that is found on a curve of common zeros.
+    fn on_curve(
+        &self,
+        curve: &CommonZeros,
+        field: &Field,
+        exactly: &[Rational; 3],
+        p: [f64; 3],
+        bounds: &DistanceBounds,
+    ) -> Vec<FootCandidate> {
+        let position = if bounds.high <= 0.0 {
+            curve.is_zero(exactly).then_some(p)
+        } else {
+            let goal = Goal {
+                reach: (Interval::from(bounds.high) * (1.0 + 1e-6)).high(),
+                tolerance: 0.0,
+                cubes: self.cubes_for(field),
+                ..self.goal
+            };
+            let found = curve.nearest(p, DistanceBounds::UNKNOWN, goal, &self.limits);
+            found.foot.map(|foot| foot.position)
+        };
+        let candidate = position.map(|position| FootCandidate::on_form(position, None));
+        candidate.into_iter().collect()
+    }
+
     /// The feet that are found from starting points.
     fn feet_near(
         &self,
         factor: usize,
         exactly: &[Rational; 3],
         p: [f64; 3],
-        starts: Vec<[f64; 3]>,
+        starts: impl IntoIterator<Item = [f64; 3]>,
     ) -> Vec<FootCandidate> {
         let starts = starts.into_iter();
         starts

@@ -11,8 +11,8 @@ mod equation;
 mod patch;
 
 use super::DistanceBounds;
-use crate::intervals::distance;
 use crate::intervals::interval::UNIT;
+use crate::intervals::{distance, largest};
 
 /// The largest error of a foot, in parts of the largest coordinate of the point and the foot.
 pub(crate) const SLACK: f64 = 1e-9;
@@ -102,10 +102,6 @@ pub(super) fn after_steps(
 /// 0 for a coordinate that is nothing but a rounding error of numbers of this size.
 fn without_rounding(x: f64, size: f64) -> f64 {
     if x.abs() <= NOTHING * size { 0.0 } else { x }
-}
-
-fn largest(v: &[f64]) -> f64 {
-    v.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
 fn length_of(v: &[f64]) -> f64 {

@@ -1,9 +1,9 @@
 //! The foot of a point on a patch.
 
-use super::{FootCandidate, SINGULAR, after_steps, largest, length_of, unit};
+use super::{FootCandidate, SINGULAR, after_steps, length_of, unit};
 use crate::exact::Rational;
 use crate::inspect::patch::PatchInspector;
-use crate::intervals::dot;
+use crate::intervals::{dot, largest};
 use crate::shape::cross;
 
 /// The step of the quotients of differences for first derivatives; their errors are about its fourth power.
