@@ -1,4 +1,4 @@
-//! Limits of the signed distance, uncertainties and feet on the command line.
+//! Limits of the signed distance and uncertainties on the command line.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -8,13 +8,13 @@ use std::path::Path;
 use serde_json::json;
 use tempfile::TempDir;
 
-use crate::common::program::{Run, done, json, run_in};
+use crate::common::program::{Run, json, run_in};
 
 /// Points at the signed distances −2, −1, −0.02, 0, 0.05, 0.06 and 1 from the circle of radius 5.
 const POINTS: &str =
     "x,y,id\n1.8,2.4,a\n2.4,3.2,b\n2.988,3.984,c\n3,4,d\n3.03,4.04,e\n3.036,4.048,f\n3.6,4.8,g\n";
 
-fn inspect(folder: &Path, form: &str, more: &str) -> Run {
+pub(crate) fn inspect(folder: &Path, form: &str, more: &str) -> Run {
     fs::write(folder.join("p.csv"), POINTS).unwrap();
     let words = more.split_whitespace();
     let arguments = ["inspect", form, "--points", "p.csv"]
@@ -31,7 +31,7 @@ fn verdicts(run: &Run) -> Vec<&str> {
         .collect()
 }
 
-const FORMS: [&str; 3] = ["x^2 + y^2 = 25", "r = 5", "x = 5*cos(t); y = 5*sin(t)"];
+pub(crate) const FORMS: [&str; 3] = ["x^2 + y^2 = 25", "r = 5", "x = 5*cos(t); y = 5*sin(t)"];
 
 #[test]
 fn two_limits_decide_by_the_signed_distance() {
@@ -185,182 +185,6 @@ fn uncertain_points_do_not_conform() {
             .collect();
         assert_eq!(inside, [false, false, false, true, false, false, false]);
     }
-}
-
-#[test]
-fn feet_stand_behind_the_sign_and_before_kept_columns() {
-    let folder = TempDir::new().unwrap();
-    for form in FORMS {
-        let run = inspect(folder.path(), form, "--tolerance 1 --feet --keep");
-        let mut rows = run
-            .out
-            .lines()
-            .map(|row| row.split(',').collect::<Vec<_>>());
-        assert_eq!(
-            rows.next().unwrap().join(","),
-            "x,y,verdict,curve,distance_low,distance_high,sign,foot_x,foot_y,normal_x,normal_y,signed_low,signed_high,id"
-        );
-        for (row, (id, signed)) in rows.zip([
-            ("a", -2.0),
-            ("b", -1.0),
-            ("c", -0.02),
-            ("d", 0.0),
-            ("e", 0.05),
-            ("f", 0.06),
-            ("g", 1.0),
-        ]) {
-            let numbers: Vec<f64> = row[7..13].iter().map(|x| x.parse().unwrap()).collect();
-            for (found, expected) in numbers.iter().zip([3.0, 4.0, 0.6, 0.8]) {
-                assert!((found - expected).abs() < 4e-15, "{row:?}");
-            }
-            assert!(
-                numbers[4] <= signed && signed <= numbers[5] && numbers[5] - numbers[4] < 1e-5,
-                "{row:?}"
-            );
-            assert_eq!(row[13], id);
-        }
-    }
-    // Without sides there is no sign, and in space a curve has no normal.
-    let run = run_in(
-        folder.path(),
-        &[
-            "inspect",
-            "x = 3*cos(t); y = 3*sin(t); z = 0",
-            "--tolerance",
-            "1",
-            "--point",
-            "4,0,0",
-            "--feet",
-        ],
-        "",
-    );
-    let row = run.out.lines().nth(1).unwrap();
-    let fields: Vec<&str> = row.split(',').collect();
-    assert_eq!(
-        (fields.len(), &fields[8..9], &fields[11..]),
-        (16, &["3.0"][..], &["", "", "", "", ""][..]),
-        "{row}"
-    );
-    let arguments = [
-        "inspect",
-        "R = 3",
-        "--tolerance",
-        "1",
-        "--point",
-        "0,0,4",
-        "--feet",
-    ];
-    let document = run_in(
-        folder.path(),
-        &[&arguments[..], &["--format", "json"]].concat(),
-        "",
-    );
-    let document = json(&document.out);
-    assert_eq!(
-        document["points"][0]["foot"]["point"],
-        json!([0.0, 0.0, 3.0])
-    );
-    assert_eq!(
-        document["points"][0]["foot"]["normal"],
-        json!([0.0, 0.0, 1.0])
-    );
-    let text = run_in(
-        folder.path(),
-        &[&arguments[..], &["--format", "text"]].concat(),
-        "",
-    );
-    assert!(
-        text.out
-            .contains("its foot is about (0.0, 0.0, 3.0), with the normal (0.0, 0.0, 1.0)"),
-        "{}",
-        text.out
-    );
-}
-
-/// At the origin the smallest error of a coordinate is large, in parts of it.
-#[test]
-fn a_point_of_the_form_is_its_own_foot_at_the_origin() {
-    for form in ["r = cos(3*t)", "r = 1 + cos(t)", "x = t^2; y = t^3"] {
-        let arguments = [
-            "inspect",
-            form,
-            "--tolerance",
-            "1",
-            "--point",
-            "0,0",
-            "--feet",
-        ];
-        let found = json(&done(&[&arguments[..], &["--format", "json"]].concat()));
-        let point = &found["points"][0];
-        assert_eq!(point["foot"]["point"], json!([0.0, 0.0]), "{form}");
-    }
-}
-
-/// Far away all of a form is near a foot, compared with the coordinates; the foot must be on the form all the same.
-#[test]
-fn feet_of_far_points_are_on_the_form() {
-    for (form, point, foot) in [
-        ("x^2 + y^2 = 1", "1e9,0", [1.0, 0.0, 0.0]),
-        ("y = x^2", "3,1e12", [1e6, 1e12, 0.0]),
-        ("x^2 + y^2 + z^2 = 1", "0,0,-1e12", [0.0, 0.0, -1.0]),
-        ("x = 1", "1,1e30,7e40", [1.0, 1e30, 7e40]),
-        (
-            "x^2/9 + y^2/4 + 10000*z^2 = 1",
-            "4,1,0.5",
-            [2.890_066_6, 0.536_447_6, 1.446_5e-5],
-        ),
-    ] {
-        let arguments = [
-            "inspect",
-            form,
-            "--tolerance",
-            "0.1",
-            "--point",
-            point,
-            "--feet",
-        ];
-        let run = run_in(
-            Path::new("."),
-            &[&arguments[..], &["--format", "json"]].concat(),
-            "",
-        );
-        let document = json(&run.out);
-        let found = &document["points"][0]["foot"]["point"];
-        for (i, exact) in foot.iter().enumerate() {
-            let off = found[i].as_f64().map_or(0.0, |x| (x - exact).abs());
-            assert!(
-                off <= 1e-7 * exact.abs().max(1.0),
-                "{form} {point}: {found}"
-            );
-        }
-        assert!(found.is_array(), "{form} {point}: {}", run.err);
-    }
-}
-
-#[test]
-fn a_foot_that_is_not_found_is_counted() {
-    let folder = TempDir::new().unwrap();
-    let run = inspect(
-        folder.path(),
-        "r = 5",
-        "--tolerance 0.01 --reach 1.5 --feet",
-    );
-    // The bounds of the distance of the first point are not known either, but its side is.
-    let first = run.out.lines().nth(1).unwrap();
-    assert!(run.code == 1 && !first.contains("NaN"), "{first}");
-    let run = inspect(
-        folder.path(),
-        "x^2 + y^2 = 25",
-        "--tolerance 0.01 --reach 1.5 --feet",
-    );
-    let first = run.out.lines().nth(1).unwrap();
-    assert!(first.contains(",-1,,,,,-inf,-1.9999"), "{first}");
-    assert!(
-        run.err
-            .contains("of 1 point no foot was found that passes the check"),
-        "{}",
-        run.err
-    );
 }
 
 #[test]

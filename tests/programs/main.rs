@@ -10,6 +10,7 @@ mod cli_session;
 mod column_files;
 mod documents;
 mod elliptic;
+mod feet;
 mod form_mistakes;
 mod harmonic_signs;
 mod harmonic_verbs;
