@@ -4,28 +4,34 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::arcs::{Arcs, arcs_text};
 use super::json::write_value;
-use super::{Coordinates, Format, SCHEMA, write_coordinates};
+use super::source::write_source;
+use super::{Coordinates, Format, SCHEMA, write_coordinates, write_surface};
 use crate::arcs::IntersectionArcs;
-use crate::error::Result;
+use crate::error::{Invariant, Result};
 use crate::exact::Rational;
 use crate::notation::polynomial_text;
-use crate::parametrize::{CommonPoint, IntersectionParametrization};
+use crate::parametrize::{CommonPoint, IntersectionParametrization, UnreachedPoint};
+use crate::shape::Form;
 
-/// The first curve has the fields of any parametric document, from which it is read back; then the document lists all curves.
+/// If one curve is the whole intersection, it has the fields of any parametric document, from which it is read back; else the
+/// surfaces are read back. Then the document lists all curves.
 #[derive(Serialize)]
 struct IntersectionCurvesDocument {
     schema: &'static str,
     kind: &'static str,
     parameters: Vec<String>,
     coordinates: BTreeMap<&'static str, String>,
+    surfaces: Vec<Value>,
     method: &'static str,
     projected_along: &'static str,
     curves: Vec<Curve>,
     others: Vec<Other>,
     points: Vec<[String; 3]>,
+    beyond: Vec<Beyond>,
     #[serde(flatten)]
     arcs: Option<Arcs>,
     notes: Vec<String>,
@@ -37,14 +43,23 @@ struct Curve {
     coordinates: BTreeMap<&'static str, String>,
 }
 
+/// A real point that no parameter value of its curve reaches.
+#[derive(Serialize)]
+struct Beyond {
+    kind: &'static str,
+    curve: usize,
+    point: [String; 3],
+}
+
 #[derive(Serialize)]
 struct Other {
     projection: String,
     reason: String,
 }
 
-/// Writes the curves, the first one so that it can be read back, and the findings about components without a parametrization.
-/// There must be a curve, or arcs of a component without a parametrization. Only text and JSON can hold arcs.
+/// Writes the curves, and the findings about components without a parametrization. There must be a curve, or arcs of a component
+/// without a parametrization. Only text and JSON can hold arcs. The surfaces are in a comment, from which they are
+/// read back, unless one curve is the whole intersection.
 ///
 /// # Errors
 /// Those of `out`, and those of [`Kind::check`](super::Kind::check).
@@ -55,6 +70,11 @@ pub(crate) fn write_intersection_curves(
     out: &mut dyn Write,
 ) -> Result<()> {
     let curves: Vec<Coordinates> = found.curves.iter().map(Coordinates::from).collect();
+    // One curve that is the whole intersection is read back itself.
+    let source = match found.as_one_curve() {
+        Some(_) => None,
+        None => Some(Form::Intersection(found.surfaces.clone())),
+    };
     let axis = ["x", "y", "z"][found.axis];
     let others = found.others.iter().map(|other| Other {
         projection: polynomial_text(&other.projection),
@@ -77,6 +97,12 @@ pub(crate) fn write_intersection_curves(
                 coordinates: c.fields(),
             };
             let all: Vec<Curve> = curves.iter().map(curve).collect();
+            let surfaces = found.surfaces.iter().map(|surface| {
+                let mut text = Vec::new();
+                write_surface(surface, &[], Format::Json, &mut text)?;
+                Ok(serde_json::from_slice(&text).invariant("what was written is JSON"))
+            });
+            let surfaces = surfaces.collect::<Result<_>>()?;
             let first = curves.first().map(curve);
             let document = IntersectionCurvesDocument {
                 schema: SCHEMA,
@@ -86,11 +112,13 @@ pub(crate) fn write_intersection_curves(
                     .map(|c| c.parameters.clone())
                     .unwrap_or_default(),
                 coordinates: first.map(|c| c.coordinates).unwrap_or_default(),
+                surfaces,
                 method: "theorem-7",
                 projected_along: axis,
                 curves: all,
                 others: others.collect(),
                 points: found.points.iter().map(coordinates_of).collect(),
+                beyond: found.unreached.iter().map(Beyond::from).collect(),
                 arcs: arcs.map(Arcs::from),
                 notes,
             };
@@ -109,6 +137,7 @@ pub(crate) fn write_intersection_curves(
                     "no rational or trigonometric parametrization was found"
                 }
             )?;
+            write_source(source.as_ref(), format, out)?;
             for other in others {
                 writeln!(
                     out,
@@ -117,12 +146,23 @@ pub(crate) fn write_intersection_curves(
                 )?;
             }
             for point in &found.points {
-                let [x, y, z] = coordinates_of(point);
-                let sign = match point {
-                    CommonPoint::Exact(_) => "=",
-                    _ => "≈",
-                };
-                writeln!(out, "# common point (x, y, z) {sign} ({x}, {y}, {z})")?;
+                writeln!(out, "# {}", common_point(point))?;
+            }
+            for beyond in &found.unreached {
+                let point = common_point(&beyond.point);
+                let t = found.curves[beyond.curve].parameter().name();
+                let k = beyond.curve;
+                if beyond.is_isolated {
+                    writeln!(
+                        out,
+                        "# {point}, an isolated real point of curve {k}, of conjugate complex {t}"
+                    )?;
+                } else {
+                    writeln!(
+                        out,
+                        "# {point}, which curve {k} only approaches, as {t} goes to infinity"
+                    )?;
+                }
             }
             for note in &notes {
                 writeln!(out, "# note: {note}")?;
@@ -143,10 +183,49 @@ pub(crate) fn write_intersection_curves(
             }
             Ok(())
         }
-        _ => curves
-            .iter()
-            .try_for_each(|curve| write_coordinates(curve, format, out)),
+        Format::Sympy if curves.len() != 1 => {
+            let tuple = |c: &Coordinates| format!("({})", c.formulas(format).join(", "));
+            let all: Vec<String> = curves.iter().map(tuple).collect();
+            writeln!(out, "[{}]", all.join(", "))?;
+            write_source(source.as_ref(), format, out)
+        }
+        // Statements for each curve would overwrite those of the one before.
+        Format::Maple if curves.len() != 1 => {
+            let list = |c: &Coordinates| format!("[{}]", c.formulas(format).join(", "));
+            let all: Vec<String> = curves.iter().map(list).collect();
+            writeln!(out, "curves := [{}];", all.join(", "))?;
+            write_source(source.as_ref(), format, out)
+        }
+        _ => {
+            for curve in &curves {
+                write_coordinates(curve, format, out)?;
+            }
+            write_source(source.as_ref(), format, out)
+        }
     }
+}
+
+impl From<&UnreachedPoint> for Beyond {
+    fn from(unreached: &UnreachedPoint) -> Self {
+        Self {
+            kind: if unreached.is_isolated {
+                "isolated"
+            } else {
+                "approached"
+            },
+            curve: unreached.curve,
+            point: coordinates_of(&unreached.point),
+        }
+    }
+}
+
+fn common_point(point: &CommonPoint) -> String {
+    let [x, y, z] = coordinates_of(point);
+    let sign = match point {
+        CommonPoint::Exact(_) => "=",
+        CommonPoint::Near(_) => "≈",
+    };
+    format!("common point (x, y, z) {sign} ({x}, {y}, {z})")
 }
 
 /// The coordinates of a point: fractions if they are exact, else decimals.

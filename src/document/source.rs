@@ -38,14 +38,20 @@ pub(super) fn write_source(of: Option<&Form>, format: Format, out: &mut dyn Writ
     write_form(form, &[], Format::Text, &mut text)?;
     let text = String::from_utf8(text).invariant("formulas are written as UTF-8");
     // Another comment states the center.
+    let mut equations = Vec::new();
     for line in text.lines() {
         match line.strip_prefix("# ") {
             Some(_) if format == Format::Text => {}
             Some(comment) => writeln!(out, "{} {comment}", format.comment())?,
-            None => writeln!(out, "{} {PARAMETRIZES} {line}", format.comment())?,
+            None => equations.push(line),
         }
     }
-    Ok(())
+    let equations = equations.join("; ");
+    Ok(writeln!(
+        out,
+        "{} {PARAMETRIZES} {equations}",
+        format.comment()
+    )?)
 }
 
 /// Writes radii as equations `name = …`, one on each line. In SymPy a single radius is an expression, and several radii are a

@@ -78,10 +78,9 @@ pub fn real_image<const N: usize>(
             None => None,
         };
     }
-    let isolated = match proper.as_ref().map(<[RationalFunction; N]>::as_slice) {
-        Some([x, y]) => complete_or_not(isolated([x, y], limits), limits)?,
-        // The isolated points of a space curve are not searched.
-        _ => None,
+    let isolated = match &proper {
+        Some(proper) => complete_or_not(isolated(proper.each_ref(), limits), limits)?,
+        None => None,
     };
     Ok(RealImage {
         approached: approached(curve),

@@ -10,7 +10,8 @@ use super::isolated_point::{Isolated, IsolatedPoint, SHORT_BITS};
 use super::pair::{Coordinate, DoublePoints, Pair, are_poles, coordinate, has_value};
 use super::reached::{RealPartner, is_reached, is_reached_by_no_other, real_partners};
 use super::symmetric::{Rows, bezoutian, in_sum_and_product};
-use crate::error::{Invariant, Result};
+use super::views::{CHANGES, changed_parameter, projections};
+use crate::error::Result;
 use crate::exact::Rational;
 use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
@@ -21,25 +22,25 @@ use crate::shape::EllipticSeries;
 const FIRST_BITS: u64 = 384;
 const MOST_BITS: u64 = 1 << 13;
 
-/// Changes of the parameter that are tried, `(a u + b)/(c u + d)` for s. After a change, two pairs of conjugate parameters that
-/// had the same sum have different sums.
-const CHANGES: [[i64; 4]; 3] = [[1, 0, 0, 1], [1, 2, 3, 5], [7, -3, 2, 11]];
-
-/// Finds the isolated points of a plane curve that its parametrization traces once. An elliptic Fourier series that is general
-/// enough is searched in z = e^(it) ([`isolated_of_series`]), every other curve by resultants.
+/// Finds the isolated points of a curve in the plane or in space that its parametrization traces once. An elliptic Fourier series
+/// that is general enough is searched in z = e^(it) ([`isolated_of_series`]), every other curve by resultants.
 ///
 /// # Errors
 /// Those of `limits`; [`Error::Limit`](crate::error::Error::Limit) if the degrees are too large for resultants.
-pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
-    if coordinates.iter().any(|f| f.degree() < 2) {
+pub(super) fn isolated<const N: usize>(
+    coordinates: [&RationalFunction; N],
+    limits: &Limits,
+) -> Result<Isolated> {
+    if coordinates.iter().any(|f| f.degree() == 1) {
         // Different parameters have different points, so there is no isolated point.
         return Ok(Isolated {
             points: Vec::new(),
             complete: true,
         });
     }
-    if let Some(series) = EllipticSeries::of_functions(coordinates)
-        && let Some(found) = isolated_of_series(&series, coordinates, limits)?
+    if let [x, y] = coordinates[..]
+        && let Some(series) = EllipticSeries::of_functions([x, y])
+        && let Some(found) = isolated_of_series(&series, [x, y], limits)?
     {
         return Ok(found);
     }
@@ -48,9 +49,11 @@ pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> 
 
 /// The isolated points, by resultants. The answer is incomplete if the degrees are large.
 ///
-/// Two conjugate parameters s, s̄ with the same point are a common zero of `(x(s) − x(σ))/(s − σ)` and `(y(s) − y(σ))/(s − σ)`,
-/// written in S = s + σ and P = sσ, with S² < 4P. Their point is real. It is isolated if no real parameter reaches it, s = ∞
+/// Two conjugate parameters s, s̄ with the same point are a common zero of the quotients `(f(s) − f(σ))/(s − σ)` for the coordinates
+/// f, written in S = s + σ and P = sσ, with S² < 4P. Their point is real. It is isolated if no real parameter reaches it, s = ∞
 /// included. Every claim is exact:
+/// - A curve in space is searched in a projection to a plane that traces the projected curve once. A pair of parameters with the
+///   same projected point has the same point in space if the other quotients vanish, too.
 /// - S is a real root of the resultant with respect to P, from which pairs of poles are divided out. If S is a simple zero of
 ///   it and not a zero of both leading coefficients, there is one P, a simple common zero. If S is rational, the values of P are
 ///   the real roots of a gcd.
@@ -60,66 +63,50 @@ pub(super) fn isolated(coordinates: [&RationalFunction; 2], limits: &Limits) -> 
 ///
 /// # Errors
 /// Those of `limits`.
-pub(super) fn isolated_by_resultants(
-    coordinates: [&RationalFunction; 2],
+pub(super) fn isolated_by_resultants<const N: usize>(
+    coordinates: [&RationalFunction; N],
     limits: &Limits,
 ) -> Result<Isolated> {
-    let mut best: Option<Isolated> = None;
-    for change in CHANGES {
-        let changed = coordinates.map(|f| changed(f, change));
-        let found = search([&changed[0], &changed[1]], limits)?;
-        if found.complete {
-            return Ok(found);
-        }
-        best = Some(match best {
-            Some(other) if other.points.len() >= found.points.len() => other,
-            _ => found,
-        });
-    }
-    Ok(best.unwrap_or(Isolated {
+    let mut best = Isolated {
         points: Vec::new(),
-        complete: true,
-    }))
-}
-
-/// The function f((a u + b)/(c u + d)) of u.
-fn changed(f: &RationalFunction, [a, b, c, d]: [i64; 4]) -> RationalFunction {
-    if [a, b, c, d] == CHANGES[0] {
-        return f.clone();
-    }
-    let line = |low: i64, high: i64| {
-        IntegerPolynomial::from_coefficients_asc(vec![low.into(), high.into()])
+        complete: false,
     };
-    let (above, below) = (line(b, a), line(d, c));
-    let degree = f.degree();
-    let form = |p: &IntegerPolynomial| {
-        let mut value = IntegerPolynomial::ZERO;
-        let mut power = IntegerPolynomial::from_coefficients_asc(vec![1.into()]);
-        for k in (0..=degree).rev() {
-            value *= &above;
-            if let Some(c) = p.coefficients_asc().get(k) {
-                value += IntegerPolynomial::from_coefficients_asc(vec![c.clone()]) * &power;
+    for [u, v] in projections(&coordinates) {
+        for change in CHANGES {
+            let changed = coordinates.map(|f| changed_parameter(f, change));
+            let projected = [&u, &v].map(|f| changed_parameter(f, change));
+            let found = search(changed.each_ref(), projected.each_ref(), limits)?;
+            if found.complete {
+                return Ok(found);
             }
-            power *= &below;
+            if found.points.len() > best.points.len() {
+                best = found;
+            }
         }
-        value
-    };
-    RationalFunction::from_integers(form(f.numerator()), form(f.denominator()))
-        .invariant("a change of the parameter is invertible")
+    }
+    Ok(best)
 }
 
-/// The isolated points, searched with this parameter.
-fn search(coordinates: [&RationalFunction; 2], limits: &Limits) -> Result<Isolated> {
+/// The isolated points, searched with this parameter in this projection.
+fn search<const N: usize>(
+    coordinates: [&RationalFunction; N],
+    projected: [&RationalFunction; 2],
+    limits: &Limits,
+) -> Result<Isolated> {
+    let equation = |f: &RationalFunction| in_sum_and_product(&bezoutian(f));
     let points = DoublePoints {
-        coordinates,
-        equations: coordinates.map(|f| in_sum_and_product(&bezoutian(f))),
+        coordinates: projected,
+        equations: projected.map(equation),
     };
     let [a, b] = &points.equations;
-    let poles = pairs_of_poles(coordinates.map(RationalFunction::denominator), limits)?;
+    let poles = pairs_of_poles(projected.map(RationalFunction::denominator), limits)?;
     let eliminated = deflated_resultant([a, b], &poles, limits)?;
     // At a common zero of both leading coefficients, a zero of the resultant may have no P.
     let both_leads = polynomial_gcd(&a.lead(), &b.lead());
+    let lost = coordinates.into_iter().filter(|f| !projected.contains(f));
     let mut search = IsolatedSearch {
+        coordinates,
+        lost: lost.map(equation).collect(),
         points,
         limits,
         linear: None,
@@ -164,30 +151,34 @@ fn short_fraction(root: &RealRoot) -> Option<Rational> {
 }
 
 /// A pair of conjugate parameters with its point.
-struct Found {
+struct Found<const N: usize> {
     pair: Pair,
     /// The precision of the enclosures.
     precision: Precision,
     /// Enclosures of the sum and the product of the two parameters.
     enclosed: [Enclosure; 2],
     /// Enclosures of the coordinates of the point.
-    point: [Enclosure; 2],
+    point: [Enclosure; N],
     /// The exact point, if it was found to be rational.
-    exact: Option<[Rational; 2]>,
+    exact: Option<[Rational; N]>,
 }
 
-struct IsolatedSearch<'a> {
+struct IsolatedSearch<'a, const N: usize> {
+    coordinates: [&'a RationalFunction; N],
+    /// The pairs of parameters with the same projected point.
     points: DoublePoints<'a>,
+    /// The equations in S and P of the coordinates that the projection loses. They hold if the point in space is the same, too.
+    lost: Vec<Rows>,
     limits: &'a Limits,
     /// The first subresultant, computed when it is first needed.
     linear: Option<[IntegerPolynomial; 2]>,
     /// The pairs that were found so far.
-    pairs: Vec<Found>,
+    pairs: Vec<Found<N>>,
     /// Whether every pair was found and every decision about the pairs was made.
     complete: bool,
 }
 
-impl IsolatedSearch<'_> {
+impl<const N: usize> IsolatedSearch<'_, N> {
     /// The first subresultant.
     fn linear(&mut self) -> Result<&[IntegerPolynomial; 2]> {
         let linear = match self.linear.take() {
@@ -257,13 +248,16 @@ impl IsolatedSearch<'_> {
         Ok(())
     }
 
-    /// Adds a pair of conjugate parameters, unless they are poles.
+    /// Adds a pair of conjugate parameters, unless they are poles or have different points in space.
     fn add(&mut self, pair: Pair) -> Result<()> {
+        if !self.is_same_point(&pair)? {
+            return Ok(());
+        }
         let mut precision = Precision { bits: FIRST_BITS };
         while precision.bits <= MOST_BITS {
             self.limits.check()?;
             if let Some(enclosed) = pair.enclosed(&self.points, precision) {
-                let coordinates = self.points.coordinates;
+                let coordinates = self.coordinates;
                 let mut values = coordinates.map(|f| coordinate(f, &enclosed, precision));
                 if precision.bits > FIRST_BITS {
                     let linear = self.linear_for(&pair)?;
@@ -273,21 +267,19 @@ impl IsolatedSearch<'_> {
                         }
                     }
                 }
-                match values {
-                    [Coordinate::Pole, _] | [_, Coordinate::Pole] => return Ok(()),
-                    [Coordinate::Value(x), Coordinate::Value(y)] => {
-                        let point = [x, y];
-                        let exact = self.rational_point(&pair, &point, precision)?;
-                        self.pairs.push(Found {
-                            pair,
-                            precision,
-                            enclosed,
-                            point,
-                            exact,
-                        });
-                        return Ok(());
-                    }
-                    _ => {}
+                if values.iter().any(|v| matches!(v, Coordinate::Pole)) {
+                    return Ok(());
+                }
+                if let Some(point) = all_values(values) {
+                    let exact = self.rational_point(&pair, &point, precision)?;
+                    self.pairs.push(Found {
+                        pair,
+                        precision,
+                        enclosed,
+                        point,
+                        exact,
+                    });
+                    return Ok(());
                 }
             }
             precision.bits *= 2;
@@ -296,13 +288,23 @@ impl IsolatedSearch<'_> {
         Ok(())
     }
 
-    /// The exact point, if both coordinates are short fractions and prove to be right.
+    /// Whether two conjugate parameters with the same projected point have the same point in space, exactly.
+    fn is_same_point(&mut self, pair: &Pair) -> Result<bool> {
+        if self.lost.is_empty() {
+            return Ok(true);
+        }
+        self.linear_for(pair)?;
+        let linear = self.linear.as_ref();
+        Ok(self.lost.iter().all(|f| pair.is_zero_of(f, linear)))
+    }
+
+    /// The exact point, if all coordinates are short fractions and prove to be right.
     fn rational_point(
         &mut self,
         pair: &Pair,
-        point: &[Enclosure; 2],
+        point: &[Enclosure; N],
         precision: Precision,
-    ) -> Result<Option<[Rational; 2]>> {
+    ) -> Result<Option<[Rational; N]>> {
         let candidates = point.each_ref().map(|value| {
             let [low, high] = precision.bounds(value);
             Rational::simplest_between(&low, &high)
@@ -310,16 +312,16 @@ impl IsolatedSearch<'_> {
         if candidates.iter().any(|q| q.bits() > SHORT_BITS) {
             return Ok(None);
         }
-        let coordinates = self.points.coordinates;
+        let coordinates = self.coordinates;
         let linear = self.linear_for(pair)?;
-        let mut both = coordinates.iter().zip(&candidates);
-        let exact = both.all(|(f, value)| has_value(f, pair, value, linear));
+        let mut all = coordinates.iter().zip(&candidates);
+        let exact = all.all(|(f, value)| has_value(f, pair, value, linear));
         Ok(exact.then_some(candidates))
     }
 
     /// The points of the pairs that no real parameter reaches.
     fn isolated(mut self) -> Result<Isolated> {
-        let coordinates = self.points.coordinates;
+        let coordinates = self.coordinates;
         let mut points: Vec<IsolatedPoint> = Vec::new();
         let mut open = Vec::new();
         for (k, found) in self.pairs.iter().enumerate() {
@@ -369,18 +371,18 @@ impl IsolatedSearch<'_> {
     ///
     /// If a real parameter is proved to share its point with two conjugate parameters, these are one of the pairs, provided
     /// that the search is complete. So if its point is away from the points of all other pairs, it shares the point of this
-    /// one.
+    /// one. In a projection that does not suffice.
     fn is_reached_by_one_of(&mut self, partners: &[RealPartner], k: usize) -> Result<Option<bool>> {
-        let coordinates = self.points.coordinates;
-        let at_infinity = coordinates.map(RationalFunction::evaluate_at_infinity);
-        if let [Some(x), Some(y)] = &at_infinity {
+        let coordinates = self.coordinates;
+        let at_infinity = coordinates.iter().map(|f| f.evaluate_at_infinity());
+        if let Some(at_infinity) = at_infinity.collect::<Option<Vec<Rational>>>() {
             let found = &self.pairs[k];
-            let values = found.point.iter().zip([x, y]);
+            let values = found.point.iter().zip(&at_infinity);
             let mut values = values.map(|(value, q)| found.precision.excludes(value, q));
             if !values.any(|excluded| excluded) {
                 let pair = found.pair.clone();
                 let linear = self.linear_for(&pair)?;
-                let mut values = coordinates.iter().zip([x, y]);
+                let mut values = coordinates.iter().zip(&at_infinity);
                 if values.all(|(f, value)| has_value(f, &pair, value, linear)) {
                     return Ok(Some(true));
                 }
@@ -391,7 +393,7 @@ impl IsolatedSearch<'_> {
             self.limits.check()?;
             let precision = Precision { bits };
             bits *= 2;
-            let pairs: Option<Vec<[Enclosure; 2]>> = self
+            let pairs: Option<Vec<[Enclosure; N]>> = self
                 .pairs
                 .iter()
                 .map(|found| self.point_of(&found.pair, precision))
@@ -406,16 +408,20 @@ impl IsolatedSearch<'_> {
                 continue;
             };
             let meets =
-                |a: &[Enclosure; 2], b: &[Enclosure; 2]| a.iter().zip(b).all(|(a, b)| a.meets(b));
+                |a: &[Enclosure; N], b: &[Enclosure; N]| a.iter().zip(b).all(|(a, b)| a.meets(b));
             let mut near = partners.iter().zip(&points);
             if !near.clone().any(|(_, point)| meets(point, &pairs[k])) {
                 return Ok(Some(false));
             }
-            let alone = |point: &[Enclosure; 2]| {
+            let alone = |point: &[Enclosure; N]| {
                 pairs.iter().filter(|pair| meets(pair, point)).count() == 1
             };
             let is_reached = near.any(|(partner, point)| {
-                partner.proved && self.complete && meets(point, &pairs[k]) && alone(point)
+                partner.proved
+                    && self.lost.is_empty()
+                    && self.complete
+                    && meets(point, &pairs[k])
+                    && alone(point)
             });
             if is_reached {
                 return Ok(Some(true));
@@ -425,25 +431,35 @@ impl IsolatedSearch<'_> {
     }
 
     /// Enclosures of the coordinates of the point of a pair; `None` if the precision is too low.
-    fn point_of(&self, pair: &Pair, precision: Precision) -> Option<[Enclosure; 2]> {
+    fn point_of(&self, pair: &Pair, precision: Precision) -> Option<[Enclosure; N]> {
         let enclosed = pair.enclosed(&self.points, precision)?;
-        let value = |f: &RationalFunction| match coordinate(f, &enclosed, precision) {
-            Coordinate::Value(value) => Some(value),
-            _ => None,
-        };
-        let [x, y] = self.points.coordinates;
-        Some([value(x)?, value(y)?])
+        all_values(
+            self.coordinates
+                .map(|f| coordinate(f, &enclosed, precision)),
+        )
     }
 }
 
-impl Found {
+/// The values of all coordinates; `None` if one of them is infinite or not decided.
+fn all_values<const N: usize>(coordinates: [Coordinate; N]) -> Option<[Enclosure; N]> {
+    let values = coordinates.into_iter().map(|coordinate| match coordinate {
+        Coordinate::Value(value) => Some(value),
+        _ => None,
+    });
+    values.collect::<Option<Vec<_>>>()?.try_into().ok()
+}
+
+impl<const N: usize> Found<N> {
     fn rounded(&self) -> IsolatedPoint {
         match &self.exact {
-            Some(point) => IsolatedPoint::Exact(point.clone()),
-            None => IsolatedPoint::Near(self.point.each_ref().map(|value| {
-                let [low, high] = self.precision.bounds(value);
-                ((low + high) / Rational::from(2)).to_f64()
-            })),
+            Some(point) => IsolatedPoint::Exact(point.to_vec()),
+            None => {
+                let middles = self.point.iter().map(|value| {
+                    let [low, high] = self.precision.bounds(value);
+                    ((low + high) / Rational::from(2)).to_f64()
+                });
+                IsolatedPoint::Near(middles.collect())
+            }
         }
     }
 }

@@ -9,7 +9,7 @@ use super::isolated_point::IsolatedPoint;
 use super::tracing::tracing_index_bound;
 use crate::exact::Rational;
 use crate::limits::Limits;
-use crate::poly::{IntegerPolynomial, RationalFunction, polynomial_gcd};
+use crate::poly::{IntegerPolynomial, RationalFunction, Ring, polynomial_gcd};
 use crate::roots::real_roots;
 
 fn poly(c: &[i64]) -> IntegerPolynomial {
@@ -25,7 +25,7 @@ fn found(x: &RationalFunction, y: &RationalFunction) -> super::isolated_point::I
 }
 
 fn exact(x: i64, y: i64) -> IsolatedPoint {
-    IsolatedPoint::Exact([Rational::from(x), Rational::from(y)])
+    IsolatedPoint::Exact(vec![Rational::from(x), Rational::from(y)])
 }
 
 fn small(length: std::ops::Range<usize>) -> impl Strategy<Value = IntegerPolynomial> {
@@ -63,6 +63,37 @@ proptest! {
                 let common = polynomial_gcd(f.numerator(), g.numerator());
                 prop_assert!(real_roots(&common).is_empty());
                 prop_assert!(common.coefficients_asc().len() > 2);
+            }
+        }
+    }
+
+    /// The same in space, where a coordinate z = pair·C/q + m t separates the two parameters unless m = 0.
+    #[test]
+    fn a_pair_is_isolated_in_space_unless_a_coordinate_separates_it(
+        factors in prop::array::uniform3(small(1..4)), q in small(1..4),
+        half in -3i64..4, more in 1i64..6, real in prop::option::of(-3i64..4), m in -1i64..2, axis in 0usize..3,
+    ) {
+        let pair = poly(&[half * half + more, -2 * half, 1]);
+        let line = real.map_or(poly(&[1]), |r| poly(&[-r, 1]));
+        prop_assume!(q != poly(&[]) && polynomial_gcd(&q, &pair).coefficients_asc().len() == 1);
+        let mut functions = factors.map(|a| function(&(&pair * &a * &line), &q));
+        functions[axis] = functions[axis].plus(&function(&poly(&[0, m]), &poly(&[1])));
+        prop_assume!(tracing_index_bound(&functions) == 1);
+        let zero = Rational::zero();
+        let at_infinity = functions.iter().all(|f| f.evaluate_at_infinity() == Some(zero.clone()));
+        let common = |point: &[Rational]| {
+            let differences = functions.iter().zip(point).map(|(f, v)| f.plus_constant(&-v.clone()));
+            differences.fold(poly(&[]), |common, f| polynomial_gcd(&common, f.numerator()))
+        };
+        let origin = vec![zero; 3];
+        let is_reached = at_infinity || !real_roots(&common(&origin)).is_empty();
+        let found = isolated(functions.each_ref(), &Limits::none()).unwrap();
+        prop_assert!(found.complete, "{:?}", functions);
+        let holds_origin = found.points.contains(&IsolatedPoint::Exact(origin));
+        prop_assert_eq!(holds_origin, m == 0 && !is_reached, "{:?}", found);
+        for point in &found.points {
+            if let IsolatedPoint::Exact(point) = point {
+                prop_assert!(real_roots(&common(point)).is_empty() && common(point).coefficients_asc().len() > 2);
             }
         }
     }
@@ -140,7 +171,9 @@ fn irrational_points_are_decided_exactly() {
     assert!(reached.complete, "{reached:?}");
     let at_root = |points: &[IsolatedPoint]| {
         let near = |p: &&IsolatedPoint| match p {
-            IsolatedPoint::Near([x, y]) => x.abs() < 1e-12 && (y.abs() - 2f64.sqrt()).abs() < 1e-12,
+            IsolatedPoint::Near(p) => {
+                p[0].abs() < 1e-12 && (p[1].abs() - 2f64.sqrt()).abs() < 1e-12
+            }
             IsolatedPoint::Exact(_) => false,
         };
         points.iter().filter(near).count()
@@ -161,4 +194,17 @@ fn a_point_that_conjugate_cusps_have_is_isolated() {
     );
     let found = found(&x, &y);
     assert_eq!((found.complete, found.points), (true, vec![exact(0, 0)]));
+}
+
+/// No coordinate plane shows (t⁶, t¹⁰, t¹⁵) as run over once.
+#[test]
+fn a_curve_that_no_coordinate_plane_shows_once_is_searched() {
+    let one = poly(&[1]);
+    let powers = [6, 10, 15].map(|n| {
+        let mut power = vec![0; n + 1];
+        power[n] = 1;
+        function(&poly(&power), &one)
+    });
+    let monomial = isolated(powers.each_ref(), &Limits::none()).unwrap();
+    assert!(monomial.complete && monomial.points.is_empty());
 }

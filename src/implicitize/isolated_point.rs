@@ -15,12 +15,12 @@ pub struct Isolated {
     pub complete: bool,
 }
 
-/// An isolated real point.
+/// An isolated real point, with a coordinate for each axis.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IsolatedPoint {
     /// A point with rational coordinates.
-    Exact([Rational; 2]),
+    Exact(Vec<Rational>),
     /// The doubles near its coordinates.
-    Near([f64; 2]),
+    Near(Vec<f64>),
 }

@@ -31,6 +31,7 @@ mod symmetric;
 mod theorem2;
 mod tracing;
 mod vanishing;
+mod views;
 
 pub use beyond::{PointBeyond, point_beyond};
 pub use harmonic::SquaredHarmonics;
@@ -47,6 +48,7 @@ pub use resultant::{EquationProof, PlaneEquation, implicitize_plane};
 pub(crate) use run::Run;
 pub use space_curve::{SpaceCurveEquations, implicitize_space_curve};
 pub use theorem2::SquaredForm;
+pub(crate) use tracing::tracing_index;
 
 // Only the tests and benches of this project use these; they are no part of the public interface.
 #[doc(hidden)]

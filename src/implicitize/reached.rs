@@ -13,27 +13,54 @@ use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, RationalFunction, divide_exactly, polynomial_gcd};
 use crate::roots::{RealRoot, real_roots};
 
-/// Whether a real parameter, infinity included, reaches this rational point, exactly: the numerators of x(t) − x and y(t) − y
-/// have a common real root, or both are 0 at infinity.
-pub(super) fn is_reached(coordinates: [&RationalFunction; 2], point: &[Rational; 2]) -> bool {
+/// Whether a real parameter, infinity included, reaches this rational point, exactly: the numerators of x(t) − x, y(t) − y, …
+/// have a common real root, or all are 0 at infinity.
+pub(super) fn is_reached<const N: usize>(
+    coordinates: [&RationalFunction; N],
+    point: &[Rational; N],
+) -> bool {
     let at_infinity = coordinates.iter().zip(point);
     let mut at_infinity = at_infinity.map(|(f, v)| f.evaluate_at_infinity().as_ref() == Some(v));
     if at_infinity.all(|reached| reached) {
         return true;
     }
-    let [f, g] = [0, 1].map(|k| coordinates[k].plus_constant(&-point[k].clone()));
-    !real_roots(&polynomial_gcd(f.numerator(), g.numerator())).is_empty()
+    let differences = coordinates
+        .iter()
+        .zip(point)
+        .map(|(f, v)| f.plus_constant(&-v.clone()));
+    let common = differences.fold(IntegerPolynomial::ZERO, |common, f| {
+        polynomial_gcd(&common, f.numerator())
+    });
+    !real_roots(&common).is_empty()
 }
 
-/// Whether it is proved that no parameter but s and s̄, complex ones and infinity included, has their point (x, y).
+/// Whether it is proved that no parameter but s and s̄, complex ones and infinity included, has their point. Two coordinates that
+/// prove it are enough.
+pub(super) fn is_reached_by_no_other<const N: usize>(
+    coordinates: [&RationalFunction; N],
+    pair: &[Enclosure; 2],
+    point: &[Enclosure; N],
+    precision: Precision,
+) -> bool {
+    (1..N).any(|j| {
+        (0..j).any(|i| {
+            let (both, values) = ([coordinates[i], coordinates[j]], [&point[i], &point[j]]);
+            both.iter().all(|f| f.degree() >= 2)
+                && is_projected_by_no_other(both, pair, values, precision)
+        })
+    })
+}
+
+/// Whether it is proved that no parameter but s and s̄, complex ones and infinity included, has the values x and y of two
+/// coordinates.
 ///
 /// `(p1(t) − x q1(t))/(t² − S t + P)` and the same quotient for y are polynomials in t, of formal degrees m − 2 and n − 2.
 /// Their resultant is different from 0 exactly if they have no common root and their leading coefficients are not both 0. The
 /// answer is `false` if the enclosure of the resultant holds 0.
-pub(super) fn is_reached_by_no_other(
+fn is_projected_by_no_other(
     coordinates: [&RationalFunction; 2],
     [sum, product]: &[Enclosure; 2],
-    point: &[Enclosure; 2],
+    point: [&Enclosure; 2],
     precision: Precision,
 ) -> bool {
     let quotient = |k: usize| -> Vec<Enclosure> {
@@ -44,7 +71,7 @@ pub(super) fn is_reached_by_no_other(
                 c.get(i)
                     .map_or_else(Enclosure::zero, |c| precision.integer(c))
             });
-            p.minus(&precision.times(&q, &point[k]))
+            p.minus(&precision.times(&q, point[k]))
         };
         // Synthetic division from the highest coefficient; the remainder is 0 and not computed.
         let mut descending: Vec<Enclosure> = Vec::new();
@@ -87,17 +114,18 @@ pub(super) struct RealPartner {
 
 impl RealPartner {
     /// An enclosure of its point; `None` if the precision is too low.
-    pub(super) fn point(
+    pub(super) fn point<const N: usize>(
         &self,
-        coordinates: [&RationalFunction; 2],
+        coordinates: [&RationalFunction; N],
         precision: Precision,
-    ) -> Option<[Enclosure; 2]> {
+    ) -> Option<[Enclosure; N]> {
         let t = enclosed_root(&self.t, precision);
         let value = |f: &RationalFunction| {
             let [p, q] = [f.numerator(), f.denominator()].map(|f| value_at(f, &t, precision));
             precision.over(&p, &q)
         };
-        Some([value(coordinates[0])?, value(coordinates[1])?])
+        let values: Option<Vec<_>> = coordinates.into_iter().map(value).collect();
+        values?.try_into().ok()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The equations of a space curve: generators of all polynomials that vanish on it, by certified linear algebra.
 
 use super::map::RationalMap;
-use super::tracing::{common_numerator, tracing_index_bound};
+use super::tracing::tracing_index;
 use super::vanishing::{kernel_modulo, lift, monomials};
 use crate::error::{Error, Invariant, Result};
 use crate::limits::Limits;
@@ -71,7 +71,7 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
             witness: "all coordinates are constant: that is a point, not a curve".into(),
         });
     }
-    let tracing_index = tracing_index(curve, limits)?;
+    let tracing_index = tracing_index(curve.coordinates(), limits)?;
     let degree = projective_degree(curve) / tracing_index;
     let map = RationalMap::of_curve(curve);
     let prime = large_primes()
@@ -123,17 +123,6 @@ pub fn implicitize_space_curve(curve: &SpaceCurve, limits: &Limits) -> Result<Sp
         degree,
         tracing_index,
     })
-}
-
-/// The exact tracing index. The upper bound proves the value 1; a gcd proves a larger value.
-fn tracing_index(curve: &SpaceCurve, limits: &Limits) -> Result<usize> {
-    let bound = tracing_index_bound(curve.coordinates());
-    if bound == 1 {
-        return Ok(1);
-    }
-    let common = common_numerator(curve.coordinates(), limits)?;
-    let degree = common.terms().map(|(e, _)| e[0] as usize).max();
-    Ok(degree.invariant("a curve has a coordinate that is not constant"))
 }
 
 /// The degree of (x : y : z : 1) as a map to projective space, that is the largest degree of the numerators and the denominator

@@ -33,6 +33,19 @@ pub(super) fn tracing_index_bound(functions: &[RationalFunction]) -> usize {
     least
 }
 
+/// The exact tracing index of functions that are not all constant. The upper bound proves the value 1; a gcd proves a larger value.
+///
+/// # Errors
+/// Those of `limits`.
+pub(crate) fn tracing_index(functions: &[RationalFunction], limits: &Limits) -> Result<usize> {
+    if tracing_index_bound(functions) == 1 {
+        return Ok(1);
+    }
+    let common = common_numerator(functions, limits)?;
+    let degree = common.terms().map(|(e, _)| e[0] as usize).max();
+    Ok(degree.invariant("a curve has a coordinate that is not constant"))
+}
+
 /// The degree of the gcd of the forms p(s) q(σ) − q(s) p(σ); `None` if all of them vanish.
 fn common_degree(functions: &[&RationalFunction], sigma: u64, prime: u64) -> Option<usize> {
     let field = PrimeField::new(prime);

@@ -30,7 +30,7 @@ pub use fourier::{FourierBranches, fourier_branches};
 pub use harmonic::harmonic_radii;
 pub use intersection::{
     CommonPoint, FiniteComponent, IntersectionParametrization, UnparametrizedComponent,
-    parametrize_intersection,
+    UnreachedPoint, parametrize_intersection,
 };
 pub use meridian::{DirectionAnswer, MeridianBranch};
 pub(crate) use parametrization::critical_slopes;

@@ -117,7 +117,11 @@ impl SingularLocus {
         for curve in common.curves {
             self.add_along(curve, conditions);
         }
-        for point in common.points {
+        let isolated = common
+            .unreached
+            .into_iter()
+            .map(|unreached| unreached.point);
+        for point in common.points.into_iter().chain(isolated) {
             match &point {
                 CommonPoint::Exact(at) => {
                     if conditions.iter().all(|g| g.evaluate(at).is_zero()) {

@@ -102,8 +102,8 @@ pub struct BeyondCurve {
     pub reach: Reach,
     /// The isolated real points that were found.
     pub isolated: Vec<IsolatedPoint>,
-    /// Whether `isolated` holds all isolated real points; `None` for space curves, where they are not looked for.
-    pub are_all: Option<bool>,
+    /// Whether `isolated` holds all isolated real points.
+    pub are_all: bool,
 }
 
 /// The part of the real curve that real parameter values reach.

@@ -226,8 +226,13 @@ fn intersection(
             work.remark(Remark::NotDrawn(other.reason.clone()));
         }
     }
-    if !found.points.is_empty() {
-        let points: Vec<[f64; 3]> = found.points.iter().map(CommonPoint::near).collect();
+    let of_curves = found.unreached.iter().filter(|point| point.is_isolated);
+    let isolated = found
+        .points
+        .iter()
+        .chain(of_curves.map(|point| &point.point));
+    let points: Vec<[f64; 3]> = isolated.map(CommonPoint::near).collect();
+    if !points.is_empty() {
         let around = box_around(points.iter());
         let layer = SpaceLayer {
             label: format!("both: isolated points ({})", points.len()),

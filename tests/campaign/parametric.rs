@@ -229,7 +229,7 @@ pub(crate) fn isolated_points(draw: &mut Draw) -> Outcome {
             continue;
         };
         claims += 1;
-        let point = point.each_ref().map(num);
+        let point = [num(&point[0]), num(&point[1])];
         assert!(
             value_of(terms.clone(), &point).is_zero(),
             "{point:?} is on the curve"

@@ -146,6 +146,57 @@ fn what_has_few_real_points_is_named() {
     assert_eq!(json(&document)["points"][0][2], "1");
 }
 
+/// The real points of a parametrized component that no parameter value reaches are named.
+#[test]
+fn what_no_parameter_reaches_is_named() {
+    for (text, expected) in [
+        // A cubic with an isolated point, which approaches (0, 0, 1).
+        (
+            "x^2+y^2 = z^3-z^2; y = 0",
+            &["0, 0, 1 approached", "0, 0, 0 isolated"][..],
+        ),
+        ("x = y^2; x = z^3", &["0, 0, 0 approached"]),
+        ("x^2 = y^3; z = y", &["0, 0, 0 approached"]),
+        // The other curve reaches the point that the first one approaches.
+        ("(x^2 - y^3)*(x - y) = 0*z; z = y", &[]),
+        // A node, which real parameters reach, and a circle, whose angle reaches every point.
+        ("x^2+y^2 = z^3+z^2+2*y^2; y = 0", &["0, 0, -1 approached"]),
+        ("x^2+y^2 = 1; z = x*y", &[]),
+    ] {
+        let (_, all) = curves(text);
+        assert!(all.others.is_empty(), "{text}");
+        let points = all.unreached.iter().map(|unreached| {
+            let CommonPoint::Exact(point) = &unreached.point else {
+                panic!("{unreached:?}");
+            };
+            for surface in surfaces(text) {
+                assert!(surface.polynomial().evaluate(point).is_zero(), "{text}");
+            }
+            let kind = if unreached.is_isolated {
+                "isolated"
+            } else {
+                "approached"
+            };
+            format!(
+                "{} {kind}",
+                point.each_ref().map(Rational::to_string).join(", ")
+            )
+        });
+        assert_eq!(points.collect::<Vec<_>>(), expected, "{text}");
+    }
+    let text = done(&["parametrize", "x^2+y^2 = z^3-z^2; y = 0"]);
+    assert!(text.contains("# common point (x, y, z) = (0, 0, 0), an isolated real point of curve 0, of conjugate complex t\n"), "{text}");
+    assert!(text.contains("# common point (x, y, z) = (0, 0, 1), which curve 0 only approaches, as t goes to infinity\n"), "{text}");
+    let document = json(&done(&[
+        "parametrize",
+        "x^2+y^2 = z^3-z^2; y = 0",
+        "--format",
+        "json",
+    ]));
+    assert_eq!(document["beyond"][1]["kind"], "isolated");
+    assert_eq!(document["beyond"][1]["point"][2], "0");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 

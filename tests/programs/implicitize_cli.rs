@@ -338,12 +338,18 @@ fn a_point_on_a_real_branch_is_not_called_isolated() {
         ("x = (1 + cos(t))*cos(t); y = (1 + cos(t))*sin(t)", false),
         ("x = (2 + cos(t))*cos(t); y = (2 + cos(t))*sin(t)", true),
     ] {
-        let document = json(&done(&["implicitize", form, "--format", "json"]));
-        let beyond = document["beyond"].as_array().unwrap();
-        let isolated = beyond
-            .iter()
-            .any(|entry| entry["kind"] == "isolated" && entry["point"] == "(0, 0)");
-        assert_eq!(isolated, is_isolated, "{form}");
+        // The same curve in the plane, and in space.
+        for (form, origin) in [
+            (form.to_owned(), "(0, 0)"),
+            (format!("{form}; z = 0"), "(0, 0, 0)"),
+        ] {
+            let document = json(&done(&["implicitize", &form, "--format", "json"]));
+            let beyond = document["beyond"].as_array().unwrap();
+            let isolated = beyond
+                .iter()
+                .any(|entry| entry["kind"] == "isolated" && entry["point"] == origin);
+            assert_eq!(isolated, is_isolated, "{form}");
+        }
     }
 }
 

@@ -161,7 +161,7 @@ fn points(
                     return None;
                 }
                 if holding.first() == Some(&k) && !is_reached(coordinates, &exact) {
-                    points.push(IsolatedPoint::Exact(exact));
+                    points.push(IsolatedPoint::Exact(exact.to_vec()));
                 }
             }
             None if *is_off && is_alone() => {
@@ -174,7 +174,7 @@ fn points(
                     }
                 };
                 let middle = point.bounds.each_ref().map(near);
-                points.push(IsolatedPoint::Near(middle));
+                points.push(IsolatedPoint::Near(middle.to_vec()));
             }
             None => return None,
         }

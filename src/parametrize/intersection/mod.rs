@@ -3,6 +3,7 @@
 mod lines;
 mod real;
 mod search;
+mod unreached;
 
 use malachite::Integer;
 use malachite::base::num::basic::traits::Zero;
@@ -27,12 +28,16 @@ use crate::shape::{ImplicitCurve, ImplicitSurface, Parameter, PlaneCurve, SpaceC
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct IntersectionParametrization {
+    /// The surfaces.
+    pub surfaces: Vec<ImplicitSurface>,
     /// The components with an exact parametrization; each of these curves satisfies every equation identically.
     pub curves: Vec<SpaceCurve>,
     /// The components with infinitely many real points that have no parametrization.
     pub others: Vec<UnparametrizedComponent>,
     /// The real points of components that have only finitely many, such as points where surfaces touch.
     pub points: Vec<CommonPoint>,
+    /// The real points of the components of `curves` that no real parameter value reaches.
+    pub unreached: Vec<UnreachedPoint>,
     /// The index of the coordinate along which the intersection was projected: 0, 1 or 2.
     pub axis: usize,
     /// The components with no real point or finitely many.
@@ -41,7 +46,19 @@ pub struct IntersectionParametrization {
     pub notes: Vec<String>,
 }
 
-/// A real common point of surfaces, on a component that has only finitely many of them.
+impl IntersectionParametrization {
+    /// The curve that is the whole intersection, if there is one with a parametrization. Points of it that no parameter value
+    /// reaches are not counted as more.
+    #[must_use]
+    pub fn as_one_curve(&self) -> Option<&SpaceCurve> {
+        match &self.curves[..] {
+            [curve] if self.others.is_empty() && self.points.is_empty() => Some(curve),
+            _ => None,
+        }
+    }
+}
+
+/// A real common point of surfaces on no curve that a parameter runs over.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CommonPoint {
@@ -60,6 +77,19 @@ impl CommonPoint {
             Self::Near(near) => *near,
         }
     }
+}
+
+/// A real point of a parametrized component that no real parameter value of any of the curves reaches.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct UnreachedPoint {
+    /// The index of the curve in [`IntersectionParametrization::curves`].
+    pub curve: usize,
+    /// The point.
+    pub point: CommonPoint,
+    /// Whether the point is isolated: conjugate complex parameters have it. Otherwise the curve approaches it as the parameter
+    /// goes to infinity.
+    pub is_isolated: bool,
 }
 
 /// A component with finitely many real points.
@@ -88,8 +118,9 @@ pub struct UnparametrizedComponent {
 /// components. If a factor has a parametrization (x(t), y(t)), which is a Fourier radius by Lemmas 2 and 3 or a rational curve,
 /// it is substituted into the equations. They become polynomials in z over Q(t), and a linear factor of their greatest common
 /// divisor gives z(t). Every curve is verified by substitution into all the equations. Straight lines parallel to the axis are the
-/// common zeros of the coefficients of the powers of z. Components without real points are noted, and those with finitely many
-/// give [`IntersectionParametrization::points`].
+/// common zeros of the coefficients of the powers of z. Components without real points are noted; those with finitely many
+/// give [`IntersectionParametrization::points`], and the real points of the curves that no parameter value reaches
+/// [`IntersectionParametrization::unreached`].
 ///
 /// ```
 /// use stellate::document::{Coordinates, Format};
@@ -144,7 +175,9 @@ pub fn parametrize_intersection(
         }
     }
     let none = || Error::Usage("a constant is no surface".into());
-    best.ok_or_else(|| failure.unwrap_or_else(none))
+    let mut best = best.ok_or_else(|| failure.unwrap_or_else(none))?;
+    unreached::add_unreached(&mut best, limits)?;
+    Ok(best)
 }
 
 /// The axes along which the surfaces can be projected, the cheapest first: those whose coordinate has small degrees, of which
@@ -191,9 +224,11 @@ fn along(
     );
     let vertical = lines::lines(axis, pair, limits)?;
     let result = IntersectionParametrization {
+        surfaces: surfaces.to_vec(),
         curves: Vec::new(),
         others: vertical.others,
         points: Vec::new(),
+        unreached: Vec::new(),
         finite: Vec::new(),
         axis,
         notes: vertical.notes,

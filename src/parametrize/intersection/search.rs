@@ -203,7 +203,12 @@ impl Search<'_> {
 
 /// Whether a curve passes through a point, for a parameter or at infinity.
 pub(crate) fn passes(curve: &SpaceCurve, point: &[Rational; 3]) -> bool {
-    if curve.point_at_infinity().as_ref() == Some(point) {
+    curve.point_at_infinity().as_ref() == Some(point) || reaches(curve, point)
+}
+
+/// Whether a curve passes through a point for a real value of its parameter.
+pub(super) fn reaches(curve: &SpaceCurve, point: &[Rational; 3]) -> bool {
+    if curve.parameter().is_angle() && curve.point_at_infinity().as_ref() == Some(point) {
         return true;
     }
     // The parameters at which a coordinate f has the value c are the roots of the numerator of f − c.
