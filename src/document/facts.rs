@@ -57,9 +57,8 @@ impl Annotations {
             Fact::Harmonics(degree) => self.note(format!(
                 "the equation of a harmonic surface of degree {degree}: Eqs. (7) and (8) with solid harmonics"
             )),
-            Fact::SpaceCenter([x, y, z]) => self.note(format!(
-                "coordinates are relative to the center ({x}, {y}, {z})"
-            )),
+            // It stands before the notes.
+            Fact::SpaceCenter(_) => {}
             Fact::RoundedRadius(bound) => self.note(rounding_note(bound)),
             Fact::Irreducible { degree, proof } => {
                 let proof = match proof {
@@ -235,7 +234,8 @@ impl Annotations {
             let point = match point {
                 IsolatedPoint::Exact(point) => tuple(point),
                 IsolatedPoint::Near(point) => {
-                    format!("≈ {}", tuple(&point.map(|v| format!("{v:.12}"))))
+                    let rounded: Vec<String> = point.iter().map(|v| format!("{v:.12}")).collect();
+                    format!("≈ {}", tuple(&rounded))
                 }
             };
             self.note(format!(
@@ -243,7 +243,7 @@ impl Annotations {
             ));
             beyond.push(json!({"kind": "isolated", "point": point}));
         }
-        if found.are_all == Some(false) {
+        if !found.are_all {
             self.note("there may be more isolated real points: not all pairs of conjugate complex parameters were decided");
         }
         self.field("beyond", json!(beyond));

@@ -7,6 +7,7 @@ use super::{Format, Kind, SCHEMA, center_comment};
 use crate::error::Result;
 use crate::exact::Rational;
 use crate::notation::Notation;
+use crate::reading::PARAMETRIZES;
 use crate::shape::FourierRadius;
 use crate::verb::FitReport;
 
@@ -38,10 +39,13 @@ pub fn write_fourier(
     if format == Format::Json {
         return write_json(radius, fit, out);
     }
-    let comments: Vec<String> = center_comment(radius.center())
-        .into_iter()
-        .chain(fit.map(report_comments).into_iter().flatten())
-        .collect();
+    let center = center_comment(radius.center()).into_iter();
+    let report = fit.map(report_comments).into_iter().flatten();
+    let mut comments: Vec<String> = center.chain(report).collect();
+    if format == Format::Sympy && radius.harmonics() == 0 {
+        // A number alone is no radius.
+        comments.push(format!("{PARAMETRIZES} r = {}", radius.cos(0)));
+    }
     with_comments(&comments, format, out, |out| {
         write_formula(radius, format, out)
     })

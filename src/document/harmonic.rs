@@ -13,10 +13,11 @@ use crate::describe::HarmonicDescription;
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::notation::Notation;
+use crate::reading::PARAMETRIZES;
+#[cfg(feature = "meshes")]
 use crate::shape::HarmonicSurface;
 use crate::sphere::Positivity;
 use crate::verb::Fact;
-#[cfg(feature = "meshes")]
 use crate::verb::FittedMesh;
 
 /// Writes `R = Σ c Y(l, m)`, with the center if it is not the origin, and with the bound of the radius if the coefficients were
@@ -47,7 +48,13 @@ pub fn write_harmonic(
         write_value(&document(surface), out)?;
         return Ok(writeln!(out)?);
     }
-    with_comments(&comments(surface), format, out, |out| {
+    let mut comments = comments(surface);
+    if format == Format::Sympy {
+        // The functions of SymPy cannot be read back.
+        let text = expression(surface, Format::Text);
+        comments.push(format!("{PARAMETRIZES} R = {text}"));
+    }
+    with_comments(&comments, format, out, |out| {
         if format == Format::Csv {
             writeln!(out, "l,m,value")?;
             for (l, m, c) in surface.terms() {

@@ -54,15 +54,14 @@ pub fn write_implicit(
     Implicit {
         variables: &["x", "y"],
         terms,
-        center: center_comment(curve.center()),
-        center_json: curve.center(),
+        center: &curve.center()[..],
         z_is_missing: false,
         annotations: &facts.into(),
     }
     .write(&degrees, format, out)
 }
 
-/// Writes `f(x, y, z) = 0` with its terms in canonical order.
+/// Writes `f(x, y, z) = 0` with its terms in canonical order, and the center if the facts have one.
 ///
 /// If z does not occur in f, formulas end with the term 0z, which shows that the form is a surface.
 ///
@@ -75,14 +74,18 @@ pub(crate) fn write_surface(
     out: &mut dyn Write,
 ) -> Result<()> {
     let f = surface.polynomial();
+    let center = facts.iter().find_map(|fact| match fact {
+        Fact::SpaceCenter(center) => Some(&center[..]),
+        _ => None,
+    });
+    let center = center.unwrap_or_default();
     let degree = |e: &[u32; 3]| e.iter().map(|&k| u64::from(k)).sum::<u64>();
     let mut degrees: Vec<u64> = f.terms().map(|(e, _)| degree(e)).collect();
     degrees.dedup();
     Implicit {
         variables: &["x", "y", "z"],
         terms: f.terms().map(|(e, c)| (*e, Number::from(c))),
-        center: None,
-        center_json: &[Rational::zero(), Rational::zero()],
+        center,
         z_is_missing: f.terms().all(|(e, _)| e[2] == 0),
         annotations: &facts.into(),
     }
@@ -93,8 +96,8 @@ pub(crate) fn write_surface(
 struct Implicit<'a, T> {
     variables: &'a [&'a str],
     terms: T,
-    center: Option<String>,
-    center_json: &'a [Rational; 2],
+    /// The point that coordinates are relative to; if all are 0, it is not written.
+    center: &'a [Rational],
     z_is_missing: bool,
     annotations: &'a Annotations,
 }
@@ -136,7 +139,11 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
     fn write_comments(&self, end: &str, format: Format, out: &mut dyn Write) -> Result<()> {
         let notes = self.annotations.notes.iter().flat_map(|note| note.lines());
         let notes = notes.map(|line| format!("note: {line}"));
-        for (i, comment) in self.center.iter().cloned().chain(notes).enumerate() {
+        for (i, comment) in center_comment(self.center)
+            .into_iter()
+            .chain(notes)
+            .enumerate()
+        {
             if i > 0 && end.is_empty() {
                 out.write_all(b"\n")?;
             }
@@ -192,9 +199,10 @@ impl<'a, T: Iterator<Item = ([u32; 3], Number<'a>)>> Implicit<'a, T> {
         write_value(&degrees.first(), out)?;
         write!(out, ",\"homogeneous_degrees\":")?;
         write_value(degrees, out)?;
-        if self.center.is_some() {
-            let [x, y] = self.center_json;
-            write!(out, ",\"center\":[\"{x}\",\"{y}\"]")?;
+        if center_comment(self.center).is_some() {
+            let center: Vec<String> = self.center.iter().map(Rational::to_string).collect();
+            write!(out, ",\"center\":")?;
+            write_value(&center, out)?;
         }
         if !self.annotations.notes.is_empty() {
             write!(out, ",\"notes\":")?;

@@ -115,9 +115,9 @@ pub fn write_form(
 }
 
 /// The text of the comment that states the center, if the center is not the origin.
-fn center_comment(center: &[Rational; 2]) -> Option<String> {
-    let [x, y] = center;
-    (!x.is_zero() || !y.is_zero()).then(|| format!("center: {x}, {y}"))
+fn center_comment(center: &[Rational]) -> Option<String> {
+    let is_origin = center.iter().all(Rational::is_zero);
+    (!is_origin).then(|| format!("center: {}", remark::listed(center)))
 }
 
 /// Writes lines.

@@ -15,7 +15,7 @@ pub(super) const PERFECT_SQUARE: &str = "F of Theorem 2 is a perfect square (a0 
 /// ```
 /// use stellate::document::remark_text;
 /// use stellate::verb::Remark;
-/// let text = remark_text(&Remark::RelativeTo([1.into(), 2.into()]));
+/// let text = remark_text(&Remark::RelativeTo(vec![1.into(), 2.into()]));
 /// assert_eq!(text, "coordinates are relative to the center (1, 2)");
 /// ```
 #[must_use]
@@ -42,9 +42,12 @@ pub fn remark_text(remark: &Remark) -> String {
         Remark::DistanceNotMeasured => "the distance between the outline and the fitted curve was not measured: the series has too many harmonics for that".into(),
         Remark::LeftOut { outline, left_out } => left_out_text(outline, left_out),
         Remark::PerfectSquare => PERFECT_SQUARE.into(),
-        Remark::RelativeTo([a, b]) => format!("coordinates are relative to the center ({a}, {b})"),
-        Remark::Expanded([a, b]) => format!(
-            "in original coordinates the terms of the polynomial cancel: doubles will mostly fail to evaluate it, even far from the curve; with --coordinates center the polynomial is evaluated at points minus the center ({a}, {b})"
+        Remark::RelativeTo(center) => {
+            format!("coordinates are relative to the center ({})", listed(center))
+        }
+        Remark::Expanded(center) => format!(
+            "in original coordinates the terms of the polynomial cancel: doubles will mostly fail to evaluate it, even far from its zeros; with --coordinates center the polynomial is evaluated at points minus the center ({})",
+            listed(center)
         ),
         Remark::WholeLine { theta, phi: None } => format!(
             "the whole line at theta = {theta} belongs to the curve: it has no rows"
@@ -100,6 +103,12 @@ pub fn remark_text(remark: &Remark) -> String {
             "a factor has more than {MAX_EXACT_MONOMIALS} monomials: points that doubles do not decide are left undecided"
         ),
     }
+}
+
+/// The coordinates of a point.
+pub(super) fn listed(point: &[Rational]) -> String {
+    let all: Vec<String> = point.iter().map(Rational::to_string).collect();
+    all.join(", ")
 }
 
 /// The convention that a file of spherical harmonics was read with.

@@ -12,6 +12,7 @@ use super::coordinates;
 use super::evaluate::{Algebra, Context, evaluate};
 use super::fraction;
 use super::name::{Name, PARAMETERS};
+use super::number::WrittenCenter;
 use super::polar;
 use super::polynomial::Implicit;
 use super::radius::TrigAlgebra;
@@ -19,6 +20,7 @@ use super::source::Span;
 use super::syntax::{Equation, Expr};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
+use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
@@ -26,7 +28,7 @@ use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 pub(super) fn form(
     cx: &mut Context<'_>,
     equations: &[Equation],
-    center: Option<(Span, [Rational; 2])>,
+    center: Option<(Span, WrittenCenter)>,
 ) -> Result<Form> {
     let Some(equation) = equations.first() else {
         let end = u32::try_from(cx.source.text.len()).invariant("a text is shorter than 4 GiB");
@@ -73,23 +75,22 @@ pub(super) fn form(
                 let (cos, sin) = evaluate(cx, &TrigAlgebra, formula)?.coefficients();
                 let radius = FourierRadius::new(cos, sin);
                 return Ok(Form::Fourier(match center {
-                    Some((_, center)) => radius.with_center(center),
+                    Some((at, center)) => {
+                        let center = center.in_plane();
+                        radius.with_center(center.map_err(|message| cx.source.error(at, message))?)
+                    }
                     None => radius,
                 }));
             }
         }
     };
     let in_space = equation.names.first(Name::Z).is_some();
-    if let (true, Some((at, _))) = (in_space, &center) {
-        return Err(cx
-            .source
-            .error(*at, "a center belongs to a plane curve, this is a surface"));
-    }
     implicit(
         polynomial,
         in_space,
-        center.map(|(_, center)| center),
+        center,
         cx.source.name,
+        |at, message| cx.source.error(at, message),
     )
 }
 
@@ -122,18 +123,17 @@ fn difference(cx: &mut Context<'_>, equation: &Equation) -> Result<SparsePolynom
 fn intersection(
     cx: &mut Context<'_>,
     equations: &[Equation],
-    center: Option<(Span, [Rational; 2])>,
+    center: Option<(Span, WrittenCenter)>,
 ) -> Result<Form> {
     if let Some((at, _)) = center {
-        let message = "a center belongs to a plane curve, this is an intersection of surfaces";
+        let message =
+            "a center belongs to one curve or surface, this is an intersection of surfaces";
         return Err(cx.source.error(at, message));
     }
     let mut surfaces = Vec::new();
     for equation in equations {
         let polynomial = difference(cx, equation)?;
-        if let Form::Surface(surface) = implicit(polynomial, true, None, cx.source.name)? {
-            surfaces.push(surface);
-        }
+        surfaces.push(implicit_surface(polynomial, None, cx.source.name)?);
     }
     Ok(Form::Intersection(surfaces))
 }
@@ -183,29 +183,76 @@ fn angle(cx: &Context<'_>, equation: &Equation) -> Result<Name> {
     }
 }
 
-/// The implicit curve or surface of a polynomial that is not constant.
+/// The implicit curve or surface of a polynomial that is not constant, with the center that was given at some place; `wrong` makes
+/// the error for a center that does not fit.
+///
+/// # Errors
+/// That of `wrong`, and those of [`implicit_curve`] and [`implicit_surface`].
+pub(crate) fn implicit<T>(
+    polynomial: SparsePolynomial<3>,
+    in_space: bool,
+    center: Option<(T, WrittenCenter)>,
+    source_name: &str,
+    wrong: impl Fn(T, &'static str) -> Error,
+) -> Result<Form> {
+    if in_space {
+        let center = center.map(|(at, center)| center.in_space().map_err(|m| wrong(at, m)));
+        return Ok(Form::Surface(implicit_surface(
+            polynomial,
+            center.transpose()?,
+            source_name,
+        )?));
+    }
+    let center = center.map(|(at, center)| center.in_plane().map_err(|m| wrong(at, m)));
+    let curve = implicit_curve(&polynomial, source_name)?;
+    Ok(Form::Curve(match center.transpose()? {
+        Some(center) => curve.with_center(center),
+        None => curve,
+    }))
+}
+
+/// The implicit curve of a polynomial in x and y that is not constant.
 ///
 /// # Errors
 /// [`Error::Limit`] if the polynomial has too many terms, coefficients or bits.
-pub(crate) fn implicit(
-    polynomial: SparsePolynomial<3>,
-    in_space: bool,
-    center: Option<[Rational; 2]>,
+pub(crate) fn implicit_curve(
+    polynomial: &SparsePolynomial<3>,
     source_name: &str,
-) -> Result<Form> {
-    if polynomial.len() > MAX_TERMS {
+) -> Result<ImplicitCurve> {
+    check_terms(polynomial.len(), source_name)?;
+    Ok(ImplicitCurve::new(plane(polynomial, source_name)?))
+}
+
+/// The implicit surface of a polynomial that is not constant. If the polynomial is relative to a center, it is expanded about the
+/// origin, exactly.
+///
+/// # Errors
+/// [`Error::Limit`] if the polynomial has too many terms.
+fn implicit_surface(
+    polynomial: SparsePolynomial<3>,
+    center: Option<[Rational; 3]>,
+    source_name: &str,
+) -> Result<ImplicitSurface> {
+    check_terms(polynomial.len(), source_name)?;
+    let Some(center) = center.filter(|center| !center.iter().all(Rational::is_zero)) else {
+        return Ok(ImplicitSurface::new(polynomial));
+    };
+    // Of a polynomial of degree d there are at most C(d + 3, 3) terms.
+    let d = usize::try_from(polynomial.degree().unwrap_or(0)).unwrap_or(usize::MAX);
+    let product = [1, 2, 3].map(|k| d.saturating_add(k));
+    let terms = product.into_iter().fold(1, usize::saturating_mul) / 6;
+    check_terms(terms, source_name)?;
+    let moved = polynomial.about(&center.map(|c| -c), &Limits::none())?;
+    Ok(ImplicitSurface::new(moved))
+}
+
+fn check_terms(terms: usize, source_name: &str) -> Result<()> {
+    if terms > MAX_TERMS {
         return Err(Error::limit(format!(
             "{source_name}: more than {MAX_TERMS} terms"
         )));
     }
-    if in_space {
-        return Ok(Form::Surface(ImplicitSurface::new(polynomial)));
-    }
-    let curve = ImplicitCurve::new(plane(&polynomial, source_name)?);
-    Ok(Form::Curve(match center {
-        Some(center) => curve.with_center(center),
-        None => curve,
-    }))
+    Ok(())
 }
 
 /// The polynomial in x and y by its homogeneous parts; the list of each part ends at its highest power of y.

@@ -43,7 +43,7 @@
 //!
 //! Typographic signs (− · × θ ² ½ …), fullwidth and mathematical letters stand for what they look like, and quotes around the
 //! whole text are ignored. `#` starts a comment, and so do `//` and `%` at the start of a line or between blanks; the comment
-//! `# center: p/q, p/q` is the point that a plane form is relative to. The statements `ring R = 0, (x, y), dp; poly F = …;` of
+//! `# center: p/q, p/q` is the point that a plane form is relative to, `# center: p/q, p/q, p/q` that of a surface. The statements `ring R = 0, (x, y), dp; poly F = …;` of
 //! Singular are read as well.
 //!
 //! The expressions are expanded exactly, those of a radius as trigonometric polynomials:
@@ -91,8 +91,8 @@ pub use budget::{
 pub use number::Numbers;
 pub use superquadric::MAX_SUPERQUADRIC_EXPONENT;
 
-pub(crate) use form::{constant_message, implicit};
-pub(crate) use number::{number_at, written_point};
+pub(crate) use form::{constant_message, implicit, implicit_curve};
+pub(crate) use number::{WrittenCenter, number_at, written_center};
 pub(crate) use superquadric::{check_exponent, of_numbers as superquadric_of};
 
 use crate::error::{Error, Result};
@@ -151,7 +151,7 @@ pub fn parse_form(text: &str, source_name: &str, numbers: Numbers) -> Result<For
     let center = match tokens.center {
         None => None,
         Some(at) => {
-            let point = written_point(source.slice(at), numbers);
+            let point = written_center(source.slice(at), numbers);
             Some((at, point.map_err(|message| source.error(at, message))?))
         }
     };

@@ -78,30 +78,47 @@ pub(crate) fn written_number(
     Ok(p / q)
 }
 
-/// The point `p/q, p/q` that a `# center:` comment gives.
-pub(crate) fn written_point(
-    text: &str,
-    numbers: Numbers,
-) -> std::result::Result<[Rational; 2], String> {
-    let expected = || "expected a center such as `1/2, -3`".to_owned();
-    let (x, y) = text.split_once(',').ok_or_else(expected)?;
-    Ok([written_number(x, numbers)?, written_number(y, numbers)?])
+/// The point that a form is relative to: that of a form in the plane, or in space.
+#[derive(Clone, Debug)]
+pub(crate) enum WrittenCenter {
+    Plane([Rational; 2]),
+    Space([Rational; 3]),
 }
 
-/// The center of a surface, `p/q, p/q, p/q`.
-pub(super) fn written_coordinates(
+impl WrittenCenter {
+    /// The center of a form in the plane, or the reason why it is none.
+    pub(crate) fn in_plane(self) -> std::result::Result<[Rational; 2], &'static str> {
+        match self {
+            Self::Plane(point) => Ok(point),
+            Self::Space(_) => Err(
+                "a center of three coordinates belongs to a surface, this is a form in the plane: expected one such as `1/2, -3`",
+            ),
+        }
+    }
+
+    /// The center of a surface, or the reason why it is none.
+    pub(crate) fn in_space(self) -> std::result::Result<[Rational; 3], &'static str> {
+        match self {
+            Self::Space(point) => Ok(point),
+            Self::Plane(_) => Err(
+                "a center of two coordinates belongs to a plane curve, this is a surface: expected one such as `1/2, -3, 0`",
+            ),
+        }
+    }
+}
+
+/// The point `p/q, p/q` or `p/q, p/q, p/q` that a `# center:` comment gives.
+pub(crate) fn written_center(
     text: &str,
     numbers: Numbers,
-) -> std::result::Result<[Rational; 3], String> {
+) -> std::result::Result<WrittenCenter, String> {
     let parts: Vec<&str> = text.split(',').collect();
-    let [x, y, z] = parts[..] else {
-        return Err("expected a center such as `1/2, -3, 0`".to_owned());
-    };
-    Ok([
-        written_number(x, numbers)?,
-        written_number(y, numbers)?,
-        written_number(z, numbers)?,
-    ])
+    let number = |part: &str| written_number(part, numbers);
+    match parts[..] {
+        [x, y] => Ok(WrittenCenter::Plane([number(x)?, number(y)?])),
+        [x, y, z] => Ok(WrittenCenter::Space([number(x)?, number(y)?, number(z)?])),
+        _ => Err("expected a center such as `1/2, -3`, or `1/2, -3, 0` in space".to_owned()),
+    }
 }
 
 /// The value of a number at a place in a data file; the error names the place.

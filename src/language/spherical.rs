@@ -3,7 +3,7 @@
 use super::angle::Angle;
 use super::evaluate::{Algebra, Context, constant, evaluate, multiplied};
 use super::name::{Name, PARAMETERS};
-use super::number::written_coordinates;
+use super::number::written_center;
 use super::radius::{not_a_series, not_rational};
 use super::source::Span;
 use super::syntax::{Equation, Expr};
@@ -51,8 +51,9 @@ pub(super) fn surface(
         None => surface,
         Some(at) => {
             let numbers = cx.numbers;
-            let point = written_coordinates(cx.source.slice(at), numbers);
-            surface.with_center(point.map_err(|message| cx.source.error(at, message))?)
+            let center = written_center(cx.source.slice(at), numbers);
+            let center = center.and_then(|center| Ok(center.in_space()?));
+            surface.with_center(center.map_err(|message| cx.source.error(at, message))?)
         }
     }))
 }
@@ -327,7 +328,7 @@ mod tests {
             ("R = 1 + theta", "outside cos"),
             ("R^2 = 1 + cos(phi)", "stands alone on the left"),
             ("R = 1; x = 2", "a second equation"),
-            ("# center: 1, 2\nR = 2", "expected a center such as"),
+            ("# center: 1, 2\nR = 2", "a center of two coordinates"),
             ("R = tan(phi)", "tan"),
         ] {
             let error = parse_form(text, "<form>", Numbers::Exact).expect_err(text);

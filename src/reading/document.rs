@@ -18,7 +18,7 @@ use crate::shape::{EllipticSeries, Form, FourierRadius, HarmonicSurface};
 /// Reads the form of a JSON document.
 ///
 /// The kinds are `implicit`, `fourier`, `spherical`, `superquadric`, `intersection` and `parametric`. The form of a `parametric` document is
-/// the first of these that it has: its elliptic series, its coordinates as functions of parameters (if it has no branches), its superquadric, its
+/// the first of these that it has: its surfaces (if one curve is not their whole intersection), its elliptic series, its coordinates as functions of parameters (if it has no branches), its superquadric, its
 /// implicit equation, the Fourier radius that was fitted, or the exact Fourier radius of its first branch. Unknown fields are
 /// ignored.
 ///
@@ -66,9 +66,10 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
         "fourier" => read_fourier(&root).map(Form::Fourier),
         "spherical" => read_spherical(&root).map(Form::Harmonic),
         "superquadric" => read_superquadric(&root, object),
-        "intersection" => read_intersection(&root, object, |node| {
-            read_implicit(node, node.object()?, source_name)
-        }),
+        "intersection" => read_intersection(&root, object, source_name),
+        "parametric" if holds_more_than_a_curve(object) => {
+            read_intersection(&root, object, source_name)
+        }
         "parametric" if object.contains_key("elliptic") => {
             let node = root.field(object, "elliptic")?;
             let names = ["x_cos", "x_sin", "y_cos", "y_sin"];
@@ -103,8 +104,8 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
                 read_fourier(&first.field(first.object()?, "fourier")?)?
             };
             // The branches have one center, which belongs to the whole document.
-            Ok(Form::Fourier(match root.center(object)? {
-                Some((_, center)) => radius.with_center(center),
+            Ok(Form::Fourier(match root.plane_center(object)? {
+                Some(center) => radius.with_center(center),
                 None => radius,
             }))
         }
@@ -118,11 +119,23 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
     }
 }
 
-/// Reads the surfaces of a document of kind `intersection`; `read` reads one of them.
+/// Whether a document of an intersection of surfaces has more components than one curve, or none.
+fn holds_more_than_a_curve(object: &Map<String, Value>) -> bool {
+    let length = |name: &str| {
+        object
+            .get(name)
+            .and_then(Value::as_array)
+            .map_or(0, Vec::len)
+    };
+    object.contains_key("surfaces")
+        && (length("curves") != 1 || length("others") > 0 || length("points") > 0)
+}
+
+/// Reads the surfaces of a document of an intersection.
 fn read_intersection(
     root: &Node<'_>,
     object: &Map<String, Value>,
-    read: impl Fn(&Node<'_>) -> Result<Form>,
+    source_name: &str,
 ) -> Result<Form> {
     let list = root.field(object, "surfaces")?;
     let entries = list.array()?;
@@ -132,7 +145,7 @@ fn read_intersection(
     let mut surfaces = Vec::new();
     for n in 0..entries.len() {
         let node = list.item(entries, n)?;
-        match read(&node)? {
+        match read_implicit(&node, node.object()?, source_name)? {
             Form::Surface(surface) => surfaces.push(surface),
             _ => return Err(node.wrong("expected a surface, with the variables x, y and z")),
         }
@@ -219,14 +232,12 @@ fn read_implicit(root: &Node<'_>, object: &Map<String, Value>, source_name: &str
         return Err(terms.wrong(constant_message(&value)));
     }
     let center = root.center(object)?;
-    if in_space && let Some((node, _)) = &center {
-        return Err(node.wrong("a center belongs to a plane curve, this is a surface"));
-    }
     implicit(
         polynomial,
         in_space,
-        center.map(|(_, center)| center),
+        center,
         source_name,
+        |node, message| node.wrong(message),
     )
 }
 
@@ -262,8 +273,8 @@ fn read_spherical(node: &Node<'_>) -> Result<HarmonicSurface> {
 fn read_fourier(node: &Node<'_>) -> Result<FourierRadius> {
     let [cos, sin] = read_harmonics(node, ["cos", "sin"])?;
     let radius = FourierRadius::new(cos, sin);
-    Ok(match node.center(node.object()?)? {
-        Some((_, center)) => radius.with_center(center),
+    Ok(match node.plane_center(node.object()?)? {
+        Some(center) => radius.with_center(center),
         None => radius,
     })
 }

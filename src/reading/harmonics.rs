@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::norm::{Norm, Normalization, Rounded, rounded_product};
+use super::table::read_center;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{Numbers, check_size, number_at};
@@ -70,8 +71,8 @@ pub(crate) fn layout_of_header(names: &[&str]) -> Option<HarmonicLayout> {
     }
 }
 
-/// Reads the coefficients of a harmonic surface. Rows are separated by commas, semicolons, tabs or blanks; `#` starts a comment, and a
-/// first row of names says the layout where it is not given.
+/// Reads the coefficients of a harmonic surface. Rows are separated by commas, semicolons, tabs or blanks; `#` starts a comment,
+/// of which `# center: p/q, p/q, p/q` gives the center, and a first row of names says the layout where it is not given.
 ///
 /// The convention is that of the layout unless another is given: `l m C S` is 4π-normalised without the Condon–Shortley phase,
 /// `n m Re Im` orthonormal with it, and `l,m,value` unnormalised without it. Where a normalisation is irrational, every coefficient
@@ -116,7 +117,11 @@ pub fn read_harmonics(
         is_complex: layout == HarmonicLayout::Complex,
     };
     let Rounded { terms, bound } = rounded_product(terms, norm);
-    let surface = HarmonicSurface::new(terms)?.with_rounding(bound);
+    let mut surface = HarmonicSurface::new(terms)?.with_rounding(bound);
+    if let Some(center) = read_center(text, source_name, numbers)? {
+        let center = center.in_space();
+        surface = surface.with_center(center.map_err(|message| Error::data(source_name, message))?);
+    }
     if surface.is_zero() {
         return Err(Error::data(source_name, "every coefficient is 0"));
     }

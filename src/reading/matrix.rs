@@ -4,7 +4,7 @@ use super::document::check_exponents;
 use super::table::{Table, read_coefficients_csv};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
-use crate::language::{Numbers, constant_message, implicit, number_at};
+use crate::language::{Numbers, constant_message, implicit_curve, number_at};
 use crate::poly::SparsePolynomial;
 use crate::shape::Form;
 
@@ -81,5 +81,5 @@ fn of_rows(rows: &[(String, Vec<String>)], source_name: &str, numbers: Numbers) 
     if let Some(value) = polynomial.as_constant() {
         return Err(Error::data(source_name, constant_message(&value)));
     }
-    implicit(polynomial, false, None, source_name)
+    implicit_curve(&polynomial, source_name).map(Form::Curve)
 }

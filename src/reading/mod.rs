@@ -69,24 +69,21 @@ fn is_document(text: &str) -> bool {
 
 /// The form that the text says it parametrizes, with its center, both at their places in the text; everything else is blank.
 fn parametrized_form(text: &str) -> Option<String> {
-    let comment = |line: &'_ str| {
-        let after = line.trim_start().strip_prefix('#')?;
-        let form = after.trim_start().strip_prefix(PARAMETRIZES)?;
-        Some(" ".repeat(line.len() - form.len()) + form)
-    };
-    let is_center = |line: &str| {
-        let after = line.trim_start().strip_prefix('#');
-        after.is_some_and(|after| after.trim_start().starts_with("center:"))
-    };
+    // A comment may stand behind a formula.
+    fn comment<'a>(line: &'a str, start: &str) -> Option<&'a str> {
+        let (_, comment) = line.split_once('#')?;
+        comment.trim_start().strip_prefix(start)
+    }
+    let kept = |line: &str, from: usize| " ".repeat(from) + &line[from..];
     let mut found = false;
     let lines: Vec<String> = text
         .lines()
-        .map(|line| match comment(line) {
+        .map(|line| match comment(line, PARAMETRIZES) {
             Some(form) if !found => {
                 found = true;
-                form
+                kept(line, line.len() - form.len())
             }
-            None if is_center(line) => line.to_owned(),
+            None if comment(line, "center:").is_some() => kept(line, line.find('#').unwrap_or(0)),
             _ => String::new(),
         })
         .collect();

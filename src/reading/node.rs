@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
-use crate::language::{Numbers, number_at};
+use crate::language::{Numbers, WrittenCenter, number_at};
 
 /// The path from the root of a document to a value. It is only written out for a message.
 #[derive(Clone, Copy)]
@@ -117,17 +117,19 @@ impl Node<'_> {
     pub(super) fn center<'b>(
         &'b self,
         object: &'b Map<String, Value>,
-    ) -> Result<Option<(Node<'b>, [Rational; 2])>> {
+    ) -> Result<Option<(Node<'b>, WrittenCenter)>> {
         if object.get("center").is_none_or(Value::is_null) {
             return Ok(None);
         }
         let node = self.field(object, "center")?;
         let list = node.array()?;
-        if list.len() != 2 {
-            return Err(node.wrong("expected two numbers [x, y]"));
-        }
-        let point = [node.item(list, 0)?.number()?, node.item(list, 1)?.number()?];
-        Ok(Some((node, point)))
+        let at = |n: usize| node.item(list, n)?.number();
+        let center = match list.len() {
+            2 => WrittenCenter::Plane([at(0)?, at(1)?]),
+            3 => WrittenCenter::Space([at(0)?, at(1)?, at(2)?]),
+            _ => return Err(node.wrong("expected two numbers [x, y], or three [x, y, z] in space")),
+        };
+        Ok(Some((node, center)))
     }
 
     /// The center of a surface, if there is one.
@@ -135,15 +137,18 @@ impl Node<'_> {
         &self,
         object: &Map<String, Value>,
     ) -> Result<Option<[Rational; 3]>> {
-        if object.get("center").is_none_or(Value::is_null) {
-            return Ok(None);
-        }
-        let node = self.field(object, "center")?;
-        let list = node.array()?;
-        if list.len() != 3 {
-            return Err(node.wrong("expected three numbers [x, y, z]"));
-        }
-        let at = |n: usize| node.item(list, n)?.number();
-        Ok(Some([at(0)?, at(1)?, at(2)?]))
+        let center = self.center(object)?;
+        let center = center.map(|(node, center)| center.in_space().map_err(|m| node.wrong(m)));
+        center.transpose()
+    }
+
+    /// The center of a form in the plane, if there is one.
+    pub(super) fn plane_center(
+        &self,
+        object: &Map<String, Value>,
+    ) -> Result<Option<[Rational; 2]>> {
+        let center = self.center(object)?;
+        let center = center.map(|(node, center)| center.in_plane().map_err(|m| node.wrong(m)));
+        center.transpose()
     }
 }

@@ -6,7 +6,8 @@ use super::document::check_exponents;
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::language::{
-    MAX_HARMONIC, Numbers, check_size, constant_message, implicit, number_at, written_point,
+    MAX_HARMONIC, Numbers, WrittenCenter, check_size, constant_message, implicit, number_at,
+    written_center,
 };
 use crate::poly::SparsePolynomial;
 use crate::shape::{EllipticSeries, Form, FourierRadius};
@@ -55,11 +56,14 @@ pub fn read_coefficients_csv(text: &str, source_name: &str, numbers: Numbers) ->
     if let Some(value) = polynomial.as_constant() {
         return Err(Error::data(source_name, constant_message(&value)));
     }
-    if columns == 4 && table.center.is_some() {
-        let message = "a center belongs to a plane curve, this is a surface";
-        return Err(Error::data(source_name, message));
-    }
-    implicit(polynomial, columns == 4, table.center, source_name)
+    let center = table.center.map(|center| ((), center));
+    implicit(
+        polynomial,
+        columns == 4,
+        center,
+        source_name,
+        |(), message| Error::data(source_name, message),
+    )
 }
 
 /// Reads the coefficients of a Fourier radius, `n,cos,sin` in rows. The header is optional; harmonics
@@ -81,7 +85,10 @@ pub fn read_fourier_csv(text: &str, source_name: &str, numbers: Numbers) -> Resu
     let [cos, sin] = table.harmonics(source_name, numbers, &[&["n", "cos", "sin"]])?;
     let radius = FourierRadius::new(cos, sin);
     Ok(match table.center {
-        Some(center) => radius.with_center(center),
+        Some(center) => {
+            let center = center.in_plane();
+            radius.with_center(center.map_err(|message| Error::data(source_name, message))?)
+        }
         None => radius,
     })
 }
@@ -129,7 +136,7 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<(String, Vec<String>)>,
     /// The line of each row, counted from 1.
     pub(crate) lines: Vec<usize>,
-    center: Option<[Rational; 2]>,
+    center: Option<WrittenCenter>,
 }
 
 impl Table {
@@ -284,13 +291,18 @@ impl Lines<'_> {
     }
 }
 
-fn read_center(text: &str, source_name: &str, numbers: Numbers) -> Result<Option<[Rational; 2]>> {
+/// The point that the comment `# center: …` of a table gives.
+pub(super) fn read_center(
+    text: &str,
+    source_name: &str,
+    numbers: Numbers,
+) -> Result<Option<WrittenCenter>> {
     let mut center = None;
     for (n, line) in text.lines().enumerate() {
         let comment = line.strip_prefix('#').map(str::trim_start);
         if let Some(point) = comment.and_then(|c| c.strip_prefix("center:")) {
             let place = || format!("{source_name}, line {}", n + 1);
-            let point = written_point(point, numbers);
+            let point = written_center(point, numbers);
             let point = point.map_err(|message| Error::data(place(), message))?;
             if center.replace(point).is_some() {
                 return Err(Error::data(place(), "a second center"));

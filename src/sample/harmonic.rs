@@ -6,7 +6,8 @@ use crate::shape::HarmonicPair;
 
 /// The points of a harmonic surface on the line of a direction d: R(d) and, in the opposite direction, −R(−d). Both are rational, and
 /// each number is the double nearest to the exact one. If the two are one point, as everywhere if there are only odd harmonics, it is
-/// listed once, with multiplicity 2 where the line touches F = 0.
+/// listed once, with multiplicity 2 where the line touches F = 0. The positions are those of the points plus `from`, the center for
+/// original coordinates.
 ///
 /// Cost: two exact values of forms of degree L.
 ///
@@ -16,12 +17,16 @@ use crate::shape::HarmonicPair;
 ///
 /// let surface = HarmonicSurface::new([((0, 0), 2.into()), ((1, 0), "1/2".parse()?)])?;
 /// let pole = SpaceDirection::new(Direction::from_radians(0.0), Direction::from_radians(0.0));
-/// let Ray::Points(points) = harmonic_ray(&HarmonicPair::new(&surface), &pole) else { unreachable!() };
+/// let Ray::Points(points) = harmonic_ray(&HarmonicPair::new(&surface), surface.center(), &pole) else { unreachable!() };
 /// assert_eq!([points[0].r, points[1].r], [2.5, -1.5]);
 /// # Ok::<(), stellate::error::Error>(())
 /// ```
 #[must_use]
-pub fn harmonic_ray(pair: &HarmonicPair, direction: &impl UnitVector<3>) -> Ray<3> {
+pub fn harmonic_ray(
+    pair: &HarmonicPair,
+    from: &[Rational; 3],
+    direction: &impl UnitVector<3>,
+) -> Ray<3> {
     let unit = direction.components();
     let [odd, even] = pair.values(&unit);
     let size = even.abs();
@@ -37,7 +42,7 @@ pub fn harmonic_ray(pair: &HarmonicPair, direction: &impl UnitVector<3>) -> Ray<
     let points = radii.map(|(branch, r)| Sample {
         branch,
         r: r.to_f64(),
-        position: unit.each_ref().map(|u| (u * &r).to_f64()),
+        position: std::array::from_fn(|i| (&unit[i] * &r + &from[i]).to_f64()),
         multiplicity,
     });
     Ray::Points(points.collect())
@@ -78,7 +83,7 @@ mod tests {
             let equation = form.expand();
             let solver = RaySolver::new(equation.by_degree());
             for direction in SpaceDirection::fibonacci(9) {
-                let ours = harmonic_ray(form.pair(), &direction);
+                let ours = harmonic_ray(form.pair(), surface.center(), &direction);
                 prop_assert_eq!(ours, solver.solve(&direction));
             }
         }

@@ -136,7 +136,7 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
     })?;
     let center = reference.center();
     if !center.iter().all(Rational::is_zero) {
-        work.remark(Remark::RelativeTo(center.clone()));
+        work.remark(Remark::RelativeTo(center.to_vec()));
     }
     let reference = match next {
         Some(next) => reference.with_next(next),

@@ -197,7 +197,7 @@ pub(super) fn claim_equation(
         Form::Harmonic(surface) => {
             let is_square = SquaredHarmonics::new(surface)?.is_perfect_square();
             let series = harmonic_form(proof, surface);
-            witness::of_radius(proof, indices[0], series, is_square, "center");
+            witness::of_radius(proof, indices[0], series, is_square, coordinates);
             if !is_square {
                 return Ok(());
             }

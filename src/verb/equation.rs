@@ -24,7 +24,8 @@ impl Taken {
     }
 }
 
-/// The implicit form of a parametric curve or patch, or of a harmonic surface. Other forms are returned unchanged.
+/// The implicit form of a parametric curve or patch, or of a harmonic surface, relative to its center. Other forms are returned
+/// unchanged.
 pub(super) fn through_equation(form: Form, work: &Work) -> Result<Form> {
     Ok(match form {
         Form::PlaneCurve(curve) => Form::Curve(

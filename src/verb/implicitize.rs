@@ -105,7 +105,7 @@ pub fn implicitize(
         if let (CoordinatesFrom::Original, Form::Curve(curve)) = (options.coordinates, &found.form)
             && !curve.center().iter().all(Rational::is_zero)
         {
-            work.remark(Remark::Expanded(curve.center().clone()));
+            work.remark(Remark::Expanded(curve.center().to_vec()));
         }
         Ok(Implicitization {
             form: scaled(found.form, options),
@@ -216,25 +216,29 @@ fn of_harmonics(
     options: &ImplicitizeOptions,
     work: &Work,
 ) -> Result<Implicitization> {
-    if options.coordinates == CoordinatesFrom::Original && !surface.is_centered() {
-        return Err(Error::Usage(
-            "--coordinates original is for plane curves; the equation of a harmonic surface is relative to its center".into(),
-        ));
-    }
     let form = squared_harmonics(surface, work)?;
     let mut facts = vec![Fact::Harmonics(surface.degree())];
     if form.is_perfect_square() {
         facts.push(Fact::PerfectSquare);
         work.remark(Remark::PerfectSquare);
     }
+    let mut expanded = form.expand();
     if !surface.is_centered() {
-        facts.push(Fact::SpaceCenter(surface.center().clone()));
+        match options.coordinates {
+            CoordinatesFrom::Center => facts.push(Fact::SpaceCenter(surface.center().clone())),
+            CoordinatesFrom::Original => {
+                let back = surface.center().each_ref().map(|c| -c.clone());
+                let moved = expanded.polynomial().about(&back, work.bounds())?;
+                expanded = ImplicitSurface::new(moved);
+                work.remark(Remark::Expanded(surface.center().to_vec()));
+            }
+        }
     }
     if !surface.rounding().is_zero() {
         facts.push(Fact::RoundedRadius(surface.rounding().clone()));
     }
     Ok(Implicitization {
-        form: Form::Surface(form.expand()),
+        form: Form::Surface(expanded),
         facts,
     })
 }
@@ -402,7 +406,7 @@ fn beyond<const N: usize>(curve: &ParametricCurve<N>, image: RealImage<N>) -> Be
             Coverage::Unknown => Reach::Unknown,
         },
         isolated: image.isolated.points,
-        are_all: (N == 2).then_some(image.isolated.complete),
+        are_all: image.isolated.complete,
     }
 }
 

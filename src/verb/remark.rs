@@ -46,10 +46,10 @@ pub enum Remark {
     /// The polynomial of Theorem 2 is a perfect square; its root is taken.
     PerfectSquare,
     /// Coordinates are relative to this point.
-    RelativeTo([Rational; 2]),
+    RelativeTo(Vec<Rational>),
     /// The polynomial of a form with this center is expanded in the coordinates of the contour, where it cannot be evaluated in
     /// doubles.
-    Expanded([Rational; 2]),
+    Expanded(Vec<Rational>),
     /// A whole line through the origin belongs to the form; it has no rows.
     WholeLine {
         /// The nominal angle θ.

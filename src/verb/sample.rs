@@ -175,7 +175,7 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
     })?;
     let rays = kept(rays, options);
     if !center.iter().all(Rational::is_zero) {
-        work.remark(Remark::RelativeTo(center.clone()));
+        work.remark(Remark::RelativeTo(center.to_vec()));
     }
     remark_lines(&rays, work);
     Ok(Samples {
@@ -197,22 +197,23 @@ fn of_harmonics(
     options: &SampleOptions,
     work: &Work,
 ) -> Result<Samples> {
-    if options.coordinates == CoordinatesFrom::Original && !surface.is_centered() {
-        return Err(Error::Usage(
-            "--coordinates original is for plane curves; the points of a harmonic surface are relative to its center".into(),
-        ));
-    }
     let directions = space_directions(options)?;
     let pair = HarmonicPair::new(surface);
-    let rays = solve(|d| Ok(harmonic_ray(&pair, d)), directions, work)?;
+    let origin = [0, 1, 2].map(|_| Rational::zero());
+    let (center, from) = match options.coordinates {
+        CoordinatesFrom::Center => (surface.center().clone(), origin),
+        CoordinatesFrom::Original => (origin, surface.center().clone()),
+    };
+    let rays = solve(|d| Ok(harmonic_ray(&pair, &from, d)), directions, work)?;
     work.claim(|proof| {
         let equation = squared_harmonics(surface, work)?.expand();
         let form = surface_form(proof, equation.polynomial());
-        let origin = std::array::from_fn(|_| Rational::zero());
-        claim_rays(proof, form, equation.by_degree(), &origin, &rays, work)
+        claim_rays(proof, form, equation.by_degree(), &from, &rays, work)
     })?;
     let rays = kept(rays, options);
-    let center = surface.center().clone();
+    if !center.iter().all(Rational::is_zero) {
+        work.remark(Remark::RelativeTo(center.to_vec()));
+    }
     Ok(uncounted(SampledPoints::Harmonics { rays, center }))
 }
 

@@ -146,7 +146,7 @@ fn a_center_is_kept() {
     assert_refused("# center: 1,1\n# center: 2,2\nx", "a second center", " 2,2");
     assert_refused(
         "# center: 1,1\nx+z",
-        "a center belongs to a plane curve",
+        "a center of two coordinates belongs to a plane curve",
         " 1,1",
     );
 }

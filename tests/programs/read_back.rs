@@ -11,7 +11,7 @@ use stellate::shape::{Form, ImplicitCurve};
 use stellate::verb::{self, Given, ParametrizeOptions, Work};
 use tempfile::TempDir;
 
-use crate::common::program::{done_in, piped, run_in};
+use crate::common::program::{done, done_in, json, piped, run_in, strings};
 
 const READ: [&str; 4] = ["json", "text", "sympy", "maple"];
 
@@ -126,6 +126,12 @@ fn several_radii_are_a_list_in_sympy_and_one_is_an_expression() {
         written("x^3 = y^2").lines().next().unwrap(),
         "sin(theta)**2/cos(theta)**3"
     );
+    // A number alone is no radius.
+    assert_eq!(written("x^2 + y^2 = 4"), "2  # parametrizes: r = 2\n");
+    assert_eq!(
+        piped(&["implicitize", "-"], &written("x^2 + y^2 = 4")),
+        "x^2 + y^2 - 4 = 0\n"
+    );
     assert_eq!(
         written("r = 1 + cos(t)/5"),
         "1 + Rational(1, 5)*cos(theta)\n"
@@ -224,4 +230,143 @@ fn the_fit_of_lemma_6_is_read_as_the_fit() {
     ]);
     let described = run(&["describe", "radii.json"]);
     assert!(described.contains("harmonics: "), "{described}");
+}
+
+/// R = 2 + cos(phi)/2 about (1, 2, 3).
+const OFF_CENTER: &str = "# center: 1, 2, 3\nR = 2 + cos(phi)/2\n";
+
+#[test]
+fn the_center_of_a_surface_stays_in_every_format() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("surface.txt"), OFF_CENTER).unwrap();
+    let is_on = |name: &str| {
+        let pole = ["inspect", name, "--tolerance", "1e-9", "--point", "1,2,5.5"];
+        let row = done_in(folder, &pole, "");
+        assert!(
+            row.ends_with("1,2,5.5,inside,true,0.0,0.0,0\n"),
+            "{name}: {row}"
+        );
+    };
+    is_on("surface.txt");
+    for (verb, format, name) in [
+        ("implicitize", "json", "f.json"),
+        ("implicitize", "text", "f.txt"),
+        ("implicitize", "csv", "f.csv"),
+        ("implicitize", "sympy", "f.py.txt"),
+        ("implicitize", "maple", "f.mpl.txt"),
+        ("implicitize", "singular", "f.sing.txt"),
+        ("parametrize", "text", "r.txt"),
+        ("parametrize", "json", "r.json"),
+        ("parametrize", "csv", "r.csv"),
+        ("parametrize", "sympy", "r.py.txt"),
+    ] {
+        let command = [
+            verb,
+            "surface.txt",
+            "--format",
+            format,
+            "-o",
+            name,
+            "--quiet",
+        ];
+        done_in(folder, &command, "");
+        is_on(name);
+        if verb == "implicitize" {
+            let original = [&command[..], &["--coordinates", "original"]].concat();
+            done_in(folder, &original, "");
+            is_on(name);
+        }
+    }
+    let equation = json(&done_in(
+        folder,
+        &["implicitize", "surface.txt", "--format", "json"],
+        "",
+    ));
+    assert_eq!(strings(&equation["center"]), ["1", "2", "3"]);
+    let samples = [
+        "sample",
+        "surface.txt",
+        "--theta",
+        "0",
+        "--phi",
+        "0",
+        "--coordinates",
+    ];
+    for (coordinates, row) in [
+        ("center", "2.5,0.0,0.0,2.5,1"),
+        ("original", "2.5,1.0,2.0,5.5,1"),
+    ] {
+        let found = done_in(folder, &[&samples[..], &[coordinates]].concat(), "");
+        assert!(found.contains(row), "{found}");
+    }
+    // A center with the wrong number of coordinates.
+    for (text, expected) in [
+        (
+            "# center: 1, 2\nx^2 + y^2 + z^2 = 1\n",
+            "a center of two coordinates belongs to a plane curve",
+        ),
+        (
+            "# center: 1, 2, 3\nx^2 + y^2 = 1\n",
+            "a center of three coordinates belongs to a surface",
+        ),
+        (
+            "# center: 1, 2\nl,m,value\n0,0,2\n",
+            "a center of two coordinates belongs to a plane curve",
+        ),
+    ] {
+        let run = run_in(folder, &["describe", "-"], text);
+        assert_eq!(run.code, 2, "{text}: {}", run.out);
+        assert!(run.err.contains(expected), "{text}: {}", run.err);
+    }
+}
+
+#[test]
+fn an_intersection_is_read_back_whole() {
+    let folder = TempDir::new().unwrap();
+    let folder = folder.path();
+    for form in [
+        // Two curves; no formula; no curve; one point; a curve and a component without a formula.
+        "x*z = y; y*z = x^2",
+        "x^2+y^2+z^2 = 1; x^2+y^2 = z^2",
+        "x^2+y^2+z^2 = 1; z = 2",
+        "x^2+y^2+z^2 = 1; z = 1",
+        "x*(x^2+y^2+z^2-1) = 0; x^2+y^2 = z^2",
+    ] {
+        let expected = done(&["describe", form]);
+        for format in ["json", "text", "sympy", "maple"] {
+            let name = if format == "json" {
+                "curves.json"
+            } else {
+                "curves.txt"
+            };
+            let command = ["parametrize", form, "--format", format, "-o", name];
+            let run = run_in(folder, &command, "");
+            if form.starts_with("x^2+y^2+z^2 = 1; x^2") && ["sympy", "maple"].contains(&format) {
+                // There are only arcs, which only text and JSON can hold.
+                assert_eq!(run.code, 2, "{form} as {format}");
+                continue;
+            }
+            assert_eq!(run.code, 0, "{form} as {format}: {}", run.err);
+            assert_eq!(
+                done_in(folder, &["describe", name], ""),
+                expected,
+                "{form}: {name}"
+            );
+        }
+    }
+    let two = ["parametrize", "x*z = y; y*z = x^2", "--format"];
+    for (format, expected) in [
+        ("sympy", "[(0, 0, t), (t**2, t**3, t)]\n# parametrizes: "),
+        (
+            "maple",
+            "curves := [[0, 0, t], [t^2, t^3, t]];\n# parametrizes: ",
+        ),
+    ] {
+        let written = done(&[&two[..], &[format]].concat());
+        assert!(written.starts_with(expected), "{written}");
+    }
+    // One curve is the whole intersection, except a point that it approaches.
+    let cusp = done(&["parametrize", "x^2 = y^3; z = y", "--format", "json"]);
+    assert!(piped(&["describe", "-"], &cusp).contains("parametric form: x = 1/t^3"));
 }
