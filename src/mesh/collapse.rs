@@ -2,20 +2,23 @@
 
 use std::collections::BTreeSet;
 
-use nalgebra::Vector3;
-
+use super::quality::Surface;
 use super::refine::edges;
 use crate::error::Invariant;
 use crate::intervals::{Crossing, distance};
 
-/// The cosine of the largest angle by which a triangle next to a collapsed edge may turn.
-const LEAST_COSINE: f64 = 0.3;
+/// The cosine of the largest angle between a triangle next to a collapsed edge and the surface, unless it was larger before.
+const ALONG: f64 = 0.8;
+/// The cosine of the largest angle by which such a triangle may turn in any case: the surface has no normals at singular points.
+const UNTURNED: f64 = 0.95;
 
 /// Collapses edges shorter than `shortest`, the shortest first, to one of their ends, so that every vertex stays a certified
 /// one. An edge is collapsed only under three conditions. The triangles around it remain a surface: the ends of the edge have
 /// exactly the two common neighbours that its triangles have (the link condition of Dey, Edelsbrunner, Guha & Nekhayev 1999).
-/// No triangle turns over. And no end is on the rim. So pieces, holes and rims do not change.
-pub(super) fn collapse(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>, shortest: f64) {
+/// No triangle turns away from the surface, whose normals at the vertices are given. And no end is on the rim. So pieces, holes and
+/// rims do not change.
+pub(super) fn collapse(surface: &Surface<'_>, triangles: &mut Vec<[u32; 3]>, shortest: f64) {
+    let vertices = surface.vertices;
     let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertices.len()];
     for (number, triangle) in (0u32..).zip(triangles.iter()) {
         for vertex in triangle {
@@ -33,13 +36,13 @@ pub(super) fn collapse(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3
     short.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
     for ((a, b), _) in short {
         for (from, to) in [(b, a), (a, b)] {
-            if may_collapse(from, to, vertices, triangles, &around) {
+            if may_collapse(from, to, surface, triangles, &around) {
                 merge(from, to, triangles, &mut around);
                 break;
             }
         }
     }
-    compact(vertices, triangles);
+    triangles.retain(|&t| !is_removed(t));
 }
 
 /// Whether a triangle was removed; then its three corners are equal.
@@ -57,7 +60,7 @@ fn neighbours(vertex: u32, triangles: &[[u32; 3]], around: &[Vec<u32>]) -> BTree
 fn may_collapse(
     from: u32,
     to: u32,
-    vertices: &[Crossing],
+    surface: &Surface<'_>,
     triangles: &[[u32; 3]],
     around: &[Vec<u32>],
 ) -> bool {
@@ -72,18 +75,14 @@ fn may_collapse(
     if common.len() != 2 || common.iter().any(|&v| valence(v) <= 3) {
         return false;
     }
-    let normal = |t: [u32; 3]| {
-        let [a, b, c] = t.map(|v| Vector3::from(vertices[v as usize].point));
-        (b - a).cross(&(c - a))
-    };
     around[from as usize].iter().all(|&t| {
         let old = triangles[t as usize];
         if old.contains(&to) {
             return true;
         }
         let new = old.map(|v| if v == from { to } else { v });
-        let (old, new) = (normal(old), normal(new));
-        new.dot(&old) > LEAST_COSINE * new.norm() * old.norm()
+        surface.alignment(new) >= ALONG.min(surface.alignment(old))
+            || surface.cosine_between(new, old) > UNTURNED
     })
 }
 
@@ -102,9 +101,8 @@ fn merge(from: u32, to: u32, triangles: &mut [[u32; 3]], around: &mut [Vec<u32>]
     }
 }
 
-/// Deletes the removed triangles, and the vertices that belong to no triangle.
-fn compact(vertices: &mut Vec<Crossing>, triangles: &mut Vec<[u32; 3]>) {
-    triangles.retain(|&t| !is_removed(t));
+/// Deletes the vertices that belong to no triangle.
+pub(super) fn compact(vertices: &mut Vec<Crossing>, triangles: &mut [[u32; 3]]) {
     let mut numbers: Vec<Option<u32>> = vec![None; vertices.len()];
     let mut kept = Vec::with_capacity(vertices.len());
     for triangle in triangles.iter_mut() {

@@ -1,6 +1,6 @@
 //! Edges are split where the surface bends.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::intervals::{Crossing, Field, between, distance};
 use crate::parallel;
@@ -8,7 +8,8 @@ use crate::parallel;
 /// The distances from the middle of an edge, in parts of the edge, at which the surface is searched.
 const STEPS: [f64; 5] = [1.0 / 32.0, 1.0 / 16.0, 0.125, 0.25, 0.5];
 
-type Edge = (u32, u32);
+/// The two ends of an edge, the smaller one first.
+pub(super) type Edge = (u32, u32);
 
 /// Unit normals in the direction of growing f; 0 where the gradient is 0.
 pub(super) fn normals(field: &Field, vertices: &[Crossing]) -> Vec<[f64; 3]> {
@@ -45,16 +46,22 @@ pub(super) fn split(
         Some(((a, b), found))
     });
     let candidates: Vec<(Edge, Crossing)> = candidates.into_iter().flatten().collect();
-    if candidates.is_empty() {
-        return false;
-    }
     let mut middles: HashMap<Edge, u32> = HashMap::new();
+    // Where sheets cross, several edges may lead to one point.
+    let place = |v: &Crossing| v.point.map(|x| (x + 0.0).to_bits());
+    let mut taken: HashSet<[u64; 3]> = vertices.iter().map(place).collect();
     for (edge, crossing) in candidates {
+        if !taken.insert(place(&crossing)) {
+            continue;
+        }
         let Ok(number) = u32::try_from(vertices.len()) else {
             break;
         };
         middles.insert(edge, number);
         vertices.push(crossing);
+    }
+    if middles.is_empty() {
+        return false;
     }
     *triangles = triangles
         .iter()

@@ -74,7 +74,8 @@ impl Mesh {
     /// the flow of ∇f in the regular cells, and has exactly one zero on a line of the flow that has one for t = 0, which moves
     /// continuously with t. It stays in the regular cells: on a face of an empty cell f, and thus L, has one sign. The zero set
     /// of L is a surface of triangles with the same corners on the same edges.
-    /// Later steps move these corners, split edges, and collapse them under the link condition, which keeps the topology.
+    /// Later steps move these corners, collapse edges under the link condition, turn edges to diagonals that were no edges, and split
+    /// them, which keeps the topology.
     /// Lemma 4. If this holds for every factor, and no cell is left for two of them, it holds for their union.
     /// Proof. A cell that is not left for a factor has no zero of it, the sides of the cell included; so a zero of two factors would be in a
     /// cell that is left for both.

@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use super::bounds::Held;
 use super::cells::{Cell, Grid};
 use super::frame::Frame;
-use super::{collapse, refine, tetrahedra};
+use super::quality::Surface;
+use super::{collapse, flip, refine, tetrahedra};
 use crate::error::{Error, Result};
 use crate::factor::factor_space;
 use crate::intervals::{Crossing, Field};
@@ -85,7 +86,8 @@ pub struct Mesh {
 ///
 /// The polynomial is factored and every factor is meshed separately, so double sheets are not missed. An octree drops the cubes
 /// in which a Taylor bound proves that f ≠ 0. In the cells that remain, the exact signs of f at the corners give triangles by
-/// marching tetrahedra, which fit together across cells, and their slivers are collapsed. So a surface that is closed inside
+/// marching tetrahedra, which fit together across cells. Their slivers, and triangles that do not lie along the surface, are removed by
+/// collapsing short edges and by turning edges. So a surface that is closed inside
 /// the box has a closed mesh. Every vertex is a point between two points at most 2·[`Mesh::vertex_bound`] apart, at which f has
 /// exactly opposite signs. At the end edges are split where the surface bends.
 ///
@@ -222,6 +224,11 @@ fn add_factor(
         if !refine::split(field, &mut vertices, &mut triangles, cosine, shortest) {
             break;
         }
+        let surface = Surface {
+            normals: &refine::normals(field, &vertices),
+            vertices: &vertices,
+        };
+        flip::flip(&surface, &mut triangles);
         progress(750 + 60 * (round + 1));
     }
     if !open.is_empty() {
@@ -259,7 +266,16 @@ fn too_many_cells() -> Error {
 /// The vertices and triangles in cells of a grid, without slivers.
 fn marched(field: &Field, grid: &Grid, cells: &[Cell]) -> (Vec<Crossing>, Vec<[u32; 3]>) {
     let (mut vertices, mut triangles) = tetrahedra::triangles(field, grid, cells);
-    collapse::collapse(&mut vertices, &mut triangles, COLLAPSED * grid.side);
+    let surface = Surface {
+        normals: &refine::normals(field, &vertices),
+        vertices: &vertices,
+    };
+    // Turned edges let more short edges be collapsed.
+    for _ in 0..2 {
+        collapse::collapse(&surface, &mut triangles, COLLAPSED * grid.side);
+        flip::flip(&surface, &mut triangles);
+    }
+    collapse::compact(&mut vertices, &mut triangles);
     (vertices, triangles)
 }
 

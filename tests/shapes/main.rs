@@ -5,6 +5,7 @@ mod common;
 
 mod arcs;
 mod mesh;
+mod mesh_quality;
 mod singular;
 mod superquadric;
 mod superquadric_space;
