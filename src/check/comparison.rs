@@ -84,7 +84,9 @@ pub struct Diagnosis {
     pub explanation: Cow<'static, str>,
     /// The number of correct digits below which a number counts as a fault.
     pub mark: u32,
-    /// The number of faults in the comparison with the reference, with missing and extra terms.
+    /// How many numbers were compared for this. Of many radii or points, mistakes are tried with some that are spread over all.
+    pub compared: usize,
+    /// The number of faults among these in the comparison with the reference, with missing and extra terms.
     pub faults: usize,
     /// The number of faults in the comparison with the form that the mistake leads to.
     pub faults_left: usize,

@@ -56,6 +56,7 @@ pub(super) fn diagnose<T>(
                 name: mistake.name.clone(),
                 explanation: mistake.explanation.clone(),
                 mark,
+                compared: found.all().count(),
                 faults: before[k],
                 faults_left: left,
             })

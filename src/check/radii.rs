@@ -85,6 +85,17 @@ impl Reference {
         Ok(found)
     }
 
+    /// Refuses radii r(θ) for a surface, before they are read.
+    ///
+    /// # Errors
+    /// [`Error::Hypothesis`] for a surface.
+    pub(crate) fn check_has_radii(&self) -> Result<()> {
+        match self.in_space() {
+            true => Err(is_a_surface()),
+            false => Ok(()),
+        }
+    }
+
     fn compare_with_polynomial(
         &self,
         radii: &[GivenRadius],
@@ -93,12 +104,7 @@ impl Reference {
         let plane = (!self.in_space())
             .then(|| self.polynomial().to_plane())
             .flatten();
-        let plane = plane.ok_or_else(|| Error::Hypothesis {
-            statement: "the check of radii r(theta)",
-            witness:
-                "this is a surface, whose radius has two angles; check its points x,y,z instead"
-                    .into(),
-        })?;
+        let plane = plane.ok_or_else(is_a_surface)?;
         let rays = EnclosedRays::new(&self.without_multiple_factors(plane, limits)?);
         let compare = |radii: &[GivenRadius]| -> Result<Comparison> {
             let rows = parallel::try_map(radii, limits, |given| {
@@ -134,6 +140,14 @@ impl Reference {
             found.diagnoses = unexplained(&found, |_| Rational::one());
         }
         Ok(found)
+    }
+}
+
+fn is_a_surface() -> Error {
+    Error::Hypothesis {
+        statement: "the check of radii r(theta)",
+        witness: "this is a surface, whose radius has two angles; check its points x,y,z instead"
+            .into(),
     }
 }
 

@@ -35,6 +35,7 @@ pub(super) fn unexplained(
             name: Cow::Borrowed(name),
             explanation: Cow::Owned(explanation),
             mark: WRONG,
+            compared: found.all().count(),
             faults,
             faults_left: faults,
         });

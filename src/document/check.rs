@@ -63,6 +63,7 @@ struct MistakeEntry<'a> {
     digits: u32,
     faults: usize,
     faults_left: usize,
+    compared: usize,
 }
 
 /// Writes the result of a check, judged by `mark` if it is given: as text, as JSON of kind `check`, or as CSV with a row for
@@ -156,6 +157,7 @@ fn mistake_entry(diagnosis: &Diagnosis) -> MistakeEntry<'_> {
         digits: diagnosis.mark,
         faults: diagnosis.faults,
         faults_left: diagnosis.faults_left,
+        compared: diagnosis.compared,
     }
 }
 
@@ -269,6 +271,7 @@ fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> Res
             mark,
             faults,
             faults_left,
+            compared,
         } = diagnosis;
         // Failures that no mistake explains are only counted by kind.
         if faults_left == faults {
@@ -277,7 +280,7 @@ fn write_text(found: &Comparison, mark: Option<u32>, out: &mut dyn Write) -> Res
         }
         writeln!(
             out,
-            "looks like: {name}: {explanation} (numbers that miss {mark} digits: {faults} beside the reference, {faults_left} beside what this mistake gives)"
+            "looks like: {name}: {explanation} (numbers that miss {mark} digits: {faults} beside the reference, {faults_left} beside what this mistake gives, of {compared} that were compared)"
         )?;
     }
     write_verdict(found, mark, out)

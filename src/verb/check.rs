@@ -186,7 +186,10 @@ impl CheckTask {
             FloatKind::Radii if self.spherical.is_some() => {
                 FloatNumbers::SpaceRadii(read_space_radii_csv(text, source_name)?)
             }
-            FloatKind::Radii => FloatNumbers::Radii(read_radii_csv(text, source_name)?),
+            FloatKind::Radii => {
+                self.reference.check_has_radii()?;
+                FloatNumbers::Radii(read_radii_csv(text, source_name)?)
+            }
         })
     }
 

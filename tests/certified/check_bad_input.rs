@@ -48,7 +48,7 @@ fn wrong_input_is_said_in_its_place() {
         "-o",
         "out.txt",
     ];
-    let cases: [(&[&str], &str, &str); 17] = [
+    let cases: [(&[&str], &str, &str); 18] = [
         (
             &coefficients,
             "2,0,1\n# note\n0,2,nan\n",
@@ -115,6 +115,11 @@ fn wrong_input_is_said_in_its_place() {
         (
             &["check", "x^2 + y^2 + z^2 = 1", "--radii", "data.csv"],
             "1,1\n",
+            "this is a surface, whose radius has two angles",
+        ),
+        (
+            &["check", "x^2 + y^2 + z^2 = 1", "--radii", "data.csv"],
+            "theta,phi,r\n0,1,1\n",
             "this is a surface, whose radius has two angles",
         ),
         (
