@@ -194,14 +194,21 @@ fn description_notes(d: &HarmonicDescription) -> Vec<String> {
         ));
     }
     notes.push(match &d.positivity {
+        Positivity::Positive { low, high } if *low <= 0.0 || high.is_infinite() => {
+            "R > 0 in every direction: certified; doubles do not hold the least radius".into()
+        }
         Positivity::Positive { low, high } => {
             format!("R > 0 in every direction: certified, the least radius is between {low} and {high}")
         }
         Positivity::NotPositive { direction, value } => {
             let [u, v, w] = direction.each_ref().map(Rational::to_f64);
+            let value = match value.to_f64() {
+                value if value.is_infinite() => "below every double".to_owned(),
+                value if value.abs() < 1e15 => format!("{value:.6}"),
+                value => format!("{value:e}"),
+            };
             format!(
-                "R is not positive everywhere: in an exact direction near ({u:.6}, {v:.6}, {w:.6}) it is {:.6}; where R < 0 the point is on the opposite side",
-                value.to_f64()
+                "R is not positive everywhere: in an exact direction near ({u:.6}, {v:.6}, {w:.6}) it is {value}; where R < 0 the point is on the opposite side"
             )
         }
         Positivity::Unknown => {

@@ -1,7 +1,8 @@
 //! The values of a sum of spherical harmonics on a grid of directions, with a bound of their errors.
 
 use malachite::Integer;
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
 
 use crate::error::Invariant;
 use crate::exact::Rational;
@@ -73,7 +74,9 @@ impl Latitudes {
         let sine = (Interval::from(1.0) - exact.squared()).or_zero().sqrt();
         let mut power = Interval::from(1.0);
         let (mut error, mut size) = (0.0, 0.0);
-        let unit = Interval::from(&self.unit);
+        // The unit and the numbers over it may be beyond the largest double, so both are scaled.
+        let bits = self.unit.numerator().significant_bits().cast_signed();
+        let unit = Interval::from(&(&self.unit * &Rational::from_dyadic(Integer::ONE, -bits)));
         let pairs = self.sums.iter().map(|pair| {
             let values = pair.each_ref().map(|sum| {
                 // Horner's rule with t = T/2^BITS: the value is the number over 2^(BITS·degree).
@@ -86,7 +89,7 @@ impl Latitudes {
                 }
                 let shift = BITS * (sum.len() as u64 - 1);
                 let shift = i64::try_from(shift).invariant("a degree is small");
-                let value = Rational::from_dyadic(value, -shift);
+                let value = Rational::from_dyadic(value, -shift - bits);
                 let value = Interval::from(&value) / unit * power;
                 error += (value.high() - value.low()).max(0.0);
                 size += value.magnitude();

@@ -1,8 +1,10 @@
 //! Whether a sum of spherical harmonics is positive in every direction.
 
+use malachite::base::num::logic::traits::SignificantBits;
+
 use super::grid::Latitudes;
-use crate::error::Result;
-use crate::exact::Rational;
+use crate::error::{Invariant, Result};
+use crate::exact::{Dyadic, Rational};
 use crate::intervals::interval::Interval;
 use crate::limits::Limits;
 use crate::sample::{Direction, SpaceDirection, UnitVector};
@@ -16,11 +18,11 @@ use crate::shape::{HarmonicPair, HarmonicSurface};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Positivity {
-    /// R > 0 everywhere; its least value is between `low` > 0 and `high`.
+    /// R > 0 everywhere; its least value is between `low` and `high`.
     Positive {
-        /// A lower bound.
+        /// A lower bound, above 0 unless no double is a useful one.
         low: f64,
-        /// An upper bound.
+        /// An upper bound, infinite if the least value is above the largest double.
         high: f64,
     },
     /// R ≤ 0 in this exact direction.
@@ -30,10 +32,12 @@ pub enum Positivity {
         /// R there.
         value: Rational,
     },
-    /// The least value of R is too near 0, or doubles do not hold the values.
+    /// The least value of R is too near 0.
     Unknown,
 }
 
+/// A radius is scaled if its terms are beyond 2 to this power, or its inverse.
+const MOST_EXPONENT: i64 = 300;
 /// The distances of the latitudes and longitudes of the grids, as multiples of 1/L; each grid is finer than the one before.
 const STEPS: [f64; 5] = [0.5, 0.25, 0.125, 0.06, 0.03];
 
@@ -83,16 +87,33 @@ pub fn positivity(
             value: mean.clone(),
         });
     }
-    let latitudes = Latitudes::new(surface);
+    // Doubles hold the values of the scaled radius.
+    let exponent = match largest_exponent(surface) {
+        e if e.abs() > MOST_EXPONENT => e,
+        _ => 0,
+    };
+    let unit = Rational::from_dyadic(1.into(), -exponent);
+    let terms = surface.terms().map(|(l, m, c)| ((l, m), c * &unit));
+    let scaled = HarmonicSurface::new(terms)?;
+    let latitudes = Latitudes::new(&scaled);
     for step in STEPS {
         limits.check()?;
+        let mean = scaled.coefficient(0, 0);
         let Some(grid) = least_on_grid(&latitudes, surface.degree(), mean, step, limits)? else {
             break;
         };
         if grid.low > 0.0 {
+            if exponent == 0 {
+                let (low, high) = (grid.low, grid.high);
+                return Ok(Positivity::Positive { low, high });
+            }
+            let [low, high] = [grid.low, grid.high].map(|bound| {
+                let bound = Dyadic::from_f64(bound).invariant("the bounds are finite");
+                Interval::from(&bound.times_power_of_two(exponent).to_rational())
+            });
             return Ok(Positivity::Positive {
-                low: grid.low,
-                high: grid.high,
+                low: low.low().clamp(0.0, f64::MAX),
+                high: high.high(),
             });
         }
         // An exact value in a direction near that of the least value may be a witness.
@@ -104,6 +125,27 @@ pub fn positivity(
         }
     }
     Ok(Positivity::Unknown)
+}
+
+/// The exponent e for which 2^e is about the largest that a term may be: |c| times an estimate of the largest |Y(l, m)|, the root of
+/// (l + |m|)!/(l − |m|)!.
+#[expect(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "an estimate"
+)]
+fn largest_exponent(surface: &HarmonicSurface) -> i64 {
+    let logarithm = |k: usize| (k as f64).log2();
+    let exponents = surface
+        .terms()
+        .filter(|(.., c)| !c.is_zero())
+        .map(|(l, m, c)| {
+            let m = m.unsigned_abs();
+            let product: f64 = (l - m + 1..=l + m).map(logarithm).sum();
+            let bits = |n: malachite::Integer| n.significant_bits().cast_signed();
+            bits(c.numerator()) - bits(c.denominator()) + (product / 2.0) as i64
+        });
+    exponents.max().unwrap_or(0)
 }
 
 /// Bounds of the least value of R, and the angles θ and φ of a direction near it.
@@ -225,5 +267,29 @@ mod tests {
         assert!(matches!(of("1"), Positivity::NotPositive { .. }));
         assert!(matches!(of("0.99"), Positivity::NotPositive { .. }));
         assert_eq!(of("1.00000001"), Positivity::Unknown);
+    }
+
+    #[test]
+    fn radii_of_any_size_are_decided_alike() {
+        for exponent in [-1400, -700, 0, 700, 1400] {
+            let of = |c: &str| {
+                let unit = Rational::from_dyadic(1.into(), exponent);
+                let mean: Rational = c.parse().unwrap();
+                let terms = [((0, 0), &mean * &unit), ((1, 0), unit)];
+                decided(&HarmonicSurface::new(terms).unwrap())
+            };
+            let Positivity::Positive { low, high } = of("2") else {
+                panic!("positive at 2^{exponent}");
+            };
+            let least = Rational::from_dyadic(1.into(), exponent).to_f64();
+            assert!(
+                low <= least && least <= high && low < f64::INFINITY,
+                "{exponent}"
+            );
+            assert!(matches!(of("0.5"), Positivity::NotPositive { .. }));
+        }
+        // The values of Y(150, 150) are up to 299!!, which has 307 digits.
+        let sectoral = HarmonicSurface::new([((150, 150), Rational::one())]).unwrap();
+        assert!(matches!(decided(&sectoral), Positivity::NotPositive { .. }));
     }
 }
