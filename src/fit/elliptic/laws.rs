@@ -227,4 +227,15 @@ fn tolerances_and_powers_are_met_by_the_fewest_harmonics() {
     let n = power.series.harmonics();
     assert!(power.power >= 0.99);
     assert!(fitted(&contour, FitSize::Harmonics(n - 1), None).power < 0.99);
+    // Rounded to tenths, the coefficients have other powers, but the harmonics have the same share.
+    let rough = scaled(&u_shape);
+    let [exact, rounded] = [None, Some(1)].map(|d| fitted(&rough, FitSize::Power(0.99), d));
+    assert_eq!(rounded.series.harmonics(), exact.series.harmonics());
+    assert!((rounded.power - exact.power).abs() < 1e-12 && exact.power < 1.0);
+}
+
+/// The outline in units of 30, in which coefficients of one decimal are rough.
+fn scaled(points: &[[i32; 2]]) -> Contour {
+    let points: Vec<[i32; 2]> = points.iter().map(|p| p.map(|x| x / 30)).collect();
+    contour(&points).unwrap()
 }

@@ -85,10 +85,12 @@ pub fn fit_elliptic(
     options.is_for_an_elliptic_series()?;
     let points = contour.given_points();
     let frame = Frame::of(contour);
-    let series = |harmonics: usize| -> Result<EllipticSeries> {
-        coefficients(&points, frame.middle, harmonics, options.decimals, limits)
-            .map(EllipticSeries::new)
+    let rounded_to = |harmonics: usize, decimals: Option<u32>| -> Result<EllipticSeries> {
+        coefficients(&points, frame.middle, harmonics, decimals, limits).map(EllipticSeries::new)
     };
+    let series = |harmonics: usize| rounded_to(harmonics, options.decimals);
+    // Rounding changes the powers, so the shares are those of the coefficients before it.
+    let unrounded = |harmonics: usize| rounded_to(harmonics, None);
     // Powers are compared in the unit of the frame: the square of a size may be no double.
     let total = total_power(&points, &frame);
     let squared_unit = Rational::from_dyadic(Integer::from(1), -2 * frame.exponent());
@@ -123,18 +125,23 @@ pub fn fit_elliptic(
             })?
         }
         FitSize::Power(share) => {
-            let found = fewest(series, |all, _| {
+            let found = fewest(unrounded, |all, _| {
                 Ok(powers(all).iter().position(|&sum| sum >= share))
             })?;
-            found.ok_or_else(|| {
+            let found = found.ok_or_else(|| {
                 Error::limit(format!(
                     "no number of harmonics up to {MAX_ELLIPTIC_HARMONICS} has that share of the power"
                 ))
-            })?
+            })?;
+            series(found.harmonics())?
         }
     };
+    let power = match options.decimals {
+        Some(_) => all_power(&powers(&unrounded(series.harmonics())?)),
+        None => all_power(&powers(&series)),
+    };
     Ok(EllipticFit {
-        power: all_power(&powers(&series)),
+        power,
         series,
         least_squares: None,
     })

@@ -76,7 +76,7 @@ impl Samples {
         self.radii.len()
     }
 
-    /// The largest errors, over all samples and vertices, and the mean squares over the samples, of the sums up to each degree.
+    /// The largest errors, over all samples, the vertices and the points of triangles and edges that are nearest to the center, and the mean squares over the samples, of the sums up to each degree.
     pub(super) fn errors(
         &self,
         rays: &Rays<'_>,
@@ -107,7 +107,7 @@ impl Samples {
                 add([sine * c, sine * s, *z], *radius, weight);
             }
         }
-        for (direction, radius) in rays.vertices() {
+        for (direction, radius) in rays.vertices().chain(rays.feet()) {
             add(direction, radius, 0.0);
         }
         Ok(found)

@@ -54,7 +54,8 @@ options! {
 pub struct MeshFit {
     /// The surface, with its center.
     pub surface: HarmonicSurface,
-    /// The largest difference of the radii of mesh and surface in all sampled directions and those of all vertices, in doubles.
+    /// The largest difference of the radii of mesh and surface in all sampled directions, those of all vertices, and those of the
+    /// points of triangles and edges that are nearest to the center, in doubles.
     pub max_radial_error: f64,
     /// The root of the mean square of the difference over the sphere, in doubles.
     pub rms_radial_error: f64,

@@ -65,6 +65,37 @@ impl<'a> Rays<'a> {
         })
     }
 
+    /// The directions and radii of the points of triangles and of edges that are nearest to the center, as far as they are inside
+    /// of these: there the radius of a triangle or an edge is least.
+    pub(super) fn feet(&self) -> impl Iterator<Item = ([f64; 3], f64)> + '_ {
+        let of_triangle = |k: usize| {
+            let corners = self.corners(k);
+            let [a, b, c] = corners;
+            let normal = cross(minus(b, a), minus(c, a));
+            let share = dot(normal, a) / dot(normal, normal);
+            let foot = normal.map(|n| share * n);
+            let is_inside = (0..3).all(|edge| outside(&corners, edge, foot) > 0.0);
+            is_inside.then_some(foot)
+        };
+        let of_edge = |k: usize, i: usize| {
+            let ends = [i, (i + 1) % 3].map(|i| self.solid.triangles()[k][i]);
+            let [a, b] = [i, (i + 1) % 3].map(|i| self.corners(k)[i]);
+            let along = minus(b, a);
+            let share = -dot(a, along) / dot(along, along);
+            // An edge has two triangles.
+            let is_inside = ends[0] < ends[1] && share > 0.0 && share < 1.0;
+            is_inside.then(|| std::array::from_fn(|i| a[i] + share * along[i]))
+        };
+        let feet = (0..self.triangles()).flat_map(move |k| {
+            let edges = (0..3).filter_map(move |i| of_edge(k, i));
+            of_triangle(k).into_iter().chain(edges)
+        });
+        feet.map(|foot: [f64; 3]| {
+            let r = dot(foot, foot).sqrt();
+            (foot.map(|x| x / r), r)
+        })
+    }
+
     /// A third of the solid angle of all triangles at each vertex.
     pub(super) fn weights(&self) -> Vec<f64> {
         let mut weights = vec![0.0; self.solid.vertices().len()];
