@@ -30,7 +30,7 @@ pub(crate) fn run(flags: &Fit, session: &Session) -> Result<()> {
         return table(flags, session);
     }
     let format = session.format_or(Format::Text);
-    Kind::Radius.check(format)?;
+    Kind::Fit.check(format)?;
     let given = input::read_with(argument, &flags.fit, session)?;
     let fit = fit_of(given, flags, session)?;
     session.note(&summary(&fit));

@@ -12,7 +12,7 @@ use super::session::Session;
 pub(crate) fn run(flags: &Parametrize, session: &Session) -> Result<()> {
     check_destination(session)?;
     let format = session.format_or(Format::Text);
-    Kind::Radius.check(format)?;
+    Kind::Parametrization.check(format)?;
     let options = ParametrizeOptions::default()
         .fit(input::fit_options(&flags.fit))
         .branch(flags.branch)

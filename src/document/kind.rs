@@ -25,6 +25,10 @@ pub enum Kind {
     Superquadric,
     /// The description of a form.
     Description,
+    /// The radii of a form, or the coordinates of an intersection, before it is known which of them there are.
+    Parametrization,
+    /// A fitted series, before it is known of which model.
+    Fit,
     /// Radii of a plane curve, none of which is a Fourier series.
     ClosedForms,
     /// Radii of a surface.
@@ -45,7 +49,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Radius,
         Self::Harmonics,
         Self::Equation,
@@ -55,6 +59,8 @@ impl Kind {
         Self::FitTable,
         Self::Superquadric,
         Self::Description,
+        Self::Parametrization,
+        Self::Fit,
         Self::ClosedForms,
         Self::SurfaceRadii,
         Self::Points,
@@ -68,12 +74,13 @@ impl Kind {
     /// The row of a kind in the table: its name for messages, its formats, and a hint for users who want another format.
     const fn row(self) -> (&'static str, &'static [Format], &'static str) {
         const FORMULAS: &[Format] = &[Text, Json, Latex, Sympy, Maple];
+        const SERIES: &[Format] = &[Text, Json, Csv, Latex, Sympy, Maple];
+        const NO_SINGULAR: &str =
+            "; Singular has no trigonometric functions, but reads what implicitize writes";
         match self {
-            Self::Radius => (
-                "a Fourier radius is",
-                &[Text, Json, Csv, Latex, Sympy, Maple],
-                "; Singular has no trigonometric functions, but reads what implicitize writes",
-            ),
+            Self::Radius => ("a Fourier radius is", SERIES, NO_SINGULAR),
+            Self::Parametrization => ("what parametrize finds is", SERIES, NO_SINGULAR),
+            Self::Fit => ("a fit is", SERIES, NO_SINGULAR),
             Self::Harmonics => (
                 "a harmonic surface is",
                 &[Text, Json, Csv, Latex, Sympy],
@@ -86,11 +93,7 @@ impl Kind {
                 "",
             ),
             Self::ParametricForm => ("a parametric form is", FORMULAS, ""),
-            Self::EllipticSeries => (
-                "an elliptic series is",
-                &[Text, Json, Csv, Latex, Sympy, Maple],
-                "; Singular has no trigonometric functions, but reads what implicitize writes",
-            ),
+            Self::EllipticSeries => ("an elliptic series is", SERIES, NO_SINGULAR),
             Self::FitTable => ("the fits of several outlines are", &[Csv], ""),
             Self::Superquadric => ("a superquadric is", &[Text, Json], ""),
             Self::Description => ("a description is", &[Text, Json], ""),

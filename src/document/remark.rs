@@ -95,7 +95,7 @@ pub fn remark_text(remark: &Remark) -> String {
             format!("{label}: no part of the surface was found in the box of the picture")
         }
         Remark::SmallPartsMayBeMissing { open, all, cell } => format!(
-            "{open} of {all} cells of side {cell:.2e} are not proved to hold a single smooth sheet: there the picture may miss what is smaller; a larger --resolution shows more"
+            "{open} of {all} cells of side {cell:.2e} are not proved to hold a single smooth sheet: there the picture may miss what is smaller; a larger --cells shows more"
         ),
         Remark::ZoneUsedUp => "the uncertainty takes up the tolerance: no point can be proved to be inside".into(),
         Remark::ZoneIsPoint => "the uncertainty takes up the tolerance: no point can be proved to be inside that is not exactly in the middle of the zone".into(),

@@ -91,7 +91,7 @@ pub(super) fn curve_of_superquadric(shape: &Superquadric) -> Result<ImplicitCurv
     let polynomial = shape.polynomial().ok_or_else(|| Error::Hypothesis {
         statement: "implicitization as a polynomial",
         witness: format!(
-            "|x/a1|^n + |y/a2|^n = level is polynomial only for an even integer n = 2/e, and here n = {}; describe, parametrize, sample, inspect and plot take any n",
+            "|x/a1|^n + |y/a2|^n = level is polynomial only for an even integer n = 2/e, and here n = {}; what needs no equation takes any n: describe without --topology, parametrize, sample, inspect and plot",
             shape.exponent()
         ),
     })?;

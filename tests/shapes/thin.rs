@@ -174,3 +174,19 @@ fn pictures_say_what_they_may_miss() {
     let svg = fs::read_to_string(folder.path().join("p.svg")).unwrap();
     assert!(svg.matches("<path").count() + svg.matches("<polygon").count() > 100);
 }
+
+/// A note of a picture names an option that the verb has.
+#[test]
+fn a_note_of_a_picture_names_an_option_of_plot() {
+    let folder = tempdir().unwrap();
+    let plot = ["plot", "x^2 = y^2*z", "-o", "f.svg"];
+    let run = run_in(folder.path(), &plot, "");
+    assert!(
+        run.err.contains("a larger --cells shows more"),
+        "{}",
+        run.err
+    );
+    let more = [&plot[..], &["--cells", "40"]].concat();
+    let run = run_in(folder.path(), &more, "");
+    assert_eq!(run.code, 0, "{}", run.err);
+}
