@@ -14,10 +14,10 @@ use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
 use crate::notation::Notation;
 use crate::reading::PARAMETRIZES;
-#[cfg(feature = "meshes")]
 use crate::shape::HarmonicSurface;
 use crate::sphere::Positivity;
 use crate::verb::Fact;
+#[cfg(feature = "meshes")]
 use crate::verb::FittedMesh;
 
 /// Writes `R = Σ c Y(l, m)`, with the center if it is not the origin, and with the bound of the radius if the coefficients were
