@@ -1,5 +1,7 @@
 //! The exact angle ranges in which a Fourier radius is positive.
 
+use malachite::base::num::arithmetic::traits::Gcd;
+
 use super::angle::{AngleRange, ExactAngle};
 use crate::exact::Rational;
 use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics};
@@ -11,8 +13,56 @@ use crate::shape::FourierRadius;
 /// With t = tan(θ/2), (1+t²)^N r is a polynomial of degree 2N in t. Its real roots of odd multiplicity are the changes of sign,
 /// and its degree is smaller if r(π) = 0. So r > 0 for all angles is certified by exact root counting instead of sampling; then
 /// the only range is the full circle.
+///
+/// If all harmonics are multiples of g, r(θ) is R(gθ), and the ranges are those of R, repeated g times, where R changes its sign at
+/// rational multiples of π only.
 #[must_use]
 pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
+    let harmonics =
+        (1..=radius.harmonics()).filter(|&n| !(radius.cos(n).is_zero() && radius.sin(n).is_zero()));
+    let step = harmonics.fold(0, |g: usize, n| g.gcd(n));
+    if step > 1 {
+        let every = |list: &[Rational]| list.iter().step_by(step).cloned().collect();
+        let contracted = FourierRadius::new(every(radius.cosines()), every(radius.sines()));
+        if let Some(ranges) = repeated(&by_counting(&contracted), step) {
+            return ranges;
+        }
+    }
+    by_counting(radius)
+}
+
+/// The ranges of R(gθ), where these are those of R; `None` if an end is no rational multiple of π.
+fn repeated(ranges: &[AngleRange], times: usize) -> Option<Vec<AngleRange>> {
+    let turns = |angle: &ExactAngle| match angle {
+        ExactAngle::Pi(turns) => Some(turns.clone()),
+        ExactAngle::Arctangent { .. } => None,
+    };
+    let mut all: Vec<([Rational; 2], [bool; 2])> = Vec::new();
+    let count = i64::try_from(times).ok()?;
+    for k in 0..count {
+        for range in ranges {
+            let ends = [turns(&range.from)?, turns(&range.to)?];
+            let ends = ends.map(|q| (q + Rational::from(2 * k)) / Rational::from(count));
+            match all.last_mut() {
+                // R > 0 at a full turn.
+                Some(last) if last.1[1] && range.closed[0] && last.0[1] == ends[0] => {
+                    let [_, to] = ends;
+                    (last.0[1], last.1[1]) = (to, range.closed[1]);
+                }
+                _ => all.push((ends, range.closed)),
+            }
+        }
+    }
+    let all = all.into_iter().map(|([from, to], closed)| AngleRange {
+        from: ExactAngle::Pi(from),
+        to: ExactAngle::Pi(to),
+        closed,
+    });
+    Some(all.collect())
+}
+
+/// The ranges by the real roots of the polynomial.
+fn by_counting(radius: &FourierRadius) -> Vec<AngleRange> {
     let polynomial = half_angle_polynomial(radius);
     let Some(lead) = polynomial.coefficients_asc().last() else {
         return Vec::new();
@@ -121,6 +171,15 @@ mod tests {
             shown(&radius(&[1, 2], &[])),
             "[0.0000, 2.0944) (4.1888, 6.2832]"
         );
+        assert_eq!(
+            shown(&radius(&[1, 0, 1], &[])),
+            "[0.0000, 1.5708) (1.5708, 4.7124) (4.7124, 6.2832]"
+        );
+        assert_eq!(shown(&radius(&[2, 0, 0, 1], &[])), "[0.0000, 6.2832]");
+        assert_eq!(
+            shown(&radius(&[0, 0, 0], &[0, 0, 1])),
+            "(0.0000, 1.5708) (3.1416, 4.7124)"
+        );
     }
 
     proptest! {
@@ -140,6 +199,21 @@ mod tests {
                 at(&range.from) <= theta && theta <= at(&range.to)
             });
             prop_assert_eq!(inside, value > 0.0);
+        }
+
+        /// The ranges of R(gθ) by those of R are those by its own polynomial.
+        #[test]
+        fn repeated_ranges_are_those_by_counting(c in prop::collection::vec((-2i64..3, -2i64..3), 1..3), step in 2usize..5) {
+            let mut spread = vec![[0, 0]; step * (c.len() - 1) + 1];
+            for (k, (a, b)) in c.into_iter().enumerate() {
+                spread[k * step] = [a, b];
+            }
+            let (cos, sin): (Vec<i64>, Vec<i64>) = spread.into_iter().map(|[a, b]| (a, b)).unzip();
+            let r = radius(&cos, &sin);
+            let of = |ranges: Vec<AngleRange>| ranges.into_iter().map(|range| {
+                (range.from.to_decimal(12), range.to.to_decimal(12), range.closed)
+            }).collect::<Vec<_>>();
+            prop_assert_eq!(of(positive_ranges(&r)), of(by_counting(&r)));
         }
     }
 }
