@@ -14,14 +14,15 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::language::Numbers;
+use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::reading::{
     HarmonicConvention, HarmonicLayout, layout_of_header, read_coefficients, read_document,
-    read_harmonics,
+    read_harmonics, states_center,
 };
 use crate::rows::words;
-use crate::shape::{Form, HarmonicSurface};
+use crate::shape::{Form, HarmonicSurface, ImplicitSurface};
 
 /// More directions of test vectors than this are refused.
 pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
@@ -134,7 +135,10 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         Form::Surface(surface) => Ok(Reference::of_surface(surface)),
         _ => Err(CHECK.not_this()),
     })?;
-    let center = reference.center();
+    let center = match &spherical {
+        Some(spherical) => &spherical.surface().center()[..],
+        None => &reference.center()[..],
+    };
     if !center.iter().all(Rational::is_zero) {
         work.remark(Remark::RelativeTo(center.to_vec()));
     }
@@ -173,10 +177,19 @@ impl CheckTask {
                         read_harmonics(text, source_name, layout, &convention, Numbers::F64)?;
                     return Ok(FloatNumbers::Harmonics(terms_of(&read.surface)));
                 }
-                FloatNumbers::Coefficients(Box::new(if start.starts_with('{') {
+                let form = if start.starts_with('{') {
                     read_document(text, source_name, Numbers::F64)?
                 } else {
                     read_coefficients(text, source_name, Numbers::F64)?
+                };
+                FloatNumbers::Coefficients(Box::new(match (form, &self.spherical) {
+                    // It was moved to the original coordinates; the reference is about the center of its form.
+                    (Form::Surface(surface), Some(spherical)) if states_center(text) => {
+                        let center = spherical.surface().center();
+                        let about = surface.polynomial().about(center, &Limits::none())?;
+                        Form::Surface(ImplicitSurface::new(about))
+                    }
+                    (form, _) => form,
                 }))
             }
             FloatKind::Points => {

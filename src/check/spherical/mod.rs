@@ -70,6 +70,12 @@ impl SphericalReference {
         }
     }
 
+    /// The harmonic surface.
+    #[must_use]
+    pub fn surface(&self) -> &HarmonicSurface {
+        &self.surface
+    }
+
     /// Compares coefficients of the unnormalised harmonics without the Condon–Shortley phase with the exact ones, one by one, and looks for
     /// usual mistakes.
     ///
