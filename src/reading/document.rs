@@ -119,16 +119,18 @@ pub fn read_document(text: &str, source_name: &str, numbers: Numbers) -> Result<
     }
 }
 
-/// Whether a document of an intersection of surfaces has more components than one curve, or none.
+/// Whether a document of an intersection of surfaces has no curve, or more than one and what it approaches.
 fn holds_more_than_a_curve(object: &Map<String, Value>) -> bool {
-    let length = |name: &str| {
-        object
-            .get(name)
-            .and_then(Value::as_array)
-            .map_or(0, Vec::len)
+    let list = |name: &str| {
+        let list = object.get(name).and_then(Value::as_array);
+        list.map_or(&[][..], Vec::as_slice)
     };
-    object.contains_key("surfaces")
-        && (length("curves") != 1 || length("others") > 0 || length("points") > 0)
+    let has_isolated = list("beyond")
+        .iter()
+        .any(|entry| entry["kind"] == "isolated");
+    let is_one =
+        list("curves").len() == 1 && list("others").is_empty() && list("points").is_empty();
+    object.contains_key("surfaces") && (!is_one || has_isolated)
 }
 
 /// Reads the surfaces of a document of an intersection.

@@ -284,6 +284,27 @@ fn the_center_of_a_surface_stays_in_every_format() {
         "",
     ));
     assert_eq!(strings(&equation["center"]), ["1", "2", "3"]);
+    // The program's own equation is right, and so is one without a center, which is taken as relative to it.
+    for (format, name) in [("csv", "own.csv"), ("json", "own.json")] {
+        let write = ["implicitize", "surface.txt", "--format", format, "-o", name];
+        done_in(folder, &write, "");
+        done_in(
+            folder,
+            &["check", "surface.txt", "--coefficients", name],
+            "",
+        );
+        let text = std::fs::read_to_string(folder.join(name)).unwrap();
+        let bare = text
+            .replace("# center: 1, 2, 3\n", "")
+            .replace("\"center\":[\"1\",\"2\",\"3\"],", "");
+        assert_ne!(bare, text);
+        std::fs::write(folder.join(name), bare).unwrap();
+        done_in(
+            folder,
+            &["check", "surface.txt", "--coefficients", name],
+            "",
+        );
+    }
     let samples = [
         "sample",
         "surface.txt",
@@ -332,6 +353,8 @@ fn an_intersection_is_read_back_whole() {
         "x^2+y^2+z^2 = 1; z = 2",
         "x^2+y^2+z^2 = 1; z = 1",
         "x*(x^2+y^2+z^2-1) = 0; x^2+y^2 = z^2",
+        // A curve and an isolated point, which no parameter reaches.
+        "x^2+y^2 = z^3-z^2; y = 0",
     ] {
         let expected = done(&["describe", form]);
         for format in ["json", "text", "sympy", "maple"] {

@@ -47,12 +47,15 @@ pub struct IntersectionParametrization {
 }
 
 impl IntersectionParametrization {
-    /// The curve that is the whole intersection, if there is one with a parametrization. Points of it that no parameter value
-    /// reaches are not counted as more.
+    /// The curve that is the whole intersection, if there is one with a parametrization. Points that it approaches are not counted
+    /// as more, but its isolated points are.
     #[must_use]
     pub fn as_one_curve(&self) -> Option<&SpaceCurve> {
+        let has_isolated = self.unreached.iter().any(|point| point.is_isolated);
         match &self.curves[..] {
-            [curve] if self.others.is_empty() && self.points.is_empty() => Some(curve),
+            [curve] if self.others.is_empty() && self.points.is_empty() && !has_isolated => {
+                Some(curve)
+            }
             _ => None,
         }
     }
