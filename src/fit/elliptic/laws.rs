@@ -232,6 +232,12 @@ fn tolerances_and_powers_are_met_by_the_fewest_harmonics() {
     let [exact, rounded] = [None, Some(1)].map(|d| fitted(&rough, FitSize::Power(0.99), d));
     assert_eq!(rounded.series.harmonics(), exact.series.harmonics());
     assert!((rounded.power - exact.power).abs() < 1e-12 && exact.power < 1.0);
+    // With no decimals the harmonics that are left do not have this share.
+    let options = FitOptions::new(FitSize::Power(0.9999))
+        .model(FitModel::Elliptic)
+        .decimals(Some(0));
+    let refused = fit_elliptic(&rough, &options, &Limits::none());
+    assert!(matches!(refused, Err(Error::Limit { .. })), "{refused:?}");
 }
 
 /// The outline in units of 30, in which coefficients of one decimal are rough.

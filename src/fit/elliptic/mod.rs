@@ -133,7 +133,15 @@ pub fn fit_elliptic(
                     "no number of harmonics up to {MAX_ELLIPTIC_HARMONICS} has that share of the power"
                 ))
             })?;
-            series(found.harmonics())?
+            let rounded = series(found.harmonics())?;
+            let left = all_power(&powers(&unrounded(rounded.harmonics())?));
+            if options.decimals.is_some() && left < share {
+                return Err(Error::limit(format!(
+                    "with this many decimals the harmonics from {} on are 0, and those before have {left} of the power",
+                    rounded.harmonics() + 1
+                )));
+            }
+            rounded
         }
     };
     let power = match options.decimals {
