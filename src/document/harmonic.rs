@@ -204,7 +204,9 @@ fn description_notes(d: &HarmonicDescription) -> Vec<String> {
             let [u, v, w] = direction.each_ref().map(Rational::to_f64);
             let value = match value.to_f64() {
                 value if value.is_infinite() => "below every double".to_owned(),
-                value if value.abs() < 1e15 => format!("{value:.6}"),
+                value if value == 0.0 || (1e-4..1e15).contains(&value.abs()) => {
+                    format!("{value:.6}")
+                }
                 value => format!("{value:e}"),
             };
             format!(

@@ -110,6 +110,11 @@ fn mesh_of_directions(
         Ok(position)
     };
     let vertices = parallel::try_map(&directions, limits, solve)?;
+    if vertices.iter().flatten().any(|x| !x.is_finite()) {
+        return Err(Error::Usage(
+            "the points of this surface are beyond the largest double: move its center, or divide it by a number".into(),
+        ));
+    }
     let at = |row: usize, column: usize| 2 + row * around + column % around;
     let mut triangles: Vec<[usize; 3]> = Vec::new();
     for column in 0..around {

@@ -159,3 +159,13 @@ fn coefficient_files_say_what_they_are_taken_for() {
     assert_eq!(run.code, 2, "{}", run.out);
     assert!(run.err.contains('3'), "the row is named: {}", run.err);
 }
+
+#[test]
+fn a_mesh_beyond_the_largest_double_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let far = "# center: 1e400,0,0\nR = 1\n";
+    let run = run_in(folder.path(), &["mesh", "-", "-o", "far.obj"], far);
+    assert_eq!(run.code, 2, "{}", run.err);
+    assert!(run.err.contains("beyond the largest double"), "{}", run.err);
+    assert!(!folder.path().join("far.obj").exists());
+}
