@@ -77,8 +77,8 @@ pub struct PointVector {
 pub struct TestVectors {
     /// Whether the form is a surface.
     pub in_space: bool,
-    /// The point of the contour's coordinates that is the origin here.
-    pub center: [Rational; 2],
+    /// The point of the original coordinates that is the origin here.
+    pub center: Vec<Rational>,
     /// The inputs; none for a parametric form.
     pub inputs: Vec<VectorInput>,
     /// The number of given numbers that are not doubles, and so were rounded to doubles first.
@@ -150,7 +150,7 @@ pub fn test_vectors(
     let given = radius.as_ref().filter(|_| inputs_of == InputsOf::Form);
     Ok(TestVectors {
         in_space: reference.in_space(),
-        center: reference.center().clone(),
+        center: reference.center().to_vec(),
         coefficients: coefficients(&polynomial, given, inputs_of)?,
         radii: radius.map_or_else(Vec::new, |radius| radii(&radius, directions)),
         points: points(&polynomial, reference.in_space(), directions, limits)?,

@@ -17,7 +17,7 @@ struct VectorsDocument {
     kind: &'static str,
     variables: &'static [&'static str],
     #[serde(skip_serializing_if = "Option::is_none")]
-    center: Option<[String; 2]>,
+    center: Option<Vec<String>>,
     inputs: Vec<InputEntry>,
     rounded_inputs: usize,
     coefficients: Vec<CoefficientEntry>,
@@ -87,7 +87,7 @@ pub fn write_vectors(vectors: &TestVectors, out: &mut dyn Write) -> Result<()> {
             &["x", "y"]
         },
         center: center_comment(&vectors.center)
-            .map(|_| vectors.center.each_ref().map(ToString::to_string)),
+            .map(|_| vectors.center.iter().map(ToString::to_string).collect()),
         inputs: vectors.inputs.iter().map(input).collect(),
         rounded_inputs: vectors.rounded,
         coefficients: vectors

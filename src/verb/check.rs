@@ -351,9 +351,12 @@ pub fn vectors(given: Given, options: &VectorOptions, work: &Work) -> Result<Tes
     } else {
         InputsOf::Form
     };
-    let vectors = work.stage("vectors", || {
+    let mut vectors = work.stage("vectors", || {
         test_vectors(&task.reference, inputs, options.directions, work.bounds())
     })?;
+    if let Some(spherical) = &task.spherical {
+        vectors.center = spherical.surface().center().to_vec();
+    }
     if vectors.rounded > 0 {
         work.remark(Remark::Rounded {
             rounded: vectors.rounded,

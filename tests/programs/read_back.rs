@@ -305,6 +305,8 @@ fn the_center_of_a_surface_stays_in_every_format() {
             "",
         );
     }
+    let vectors = json(&done_in(folder, &["vectors", "surface.txt", "--quiet"], ""));
+    assert_eq!(strings(&vectors["center"]), ["1", "2", "3"]);
     let samples = [
         "sample",
         "surface.txt",
