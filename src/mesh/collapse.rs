@@ -27,13 +27,15 @@ pub(super) fn collapse(surface: &Surface<'_>, triangles: &mut Vec<[u32; 3]>, sho
     }
     let length =
         |(a, b): (u32, u32)| distance(vertices[a as usize].point, vertices[b as usize].point);
-    let all: BTreeSet<(u32, u32)> = triangles.iter().flat_map(edges).collect();
-    let mut short: Vec<((u32, u32), f64)> = all
-        .into_iter()
+    let mut short: Vec<((u32, u32), f64)> = triangles
+        .iter()
+        .flat_map(edges)
         .map(|edge| (edge, length(edge)))
         .filter(|(_, length)| *length < shortest)
         .collect();
     short.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    // Most edges have two triangles.
+    short.dedup_by_key(|(edge, _)| *edge);
     for ((a, b), _) in short {
         for (from, to) in [(b, a), (a, b)] {
             if may_collapse(from, to, surface, triangles, &around) {

@@ -1,6 +1,8 @@
 //! Edges are split where the surface bends.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
+
+use rayon::slice::ParallelSliceMut;
 
 use crate::intervals::{Crossing, Field, between, distance};
 use crate::parallel;
@@ -36,8 +38,9 @@ pub(super) fn split(
     shortest: f64,
 ) -> bool {
     let normals = normals(field, vertices);
-    let edges: BTreeSet<Edge> = triangles.iter().flat_map(edges).collect();
-    let edges: Vec<Edge> = edges.into_iter().collect();
+    let mut edges: Vec<Edge> = triangles.iter().flat_map(edges).collect();
+    edges.par_sort_unstable();
+    edges.dedup();
     let candidates = parallel::map(&edges, |&(a, b)| {
         let [m, n] = [a, b].map(|v| normals[v as usize]);
         let [p, q] = [a, b].map(|v| vertices[v as usize].point);
