@@ -7,11 +7,11 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::arcs::{Arcs, arcs_text};
-use super::json::write_value;
+use super::json::{parsed, write_value};
 use super::source::write_source;
 use super::{Coordinates, Format, SCHEMA, write_coordinates, write_surface};
 use crate::arcs::IntersectionArcs;
-use crate::error::{Invariant, Result};
+use crate::error::Result;
 use crate::exact::Rational;
 use crate::notation::polynomial_text;
 use crate::parametrize::{CommonPoint, IntersectionParametrization, UnreachedPoint};
@@ -100,7 +100,7 @@ pub(crate) fn write_intersection_curves(
             let surfaces = found.surfaces.iter().map(|surface| {
                 let mut text = Vec::new();
                 write_surface(surface, &[], Format::Json, &mut text)?;
-                Ok(serde_json::from_slice(&text).invariant("what was written is JSON"))
+                Ok(parsed(&text))
             });
             let surfaces = surfaces.collect::<Result<_>>()?;
             let first = curves.first().map(curve);

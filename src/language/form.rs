@@ -238,7 +238,8 @@ fn implicit_surface(
         return Ok(ImplicitSurface::new(polynomial));
     };
     // Of a polynomial of degree d there are at most C(d + 3, 3) terms.
-    let d = usize::try_from(polynomial.degree().unwrap_or(0)).unwrap_or(usize::MAX);
+    let degree = polynomial.degree().invariant("a constant is no surface");
+    let d = usize::try_from(degree).invariant("a degree is within MAX_DEGREE");
     let product = [1, 2, 3].map(|k| d.saturating_add(k));
     let terms = product.into_iter().fold(1, usize::saturating_mul) / 6;
     check_terms(terms, source_name)?;

@@ -75,30 +75,34 @@ pub(crate) fn states_center(text: &str) -> bool {
         let document = serde_json::from_str::<Value>(text.trim_start_matches('\u{feff}'));
         return document.is_ok_and(|document| !document["center"].is_null());
     }
-    text.lines().any(|line| {
-        let comment = line.strip_prefix('#').map(str::trim_start);
-        comment.is_some_and(|comment| comment.starts_with("center:"))
-    })
+    text.lines().any(|line| center_in(line).is_some())
+}
+
+/// The text behind `start` in the comment of a line. A comment may stand behind a formula.
+fn comment<'a>(line: &'a str, start: &str) -> Option<&'a str> {
+    let (_, comment) = line.split_once('#')?;
+    comment.trim_start().strip_prefix(start)
+}
+
+/// The comment of a line that states the center, with its sign.
+fn center_in(line: &str) -> Option<&str> {
+    comment(line, "center:")?;
+    line.find('#').map(|at| &line[at..])
 }
 
 /// The form that the text says it parametrizes, with its center, both at their places in the text; everything else is blank.
 fn parametrized_form(text: &str) -> Option<String> {
-    // A comment may stand behind a formula.
-    fn comment<'a>(line: &'a str, start: &str) -> Option<&'a str> {
-        let (_, comment) = line.split_once('#')?;
-        comment.trim_start().strip_prefix(start)
-    }
-    let kept = |line: &str, from: usize| " ".repeat(from) + &line[from..];
+    let at_its_place = |line: &str, end: &str| " ".repeat(line.len() - end.len()) + end;
     let mut found = false;
     let lines: Vec<String> = text
         .lines()
         .map(|line| match comment(line, PARAMETRIZES) {
             Some(form) if !found => {
                 found = true;
-                kept(line, line.len() - form.len())
+                at_its_place(line, form)
             }
-            None if comment(line, "center:").is_some() => kept(line, line.find('#').unwrap_or(0)),
-            _ => String::new(),
+            Some(_) => String::new(),
+            None => center_in(line).map_or_else(String::new, |center| at_its_place(line, center)),
         })
         .collect();
     found.then(|| lines.join("\n"))

@@ -128,7 +128,7 @@ pub fn positivity(
 }
 
 /// The exponent e for which 2^e is about the largest that a term may be: |c| times an estimate of the largest |Y(l, m)|, the root of
-/// (l + |m|)!/(l − |m|)!.
+/// (l + |m|)!/(l − |m|)!. The radius is not constant.
 #[expect(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
@@ -145,7 +145,9 @@ fn largest_exponent(surface: &HarmonicSurface) -> i64 {
             let bits = |n: malachite::Integer| n.significant_bits().cast_signed();
             bits(c.numerator()) - bits(c.denominator()) + (product / 2.0) as i64
         });
-    exponents.max().unwrap_or(0)
+    exponents
+        .max()
+        .invariant("a radius with a degree has a term")
 }
 
 /// Bounds of the least value of R, and the angles θ and φ of a direction near it.
