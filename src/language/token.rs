@@ -138,7 +138,7 @@ fn read_comment(
     comment: &str,
     center: &mut Option<Span>,
 ) -> Result<()> {
-    let body = comment.trim_start_matches(['#', '/']);
+    let body = comment.trim_start_matches(['#', '/', '%']);
     let Some(value) = body.trim_start().strip_prefix("center:") else {
         return Ok(());
     };
