@@ -192,7 +192,9 @@ impl Description {
     pub fn of_surface(surface: &ImplicitSurface, limits: &Limits) -> Result<Self> {
         let factors = factor_space(surface.polynomial(), limits)?.factors;
         let described = factors.into_iter().map(|factor| DescribedFactor {
-            shape: Form::Surface(ImplicitSurface::new(factor.polynomial)),
+            shape: Form::Surface(
+                ImplicitSurface::new(factor.polynomial).with_center(surface.center().clone()),
+            ),
             multiplicity: factor.multiplicity,
             proof: factor.proof.to_string(),
         });

@@ -153,6 +153,11 @@ pub fn trace_intersection(
             "arcs need a box with positive sides and at least one step".into(),
         ));
     }
+    let [first, second] = surfaces;
+    let surfaces = [
+        &*first.in_original_coordinates(limits)?,
+        &*second.in_original_coordinates(limits)?,
+    ];
     let mut factors = Vec::new();
     for surface in surfaces {
         let of = factor_space(surface.polynomial(), limits)?.factors;

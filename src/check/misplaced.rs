@@ -20,19 +20,19 @@ impl Reference {
         found: &Comparison,
         points: &[GivenPoint],
     ) -> Vec<Mistaken<Vec<GivenPoint>>> {
-        let [a, b] = self.center().each_ref().map(Rational::to_f64);
-        let moved = |[a, b]: [f64; 2]| mapped(points, |[x, y, z]| [x - a, y - b, z]);
+        let center = self.center_in_space().each_ref().map(Rational::to_f64);
+        let moved = |sign: f64| mapped(points, |p| [0, 1, 2].map(|i| p[i] + sign * center[i]));
         let mut all = Vec::new();
-        if a != 0.0 || b != 0.0 {
+        if center.iter().any(|c| *c != 0.0) {
             all.push(Mistaken {
                 name: "center forgotten".into(),
-                explanation: "the points are in the coordinates of the contour; they are compared relative to its center".into(),
-                form: moved([a, b]),
+                explanation: "the points are in the original coordinates; they are compared relative to the center".into(),
+                form: moved(-1.0),
             });
             all.push(Mistaken {
                 name: "center forgotten".into(),
                 explanation: "the center was taken away from points that are relative to it".into(),
-                form: moved([-a, -b]),
+                form: moved(1.0),
             });
         }
         all.extend(factors(found).map(|factor| Mistaken {

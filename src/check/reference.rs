@@ -24,7 +24,8 @@ pub struct Reference {
     radius_is_given: bool,
     /// For a contour, the fit with one harmonic more.
     next: Option<FourierRadius>,
-    center: [Rational; 2],
+    /// Of a curve its third coordinate is 0.
+    center: [Rational; 3],
 }
 
 impl Reference {
@@ -47,7 +48,7 @@ impl Reference {
             radius: Some(radius.clone()),
             radius_is_given: true,
             next: None,
-            center: radius.center().clone(),
+            center: in_space(radius.center()),
         })
     }
 
@@ -62,7 +63,7 @@ impl Reference {
             radius,
             radius_is_given: false,
             next: None,
-            center: curve.center().clone(),
+            center: in_space(curve.center()),
         }
     }
 
@@ -76,7 +77,7 @@ impl Reference {
             radius: None,
             radius_is_given: false,
             next: None,
-            center: [Rational::zero(), Rational::zero()],
+            center: surface.center().clone(),
         }
     }
 
@@ -111,10 +112,10 @@ impl Reference {
         self.radius.as_ref().filter(|_| self.radius_is_given)
     }
 
-    /// The point of the contour's coordinates that is the origin here.
+    /// The point of the original coordinates that is the origin here, with as many coordinates as the form has.
     #[must_use]
-    pub fn center(&self) -> &[Rational; 2] {
-        &self.center
+    pub fn center(&self) -> &[Rational] {
+        &self.center[..if self.in_space { 3 } else { 2 }]
     }
 
     /// Compares the coefficients of a float program with the exact ones, and looks for usual mistakes.
@@ -140,6 +141,11 @@ impl Reference {
         found
     }
 
+    /// The point of the original coordinates that is the origin here; of a curve its third coordinate is 0.
+    pub(super) fn center_in_space(&self) -> &[Rational; 3] {
+        &self.center
+    }
+
     /// The polynomials that usual mistakes lead to.
     pub(super) fn mistaken(&self) -> Vec<Mistaken<SparsePolynomial<3>>> {
         let mut all = mistaken_polynomials(&self.polynomial, self.radius.as_ref(), self.in_space);
@@ -151,4 +157,8 @@ impl Reference {
         }));
         all
     }
+}
+
+fn in_space([a, b]: &[Rational; 2]) -> [Rational; 3] {
+    [a.clone(), b.clone(), Rational::zero()]
 }

@@ -96,14 +96,16 @@ pub(super) fn fourier(radius: &FourierRadius) -> Fourier {
     }
 }
 
+/// The coordinate of a center before what is added to it, in SymPy.
+pub(super) fn sympy_start(c: &Rational) -> String {
+    if c.is_zero() {
+        return String::new();
+    }
+    format!("Rational({}, {}) + ", c.numerator(), c.denominator())
+}
+
 pub(super) fn coordinates(sympy: &str, center: &[Rational; 2]) -> PlaneFormulas {
-    let [cx, cy] = center.each_ref().map(|c| {
-        if c.is_zero() {
-            String::new()
-        } else {
-            format!("Rational({}, {}) + ", c.numerator(), c.denominator())
-        }
-    });
+    let [cx, cy] = center.each_ref().map(sympy_start);
     PlaneFormulas {
         x: format!("{cx}({sympy})*cos(theta)"),
         y: format!("{cy}({sympy})*sin(theta)"),

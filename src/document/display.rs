@@ -239,8 +239,9 @@ impl FromStr for SparsePolynomial<3> {
         }
         let expected = "a polynomial in x, y and z, such as x^2 + y^2 + z^2 - 1";
         parsed(text, expected, |form| match form {
-            Form::Surface(surface) => Some(surface.polynomial().clone()),
-            Form::Curve(curve) => Some(Self::from(curve.polynomial())),
+            // A polynomial has no center.
+            Form::Surface(surface) if surface.is_centered() => Some(surface.polynomial().clone()),
+            Form::Curve(curve) if curve.is_centered() => Some(Self::from(curve.polynomial())),
             _ => None,
         })
     }

@@ -57,8 +57,6 @@ impl Annotations {
             Fact::Harmonics(degree) => self.note(format!(
                 "the equation of a harmonic surface of degree {degree}: Eqs. (7) and (8) with solid harmonics"
             )),
-            // It stands before the notes.
-            Fact::SpaceCenter(_) => {}
             Fact::RoundedRadius(bound) => self.note(rounding_note(bound)),
             Fact::Irreducible { degree, proof } => {
                 let proof = match proof {

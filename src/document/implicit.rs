@@ -61,7 +61,7 @@ pub fn write_implicit(
     .write(&degrees, format, out)
 }
 
-/// Writes `f(x, y, z) = 0` with its terms in canonical order, and the center if the facts have one.
+/// Writes `f(x, y, z) = 0` with its terms in canonical order, and the center if it is not the origin.
 ///
 /// If z does not occur in f, formulas end with the term 0z, which shows that the form is a surface.
 ///
@@ -74,18 +74,13 @@ pub(crate) fn write_surface(
     out: &mut dyn Write,
 ) -> Result<()> {
     let f = surface.polynomial();
-    let center = facts.iter().find_map(|fact| match fact {
-        Fact::SpaceCenter(center) => Some(&center[..]),
-        _ => None,
-    });
-    let center = center.unwrap_or_default();
     let degree = |e: &[u32; 3]| e.iter().map(|&k| u64::from(k)).sum::<u64>();
     let mut degrees: Vec<u64> = f.terms().map(|(e, _)| degree(e)).collect();
     degrees.dedup();
     Implicit {
         variables: &["x", "y", "z"],
         terms: f.terms().map(|(e, c)| (*e, Number::from(c))),
-        center,
+        center: &surface.center()[..],
         z_is_missing: f.terms().all(|(e, _)| e[2] == 0),
         annotations: &facts.into(),
     }

@@ -8,6 +8,7 @@ use super::facts::Annotations;
 use super::json::write_value;
 use super::{Format, Kind, SCHEMA, write_surface};
 use crate::error::Result;
+use crate::limits::Limits;
 use crate::notation::polynomial_text;
 use crate::shape::ImplicitSurface;
 use crate::verb::Fact;
@@ -23,6 +24,8 @@ pub(crate) fn write_intersection(
     out: &mut dyn Write,
 ) -> Result<()> {
     let annotations = &Annotations::from(facts);
+    // A text has one center.
+    let surfaces = &ImplicitSurface::all_in_original_coordinates(surfaces, &Limits::none())?[..];
     match format {
         Format::Json => write_json(surfaces, annotations, out),
         Format::Csv => Err(Kind::Equations.refused(format)),

@@ -11,7 +11,6 @@ use super::{
     write_surface_parametrization,
 };
 use crate::error::{Error, Result};
-use crate::exact::Rational;
 use crate::shape::Form;
 use crate::verb::{
     Described, DescribedForm, Implicitization, Parametrized, SampledPoints, Samples,
@@ -108,11 +107,7 @@ pub fn write_parametrized(
 pub fn write_sampled(found: &Samples, format: Format, out: &mut dyn Write) -> Result<()> {
     match &found.points {
         SampledPoints::Plane { rays, center } => write_samples(rays, center, format, out),
-        SampledPoints::Harmonics { rays, center } => write_samples(rays, center, format, out),
-        SampledPoints::Space(rays) => {
-            let origin = [Rational::zero(), Rational::zero()];
-            write_samples(rays, &origin, format, out)
-        }
+        SampledPoints::Space { rays, center } => write_samples(rays, center, format, out),
         SampledPoints::Arcs(arcs) => write_arcs(arcs, format, out),
     }
 }
@@ -122,8 +117,6 @@ pub fn write_sampled(found: &Samples, format: Format, out: &mut dyn Write) -> Re
 pub fn sampled_text(found: &Samples) -> Vec<String> {
     match &found.points {
         SampledPoints::Arcs(arcs) => arcs_text(arcs),
-        SampledPoints::Plane { .. } | SampledPoints::Harmonics { .. } | SampledPoints::Space(_) => {
-            Vec::new()
-        }
+        SampledPoints::Plane { .. } | SampledPoints::Space { .. } => Vec::new(),
     }
 }

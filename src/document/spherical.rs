@@ -4,12 +4,12 @@ use std::io::Write;
 
 use serde::Serialize;
 
-use super::angles::{Range, ranges, ranges_text_of};
+use super::angles::{Range, ranges, ranges_text_of, sympy_start};
 use super::expression::{condition_text, expression_text, form_text};
 use super::json::{Number, write_value};
 use super::parametric::validity;
 use super::source::{SourceField, source_field, write_radii, write_source};
-use super::{Format, Kind, SCHEMA};
+use super::{Format, Kind, SCHEMA, center_comment};
 use crate::error::{Error, Result};
 use crate::parametrize::{SurfaceMethod, SurfaceParametrization};
 use crate::poly::SpacePolynomial;
@@ -25,6 +25,8 @@ struct SurfaceParametrizationDocument {
     method: String,
     step: usize,
     lines: [String; 0],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    center: Option<[String; 3]>,
     cones: Vec<FormEntry>,
     discriminants: Vec<FormEntry>,
     branches: Vec<BranchEntry>,
@@ -157,6 +159,9 @@ fn write_text(
         out,
         "# x = R*sin(phi)*cos(theta), y = R*sin(phi)*sin(theta), z = R*cos(phi)"
     )?;
+    if let Some(comment) = surface.center().and_then(|center| center_comment(center)) {
+        writeln!(out, "# {comment}")?;
+    }
     write_source(Some(&surface.of), Format::Text, out)?;
     for (index, factor) in surface.factors.iter().enumerate() {
         if factor.is_cone() {
@@ -277,6 +282,9 @@ fn document(
     let numbered = || surface.factors.iter().enumerate();
     let cones = numbered().filter(|(_, f)| f.is_cone());
     let discriminants = numbered().filter_map(|(i, f)| Some((i, f.discriminant.as_ref()?)));
+    let center = surface.center();
+    let starts = center.map(|center| center.each_ref().map(sympy_start));
+    let [x, y, z] = starts.unwrap_or_default();
     let branches = surface.branches.iter().map(|branch| {
         let sympy = expression_text(&branch.radius, Format::Sympy);
         BranchEntry {
@@ -284,9 +292,9 @@ fn document(
             radius: expression_text(&branch.radius, Format::Text),
             latex: expression_text(&branch.radius, Format::Latex),
             coordinates: SpaceFormulas {
-                x: format!("({sympy})*sin(phi)*cos(theta)"),
-                y: format!("({sympy})*sin(phi)*sin(theta)"),
-                z: format!("({sympy})*cos(phi)"),
+                x: format!("{x}({sympy})*sin(phi)*cos(theta)"),
+                y: format!("{y}({sympy})*sin(phi)*sin(theta)"),
+                z: format!("{z}({sympy})*cos(phi)"),
             },
             sympy,
             condition: condition_text(&branch.real_where),
@@ -301,6 +309,7 @@ fn document(
         method: method(surface),
         step: surface.step,
         lines: [],
+        center: center.map(|center| center.each_ref().map(ToString::to_string)),
         cones: cones
             .flat_map(|(i, f)| {
                 let parts = f.polynomial.parts();

@@ -3,6 +3,7 @@
 use malachite::Integer;
 
 use crate::error::{Error, Result};
+use crate::exact::Rational;
 use crate::poly::{Ring, SpacePolynomial, TernaryForm};
 use crate::shape::{HarmonicPair, HarmonicSurface, ImplicitSurface, rho_power_in_space};
 
@@ -33,6 +34,7 @@ use crate::shape::{HarmonicPair, HarmonicSurface, ImplicitSurface, rho_power_in_
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SquaredHarmonics {
     pair: HarmonicPair,
+    center: [Rational; 3],
 }
 
 impl SquaredHarmonics {
@@ -49,6 +51,7 @@ impl SquaredHarmonics {
         }
         Ok(Self {
             pair: HarmonicPair::new(surface),
+            center: surface.center().clone(),
         })
     }
 
@@ -70,7 +73,8 @@ impl SquaredHarmonics {
         self.pair.is_odd()
     }
 
-    /// The reduced implicit equation with coprime integer coefficients: F, or the G with F = G² if F is a perfect square.
+    /// The reduced implicit equation with coprime integer coefficients: F, or the G with F = G² if F is a perfect square, relative
+    /// to the center of the harmonic surface.
     ///
     /// Cost: two squares of forms of degree L, each one product of univariate polynomials with about 2L² coefficients, and O(L³)
     /// additions.
@@ -81,7 +85,7 @@ impl SquaredHarmonics {
             // L is odd here: G = ρ^((L+1)/2) − odd.
             let top = rho_power_in_space(degree.div_ceil(2), self.pair.unit());
             let odd = self.pair.odd().map(|odd| odd.scaled(&Integer::from(-1)));
-            return surface(std::iter::once(top).chain(odd));
+            return self.surface(std::iter::once(top).chain(odd));
         }
         self.expand_unreduced()
     }
@@ -102,19 +106,19 @@ impl SquaredHarmonics {
             Some(odd) => odd.squared_densely().times_rho_power(is_even).minus(&even),
             None => even.scaled(&Integer::from(-1)),
         };
-        surface([top].into_iter().chain(middle).chain([low]))
+        self.surface([top].into_iter().chain(middle).chain([low]))
     }
-}
 
-/// The surface on which the sum of the parts is 0, with coprime coefficients.
-fn surface(parts: impl Iterator<Item = TernaryForm>) -> ImplicitSurface {
-    ImplicitSurface::of_parts(SpacePolynomial::primitive(parts))
+    /// The surface on which the sum of the parts is 0, with coprime coefficients.
+    fn surface(&self, parts: impl Iterator<Item = TernaryForm>) -> ImplicitSurface {
+        let polynomial = SpacePolynomial::primitive(parts);
+        ImplicitSurface::of_parts(polynomial).with_center(self.center.clone())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Rational;
     use crate::implicitize::square_away;
     use crate::poly::{HomogeneousPolynomial, SparsePolynomial};
     use proptest::prelude::*;

@@ -80,7 +80,7 @@ pub struct Inspector {
 }
 
 impl Inspector {
-    /// The inspector of a surface, for points in space.
+    /// The inspector of a surface, for points in the surface's original coordinates; its center is taken into account.
     ///
     /// ```
     /// use stellate::inspect::{InspectorOptions, Inspector, Verdict};
@@ -109,13 +109,14 @@ impl Inspector {
         let polynomial = surface.polynomial();
         let found = factor_space(polynomial, limits)?.factors;
         let factors = found.into_iter().map(|f| (f.polynomial, f.multiplicity));
-        Self::new(
+        let inspector = Self::new(
             Kind::Surface,
             polynomial,
             factors.collect(),
             options,
             limits,
-        )
+        )?;
+        Ok(inspector.moved(surface.center().each_ref()))
     }
 
     /// The inspector of a plane curve, for points (x, y, 0) in the curve's original coordinates; its center is taken into

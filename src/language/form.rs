@@ -20,7 +20,6 @@ use super::source::Span;
 use super::syntax::{Equation, Expr};
 use crate::error::{Error, Invariant, Result};
 use crate::exact::Rational;
-use crate::limits::Limits;
 use crate::poly::{BinaryForm, IntegerPolynomial, PlanePolynomial, SparsePolynomial, total_degree};
 use crate::shape::{Form, FourierRadius, ImplicitCurve, ImplicitSurface};
 
@@ -223,8 +222,7 @@ pub(crate) fn implicit_curve(
     Ok(ImplicitCurve::new(plane(polynomial, source_name)?))
 }
 
-/// The implicit surface of a polynomial that is not constant. If the polynomial is relative to a center, it is expanded about the
-/// origin, exactly.
+/// The implicit surface of a polynomial that is not constant, which is relative to the center if there is one.
 ///
 /// # Errors
 /// [`Error::Limit`] if the polynomial has too many terms.
@@ -234,17 +232,11 @@ fn implicit_surface(
     source_name: &str,
 ) -> Result<ImplicitSurface> {
     check_terms(polynomial.len(), source_name)?;
-    let Some(center) = center.filter(|center| !center.iter().all(Rational::is_zero)) else {
-        return Ok(ImplicitSurface::new(polynomial));
-    };
-    // Of a polynomial of degree d there are at most C(d + 3, 3) terms.
-    let degree = polynomial.degree().invariant("a constant is no surface");
-    let d = usize::try_from(degree).invariant("a degree is within MAX_DEGREE");
-    let product = [1, 2, 3].map(|k| d.saturating_add(k));
-    let terms = product.into_iter().fold(1, usize::saturating_mul) / 6;
-    check_terms(terms, source_name)?;
-    let moved = polynomial.about(&center.map(|c| -c), &Limits::none())?;
-    Ok(ImplicitSurface::new(moved))
+    let surface = ImplicitSurface::new(polynomial);
+    Ok(match center {
+        Some(center) => surface.with_center(center),
+        None => surface,
+    })
 }
 
 fn check_terms(terms: usize, source_name: &str) -> Result<()> {

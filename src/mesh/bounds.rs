@@ -76,6 +76,7 @@ pub struct SurfaceBox {
 /// # Errors
 /// Those of `limits` and of [`factor_space`].
 pub fn mesh_bounds(surface: &ImplicitSurface, limits: &Limits) -> Result<Option<SurfaceBox>> {
+    let surface = &*surface.in_original_coordinates(limits)?;
     let first = bounds_in_place(surface, limits)?;
     let mut last = first;
     let mut frame: Option<Frame> = None;

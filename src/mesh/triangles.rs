@@ -124,6 +124,7 @@ pub fn mesh_surface(
     limits: &Limits,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Mesh> {
+    let surface = surface.in_original_coordinates(limits)?;
     let f = surface.polynomial();
     if f.degree().is_none_or(|degree| degree == 0) {
         return Err(Error::Usage("a constant has no surface".into()));

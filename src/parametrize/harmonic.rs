@@ -28,7 +28,7 @@ use crate::shape::{HarmonicSurface, ImplicitSurface, MAX_HARMONIC_DEGREE};
 /// # Errors
 /// [`crate::error::Error::Limit`] beyond [`MAX_HARMONIC_DEGREE`].
 pub fn harmonic_radii(surface: &ImplicitSurface) -> Result<Vec<HarmonicSurface>> {
-    Ok(match sums(surface) {
+    let radii = match sums(surface) {
         None => Vec::new(),
         Some((scale, odd, None)) => vec![sum(&scale, &odd, None)?],
         Some((scale, odd, Some(even))) => {
@@ -46,7 +46,9 @@ pub fn harmonic_radii(surface: &ImplicitSurface) -> Result<Vec<HarmonicSurface>>
             }
             radii
         }
-    })
+    };
+    let about = |radius: HarmonicSurface| radius.with_center(surface.center().clone());
+    Ok(radii.into_iter().map(about).collect())
 }
 
 /// The factor by which the two forms are larger than the sums of the odd and of the even harmonics; the second form is `None`

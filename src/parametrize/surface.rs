@@ -6,6 +6,7 @@ use super::closed::{LARGEST_SOLVED_DEGREE, Rule, Solved, branches_of, discrimina
 use super::condition::Condition;
 use super::expression::Expression;
 use crate::error::{Error, Result};
+use crate::exact::Rational;
 use crate::factor::factor_space;
 use crate::limits::Limits;
 use crate::poly::{SpacePolynomial, TernaryForm};
@@ -28,6 +29,17 @@ pub struct SurfaceParametrization {
     pub notes: Vec<String>,
     /// The form of which this is the spherical form: an implicit surface or a superquadric in space.
     pub of: Form,
+}
+
+impl SurfaceParametrization {
+    /// The point from which R is measured, if it is not the origin.
+    #[must_use]
+    pub fn center(&self) -> Option<&[Rational; 3]> {
+        match &self.of {
+            Form::Surface(surface) if !surface.is_centered() => Some(surface.center()),
+            _ => None,
+        }
+    }
 }
 
 /// The method that gives the branches of a surface.
@@ -95,6 +107,8 @@ impl SurfaceFactor {
 /// equally spaced degrees, R is the root of a polynomial of degree at most four in R^k and has a closed form, by the formulas
 /// of Lemmas 2 to 5 with forms in (sin φ cos θ, sin φ sin θ, cos φ). A factor of a higher degree in R^k has no branches here;
 /// [`SurfaceParametrization::on_meridian`] and sampling give its roots direction by direction.
+///
+/// R is the distance from the center of the surface.
 ///
 /// ```
 /// use stellate::limits::Limits;

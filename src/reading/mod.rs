@@ -21,8 +21,6 @@ pub use norm::Normalization;
 pub(crate) use table::{Table, is_elliptic_header};
 pub use table::{read_coefficients_csv, read_elliptic_csv, read_fourier_csv};
 
-use serde_json::Value;
-
 use crate::error::Result;
 use crate::language::{Numbers, parse_form};
 use crate::shape::Form;
@@ -67,15 +65,6 @@ fn is_document(text: &str) -> bool {
     let body = text.trim_start_matches('\u{feff}').trim_start();
     let inner = body.strip_prefix('{').map(str::trim_start);
     inner.is_some_and(|inner| inner.is_empty() || inner.starts_with(['"', '}']))
-}
-
-/// Whether a document or a table states the center of its form.
-pub(crate) fn states_center(text: &str) -> bool {
-    if is_document(text) {
-        let document = serde_json::from_str::<Value>(text.trim_start_matches('\u{feff}'));
-        return document.is_ok_and(|document| !document["center"].is_null());
-    }
-    text.lines().any(|line| center_in(line).is_some())
 }
 
 /// The text behind `start` in the comment of a line. A comment may stand behind a formula.

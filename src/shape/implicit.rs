@@ -1,11 +1,16 @@
 //! Implicit curves and surfaces: zero sets of exact polynomials.
 
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::intervals::Interval;
+use crate::limits::Limits;
 use crate::poly::{PlanePolynomial, SpacePolynomial, SparsePolynomial};
+
+/// The largest number of terms that a polynomial in space may have in original coordinates.
+const MAX_MOVED_TERMS: usize = 5_000_000;
 
 /// The plane curve `f(x, y) = 0`, in coordinates relative to `center`.
 ///
@@ -56,6 +61,12 @@ impl ImplicitCurve {
         &self.center
     }
 
+    /// Whether the center is the origin.
+    #[must_use]
+    pub fn is_centered(&self) -> bool {
+        self.center.iter().all(Rational::is_zero)
+    }
+
     /// Certified bounds of f at a point of doubles, given in the contour's own coordinates. They are the doubles next to the
     /// exact value, or twice the value if it is a double. Their signs are that of f, unless f is far below the smallest double.
     ///
@@ -86,40 +97,98 @@ impl ImplicitCurve {
     }
 }
 
-/// The surface `f(x, y, z) = 0`, with f by its homogeneous parts, and by its terms if they are asked for.
+/// The surface `f(x, y, z) = 0`, in coordinates relative to `center`, with f by its homogeneous parts, and by its terms if they are
+/// asked for.
+///
+/// The equation of a harmonic surface has the center of the surface, because F has its three homogeneous parts only about that
+/// point. [`ImplicitSurface::in_original_coordinates`] expands F about the origin.
 #[derive(Clone, Debug)]
 pub struct ImplicitSurface {
     polynomial: OnceLock<SparsePolynomial<3>>,
     by_degree: SpacePolynomial,
+    center: [Rational; 3],
 }
 
 impl PartialEq for ImplicitSurface {
-    /// Whether the polynomials are equal.
+    /// Whether the polynomials and the centers are equal.
     fn eq(&self, other: &Self) -> bool {
-        self.by_degree == other.by_degree
+        self.by_degree == other.by_degree && self.center == other.center
     }
 }
 
 impl Eq for ImplicitSurface {}
 
 impl ImplicitSurface {
-    /// The zero set of `polynomial`.
+    /// The zero set of `polynomial`, about the origin.
     #[must_use]
     pub fn new(polynomial: SparsePolynomial<3>) -> Self {
-        let by_degree = SpacePolynomial::from(&polynomial);
         Self {
+            by_degree: SpacePolynomial::from(&polynomial),
             polynomial: polynomial.into(),
-            by_degree,
+            center: origin(),
         }
     }
 
-    /// The zero set of a polynomial that is given by its homogeneous parts.
+    /// The zero set of a polynomial that is given by its homogeneous parts, about the origin.
     #[must_use]
     pub fn of_parts(by_degree: SpacePolynomial) -> Self {
         Self {
             polynomial: OnceLock::new(),
             by_degree,
+            center: origin(),
         }
+    }
+
+    /// The surface of the same polynomial, in coordinates relative to `center`.
+    #[must_use]
+    pub fn with_center(mut self, center: [Rational; 3]) -> Self {
+        self.center = center;
+        self
+    }
+
+    /// The point x = y = z = 0, in the original coordinates.
+    #[must_use]
+    pub fn center(&self) -> &[Rational; 3] {
+        &self.center
+    }
+
+    /// Whether the center is the origin.
+    #[must_use]
+    pub fn is_centered(&self) -> bool {
+        self.center.iter().all(Rational::is_zero)
+    }
+
+    /// The same surface, with its polynomial expanded in the original coordinates; the surface itself if its center is the origin.
+    ///
+    /// ```
+    /// use stellate::limits::Limits;
+    /// use stellate::shape::ImplicitSurface;
+    ///
+    /// let sphere: ImplicitSurface = "x^2 + y^2 + z^2 = 1".parse()?;
+    /// let moved = sphere.with_center([0.into(), 0.into(), 3.into()]);
+    /// assert_eq!(moved.bounds_at([0.0, 0.0, 4.0])?, [0.0, 0.0]);
+    /// let expanded = moved.in_original_coordinates(&Limits::none())?;
+    /// assert_eq!(expanded.into_owned(), "x^2 + y^2 + z^2 - 6z + 8 = 0".parse()?);
+    /// # Ok::<(), stellate::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if more than 5 000 000 terms are possible; those of `limits`.
+    pub fn in_original_coordinates(&self, limits: &Limits) -> Result<Cow<'_, Self>> {
+        if self.is_centered() {
+            return Ok(Cow::Borrowed(self));
+        }
+        // Of a polynomial of degree d there are at most C(d + 3, 3) terms.
+        let degree = self.by_degree.degree().unwrap_or(0);
+        let product = [1, 2, 3].map(|k| degree.saturating_add(k));
+        if product.into_iter().fold(1, usize::saturating_mul) / 6 > MAX_MOVED_TERMS {
+            return Err(Error::limit(format!(
+                "a polynomial of degree {degree} in original coordinates: it can have more than {MAX_MOVED_TERMS} terms"
+            )));
+        }
+        let back = self.center.each_ref().map(|c| -c);
+        let moved = self.polynomial().about(&back, limits)?;
+        Ok(Cow::Owned(Self::new(moved)))
     }
 
     /// The polynomial f by its terms.
@@ -145,14 +214,34 @@ impl ImplicitSurface {
         &self.by_degree
     }
 
+    /// Surfaces that meet, all in original coordinates.
+    ///
+    /// # Errors
+    /// Those of [`Self::in_original_coordinates`].
+    pub(crate) fn all_in_original_coordinates(
+        surfaces: &[Self],
+        limits: &Limits,
+    ) -> Result<Vec<Self>> {
+        let moved = surfaces
+            .iter()
+            .map(|surface| Ok(surface.in_original_coordinates(limits)?.into_owned()));
+        moved.collect()
+    }
+
     /// Certified bounds of f at a point of doubles; see [`ImplicitCurve::bounds_at`].
     ///
     /// # Errors
     /// [`Error::Usage`] for a point that is not finite.
     pub fn bounds_at(&self, point: [f64; 3]) -> Result<[f64; 2]> {
         let [x, y, z] = point.map(finite);
-        Ok(bounds(&self.polynomial().evaluate(&[x?, y?, z?])))
+        let [a, b, c] = &self.center;
+        let point = [x? - a, y? - b, z? - c];
+        Ok(bounds(&self.polynomial().evaluate(&point)))
     }
+}
+
+fn origin() -> [Rational; 3] {
+    std::array::from_fn(|_| Rational::zero())
 }
 
 /// The exact value of a finite double.

@@ -14,15 +14,14 @@ use crate::error::{Error, Result};
 use crate::exact::Rational;
 use crate::fit::FitOptions;
 use crate::language::Numbers;
-use crate::limits::Limits;
 use crate::options::options;
 use crate::poly::SparsePolynomial;
 use crate::reading::{
     HarmonicConvention, HarmonicLayout, layout_of_header, read_coefficients, read_document,
-    read_harmonics, states_center,
+    read_harmonics,
 };
 use crate::rows::words;
-use crate::shape::{Form, HarmonicSurface, ImplicitSurface};
+use crate::shape::{Form, HarmonicSurface};
 
 /// More directions of test vectors than this are refused.
 pub const MAX_VECTOR_DIRECTIONS: usize = 1_000_000;
@@ -135,10 +134,7 @@ pub fn check(given: Given, options: &CheckOptions, work: &Work) -> Result<CheckT
         Form::Surface(surface) => Ok(Reference::of_surface(surface)),
         _ => Err(CHECK.not_this()),
     })?;
-    let center = match &spherical {
-        Some(spherical) => &spherical.surface().center()[..],
-        None => &reference.center()[..],
-    };
+    let center = reference.center();
     if !center.iter().all(Rational::is_zero) {
         work.remark(Remark::RelativeTo(center.to_vec()));
     }
@@ -182,15 +178,7 @@ impl CheckTask {
                 } else {
                     read_coefficients(text, source_name, Numbers::F64)?
                 };
-                FloatNumbers::Coefficients(Box::new(match (form, &self.spherical) {
-                    // It was moved to the original coordinates; the reference is about the center of its form.
-                    (Form::Surface(surface), Some(spherical)) if states_center(text) => {
-                        let center = spherical.surface().center();
-                        let about = surface.polynomial().about(center, &Limits::none())?;
-                        Form::Surface(ImplicitSurface::new(about))
-                    }
-                    (form, _) => form,
-                }))
+                FloatNumbers::Coefficients(Box::new(form))
             }
             FloatKind::Points => {
                 let in_space = self.reference.in_space();
@@ -255,20 +243,12 @@ impl CheckTask {
     fn coefficients(&self, form: &Form, name: &str) -> Result<SparsePolynomial<3>> {
         let wrong = |message: String| Error::data(name, message);
         let reference = &self.reference;
-        let (polynomial, in_space) = match form {
+        let (polynomial, center, in_space) = match form {
             Form::Curve(curve) => {
-                let center = curve.center().each_ref().map(|v| v.to_f64().to_bits());
-                let about = reference.center().each_ref().map(|v| v.to_f64().to_bits());
-                let [x, y] = curve.center();
-                if (!x.is_zero() || !y.is_zero()) && center != about {
-                    let [a, b] = reference.center();
-                    return Err(wrong(format!(
-                        "the coefficients are relative to ({x}, {y}), the reference to ({a}, {b})"
-                    )));
-                }
-                (SparsePolynomial::from(curve.polynomial()), false)
+                let polynomial = SparsePolynomial::from(curve.polynomial());
+                (polynomial, &curve.center()[..], false)
             }
-            Form::Surface(surface) => (surface.polynomial().clone(), true),
+            Form::Surface(surface) => (surface.polynomial().clone(), &surface.center()[..], true),
             _ => {
                 return Err(wrong(
                     "expected the coefficients of a polynomial: a document of kind \"implicit\", or rows i,j[,k],value".into(),
@@ -283,6 +263,22 @@ impl CheckTask {
             };
             return Err(wrong(format!(
                 "these are the coefficients of {these}, the reference is {that}"
+            )));
+        }
+        // What states no center is relative to the center of the reference.
+        let bits = |center: &[Rational]| -> Vec<u64> {
+            center.iter().map(|v| v.to_f64().to_bits()).collect()
+        };
+        let is_stated = !center.iter().all(Rational::is_zero);
+        if is_stated && bits(center) != bits(reference.center()) {
+            let listed = |center: &[Rational]| {
+                let texts: Vec<String> = center.iter().map(ToString::to_string).collect();
+                texts.join(", ")
+            };
+            return Err(wrong(format!(
+                "the coefficients are relative to ({}), the reference to ({})",
+                listed(center),
+                listed(reference.center())
             )));
         }
         Ok(polynomial)
@@ -351,12 +347,9 @@ pub fn vectors(given: Given, options: &VectorOptions, work: &Work) -> Result<Tes
     } else {
         InputsOf::Form
     };
-    let mut vectors = work.stage("vectors", || {
+    let vectors = work.stage("vectors", || {
         test_vectors(&task.reference, inputs, options.directions, work.bounds())
     })?;
-    if let Some(spherical) = &task.spherical {
-        vectors.center = spherical.surface().center().to_vec();
-    }
     if vectors.rounded > 0 {
         work.remark(Remark::Rounded {
             rounded: vectors.rounded,

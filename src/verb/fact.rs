@@ -29,8 +29,6 @@ pub enum Fact {
     PerfectSquare,
     /// The equation is that of a harmonic surface of this degree L, by Theorem 2 in space.
     Harmonics(usize),
-    /// Coordinates in space are relative to this point.
-    SpaceCenter([Rational; 3]),
     /// The coefficients of the radius were rounded: in every direction it is off by at most this.
     RoundedRadius(Rational),
     /// The equation is irreducible, and it vanishes on the whole form.

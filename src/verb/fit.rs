@@ -9,7 +9,7 @@ use crate::fit::{
     is_positive_by_values, normal_form,
 };
 use crate::parametrize::is_positive;
-use crate::shape::{Contour, EllipticSeries, Form, FourierRadius, PointCloud};
+use crate::shape::{Contour, EllipticSeries, Form, FourierRadius, ImplicitSurface, PointCloud};
 
 /// A series that was fitted to an outline, and how far it is from the outline.
 #[derive(Clone, Debug)]
@@ -333,6 +333,14 @@ pub(super) fn exact_form(given: Given, options: &FitOptions, work: &Work) -> Res
     match given.into_content() {
         Content::Exact(form) => {
             refuse_fit_options(options)?;
+            let form = match form {
+                Form::Intersection(surfaces) => {
+                    let all =
+                        ImplicitSurface::all_in_original_coordinates(&surfaces, work.bounds())?;
+                    Form::Intersection(all)
+                }
+                other => other,
+            };
             Ok(Fitted { form, report: None })
         }
         Content::Contour(contour) => {

@@ -102,13 +102,12 @@ pub fn implicitize(
     let proved = work.proves().then(|| form.clone());
     let mut found = work.stage("implicitize", || {
         let found = equation(form, options, work)?;
-        if let (CoordinatesFrom::Original, Form::Curve(curve)) = (options.coordinates, &found.form)
-            && !curve.center().iter().all(Rational::is_zero)
-        {
-            work.remark(Remark::Expanded(curve.center().to_vec()));
-        }
+        let form = match options.coordinates {
+            CoordinatesFrom::Center => found.form,
+            CoordinatesFrom::Original => in_original_coordinates(found.form, work)?,
+        };
         Ok(Implicitization {
-            form: scaled(found.form, options),
+            form: scaled(form, options.scale),
             ..found
         })
     })?;
@@ -163,7 +162,7 @@ fn equation(form: Form, options: &ImplicitizeOptions, work: &Work) -> Result<Imp
     };
     Ok(match form {
         Form::Fourier(radius) => of_radius(&radius, options, work)?,
-        Form::Harmonic(surface) => of_harmonics(&surface, options, work)?,
+        Form::Harmonic(surface) => of_harmonics(&surface, work)?,
         Form::Superquadric(shape) => plain(Form::Curve(curve_of_superquadric(&shape)?)),
         Form::SpaceSuperquadric(shape) => plain(Form::Surface(surface_of_superquadric(&shape)?)),
         Form::PlaneCurve(curve) => of_plane_curve(&curve, polar, work)?,
@@ -211,34 +210,18 @@ fn of_radius(
 }
 
 /// The equation of a harmonic surface by Theorem 2 in space.
-fn of_harmonics(
-    surface: &HarmonicSurface,
-    options: &ImplicitizeOptions,
-    work: &Work,
-) -> Result<Implicitization> {
+fn of_harmonics(surface: &HarmonicSurface, work: &Work) -> Result<Implicitization> {
     let form = squared_harmonics(surface, work)?;
     let mut facts = vec![Fact::Harmonics(surface.degree())];
     if form.is_perfect_square() {
         facts.push(Fact::PerfectSquare);
         work.remark(Remark::PerfectSquare);
     }
-    let mut expanded = form.expand();
-    if !surface.is_centered() {
-        match options.coordinates {
-            CoordinatesFrom::Center => facts.push(Fact::SpaceCenter(surface.center().clone())),
-            CoordinatesFrom::Original => {
-                let back = surface.center().each_ref().map(|c| -c.clone());
-                let moved = expanded.polynomial().about(&back, work.bounds())?;
-                expanded = ImplicitSurface::new(moved);
-                work.remark(Remark::Expanded(surface.center().to_vec()));
-            }
-        }
-    }
     if !surface.rounding().is_zero() {
         facts.push(Fact::RoundedRadius(surface.rounding().clone()));
     }
     Ok(Implicitization {
-        form: Form::Surface(expanded),
+        form: Form::Surface(form.expand()),
         facts,
     })
 }
@@ -410,25 +393,41 @@ fn beyond<const N: usize>(curve: &ParametricCurve<N>, image: RealImage<N>) -> Be
     }
 }
 
-fn scaled(form: Form, options: &ImplicitizeOptions) -> Form {
+/// The same form, with its polynomial expanded about the origin.
+fn in_original_coordinates(form: Form, work: &Work) -> Result<Form> {
+    let center = match &form {
+        Form::Curve(curve) => &curve.center()[..],
+        Form::Surface(surface) => &surface.center()[..],
+        _ => &[],
+    };
+    if center.iter().all(Rational::is_zero) {
+        return Ok(form);
+    }
+    work.remark(Remark::Expanded(center.to_vec()));
+    Ok(match form {
+        Form::Curve(curve) => Form::Curve(curve.in_original_coordinates()),
+        Form::Surface(surface) => {
+            let moved = surface.in_original_coordinates(work.bounds())?;
+            Form::Surface(moved.into_owned())
+        }
+        other => other,
+    })
+}
+
+fn scaled(form: Form, scale: CoefficientScale) -> Form {
     let surface = |surface: &ImplicitSurface| {
         let f = surface.polynomial();
-        ImplicitSurface::new(match options.scale {
+        let scaled = ImplicitSurface::new(match scale {
             CoefficientScale::Integer => f.primitive(),
             CoefficientScale::Monic => f.monic(),
-        })
+        });
+        scaled.with_center(surface.center().clone())
     };
     match form {
-        Form::Curve(curve) => {
-            let curve = match options.coordinates {
-                CoordinatesFrom::Center => curve,
-                CoordinatesFrom::Original => curve.in_original_coordinates(),
-            };
-            Form::Curve(curve.map_polynomial(|f| match options.scale {
-                CoefficientScale::Integer => f.into_primitive(),
-                CoefficientScale::Monic => f.monic(),
-            }))
-        }
+        Form::Curve(curve) => Form::Curve(curve.map_polynomial(|f| match scale {
+            CoefficientScale::Integer => f.into_primitive(),
+            CoefficientScale::Monic => f.monic(),
+        })),
         Form::Surface(s) => Form::Surface(surface(&s)),
         Form::Intersection(all) => Form::Intersection(all.iter().map(surface).collect()),
         other => other,

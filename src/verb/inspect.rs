@@ -68,7 +68,7 @@ pub enum Subject {
     /// A space curve with its parameter.
     SpaceCurve(SpaceCurve),
     /// A patch with its parameters, and the surface of its equation.
-    Patch(Patch, ImplicitSurface),
+    Patch(Box<Patch>, ImplicitSurface),
     /// The surface R(θ, φ).
     Harmonic(HarmonicSurface),
     /// A plane superquadric without an equation, or with one of a high degree.
@@ -228,7 +228,7 @@ fn subject(given: Given, dimension: usize, fit: &FitOptions, work: &Work) -> Res
             let equation =
                 work.stage("implicitize", || implicitize_patch(&patch, work.bounds()))?;
             check_surface(&equation.surface, work)?;
-            Subject::Patch(patch, equation.surface)
+            Subject::Patch(Box::new(patch), equation.surface)
         }
         (Form::Superquadric(shape), _)
             if shape
@@ -370,7 +370,9 @@ impl InspectionTask {
         }
         let found = match &self.subject {
             Subject::Surface(surface) => {
-                let section = SphereSection::new(surface.polynomial(), point, tolerance);
+                let center = surface.center();
+                let point = [0, 1, 2].map(|i| &point[i] - &center[i]);
+                let section = SphereSection::new(surface.polynomial(), &point, tolerance);
                 if section.work() > MAX_SECTION_WORK {
                     return Ok(Section::TooLong);
                 }

@@ -156,6 +156,7 @@ fn in_space_surface(
     window: Option<Frame>,
     work: &Work,
 ) -> Result<String> {
+    let surface = &*surface.in_original_coordinates(work.bounds())?;
     let shown = match space_window(window)? {
         Some(window) => Some(window),
         None => {

@@ -139,6 +139,7 @@ pub(super) fn of_surface(
     work: &Work,
 ) -> Result<Mesh> {
     check_surface(surface, work)?;
+    let surface = &*surface.in_original_coordinates(work.bounds())?;
     let (mut bounds, may_grow, held) = match options.window {
         Some(window) => (window, false, Held::NotAsked),
         None => match work.stage("bounds", || mesh_bounds(surface, work.bounds()))? {

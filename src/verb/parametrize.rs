@@ -139,8 +139,7 @@ pub fn parametrize(
         let radii = work.stage("parametrize", || harmonic_radii(&equation.expand()))?;
         let others = radii
             .into_iter()
-            .filter(|radius| !radius.has_same_radii(surface))
-            .map(|radius| radius.with_center(surface.center().clone()));
+            .filter(|radius| !radius.has_same_radii(surface));
         let radii: Vec<_> = std::iter::once(surface.clone()).chain(others).collect();
         work.claim(|proof| claim_harmonic_radii(proof, &equation.expand(), &radii))?;
         return Ok(Parametrized::Harmonics(radii));

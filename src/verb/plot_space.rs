@@ -201,6 +201,7 @@ fn intersection(
     window: Option<BoxSides>,
     work: &Work,
 ) -> Result<Vec<Drawn>> {
+    let surfaces = &ImplicitSurface::all_in_original_coordinates(surfaces, work.bounds())?;
     let degree = |surface: &ImplicitSurface| surface.polynomial().degree().unwrap_or(0);
     let all = surfaces.iter().map(|surface| {
         let label = format!("surface of degree {}", degree(surface));
@@ -288,7 +289,8 @@ fn drawn_one(given: Given, options: &PlotOptions, work: &Work) -> Result<Drawn> 
         Content::Exact(Form::Surface(surface)) => {
             let degree = surface.polynomial().degree().unwrap_or(0);
             let label = label("zero set", vec![format!("degree {degree}")]);
-            Ok(Drawn::Surface(label, surface))
+            let moved = surface.in_original_coordinates(work.bounds())?;
+            Ok(Drawn::Surface(label, moved.into_owned()))
         }
         Content::Exact(Form::Curve(curve)) => {
             let label = label("cylinder", Vec::new());

@@ -67,9 +67,7 @@ pub enum SampledPoints {
         center: [Rational; 2],
     },
     /// The points of a surface, ray by ray.
-    Space(Vec<SampledRay<SpaceDirection, 3>>),
-    /// The points of a harmonic surface, ray by ray.
-    Harmonics {
+    Space {
         /// The rays.
         rays: Vec<SampledRay<SpaceDirection, 3>>,
         /// The origin of the coordinates.
@@ -131,7 +129,9 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
             claim_superquadric_rays(proof, [shape.semi_axes(), epsilon, level], &rays);
             Ok(())
         })?;
-        return Ok(uncounted(SampledPoints::Space(kept(rays, options))));
+        let rays = kept(rays, options);
+        let center = std::array::from_fn(|_| Rational::zero());
+        return Ok(uncounted(SampledPoints::Space { rays, center }));
     }
     if !options.phis.is_empty() {
         return Err(Error::Usage(
@@ -155,11 +155,7 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         return Ok(uncounted(SampledPoints::Plane { rays, center }));
     }
     let curve = work.stage("implicitize", || implicit_curve(form, &SAMPLE, work))?;
-    let origin = [Rational::zero(), Rational::zero()];
-    let (center, from) = match options.coordinates {
-        CoordinatesFrom::Center => (curve.center().clone(), origin),
-        CoordinatesFrom::Original => (origin, curve.center().clone()),
-    };
+    let [center, from] = ends(curve.center(), options.coordinates);
     let solver = RaySolver::new(curve.polynomial()).about(from);
     let rays = solve(|d| Ok(solver.solve(d)), directions, work)?;
     work.claim(|proof| {
@@ -174,14 +170,30 @@ pub fn sample(given: Given, options: &SampleOptions, work: &Work) -> Result<Samp
         )
     })?;
     let rays = kept(rays, options);
-    if !center.iter().all(Rational::is_zero) {
-        work.remark(Remark::RelativeTo(center.to_vec()));
-    }
+    remark_center(&center, work);
     remark_lines(&rays, work);
     Ok(Samples {
         points: SampledPoints::Plane { rays, center },
         counts: Some(solver.stage_counts()),
     })
+}
+
+/// The point that the coordinates of points are relative to, and the point, in these coordinates, from which rays begin.
+fn ends<const N: usize>(
+    center: &[Rational; N],
+    coordinates: CoordinatesFrom,
+) -> [[Rational; N]; 2] {
+    let origin = std::array::from_fn(|_| Rational::zero());
+    match coordinates {
+        CoordinatesFrom::Center => [center.clone(), origin],
+        CoordinatesFrom::Original => [origin, center.clone()],
+    }
+}
+
+fn remark_center(center: &[Rational], work: &Work) {
+    if !center.iter().all(Rational::is_zero) {
+        work.remark(Remark::RelativeTo(center.to_vec()));
+    }
 }
 
 fn uncounted(points: SampledPoints) -> Samples {
@@ -199,11 +211,7 @@ fn of_harmonics(
 ) -> Result<Samples> {
     let directions = space_directions(options)?;
     let pair = HarmonicPair::new(surface);
-    let origin = [0, 1, 2].map(|_| Rational::zero());
-    let (center, from) = match options.coordinates {
-        CoordinatesFrom::Center => (surface.center().clone(), origin),
-        CoordinatesFrom::Original => (origin, surface.center().clone()),
-    };
+    let [center, from] = ends(surface.center(), options.coordinates);
     let rays = solve(|d| Ok(harmonic_ray(&pair, &from, d)), directions, work)?;
     work.claim(|proof| {
         let equation = squared_harmonics(surface, work)?.expand();
@@ -211,17 +219,16 @@ fn of_harmonics(
         claim_rays(proof, form, equation.by_degree(), &from, &rays, work)
     })?;
     let rays = kept(rays, options);
-    if !center.iter().all(Rational::is_zero) {
-        work.remark(Remark::RelativeTo(center.to_vec()));
-    }
-    Ok(uncounted(SampledPoints::Harmonics { rays, center }))
+    remark_center(&center, work);
+    Ok(uncounted(SampledPoints::Space { rays, center }))
 }
 
 /// Lemmas 7 to 10 and Theorem 6 in single directions: all real R with f(R u, R v, R w) = 0.
 fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -> Result<Samples> {
     let directions = space_directions(options)?;
     check_surface(surface, work)?;
-    let solver = RaySolver::new(surface.by_degree());
+    let [center, from] = ends(surface.center(), options.coordinates);
+    let solver = RaySolver::new(surface.by_degree()).about(from);
     let rays = solve(|d| Ok(solver.solve(d)), directions, work)?;
     work.claim(|proof| {
         let form = surface_form(proof, surface.polynomial());
@@ -235,9 +242,10 @@ fn of_surface(surface: &ImplicitSurface, options: &SampleOptions, work: &Work) -
         )
     })?;
     let rays = kept(rays, options);
+    remark_center(&center, work);
     remark_lines(&rays, work);
     Ok(Samples {
-        points: SampledPoints::Space(rays),
+        points: SampledPoints::Space { rays, center },
         counts: Some(solver.stage_counts()),
     })
 }

@@ -83,8 +83,7 @@ impl InspectedForm {
     /// As [`Self::of_curve`].
     pub(crate) fn of_surface(surface: &ImplicitSurface, proof: &mut Proof) -> Self {
         let primitive = surface.polynomial().primitive();
-        let origin = std::array::from_fn(|_| Rational::zero());
-        let equation = Equation::new(&primitive, 3, origin);
+        let equation = Equation::new(&primitive, 3, surface.center().clone());
         Self::Equation(surface_form(proof, &primitive), Box::new(equation))
     }
 

@@ -4,6 +4,7 @@
 mod common;
 
 mod bad_input;
+mod centered_surface;
 mod centers;
 mod cli;
 mod cli_session;

@@ -147,6 +147,7 @@ pub fn parametrize_intersection(
     surfaces: &[ImplicitSurface],
     limits: &Limits,
 ) -> Result<IntersectionParametrization> {
+    let surfaces = &ImplicitSurface::all_in_original_coordinates(surfaces, limits)?[..];
     let [first, second, ..] = surfaces else {
         return Err(Error::Usage("an intersection has two surfaces".into()));
     };
