@@ -3,21 +3,38 @@
 use malachite::base::num::arithmetic::traits::Gcd;
 
 use super::angle::{AngleRange, ExactAngle};
+use crate::error::Invariant;
 use crate::exact::Rational;
+use crate::fit::is_positive_by_values;
+use crate::limits::Limits;
 use crate::poly::{IntegerPolynomial, doubled_form_from_harmonics};
 use crate::roots::real_roots;
 use crate::shape::FourierRadius;
+
+/// With more harmonics, certified values are tried before roots are counted.
+const MOST_COUNTED: usize = 32;
 
 /// The ranges in which r(θ) > 0, ascending within [0, 2π]: open intervals, but closed at 0 and 2π if r > 0 there.
 ///
 /// With t = tan(θ/2), (1+t²)^N r is a polynomial of degree 2N in t. Its real roots of odd multiplicity are the changes of sign,
 /// and its degree is smaller if r(π) = 0. So r > 0 for all angles is certified by exact root counting instead of sampling; then
-/// the only range is the full circle.
+/// the only range is the full circle. For more than 32 harmonics this is tried first by certified values of r, which take a small
+/// part of the time.
 ///
 /// If all harmonics are multiples of g, r(θ) is R(gθ), and the ranges are those of R, repeated g times, where R changes its sign at
 /// rational multiples of π only.
 #[must_use]
 pub fn positive_ranges(radius: &FourierRadius) -> Vec<AngleRange> {
+    if radius.harmonics() > MOST_COUNTED {
+        let by_values = is_positive_by_values(radius, &Limits::none());
+        if by_values.invariant("nothing limits the values") == Some(true) {
+            return vec![AngleRange {
+                from: ExactAngle::Pi(Rational::zero()),
+                to: ExactAngle::Pi(Rational::from(2)),
+                closed: [true, true],
+            }];
+        }
+    }
     let harmonics =
         (1..=radius.harmonics()).filter(|&n| !(radius.cos(n).is_zero() && radius.sin(n).is_zero()));
     let step = harmonics.fold(0, |g: usize, n| g.gcd(n));
@@ -214,6 +231,36 @@ mod tests {
                 (range.from.to_decimal(12), range.to.to_decimal(12), range.closed)
             }).collect::<Vec<_>>();
             prop_assert_eq!(of(positive_ranges(&r)), of(by_counting(&r)));
+        }
+
+        /// With many harmonics, values decide what counting decides.
+        #[test]
+        fn values_and_counting_agree(c in prop::collection::vec((-2i64..3, -2i64..3), 34..40), constant in -9i64..40) {
+            let (mut cos, sin): (Vec<i64>, Vec<i64>) = c.into_iter().unzip();
+            cos[0] = constant;
+            let r = radius(&cos, &sin);
+            prop_assert_eq!(is_full_circle(&positive_ranges(&r)), is_full_circle(&by_counting(&r)));
+        }
+    }
+
+    #[test]
+    fn a_radius_of_any_size_is_positive() {
+        for size in ["1e-400", "1", "1e400"] {
+            let size: Rational = size.parse().unwrap();
+            let mut cos = vec![Rational::zero(); 41];
+            cos[0] = &size * Rational::from(2);
+            cos[40] = -size.clone();
+            cos[39] = -size;
+            // It is 0 at θ = 0.
+            assert!(!is_full_circle(&positive_ranges(&FourierRadius::new(
+                cos.clone(),
+                Vec::new()
+            ))));
+            cos[0] = cos[0].clone() * "1.0000001".parse::<Rational>().unwrap();
+            assert!(is_full_circle(&positive_ranges(&FourierRadius::new(
+                cos,
+                Vec::new()
+            ))));
         }
     }
 }

@@ -106,7 +106,10 @@ pub(crate) fn is_positive_by_values(
     /// The numbers of vertices that are tried, each 16 times the one before.
     const TRIALS: u32 = 3;
     let lists = [radius.cosines(), radius.sines()].map(<[Rational]>::to_vec);
-    let size = lists.iter().flatten().map(|c| c.to_f64().abs()).sum();
+    let size: f64 = lists.iter().flatten().map(|c| c.to_f64().abs()).sum();
+    if !size.is_normal() {
+        return Ok(None);
+    }
     let [cos, sin] = lists;
     let series = EllipticSeries::new([cos, sin, Vec::new(), Vec::new()]);
     let tracer = Tracer::new(&series, &Frame::about_origin(size));
