@@ -139,15 +139,30 @@ impl<F: LemmaForm> Quartic<F> {
         self.shifted(twice_y, 2)
     }
 
-    /// y = ±√((−A + √(A² − 4C))/2)
+    /// y = ±√((−A + √(A² − 4C))/2), where the inner root is not negative.
     fn biquadratic(&self, sign: i8) -> Expression<F> {
         let (outside, inside) = square_part(&self.inner);
         let [minus_a, outside, two] = reduced([negative(&self.a), outside, constant(2)]);
-        let root = Expression::form(inside).root(2).times(outside);
+        let root = Expression::form(inside).root(2);
+        let root = if is_never_negative(&outside) {
+            root.times(outside)
+        } else {
+            let size = Expression::Absolute(Box::new(Expression::form(outside)));
+            Expression::Product(Box::new(size), Box::new(root))
+        };
         let square = Expression::Sum(Box::new(Expression::form(minus_a)), Box::new(root)).over(two);
         let y = square.root(2);
         self.shifted(if sign > 0 { y } else { y.negated() }, 1)
     }
+}
+
+/// Whether this is seen from the terms: they are squares with positive coefficients.
+fn is_never_negative<F: LemmaForm>(form: &F) -> bool {
+    let terms = form.monomials();
+    let is_square = |exponents: &[usize; 3]| exponents.iter().all(|e| e.is_multiple_of(2));
+    terms
+        .iter()
+        .all(|(exponents, c)| **c > 0 && is_square(exponents))
 }
 
 fn signed_sum<F: LemmaForm>(a: Expression<F>, b: Expression<F>, sign: i8) -> Expression<F> {
